@@ -1,0 +1,1 @@
+//! Three small classics, each with just the model that its scene needs.

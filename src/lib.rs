@@ -1,0 +1,23 @@
+//! Resultant: a rocket ship flown through levels by named forces alone.
+//!
+//! SI units in `f64`; x to the right, y **down**; angles clockwise, in radians inside and in degrees at the edges (files, keys,
+//! the screen). Time advances in fixed ticks of 1/[`game::TICK_RATE`] s and nowhere else. Arrows point downwards only:
+//! `physics ← level ← game ← scores ← screens → view`.
+//!
+//! - [`physics`]: the engine: bodies, named forces, contacts, impacts, motion. It knows no pixel, key, clock or file.
+//! - [`level`]: the text of a level folder becomes a valid [`level::Level`], or the list of all its problems.
+//! - [`game`]: one run of a level: controls, fuel, objectives, hazards, events, score.
+//! - [`scores`]: user names and leaderboards, and their files.
+//! - [`classics`]: a tile run, a jumper, and π from collisions, each with just the model that it needs.
+//! - [`cli`]: one file a subcommand.
+
+pub mod classics;
+pub mod cli;
+pub mod game;
+pub mod level;
+pub mod physics;
+pub mod scores;
+#[cfg(feature = "window")]
+pub mod screens;
+#[cfg(feature = "window")]
+pub mod view;

@@ -1,0 +1,61 @@
+//! Axis-aligned boxes and the questions asked of them.
+
+use glam::DVec2;
+
+/// An axis-aligned box in metres, x to the right, y down: `min` is its top left corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb {
+    /// The corner with the smallest coordinates (top left), m.
+    pub min: DVec2,
+    /// The corner with the largest coordinates (bottom right), m.
+    pub max: DVec2,
+}
+
+impl Aabb {
+    /// The box between two corners.
+    pub const fn new(min: DVec2, max: DVec2) -> Self {
+        Self { min, max }
+    }
+
+    /// The box around `centre` that reaches `half` to each side.
+    pub fn around(centre: DVec2, half: DVec2) -> Self {
+        Self { min: centre - half, max: centre + half }
+    }
+
+    /// Its centre, m.
+    pub fn centre(&self) -> DVec2 {
+        (self.min + self.max) * 0.5
+    }
+
+    /// Its width and height, m.
+    pub fn size(&self) -> DVec2 {
+        self.max - self.min
+    }
+
+    /// The gap to another box along each axis, m: negative where they overlap along it.
+    pub fn gap(&self, other: &Self) -> DVec2 {
+        (other.min - self.max).max(self.min - other.max)
+    }
+
+    /// Whether the boxes share an area by more than `slop` metres along both axes.
+    pub fn overlaps(&self, other: &Self, slop: f64) -> bool {
+        let gap = self.gap(other);
+        gap.x < -slop && gap.y < -slop
+    }
+
+    /// Whether the boxes touch or overlap, within `slop` metres.
+    pub fn touches(&self, other: &Self, slop: f64) -> bool {
+        let gap = self.gap(other);
+        gap.x <= slop && gap.y <= slop
+    }
+
+    /// The smallest box around both.
+    pub fn union(&self, other: &Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// Whether `other` lies inside this box, edges included, within `slop` metres.
+    pub fn contains(&self, other: &Self, slop: f64) -> bool {
+        (other.min + slop).cmpge(self.min).all() && (other.max - slop).cmple(self.max).all()
+    }
+}

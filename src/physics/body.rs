@@ -1,0 +1,81 @@
+//! Bodies: what moves.
+
+use super::{Aabb, Material};
+use glam::DVec2;
+
+/// A body's index in its world; the ship of a level is body 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct BodyId(pub u32);
+
+impl BodyId {
+    /// As an index into per-body arrays.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// How a body begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyDef {
+    /// Centre, m.
+    pub position: DVec2,
+    /// Start velocity, m/s.
+    pub velocity: DVec2,
+    /// Half the width and half the height, m, both > 0.
+    pub half: DVec2,
+    /// kg, > 0.
+    pub mass: f64,
+    /// Drag coefficient C_d, ≥ 0.
+    pub drag: f64,
+    /// Coefficient of restitution, 0 … 1.
+    pub restitution: f64,
+    /// What it is made of; a pair of bodies slides with the smaller coefficients of the two.
+    pub material: Material,
+    /// Whether air resistance acts on it.
+    pub feels_air: bool,
+}
+
+impl Default for BodyDef {
+    fn default() -> Self {
+        Self {
+            position: DVec2::ZERO,
+            velocity: DVec2::ZERO,
+            half: DVec2::splat(0.5),
+            mass: 1.0,
+            drag: 1.0,
+            restitution: 0.0,
+            material: Material::ASPHALT,
+            feels_air: true,
+        }
+    }
+}
+
+/// A body as it is after the last tick.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Centre, m.
+    pub position: DVec2,
+    /// m/s.
+    pub velocity: DVec2,
+    /// The acceleration that acted last, m/s².
+    pub acceleration: DVec2,
+    /// Half the width and half the height, m.
+    pub half: DVec2,
+    /// kg.
+    pub mass: f64,
+    /// Drag coefficient C_d.
+    pub drag: f64,
+    /// Coefficient of restitution.
+    pub restitution: f64,
+    /// What it is made of.
+    pub material: Material,
+    /// Whether air resistance acts on it.
+    pub feels_air: bool,
+}
+
+impl Body {
+    /// The box it fills, m.
+    pub fn bounds(&self) -> Aabb {
+        Aabb::around(self.position, self.half)
+    }
+}

@@ -1,0 +1,111 @@
+//! The force manager: the named forces that act on one body, each with its source.
+
+use super::BodyId;
+use glam::DVec2;
+
+/// The kinds of force, named as shown to the player.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ForceKind {
+    /// m·g downwards.
+    Weight,
+    /// The ship's engine, along the nose or against it.
+    Drive,
+    /// What a supporting surface or object exerts along the contact's normal; never pulls.
+    Reaction,
+    /// Against sliding along a contact.
+    Friction,
+    /// ½·ρ·C_d·A·|u|², against the motion relative to the air.
+    AirResistance,
+    /// An air stream's constant force.
+    Wind,
+    /// ρ·g·V of the displaced liquid, upwards.
+    Buoyancy,
+    /// The drag of a liquid, quadratic and viscous part together.
+    ViscousDrag,
+    /// What another object presses with.
+    Push,
+}
+
+impl ForceKind {
+    /// All kinds in the order in which they are listed everywhere.
+    pub const ALL: [Self; 9] = [
+        Self::Weight,
+        Self::Drive,
+        Self::Reaction,
+        Self::Friction,
+        Self::AirResistance,
+        Self::Wind,
+        Self::Buoyancy,
+        Self::ViscousDrag,
+        Self::Push,
+    ];
+
+    /// The name shown to the player.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Weight => "Weight",
+            Self::Drive => "Drive",
+            Self::Reaction => "Reaction",
+            Self::Friction => "Friction",
+            Self::AirResistance => "Air Resistance",
+            Self::Wind => "Wind",
+            Self::Buoyancy => "Buoyancy",
+            Self::ViscousDrag => "Viscous Drag",
+            Self::Push => "Push",
+        }
+    }
+}
+
+/// What exerts a force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Source {
+    /// The field of gravity.
+    Gravity,
+    /// The body's own engine.
+    Engine,
+    /// The air.
+    Air,
+    /// The air stream of that index in [`super::WorldDef::streams`].
+    Stream(u32),
+    /// The liquid of that index in [`super::WorldDef::fluids`].
+    Fluid(u32),
+    /// The immovable surface of that index in [`super::World::surfaces`].
+    Surface(u32),
+    /// Another body.
+    Body(BodyId),
+}
+
+/// One force on a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Force {
+    /// Its kind, which is also its name.
+    pub kind: ForceKind,
+    /// What exerts it.
+    pub source: Source,
+    /// Its vector, N.
+    pub vector: DVec2,
+}
+
+/// The forces that act on one body and their resultant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ForceManager {
+    forces: Vec<Force>,
+    resultant: DVec2,
+}
+
+impl ForceManager {
+    /// Every single force, in the order in which it was added.
+    pub fn forces(&self) -> &[Force] {
+        &self.forces
+    }
+
+    /// The vector sum of all forces of one kind, N: zero where there is none.
+    pub fn total(&self, kind: ForceKind) -> DVec2 {
+        self.forces.iter().filter(|force| force.kind == kind).map(|force| force.vector).sum()
+    }
+
+    /// The resultant force, N.
+    pub fn resultant(&self) -> DVec2 {
+        self.resultant
+    }
+}

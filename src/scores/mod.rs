@@ -1,0 +1,1 @@
+//! User names and leaderboards, and their files.

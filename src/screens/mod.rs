@@ -1,0 +1,1 @@
+//! The screens: a state machine that is tested without a window.

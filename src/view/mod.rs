@@ -1,0 +1,1 @@
+//! Drawing only: reads the game and changes nothing in it.
