@@ -4,6 +4,7 @@ mod aabb;
 mod body;
 mod forces;
 mod material;
+pub mod pile;
 mod world;
 
 pub use aabb::Aabb;
