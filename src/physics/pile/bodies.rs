@@ -49,6 +49,8 @@ pub(super) struct Bodies {
     pub allowed_right: Vec<f64>,
     pub allowed_top: Vec<f64>,
     pub allowed_bottom: Vec<f64>,
+    /// How far the allowed ranges have moved since they were made, m.
+    pub shift: (f64, f64),
     /// Number outside → number inside.
     pub slot: Vec<u32>,
     /// Number inside → number outside.
@@ -87,6 +89,7 @@ impl Bodies {
             allowed_right: movable(),
             allowed_top: movable(),
             allowed_bottom: movable(),
+            shift: (0.0, 0.0),
             slot: (0..count as u32).collect(),
             id: (0..count as u32).collect(),
             order: (0..count as u32).collect(),
@@ -103,7 +106,7 @@ impl Bodies {
 
     /// Whether the predicted centre lies within the body's allowed box.
     pub fn is_allowed(&self, i: usize) -> bool {
-        let (x, y) = (self.px[i], self.py[i]);
+        let (x, y) = (self.px[i] - self.shift.0, self.py[i] - self.shift.1);
         (x >= self.allowed_left[i]) & (x <= self.allowed_right[i]) & (y >= self.allowed_top[i]) & (y <= self.allowed_bottom[i])
     }
 

@@ -79,8 +79,7 @@ impl Impacts {
             return;
         }
         // No more than was taken is given back, in a pair and altogether, by axis.
-        let mut lost =
-            [taken(&bodies.mass, &bodies.free_vx, &bodies.ux), taken(&bodies.mass, &bodies.free_vy, &bodies.uy)];
+        let mut lost = [taken(&bodies.mass, &bodies.free_vx, &bodies.ux), taken(&bodies.mass, &bodies.free_vy, &bodies.uy)];
         for hit in &self.all {
             let (a, b) = (hit.a as usize, hit.b as usize);
             let rebound = hit.speed * bodies.traits[a].restitution.max(bodies.traits[b].restitution);

@@ -20,7 +20,6 @@ const PASSES: usize = 16;
 
 /// Solves the velocities across gravity. `given` is left with each body's momentum before friction, pushes included; `pushed` is
 /// scratch.
-#[allow(clippy::too_many_arguments)]
 pub(super) fn solve(
     bodies: &mut Bodies,
     contacts: &Contacts,
@@ -56,13 +55,21 @@ pub(super) fn solve(
             let i = i as usize;
             if let Some(node) = (i < n).then(|| node(bodies, friction, i)).flatten() {
                 given[i] += push(clusters, i, &node);
+                if clusters.velocity(i, 0.0) != 0.0 {
+                    friction.drag(i);
+                }
             }
         }
         friction.solve(bodies, given);
     }
-    let plain = |bodies: &Bodies, i: usize| {
-        Some(Node { momentum: bodies.mass[i] * bodies.ux[i], mass: bodies.mass[i], ..Node::default() })
-    };
+    let plain =
+        |bodies: &Bodies, i: usize| Some(Node { momentum: bodies.mass[i] * bodies.ux[i], mass: bodies.mass[i], ..Node::default() });
+    // Friction and plastic merging never make anything faster than the fastest was; if grips that did not settle would have,
+    // the step goes without friction.
+    let fastest = |v: &[f64]| v.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    if fastest(&bodies.ux[..n]) > fastest(&bodies.free_vx[..n]) * (1.0 + SLACK) {
+        bodies.ux.copy_from_slice(&bodies.free_vx);
+    }
     if merge(bodies, contacts, clusters, impacts, plain) {
         for &i in &clusters.joined {
             let i = i as usize;

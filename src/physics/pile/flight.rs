@@ -29,13 +29,14 @@ pub(super) fn fly(bodies: &mut Bodies, dt: f64, drag: bool) -> bool {
 /// Whether all predicted positions lie within the boxes in which the bodies' neighbours were sought.
 pub(super) fn stays(bodies: &Bodies) -> bool {
     let n = bodies.len();
-    let inside_x = within(&bodies.px[..n], &bodies.allowed_left[..n], &bodies.allowed_right[..n]);
-    inside_x && within(&bodies.py[..n], &bodies.allowed_top[..n], &bodies.allowed_bottom[..n])
+    let inside_x = within(&bodies.px[..n], bodies.shift.0, &bodies.allowed_left[..n], &bodies.allowed_right[..n]);
+    inside_x && within(&bodies.py[..n], bodies.shift.1, &bodies.allowed_top[..n], &bodies.allowed_bottom[..n])
 }
 
-/// Whether every value lies in its range.
-fn within(values: &[f64], low: &[f64], high: &[f64]) -> bool {
-    values.iter().zip(low).zip(high).fold(true, |all, ((value, low), high)| all & (value >= low) & (value <= high))
+/// Whether every value less `shift` lies in its range.
+fn within(values: &[f64], shift: f64, low: &[f64], high: &[f64]) -> bool {
+    let inside = |value: f64, low: f64, high: f64| (value - shift >= low) & (value - shift <= high);
+    values.iter().zip(low).zip(high).fold(true, |all, ((value, low), high)| all & inside(*value, *low, *high))
 }
 
 fn fly_on_parabolas(bodies: &mut Bodies, dt: f64) {
@@ -137,8 +138,7 @@ fn sub_steps(mut u: f64, mut w: f64, ax: f64, ay: f64, wide: f64, tall: f64, dt:
             let terminal = if a > 0.0 && k > 0.0 { 1.0 / (k * a).sqrt() } else { 0.0 };
             let blend = (h * (k * a).sqrt()).min(1.0);
             let (next_u, next_w) = (u * decay, w * decay);
-            let (next_u, next_w) =
-                (next_u + blend * (ax * terminal - next_u), next_w + blend * (ay * terminal - next_w));
+            let (next_u, next_w) = (next_u + blend * (ax * terminal - next_u), next_w + blend * (ay * terminal - next_w));
             x += 0.5 * h * (u * decay + next_u);
             y += 0.5 * h * (w * decay + next_w);
             (u, w) = (next_u, next_w);

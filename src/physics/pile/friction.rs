@@ -12,12 +12,15 @@
 //! otherwise all take part.
 
 use super::bodies::Bodies;
+use super::clusters::Node;
 use super::contacts::Contacts;
 use super::gravity::SLACK;
-use super::clusters::Node;
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 4;
+
+/// A limit exceeded by this part still holds: sums of many impulses are rounded.
+const ROUNDING: f64 = 1e-12;
 
 /// What a contact does across.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,6 +84,12 @@ impl Friction {
 
     pub fn is_awake(&self, i: usize) -> bool {
         self.is_awake[i]
+    }
+
+    /// The impulse of friction between a body and one of its supports, N·s, on the upper one.
+    pub fn impulse(&self, upper: usize, below: u32) -> f64 {
+        let tight = if self.is_awake[upper] { &self.tight[self.under(upper)] } else { &[] };
+        tight.iter().find(|t| t.below == below).map_or(0.0, |t| t.impulse)
     }
 
     /// Nothing moves across, so nobody takes part.
@@ -150,13 +159,21 @@ impl Friction {
         }
     }
 
+    /// From now on only kinetic friction acts under a body, for it is being pushed along.
+    pub fn drag(&mut self, i: usize) {
+        let under = self.under(i);
+        for tight in &mut self.tight[under] {
+            tight.held = tight.dragged;
+        }
+    }
+
     /// Solves the velocities across, from the momenta `given`; leaves in `riders` what each body carries.
     pub fn solve(&mut self, bodies: &mut Bodies, given: &[f64]) {
         for tight in &mut self.tight {
             tight.grip = Grip::Stick;
         }
         for round in 0..=ROUNDS {
-            self.gather(bodies, given, round == 0);
+            self.gather(bodies, given, round == 0, round == ROUNDS);
             if !self.spread(bodies, round == ROUNDS) {
                 break;
             }
@@ -164,7 +181,7 @@ impl Friction {
     }
 
     /// Top-down: mass and momentum of all that sticks to a body, and what slides on it gives.
-    fn gather(&mut self, bodies: &Bodies, given: &[f64], guess: bool) {
+    fn gather(&mut self, bodies: &Bodies, given: &[f64], guess: bool, last: bool) {
         let n = bodies.len();
         for &i in &self.awake {
             let i = i as usize;
@@ -188,6 +205,12 @@ impl Friction {
                 match tight.grip {
                     Grip::Slip(sign) => {
                         tight.impulse = sign * tight.dragged;
+                        if last {
+                            // Not more than stops it, in case that the grips did not settle.
+                            let rider = &self.riders[i];
+                            let stop = rider.mass * bodies.ux[tight.below as usize] - rider.momentum;
+                            tight.impulse = sign * (stop * sign).clamp(0.0, tight.dragged);
+                        }
                         self.riders[i].momentum += tight.impulse;
                         if (tight.below as usize) < n {
                             self.riders[tight.below as usize].momentum -= tight.impulse;
@@ -242,10 +265,12 @@ impl Friction {
                         continue;
                     }
                     tight.impulse = impulse * (tight.held / held);
-                    if other != target && !last {
+                    if last {
+                        velocity += (other - target) * (tight.held / held);
+                    } else if other != target {
                         tight.grip = Grip::Slip((other - target).signum());
                         changed = true;
-                    } else if impulse.abs() > held * (1.0 + 1e-12) && !last {
+                    } else if impulse.abs() > held * (1.0 + ROUNDING) {
                         tight.grip = Grip::Slip(impulse.signum());
                         changed = true;
                     }

@@ -6,9 +6,9 @@
 //! what is lifted from below: those are merged ([`super::clusters`]) until nothing closes too fast.
 
 use super::bodies::Bodies;
+use super::bounce::{Axis, Impacts};
 use super::clusters::{Clusters, Node};
 use super::contacts::Contacts;
-use super::bounce::{Axis, Impacts};
 
 /// An approach this much faster than allowed is still allowed, m/s. Smaller: endless merging over rounding.
 pub(super) const SLACK: f64 = 1e-12;
@@ -18,15 +18,17 @@ const ROUNDS: usize = 24;
 /// The velocity of something with momentum P and mass M on ground whose friction can take `held` while it stands and takes
 /// `dragged` while it slides. Friction never reverses motion.
 pub(super) fn slide(momentum: f64, mass: f64, held: f64, dragged: f64) -> f64 {
-    if momentum.abs() <= held {
-        0.0
-    } else {
-        (momentum.abs() - dragged.min(momentum.abs())).copysign(momentum) / mass
-    }
+    if momentum.abs() <= held { 0.0 } else { (momentum.abs() - dragged.min(momentum.abs())).copysign(momentum) / mass }
 }
 
 /// Solves the velocities along gravity.
-pub(super) fn solve(bodies: &mut Bodies, contacts: &Contacts, anchored: &mut [bool], clusters: &mut Clusters, impacts: &mut Impacts) {
+pub(super) fn solve(
+    bodies: &mut Bodies,
+    contacts: &Contacts,
+    anchored: &mut [bool],
+    clusters: &mut Clusters,
+    impacts: &mut Impacts,
+) {
     let n = bodies.len();
     let mut loose = !contacts.ceilings.is_empty();
     for i in 0..n {
@@ -66,7 +68,8 @@ pub(super) fn solve(bodies: &mut Bodies, contacts: &Contacts, anchored: &mut [bo
 fn merge(bodies: &mut Bodies, contacts: &Contacts, anchored: &mut [bool], clusters: &mut Clusters, impacts: &mut Impacts) {
     let n = bodies.len();
     clusters.clear();
-    let node = |bodies: &Bodies, i: usize| Node { momentum: bodies.mass[i] * bodies.free_vy[i], mass: bodies.mass[i], ..Node::default() };
+    let node =
+        |bodies: &Bodies, i: usize| Node { momentum: bodies.mass[i] * bodies.free_vy[i], mass: bodies.mass[i], ..Node::default() };
     for _ in 0..ROUNDS {
         let mut merged = false;
         for i in 0..n {

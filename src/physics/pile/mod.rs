@@ -202,11 +202,8 @@ impl Pile {
             (bodies.x[i], bodies.y[i]) = (centre.x, centre.y * down);
             (bodies.px[i], bodies.py[i]) = (bodies.x[i], bodies.y[i]);
             (bodies.hx[i], bodies.hy[i]) = (half.x, half.y);
-            bodies.traits[i] = Traits {
-                restitution: 0.0,
-                static_friction: surface.static_friction,
-                kinetic_friction: surface.kinetic_friction,
-            };
+            bodies.traits[i] =
+                Traits { restitution: 0.0, static_friction: surface.static_friction, kinetic_friction: surface.kinetic_friction };
         }
         let mut anchored = vec![false; n];
         anchored.resize(n + s, true);
@@ -251,6 +248,7 @@ impl Pile {
             return;
         }
         self.last_dt = dt;
+        self.neighbours.drift(&mut self.bodies, self.gravity, dt);
         let inside = flight::fly(&mut self.bodies, dt, self.drag);
         if !inside {
             self.neighbours.update(&mut self.bodies, dt);
@@ -266,7 +264,7 @@ impl Pile {
                 self.look_again(dt);
             }
             self.solve(dt);
-            inside = place::move_all(&mut self.bodies, &self.contacts, self.gravity, dt);
+            inside = place::move_all(&mut self.bodies, &self.contacts, self.gravity, dt, look == 0);
             if inside {
                 break;
             }

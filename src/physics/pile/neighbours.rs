@@ -5,7 +5,7 @@
 //! are added; when many have left, all is sought anew. The search is a uniform grid of centres filled by a counting sort (cells
 //! in rows, so that what one row has to offer is one contiguous range); the boxes that are much larger than the rest, and those
 //! that were made since, are tested one by one. Surfaces never move: each is tested when they are few, else looked up in a grid
-//! of their own.
+//! of their own. Without surfaces the boxes move along with the mean velocity and gravity, so that a shower is sought seldom.
 
 use super::bodies::Bodies;
 
@@ -99,6 +99,10 @@ pub(super) struct Neighbours {
     pub first: Vec<u32>,
     pub more: Vec<More>,
     left: usize,
+    /// Mean velocity when all was sought, m/s, and how long ago that was, s.
+    drift: (f64, f64),
+    age: f64,
+    fall: f64,
     horizon: f64,
     skin: f64,
     /// Half the width and half the height of the largest boxes that are not large, m.
@@ -118,7 +122,8 @@ impl Neighbours {
     /// For the bodies' surfaces, which never change.
     pub fn new(bodies: &Bodies) -> Self {
         let n = bodies.len();
-        let mut new = Self { horizon: HORIZON.0, start: vec![0; n + 1], first: vec![NONE; n], is_large: vec![false; n], ..Self::default() };
+        let mut new =
+            Self { horizon: HORIZON.0, start: vec![0; n + 1], first: vec![NONE; n], is_large: vec![false; n], ..Self::default() };
         for j in n..bodies.x.len() {
             let (x, y, hx, hy) = (bodies.x[j], bodies.y[j], bodies.hx[j], bodies.hy[j]);
             new.surface_edges.push([x - hx, x + hx, y - hy, y + hy]);
@@ -182,6 +187,19 @@ impl Neighbours {
         }
     }
 
+    /// Moves the allowed boxes along for a step of `dt` seconds under `gravity`.
+    pub fn drift(&mut self, bodies: &mut Bodies, gravity: f64, dt: f64) {
+        if self.surface_edges.is_empty() {
+            self.fall = gravity;
+            self.age += dt;
+            bodies.shift = self.drifted(self.age);
+        }
+    }
+
+    fn drifted(&self, age: f64) -> (f64, f64) {
+        (self.drift.0 * age, (self.drift.1 + 0.5 * self.fall * age) * age)
+    }
+
     /// Gives a body that has left its box a new one, and adds the pairs that this lets meet.
     fn add(&mut self, bodies: &mut Bodies, i: usize, dt: f64) {
         let mine = self.allow(bodies, i, dt);
@@ -229,6 +247,12 @@ impl Neighbours {
         bodies.renumber();
         let n = bodies.len();
         self.skin = SKIN * bodies.hx[..n].iter().zip(&bodies.hy[..n]).map(|(x, y)| x.min(*y)).sum::<f64>() / n.max(1) as f64;
+        if self.surface_edges.is_empty() {
+            let mean = |v: &[f64]| v[..n].iter().sum::<f64>() / n.max(1) as f64;
+            self.drift = (mean(&bodies.vx), mean(&bodies.vy));
+            self.age = dt;
+            bodies.shift = self.drifted(dt);
+        }
         self.edges.clear();
         for i in 0..n {
             let edges = self.allow(bodies, i, dt);
@@ -259,9 +283,11 @@ impl Neighbours {
     /// Gives a body a new allowed range of its centre; returns its allowed box.
     fn allow(&self, bodies: &mut Bodies, i: usize, dt: f64) -> Edges {
         let ahead = self.horizon * dt;
-        let (x, px, y, py) = (bodies.x[i], bodies.px[i], bodies.y[i], bodies.py[i]);
-        let far_x = x + ahead * (bodies.vx[i] + 0.5 * ahead * bodies.ax[i]);
-        let far_y = y + ahead * (bodies.vy[i] + 0.5 * ahead * bodies.ay[i]);
+        let (now, then) = (self.drifted((self.age - dt).max(0.0)), bodies.shift);
+        let (x, px, y, py) = (bodies.x[i] - now.0, bodies.px[i] - then.0, bodies.y[i] - now.1, bodies.py[i] - then.1);
+        let falling = self.drift.1 + self.fall * (self.age - dt).max(0.0);
+        let far_x = x + ahead * (bodies.vx[i] - self.drift.0 + 0.5 * ahead * bodies.ax[i]);
+        let far_y = y + ahead * (bodies.vy[i] - falling + 0.5 * ahead * (bodies.ay[i] - self.fall));
         let (left, right) = (x.min(px).min(far_x) - self.skin, x.max(px).max(far_x) + self.skin);
         let (top, bottom) = (y.min(py).min(far_y) - self.skin, y.max(py).max(far_y) + self.skin);
         (bodies.allowed_left[i], bodies.allowed_right[i]) = (left, right);
