@@ -1,6 +1,111 @@
-//! The command line: one file a subcommand.
+//! The command line: one file a subcommand, and [`Project`], which says where the game's folders are. Here are the arguments that
+//! all share and what becomes of their results: standard output gets results, standard error problems, and the exit status is
+//! [`Status`]. What a subcommand does is not here, and no rule of the game either.
+//!
+//! Each subcommand's file has `pub struct Args` and `pub fn run(&Args, &Project, &mut dyn Write) -> Result<Status, Stop>`. It
+//! writes its results to the writer, never with `println!`, which panics when the reader has gone away.
 
-/// Parses the command line and runs what it asks for.
-pub fn main() -> std::process::ExitCode {
-    std::process::ExitCode::SUCCESS
+mod play;
+mod project;
+
+pub use project::Project;
+
+use clap::Parser;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// A rocket ship flown by named forces
+#[derive(Parser, Debug)]
+#[command(version, about, after_help = "Without a command the game opens.")]
+#[command(after_long_help = "Without a command the game opens.\n\nExit status: 0 done; 1 a check or verification found something \
+    wrong; 2 the input was refused and nothing was run.")]
+struct Cli {
+    /// The folder that holds assets/, levels/ and scores/
+    #[arg(long, global = true, value_name = "DIR")]
+    data: Option<PathBuf>,
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(clap::Subcommand, Debug)]
+enum Command {
+    /// Open the game in a level
+    Play(play::Args),
+}
+
+/// How a subcommand ended, as its exit status.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Status {
+    /// It did what was asked.
+    Done = 0,
+    /// A check or verification found something wrong.
+    Wrong = 1,
+    /// The input was refused: nothing was run, nothing written.
+    Refused = 2,
+}
+
+/// Why a subcommand ended early.
+#[derive(Debug)]
+pub enum Stop {
+    /// The input was refused, for this reason; ends with [`Status::Refused`]. Of several problems each has its line.
+    Refused(String),
+    /// Results could not be written.
+    Output(io::Error),
+}
+
+impl From<io::Error> for Stop {
+    /// For `?` behind `write!` to the output. Whatever else fails to be read or written wants a message with its path.
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+/// Parses the command line, runs what it asks for and says how that ended.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    let ended = dispatch(&cli, &mut out).and_then(|status| Ok(out.flush().map(|()| status)?));
+    let status = match ended {
+        Ok(status) => status,
+        Err(Stop::Refused(problem)) => {
+            // Nothing can be done about a standard error that is closed.
+            let _ = writeln!(io::stderr(), "{}", problem.trim_end());
+            Status::Refused
+        }
+        // Whoever reads has seen enough, as `head` does.
+        Err(Stop::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Status::Done,
+        Err(Stop::Output(error)) => {
+            let _ = writeln!(io::stderr(), "cannot write the results: {error}");
+            Status::Wrong
+        }
+    };
+    ExitCode::from(status as u8)
+}
+
+fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
+    let project = Project::find(cli.data.as_deref())?;
+    match &cli.command {
+        None => play::run(&play::Args::default(), &project, out),
+        Some(Command::Play(args)) => play::run(args, &project, out),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_definition_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn data_is_taken_anywhere() {
+        for line in [["resultant", "--data", "d", "play", "1"], ["resultant", "play", "1", "--data", "d"]] {
+            assert_eq!(Cli::parse_from(line).data, Some(PathBuf::from("d")), "{line:?}");
+        }
+    }
 }

@@ -1,6 +1,8 @@
 //! Level folders: CSV text becomes a valid [`Level`], or the list of all its problems. Behind the loader nothing knows pixels but
 //! drawing.
 
+mod world_def;
+
 use crate::physics::{Aabb, DVec2, Material};
 
 /// The ship's height, m: it fixes the scale.
