@@ -61,9 +61,8 @@ impl World {
             list.by_left_edge.extend(0..n as u32);
         }
         let allowed = &list.allowed;
-        list.by_left_edge.sort_unstable_by(|&i, &j| {
-            allowed[i as usize].min.x.total_cmp(&allowed[j as usize].min.x).then(i.cmp(&j))
-        });
+        list.by_left_edge
+            .sort_unstable_by(|&i, &j| allowed[i as usize].min.x.total_cmp(&allowed[j as usize].min.x).then(i.cmp(&j)));
         for (at, &i) in list.by_left_edge.iter().enumerate() {
             for &j in &list.by_left_edge[at + 1..] {
                 if allowed[j as usize].min.x > allowed[i as usize].max.x {

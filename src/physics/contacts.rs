@@ -54,7 +54,8 @@ impl World {
         match self.bodies.get(pair.b as usize).map(|body| &body.material) {
             Some(b) => (a.static_friction.min(b.static_friction), a.kinetic_friction.min(b.kinetic_friction)),
             None => {
-                let Material { static_friction, kinetic_friction, .. } = self.surfaces[pair.b as usize - self.bodies.len()].material;
+                let Material { static_friction, kinetic_friction, .. } =
+                    self.surfaces[pair.b as usize - self.bodies.len()].material;
                 (static_friction, kinetic_friction)
             }
         }

@@ -6,9 +6,9 @@
 //! `√(A/k)` along A stays on it, which bounds the work for things of any lightness. Motion stiffer than that (a grain in
 //! treacle) takes an exponential step, `v → v∞ + (v − v∞)·e^(−mt)` with the damping m frozen, stable at any rate.
 
+use super::Body;
 use super::media::{Law, Media};
 use super::tuning::{RK4_REACH, RK4_STEPS, TERMINAL_TOLERANCE};
-use super::Body;
 use glam::DVec2;
 
 /// Place and velocity.

@@ -258,7 +258,8 @@ impl Network {
             if load < -tolerance {
                 return false;
             }
-            let carries_on = |link: &Link| !link.cut && link.carries == Carries::Push && (if upwards { link.lo } else { link.hi }) == i;
+            let carries_on =
+                |link: &Link| !link.cut && link.carries == Carries::Push && (if upwards { link.lo } else { link.hi }) == i;
             let range = self.links_of(i);
             let supports = range.clone().filter(|&slot| carries_on(&self.links[self.around[slot] as usize])).count();
             if supports == 0 {

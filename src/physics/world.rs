@@ -234,10 +234,12 @@ impl World {
         for (body, drive) in self.bodies.iter().zip(&self.drives) {
             let bounds = body.bounds();
             self.in_stream.extend(self.media.streams.iter().map(|stream| bounds.touches(&stream.zone, SLOP)));
-            // From rest, the side that it turns to the air is that towards which it begins to move.
+            // On the border between the two sides (and at rest) it is the force that decides: drag alone leaves the direction as it is.
             let v = body.velocity;
-            let towards = if v == DVec2::ZERO { *drive + DVec2::new(0.0, body.mass * self.media.gravity) } else { v };
-            self.across.push(towards.x.abs() > towards.y.abs());
+            let force = *drive + DVec2::new(0.0, body.mass * self.media.gravity);
+            let turns = |v: f64, force: f64| if v == 0.0 { force.abs() } else { force * v.signum() };
+            let across = if v.x.abs() == v.y.abs() { turns(v.x, force.x) > turns(v.y, force.y) } else { v.x.abs() > v.y.abs() };
+            self.across.push(across);
         }
     }
 
@@ -395,10 +397,8 @@ impl World {
 fn edges(bounds: &Aabb) -> [SurfaceDef; 4] {
     let (min, max) = (bounds.min, bounds.max);
     let t = EDGE_THICKNESS;
-    let edge = |x0, y0, x1, y1| SurfaceDef {
-        bounds: Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)),
-        material: Material::ASPHALT,
-    };
+    let edge =
+        |x0, y0, x1, y1| SurfaceDef { bounds: Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), material: Material::ASPHALT };
     [
         edge(min.x - t, min.y - t, min.x, max.y + t),
         edge(max.x, min.y - t, max.x + t, max.y + t),
