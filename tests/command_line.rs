@@ -4,7 +4,7 @@ mod program;
 
 use program::{Data, Ran, resultant};
 
-const COMMANDS: [&str; 3] = ["play", "run", "verify"];
+const COMMANDS: [&str; 5] = ["play", "check", "run", "new", "verify"];
 
 #[test]
 fn help_is_everywhere_and_a_success() {

@@ -5,7 +5,9 @@
 //! Each subcommand's file has `pub struct Args` and `pub fn run(&Args, &Project, &mut dyn Write) -> Result<Status, Stop>`. It
 //! writes its results to the writer, never with `println!`, which panics when the reader has gone away.
 
+mod check;
 mod files;
+mod new;
 mod number;
 mod play;
 mod project;
@@ -40,8 +42,12 @@ struct Cli {
 enum Command {
     /// Open the game in a level
     Play(play::Args),
+    /// Load levels and print what is in them, or every problem
+    Check(check::Args),
     /// Play a level without a window and print what that came to
     Run(run::Args),
+    /// Make a level folder that loads
+    New(new::Args),
     /// Fly recorded runs again and compare where they lead
     Verify(verify::Args),
 }
@@ -108,7 +114,9 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
     match &cli.command {
         None => play::run(&play::Args::default(), &project, out),
         Some(Command::Play(args)) => play::run(args, &project, out),
+        Some(Command::Check(args)) => check::run(args, &project, out),
         Some(Command::Run(args)) => run::run(args, &project, out),
+        Some(Command::New(args)) => new::run(args, &project, out),
         Some(Command::Verify(args)) => verify::run(args, &project, out),
     }
 }
