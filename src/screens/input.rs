@@ -142,7 +142,7 @@ mod tests {
 
     fn frame(pressed: &[Key], held: &[Key]) -> Input {
         Input {
-            frame_time: 0.1,
+            frame_time: 0.11,
             pressed: pressed.iter().copied().collect(),
             held: held.iter().copied().collect(),
             ..Input::default()
