@@ -144,10 +144,10 @@ impl World {
     ///
     /// # Errors
     /// As [`World::new`].
-    pub fn add_body(&mut self, def: &BodyDef) -> Result<BodyId, DefError> {
+    pub fn add_body(&mut self, def: BodyDef) -> Result<BodyId, DefError> {
         def.check()?;
         let id = BodyId(self.bodies.len() as u32);
-        self.bodies.push(Body::new(def));
+        self.bodies.push(Body::new(&def));
         self.drives.push(DVec2::ZERO);
         self.previous.push(def.position);
         self.forces.push(ForceManager::default());
