@@ -5,8 +5,10 @@
 //! Each subcommand's file has `pub struct Args` and `pub fn run(&Args, &Project, &mut dyn Write) -> Result<Status, Stop>`. It
 //! writes its results to the writer, never with `println!`, which panics when the reader has gone away.
 
+mod pi;
 mod play;
 mod project;
+mod tiles;
 
 pub use project::Project;
 
@@ -32,6 +34,10 @@ struct Cli {
 enum Command {
     /// Open the game in a level
     Play(play::Args),
+    /// Run a list of commands through a map of tiles
+    Tiles(tiles::Args),
+    /// Count the collisions of two blocks and a wall: the first N+1 digits of π
+    Pi(pi::Args),
 }
 
 /// How a subcommand ended, as its exit status.
@@ -89,6 +95,8 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
     match &cli.command {
         None => play::run(&play::Args::default(), &project, out),
         Some(Command::Play(args)) => play::run(args, &project, out),
+        Some(Command::Tiles(args)) => tiles::run(args, &project, out),
+        Some(Command::Pi(args)) => pi::run(args, &project, out),
     }
 }
 
