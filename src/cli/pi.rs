@@ -5,7 +5,7 @@ use crate::classics::pi::{Blocks, count, step_through};
 use std::io::Write;
 use std::time::Instant;
 
-/// Up to this N the blocks are followed with positions and times; beyond it with their velocities alone, which takes a third.
+/// Up to this N the blocks are followed with positions and times; beyond it with their velocities alone, which is much faster.
 const MAX_N_WITH_POSITIONS: u32 = 7;
 
 /// What `pi` is told.
