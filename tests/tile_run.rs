@@ -222,7 +222,7 @@ fn bad_input_is_refused_with_file_and_line_before_any_frame() {
         (bad_map(b"#.#\n"), "map:1: the map ends without a start"),
         (bad_map(b"s.\ns."), "map:2: a second start"),
         (bad_map(b"s.\n.x"), "map:2: column 2: found 'x'"),
-        (bad_map(b"s.\n.\xff"), "map:2: bytes that are no text"),
+        (bad_map(b"s.\n.\xff"), "map:2: found letters that are not UTF-8"),
         (bad_commands(b"LEFT 0.1\nUP 1"), "commands:2: unknown command \"UP\""),
         (bad_commands(b"LEFT 0.1\n\nRIGHT\n"), "commands:3: RIGHT without a value"),
         (bad_commands(b"WAIT x\n"), "commands:1: WAIT: found \"x\""),

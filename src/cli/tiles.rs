@@ -1,5 +1,7 @@
 //! `resultant tiles`: runs a list of commands through a map of tiles.
 
+use super::files::read_text;
+use super::number::Shortest;
 use super::{Project, Status, Stop};
 use crate::classics::tile_run::{Command, InputError, Map, Runner};
 use std::io::{self, Write};
@@ -41,24 +43,10 @@ pub fn run(args: &Args, _: &Project, out: &mut dyn Write) -> Result<Status, Stop
 }
 
 fn read<T>(path: &Path, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, Stop> {
-    let refused = |error: InputError| Stop::Refused(format!("{}:{error}", path.display()));
-    let bytes = std::fs::read(path).map_err(|error| Stop::Refused(format!("{}: {error}", path.display())))?;
-    let text = std::str::from_utf8(&bytes).map_err(|error| {
-        let line = bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count() + 1;
-        refused(InputError { line, message: "bytes that are no text, expected UTF-8".to_owned() })
-    })?;
-    parse(text).map_err(refused)
+    parse(&read_text(path)?).map_err(|error| Stop::Refused(format!("{}:{error}", path.display())))
 }
 
 fn write_frame(out: &mut dyn Write, frame: usize, runner: &Runner) -> io::Result<()> {
-    write!(out, "{frame}")?;
-    for number in [runner.x, runner.y, runner.vx, runner.vy] {
-        // Both forms have the fewest digits that read back as the same f64; the plain one fills up with zeros.
-        if number == 0.0 || number.abs() >= 1e-5 {
-            write!(out, ",{number}")?;
-        } else {
-            write!(out, ",{number:e}")?;
-        }
-    }
-    writeln!(out, ",{}", u8::from(runner.on_ground))
+    let [x, y, vx, vy] = [runner.x, runner.y, runner.vx, runner.vy].map(Shortest);
+    writeln!(out, "{frame},{x},{y},{vx},{vy},{}", u8::from(runner.on_ground))
 }
