@@ -163,7 +163,7 @@ fn box_size(facts: &Facts, frame: &Frame) -> Vec2 {
 }
 
 fn legend(game: &Game) -> Vec<String> {
-    let plan = game.world().plan();
+    let plan = game.world().plan().parts();
     let mut lines = vec![format!("Arrows: one square = {} N", newtons_a_metre(game.level()))];
     if !plan.is_empty() {
         lines.push("Model at work:".to_owned());

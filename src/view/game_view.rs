@@ -14,10 +14,11 @@ use super::{hitboxes, hud, things, world, zones};
 use crate::game::{Game, GameEvent, SHIP};
 use crate::physics::{BodyId, DVec2};
 use std::path::Path;
+use std::rc::Rc;
 
 /// The view of one attempt: what is drawn besides the game's own state.
 pub struct GameView {
-    art: Art,
+    art: Rc<Art>,
     pictures: Pictures,
     edges: Vec<Edge>,
     camera: Camera,
@@ -39,12 +40,13 @@ pub struct Overlays {
 }
 
 impl GameView {
-    /// The view of a game that begins. `read` hands over the bytes of a picture that the level names.
-    pub fn new(game: &Game, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
+    /// The view of a game that begins. `art` is painted once and shared; `read` hands over the bytes of a picture that the
+    /// level names.
+    pub fn new(game: &Game, art: Rc<Art>, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
         let level = game.level();
         let solids: Vec<_> = level.world.iter().map(|solid| solid.bounds).collect();
         Self {
-            art: Art::new(),
+            art,
             pictures: Pictures::new(level, read),
             edges: open_edges(&solids, level.size),
             camera: Camera::new(game.world().body(SHIP).position),
@@ -104,7 +106,7 @@ impl GameView {
     }
 
     fn draw_level(&self, game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas) {
-        let (level, art, time) = (game.level(), &self.art, self.time);
+        let (level, art, time) = (game.level(), &*self.art, self.time);
         world::draw_ground(level, &self.pictures, view, canvas);
         zones::draw_streams(level, view, canvas, time);
         zones::draw_objectives(game, art, view, canvas, time);

@@ -49,6 +49,6 @@ pub mod world;
 pub mod zones;
 
 #[cfg(feature = "window")]
-pub use art::icon;
+pub use art::{Art, icon};
 #[cfg(feature = "window")]
 pub use game_view::{GameView, Overlays};
