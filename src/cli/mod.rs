@@ -5,6 +5,8 @@
 //! Each subcommand's file has `pub struct Args` and `pub fn run(&Args, &Project, &mut dyn Write) -> Result<Status, Stop>`. It
 //! writes its results to the writer, never with `println!`, which panics when the reader has gone away.
 
+mod check;
+mod new;
 mod play;
 mod project;
 
@@ -32,6 +34,10 @@ struct Cli {
 enum Command {
     /// Open the game in a level
     Play(play::Args),
+    /// Load levels and print what is in them, or every problem
+    Check(check::Args),
+    /// Make a level folder that loads
+    New(new::Args),
 }
 
 /// How a subcommand ended, as its exit status.
@@ -89,6 +95,8 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
     match &cli.command {
         None => play::run(&play::Args::default(), &project, out),
         Some(Command::Play(args)) => play::run(args, &project, out),
+        Some(Command::Check(args)) => check::run(args, &project, out),
+        Some(Command::New(args)) => new::run(args, &project, out),
     }
 }
 

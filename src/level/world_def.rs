@@ -1,6 +1,6 @@
 //! A level as the engine sees it.
 
-use super::{Level, SHIP_DRAG, SHIP_HALF};
+use super::types::{Level, SHIP_DRAG, SHIP_HALF};
 use crate::physics::{Aabb, BodyDef, DVec2, FluidDef, Material, StreamDef, SurfaceDef, WorldDef};
 
 impl Level {
