@@ -1,1 +1,85 @@
-//! The screens: a state machine that is tested without a window.
+//! The screens: a state machine that runs, and is tested, without a window. A screen takes an [`Input`] a frame and may answer with
+//! a [`Request`], which carries what the next screen needs; [`App`] grants it in one place. One file a screen; each file's drawing
+//! reads the screen and goes through [`crate::view`]. The window, its keys and its clock are in `window`; rules of the game, scores
+//! and names are not here but in the modules below.
+
+mod app;
+mod balls;
+mod buttons;
+mod classics;
+mod flight;
+mod input;
+mod leaderboard;
+mod level_select;
+mod library;
+mod menu;
+mod problems;
+mod save_score;
+mod scoring;
+mod scroll;
+mod text_field;
+#[cfg(feature = "window")]
+mod window;
+
+pub use app::{App, Places};
+pub use buttons::Buttons;
+pub use classics::Classics;
+pub use flight::{Attempt, Flight, Spectator};
+pub use input::{Input, Key, Keys};
+pub use leaderboard::Leaderboard;
+pub use level_select::{Entry, LevelSelect, Purpose};
+pub use library::Library;
+pub use menu::Menu;
+pub use problems::Problems;
+pub use save_score::SaveScore;
+pub use scoring::{Effect, Part, Press, Scoring};
+pub use scroll::Bar;
+#[cfg(feature = "window")]
+pub use window::open;
+
+use crate::game::RunResult;
+use crate::scores::Name;
+
+/// What is on the screen, with all that it needs.
+#[derive(Debug)]
+pub enum Screen {
+    /// Title and main buttons.
+    Menu(Menu),
+    /// Which level.
+    LevelSelect(LevelSelect),
+    /// An attempt at a level.
+    Flight(Box<Flight>),
+    /// What it came to.
+    Scoring(Box<Scoring>),
+    /// Under which name.
+    SaveScore(Box<SaveScore>),
+    /// The best of one level.
+    Leaderboard(Leaderboard),
+    /// Which classic.
+    Classics(Classics),
+}
+
+/// What a screen asks for: the next screen, with what it needs.
+#[derive(Clone, Debug)]
+pub enum Request {
+    /// The main menu.
+    Menu,
+    /// The list of levels.
+    LevelSelect(Purpose),
+    /// The level of that name, read afresh.
+    Play(String),
+    /// Another attempt at a level that is there.
+    Attempt(Attempt),
+    /// An attempt has ended.
+    Score(Attempt, RunResult),
+    /// Its score is to be saved.
+    SaveScore(Attempt, RunResult),
+    /// Its score is saved under that name.
+    Submit(RunResult, Name),
+    /// The leaderboard of the level of that name.
+    Leaderboard(String),
+    /// The list of classics.
+    Classics,
+    /// The end.
+    Quit,
+}

@@ -5,6 +5,7 @@ use super::layout::{Area, Vec2};
 use super::theme::faded;
 use macroquad::color::Color;
 use macroquad::models::{Mesh, Vertex, draw_mesh};
+use macroquad::shapes::draw_line;
 use std::f32::consts::{FRAC_PI_2, TAU};
 
 /// How far, in physical pixels, a curve may stray from the true one.
@@ -67,6 +68,14 @@ impl Canvas {
         self.convex(&[from + across, to + across, to - across, from - across], colour);
     }
 
+    /// A line along an axis, one physical pixel wide and exactly on one.
+    pub fn hairline(&self, from: Vec2, to: Vec2, colour: Color) {
+        let pixel = self.frame().pixel;
+        let snapped = |point: Vec2| ((point / pixel).floor() + 0.5) * pixel;
+        let (from, to) = (snapped(from), snapped(to));
+        draw_line(from.x, from.y, to.x, to.y, pixel, colour);
+    }
+
     fn circle_outline(&self, centre: Vec2, radius: f32) -> Vec<Vec2> {
         let steps = self.steps(radius, TAU).max(8);
         (0..steps).map(|i| centre + Vec2::from_angle(TAU * i as f32 / steps as f32) * radius).collect()
@@ -76,6 +85,9 @@ impl Canvas {
         let radius = radius.min(area.size.min_element() / 2.0).max(0.0);
         let inner = area.inset(radius);
         let (a, b) = (inner.min, inner.max());
+        if radius < self.frame().pixel / 2.0 {
+            return vec![b, Vec2::new(a.x, b.y), a, Vec2::new(b.x, a.y)];
+        }
         let steps = self.steps(radius, FRAC_PI_2).max(1);
         [b, Vec2::new(a.x, b.y), a, Vec2::new(b.x, a.y)]
             .into_iter()

@@ -1,9 +1,10 @@
 //! What the screens are made of: panels, buttons, headings.
 
 use super::canvas::{Canvas, Style};
-use super::layout::{Area, BUTTON_TEXT, CORNER, EDGE, HEADING, Vec2};
+use super::layout::{Area, BUTTON_TEXT, CORNER, EDGE, GRID, HEADING, Vec2};
 use super::theme;
 use macroquad::color::Color;
+use macroquad::shapes::draw_rectangle;
 
 /// From a button's edge out to its focus ring.
 const RING_GAP: f32 = 4.0;
@@ -43,13 +44,50 @@ pub fn heading(canvas: &Canvas, text: &str, y: f32) {
     canvas.text(text, Vec2::new(canvas.size().x / 2.0, y), Style::new(HEADING, theme::TEXT).centred().middle());
 }
 
+/// A line of text around its middle that is at most `widest` wide: in the first of `sizes` that fits, else cut off with an ellipsis.
+pub fn fitted(canvas: &Canvas, text: &str, middle: Vec2, widest: f32, sizes: &[f32], colour: Color) {
+    let style = |size: f32| Style::new(size, colour).centred().middle();
+    if let Some(size) = sizes.iter().find(|size| canvas.width(text, style(**size)) <= widest) {
+        return canvas.text(text, middle, style(*size));
+    }
+    let style = style(sizes.last().copied().unwrap_or(BUTTON_TEXT));
+    let mut kept: Vec<char> = text.chars().collect();
+    let shortened = loop {
+        kept.pop();
+        let shortened = kept.iter().collect::<String>() + "…";
+        if kept.is_empty() || canvas.width(&shortened, style) <= widest {
+            break shortened;
+        }
+    };
+    canvas.text(&shortened, middle, style);
+}
+
+/// A scroll bar.
+pub fn scroll_bar(canvas: &Canvas, track: Area, handle: Area, held: bool) {
+    canvas.rounded(track, track.size.x / 2.0, theme::GROUND);
+    canvas.rounded(handle, handle.size.x / 2.0, if held { theme::ACCENT } else { theme::SOLID_TOP });
+}
+
+/// The paper of the notebook: small squares, heavy lines every ten.
+pub fn graph_paper(canvas: &Canvas) {
+    const SQUARE: f32 = 4.0 * GRID;
+    let size = canvas.size();
+    let across = (size.x / SQUARE).ceil() as usize;
+    let down = (size.y / SQUARE).ceil() as usize;
+    for heavy in [false, true] {
+        let colour = if heavy { theme::GRID_HEAVY } else { theme::GRID_FINE };
+        let lines = |count: usize| (0..=count).filter(move |i| (i % 10 == 0) == heavy).map(|i| i as f32 * SQUARE);
+        for x in lines(across) {
+            canvas.hairline(Vec2::new(x, 0.0), Vec2::new(x, size.y), colour);
+        }
+        for y in lines(down) {
+            canvas.hairline(Vec2::new(0.0, y), Vec2::new(size.x, y), colour);
+        }
+    }
+}
+
 /// Darkens everything so far and starts a layer above it.
 pub fn curtain(canvas: &Canvas, alpha: f32) {
     canvas.end_layer();
-    canvas.convex(&corners(canvas.frame().area()), theme::faded(theme::GROUND, alpha));
-}
-
-fn corners(area: Area) -> [Vec2; 4] {
-    let (a, b) = (area.min, area.max());
-    [a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)]
+    draw_rectangle(0.0, 0.0, canvas.size().x, canvas.size().y, theme::faded(theme::GROUND, alpha));
 }
