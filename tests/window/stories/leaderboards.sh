@@ -12,7 +12,7 @@ press Down Down Return
 expect 5 leaderboards-levels differs leaderboards-menu 3
 press Return
 expect 5 leaderboards-top differs leaderboards-levels 3
-expect 5 leaderboards-top shows "$yellow" 0 0 100 100 0.02
+expect 5 leaderboards-top shows "$yellow" 22 24 56 8 0.1
 press Down Down Down Down
 expect 5 leaderboards-by-key differs leaderboards-top 0.3
 press Up Up Up Up Up Up # never past the end
