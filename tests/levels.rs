@@ -190,7 +190,7 @@ fn check_prints_what_a_good_level_holds() {
     let counts =
         "1 solid, 1 object, 1 key object, 0 player objectives, 1 physics objective, 1 death box, 2 air streams, 0 liquids, 0 texts";
     assert_eq!(lines[1], format!("  contents: {counts}"));
-    let plan = World::new(good("good_original").world_def()).unwrap().plan().join(", ");
+    let plan = World::new(good("good_original").world_def()).unwrap().plan().parts().join(", ");
     assert_eq!(lines[2], format!("  physics: {plan}"));
 }
 

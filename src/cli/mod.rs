@@ -6,16 +6,26 @@
 //! writes its results to the writer, never with `println!`, which panics when the reader has gone away.
 
 mod check;
+mod files;
 mod new;
+mod number;
+mod pi;
 mod play;
 mod project;
+mod run;
+mod telemetry;
+mod tiles;
+mod verify;
 
 pub use project::Project;
 
+use crate::level::{self, Level};
 use clap::Parser;
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::Arc;
 
 /// A rocket ship flown by named forces
 #[derive(Parser, Debug)]
@@ -36,8 +46,16 @@ enum Command {
     Play(play::Args),
     /// Load levels and print what is in them, or every problem
     Check(check::Args),
+    /// Play a level without a window and print what that came to
+    Run(run::Args),
     /// Make a level folder that loads
     New(new::Args),
+    /// Fly recorded runs again and compare where they lead
+    Verify(verify::Args),
+    /// Run a list of commands through a map of tiles
+    Tiles(tiles::Args),
+    /// Count the collisions of two blocks and a wall: the first N+1 digits of π
+    Pi(pi::Args),
 }
 
 /// How a subcommand ended, as its exit status.
@@ -59,6 +77,13 @@ pub enum Stop {
     Refused(String),
     /// Results could not be written.
     Output(io::Error),
+}
+
+impl Stop {
+    /// The input was refused, for this reason.
+    pub fn refused(reason: impl Display) -> Self {
+        Self::Refused(reason.to_string())
+    }
 }
 
 impl From<io::Error> for Stop {
@@ -96,8 +121,24 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
         None => play::run(&play::Args::default(), &project, out),
         Some(Command::Play(args)) => play::run(args, &project, out),
         Some(Command::Check(args)) => check::run(args, &project, out),
+        Some(Command::Run(args)) => run::run(args, &project, out),
         Some(Command::New(args)) => new::run(args, &project, out),
+        Some(Command::Verify(args)) => verify::run(args, &project, out),
+        Some(Command::Tiles(args)) => tiles::run(args, &project, out),
+        Some(Command::Pi(args)) => pi::run(args, &project, out),
     }
+}
+
+/// The level that the command line names, ready to be played.
+///
+/// # Errors
+/// There is no such level, or it is refused, with every problem.
+fn load_level(project: &Project, name: &str) -> Result<Arc<Level>, Stop> {
+    let loaded = level::load(&project.level_folder(name)?, project.root()).map_err(|problems| {
+        let lines: Vec<String> = problems.iter().map(ToString::to_string).collect();
+        Stop::Refused(lines.join("\n"))
+    })?;
+    Ok(Arc::new(loaded.level))
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@
 //! 60,1,0,0,0
 //! ```
 
-use super::{BadFile, Game, GameError, Inputs};
+use super::{BadFile, Game, GameError, Inputs, TICK_RATES};
 use crate::level::Level;
 use std::fmt;
 use std::str::FromStr;
@@ -67,12 +67,12 @@ impl Replay {
         let mut problems = Vec::new();
         let notes = Notes { file, text };
         let level = notes.find("level", "a level's name", &mut problems);
-        let tick_rate = notes.find("tick_rate", "ticks a second", &mut problems);
+        let tick_rate = notes.find("tick_rate", "1 to 1000000 ticks a second", &mut problems);
         let score = notes.find("score", "points", &mut problems);
         let hash = notes.find("hash", "16 hex digits", &mut problems);
         let inputs = Inputs::parse(file, text).map_err(|BadFile(found)| problems.extend(found)).ok();
         match (level, tick_rate, score, hash, inputs) {
-            (Some(level), Some(tick_rate), Some(score), Some(Hex(hash)), Some(inputs)) => {
+            (Some(level), Some(TickRate(tick_rate)), Some(score), Some(Hex(hash)), Some(inputs)) => {
                 Ok(Self { level, tick_rate, score, hash, inputs })
             }
             _ => Err(BadFile(problems)),
@@ -126,6 +126,17 @@ impl Notes<'_> {
     }
 }
 
+/// A tick rate that a game can be given.
+struct TickRate(f64);
+
+impl FromStr for TickRate {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        text.parse().ok().filter(|rate| TICK_RATES.contains(rate)).map(Self).ok_or(())
+    }
+}
+
 /// 64 bits as 16 hex digits.
 struct Hex(u64);
 
@@ -159,11 +170,12 @@ mod tests {
 
     #[test]
     fn every_problem_is_told_with_its_place() {
-        let text = "# score: lots\n# tick_rate: 120\n# hash: abc\nticks,thrust,reverse,left,right\n0,0,0,0,0\n";
+        let text = "# score: lots\n# tick_rate: 0\n# hash: abc\nticks,thrust,reverse,left,right\n0,0,0,0,0\n";
         assert_eq!(
             Replay::parse("run.csv", text).unwrap_err().0,
             [
                 r##"run.csv:1: "level": found no line "# level: …", expected a level's name"##,
+                r#"run.csv:2: "tick_rate": found "0", expected 1 to 1000000 ticks a second"#,
                 r#"run.csv:1: "score": found "lots", expected points"#,
                 r#"run.csv:3: "hash": found "abc", expected 16 hex digits"#,
                 r#"run.csv:5: column "ticks": found "0", expected a whole number from 1 to 1000000000"#,
