@@ -253,6 +253,40 @@ fn hover_and_focus_are_told_apart() {
 }
 
 #[test]
+fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
+    let mut sitting = Sitting::new();
+    let drop_at = |sitting: &mut Sitting, pointer: Vec2| {
+        sitting.give(Input { pointer, right_click: true, ..Input::default() });
+        let Screen::Menu(menu) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+        menu.balls().len()
+    };
+    assert_eq!(drop_at(&mut sitting, Vec2::new(100.0, 100.0)), 1);
+    assert_eq!(drop_at(&mut sitting, Vec2::new(100.0, 100.0)), 2, "beside the first one");
+    let button = sitting.buttons().areas()[0].centre();
+    assert_eq!(drop_at(&mut sitting, button), 3, "beside the button");
+    assert_eq!(drop_at(&mut sitting, Vec2::new(-50.0, 9000.0)), 4, "at the window's edge");
+    for _ in 0..100 {
+        drop_at(&mut sitting, Vec2::new(200.0, 300.0));
+    }
+    for size in [Vec2::new(1280.0, 720.0), Vec2::new(900.0, 500.0), Vec2::new(500.0, 700.0)] {
+        sitting.frame = Frame::of_window(size);
+        sitting.wait(3.0);
+        let (areas, frame) = (sitting.buttons().areas().to_vec(), sitting.frame);
+        let Screen::Menu(menu) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+        let balls = menu.balls();
+        assert!(balls.len() > 10, "{} balls", balls.len());
+        for (i, ball) in balls.iter().enumerate() {
+            let inside = ball.min.cmpge(Vec2::splat(-0.1)).all() && ball.max().cmple(frame.size + 0.1).all();
+            assert!(inside, "{ball:?} has left {frame:?}");
+            for other in areas.iter().chain(&balls[i + 1..]) {
+                let overlap = ball.max().min(other.max()) - ball.min.max(other.min);
+                assert!(overlap.min_element() < 0.1, "{ball:?} lies in {other:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn play_opens_the_first_level_not_yet_completed() {
     let mut sitting = Sitting::new();
     assert_eq!(sitting.choose(0).flight().game().level().name, "1");
