@@ -180,7 +180,7 @@ impl Sitting {
     }
 
     /// From the menu to the field for the name.
-    fn to_save_score(&mut self) -> &mut Self {
+    fn reach_save_score(&mut self) -> &mut Self {
         let save = self.complete().scoring().presses().iter().position(|press| *press == Press::SaveScore).unwrap();
         self.choose(save)
     }
@@ -270,7 +270,7 @@ fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
     }
     for size in [Vec2::new(1280.0, 720.0), Vec2::new(900.0, 500.0), Vec2::new(500.0, 700.0)] {
         sitting.frame = Frame::of_window(size);
-        sitting.wait(3.0);
+        sitting.wait(1.0);
         let (areas, frame) = (sitting.buttons().areas().to_vec(), sitting.frame);
         let Screen::Menu(menu) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
         let balls = menu.balls();
@@ -516,7 +516,7 @@ fn the_score_is_explained_part_by_part() {
 #[test]
 fn a_name_is_judged_on_submit_and_its_error_stays_until_it_is_mended() {
     let mut sitting = Sitting::new();
-    sitting.to_save_score().write("1bo");
+    sitting.reach_save_score().write("1bo");
     assert_eq!(sitting.save_score().error(), None, "not while typing");
     sitting.press(Key::Enter);
     let error = sitting.save_score().error().expect("refused").to_owned();
@@ -538,7 +538,7 @@ fn a_name_is_judged_on_submit_and_its_error_stays_until_it_is_mended() {
 #[test]
 fn the_field_takes_forty_characters() {
     let mut sitting = Sitting::new();
-    sitting.to_save_score().write(&"a".repeat(50));
+    sitting.reach_save_score().write(&"a".repeat(50));
     assert_eq!(sitting.save_score().text().len(), 40);
     sitting.press(Key::Enter);
     assert!(sitting.save_score().error().is_some_and(|error| error.contains("long")));
@@ -547,27 +547,27 @@ fn the_field_takes_forty_characters() {
 #[test]
 fn a_score_is_saved_by_mouse_and_by_keyboard() {
     let mut sitting = Sitting::new();
-    assert_eq!(sitting.to_save_score().write("ann").click(0).at(), "leaderboard");
+    assert_eq!(sitting.reach_save_score().write("ann").click(0).at(), "leaderboard");
     let mut sitting = Sitting::new();
-    assert_eq!(sitting.to_save_score().write("ann").press_all(&[Key::Down, Key::Enter]).at(), "leaderboard");
+    assert_eq!(sitting.reach_save_score().write("ann").press_all(&[Key::Down, Key::Enter]).at(), "leaderboard");
     let mut sitting = Sitting::new();
-    assert_eq!(sitting.to_save_score().write("ann").press_all(&[Key::Tab, Key::Right, Key::Enter]).at(), "scoring", "Back");
-    assert_eq!(Sitting::new().to_save_score().click(1).at(), "scoring");
+    assert_eq!(sitting.reach_save_score().write("ann").press_all(&[Key::Tab, Key::Right, Key::Enter]).at(), "scoring", "Back");
+    assert_eq!(Sitting::new().reach_save_score().click(1).at(), "scoring");
 }
 
 #[test]
 fn the_name_is_kept_for_the_sitting_and_offered_again() {
     let mut sitting = Sitting::new();
-    sitting.to_save_score().write("robert").press_all(&[Key::Enter, Key::Escape]);
+    sitting.reach_save_score().write("robert").press_all(&[Key::Enter, Key::Escape]);
     assert_eq!(sitting.at(), "menu");
-    assert_eq!(sitting.to_save_score().save_score().text(), "robert");
-    assert_eq!(Sitting::new().to_save_score().save_score().text(), "", "another sitting");
+    assert_eq!(sitting.reach_save_score().save_score().text(), "robert");
+    assert_eq!(Sitting::new().reach_save_score().save_score().text(), "", "another sitting");
 }
 
 #[test]
 fn a_score_that_cannot_be_saved_says_why_and_stays() {
     let mut sitting = Sitting::with(|root| fs::write(root.join("scores"), "a file, no folder").unwrap());
-    sitting.to_save_score().write("ann").press(Key::Enter);
+    sitting.reach_save_score().write("ann").press(Key::Enter);
     assert!(sitting.save_score().error().is_some());
     fs::remove_file(sitting.folder.path().join("scores")).unwrap();
     assert_eq!(sitting.press(Key::Enter).at(), "leaderboard");
@@ -579,7 +579,7 @@ fn the_row_just_saved_is_in_view_and_highlighted() {
         fs::create_dir(root.join("scores")).unwrap();
         fs::write(root.join("scores/1.csv"), board(40).replace("20000", "30000")).unwrap();
     });
-    sitting.to_save_score().write("zoe").press(Key::Enter);
+    sitting.reach_save_score().write("zoe").press(Key::Enter);
     let screen = sitting.leaderboard();
     let saved = screen.saved().expect("a row is highlighted");
     assert_eq!(screen.board().rows()[saved].name.as_str(), "zoe");
@@ -593,7 +593,7 @@ fn a_worse_score_says_that_the_best_stays() {
         fs::create_dir(root.join("scores")).unwrap();
         fs::write(root.join("scores/1.csv"), "name,score\nann,30000\n").unwrap();
     });
-    sitting.to_save_score().write("ann").press(Key::Enter);
+    sitting.reach_save_score().write("ann").press(Key::Enter);
     assert_eq!(sitting.leaderboard().saved(), Some(0));
     assert!(sitting.leaderboard().remark().is_some_and(|remark| remark.contains("30000")));
 }
@@ -654,8 +654,8 @@ fn esc_goes_back_everywhere() {
     assert_eq!(esc(Sitting::new().fly(1)), "pause");
     assert_eq!(esc(Sitting::new().fly(1).press(Key::Escape)), "flight");
     assert_eq!(esc(Sitting::new().complete()), "menu");
-    assert_eq!(esc(Sitting::new().to_save_score()), "scoring");
-    assert_eq!(esc(Sitting::new().to_save_score().write("ann").press(Key::Enter)), "menu");
+    assert_eq!(esc(Sitting::new().reach_save_score()), "scoring");
+    assert_eq!(esc(Sitting::new().reach_save_score().write("ann").press(Key::Enter)), "menu");
     assert_eq!(esc(Sitting::new().choose(2).choose(0)), "leaderboards");
 }
 

@@ -20,7 +20,7 @@ const BOUNCE: f64 = 0.8;
 /// The fastest a ball starts along each axis, m/s.
 const FASTEST: f64 = 8.0;
 /// The most balls; the oldest makes room. More would cover the menu.
-const MOST: usize = 40;
+const MOST: usize = 24;
 /// How far around the pointer a free place is looked for, in ball widths.
 const SEARCH: i32 = 6;
 
