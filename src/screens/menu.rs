@@ -42,7 +42,7 @@ impl Menu {
             0 => self.next.clone().map_or(Request::LevelSelect(Purpose::Play), Request::Play),
             1 => Request::LevelSelect(Purpose::Play),
             2 => Request::LevelSelect(Purpose::Leaderboard),
-            3 => Request::Classics,
+            3 => Request::Classics(None),
             _ => Request::Quit,
         })
     }
