@@ -292,7 +292,8 @@ impl World {
             {
                 *first = (t, Happening::Stop(along));
             }
-            let level = self.half(contact.lo)[along] + self.half(contact.hi)[along] - SLOP;
+            // Half the slop beyond where the contact ends: at its very end rounding could keep it, and the edge would be met for ever.
+            let level = self.half(contact.lo)[along] + self.half(contact.hi)[along] - 0.5 * SLOP;
             let off = earliest(motion.rises_through(level, 0.0, first.0), motion.falls_through(-level, 0.0, first.0));
             if let Some(t) = off
                 && t < first.0
