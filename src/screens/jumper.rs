@@ -196,6 +196,8 @@ mod drawing {
 
     /// The colour of each player; the number above them tells them apart without it.
     const PLAYERS: [Color; 2] = [theme::ACCENT, theme::TEXT];
+    /// Below the view's lower edge, canvas units: the ground, or what is left behind.
+    const FOOT: f32 = 24.0;
     /// Heights that the ruler names, m.
     const RULER_STEP: i64 = 5;
 
@@ -203,6 +205,7 @@ mod drawing {
         /// Draws the climb, and the panel where it is open.
         pub fn draw(&self, canvas: &Canvas) {
             let view = View::new(canvas, self.scene.view_bottom(self.clock.alpha()));
+            widgets::graph_paper(canvas);
             self.draw_tower(canvas, &view);
             self.draw_players(canvas, &view);
             self.draw_words(canvas, &view);
@@ -213,6 +216,7 @@ mod drawing {
 
         fn draw_tower(&self, canvas: &Canvas, view: &View) {
             let tower = view.area(0.0, view.bottom, WIDTH, VISIBLE);
+            canvas.rounded(tower, 0.0, theme::GROUND);
             for metre in 1..WIDTH as i32 {
                 let x = view.point(f64::from(metre), 0.0).x;
                 canvas.hairline(Vec2::new(x, tower.min.y), Vec2::new(x, tower.max().y), theme::GRID_FINE);
@@ -240,13 +244,16 @@ mod drawing {
                     canvas.rounded(Area { size: Vec2::new(area.size.x, 1.5), ..area }, 0.0, theme::SOLID_TOP);
                 }
             }
-            let ground = view.area(-THICKNESS, -1.0, WIDTH + 2.0 * THICKNESS, 1.0);
-            canvas.rounded(ground, 0.0, theme::SOLID);
+            let foot = Area { min: Vec2::new(tower.min.x, tower.max().y), size: Vec2::new(tower.size.x, FOOT) };
             if self.scene.view_bottom(1.0) > 0.0 {
                 // What is left behind is out: the edge is as red as everything that ends an attempt.
+                canvas.rounded(foot, 0.0, theme::PANEL);
                 for (height, alpha) in [(0.45, 0.12), (0.25, 0.2), (0.08, 0.9)] {
                     canvas.rounded(view.area(0.0, view.bottom, WIDTH, height), 0.0, theme::faded(theme::BAD, alpha));
                 }
+            } else {
+                canvas.rounded(foot, 0.0, theme::SOLID);
+                canvas.rounded(Area { size: Vec2::new(foot.size.x, 2.0), ..foot }, 0.0, theme::SOLID_TOP);
             }
         }
 
@@ -277,16 +284,16 @@ mod drawing {
                 Style::new(HEADING, theme::TEXT).mono().right().middle(),
             );
             let keys: &[(&str, usize)] = if self.is_of_two() {
-                &[("1   A D walk, W jumps", 0), ("2   ← → walk, ↑ jumps", 1)]
+                &[("1: A D walk, W jumps", 0), ("2: ← → walk, ↑ jumps", 1)]
             } else {
                 &[("A D or ← → walk", 0), ("W, ↑ or Space jumps", 0)]
             };
             for (line, (words, player)) in keys.iter().enumerate() {
                 let at = Vec2::new(right, 152.0 + 28.0 * line as f32);
-                canvas.text(words, at, Style { colour: PLAYERS[*player], ..quiet });
+                canvas.text(words, at, Style { colour: PLAYERS[*player], ..quiet }.mono());
             }
             for (line, words) in
-                ["once more in the air;", "let go early for a low jump", "", "Esc pauses, R restarts"].iter().enumerate()
+                ["Jump once more in the air;", "let go early for a low jump.", "", "Esc pauses, R restarts."].iter().enumerate()
             {
                 canvas.text(words, Vec2::new(right, 224.0 + 28.0 * line as f32), quiet);
             }
@@ -318,10 +325,11 @@ mod drawing {
         }
     }
 
-    /// The part of the tower that is in view: all of the canvas' height, in the middle of its width.
+    /// The part of the tower that is in view: the canvas' height but for its foot, in the middle of its width.
     struct View {
         bottom: f64,
         left: f32,
+        /// Of the view's lower edge.
         height: f32,
         /// Canvas units a metre.
         scale: f32,
@@ -329,8 +337,9 @@ mod drawing {
 
     impl View {
         fn new(canvas: &Canvas, bottom: f64) -> Self {
-            let scale = canvas.size().y / VISIBLE as f32;
-            Self { bottom, left: (canvas.size().x - scale * WIDTH as f32) / 2.0, height: canvas.size().y, scale }
+            let height = canvas.size().y - FOOT;
+            let scale = height / VISIBLE as f32;
+            Self { bottom, left: (canvas.size().x - scale * WIDTH as f32) / 2.0, height, scale }
         }
 
         fn point(&self, x: f64, z: f64) -> Vec2 {

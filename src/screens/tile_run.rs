@@ -166,6 +166,7 @@ mod drawing {
             let corner = Vec2::new((canvas.size().x - side * tiles.x) / 2.0, MARGIN.y + (room.y - side * tiles.y) / 2.0);
             let at = |x: f64, y: f64| corner + Vec2::new(x as f32, y as f32) * side;
 
+            widgets::graph_paper(canvas);
             widgets::heading(canvas, "Tile Run", 40.0);
             self.draw_map(canvas, corner, side);
             for (age, &(x, y)) in self.trail.iter().rev().enumerate() {
@@ -226,7 +227,7 @@ mod drawing {
             let style = Style::new(TEXT, theme::QUIET).middle();
             let middle = canvas.size().x / 2.0;
             let hint = match (self.watching, self.ended(), self.paused) {
-                (false, ..) => "← → run, Space jumps".to_owned(),
+                (false, ..) => "Left and Right run, Space jumps".to_owned(),
                 (true, true, _) => {
                     let (column, row) = self.runner.tile();
                     format!("All {} commands done: tile ({column}, {row})", self.commands.len())

@@ -49,7 +49,7 @@ mod drawing {
                 let style = |colour| Style::new(TEXT, colour).middle();
                 let y = area.centre().y;
                 canvas.text(label, Vec2::new(area.min.x + PADDING, y), style(theme::TEXT));
-                canvas.text(key, Vec2::new(area.max().x - PADDING, y), style(theme::ACCENT).right());
+                canvas.text(key, Vec2::new(area.max().x - PADDING, y), style(theme::ACCENT).mono().right());
             }
         }
     }
