@@ -292,7 +292,7 @@ impl World {
             {
                 *first = (t, Happening::Stop(along));
             }
-            // Half the slop beyond where the contact ends: at its very end rounding could keep it, and the edge would be met for ever.
+            // Half the slop: a contact needs all of it, so that this one is over then, however the time is rounded.
             let level = self.half(contact.lo)[along] + self.half(contact.hi)[along] - 0.5 * SLOP;
             let off = earliest(motion.rises_through(level, 0.0, first.0), motion.falls_through(-level, 0.0, first.0));
             if let Some(t) = off

@@ -12,7 +12,7 @@ use crate::physics::{BodyId, DVec2, ForceKind};
 use macroquad::color::Color;
 
 /// About how many squares of the graph paper the ship's weight or thrust, whichever is larger, is long.
-const LONGEST: f64 = 4.0;
+const LONGEST: f64 = 6.0;
 /// Arrows shorter than this are a dot and have no label, canvas units.
 const SHORTEST: f32 = 5.0;
 /// Width of a force's arrow and of the resultant's, canvas units.
@@ -202,6 +202,11 @@ pub fn place_labels(arrows: &[Arrow], height: f32, width: impl Fn(&str) -> f32, 
             beyond(along.perp(), 8.0) - along * (6.0 + height),
             beyond(-along.perp(), 8.0) - along * (6.0 + height),
             beyond(along, 4.0 + 2.0 * height),
+            // For a tip outside of the window or behind a box: beside the shaft.
+            beyond(along.perp(), 8.0) - along * (arrow.length() * 0.4),
+            beyond(-along.perp(), 8.0) - along * (arrow.length() * 0.4),
+            beyond(along.perp(), 8.0) - along * (arrow.length() * 0.65),
+            beyond(-along.perp(), 8.0) - along * (arrow.length() * 0.65),
         ];
         let fits = |middle: &Vec2| {
             let area = Area::around(*middle, size);
@@ -216,10 +221,11 @@ pub fn place_labels(arrows: &[Arrow], height: f32, width: impl Fn(&str) -> f32, 
     labels
 }
 
-/// Draws the labels.
+/// Draws the labels, on a dark ground so that they can be read over anything.
 pub fn draw_labels(arrows: &[Arrow], labels: &[Label], canvas: &Canvas) {
     for label in labels {
         let arrow = &arrows[label.arrow];
+        canvas.rounded(label.area.inset(-1.0), 3.0, faded(theme::GROUND, 0.7));
         canvas.text(arrow.name(), label.area.centre(), Style::new(DETAILS, arrow.colour()).centred().middle());
     }
 }

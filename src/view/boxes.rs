@@ -11,6 +11,8 @@ const TOUCH_COST: f32 = 40.0;
 const COVER_COST: f32 = 260.0;
 /// How much it costs a box to change its place beside its object, for each unit of the change: what keeps boxes from jumping about.
 const MOVE_COST: f32 = 0.6;
+/// How much nearer two boxes together must come for it to be worth their changing places, canvas units: less makes them flutter.
+const EXCHANGE_GAIN: f32 = 40.0;
 
 /// A box that wants a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,14 +29,33 @@ pub struct Wish {
 /// `kept_clear` (objects, arrows) is covered only when that spares a long way. `None` where no place is left.
 pub fn place(wishes: &[Wish], window: Area, taken: &[Area], kept_clear: &[Area]) -> Vec<Option<Area>> {
     let mut fixed = taken.to_vec();
-    wishes
+    let mut places: Vec<Option<Area>> = wishes
         .iter()
         .map(|wish| {
             let area = best(wish, window, &fixed, kept_clear);
             fixed.extend(area);
             area
         })
-        .collect()
+        .collect();
+    exchange(wishes, &mut places);
+    places
+}
+
+/// Lets two boxes of one size change places where that brings them nearer to their objects: their lines no longer cross.
+fn exchange(wishes: &[Wish], places: &mut [Option<Area>]) {
+    for i in 0..places.len() {
+        for j in i + 1..places.len() {
+            if let (Some(a), Some(b)) = (places[i], places[j])
+                && a.size == b.size
+            {
+                let (first, second) = (wishes[i].object.centre(), wishes[j].object.centre());
+                let now = distance(&a, first) + distance(&b, second);
+                if distance(&b, first) + distance(&a, second) < now - EXCHANGE_GAIN {
+                    places.swap(i, j);
+                }
+            }
+        }
+    }
 }
 
 fn best(wish: &Wish, window: Area, fixed: &[Area], kept_clear: &[Area]) -> Option<Area> {

@@ -39,6 +39,8 @@ pub struct Details {
     left_out: usize,
     /// Where each body's box was from its middle, so that it stays there.
     before: Vec<Option<Vec2>>,
+    /// How many boxes were full ones.
+    full: Option<usize>,
 }
 
 impl Details {
@@ -60,14 +62,7 @@ impl Details {
         let hud = HudLayout::new(frame);
         let taken = [hud.status, hud.fuel, self.legend_area];
 
-        // When the full boxes do not all fit, the ship keeps its own and the others get short ones.
-        let full: Vec<Facts> = shown.iter().map(|&i| facts(game, id(i))).collect();
-        let mut all = full;
-        let mut places = self.places(&all, &shown, &objects, frame, &taken, &kept_clear);
-        if places.iter().any(Option::is_none) {
-            all = shown.iter().map(|&i| if id(i) == SHIP { facts(game, SHIP) } else { short_facts(game, id(i)) }).collect();
-            places = self.places(&all, &shown, &objects, frame, &taken, &kept_clear);
-        }
+        let (all, places) = self.fit(game, &shown, &objects, frame, &taken, &kept_clear);
         self.left_out = places.iter().filter(|place| place.is_none()).count();
         self.before.fill(None);
         self.boxes.clear();
@@ -87,22 +82,44 @@ impl Details {
         self.labels = place_labels(&self.arrows, frame.text_height(DETAILS) * 1.1, width, frame.area(), &taken);
     }
 
-    fn places(
-        &self,
-        all: &[Facts],
+    /// The boxes and their places: as many full ones as go in, for the first bodies, and short ones for the rest. The number of full
+    /// ones is found from that of the frame before, for it seldom changes.
+    fn fit(
+        &mut self,
+        game: &Game,
         shown: &[usize],
         objects: &[Area],
         frame: &Frame,
         taken: &[Area],
         kept_clear: &[Area],
-    ) -> Vec<Option<Area>> {
-        let wish = |((facts, &body), &object): ((&Facts, &usize), &Area)| Wish {
-            object,
-            size: box_size(facts, frame),
-            before: self.before[body],
+    ) -> (Vec<Facts>, Vec<Option<Area>>) {
+        let try_full = |full: usize| {
+            let tell = |(i, &body): (usize, &usize)| if i < full { facts(game, id(body)) } else { short_facts(game, id(body)) };
+            let all: Vec<Facts> = shown.iter().enumerate().map(tell).collect();
+            let wish = |((facts, &body), &object): ((&Facts, &usize), &Area)| Wish {
+                object,
+                size: box_size(facts, frame),
+                before: self.before[body],
+            };
+            let wishes: Vec<Wish> = all.iter().zip(shown).zip(objects).map(wish).collect();
+            let places = boxes::place(&wishes, frame.area(), taken, kept_clear);
+            (all, places)
         };
-        let wishes: Vec<Wish> = all.iter().zip(shown).zip(objects).map(wish).collect();
-        boxes::place(&wishes, frame.area(), taken, kept_clear)
+        let fits = |(_, places): &(Vec<Facts>, Vec<Option<Area>>)| places.iter().all(Option::is_some);
+        let mut full = self.full.unwrap_or(shown.len()).clamp(1, shown.len().max(1));
+        let mut best = try_full(full);
+        while !fits(&best) && full > 1 {
+            full -= 1;
+            best = try_full(full);
+        }
+        if fits(&best) && full < shown.len() {
+            let more = try_full(full + 1);
+            if fits(&more) {
+                (full, best) = (full + 1, more);
+            }
+        }
+        self.full = Some(full);
+        best
     }
 
     /// Draws the shapes and the words.
@@ -149,7 +166,7 @@ fn draw_box(placed: &Placed, canvas: &Canvas) {
 }
 
 fn panel(canvas: &Canvas, area: Area) {
-    canvas.rounded(area, CORNER, faded(theme::PANEL, 0.88));
+    canvas.rounded(area, CORNER, faded(theme::PANEL, 0.95));
     canvas.rounded_edge(area, CORNER, 1.5, theme::PANEL_EDGE);
 }
 

@@ -113,7 +113,6 @@ impl GameView {
         world::draw_solids(level, &self.edges, art, view);
         zones::draw_sources(level, view, canvas);
         zones::draw_obstacles(level, art, view, time);
-        world::draw_level_edge(level, view);
         self.particles.draw(art, view);
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
             things::draw_object(object, centre(game, id, alpha), &self.pictures, art, view, canvas);
@@ -121,6 +120,7 @@ impl GameView {
         let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
         things::draw_ship(centre(game, SHIP, alpha), angle(game, alpha), self.emitters.plume(), flicker, art, view);
         zones::draw_fluids(level, view, canvas, time);
+        world::draw_level_edge(level, view, canvas);
         self.feedback.draw_in_level(view, canvas);
         world::draw_texts(level, view, canvas);
     }

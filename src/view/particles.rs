@@ -49,9 +49,7 @@ impl Particle {
         let t = (self.age / self.life).clamp(0.0, 1.0);
         let mix = |from: f32, to: f32| from + (to - from) * t;
         match self.look {
-            Look::Plume => {
-                (mix(2.0, 5.0), Color::new(1.0, mix(174.0, 255.0) / 255.0, mix(0.0, 255.0) / 255.0, 0.85 * (1.0 - t).powf(1.3)))
-            }
+            Look::Plume => (mix(2.0, 5.0), Color::new(1.0, mix(174.0, 255.0) / 255.0, mix(0.0, 255.0) / 255.0, 0.85 * (1.0 - t))),
             Look::Dust => (mix(1.5, 4.5), faded(self.colour, 0.7 * (1.0 - t))),
             Look::Spark => (mix(2.2, 0.8), faded(self.colour, 0.9 * (1.0 - t))),
             // Fades in as well, for it appears in the middle of the stream.

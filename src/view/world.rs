@@ -23,12 +23,7 @@ const FINEST_PAPER: f64 = 8.0;
 
 /// The ground and, over it, the author's picture and the graph paper: a fine line each metre, a heavy one each ten.
 pub fn draw_ground(level: &Level, pictures: &Pictures, view: &Viewport, canvas: &Canvas) {
-    let size = canvas.size();
     let all = view.rect(&Aabb::new(DVec2::ZERO, level.size));
-    if all.x > 0.0 || all.y > 0.0 || all.right() < size.x || all.bottom() < size.y {
-        draw_rectangle(0.0, 0.0, size.x, size.y, OUTSIDE);
-        draw_rectangle(all.x, all.y, all.w, all.h, theme::GROUND);
-    }
     let picture = level.background.as_ref().and_then(|path| pictures.get(path));
     if let Some(texture) = picture {
         let params = DrawTextureParams { dest_size: Some(all.size()), ..DrawTextureParams::default() };
@@ -97,10 +92,14 @@ fn draw_edge(edge: &Edge, line: &Rect, material: &str) {
     }
 }
 
-/// The line along the level's edge, which is solid.
-pub fn draw_level_edge(level: &Level, view: &Viewport) {
+/// The line along the level's edge, which is solid, and beyond it, where the level is smaller than the window, nothing.
+pub fn draw_level_edge(level: &Level, view: &Viewport, canvas: &Canvas) {
     let all = view.rect(&Aabb::new(DVec2::ZERO, level.size));
-    let width = 2.0;
+    let (size, width) = (canvas.size(), 2.0);
+    draw_rectangle(0.0, 0.0, size.x, all.y, OUTSIDE);
+    draw_rectangle(0.0, all.bottom(), size.x, size.y - all.bottom(), OUTSIDE);
+    draw_rectangle(0.0, all.y, all.x, all.h, OUTSIDE);
+    draw_rectangle(all.right(), all.y, size.x - all.right(), all.h, OUTSIDE);
     draw_rectangle(all.x, all.y, all.w, width, theme::SOLID_TOP);
     draw_rectangle(all.x, all.bottom() - width, all.w, width, theme::SOLID_TOP);
     draw_rectangle(all.x, all.y, width, all.h, theme::SOLID_TOP);

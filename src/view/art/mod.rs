@@ -60,8 +60,8 @@ impl Art {
         let materials =
             Material::ALL.iter().map(|material| (material.name, sheet.add(&materials::pattern(material.name), true))).collect();
         let hatching = sheet.add(&shapes::hatching(192), true);
-        let ship = sheet.add(&ship::ship(pixels), false);
-        let small_ship = sheet.add(&ship::ship(pixels / 2), false);
+        let large = ship::ship(pixels);
+        let (ship, small_ship) = (sheet.add(&large, false), sheet.add(&large.halved(), false));
         let glow = sheet.add(&shapes::glow(128), false);
         let flame = sheet.add(&shapes::flame(64, 128), false);
         let disc = sheet.add(&shapes::disc(24), false);
@@ -146,7 +146,7 @@ impl Default for Art {
 /// The window's icon: the ship at the three sizes that a desktop asks for.
 pub fn icon() -> macroquad::miniquad::conf::Icon {
     fn bytes<const N: usize>(size: usize) -> [u8; N] {
-        let picture = ship::ship(size);
+        let picture = ship::ship(2 * size).halved();
         std::array::from_fn(|i| picture.bytes()[i])
     }
     macroquad::miniquad::conf::Icon { small: bytes(16), medium: bytes(32), big: bytes(64) }

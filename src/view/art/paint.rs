@@ -1,7 +1,7 @@
 //! A small painter of pictures in memory: shapes with smooth edges and textures from a function of the place.
 
 /// Samples a pixel and axis that decide how much of it a shape covers.
-const SAMPLES: usize = 3;
+const SAMPLES: usize = 2;
 
 /// A picture in straight (not premultiplied) RGBA, row by row from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,6 +70,16 @@ impl Picture {
         }
     }
 
+    /// The same picture at half the size, each pixel the mean of four by what they cover.
+    pub fn halved(&self) -> Self {
+        Self::of(self.width / 2, self.height / 2, |x, y| {
+            let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| self.at(2 * x + dx, 2 * y + dy).map(f32::from));
+            let cover: f32 = four.iter().map(|p| p[3]).sum();
+            let mean = |c: usize| if cover > 0.0 { four.iter().map(|p| p[c] * p[3]).sum::<f32>() / cover } else { four[0][c] };
+            [mean(0), mean(1), mean(2), cover / 4.0].map(|c| c.round() as u8)
+        })
+    }
+
     /// Copies another picture into this one, its top left corner at (x, y), with its outermost pixels repeated (or, for a pattern
     /// that tiles, continued) `gutter` pixels further out, so that filtering at its edge finds the right neighbours.
     pub fn place(&mut self, other: &Self, x: usize, y: usize, gutter: usize, tiles: bool) {
@@ -112,6 +122,12 @@ mod tests {
         assert_eq!(picture.at(8, 8), [255, 128, 0, 255]);
         assert_eq!(picture.at(0, 0)[3], 0);
         assert!((0..16).any(|x| !matches!(picture.at(x, 8)[3], 0 | 255)), "no pixel is covered in part");
+    }
+
+    #[test]
+    fn half_the_size_weighs_colours_by_what_they_cover() {
+        let picture = Picture::of(2, 2, |x, _| if x == 0 { [200, 0, 0, 255] } else { [0, 90, 0, 0] });
+        assert_eq!(picture.halved().at(0, 0), [200, 0, 0, 128]);
     }
 
     #[test]
