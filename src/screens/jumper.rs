@@ -188,7 +188,7 @@ mod drawing {
     use super::{Jumper, Panel, first_button};
     use crate::classics::jumper::engine::{Cuboid, Kind};
     use crate::classics::jumper::scene::{PLAYER_SIZE, VISIBLE};
-    use crate::classics::jumper::tower::{THICKNESS, WIDTH};
+    use crate::classics::jumper::tower::WIDTH;
     use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
     use crate::view::{theme, widgets};

@@ -30,7 +30,7 @@ pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
 pub use flight::{Attempt, Flight, Spectator};
 pub use input::{Input, Key, Keys};
-pub use jumper::Jumper;
+pub use jumper::{Jumper, Press as JumperPress};
 pub use leaderboard::Leaderboard;
 pub use level_select::{Entry, LevelSelect, Purpose};
 pub use library::Library;
