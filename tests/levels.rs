@@ -116,6 +116,10 @@ fn columns_come_in_any_order_and_may_be_left_out_or_empty() {
     assert_eq!((&ball.look, ball.velocity, ball.size), (&Look::Ball, DVec2::new(-3.0, 4.0), DVec2::splat(0.8)));
     assert_eq!((level.fluids[0].density, level.fluids[0].viscosity, level.fluids[0].colour), (900.0, 0.5, [1, 2, 3]));
     assert_ne!(level.fluids[1].colour, [1, 2, 3]);
+    let zone = |i: usize| (level.streams[i].zone, level.streams[i].force);
+    let right = Aabb::new(DVec2::new(15.0, 2.0), DVec2::new(17.0, 3.0));
+    let down = Aabb::new(DVec2::new(14.0, 5.0), DVec2::new(15.0, 7.0));
+    assert_eq!([zone(0), zone(1)], [(right, DVec2::new(5.0, 0.0)), (down, DVec2::new(0.0, 5.0))]);
     assert_eq!((level.texts[0].text.as_str(), level.texts[0].size), ("Up, then \"right\"", 0.4));
 }
 
@@ -125,6 +129,7 @@ fn what_a_spreadsheet_saves_loads() {
     assert_eq!((level.player.mass, level.player.thrust, level.player.feels_air), (100.0, 3000.0, true));
     assert_eq!(level.objects[0].look, Look::Image(fixtures().join("assets/sprites/ball.png")));
     assert_eq!(level.texts[0].text, "Space, then arrows");
+    assert_eq!((level.title.as_str(), level.metre), ("good_spreadsheet", 30.0));
 }
 
 #[test]
@@ -190,7 +195,7 @@ fn check_prints_what_a_good_level_holds() {
     let counts =
         "1 solid, 1 object, 1 key object, 0 player objectives, 1 physics objective, 1 death box, 2 air streams, 0 liquids, 0 texts";
     assert_eq!(lines[1], format!("  contents: {counts}"));
-    let plan = World::new(good("good_original").world_def()).unwrap().plan().parts().join(", ");
+    let plan = World::new(good("good_original").world_def()).unwrap().plan().parts().join("; ");
     assert_eq!(lines[2], format!("  physics: {plan}"));
 }
 

@@ -257,3 +257,34 @@ fn a_reader_that_goes_away_is_no_error() {
     let output = child.wait_with_output().unwrap();
     assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
 }
+
+#[test]
+fn the_forces_of_a_row_are_those_that_led_to_it() {
+    let data = Data::new();
+    let objects = "1500,2970,box:60x60,75,1,FALSE,0\n";
+    let goal = "PLAYER,10,10,20,20\n";
+    data.level("air", "", &[("player.csv", "1500,1000,100,500,3000\n"), ("objectives.csv", goal), ("objects.csv", objects)]);
+    let inputs = data.write("in.csv", &format!("{HEADER}\n30,0,0,0,1\n60,1,0,0,0\n"));
+    let out = data.path("out.csv");
+    let ran = data.resultant(&["run", "air", "--inputs", &inputs, "--seconds", "2", "--telemetry", out.to_str().unwrap()]);
+    assert_eq!(ran.status, 0, "{}", ran.err);
+    let text = read(&data, "out.csv");
+    let names = ["weight", "drive", "reaction", "friction", "air_resistance", "wind", "buoyancy", "viscous_drag", "push"];
+    for row in rows(&text) {
+        let mass = if row[2].1 == "0" { 100.0 } else { 75.0 };
+        for axis in ["x", "y"] {
+            let sum: f64 = names.iter().map(|name| number(&row, &format!("{name}_{axis}"))).sum();
+            let resultant = number(&row, &format!("resultant_{axis}"));
+            assert!((sum - resultant).abs() < 1e-9, "{row:?}");
+            assert!((number(&row, &format!("a{axis}")) * mass - resultant).abs() < 1e-9, "{row:?}");
+        }
+        assert_eq!(number(&row, "weight_y"), 15.0 * mass);
+        let tick = number(&row, "tick");
+        let burning = mass == 100.0 && (31.0..=90.0).contains(&tick);
+        let drive = number(&row, "drive_x").hypot(number(&row, "drive_y"));
+        assert!((drive - if burning { 3000.0 } else { 0.0 }).abs() < 1e-9, "tick {tick}: {drive} N");
+        if mass == 75.0 {
+            assert_eq!((number(&row, "reaction_y"), number(&row, "resultant_y"), number(&row, "y")), (-1125.0, 0.0, 99.0));
+        }
+    }
+}

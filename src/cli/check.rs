@@ -57,7 +57,7 @@ fn describe(name: &str, loaded: &Loaded, world: &World, out: &mut dyn Write, err
     }
     writeln!(out, "{name}: ok")?;
     writeln!(out, "  contents: {}", contents(&loaded.level))?;
-    writeln!(out, "  physics: {}", world.plan().parts().join(", "))
+    writeln!(out, "  physics: {}", world.plan().parts().join("; "))
 }
 
 fn contents(level: &Level) -> String {

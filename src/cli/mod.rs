@@ -9,10 +9,12 @@ mod check;
 mod files;
 mod new;
 mod number;
+mod pi;
 mod play;
 mod project;
 mod run;
 mod telemetry;
+mod tiles;
 mod verify;
 
 pub use project::Project;
@@ -50,6 +52,10 @@ enum Command {
     New(new::Args),
     /// Fly recorded runs again and compare where they lead
     Verify(verify::Args),
+    /// Run a list of commands through a map of tiles
+    Tiles(tiles::Args),
+    /// Count the collisions of two blocks and a wall: the first N+1 digits of π
+    Pi(pi::Args),
 }
 
 /// How a subcommand ended, as its exit status.
@@ -118,6 +124,8 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
         Some(Command::Run(args)) => run::run(args, &project, out),
         Some(Command::New(args)) => new::run(args, &project, out),
         Some(Command::Verify(args)) => verify::run(args, &project, out),
+        Some(Command::Tiles(args)) => tiles::run(args, &project, out),
+        Some(Command::Pi(args)) => pi::run(args, &project, out),
     }
 }
 

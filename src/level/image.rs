@@ -74,8 +74,14 @@ pub(super) fn png_size(bytes: io::Result<Vec<u8>>, name: &str) -> Result<(f64, f
         io::ErrorKind::NotFound => (format!("no file {}", quoted(name)), expected()),
         _ => (format!("{}, which cannot be read ({error})", quoted(name)), expected()),
     })?;
-    let reader = png::Decoder::new(io::Cursor::new(bytes)).read_info();
-    let reader = reader.map_err(|_| (format!("{}, which is no PNG", quoted(name)), expected()))?;
+    read_png_size(&bytes).map_err(|_| (format!("{}, which is no PNG or is damaged", quoted(name)), expected()))
+}
+
+/// Walks over all chunks and their checksums, without unpacking the picture: a file that was cut short is found here, not when it
+/// is drawn.
+fn read_png_size(bytes: &[u8]) -> Result<(f64, f64), png::DecodingError> {
+    let mut reader = png::Decoder::new(io::Cursor::new(bytes)).read_info()?;
+    reader.finish()?;
     Ok((f64::from(reader.info().width), f64::from(reader.info().height)))
 }
 

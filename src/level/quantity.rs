@@ -19,9 +19,9 @@ pub(super) struct Quantity {
     unit: &'static str,
 }
 
-pub(super) const MASS: Quantity = Quantity::new(1e-9, 1e12, "kg");
-pub(super) const FORCE: Quantity = Quantity::new(-1e12, 1e12, "N");
-pub(super) const THRUST: Quantity = Quantity::new(0.0, 1e12, "N");
+pub(super) const MASS: Quantity = Quantity::new(1e-6, 1e9, "kg");
+pub(super) const FORCE: Quantity = Quantity::new(-1e9, 1e9, "N");
+pub(super) const THRUST: Quantity = Quantity::new(0.0, 1e9, "N");
 pub(super) const FUEL: Quantity = Quantity::new(0.0, 1e12, "fuel units");
 pub(super) const VELOCITY: Quantity = Quantity::new(-1e6, 1e6, "m/s");
 pub(super) const ANGLE: Quantity = Quantity::new(-1e6, 1e6, "degrees");
@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn ranges_say_what_they_want() {
         assert_eq!(MASS.parse("0"), Err("a number above 0 kg".into()));
-        assert_eq!(MASS.parse("1e-10"), Err("a number from 1e-9 to 1e12 kg".into()));
+        assert_eq!(MASS.parse("1e-10"), Err("a number from 1e-6 to 1e9 kg".into()));
         assert_eq!(DRAG.parse("-1"), Err("a number of 0 or more".into()));
         assert_eq!(RESTITUTION.parse("1.01"), Err("a number from 0 to 1".into()));
         assert_eq!(RESTITUTION.parse("1"), Ok(1.0));

@@ -65,7 +65,9 @@ impl Space {
         }
         let mut reached: Vec<Part> = part_of(&ship).into_iter().collect();
         while let Some(by) = reached.pop() {
-            let touched: Vec<Part> = waiting.keys().copied().filter(|part| touch(&grids, by, *part, self.slack)).collect();
+            let toucher = Toucher::new(&grids[by.0], by.1);
+            let touched: Vec<Part> =
+                waiting.keys().copied().filter(|part| toucher.touches(&grids[part.0], part.1, self.slack)).collect();
             for part in touched {
                 waiting.remove(&part);
                 reached.push(part);
@@ -163,29 +165,40 @@ impl Grid {
     }
 }
 
-/// Whether a box somewhere in one part can touch a box somewhere in another.
-fn touch(grids: &[Grid], (a, part_a): Part, (b, part_b): Part, slack: f64) -> bool {
-    let (a, b) = (&grids[a], &grids[b]);
-    let columns = a.columns();
-    let rows = a.parts.len() / columns;
-    // How many cells of part a lie above and to the left of each corner of the grid.
-    let mut count = vec![0u32; (columns + 1) * (rows + 1)];
-    for row in 0..rows {
-        for column in 0..columns {
-            let here = u32::from(a.parts[row * columns + column] == part_a);
-            let at = |row: usize, column: usize| row * (columns + 1) + column;
-            count[at(row + 1, column + 1)] =
-                here + count[at(row, column + 1)] + count[at(row + 1, column)] - count[at(row, column)];
+/// A part of a grid, asked what its box can touch.
+struct Toucher<'a> {
+    grid: &'a Grid,
+    /// How many cells of the part lie above and to the left of each corner of the grid, so that the cells of the part in any
+    /// rectangle are counted by four look-ups. Row by row, one longer each way than the grid.
+    count: Vec<u32>,
+}
+
+impl<'a> Toucher<'a> {
+    fn new(grid: &'a Grid, part: u32) -> Self {
+        let columns = grid.columns();
+        let at = |row: usize, column: usize| row * (columns + 1) + column;
+        let rows = grid.parts.len() / columns;
+        let mut count = vec![0u32; (columns + 1) * (rows + 1)];
+        for (i, cell) in grid.parts.iter().enumerate() {
+            let (row, column) = (i / columns, i % columns);
+            let others = count[at(row, column + 1)] + count[at(row + 1, column)] - count[at(row, column)];
+            count[at(row + 1, column + 1)] = others + u32::from(*cell == part);
         }
+        Self { grid, count }
     }
-    let reach = a.half + b.half + slack;
-    (0..b.parts.len()).filter(|i| b.parts[*i] == part_b).any(|i| {
-        let (x, y) = (Grid::interval(&b.x, i % b.columns()), Grid::interval(&b.y, i / b.columns()));
-        let (left, right) = (Grid::cell(&a.x, x.0 - reach.x), Grid::cell(&a.x, x.1 + reach.x) + 1);
-        let (top, bottom) = (Grid::cell(&a.y, y.0 - reach.y), Grid::cell(&a.y, y.1 + reach.y) + 1);
-        let at = |row: usize, column: usize| count[row * (columns + 1) + column];
-        at(bottom, right) + at(top, left) > at(top, right) + at(bottom, left)
-    })
+
+    /// Whether the box somewhere in its part can touch another grid's box somewhere in that part.
+    fn touches(&self, other: &Grid, part: u32, slack: f64) -> bool {
+        let reach = self.grid.half + other.half + slack;
+        let at = |row: usize, column: usize| self.count[row * (self.grid.columns() + 1) + column];
+        (0..other.parts.len()).filter(|i| other.parts[*i] == part).any(|i| {
+            let x = Grid::interval(&other.x, i % other.columns());
+            let y = Grid::interval(&other.y, i / other.columns());
+            let (left, right) = (Grid::cell(&self.grid.x, x.0 - reach.x), Grid::cell(&self.grid.x, x.1 + reach.x) + 1);
+            let (top, bottom) = (Grid::cell(&self.grid.y, y.0 - reach.y), Grid::cell(&self.grid.y, y.1 + reach.y) + 1);
+            at(bottom, right) + at(top, left) > at(top, right) + at(bottom, left)
+        })
+    }
 }
 
 #[cfg(test)]

@@ -169,7 +169,8 @@ fn record(layout: Layout, columns: &[Option<Column>], row: &Row, problems: &mut 
     if let Some(extra) = row.cells.iter().skip(columns.len()).rposition(|cell| !cell.is_empty()) {
         let (first, found) = (&row.cells[columns.len()], cell_count(columns.len() + extra + 1));
         let name = (columns.len() + 1).to_string();
-        problems.push(Problem::new(layout.file, first.line, name, found, cells_wanted(columns)));
+        let expected = cells_wanted(columns) + " (a cell that holds a comma stands in quotes, decimals are written with a point)";
+        problems.push(Problem::new(layout.file, first.line, name, found, expected));
     }
     if let Some(column) = columns.iter().skip(row.cells.len()).flatten().find(|column| column.required) {
         let found = cell_count(row.cells.len());

@@ -68,7 +68,8 @@ impl Polynomial {
         let (first, second) = shifted.turning_points();
         let mut begin = from;
         for stop in [first, second, end] {
-            let stop = stop.clamp(begin, end);
+            // Not `clamp`, which panics where the interval is shorter than `from` already.
+            let stop = stop.min(end).max(begin);
             if shifted.at(begin) > 0.0 && shifted.at(stop) <= 0.0 {
                 return Some(shifted.root(begin, stop));
             }

@@ -44,7 +44,7 @@ impl App {
         let mut app = Self {
             library: Library::new(places.root, places.levels),
             scores: Scores::new(places.scores),
-            screen: Screen::Menu(Menu::new(None, 0)),
+            screen: Screen::Menu(Box::new(Menu::new(None, 0))),
             shown_for: 0.0,
             user: None,
             completed: BTreeSet::new(),
@@ -114,7 +114,7 @@ impl App {
         let playable = |name: &&String| self.library.load(name).is_ok();
         let open = names.iter().filter(|name| !self.is_completed(name)).find(playable);
         let next = open.or_else(|| names.iter().find(playable));
-        Screen::Menu(Menu::new(next.cloned(), self.menus))
+        Screen::Menu(Box::new(Menu::new(next.cloned(), self.menus)))
     }
 
     fn level_select(&self, purpose: Purpose) -> LevelSelect {

@@ -44,7 +44,7 @@ use crate::scores::Name;
 #[derive(Debug)]
 pub enum Screen {
     /// Title and main buttons.
-    Menu(Menu),
+    Menu(Box<Menu>),
     /// Which level.
     LevelSelect(LevelSelect),
     /// An attempt at a level.

@@ -1,21 +1,23 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
-use super::{App, Attempt, Input, Key, Keys, Places, Request, Screen, Spectator};
-use crate::game::{Game, SHIP};
-use crate::physics::Aabb;
+use super::{App, Attempt, Flight, Input, Key, Keys, Places, Request, Screen, Spectator};
+use crate::game::Game;
 use crate::view::canvas::Canvas;
-use crate::view::layout::{Area, DESIGN, Vec2};
-use crate::view::{theme, widgets};
+use crate::view::layout::{DESIGN, Vec2};
+use crate::view::{Art, GameView, Overlays, icon, widgets};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
     mouse_position, mouse_wheel,
 };
 use macroquad::miniquad::conf::Conf;
-use macroquad::time::{get_frame_time, get_time};
+use macroquad::time::{get_fps, get_frame_time, get_time};
 use macroquad::window::next_frame;
+use std::rc::Rc;
 
 /// A new screen fades in over this, s.
 const FADE: f64 = 0.16;
+/// How much one tick's time counts in the running mean that F3 shows.
+const COST_WEIGHT: f64 = 0.02;
 /// Which key of the keyboard is which of ours.
 const KEYS: [(KeyCode, Key); 18] = [
     (KeyCode::Up, Key::Up),
@@ -46,6 +48,7 @@ pub fn open(places: Places, start: Option<Attempt>) {
         window_height: DESIGN.y as i32,
         window_resizable: true,
         high_dpi: true,
+        icon: Some(icon()),
         ..Conf::default()
     };
     macroquad::Window::from_config(conf, async move {
@@ -57,17 +60,18 @@ pub fn open(places: Places, start: Option<Attempt>) {
 
 async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
     let mut canvas = Canvas::new()?;
-    let mut theatre = Theatre::default();
+    let mut theatre = Theatre::new();
     let mut app = App::new(places);
     if let Some(attempt) = start {
         app.grant(Request::Attempt(attempt), &mut theatre);
     }
     loop {
         canvas.begin()?;
-        if !app.update(&read_input(&canvas), &mut theatre) {
+        let input = read_input(&canvas);
+        if !app.update(&input, &mut theatre) {
             return Ok(());
         }
-        draw(&app, &canvas);
+        draw(&app, &mut theatre, input.frame_time, &canvas);
         next_frame().await;
     }
 }
@@ -89,12 +93,12 @@ fn read_input(canvas: &Canvas) -> Input {
     }
 }
 
-fn draw(app: &App, canvas: &Canvas) {
+fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
     match app.screen() {
         Screen::Menu(screen) => screen.draw(canvas),
         Screen::LevelSelect(screen) => screen.draw(canvas),
         Screen::Flight(screen) => {
-            draw_plainly(screen.game(), canvas);
+            theatre.draw(screen, frame_time, canvas);
             screen.draw_pause(canvas);
         }
         Screen::Scoring(screen) => screen.draw(canvas),
@@ -109,41 +113,46 @@ fn draw(app: &App, canvas: &Canvas) {
     canvas.end_layer();
 }
 
-/// The whole level in the window: rectangles, the ship as a pointer.
-fn draw_plainly(game: &Game, canvas: &Canvas) {
-    let level = game.level();
-    let scale = (canvas.size() / level.size.as_vec2()).min_element();
-    let area = |bounds: &Aabb| Area { min: bounds.min.as_vec2() * scale, size: bounds.size().as_vec2() * scale };
-    for solid in &level.world {
-        canvas.rounded(area(&solid.bounds), 0.0, theme::SOLID);
-    }
-    for deadly in &level.obstacles {
-        canvas.rounded(area(deadly), 0.0, theme::BAD);
-    }
-    for (objective, met) in level.objectives.iter().zip(game.met()) {
-        canvas.rounded(area(&objective.bounds), 0.0, if *met { theme::GOOD } else { theme::PLAYER_OBJECTIVE });
-    }
-    for body in game.world().bodies().iter().skip(1) {
-        canvas.rounded(area(&Aabb::around(body.position, body.half)), 0.0, theme::QUIET);
-    }
-    let ship = game.world().body(SHIP);
-    let turn = Vec2::from_angle((game.ship().angle as f32).to_radians());
-    let at = |x: f32, y: f32| (ship.position.as_vec2() + turn.rotate(Vec2::new(x, y))) * scale;
-    canvas.convex(&[at(0.0, -0.85), at(0.7, 0.85), at(-0.7, 0.85)], theme::TEXT);
+/// What watches the attempt that is on the screen: its view, and how long its ticks take.
+struct Theatre {
+    art: Rc<Art>,
+    view: Option<GameView>,
+    tick_started: f64,
+    /// Running mean of the time that a tick takes, s.
+    tick_cost: f64,
 }
 
-/// What watches the attempt that is on the screen.
-#[derive(Default)]
-struct Theatre {
-    tick_started: f64,
+impl Theatre {
+    fn new() -> Self {
+        Self { art: Rc::new(Art::new()), view: None, tick_started: 0.0, tick_cost: 0.0 }
+    }
+
+    /// Lets the view move on by the frame just updated, and draws it.
+    fn draw(&mut self, flight: &Flight, frame_time: f64, canvas: &Canvas) {
+        let Some(view) = &mut self.view else { return };
+        let overlays = Overlays { details: flight.details(), hitboxes: flight.hitboxes() };
+        let passed = if flight.pause().is_some() { 0.0 } else { frame_time };
+        view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
+        let figures = format!("{:>3} fps  tick {:.1} µs", get_fps(), self.tick_cost * 1e6);
+        view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
+    }
 }
 
 impl Spectator for Theatre {
-    fn begins(&mut self, _game: &Game) {}
+    fn begins(&mut self, game: &Game) {
+        self.view = Some(GameView::new(game, self.art.clone(), &|path| std::fs::read(path).ok()));
+        self.tick_cost = 0.0;
+    }
 
     fn before_tick(&mut self) {
         self.tick_started = get_time();
     }
 
-    fn after_tick(&mut self, _game: &Game) {}
+    fn after_tick(&mut self, game: &Game) {
+        let cost = get_time() - self.tick_started;
+        self.tick_cost += (cost - self.tick_cost) * COST_WEIGHT;
+        if let Some(view) = &mut self.view {
+            view.after_tick(game);
+        }
+    }
 }
