@@ -34,6 +34,8 @@ pub struct App {
     shown_for: f64,
     /// The name that the last score was saved under.
     user: Option<Name>,
+    /// The level that was last chosen: where the keyboard is when the list comes back.
+    last_level: Option<String>,
     /// Levels completed in this sitting.
     completed: BTreeSet<String>,
     /// How many menus there have been: each has other balls.
@@ -49,6 +51,7 @@ impl App {
             screen: Screen::Menu(Box::new(Menu::new(None, 0))),
             shown_for: 0.0,
             user: None,
+            last_level: None,
             completed: BTreeSet::new(),
             menus: 0,
         };
@@ -59,7 +62,19 @@ impl App {
     /// One frame; `false` when the player has chosen to quit.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
         self.shown_for += input.frame_time;
-        let request = match &mut self.screen {
+        match self.update_screen(input, spectator) {
+            Some(Request::Quit) => return false,
+            Some(request) => self.grant(request, spectator),
+            None => {}
+        }
+        // Whatever has just opened knows its places, and what is under the pointer, before it is drawn.
+        let nothing_more = self.update_screen(&input.without_edges(), spectator);
+        debug_assert!(nothing_more.is_none(), "{nothing_more:?} was asked for by no one");
+        true
+    }
+
+    fn update_screen(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+        match &mut self.screen {
             Screen::Menu(screen) => screen.update(input),
             Screen::LevelSelect(screen) => screen.update(input),
             Screen::Flight(screen) => screen.update(input, spectator),
@@ -70,13 +85,7 @@ impl App {
             Screen::TileRun(screen) => screen.update(input),
             Screen::Jumper(screen) => screen.update(input),
             Screen::Pi(screen) => screen.update(input),
-        };
-        match request {
-            Some(Request::Quit) => return false,
-            Some(request) => self.grant(request, spectator),
-            None => {}
         }
-        true
     }
 
     /// What is on the screen.
@@ -130,11 +139,16 @@ impl App {
             completed: self.is_completed(&name),
             name,
         };
-        LevelSelect::new(purpose, self.library.names().into_iter().map(entry).collect())
+        let mut screen = LevelSelect::new(purpose, self.library.names().into_iter().map(entry).collect());
+        if let Some(name) = &self.last_level {
+            screen.turn_to_level(name);
+        }
+        screen
     }
 
-    fn flight(&self, attempt: Attempt, spectator: &mut dyn Spectator) -> Screen {
+    fn flight(&mut self, attempt: Attempt, spectator: &mut dyn Spectator) -> Screen {
         let name = attempt.level.name.clone();
+        self.last_level = Some(name.clone());
         match Flight::new(attempt, spectator) {
             Ok(flight) => Screen::Flight(Box::new(flight)),
             Err(error) => self.refused(Purpose::Play, &name, vec![error.to_string()]),
@@ -192,7 +206,8 @@ impl App {
         }
     }
 
-    fn leaderboard(&self, level: &str) -> Screen {
+    fn leaderboard(&mut self, level: &str) -> Screen {
+        self.last_level = Some(level.to_owned());
         match self.scores.load(level) {
             Ok(loaded) => {
                 let damage = (!loaded.damage.is_empty()).then(|| damage_text(&loaded.damage));

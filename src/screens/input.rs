@@ -112,6 +112,11 @@ impl Input {
         self.pressed.has(key)
     }
 
+    /// The same moment once everything new in it has been taken: no time has passed and nothing was pressed, turned or typed.
+    pub fn without_edges(&self) -> Self {
+        Self { frame: self.frame, pointer: self.pointer, holding: self.holding, held: self.held, ..Self::default() }
+    }
+
     /// Whether the key is down.
     pub fn held(&self, key: Key) -> bool {
         self.held.has(key)

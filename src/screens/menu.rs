@@ -52,9 +52,9 @@ impl Menu {
         &self.buttons
     }
 
-    /// How many balls there are.
-    pub fn balls(&self) -> usize {
-        self.balls.count()
+    /// The boxes of the balls, as they are drawn.
+    pub fn balls(&self) -> Vec<Area> {
+        self.balls.areas().collect()
     }
 }
 

@@ -99,7 +99,10 @@ impl Pi {
     }
 
     fn advance(&mut self, frame_time: f64) {
-        let until = self.time + frame_time.clamp(0.0, LONGEST_FRAME) * self.speed();
+        if frame_time <= 0.0 {
+            return;
+        }
+        let until = self.time + frame_time.min(LONGEST_FRAME) * self.speed();
         let made = self.blocks.advance(until, MOST_A_FRAME);
         self.behind = made == MOST_A_FRAME;
         self.time = if self.behind { self.blocks.time() } else { until };
