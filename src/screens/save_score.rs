@@ -146,9 +146,10 @@ mod drawing {
                 let at = Vec2::new(middle, area.max().y + 36.0);
                 widgets::fitted(canvas, error, at, canvas.size().x - 64.0, &[TEXT], theme::BAD);
             }
-            for (i, label) in ["Save", "Back"].into_iter().enumerate() {
+            // On its first frame the screen has no places for its buttons yet.
+            for (i, (label, area)) in ["Save", "Back"].into_iter().zip(self.buttons.areas()).enumerate() {
                 let focus = self.on_buttons && self.buttons.focus() == i;
-                widgets::button(canvas, self.buttons.areas()[i], label, self.buttons.hover() == Some(i), focus);
+                widgets::button(canvas, *area, label, self.buttons.hover() == Some(i), focus);
             }
         }
     }

@@ -119,6 +119,16 @@ click() {
   sleep "$settle_time"
 }
 
+# drag X Y TO_X TO_Y: with the left button, in percent of the window's width and height.
+drag() {
+  point "$1" "$2"
+  xdotool mousedown 1
+  sleep "$press_time"
+  point "$3" "$4"
+  xdotool mouseup 1
+  sleep "$settle_time"
+}
+
 # point X Y: moves the pointer there, in percent of the window's width and height.
 point() {
   local WIDTH HEIGHT WINDOW X Y SCREEN
@@ -133,6 +143,9 @@ point() {
 # level_button INDEX: where a button of level select is, from 0 along the rows, for `click`: the width is cut in 11 slices and the
 # height in 7, and the 5 × 3 buttons of a page lie on the odd ones.
 level_button() { awk "BEGIN { printf \"%.2f %.2f\", 100 * (1.5 + 2 * ($1 % 5)) / 11, 100 * (1.5 + 2 * int($1 / 5)) / 7 }"; }
+
+# column_button INDEX: where a button of the column on the menu and on the list of classics is, from 0, for `click`.
+column_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (260 + 24 + 64 * $1) / 720 }"; }
 
 # resize WIDTH HEIGHT: the window, in pixels.
 resize() { xdotool windowsize --sync "$game_window" "$1" "$2"; sleep 0.3; }

@@ -1,4 +1,4 @@
-# A leaderboard longer than a page: from the menu to level 1's, scrolled by key and wheel, and back.
+# A leaderboard longer than a page: from the menu to level 1's, scrolled by key, wheel and bar, and back.
 
 {
   echo "name,score"
@@ -12,13 +12,18 @@ press Down Down Return
 expect 5 leaderboards-levels differs leaderboards-menu 3
 press Return
 expect 5 leaderboards-top differs leaderboards-levels 3
-expect 5 leaderboards-top shows "$yellow" 0 0 100 100 0.02
+expect 5 leaderboards-top shows "$yellow" 22 24 56 8 0.1
 press Down Down Down Down
 expect 5 leaderboards-by-key differs leaderboards-top 0.3
 press Up Up Up Up Up Up # never past the end
 expect 5 leaderboards-top-again resembles leaderboards-top 0.3
 click 50 50 5
 expect 5 leaderboards-by-wheel differs leaderboards-top 0.3
+press Home
+drag 77 34 77 95
+expect 5 leaderboards-by-bar differs leaderboards-top 0.3
+press End
+expect 5 leaderboards-end resembles leaderboards-by-bar 0.3
 press Escape
-expect 5 leaderboards-back differs leaderboards-by-wheel 3
+expect 5 leaderboards-back differs leaderboards-end 3
 cmp -s "$data/scores/1.csv" "$out/leaderboards-before.csv" || fail "looking at a leaderboard changed its file"

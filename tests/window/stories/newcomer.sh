@@ -31,16 +31,16 @@ expect 180 scoring hides "$accent" 14 90 72 10 5
 expect 5 scoring shows "$good" 0 0 100 100 0.02
 
 # A name that breaks the rules is refused under the field; the next one is saved.
-press Right Right Return # Replay, Next Level, Save Score
+press Right Right Right Left Return # Main Menu is the last button, Save Score the one before it
 expect 5 save-score differs scoring 3
 type_text 1bob
 press Return
-expect 5 refused shows "$bad" 0 0 100 100 0.05
+expect 5 refused shows "$bad" 20 50 60 12 0.2 # just under the field
 press BackSpace BackSpace BackSpace BackSpace
 [ ! -s "$data/scores/1.csv" ] || fail "a refused name was saved"
 type_text "$user"
 press Return
-expect 5 leaderboard shows "$yellow" 0 0 100 100 0.02
+expect 5 leaderboard shows "$yellow" 22 24 56 8 0.1 # the best row
 expect 5 leaderboard differs save-score 3
 grep -qx "$user,$score" "$data/scores/1.csv" || fail "the row $user,$score is not in 1.csv: $(cat "$data/scores/1.csv")"
 echo "scores/1.csv: $user,$score"
