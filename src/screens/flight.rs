@@ -111,7 +111,7 @@ impl Flight {
         self.clock.alpha()
     }
 
-    /// The pause panel's buttons, in the order of [`PAUSE_LABELS`], while it is open.
+    /// The pause panel's buttons, while it is open: Resume, Restart, Level Select, Main Menu.
     pub fn pause(&self) -> Option<&Buttons> {
         self.pause.as_ref()
     }
