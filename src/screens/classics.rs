@@ -27,7 +27,7 @@ impl Classics {
         }
     }
 
-    /// Its buttons, in the order of [`LABELS`].
+    /// Its buttons: Tile Run, Jumper, π from Collisions, Back.
     pub fn buttons(&self) -> &Buttons {
         &self.buttons
     }
