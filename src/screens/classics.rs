@@ -45,7 +45,7 @@ impl Classics {
         Some(ALL.get(pressed).map_or(Request::Menu, |classic| Request::Classic(*classic)))
     }
 
-    /// Its buttons, in the order of [`LABELS`].
+    /// Its buttons: Tile Run, Jumper, π from Collisions, Back.
     pub fn buttons(&self) -> &Buttons {
         &self.buttons
     }

@@ -47,7 +47,7 @@ impl Menu {
         })
     }
 
-    /// Its buttons, in the order of [`LABELS`].
+    /// Its buttons: Play, Level Select, Leaderboards, Classics, Quit.
     pub fn buttons(&self) -> &Buttons {
         &self.buttons
     }
