@@ -122,6 +122,9 @@ impl Sitting {
             Screen::SaveScore(screen) => screen.buttons(),
             Screen::Leaderboard(screen) => screen.buttons(),
             Screen::Classics(screen) => screen.buttons(),
+            Screen::TileRun(screen) => screen.toolbar().buttons(),
+            Screen::Jumper(screen) => screen.buttons().expect("the panel is open"),
+            Screen::Pi(screen) => screen.toolbar().buttons(),
         }
     }
 
@@ -139,6 +142,9 @@ impl Sitting {
             Screen::SaveScore(_) => "save score",
             Screen::Leaderboard(_) => "leaderboard",
             Screen::Classics(_) => "classics",
+            Screen::TileRun(_) => "tile run",
+            Screen::Jumper(_) => "jumper",
+            Screen::Pi(_) => "pi",
         }
     }
 

@@ -16,6 +16,10 @@ pub(super) struct Contact {
     pub hi: u32,
     pub static_friction: f64,
     pub kinetic_friction: f64,
+    /// Whether the gap is closed; up to [`SLOP`] of it is left where only resting contact is asked for.
+    pub closed: bool,
+    /// Whether its ends part by mere rounding and count as resting (see `impacts`).
+    pub clings: bool,
     /// Which way `hi` slides over `lo` along the other axis: −1, 0 (it sticks) or 1.
     pub slides: f64,
     /// Push of `lo` on `hi` along the axis, N, ≥ 0.
@@ -70,9 +74,27 @@ impl World {
         if gap[axis] > touch || gap[1 - axis] >= -SLOP {
             return None;
         }
-        let (lo, hi) = if apart[axis] > 0.0 { (pair.a, pair.b) } else { (pair.b, pair.a) };
+        let closed = gap[axis] <= 0.0;
+        Some(self.contact_along(pair, axis, apart[axis] > 0.0, closed))
+    }
+
+    /// The contact of a pair along an axis; `ascending` if its second has the larger coordinate.
+    pub(super) fn contact_along(&self, pair: Pair, axis: usize, ascending: bool, closed: bool) -> Contact {
+        let (lo, hi) = if ascending { (pair.a, pair.b) } else { (pair.b, pair.a) };
         let (static_friction, kinetic_friction) = self.friction_of(pair);
-        Some(Contact { pair, axis, lo, hi, static_friction, kinetic_friction, slides: 0.0, normal: 0.0, friction: 0.0 })
+        Contact {
+            pair,
+            axis,
+            lo,
+            hi,
+            static_friction,
+            kinetic_friction,
+            closed,
+            clings: false,
+            slides: 0.0,
+            normal: 0.0,
+            friction: 0.0,
+        }
     }
 
     /// Lists the closed contacts: touching, and neither parting nor (impacts are over by now) approaching.

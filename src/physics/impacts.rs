@@ -10,7 +10,7 @@
 //! is passed over in closed form (rest after 2w/(g(1 − e))), during which the mean reaction is that of a body at rest.
 
 use super::contacts::Contact;
-use super::tuning::{CASCADE_HITS, MAX_CASCADE, RATTLE_HITS, REPORT_SPEED, SLOP, ZENO_HITS};
+use super::tuning::{CASCADE_HITS, MAX_CASCADE, MICRO_SPEED, RATTLE_HITS, REPORT_SPEED, SLOP, ZENO_HITS};
 use super::{BodyId, Event, Obstacle, World};
 use glam::DVec2;
 
@@ -24,8 +24,8 @@ pub(super) struct Resume {
 }
 
 impl World {
-    /// Ends every approach of things that touch. `hit` is the pair whose time of impact this is; others must touch with a gap ≤ 0 or have
-    /// been in closed contact. `left` is what remains of the tick, s.
+    /// Ends every approach of things that touch. `hit` is the pair whose time of impact this is; others bounce when their gap is ≤ 0 or they
+    /// rested on each other. `left` is what remains of the tick, s.
     pub(super) fn resolve_impacts(&mut self, hit: Option<Contact>, now: f64, left: f64) {
         self.gather_touching(hit);
         let cap = CASCADE_HITS * self.touching.len().max(4);
@@ -49,16 +49,34 @@ impl World {
     fn gather_touching(&mut self, hit: Option<Contact>) {
         let mut touching = std::mem::take(&mut self.touching);
         touching.clear();
-        let mut closed = self.contacts.iter().peekable();
+        let mut known = self.contacts.iter().peekable();
         for &pair in &self.candidates.pairs {
-            while closed.peek().is_some_and(|contact| contact.pair < pair) {
-                closed.next();
+            while known.peek().is_some_and(|contact| contact.pair < pair) {
+                known.next();
             }
-            let known = closed.peek().filter(|contact| contact.pair == pair).map(|&&contact| contact);
-            let flagged = hit.filter(|contact| contact.pair == pair);
-            touching.extend(flagged.or_else(|| self.contact(pair, if known.is_some() { SLOP } else { 0.0 })));
+            let resting = known.peek().is_some_and(|contact| contact.pair == pair);
+            let met = hit.filter(|contact| contact.pair == pair);
+            if let Some(mut contact) = met.or_else(|| self.contact(pair, SLOP)) {
+                contact.closed |= resting || met.is_some();
+                contact.clings = self.clings(&contact);
+                touching.push(contact);
+            }
         }
         self.touching = touching;
+    }
+
+    /// Whether two things part so slowly, and are pulled together so surely, that they rest on each other.
+    fn clings(&self, contact: &Contact) -> bool {
+        let approach = self.approach(contact);
+        if approach >= 0.0 || approach < -MICRO_SPEED {
+            return false;
+        }
+        let pull = |item: u32| {
+            self.bodies
+                .get(item as usize)
+                .map_or(DVec2::ZERO, |body| self.media.acceleration(body, &self.laws[item as usize], body.position, body.velocity))
+        };
+        (pull(contact.lo) - pull(contact.hi))[contact.axis] > 0.0
     }
 
     fn approach(&self, contact: &Contact) -> f64 {
@@ -70,10 +88,14 @@ impl World {
         let mut best: Option<(usize, f64, f64)> = None;
         for (index, contact) in self.touching.iter().enumerate() {
             let speed = self.approach(contact);
-            if speed <= 0.0 {
+            if speed <= 0.0 && !contact.clings {
                 continue;
             }
             let e = if bounces_left { self.restitution(contact, speed) } else { 0.0 };
+            // A bounce needs a closed gap, or it would lose energy; what only comes to rest may do so within the slop.
+            if e > 0.0 && !contact.closed {
+                continue;
+            }
             let better = best.is_none_or(|(_, fastest, of)| (e > 0.0, speed) > (of > 0.0, fastest));
             if better {
                 best = Some((index, speed, e));

@@ -245,13 +245,10 @@ impl World {
             let motion = self.cubic(pair.a).relative(&self.cubic(pair.b));
             let reach = self.half(pair.a) + self.half(pair.b);
             let Some((t, axis)) = time_of_impact(&motion, reach, first.0) else { continue };
-            let towards = motion.axis(axis).at(t);
-            let (lo, hi) = if towards > 0.0 { (pair.a, pair.b) } else { (pair.b, pair.a) };
-            let t = self.polish(lo, hi, axis, reach[axis], t, first.0);
-            if t < first.0
-                && let Some(contact) = self.contact(pair, f64::INFINITY)
-            {
-                *first = (t, Happening::Hit(Contact { axis, lo, hi, ..contact }));
+            let contact = self.contact_along(pair, axis, motion.axis(axis).at(t) > 0.0, true);
+            let t = self.polish(contact.lo, contact.hi, axis, reach[axis], t, first.0);
+            if t < first.0 {
+                *first = (t, Happening::Hit(contact));
             }
         }
     }
@@ -265,11 +262,9 @@ impl World {
             let ((lo_x, lo_v), (hi_x, hi_v)) = (self.pose_of(lo, t), self.pose_of(hi, t));
             let gap = hi_x[axis] - lo_x[axis] - reach;
             let closing = lo_v[axis] - hi_v[axis];
-            if closing <= 0.0 {
-                break;
-            }
-            let next = (t + gap / closing).clamp(0.0, end);
-            if next == t {
+            let next = t + gap / closing;
+            // Where the boxes only graze, Newton's method would run off to the moment at which they parted.
+            if closing <= 0.0 || next <= 0.0 || next > end || next == t {
                 break;
             }
             t = next;

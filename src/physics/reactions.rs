@@ -17,9 +17,8 @@ pub(super) struct Reactions {
     /// Node of each body, or `GROUND` for bodies without contacts and for surfaces.
     node_of: Vec<u32>,
     body_of: Vec<u32>,
-    /// For each link after the pushes: the contact that it is the friction of.
-    ties: Vec<u32>,
-    pushes: Vec<u32>,
+    /// For each link the contact whose push (along its own axis) or friction (along the other) it carries.
+    contact_of: Vec<u32>,
 }
 
 /// What friction does in a solve.
@@ -51,8 +50,7 @@ impl Reactions {
     fn solve_axis(&mut self, axis: usize, contacts: &mut [Contact], bodies: &[Body], friction: Friction, applied: &[DVec2]) {
         loop {
             self.network.clear();
-            self.pushes.clear();
-            self.ties.clear();
+            self.contact_of.clear();
             for &body in &self.body_of {
                 let Body { mass, position, .. } = bodies[body as usize];
                 let force = mass * applied[body as usize][axis];
@@ -61,8 +59,9 @@ impl Reactions {
             for (index, contact) in contacts.iter_mut().enumerate() {
                 let (lo, hi) = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
                 if contact.axis == axis {
-                    self.network.link(lo, hi, Carries::Push);
-                    self.pushes.push(index as u32);
+                    let both_ways = friction == Friction::Impulse && contact.clings;
+                    self.network.link(lo, hi, if both_ways { Carries::UpTo(f64::INFINITY) } else { Carries::Push });
+                    self.contact_of.push(index as u32);
                     continue;
                 }
                 contact.friction = 0.0;
@@ -80,26 +79,23 @@ impl Reactions {
                 } else {
                     let limit = if friction == Friction::Coulomb { contact.static_friction * contact.normal } else { kinetic };
                     self.network.link(lo, hi, Carries::UpTo(limit));
-                    self.ties.push(index as u32);
+                    self.contact_of.push(index as u32);
                 }
             }
             self.network.solve();
-            if !self.read(contacts, friction) {
+            if !self.read(axis, contacts, friction) {
                 return;
             }
         }
     }
 
     /// Takes the flows over into the contacts; true if static friction gave way somewhere, so that the axis has to be solved again.
-    fn read(&self, contacts: &mut [Contact], friction: Friction) -> bool {
-        let (mut pushes, mut ties) = (self.pushes.iter(), self.ties.iter());
+    fn read(&self, axis: usize, contacts: &mut [Contact], friction: Friction) -> bool {
         let mut gave_way = false;
-        for link in &self.network.links {
-            let of = if link.carries == Carries::Push { pushes.next() } else { ties.next() };
-            let Some(&index) = of else { continue };
+        for (link, &index) in self.network.links.iter().zip(&self.contact_of) {
             let contact = &mut contacts[index as usize];
-            if link.carries == Carries::Push {
-                contact.normal = link.flow;
+            if contact.axis == axis {
+                contact.normal = link.flow.max(0.0);
                 continue;
             }
             contact.friction = link.flow;

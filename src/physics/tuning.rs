@@ -13,6 +13,10 @@ pub(super) const FORCE_TOLERANCE: f64 = 1e-12;
 /// rounding of the instant at which the slide ends.
 pub(super) const SPEED_TOLERANCE: f64 = 1e-11;
 
+/// m/s. Things that touch, part more slowly than this and are pulled together again rest on each other: they would part by 1e-13 m, which
+/// rounding can no longer resolve, and come back after a tenth of a microsecond, again and again.
+pub(super) const MICRO_SPEED: f64 = 2e-6;
+
 /// Rate × time of one Runge–Kutta step, at most. The error of a motion of some metres grows with its fourth power: 1e-9 m at 0.02, 1e-7 m
 /// at 0.06; from about 2 on the method diverges.
 pub(super) const RK4_REACH: f64 = 0.02;

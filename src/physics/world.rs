@@ -177,14 +177,16 @@ impl World {
         if self.still {
             return;
         }
+        self.refresh_laws();
+        self.refresh_candidates(dt);
         let mut intervals = 0;
         let mut hit = None;
         loop {
             let left = dt - self.now;
             self.refresh_laws();
-            self.refresh_candidates(left);
             if self.plan.contacts {
                 self.resolve_impacts(hit.take(), self.now, left);
+                self.refresh_candidates(left);
                 self.find_contacts();
             }
             self.solve_accelerations();
@@ -334,7 +336,6 @@ impl World {
         self.solve_accelerations();
         self.choose_motions(0.0);
         self.show_forces();
-        self.candidates.spoil();
     }
 
     /// All bodies, by [`BodyId::index`].

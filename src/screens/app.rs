@@ -1,10 +1,12 @@
 //! The one place where screens change: every [`Request`] is granted here, and what can fail in granting it lands on a screen that
 //! says why.
 
+use super::leaderboard::subject;
 use super::level_select::Entry;
 use super::library::{Library, Refusal};
 use super::{
-    Attempt, Classics, Flight, Input, Leaderboard, LevelSelect, Menu, Purpose, Request, SaveScore, Scoring, Screen, Spectator,
+    Attempt, Classic, Classics, Flight, Gain, Input, Jumper, Leaderboard, LevelSelect, Menu, Purpose, Request, SaveScore, Scoring,
+    Screen, Spectator, TileRun,
 };
 use crate::game::{Outcome, RunResult};
 use crate::scores::{Damage, Name, Placement, Saved, Scores};
@@ -80,6 +82,9 @@ impl App {
             Screen::SaveScore(screen) => screen.update(input),
             Screen::Leaderboard(screen) => screen.update(input),
             Screen::Classics(screen) => screen.update(input),
+            Screen::TileRun(screen) => screen.update(input),
+            Screen::Jumper(screen) => screen.update(input),
+            Screen::Pi(screen) => screen.update(input),
         }
     }
 
@@ -104,13 +109,15 @@ impl App {
             },
             Request::Attempt(attempt) => self.flight(attempt, spectator),
             Request::Score(attempt, result) => self.scoring(attempt, result),
-            Request::SaveScore(attempt, result) => Screen::SaveScore(Box::new(SaveScore::new(attempt, result, self.user.as_ref()))),
-            Request::Submit(result, name) => match self.save(&result, name) {
+            Request::SaveScore(gain) => Screen::SaveScore(Box::new(SaveScore::new(gain, self.user.as_ref()))),
+            Request::Submit(gain, name) => match self.save(&gain, name) {
                 Some(screen) => screen,
                 None => return,
             },
             Request::Leaderboard(level) => self.leaderboard(&level),
-            Request::Classics => Screen::Classics(Classics::default()),
+            Request::Classics(left) => Screen::Classics(Classics::new(left, None)),
+            Request::Classic(classic) => self.classic(classic),
+            Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),
             Request::Quit => return,
         };
         self.screen = next;
@@ -163,9 +170,21 @@ impl App {
         Screen::Scoring(Box::new(Scoring::new(attempt, result, next)))
     }
 
+    /// A classic at its beginning, or the list of them with what is wrong.
+    fn classic(&self, classic: Classic) -> Screen {
+        match classic {
+            Classic::TileRun => match self.library.tile_run() {
+                Ok((map, commands)) => Screen::TileRun(Box::new(TileRun::new(map, commands))),
+                Err(problem) => Screen::Classics(Classics::new(Some(classic), Some(problem))),
+            },
+            Classic::Jumper => Screen::Jumper(Box::default()),
+            Classic::Pi => Screen::Pi(Box::default()),
+        }
+    }
+
     /// Saves a score; `None` when that failed, which the screen for the name then says.
-    fn save(&mut self, result: &RunResult, name: Name) -> Option<Screen> {
-        match self.scores.save(&result.level, &name, result.score.total) {
+    fn save(&mut self, gain: &Gain, name: Name) -> Option<Screen> {
+        match self.scores.save(&gain.board, &name, gain.points) {
             Ok(Saved { board, placement, rescue }) => {
                 let damage = rescue.map(|rescue| {
                     format!("{} The damaged file was kept as {}.", damage_text(&rescue.damage), rescue.kept.display())
@@ -174,7 +193,7 @@ impl App {
                     Placement::Kept { best, .. } => Some(format!("Your best of {best} points stays.")),
                     Placement::New { .. } | Placement::Raised { .. } => None,
                 };
-                let screen = Leaderboard::new(&result.level, board, Some(&name), damage, remark);
+                let screen = Leaderboard::new(&gain.board, board, Some(&name), damage, remark);
                 self.user = Some(name);
                 Some(Screen::Leaderboard(screen))
             }
@@ -196,7 +215,7 @@ impl App {
             }
             Err(error) => {
                 let mut screen = self.level_select(Purpose::Leaderboard);
-                screen.show(format!("The scores of level {level} cannot be read"), vec![error.to_string()]);
+                screen.show(format!("The scores of {} cannot be read", subject(level)), vec![error.to_string()]);
                 Screen::LevelSelect(screen)
             }
         }

@@ -42,12 +42,12 @@ impl Menu {
             0 => self.next.clone().map_or(Request::LevelSelect(Purpose::Play), Request::Play),
             1 => Request::LevelSelect(Purpose::Play),
             2 => Request::LevelSelect(Purpose::Leaderboard),
-            3 => Request::Classics,
+            3 => Request::Classics(None),
             _ => Request::Quit,
         })
     }
 
-    /// Its buttons, in the order of [`LABELS`].
+    /// Its buttons: Play, Level Select, Leaderboards, Classics, Quit.
     pub fn buttons(&self) -> &Buttons {
         &self.buttons
     }

@@ -1,6 +1,6 @@
 //! What an attempt came to, part by part.
 
-use super::{Attempt, Buttons, Input, Key, Request};
+use super::{Attempt, Buttons, Gain, Input, Key, Request};
 use crate::game::{Outcome, RunResult};
 use crate::view::layout::ROW_BUTTON;
 
@@ -99,7 +99,11 @@ impl Scoring {
         Some(match self.presses[self.buttons.update(input)?] {
             Press::Replay => Request::Attempt(self.attempt.clone()),
             Press::NextLevel => Request::Play(self.next.clone()?),
-            Press::SaveScore => Request::SaveScore(self.attempt.clone(), self.result.clone()),
+            Press::SaveScore => Request::SaveScore(Gain {
+                board: self.result.level.clone(),
+                points: self.result.score.total,
+                back: Box::new(Request::Score(self.attempt.clone(), self.result.clone())),
+            }),
             Press::MainMenu => Request::Menu,
         })
     }

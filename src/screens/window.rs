@@ -21,7 +21,7 @@ const FADE: f64 = 0.16;
 /// How much one tick's time counts in the running mean that F3 shows.
 const COST_WEIGHT: f64 = 0.02;
 /// Which key of the keyboard is which of ours.
-const KEYS: [(KeyCode, Key); 18] = [
+const KEYS: [(KeyCode, Key); 21] = [
     (KeyCode::Up, Key::Up),
     (KeyCode::Down, Key::Down),
     (KeyCode::Left, Key::Left),
@@ -34,6 +34,9 @@ const KEYS: [(KeyCode, Key); 18] = [
     (KeyCode::Tab, Key::Tab),
     (KeyCode::F3, Key::F3),
     (KeyCode::R, Key::R),
+    (KeyCode::A, Key::A),
+    (KeyCode::D, Key::D),
+    (KeyCode::W, Key::W),
     (KeyCode::PageUp, Key::PageUp),
     (KeyCode::PageDown, Key::PageDown),
     (KeyCode::Home, Key::Home),
@@ -125,6 +128,9 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
         Screen::SaveScore(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Leaderboard(screen) => screen.draw(canvas),
         Screen::Classics(screen) => screen.draw(canvas),
+        Screen::TileRun(screen) => screen.draw(canvas),
+        Screen::Jumper(screen) => screen.draw(canvas),
+        Screen::Pi(screen) => screen.draw(canvas),
     }
     let veil = 1.0 - (app.shown_for() / FADE).min(1.0);
     if veil > 0.0 {
