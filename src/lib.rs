@@ -9,6 +9,8 @@
 //! - [`game`]: one run of a level: controls, fuel, objectives, hazards, events, score.
 //! - [`scores`]: user names and leaderboards, and their files.
 //! - [`classics`]: a tile run, a jumper, and π from collisions, each with just the model that it needs.
+//! - [`screens`]: the screens as a state machine, one file a screen; it is tested without a window.
+//! - [`view`]: drawing only: it reads the game and changes nothing in it.
 //! - [`cli`]: one file a subcommand.
 
 pub mod classics;
@@ -17,7 +19,5 @@ pub mod game;
 pub mod level;
 pub mod physics;
 pub mod scores;
-#[cfg(feature = "window")]
 pub mod screens;
-#[cfg(feature = "window")]
 pub mod view;

@@ -1,6 +1,164 @@
-//! The command line: one file a subcommand.
+//! The command line: one file a subcommand, and [`Project`], which says where the game's folders are. Here are the arguments that
+//! all share and what becomes of their results: standard output gets results, standard error problems, and the exit status is
+//! [`Status`]. What a subcommand does is not here, and no rule of the game either.
+//!
+//! Each subcommand's file has `pub struct Args` and `pub fn run(&Args, &Project, &mut dyn Write) -> Result<Status, Stop>`. It
+//! writes its results to the writer, never with `println!`, which panics when the reader has gone away.
 
-/// Parses the command line and runs what it asks for.
-pub fn main() -> std::process::ExitCode {
-    std::process::ExitCode::SUCCESS
+mod check;
+mod files;
+mod jumper;
+mod new;
+mod number;
+mod pi;
+mod play;
+mod project;
+mod run;
+mod telemetry;
+mod tiles;
+mod verify;
+
+pub use project::Project;
+
+use crate::level::{self, Level};
+use clap::Parser;
+use std::fmt::Display;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::Arc;
+
+/// A rocket ship flown by named forces
+#[derive(Parser, Debug)]
+#[command(version, about, after_help = "Without a command the game opens.")]
+#[command(after_long_help = "Without a command the game opens.\n\nExit status: 0 done; 1 a check or verification found something \
+    wrong; 2 the input was refused and nothing was run.")]
+struct Cli {
+    /// The folder that holds assets/, levels/ and scores/
+    #[arg(long, global = true, value_name = "DIR")]
+    data: Option<PathBuf>,
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(clap::Subcommand, Debug)]
+enum Command {
+    /// Open the game in a level
+    Play(play::Args),
+    /// Load levels and print what is in them, or every problem
+    Check(check::Args),
+    /// Play a level without a window and print what that came to
+    Run(run::Args),
+    /// Make a level folder that loads
+    New(new::Args),
+    /// Fly recorded runs again and compare where they lead
+    Verify(verify::Args),
+    /// Run a list of commands through a map of tiles
+    Tiles(tiles::Args),
+    /// Climb the jumper's tower without a window
+    Jumper(jumper::Args),
+    /// Count the collisions of two blocks and a wall: the first N+1 digits of π
+    Pi(pi::Args),
+}
+
+/// How a subcommand ended, as its exit status.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Status {
+    /// It did what was asked.
+    Done = 0,
+    /// A check or verification found something wrong.
+    Wrong = 1,
+    /// The input was refused: nothing was run, nothing written.
+    Refused = 2,
+}
+
+/// Why a subcommand ended early.
+#[derive(Debug)]
+pub enum Stop {
+    /// The input was refused, for this reason; ends with [`Status::Refused`]. Of several problems each has its line.
+    Refused(String),
+    /// Results could not be written.
+    Output(io::Error),
+}
+
+impl Stop {
+    /// The input was refused, for this reason.
+    pub fn refused(reason: impl Display) -> Self {
+        Self::Refused(reason.to_string())
+    }
+}
+
+impl From<io::Error> for Stop {
+    /// For `?` behind `write!` to the output. Whatever else fails to be read or written wants a message with its path.
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+/// Parses the command line, runs what it asks for and says how that ended.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    let ended = dispatch(&cli, &mut out).and_then(|status| Ok(out.flush().map(|()| status)?));
+    let status = match ended {
+        Ok(status) => status,
+        Err(Stop::Refused(problem)) => {
+            // Nothing can be done about a standard error that is closed.
+            let _ = writeln!(io::stderr(), "{}", problem.trim_end());
+            Status::Refused
+        }
+        // Whoever reads has seen enough, as `head` does.
+        Err(Stop::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Status::Done,
+        Err(Stop::Output(error)) => {
+            let _ = writeln!(io::stderr(), "cannot write the results: {error}");
+            Status::Wrong
+        }
+    };
+    ExitCode::from(status as u8)
+}
+
+fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
+    let project = Project::find(cli.data.as_deref())?;
+    match &cli.command {
+        None => play::run(&play::Args::default(), &project, out),
+        Some(Command::Play(args)) => play::run(args, &project, out),
+        Some(Command::Check(args)) => check::run(args, &project, out),
+        Some(Command::Run(args)) => run::run(args, &project, out),
+        Some(Command::New(args)) => new::run(args, &project, out),
+        Some(Command::Verify(args)) => verify::run(args, &project, out),
+        Some(Command::Tiles(args)) => tiles::run(args, &project, out),
+        Some(Command::Jumper(args)) => jumper::run(args, &project, out),
+        Some(Command::Pi(args)) => pi::run(args, &project, out),
+    }
+}
+
+/// The level that the command line names, ready to be played.
+///
+/// # Errors
+/// There is no such level, or it is refused, with every problem.
+fn load_level(project: &Project, name: &str) -> Result<Arc<Level>, Stop> {
+    let loaded = level::load(&project.level_folder(name)?, project.root()).map_err(|problems| {
+        let lines: Vec<String> = problems.iter().map(ToString::to_string).collect();
+        Stop::Refused(lines.join("\n"))
+    })?;
+    Ok(Arc::new(loaded.level))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_definition_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn data_is_taken_anywhere() {
+        for line in [["resultant", "--data", "d", "play", "1"], ["resultant", "play", "1", "--data", "d"]] {
+            assert_eq!(Cli::parse_from(line).data, Some(PathBuf::from("d")), "{line:?}");
+        }
+    }
 }

@@ -1,167 +1,28 @@
-//! Level folders: CSV text becomes a valid [`Level`], or the list of all its problems. Behind the loader nothing knows pixels but
-//! drawing.
+//! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. Behind the loader nothing knows pixels
+//! but drawing; drawing, rules and physics do not live here.
+//!
+//! The way of a level: `cells` cuts a file's bytes into cells that know their line; `table` finds out which cell belongs to which
+//! column; `quantity` says which numbers are accepted; `rows` turns each file's records into typed rows; `read` puts the rows
+//! together, `placement` and `reach` look at the whole. All of that is pure: [`read()`] asks [`Files`] for bytes. Only `folder`
+//! knows the disk: [`load`] and [`list`].
 
-use crate::physics::{Aabb, DVec2, Material};
+mod cells;
+mod folder;
+mod image;
+mod placement;
+mod problem;
+mod quantity;
+mod reach;
+mod read;
+mod rows;
+mod table;
+mod types;
+mod world_def;
 
-/// The ship's height, m: it fixes the scale.
-pub const SHIP_HEIGHT: f64 = 1.7;
-/// Half the ship's collision box, m: as wide as high.
-pub const SHIP_HALF: DVec2 = DVec2::new(0.85, 0.85);
-/// The ship's height in pixels at the default scale of 30 pixels a metre.
-pub const SHIP_PIXELS: f64 = 51.0;
-/// The ship's drag coefficient.
-pub const SHIP_DRAG: f64 = 1.15;
-
-/// A level that can be played. All lengths in metres.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Level {
-    /// The folder's name.
-    pub name: String,
-    /// Shown to the player; the name where the author gave none.
-    pub title: String,
-    /// Pixels a metre of the author's picture.
-    pub metre: f64,
-    /// Width and height, m.
-    pub size: DVec2,
-    /// N/kg.
-    pub gravity: f64,
-    /// kg/m³.
-    pub air_density: f64,
-    /// s.
-    pub optimal_time: f64,
-    /// m/s.
-    pub rest_speed: f64,
-    /// The ship.
-    pub player: Player,
-    /// Solid, immovable rectangles.
-    pub world: Vec<Solid>,
-    /// Those of objects.csv, then the key objects, each in file order.
-    pub objects: Vec<Object>,
-    /// Objective blocks.
-    pub objectives: Vec<Objective>,
-    /// Death boxes.
-    pub obstacles: Vec<Aabb>,
-    /// Air streams.
-    pub streams: Vec<Stream>,
-    /// Liquids.
-    pub fluids: Vec<Fluid>,
-    /// Words in the level.
-    pub texts: Vec<Text>,
-    /// The path of background.png, where there is one.
-    pub background: Option<std::path::PathBuf>,
-}
-
-/// The ship at the start.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Player {
-    /// Centre, m.
-    pub position: DVec2,
-    /// m/s.
-    pub velocity: DVec2,
-    /// Degrees clockwise, 0 is nose up.
-    pub angle: f64,
-    /// kg.
-    pub mass: f64,
-    /// Fuel units.
-    pub fuel: f64,
-    /// N.
-    pub thrust: f64,
-    /// Whether air acts on it.
-    pub feels_air: bool,
-}
-
-/// A solid rectangle.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Solid {
-    /// Where it is.
-    pub bounds: Aabb,
-    /// What it is made of.
-    pub material: Material,
-}
-
-/// How an object is drawn.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Look {
-    /// A PNG.
-    Image(std::path::PathBuf),
-    /// A plain box drawn by the game.
-    Box,
-    /// A plain ball drawn by the game.
-    Ball,
-}
-
-/// A physics object.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Object {
-    /// Centre, m.
-    pub position: DVec2,
-    /// m/s.
-    pub velocity: DVec2,
-    /// Width and height, m.
-    pub size: DVec2,
-    /// kg.
-    pub mass: f64,
-    /// Drag coefficient.
-    pub drag: f64,
-    /// Coefficient of restitution.
-    pub restitution: f64,
-    /// Whether it is round (drawing only: every collision is that of its box).
-    pub circular: bool,
-    /// How it is drawn.
-    pub look: Look,
-    /// A key object's colour; `None` for an ordinary object.
-    pub key: Option<[u8; 3]>,
-}
-
-/// What an objective waits for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ObjectiveKind {
-    /// The ship.
-    Player,
-    /// A key object.
-    Physics,
-}
-
-/// An objective block.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Objective {
-    /// What it waits for.
-    pub kind: ObjectiveKind,
-    /// Where it is.
-    pub bounds: Aabb,
-}
-
-/// An air stream.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Stream {
-    /// The solid source block.
-    pub source: Aabb,
-    /// Where it blows.
-    pub zone: Aabb,
-    /// N.
-    pub force: DVec2,
-}
-
-/// A zone of thick liquid.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Fluid {
-    /// Where it is.
-    pub zone: Aabb,
-    /// kg/m³.
-    pub density: f64,
-    /// Pa·s.
-    pub viscosity: f64,
-    /// Red, green, blue.
-    pub colour: [u8; 3],
-}
-
-/// Words written in the level.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Text {
-    /// Top left corner, m.
-    pub position: DVec2,
-    /// Height of the letters, m.
-    pub size: f64,
-    /// The words.
-    pub text: String,
-}
+pub use folder::{is_level_name, list, load};
+pub use problem::Problem;
+pub use read::{Files, Loaded, read};
+pub use types::{
+    Fluid, Level, Look, Object, Objective, ObjectiveKind, Player, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream,
+    Text,
+};

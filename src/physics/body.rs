@@ -74,6 +74,20 @@ pub struct Body {
 }
 
 impl Body {
+    pub(super) fn new(def: &BodyDef) -> Self {
+        Self {
+            position: def.position,
+            velocity: def.velocity,
+            acceleration: DVec2::ZERO,
+            half: def.half,
+            mass: def.mass,
+            drag: def.drag,
+            restitution: def.restitution,
+            material: def.material,
+            feels_air: def.feels_air,
+        }
+    }
+
     /// The box it fills, m.
     pub fn bounds(&self) -> Aabb {
         Aabb::around(self.position, self.half)

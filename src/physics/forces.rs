@@ -94,6 +94,25 @@ pub struct ForceManager {
 }
 
 impl ForceManager {
+    /// Empties it, keeping its buffer; returns the list to be filled.
+    pub(super) fn renew(&mut self) -> &mut Vec<Force> {
+        self.forces.clear();
+        self.resultant = DVec2::ZERO;
+        &mut self.forces
+    }
+
+    pub(super) fn add(&mut self, force: Force) {
+        self.forces.push(force);
+    }
+
+    /// Closes the list: the resultant is the sum of its forces, or what the contact solver found (exactly zero at rest, where a sum
+    /// in another order could be one rounding off). Returns it.
+    pub(super) fn close(&mut self, solved: Option<DVec2>) -> DVec2 {
+        // Adding zero turns −0 into 0.
+        self.resultant = solved.unwrap_or_else(|| self.forces.iter().map(|force| force.vector).sum()) + DVec2::ZERO;
+        self.resultant
+    }
+
     /// Every single force, in the order in which it was added.
     pub fn forces(&self) -> &[Force] {
         &self.forces

@@ -1,84 +1,16 @@
 //! The world: what is in it, and how a tick goes.
 
-use super::{Aabb, Body, BodyDef, BodyId, ForceManager, Material};
+use super::candidates::Candidates;
+use super::contacts::Contact;
+use super::flow::Pose;
+use super::impact_time::Cubic;
+use super::impacts::Resume;
+use super::interval::{Happening, Motion};
+use super::media::{Law, Media};
+use super::reactions::Reactions;
+use super::tuning::{EDGE_THICKNESS, MAX_INTERVALS, SLOP};
+use super::{Aabb, Body, BodyDef, BodyId, DefError, ForceManager, Material, Plan, SurfaceDef, WorldDef};
 use glam::DVec2;
-
-/// Something solid that never moves.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SurfaceDef {
-    /// Where it is, m.
-    pub bounds: Aabb,
-    /// What slides on it.
-    pub material: Material,
-}
-
-/// A zone that exerts a constant force named "Wind" on every body that touches it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StreamDef {
-    /// Where it blows, m.
-    pub zone: Aabb,
-    /// N.
-    pub force: DVec2,
-}
-
-/// A zone of liquid.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FluidDef {
-    /// Where it is, m.
-    pub zone: Aabb,
-    /// kg/m³, ≥ 0.
-    pub density: f64,
-    /// Dynamic viscosity, Pa·s, ≥ 0.
-    pub viscosity: f64,
-}
-
-/// How a world begins.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WorldDef {
-    /// Gravitational field strength, N/kg, downwards.
-    pub gravity: f64,
-    /// kg/m³, ≥ 0.
-    pub air_density: f64,
-    /// A rebound slower than this (m/s) is none; 0 keeps every bounce.
-    pub rest_speed: f64,
-    /// The edge of the level: solid on all four sides. `None`: no edge.
-    pub bounds: Option<Aabb>,
-    /// Solid, immovable rectangles.
-    pub surfaces: Vec<SurfaceDef>,
-    /// Air streams.
-    pub streams: Vec<StreamDef>,
-    /// Liquids.
-    pub fluids: Vec<FluidDef>,
-    /// What moves.
-    pub bodies: Vec<BodyDef>,
-}
-
-impl Default for WorldDef {
-    fn default() -> Self {
-        Self {
-            gravity: 15.0,
-            air_density: 1.2041,
-            rest_speed: 1.0,
-            bounds: None,
-            surfaces: Vec::new(),
-            streams: Vec::new(),
-            fluids: Vec::new(),
-            bodies: Vec::new(),
-        }
-    }
-}
-
-/// Why a definition was refused.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DefError(pub String);
-
-impl std::fmt::Display for DefError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for DefError {}
 
 /// What a body can run into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -107,16 +39,51 @@ pub enum Event {
     },
 }
 
-/// Bodies, surfaces, zones, and the state of their motion.
+/// Bodies, surfaces, zones, and the state of their motion. Two worlds that began alike and were stepped alike are alike to the bit.
 #[derive(Clone, Debug)]
 pub struct World {
-    bodies: Vec<Body>,
+    // The state: this and nothing else decides what happens next.
+    pub(super) bodies: Vec<Body>,
+    pub(super) drives: Vec<DVec2>,
+    pub(super) surfaces: Vec<SurfaceDef>,
+    pub(super) media: Media,
+    pub(super) rest_speed: f64,
+    pub(super) plan: Plan,
+    // What the last tick leaves to be read.
     previous: Vec<DVec2>,
-    forces: Vec<ForceManager>,
-    drives: Vec<DVec2>,
-    surfaces: Vec<SurfaceDef>,
-    events: Vec<Event>,
-    gravity: f64,
+    pub(super) forces: Vec<ForceManager>,
+    pub(super) events: Vec<Event>,
+    pub(super) corners: Vec<(u32, DVec2)>,
+    overflows: u64,
+    still: bool,
+    // Scratch, kept so that a tick allocates nothing once warm.
+    /// Centre and half of every surface, m.
+    pub(super) blocks: Vec<(DVec2, DVec2)>,
+    pub(super) candidates: Candidates,
+    pub(super) contacts: Vec<Contact>,
+    pub(super) touching: Vec<Contact>,
+    pub(super) reactions: Reactions,
+    pub(super) laws: Vec<Law>,
+    pub(super) motions: Vec<Motion>,
+    pub(super) cubics: Vec<Cubic>,
+    pub(super) in_contact: Vec<bool>,
+    pub(super) in_stream: Vec<bool>,
+    pub(super) across: Vec<bool>,
+    pub(super) crossings: Vec<u32>,
+    pub(super) hits: Vec<u32>,
+    pub(super) resumes: Vec<Resume>,
+    pub(super) now: f64,
+    pub(super) overflowing: bool,
+    pub(super) free: Vec<DVec2>,
+    pub(super) solved: Vec<DVec2>,
+    pub(super) coupled: Vec<Pose>,
+    pub(super) coupled_at: f64,
+    pub(super) stage: Vec<Pose>,
+    pub(super) stage_free: Vec<DVec2>,
+    pub(super) stage_accelerations: Vec<DVec2>,
+    pub(super) stage_contacts: Vec<Contact>,
+    pub(super) sums: Vec<Pose>,
+    poses: Vec<Pose>,
 }
 
 impl World {
@@ -124,56 +91,251 @@ impl World {
     ///
     /// # Errors
     /// A number that is not finite or out of its range.
-    pub fn new(def: WorldDef) -> Result<Self, DefError> {
-        let bodies: Vec<Body> = def
-            .bodies
-            .into_iter()
-            .map(|b| Body {
-                position: b.position,
-                velocity: b.velocity,
-                acceleration: DVec2::ZERO,
-                half: b.half,
-                mass: b.mass,
-                drag: b.drag,
-                restitution: b.restitution,
-                material: b.material,
-                feels_air: b.feels_air,
-            })
-            .collect();
-        let n = bodies.len();
-        Ok(Self {
-            previous: bodies.iter().map(|b| b.position).collect(),
-            bodies,
-            forces: vec![ForceManager::default(); n],
+    pub fn new(mut def: WorldDef) -> Result<Self, DefError> {
+        def.check()?;
+        let plan = Plan::of(&def);
+        def.surfaces.extend(def.bounds.iter().flat_map(edges));
+        let n = def.bodies.len();
+        let mut world = Self {
+            bodies: def.bodies.iter().map(Body::new).collect(),
             drives: vec![DVec2::ZERO; n],
+            blocks: def.surfaces.iter().map(|surface| (surface.bounds.centre(), surface.bounds.size() * 0.5)).collect(),
             surfaces: def.surfaces,
+            media: Media { gravity: def.gravity, air_density: def.air_density, streams: def.streams, fluids: def.fluids },
+            rest_speed: def.rest_speed,
+            plan,
+            previous: def.bodies.iter().map(|body| body.position).collect(),
+            forces: vec![ForceManager::default(); n],
             events: Vec::new(),
-            gravity: def.gravity,
-        })
+            corners: Vec::new(),
+            overflows: 0,
+            still: false,
+            candidates: Candidates::default(),
+            contacts: Vec::new(),
+            touching: Vec::new(),
+            reactions: Reactions::default(),
+            laws: Vec::new(),
+            motions: Vec::new(),
+            cubics: Vec::new(),
+            in_contact: Vec::new(),
+            in_stream: Vec::new(),
+            across: Vec::new(),
+            crossings: Vec::new(),
+            hits: Vec::new(),
+            resumes: Vec::new(),
+            now: 0.0,
+            overflowing: false,
+            free: Vec::new(),
+            solved: Vec::new(),
+            coupled: Vec::new(),
+            coupled_at: f64::NAN,
+            stage: Vec::new(),
+            stage_free: Vec::new(),
+            stage_accelerations: Vec::new(),
+            stage_contacts: Vec::new(),
+            sums: Vec::new(),
+            poses: Vec::new(),
+        };
+        world.show_start();
+        Ok(world)
     }
 
     /// Adds a body while the world runs (the menu's balls).
     ///
     /// # Errors
     /// As [`World::new`].
-    pub fn add_body(&mut self, _def: BodyDef) -> Result<BodyId, DefError> {
-        Err(DefError("not yet".into()))
+    pub fn add_body(&mut self, def: BodyDef) -> Result<BodyId, DefError> {
+        def.check()?;
+        let id = BodyId(self.bodies.len() as u32);
+        self.bodies.push(Body::new(&def));
+        self.drives.push(DVec2::ZERO);
+        self.previous.push(def.position);
+        self.forces.push(ForceManager::default());
+        self.plan.pairs = self.bodies.len() > 1;
+        self.plan.contacts |= self.plan.pairs;
+        self.plan.air |= self.media.air_density > 0.0 && def.feels_air && def.drag > 0.0;
+        self.plan.bounces |= def.restitution > 0.0;
+        // Contacts and pairs count surfaces on from the number of bodies.
+        self.contacts.clear();
+        self.candidates.spoil();
+        self.still = false;
+        Ok(id)
     }
 
-    /// Sets the force of a body's engine (N) from the next tick on.
+    /// Sets the force of a body's engine (N) from the next tick on. A force that is not finite is none.
     pub fn set_drive(&mut self, body: BodyId, force: DVec2) {
-        self.drives[body.index()] = force;
+        let force = if force.is_finite() { force } else { DVec2::ZERO };
+        if self.drives[body.index()] != force {
+            self.drives[body.index()] = force;
+            self.still = false;
+        }
     }
 
-    /// Advances the world by exactly one tick of `dt` seconds.
+    /// Advances the world by exactly one tick of `dt` seconds, in intervals between the things that happen within it.
     pub fn step(&mut self, dt: f64) {
-        self.events.clear();
-        for (i, body) in self.bodies.iter_mut().enumerate() {
-            self.previous[i] = body.position;
-            body.acceleration = DVec2::new(0.0, self.gravity) + self.drives[i] / body.mass;
-            body.position += body.velocity * dt + body.acceleration * (0.5 * dt * dt);
-            body.velocity += body.acceleration * dt;
+        self.begin_tick();
+        if self.still {
+            return;
         }
+        self.refresh_laws();
+        self.refresh_candidates(dt);
+        let mut intervals = 0;
+        let mut hit = None;
+        loop {
+            let left = dt - self.now;
+            self.refresh_laws();
+            if self.plan.contacts {
+                self.resolve_impacts(hit.take(), self.now, left);
+                self.refresh_candidates(left);
+                self.find_contacts();
+            }
+            self.solve_accelerations();
+            let longest = self.choose_motions(left);
+            let (t, happening) = self.next_happening(longest);
+            intervals += 1;
+            self.overflowing = intervals > MAX_INTERVALS / 2;
+            let last = (matches!(happening, Happening::Nothing) && t >= left) || intervals > MAX_INTERVALS;
+            if last {
+                // Shown are the forces at the beginning of the interval that leads to what is shown with them.
+                self.show_forces();
+            }
+            self.advance(t);
+            self.now += t;
+            if last {
+                break;
+            }
+            hit = self.apply(happening);
+        }
+        self.overflows += u64::from(self.overflowing);
+        self.still = self.motions.iter().all(|&motion| motion == Motion::Still);
+    }
+
+    fn begin_tick(&mut self) {
+        self.events.clear();
+        self.corners.clear();
+        for (previous, body) in self.previous.iter_mut().zip(&self.bodies) {
+            *previous = body.position;
+        }
+        self.now = 0.0;
+        self.overflowing = false;
+        self.resumes.clear();
+        let n = self.bodies.len();
+        self.hits.clear();
+        self.hits.resize(n, 0);
+        self.crossings.clear();
+        self.crossings.resize(n, 0);
+        if !self.still {
+            self.find_zones();
+        }
+    }
+
+    /// Which body feels which stream, from where they are; crossings within the tick keep it true.
+    fn find_zones(&mut self) {
+        self.in_stream.clear();
+        self.across.clear();
+        for (body, drive) in self.bodies.iter().zip(&self.drives) {
+            let bounds = body.bounds();
+            self.in_stream.extend(self.media.streams.iter().map(|stream| bounds.touches(&stream.zone, SLOP)));
+            // On the border between the two sides (and at rest) it is the force that decides: drag alone leaves the direction as it is.
+            let v = body.velocity;
+            let force = *drive + DVec2::new(0.0, body.mass * self.media.gravity);
+            let turns = |v: f64, force: f64| if v == 0.0 { force.abs() } else { force * v.signum() };
+            let across = if v.x.abs() == v.y.abs() { turns(v.x, force.x) > turns(v.y, force.y) } else { v.x.abs() > v.y.abs() };
+            self.across.push(across);
+        }
+    }
+
+    /// The law of motion of every body in the coming interval.
+    fn refresh_laws(&mut self) {
+        self.laws.clear();
+        let streams = self.media.streams.len();
+        for (i, body) in self.bodies.iter().enumerate() {
+            let mut force = self.drives[i];
+            for (stream, inside) in self.media.streams.iter().zip(&self.in_stream[i * streams..]) {
+                if *inside {
+                    force += stream.force;
+                }
+            }
+            let mut law = Law { constant: DVec2::new(0.0, self.media.gravity) + force / body.mass, ..Law::default() };
+            law.area = 2.0 * if self.across[i] { body.half.y } else { body.half.x };
+            if self.plan.air && body.feels_air {
+                law.air = 0.5 * self.media.air_density * body.drag * law.area / body.mass;
+            }
+            if self.plan.liquids {
+                let reach = body.half + body.velocity.abs() + DVec2::ONE;
+                let near = Aabb::around(body.position, reach);
+                law.wet = self.media.fluids.iter().any(|fluid| near.touches(&fluid.zone, 0.0));
+            }
+            self.laws.push(law);
+        }
+    }
+
+    /// Moves everything on by `t` seconds.
+    fn advance(&mut self, t: f64) {
+        self.poses.clear();
+        for i in 0..self.bodies.len() {
+            let pose = self.pose(i, t);
+            self.poses.push(pose);
+        }
+        for (body, &(position, velocity)) in self.bodies.iter_mut().zip(&self.poses) {
+            (body.position, body.velocity) = (position, velocity);
+        }
+    }
+
+    /// Does what ended the interval; returns the pair that met, if that was it.
+    fn apply(&mut self, happening: Happening) -> Option<Contact> {
+        match happening {
+            Happening::Nothing | Happening::Edge => {}
+            Happening::Hit(contact) => {
+                self.place_against(&contact);
+                return Some(contact);
+            }
+            Happening::Stop(axis) => {
+                let items = self.bodies.len() + self.blocks.len();
+                self.reactions.merge_speeds(axis, &self.contacts, &mut self.bodies, items);
+            }
+            Happening::Stream(body, stream) => {
+                let at = body as usize * self.media.streams.len() + stream as usize;
+                self.in_stream[at] = !self.in_stream[at];
+                self.crossings[body as usize] += 1;
+            }
+            Happening::Kink(body) => {
+                let i = body as usize;
+                let v = self.bodies[i].velocity;
+                self.across[i] = v.x.abs() > v.y.abs();
+                self.crossings[i] += 1;
+            }
+            Happening::Resume(index) => {
+                let resume = self.resumes.swap_remove(index as usize);
+                self.bodies[resume.body as usize].velocity[resume.axis] += resume.speed;
+            }
+        }
+        None
+    }
+
+    /// Sets a body exactly against the immovable face that it met: no rounding of the time of impact is left.
+    fn place_against(&mut self, contact: &Contact) {
+        let axis = contact.axis;
+        let (body, other, side) =
+            if self.immovable(contact.hi) { (contact.lo, contact.hi, -1.0) } else { (contact.hi, contact.lo, 1.0) };
+        if !self.immovable(other) {
+            return;
+        }
+        let at = self.place(other)[axis] + side * (self.half(other)[axis] + self.half(body)[axis]);
+        self.bodies[body as usize].position[axis] = at;
+    }
+
+    /// The forces before the first tick.
+    fn show_start(&mut self) {
+        self.begin_tick();
+        self.refresh_laws();
+        self.refresh_candidates(0.0);
+        if self.plan.contacts {
+            self.find_contacts();
+        }
+        self.solve_accelerations();
+        self.choose_motions(0.0);
+        self.show_forces();
     }
 
     /// All bodies, by [`BodyId::index`].
@@ -208,12 +370,18 @@ impl World {
 
     /// The corners of the path of a body's centre during the last tick, from where it was to where it is.
     pub fn path(&self, id: BodyId) -> impl Iterator<Item = DVec2> + '_ {
-        [self.previous[id.index()], self.bodies[id.index()].position].into_iter()
+        let corners = self.corners.iter().filter(move |(body, _)| *body == id.0).map(|(_, at)| *at);
+        std::iter::once(self.previous[id.index()]).chain(corners).chain(std::iter::once(self.bodies[id.index()].position))
     }
 
-    /// The parts of the physics model that this world uses, in words (for `check` and the details overlay).
-    pub fn plan(&self) -> Vec<&'static str> {
-        Vec::new()
+    /// The parts of the model that this world uses.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// Ticks so far in which so much happened that the rest of their impacts became plastic.
+    pub fn overflows(&self) -> u64 {
+        self.overflows
     }
 
     /// Feeds every bit of the state to `write`, for the state's hash.
@@ -224,4 +392,18 @@ impl World {
             }
         }
     }
+}
+
+/// The four solid edges around a level: left, right, top, bottom.
+fn edges(bounds: &Aabb) -> [SurfaceDef; 4] {
+    let (min, max) = (bounds.min, bounds.max);
+    let t = EDGE_THICKNESS;
+    let edge =
+        |x0, y0, x1, y1| SurfaceDef { bounds: Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), material: Material::ASPHALT };
+    [
+        edge(min.x - t, min.y - t, min.x, max.y + t),
+        edge(max.x, min.y - t, max.x + t, max.y + t),
+        edge(min.x, min.y - t, max.x, min.y),
+        edge(min.x, max.y, max.x, max.y + t),
+    ]
 }

@@ -1,1 +1,104 @@
-//! The screens: a state machine that is tested without a window.
+//! The screens: a state machine that runs, and is tested, without a window. A screen takes an [`Input`] a frame and may answer with
+//! a [`Request`], which carries what the next screen needs; [`App`] grants it in one place. One file a screen; each file's drawing
+//! reads the screen and goes through [`crate::view`]. The window, its keys and its clock are in `window`; rules of the game, scores
+//! and names are not here but in the modules below.
+
+mod app;
+mod balls;
+mod buttons;
+mod classics;
+mod flight;
+mod input;
+mod jumper;
+mod leaderboard;
+mod level_select;
+mod library;
+mod menu;
+mod pi;
+mod problems;
+mod save_score;
+mod scoring;
+mod scroll;
+mod text_field;
+mod tile_run;
+mod toolbar;
+#[cfg(feature = "window")]
+mod window;
+
+pub use app::{App, Places};
+pub use buttons::Buttons;
+pub use classics::{Classic, Classics};
+pub use flight::{Attempt, Flight, Spectator};
+pub use input::{Input, Key, Keys};
+pub use jumper::{Jumper, Press as JumperPress};
+pub use leaderboard::Leaderboard;
+pub use level_select::{Entry, LevelSelect, Purpose};
+pub use library::Library;
+pub use menu::Menu;
+pub use pi::Pi;
+pub use problems::Problems;
+pub use save_score::{Gain, SaveScore};
+pub use scoring::{Effect, Part, Press, Scoring};
+pub use scroll::Bar;
+pub use tile_run::TileRun;
+pub use toolbar::Toolbar;
+#[cfg(feature = "window")]
+pub use window::open;
+
+use crate::classics::jumper::scene::Scene;
+use crate::game::RunResult;
+use crate::scores::Name;
+
+/// What is on the screen, with all that it needs.
+#[derive(Debug)]
+pub enum Screen {
+    /// Title and main buttons.
+    Menu(Box<Menu>),
+    /// Which level.
+    LevelSelect(LevelSelect),
+    /// An attempt at a level.
+    Flight(Box<Flight>),
+    /// What it came to.
+    Scoring(Box<Scoring>),
+    /// Under which name.
+    SaveScore(Box<SaveScore>),
+    /// The best of one level.
+    Leaderboard(Leaderboard),
+    /// Which classic.
+    Classics(Classics),
+    /// A run through a map of tiles, or one that is watched.
+    TileRun(Box<TileRun>),
+    /// A climb.
+    Jumper(Box<Jumper>),
+    /// π from collisions.
+    Pi(Box<Pi>),
+}
+
+/// What a screen asks for: the next screen, with what it needs.
+#[derive(Clone, Debug)]
+pub enum Request {
+    /// The main menu.
+    Menu,
+    /// The list of levels.
+    LevelSelect(Purpose),
+    /// The level of that name, read afresh.
+    Play(String),
+    /// Another attempt at a level that is there.
+    Attempt(Attempt),
+    /// An attempt has ended.
+    Score(Attempt, RunResult),
+    /// A score is to be saved.
+    SaveScore(Gain),
+    /// It is saved under that name.
+    Submit(Gain, Name),
+    /// The leaderboard of the level of that name, or that of the jumper.
+    Leaderboard(String),
+    /// The list of classics, with the keyboard on the one that was left.
+    Classics(Option<Classic>),
+    /// One of them, from its beginning.
+    Classic(Classic),
+    /// A climb that has ended.
+    Climbed(Box<Scene>),
+    /// The end.
+    Quit,
+}

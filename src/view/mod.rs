@@ -1,1 +1,54 @@
-//! Drawing only: reads the game and changes nothing in it.
+//! Drawing only: reads the game and changes nothing in it. The screens hand over what they hold; what they decide is in
+//! [`crate::screens`]. Only [`layout`], which is plain arithmetic, is there without a window.
+
+pub mod layout;
+
+#[cfg(feature = "window")]
+pub mod arrows;
+#[cfg(feature = "window")]
+pub mod art;
+#[cfg(feature = "window")]
+pub mod boxes;
+#[cfg(feature = "window")]
+pub mod camera;
+#[cfg(feature = "window")]
+pub mod canvas;
+#[cfg(feature = "window")]
+pub mod details;
+#[cfg(feature = "window")]
+pub mod edges;
+#[cfg(feature = "window")]
+pub mod emitters;
+#[cfg(feature = "window")]
+pub mod facts;
+#[cfg(feature = "window")]
+pub mod feedback;
+#[cfg(feature = "window")]
+pub mod fonts;
+#[cfg(feature = "window")]
+pub mod game_view;
+#[cfg(feature = "window")]
+pub mod hitboxes;
+#[cfg(feature = "window")]
+pub mod hud;
+#[cfg(feature = "window")]
+pub mod particles;
+#[cfg(feature = "window")]
+pub mod pictures;
+#[cfg(feature = "window")]
+pub mod shapes;
+#[cfg(feature = "window")]
+pub mod theme;
+#[cfg(feature = "window")]
+pub mod things;
+#[cfg(feature = "window")]
+pub mod widgets;
+#[cfg(feature = "window")]
+pub mod world;
+#[cfg(feature = "window")]
+pub mod zones;
+
+#[cfg(feature = "window")]
+pub use art::{Art, icon};
+#[cfg(feature = "window")]
+pub use game_view::{GameView, Overlays};

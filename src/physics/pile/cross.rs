@@ -31,8 +31,8 @@ pub(super) fn solve(
 ) {
     let n = bodies.len();
     bodies.ux.copy_from_slice(&bodies.free_vx);
-    for i in 0..n {
-        given[i] = bodies.mass[i] * bodies.free_vx[i];
+    for ((given, mass), velocity) in given.iter_mut().zip(&bodies.mass).zip(&bodies.free_vx) {
+        *given = mass * velocity;
     }
     if given.iter().fold(true, |still, p| still & (*p == 0.0)) {
         friction.rest();

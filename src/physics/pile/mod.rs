@@ -3,13 +3,13 @@
 //! Here live the passes of one step over separate arrays, without a world around them; the exact, event-driven engine for small
 //! scenes, named forces, streams and liquids do not. A step goes so:
 //!
-//! 1. [`flight`]: where would everything be, and how fast, if it touched nothing;
-//! 2. [`neighbours`]: who may meet whom, sought anew only when a body leaves the box in which its neighbours were sought;
-//! 3. [`contacts`]: which of these touch in this step, along which axis, and how fast they may close;
-//! 4. [`gravity`]: velocities along gravity, one pass bottom-up; [`cross`]: those across it, with the [`friction`] of the stacks;
-//!    what is neither carried nor held merges in [`clusters`];
-//! 5. [`place`]: positions that cannot overlap, by construction;
-//! 6. [`bounce`]: restitution, after the move.
+//! 1. `flight`: where would everything be, and how fast, if it touched nothing;
+//! 2. `neighbours`: who may meet whom, sought anew only when a body leaves the box in which its neighbours were sought;
+//! 3. `contacts`: which of these touch in this step, along which axis, and how fast they may close;
+//! 4. `gravity`: velocities along gravity, one pass bottom-up; `cross`: those across it, with the `friction` of the stacks;
+//!    what is neither carried nor held merges in `clusters`;
+//! 5. `place`: positions that cannot overlap, by construction;
+//! 6. `bounce`: restitution, after the move.
 //!
 //! Nothing iterates towards an answer except where bodies hang together in the air, so what comes to rest has velocity zero
 //! exactly, after which a step changes no bit and the whole pile sleeps until something outside changes.

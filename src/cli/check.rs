@@ -1,0 +1,82 @@
+//! `resultant check [LEVEL…]`: loads levels, and says what is in them or everything that is wrong with them.
+
+use super::{Project, Status, Stop};
+use crate::level::{self, Level, Loaded, ObjectiveKind};
+use crate::physics::World;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// What to check.
+#[derive(clap::Args, Debug, Default)]
+pub struct Args {
+    /// Names under levels/, or levels' folders; without any, all levels
+    #[arg(value_name = "LEVEL")]
+    pub levels: Vec<String>,
+}
+
+/// Checks the levels: results go to `out`, problems and warnings to standard error.
+///
+/// # Errors
+/// A level that does not exist, or no level at all; nothing is checked then.
+pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+    check(args, project, out, &mut io::stderr().lock())
+}
+
+fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Write) -> Result<Status, Stop> {
+    let all = if args.levels.is_empty() { level::list(&project.levels()) } else { Vec::new() };
+    let names = if args.levels.is_empty() { &all } else { &args.levels };
+    if names.is_empty() {
+        return Err(Stop::Refused(format!("no level folder in {}", project.levels().display())));
+    }
+    let folders = names.iter().map(|name| project.level_folder(name)).collect::<Result<Vec<PathBuf>, Stop>>()?;
+    let mut status = Status::Done;
+    for (name, folder) in names.iter().zip(folders) {
+        let problems = match level::load(&folder, project.root()) {
+            Ok(loaded) => match World::new(loaded.level.world_def()) {
+                Ok(world) => {
+                    describe(name, &loaded, &world, out, err)?;
+                    continue;
+                }
+                Err(refusal) => vec![refusal.to_string()],
+            },
+            Err(problems) => problems.iter().map(ToString::to_string).collect(),
+        };
+        status = Status::Wrong;
+        writeln!(err, "{name}: refused, {}", count(problems.len(), "problem", "problems"))?;
+        for problem in problems {
+            writeln!(err, "{problem}")?;
+        }
+    }
+    Ok(status)
+}
+
+/// A good level: what is in it, the parts of the physics model that it uses, and what is odd about it.
+fn describe(name: &str, loaded: &Loaded, world: &World, out: &mut dyn Write, err: &mut dyn Write) -> io::Result<()> {
+    for warning in &loaded.warnings {
+        writeln!(err, "{name}: warning: {warning}")?;
+    }
+    writeln!(out, "{name}: ok")?;
+    writeln!(out, "  contents: {}", contents(&loaded.level))?;
+    writeln!(out, "  physics: {}", world.plan().parts().join("; "))
+}
+
+fn contents(level: &Level) -> String {
+    let keys = level.objects.iter().filter(|object| object.key.is_some()).count();
+    let objectives = |kind| level.objectives.iter().filter(|objective| objective.kind == kind).count();
+    [
+        count(level.world.len(), "solid", "solids"),
+        count(level.objects.len() - keys, "object", "objects"),
+        count(keys, "key object", "key objects"),
+        count(objectives(ObjectiveKind::Player), "player objective", "player objectives"),
+        count(objectives(ObjectiveKind::Physics), "physics objective", "physics objectives"),
+        count(level.obstacles.len(), "death box", "death boxes"),
+        count(level.streams.len(), "air stream", "air streams"),
+        count(level.fluids.len(), "liquid", "liquids"),
+        count(level.texts.len(), "text", "texts"),
+    ]
+    .join(", ")
+}
+
+fn count(n: usize, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
+}

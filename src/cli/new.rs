@@ -1,0 +1,88 @@
+//! `resultant new NAME`: a level folder that loads, for an author to go on from.
+
+use super::{Project, Status, Stop};
+use crate::level;
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+
+/// What to make.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// The level's name: up to 40 letters, digits, - and _
+    pub name: String,
+}
+
+/// The files of a new level: a room of 1280 × 720 pixels with a floor, a ledge and an objective on it.
+const FILES: [(&str, &str); 9] = [
+    (
+        "constants.csv",
+        "# All settings; width and height (pixels) are not needed once there is a background.png.\n\
+         name,value\ntitle,{name}\ngravity,15\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,1\nwidth,1280\nheight,720\n",
+    ),
+    (
+        "player.csv",
+        "# The ship: its centre in pixels (it is 51 high), kg, fuel units, N.\n\
+         x,y,mass,fuel,thrust,air,vx,vy,angle\n150,650,100,500,2500,TRUE,0,0,0\n",
+    ),
+    (
+        "world.csv",
+        "# Solid rectangles by their top left corner. Materials: Asphalt, Steel, Ice, Rubber, Wood, Glass.\n\
+         x,y,width,height,material\n0,680,1280,40,Asphalt\n840,440,440,30,Wood\n",
+    ),
+    (
+        "objects.csv",
+        "# Things that move: a PNG's path from the project's folder, or box:WIDTHxHEIGHT, or ball:WIDTHxHEIGHT.\n\
+         x,y,image,mass,drag,circular,restitution,vx,vy\n600,660,box:40x40,50,1.05,FALSE,0.2,0,0\n",
+    ),
+    (
+        "objectives.csv",
+        "# PLAYER,x,y,width,height: where the ship must be. PHYS,x,y,width,height: where a key object must be.\n\
+         # OBJECT,x,y,image,mass,r,g,b,restitution,drag,vx,vy: a key object.\n\
+         PLAYER,1120,430,100,10\n",
+    ),
+    ("obstacles.csv", "# Death boxes.\nx,y,width,height\n900,660,120,20\n"),
+    (
+        "hazards.csv",
+        "# Air streams: the source block, how far it blows (one of the two; negative: left or up), the force in N.\n\
+         x,y,width,height,stream_width,stream_height,force_x,force_y\n400,660,80,20,0,-200,0,-400\n",
+    ),
+    (
+        "fluids.csv",
+        "# Zones of thick liquid: kg/m³, Pa·s, colour.\n\
+         x,y,width,height,density,viscosity,r,g,b\n0,560,80,120,900,50,120,90,40\n",
+    ),
+    (
+        "texts.csv",
+        "# Words in the level: top left corner and size in pixels. Words with a comma stand in quotes.\n\
+         x,y,size,text\n100,480,24,\"Space: thrust, arrows: rotate\"\n",
+    ),
+];
+
+/// Makes `levels/NAME/`.
+///
+/// # Errors
+/// The name is none for a level, there is such a folder already, or the disk refuses; nothing is left behind.
+pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+    let Args { name } = args;
+    if !level::is_level_name(name) {
+        let expected = "up to 40 letters, digits, - and _, the first a letter or digit";
+        return Err(Stop::Refused(format!("a level cannot be named {name:?}: expected {expected}")));
+    }
+    let folder = project.levels().join(name);
+    let refused = |error: io::Error| Stop::Refused(format!("cannot make {}: {error}", folder.display()));
+    fs::create_dir_all(project.levels()).map_err(refused)?;
+    // Fails where there is anything of that name, so nobody's level is ever touched.
+    fs::create_dir(&folder).map_err(refused)?;
+    if let Err(error) = write_files(&folder, name) {
+        // The first error is the one to tell.
+        let _ = fs::remove_dir_all(&folder);
+        return Err(refused(error));
+    }
+    writeln!(out, "{}", folder.display())?;
+    Ok(Status::Done)
+}
+
+fn write_files(folder: &Path, name: &str) -> io::Result<()> {
+    FILES.iter().try_for_each(|(file, text)| fs::write(folder.join(file), text.replace("{name}", name)))
+}

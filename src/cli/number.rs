@@ -1,0 +1,49 @@
+//! How results print numbers.
+
+use std::fmt;
+
+/// Magnitudes that print without an exponent: outside, the plain form fills up with zeros.
+const PLAIN: std::ops::Range<f64> = 1e-5..1e16;
+
+/// A number with the fewest digits that read back as the same f64, bit for bit (also −0).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shortest(pub f64);
+
+impl fmt::Display for Shortest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(number) = self;
+        if *number == 0.0 || PLAIN.contains(&number.abs()) { write!(f, "{number}") } else { write!(f, "{number:e}") }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Shortest;
+    use proptest::prelude::*;
+
+    #[test]
+    fn numbers_are_short() {
+        for (number, text) in [
+            (0.0, "0"),
+            (-0.0, "-0"),
+            (1500.0, "1500"),
+            (-0.1, "-0.1"),
+            (1.0 / 3.0, "0.3333333333333333"),
+            (1e-5, "0.00001"),
+            (9.5e-6, "9.5e-6"),
+            (1e300, "1e300"),
+            (-1.5e16, "-1.5e16"),
+            (f64::from_bits(1), "5e-324"),
+        ] {
+            assert_eq!(Shortest(number).to_string(), text);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn every_number_reads_back(number in proptest::num::f64::ANY.prop_filter("finite", |number| number.is_finite())) {
+            let read: f64 = Shortest(number).to_string().parse().unwrap();
+            prop_assert_eq!(read.to_bits(), number.to_bits());
+        }
+    }
+}

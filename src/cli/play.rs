@@ -1,0 +1,65 @@
+//! `resultant` and `resultant play LEVEL`: opens the game.
+
+use super::{Project, Status, Stop};
+#[cfg(feature = "window")]
+use crate::{
+    game::Inputs,
+    level,
+    screens::{Attempt, Places, open},
+};
+use std::io::Write;
+use std::path::PathBuf;
+#[cfg(feature = "window")]
+use std::{path::Path, sync::Arc};
+
+/// What to open.
+#[derive(clap::Args, Debug, Default)]
+pub struct Args {
+    /// A name under levels/, or a level's folder; without it the game opens with its menu
+    pub level: Option<String>,
+    /// Play these recorded inputs instead of the keys, from the first tick on
+    #[arg(long, value_name = "FILE", requires = "level")]
+    pub inputs: Option<PathBuf>,
+}
+
+/// Opens the game and returns when it is closed.
+///
+/// # Errors
+/// A level or inputs that are refused; folders that are missing; no display; a build without a window.
+#[cfg(feature = "window")]
+pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
+    for (what, folder) in [("levels", project.levels()), ("assets", project.assets())] {
+        if !folder.is_dir() {
+            let missing = folder.display();
+            return Err(Stop::Refused(format!(
+                "there is no folder {missing}, which holds the game's {what}: say with --data DIR where assets/ and levels/ are"
+            )));
+        }
+    }
+    let start = args.level.as_deref().map(|level| attempt(level, args.inputs.as_deref(), project)).transpose()?;
+    let places = Places { root: project.root().to_path_buf(), levels: project.levels(), scores: project.scores() };
+    open(places, start).map_err(Stop::Refused)?;
+    Ok(Status::Done)
+}
+
+/// Reads what is to be flown before a window opens.
+#[cfg(feature = "window")]
+fn attempt(level: &str, inputs: Option<&Path>, project: &Project) -> Result<Attempt, Stop> {
+    let loaded = level::load(&project.level_folder(level)?, project.root())
+        .map_err(|problems| Stop::Refused(problems.iter().map(|problem| format!("{level}/{problem}\n")).collect()))?;
+    let inputs = inputs.map(|file| {
+        let refused = |why: String| Stop::Refused(format!("{}: {why}", file.display()));
+        let text = std::fs::read_to_string(file).map_err(|error| refused(format!("the inputs cannot be read: {error}")))?;
+        Inputs::parse(&file.display().to_string(), &text).map_err(|bad| Stop::Refused(bad.to_string()))
+    });
+    Ok(Attempt { level: Arc::new(loaded.level), inputs: inputs.transpose()?.map(Arc::new) })
+}
+
+/// Opens nothing: this build has no window.
+///
+/// # Errors
+/// Always.
+#[cfg(not(feature = "window"))]
+pub fn run(_args: &Args, _project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
+    Err(Stop::Refused("this build of resultant has no window: see --help for what it does without one".into()))
+}

@@ -1,0 +1,102 @@
+//! Where the game's folders are.
+
+use super::Stop;
+use std::path::{Path, PathBuf};
+
+/// The folder that holds `assets/`, `levels/` and `scores/`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Project {
+    root: PathBuf,
+}
+
+impl Project {
+    /// `data` where it is given. Otherwise the first of the working directory, the executable's folder and the folder that the
+    /// program was built from which holds `levels/`; where none does, the working directory.
+    ///
+    /// # Errors
+    /// `data` is no folder.
+    pub fn find(data: Option<&Path>) -> Result<Self, Stop> {
+        if let Some(data) = data {
+            return if data.is_dir() {
+                Ok(Self { root: data.to_path_buf() })
+            } else {
+                Err(Stop::Refused(format!("--data {}: there is no such folder", data.display())))
+            };
+        }
+        let executable = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
+        let package = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+        Ok(Self::first_with_levels([Some(PathBuf::from(".")), executable, Some(package)].into_iter().flatten()))
+    }
+
+    fn first_with_levels(mut candidates: impl Iterator<Item = PathBuf>) -> Self {
+        let root = candidates.find(|folder| folder.join("levels").is_dir());
+        Self { root: root.unwrap_or_else(|| PathBuf::from(".")) }
+    }
+
+    /// The folder itself: image paths in level files start here.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// Sprites, maps, pictures.
+    pub fn assets(&self) -> PathBuf {
+        self.root.join("assets")
+    }
+
+    /// A folder a level.
+    pub fn levels(&self) -> PathBuf {
+        self.root.join("levels")
+    }
+
+    /// A file a leaderboard.
+    pub fn scores(&self) -> PathBuf {
+        self.root.join("scores")
+    }
+
+    /// The folder of a level as the command line names it: a name under `levels/`, or any folder.
+    ///
+    /// # Errors
+    /// There is neither.
+    pub fn level_folder(&self, level: &str) -> Result<PathBuf, Stop> {
+        let listed = self.levels().join(level);
+        if !level.is_empty() && listed.is_dir() {
+            return Ok(listed);
+        }
+        let folder = PathBuf::from(level);
+        if folder.is_dir() {
+            return Ok(folder);
+        }
+        Err(Stop::Refused(format!("no level {level:?}: neither {} nor {level:?} is a folder", listed.display())))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_folder_with_levels_is_taken_and_data_goes_before_all() {
+        let (bare, one, two) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+        for folder in [&one, &two] {
+            std::fs::create_dir(folder.path().join("levels")).unwrap();
+        }
+        let candidates = || [&bare, &one, &two].into_iter().map(|folder| folder.path().to_path_buf());
+        assert_eq!(Project::first_with_levels(candidates()).root(), one.path());
+        assert_eq!(Project::first_with_levels(candidates().take(1)).root(), Path::new("."));
+        assert_eq!(Project::find(Some(bare.path())).unwrap().root(), bare.path());
+        assert!(Project::find(Some(&bare.path().join("missing"))).is_err());
+    }
+
+    #[test]
+    fn a_level_is_a_name_under_levels_or_a_folder() {
+        let data = tempfile::tempdir().unwrap();
+        let own = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(data.path().join("levels/7")).unwrap();
+        let project = Project::find(Some(data.path())).unwrap();
+        assert_eq!(project.level_folder("7").unwrap(), data.path().join("levels").join("7"));
+        assert_eq!(project.level_folder(own.path().to_str().unwrap()).unwrap(), own.path());
+        for none in ["", "8"] {
+            assert!(project.level_folder(none).is_err(), "{none:?}");
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! `resultant run`: plays a level without a window.
+
+use super::files::{NewFile, read_text};
+use super::number::Shortest;
+use super::{Project, Status, Stop, load_level, telemetry};
+use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Replay, TICK_RATE, TICK_RATES};
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// How long a run without inputs takes, s.
+const DEFAULT_SECONDS: f64 = 10.0;
+/// A time this close above a whole number of ticks is that number of them, ticks: 0.1 s is no binary number. Larger, and a run
+/// could end visibly early.
+const WHOLE_TICK: f64 = 1e-6;
+
+/// What to play, and how.
+#[derive(clap::Args, Debug)]
+#[command(after_long_help = "Prints key=value: outcome (completed, failed, running), time (s), score, objectives (met/all), \
+    collisions (damaging), fuel (fraction left), ticks, hash (of the whole state).\n\nAn inputs file is a CSV with the header \
+    ticks,thrust,reverse,left,right; each row holds its keys (0 or 1) for that many ticks. After the last row nothing is pressed.")]
+pub struct Args {
+    /// A name under levels/, or a level's folder
+    level: String,
+    /// What is pressed when
+    #[arg(long, value_name = "FILE")]
+    inputs: Option<PathBuf>,
+    /// How long to play unless the level ends before [default: until the inputs end; without inputs 10]
+    #[arg(long, value_name = "S", value_parser = parse_seconds, allow_negative_numbers = true)]
+    seconds: Option<f64>,
+    /// Ticks a second
+    #[arg(long, value_name = "HZ", value_parser = parse_tick_rate, allow_negative_numbers = true, default_value_t = TICK_RATE)]
+    tick: f64,
+    /// Write where everything is and what acts on it, a CSV row an object a tick
+    #[arg(long, value_name = "OUT.csv")]
+    telemetry: Option<PathBuf>,
+    /// Write the run as a replay, for `verify`
+    #[arg(long, value_name = "OUT.csv")]
+    record: Option<PathBuf>,
+}
+
+fn parse_seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.parse().ok().filter(|seconds: &f64| *seconds >= 0.0 && seconds.is_finite());
+    seconds.ok_or_else(|| "expected seconds, 0 or more".into())
+}
+
+fn parse_tick_rate(text: &str) -> Result<f64, String> {
+    let rate = text.parse().ok().filter(|rate| TICK_RATES.contains(rate));
+    rate.ok_or_else(|| format!("expected {} to {} ticks a second", TICK_RATES.start(), TICK_RATES.end()))
+}
+
+/// Plays the level until it is completed or failed, or the time is up, and prints what that came to.
+///
+/// # Errors
+/// A level or inputs that are refused, a run of more than [`MOST_TICKS`], a file that cannot be written; nothing was run then.
+pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+    let level = load_level(project, &args.level)?;
+    let inputs = match &args.inputs {
+        Some(path) => Some(Inputs::parse(&path.display().to_string(), &read_text(path)?).map_err(Stop::refused)?),
+        None => None,
+    };
+    let last = last_tick(args, inputs.as_ref())?;
+    let mut game = Game::with_tick_rate(level, args.tick).map_err(Stop::refused)?;
+    let mut telemetry = args.telemetry.as_deref().map(NewFile::create).transpose()?;
+    let record = args.record.as_deref().map(NewFile::create).transpose()?;
+
+    let flown = fly(&mut game, inputs.unwrap_or_default(), last, telemetry.as_mut())?;
+    if let Some(file) = telemetry {
+        file.finish()?;
+    }
+    if let Some(mut file) = record {
+        write!(file, "{}", Replay::of(&game, flown))?;
+        file.finish()?;
+    }
+    print(&game, out)?;
+    Ok(Status::Done)
+}
+
+/// The tick after which the time is up.
+fn last_tick(args: &Args, inputs: Option<&Inputs>) -> Result<u64, Stop> {
+    let seconds = match (args.seconds, inputs) {
+        (Some(seconds), _) => seconds,
+        (None, Some(inputs)) => return Ok(inputs.ticks()),
+        (None, None) => DEFAULT_SECONDS,
+    };
+    let ticks = (seconds * args.tick - WHOLE_TICK).ceil().max(0.0);
+    if ticks > MOST_TICKS as f64 {
+        let Args { tick, .. } = args;
+        return Err(Stop::Refused(format!("{seconds} s of {tick} ticks a second, expected at most {MOST_TICKS} ticks")));
+    }
+    Ok(ticks as u64)
+}
+
+/// Flies and returns the controls of every tick flown.
+fn fly(game: &mut Game, inputs: Inputs, last: u64, mut telemetry: Option<&mut NewFile>) -> io::Result<Inputs> {
+    if let Some(file) = telemetry.as_mut() {
+        writeln!(file, "{}", telemetry::HEADER)?;
+        telemetry::write_tick(file, game)?;
+    }
+    let mut flown = Inputs::default();
+    let mut playback = inputs.into_iter();
+    while game.outcome() == Outcome::Running && game.ticks() < last {
+        let controls = playback.next().unwrap_or_default();
+        game.step(controls);
+        flown.record(controls);
+        if let Some(file) = telemetry.as_mut() {
+            telemetry::write_tick(file, game)?;
+        }
+    }
+    Ok(flown)
+}
+
+fn print(game: &Game, out: &mut dyn Write) -> io::Result<()> {
+    let result = game.result();
+    writeln!(out, "outcome={}", result.outcome.name())?;
+    writeln!(out, "time={}", Shortest(result.time))?;
+    writeln!(out, "score={}", result.score.total)?;
+    writeln!(out, "objectives={}/{}", result.objectives_met, result.objectives_all)?;
+    writeln!(out, "collisions={}", result.collisions)?;
+    writeln!(out, "fuel={}", Shortest(result.fuel))?;
+    writeln!(out, "ticks={}", game.ticks())?;
+    writeln!(out, "hash={:016x}", game.hash())
+}

@@ -1,0 +1,52 @@
+//! `resultant tiles`: runs a list of commands through a map of tiles.
+
+use super::files::read_text;
+use super::number::Shortest;
+use super::{Project, Status, Stop};
+use crate::classics::tile_run::{Command, InputError, Map, Runner};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// What `tiles` is told.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "Prints `tile X Y`, the column and row of the last tile. With --trace, before it, a CSV line a frame:\n  \
+    frame,x,y,vx,vy,on_ground\nframe counts from 0; the numbers are the shortest that read back as the same f64; on_ground is 0 or 1.\n\n\
+    MAP: a row a line; # solid, . empty, one s or S the start; outside everything is solid.\n\
+    COMMANDS: `NAME VALUE` a line; NAME is LEFT, RIGHT, JUMP or WAIT.")]
+pub struct Args {
+    /// The file with the map
+    map: PathBuf,
+    /// The file with the commands, one a frame
+    commands: PathBuf,
+    /// Print every frame
+    #[arg(long)]
+    trace: bool,
+}
+
+/// Reads both files in full, then runs.
+///
+/// # Errors
+/// A file that cannot be read or is refused, with file and line; nothing was run then.
+pub fn run(args: &Args, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+    let map = read(&args.map, Map::parse)?;
+    let commands = read(&args.commands, Command::parse_all)?;
+    let mut runner = Runner::new(&map);
+    for (frame, &command) in commands.iter().enumerate() {
+        runner.frame(&map, command);
+        if args.trace {
+            write_frame(out, frame, &runner)?;
+        }
+    }
+    let (column, row) = runner.tile();
+    writeln!(out, "tile {column} {row}")?;
+    Ok(Status::Done)
+}
+
+fn read<T>(path: &Path, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, Stop> {
+    parse(&read_text(path)?).map_err(|error| Stop::Refused(format!("{}:{error}", path.display())))
+}
+
+fn write_frame(out: &mut dyn Write, frame: usize, runner: &Runner) -> io::Result<()> {
+    let [x, y, vx, vy] = [runner.x, runner.y, runner.vx, runner.vy].map(Shortest);
+    writeln!(out, "{frame},{x},{y},{vx},{vy},{}", u8::from(runner.on_ground))
+}

@@ -1,0 +1,382 @@
+//! One attempt at a level: the rules, tick by tick.
+
+use super::hash::Fnv1a;
+use super::touch::{TOUCH, sweep_touches};
+use super::{Controls, RunResult, ScoreParts, Ship};
+use crate::level::{Level, ObjectiveKind, SHIP_HALF};
+use crate::physics::{Aabb, BodyId, DVec2, DefError, Event, Obstacle, World};
+use std::ops::RangeInclusive;
+use std::sync::Arc;
+
+/// Ticks a second.
+pub const TICK_RATE: f64 = 120.0;
+/// The tick rates that a game can be given. Below, a tick is longer than a player's reaction; above, it moves things by less than
+/// rounding.
+pub const TICK_RATES: RangeInclusive<f64> = 1.0..=1e6;
+/// The ship's body in every level's world.
+pub const SHIP: BodyId = BodyId(0);
+/// From this speed along the contact's normal a hit of the ship costs points, m/s.
+pub const DAMAGING_SPEED: f64 = 10.0;
+/// A hit this much slower counts as one of [`DAMAGING_SPEED`], m/s: a fall from 100 px at 15 N/kg ends at exactly 10 m/s on paper,
+/// and a rounding below that in the engine. Far below what a player could tell apart.
+const SPEED_ROUNDING: f64 = 1e-9;
+/// From this speed along the contact's normal an impact raises dust, m/s. Lower, and a box that tips to rest smokes.
+pub const DUST_SPEED: f64 = 2.0;
+
+/// How an attempt stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Still flying.
+    Running,
+    /// All objectives were met at once.
+    Completed,
+    /// A death box was touched.
+    Failed,
+}
+
+impl Outcome {
+    /// In lower case, as the command line prints it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Running => "running",
+            Self::Completed => "completed",
+            Self::Failed => "failed",
+        }
+    }
+}
+
+/// What happened in the last tick, for view and sound.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GameEvent {
+    /// Two things hit each other at `speed` m/s, at least [`DUST_SPEED`].
+    Impact {
+        /// Where, m.
+        point: DVec2,
+        /// m/s along the normal.
+        speed: f64,
+        /// Away from what was hit.
+        normal: DVec2,
+    },
+    /// The ship hit something at [`DAMAGING_SPEED`] or more: −500 points.
+    DamagingHit {
+        /// Where, m.
+        point: DVec2,
+        /// m/s along the normal.
+        speed: f64,
+    },
+    /// The objective of that index in `Level::objectives` has become met.
+    ObjectiveMet(usize),
+    /// … is no longer met.
+    ObjectiveLost(usize),
+    /// All were met.
+    Completed,
+    /// A death box was touched.
+    Died,
+}
+
+/// Why a game cannot begin.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GameError {
+    /// The tick rate lies outside [`TICK_RATES`].
+    TickRate(f64),
+    /// The engine refuses the level's world.
+    World(DefError),
+}
+
+impl std::fmt::Display for GameError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::TickRate(rate) => {
+                write!(f, "{rate} ticks a second, expected {} to {}", TICK_RATES.start(), TICK_RATES.end())
+            }
+            Self::World(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for GameError {}
+
+/// Figures about the flight that no rule needs but the score.
+#[derive(Clone, Debug, PartialEq)]
+struct Flight {
+    /// Damaging ones.
+    collisions: u32,
+    /// m.
+    distance: f64,
+    /// m/s.
+    top_speed: f64,
+    /// N.
+    peak_resultant: f64,
+}
+
+/// One attempt at a level.
+#[derive(Clone, Debug)]
+pub struct Game {
+    level: Arc<Level>,
+    tick_rate: f64,
+    world: World,
+    ship: Ship,
+    outcome: Outcome,
+    ticks: u64,
+    met: Vec<bool>,
+    flight: Flight,
+    events: Vec<GameEvent>,
+}
+
+impl Game {
+    /// The level at its start, at [`TICK_RATE`].
+    ///
+    /// # Errors
+    /// As [`Game::with_tick_rate`].
+    pub fn new(level: Arc<Level>) -> Result<Self, GameError> {
+        Self::with_tick_rate(level, TICK_RATE)
+    }
+
+    /// The level at its start, to be played at `tick_rate` ticks a second.
+    ///
+    /// # Errors
+    /// A tick rate outside [`TICK_RATES`]; a level that did not come from the loader and holds what the engine refuses.
+    pub fn with_tick_rate(level: Arc<Level>, tick_rate: f64) -> Result<Self, GameError> {
+        if !TICK_RATES.contains(&tick_rate) {
+            return Err(GameError::TickRate(tick_rate));
+        }
+        let world = World::new(level.world_def()).map_err(GameError::World)?;
+        let flight = Flight {
+            collisions: 0,
+            distance: 0.0,
+            top_speed: world.body(SHIP).velocity.length(),
+            peak_resultant: world.forces(SHIP).resultant().length(),
+        };
+        let mut game = Self {
+            tick_rate,
+            world,
+            ship: Ship::new(&level.player),
+            outcome: Outcome::Running,
+            ticks: 0,
+            met: Vec::new(),
+            flight,
+            events: Vec::new(),
+            level,
+        };
+        game.met = (0..game.level.objectives.len()).map(|index| game.is_met(index)).collect();
+        Ok(game)
+    }
+
+    /// Advances the attempt by exactly one tick. Once it has ended nothing changes any more, but the events are over.
+    pub fn step(&mut self, controls: Controls) {
+        self.events.clear();
+        if self.outcome != Outcome::Running {
+            return;
+        }
+        let drive = self.ship.obey(controls, &self.level.player, self.tick_rate);
+        self.world.set_drive(SHIP, drive);
+        self.world.step(1.0 / self.tick_rate);
+        self.ticks += 1;
+        self.measure();
+        self.note_impacts();
+        self.note_objectives();
+        self.judge();
+    }
+
+    /// Keeps the figures of the flight.
+    fn measure(&mut self) {
+        let mut from = self.world.previous_position(SHIP);
+        for to in self.world.path(SHIP) {
+            self.flight.distance += from.distance(to);
+            from = to;
+        }
+        self.flight.top_speed = self.flight.top_speed.max(self.world.body(SHIP).velocity.length());
+        self.flight.peak_resultant = self.flight.peak_resultant.max(self.world.forces(SHIP).resultant().length());
+    }
+
+    /// Passes the engine's impacts on and counts the ship's damaging hits.
+    fn note_impacts(&mut self) {
+        for &Event::Impact { point, speed, normal, .. } in self.world.events() {
+            if speed >= DUST_SPEED {
+                self.events.push(GameEvent::Impact { point, speed, normal });
+            }
+        }
+        if let Some((point, speed)) = damaging_hit(self.world.events()) {
+            self.flight.collisions += 1;
+            self.events.push(GameEvent::DamagingHit { point, speed });
+        }
+    }
+
+    /// Finds out which objectives are met and tells what has changed.
+    fn note_objectives(&mut self) {
+        for index in 0..self.met.len() {
+            let met = self.is_met(index);
+            if met != self.met[index] {
+                self.met[index] = met;
+                self.events.push(if met { GameEvent::ObjectiveMet(index) } else { GameEvent::ObjectiveLost(index) });
+            }
+        }
+    }
+
+    fn is_met(&self, index: usize) -> bool {
+        let objective = &self.level.objectives[index];
+        let touches = |body: BodyId| self.world.body(body).bounds().touches(&objective.bounds, TOUCH);
+        match objective.kind {
+            ObjectiveKind::Player => touches(SHIP),
+            ObjectiveKind::Physics => self.keys().any(touches),
+        }
+    }
+
+    /// The bodies of the key objects.
+    fn keys(&self) -> impl Iterator<Item = BodyId> {
+        (1..).zip(&self.level.objects).filter(|(_, object)| object.key.is_some()).map(|(body, _)| BodyId(body))
+    }
+
+    /// Ends the attempt where it ends. Death goes first.
+    fn judge(&mut self) {
+        if self.level.obstacles.iter().any(|deadly| self.has_touched(deadly)) {
+            self.outcome = Outcome::Failed;
+            self.events.push(GameEvent::Died);
+        } else if !self.met.is_empty() && self.met.iter().all(|&met| met) {
+            self.outcome = Outcome::Completed;
+            self.events.push(GameEvent::Completed);
+        }
+    }
+
+    /// Whether the ship touched a box at any moment of the last tick, however fast it went.
+    fn has_touched(&self, deadly: &Aabb) -> bool {
+        let mut from = self.world.previous_position(SHIP);
+        self.world.path(SHIP).any(|to| sweep_touches(std::mem::replace(&mut from, to), to, SHIP_HALF, deadly))
+    }
+
+    /// The level.
+    pub fn level(&self) -> &Level {
+        &self.level
+    }
+
+    /// The world; object i of the level is body i + 1.
+    pub fn world(&self) -> &World {
+        &self.world
+    }
+
+    /// The ship.
+    pub fn ship(&self) -> &Ship {
+        &self.ship
+    }
+
+    /// How the attempt stands.
+    pub fn outcome(&self) -> Outcome {
+        self.outcome
+    }
+
+    /// Ticks since the start.
+    pub fn ticks(&self) -> u64 {
+        self.ticks
+    }
+
+    /// Ticks a second.
+    pub fn tick_rate(&self) -> f64 {
+        self.tick_rate
+    }
+
+    /// Seconds since the start.
+    pub fn time(&self) -> f64 {
+        self.ticks as f64 / self.tick_rate
+    }
+
+    /// The fraction of the fuel left, 0 … 1; 0 where the level gives none.
+    pub fn fuel(&self) -> f64 {
+        let full = self.level.player.fuel;
+        if full > 0.0 { self.ship.fuel / full } else { 0.0 }
+    }
+
+    /// Damaging collisions so far.
+    pub fn collisions(&self) -> u32 {
+        self.flight.collisions
+    }
+
+    /// Whether each objective of the level is met now.
+    pub fn met(&self) -> &[bool] {
+        &self.met
+    }
+
+    /// What happened in the last tick.
+    pub fn events(&self) -> &[GameEvent] {
+        &self.events
+    }
+
+    /// What the attempt has come to so far.
+    pub fn result(&self) -> RunResult {
+        let (time, optimal_time) = (self.time(), self.level.optimal_time);
+        RunResult {
+            level: self.level.name.clone(),
+            outcome: self.outcome,
+            time,
+            optimal_time,
+            objectives_met: self.met.iter().filter(|&&met| met).count(),
+            objectives_all: self.met.len(),
+            collisions: self.flight.collisions,
+            fuel: self.fuel(),
+            fuel_used: self.level.player.fuel - self.ship.fuel,
+            distance: self.flight.distance,
+            top_speed: self.flight.top_speed,
+            peak_resultant: self.flight.peak_resultant,
+            score: match self.outcome {
+                Outcome::Completed => ScoreParts::completed(time, optimal_time, self.fuel(), self.flight.collisions),
+                Outcome::Running | Outcome::Failed => ScoreParts::default(),
+            },
+        }
+    }
+
+    /// A hash of every bit of the state: two games with the same hash go on alike under the same controls.
+    pub fn hash(&self) -> u64 {
+        let mut hash = Fnv1a::new();
+        let mut write = |word| hash.write(word);
+        write(self.ticks);
+        write(self.outcome as u64);
+        self.met.iter().for_each(|&met| write(u64::from(met)));
+        self.ship.hash_state(&mut write);
+        write(u64::from(self.flight.collisions));
+        for value in [self.flight.distance, self.flight.top_speed, self.flight.peak_resultant] {
+            write(value.to_bits());
+        }
+        self.world.hash_state(&mut write);
+        hash.finish()
+    }
+}
+
+/// Where and how fast (m/s) the ship was damaged in a tick with these events: its hardest hit, so that a hit of several surfaces at
+/// once counts once. Contact that rests or slides is no impact and costs nothing. What flies into the ship hits it as hard as if
+/// the ship had flown: the speed is that of the two towards each other.
+fn damaging_hit(events: &[Event]) -> Option<(DVec2, f64)> {
+    let hits = events.iter().filter_map(|&Event::Impact { a, b, point, speed, .. }| {
+        ((a == SHIP || b == Obstacle::Body(SHIP)) && speed >= DAMAGING_SPEED - SPEED_ROUNDING).then_some((point, speed))
+    });
+    hits.max_by(|(_, a), (_, b)| a.total_cmp(b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn impact(a: u32, b: Obstacle, speed: f64) -> Event {
+        Event::Impact { a: BodyId(a), b, point: DVec2::new(speed, 0.0), normal: DVec2::NEG_Y, speed }
+    }
+
+    #[test]
+    fn ten_metres_a_second_damage_and_a_micrometre_less_does_not() {
+        let floor = Obstacle::Surface(0);
+        assert_eq!(damaging_hit(&[impact(0, floor, 10.0)]), Some((DVec2::new(10.0, 0.0), 10.0)));
+        assert_eq!(damaging_hit(&[impact(0, floor, 10.0 - 1e-6)]), None);
+        assert!(damaging_hit(&[impact(0, floor, 10.0_f64.next_down())]).is_some(), "rounding");
+        assert_eq!(damaging_hit(&[]), None);
+    }
+
+    #[test]
+    fn several_surfaces_in_one_hit_count_once_as_the_hardest() {
+        let events = [9.0, 12.0, 14.0, 11.0].map(|speed| impact(0, Obstacle::Surface(speed as u32), speed));
+        assert_eq!(damaging_hit(&events), Some((DVec2::new(14.0, 0.0), 14.0)));
+    }
+
+    #[test]
+    fn only_the_ship_is_damaged_whichever_of_a_pair_it_is() {
+        assert_eq!(damaging_hit(&[impact(1, Obstacle::Surface(0), 50.0), impact(1, Obstacle::Body(BodyId(2)), 50.0)]), None);
+        assert!(damaging_hit(&[impact(1, Obstacle::Body(SHIP), 50.0)]).is_some());
+        assert!(damaging_hit(&[impact(0, Obstacle::Body(BodyId(1)), 50.0)]).is_some());
+    }
+}

@@ -1,0 +1,113 @@
+//! From the time that frames take to whole ticks (Glenn Fiedler, "Fix Your Timestep!").
+
+/// The most ticks that one frame is given, a 15th of a second at the game's rate. More, and a slow machine falls into a spiral of
+/// ever longer frames; fewer, and the game slows down sooner.
+pub const TICKS_A_FRAME: u32 = 8;
+
+/// Collects frame times and hands out ticks.
+#[derive(Clone, Debug)]
+pub struct Clock {
+    tick_rate: f64,
+    /// Ticks to hand out, and the part of one that is left over.
+    pending: f64,
+    dropped: f64,
+}
+
+impl Clock {
+    /// A clock of `tick_rate` ticks a second, with nothing pending.
+    pub const fn new(tick_rate: f64) -> Self {
+        Self { tick_rate, pending: 0.0, dropped: 0.0 }
+    }
+
+    /// Adds the time that a frame took, s. At most [`TICKS_A_FRAME`] ticks are kept pending; the whole ticks beyond that are dropped
+    /// and counted. A time that is no positive number of ticks adds nothing.
+    pub fn add(&mut self, frame_time: f64) {
+        let ticks = frame_time * self.tick_rate;
+        if !(ticks > 0.0 && ticks.is_finite()) {
+            return;
+        }
+        self.pending += ticks;
+        let (whole, most) = (self.pending.floor(), f64::from(TICKS_A_FRAME));
+        if whole > most {
+            self.pending = most + (self.pending - whole);
+            self.dropped += whole - most;
+        }
+    }
+
+    /// Whether a tick is due; takes it.
+    pub fn tick(&mut self) -> bool {
+        let due = self.pending >= 1.0;
+        if due {
+            self.pending -= 1.0;
+        }
+        due
+    }
+
+    /// How far the time is from the last tick to the next one, 0 … 1: where between the two the view draws.
+    pub fn alpha(&self) -> f64 {
+        self.pending.clamp(0.0, 1.0)
+    }
+
+    /// The time dropped so far, in ticks.
+    pub fn dropped(&self) -> f64 {
+        self.dropped
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ticks(clock: &mut Clock, frame_time: f64) -> u32 {
+        clock.add(frame_time);
+        std::iter::from_fn(|| clock.tick().then_some(())).count() as u32
+    }
+
+    #[test]
+    fn every_frame_rate_gets_its_ticks() {
+        for frame_rate in [24.0, 30.0, 60.0, 75.0, 144.0, 1000.0] {
+            let mut clock = Clock::new(120.0);
+            let total: u32 = (0..frame_rate as u32 * 10).map(|_| ticks(&mut clock, 1.0 / frame_rate)).sum();
+            assert!((1199..=1200).contains(&total), "{total} ticks in 10 s at {frame_rate} frames a second");
+            assert_eq!(clock.dropped(), 0.0);
+        }
+    }
+
+    #[test]
+    fn alpha_is_what_is_left_over() {
+        let mut clock = Clock::new(100.0);
+        assert_eq!(ticks(&mut clock, 0.0125), 1);
+        assert!((clock.alpha() - 0.25).abs() < 1e-12);
+        assert_eq!(ticks(&mut clock, 0.0050), 0);
+        assert!((clock.alpha() - 0.75).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_hitch_gives_eight_ticks_and_drops_the_rest_openly() {
+        let mut clock = Clock::new(120.0);
+        assert_eq!(ticks(&mut clock, 2.0), TICKS_A_FRAME);
+        assert_eq!(clock.dropped(), 232.0);
+        assert_eq!(ticks(&mut clock, 1.0 / 60.0), 2);
+        assert_eq!(ticks(&mut clock, 1e300), TICKS_A_FRAME);
+        assert_eq!(ticks(&mut clock, 0.0), 0);
+    }
+
+    #[test]
+    fn eight_ticks_and_a_bit_lose_nothing() {
+        let mut clock = Clock::new(120.0);
+        let total: u32 = (0..100).map(|_| ticks(&mut clock, 8.5 / 120.0)).sum();
+        assert_eq!((total, clock.dropped()), (800, 50.0));
+        assert!(clock.alpha() < 1.0);
+    }
+
+    #[test]
+    fn nonsense_adds_nothing() {
+        let mut clock = Clock::new(120.0);
+        clock.add(0.004);
+        let before = clock.alpha();
+        for nonsense in [f64::NAN, f64::MAX, f64::INFINITY, f64::NEG_INFINITY, -1.0, -0.0] {
+            assert_eq!(ticks(&mut clock, nonsense), 0, "{nonsense}");
+        }
+        assert_eq!((clock.alpha(), clock.dropped()), (before, 0.0));
+    }
+}

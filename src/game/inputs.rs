@@ -1,0 +1,252 @@
+//! Recorded inputs: what was held for how many ticks, as a CSV file that people can write.
+//!
+//! ```text
+//! ticks,thrust,reverse,left,right
+//! 60,1,0,0,0
+//! 15,1,0,0,1
+//! ```
+//!
+//! Each row holds its keys (0 or 1) for that many ticks; after the last row nothing is pressed. Blank lines and lines that start
+//! with `#` are skipped; CRLF, a byte-order mark and spaces around a cell are accepted.
+
+use super::Controls;
+use std::fmt;
+
+/// The columns of the file, which are its first row.
+pub const HEADER: &str = "ticks,thrust,reverse,left,right";
+/// The most ticks that a file can hold: three months at the game's rate. More is a slip of the pen.
+pub const MOST_TICKS: u64 = 1_000_000_000;
+
+/// A file that was refused: every problem in it, each on a line `file:line: column "name": what was found, what is expected`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BadFile(pub Vec<String>);
+
+impl fmt::Display for BadFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0.join("\n"))
+    }
+}
+
+impl std::error::Error for BadFile {}
+
+/// Keys held for a number of ticks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Row {
+    ticks: u64,
+    controls: Controls,
+}
+
+/// The controls of every tick, from the first one on.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Inputs {
+    rows: Vec<Row>,
+}
+
+impl Inputs {
+    /// Reads the text of an inputs file; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// A missing header, a wrong number of cells, ticks that are no whole number from 1, a key that is neither 0 nor 1, more than
+    /// [`MOST_TICKS`] in all.
+    pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
+        let mut lines = (1..)
+            .zip(text.strip_prefix('\u{feff}').unwrap_or(text).lines())
+            .map(|(number, line)| (number, line.trim()))
+            .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'))
+            .map(|(number, line)| Line { file, number, cells: cells(line) });
+
+        let names: Vec<&str> = HEADER.split(',').collect();
+        match lines.next() {
+            None => return Err(BadFile(vec![Line { file, number: 1, cells: vec![] }.problem("ticks", "nothing", HEADER_ROW)])),
+            Some(line) if line.cells != names => {
+                return Err(BadFile(vec![line.problem("ticks", &format!("{:?}", line.cells.join(",")), HEADER_ROW)]));
+            }
+            Some(_) => {}
+        }
+
+        let (mut inputs, mut problems) = (Self::default(), Vec::new());
+        let mut total: u64 = 0;
+        for line in lines {
+            let Some(row) = line.row(&names, &mut problems) else { continue };
+            total += row.ticks;
+            if total > MOST_TICKS {
+                problems.push(line.problem("ticks", &format!("{total} ticks up to here"), &format!("at most {MOST_TICKS} in all")));
+                break;
+            }
+            inputs.rows.push(row);
+        }
+        if problems.is_empty() { Ok(inputs) } else { Err(BadFile(problems)) }
+    }
+
+    /// Records the controls of one more tick.
+    pub fn record(&mut self, controls: Controls) {
+        match self.rows.last_mut() {
+            Some(row) if row.controls == controls => row.ticks += 1,
+            _ => self.rows.push(Row { ticks: 1, controls }),
+        }
+    }
+
+    /// How many ticks there are.
+    pub fn ticks(&self) -> u64 {
+        self.rows.iter().map(|row| row.ticks).sum()
+    }
+}
+
+impl fmt::Display for Inputs {
+    /// The text of the file, which [`Inputs::parse`] reads.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{HEADER}")?;
+        for Row { ticks, controls: Controls { thrust, reverse, left, right } } in &self.rows {
+            let [thrust, reverse, left, right] = [thrust, reverse, left, right].map(|&key| u8::from(key));
+            writeln!(f, "{ticks},{thrust},{reverse},{left},{right}")?;
+        }
+        Ok(())
+    }
+}
+
+impl IntoIterator for Inputs {
+    type Item = Controls;
+    type IntoIter = Playback;
+
+    fn into_iter(self) -> Playback {
+        Playback { rows: self.rows.into_iter(), row: Row { ticks: 0, controls: Controls::default() } }
+    }
+}
+
+/// The controls of one tick after the other, until the inputs end.
+#[derive(Clone, Debug)]
+pub struct Playback {
+    rows: std::vec::IntoIter<Row>,
+    /// What is left of the current row.
+    row: Row,
+}
+
+impl Iterator for Playback {
+    type Item = Controls;
+
+    fn next(&mut self) -> Option<Controls> {
+        if self.row.ticks == 0 {
+            self.row = self.rows.next()?;
+        }
+        self.row.ticks -= 1;
+        Some(self.row.controls)
+    }
+}
+
+/// What a file without its first row is told.
+const HEADER_ROW: &str = "the header ticks,thrust,reverse,left,right";
+
+/// A line of the file that holds something.
+struct Line<'a> {
+    file: &'a str,
+    number: usize,
+    cells: Vec<&'a str>,
+}
+
+/// The cells of a line. Empty ones at its end, as spreadsheets leave them, are none.
+fn cells(line: &str) -> Vec<&str> {
+    line.trim_end_matches([',', ' ', '\t']).split(',').map(str::trim).collect()
+}
+
+impl Line<'_> {
+    fn problem(&self, column: &str, found: &str, expected: &str) -> String {
+        format!("{}:{}: column {column:?}: found {found}, expected {expected}", self.file, self.number)
+    }
+
+    fn row(&self, names: &[&str], problems: &mut Vec<String>) -> Option<Row> {
+        if self.cells.len() != names.len() {
+            let column = names.get(self.cells.len()).unwrap_or(&"right");
+            let expected = format!("{} cells for {HEADER}", names.len());
+            problems.push(self.problem(column, &format!("{} cells in the row", self.cells.len()), &expected));
+            return None;
+        }
+        let before = problems.len();
+        let ticks = self.cells[0].parse().ok().filter(|ticks| (1..=MOST_TICKS).contains(ticks)).unwrap_or_else(|| {
+            let expected = format!("a whole number from 1 to {MOST_TICKS}");
+            problems.push(self.problem("ticks", &format!("{:?}", self.cells[0]), &expected));
+            0
+        });
+        let mut key = |index: usize| match self.cells[index] {
+            "1" => true,
+            other => {
+                if other != "0" {
+                    problems.push(self.problem(names[index], &format!("{other:?}"), "0 or 1"));
+                }
+                false
+            }
+        };
+        let controls = Controls { thrust: key(1), reverse: key(2), left: key(3), right: key(4) };
+        (problems.len() == before).then_some(Row { ticks, controls })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn problems(text: &str) -> Vec<String> {
+        Inputs::parse("in.csv", text).unwrap_err().0
+    }
+
+    #[test]
+    fn people_write_it() {
+        let text = "\u{feff}# how to fly\r\n\r\nticks, thrust,reverse,left,right\r\n  # up\r\n 2 ,1,0, 0,0\r\n\r\n1,0,1,1,1,,\r\n";
+        let up = Controls { thrust: true, ..Controls::default() };
+        let rest = Controls { thrust: false, reverse: true, left: true, right: true };
+        let inputs = Inputs::parse("in.csv", text).unwrap();
+        assert_eq!(inputs.ticks(), 3);
+        assert_eq!(inputs.into_iter().collect::<Vec<_>>(), [up, up, rest]);
+        assert_eq!(Inputs::parse("in.csv", HEADER).unwrap(), Inputs::default());
+    }
+
+    #[test]
+    fn every_problem_is_told_with_its_place() {
+        let text = format!("# a flight\r\n{HEADER}\r\n\r\n0,0,0,0,0\r\n1.5,0,0,0,2\r\n5,1,0,0\r\n5,1,0,0,0,0\r\n-1,,0,0,0\r\n");
+        assert_eq!(
+            problems(&text),
+            [
+                r#"in.csv:4: column "ticks": found "0", expected a whole number from 1 to 1000000000"#,
+                r#"in.csv:5: column "ticks": found "1.5", expected a whole number from 1 to 1000000000"#,
+                r#"in.csv:5: column "right": found "2", expected 0 or 1"#,
+                r#"in.csv:6: column "right": found 4 cells in the row, expected 5 cells for ticks,thrust,reverse,left,right"#,
+                r#"in.csv:7: column "right": found 6 cells in the row, expected 5 cells for ticks,thrust,reverse,left,right"#,
+                r#"in.csv:8: column "ticks": found "-1", expected a whole number from 1 to 1000000000"#,
+                r#"in.csv:8: column "thrust": found "", expected 0 or 1"#,
+            ]
+        );
+    }
+
+    #[test]
+    fn the_header_is_asked_for() {
+        assert_eq!(
+            problems("\n# note\n5,1,0,0,0\n"),
+            [r#"in.csv:3: column "ticks": found "5,1,0,0,0", expected the header ticks,thrust,reverse,left,right"#]
+        );
+        assert_eq!(
+            problems(""),
+            [r#"in.csv:1: column "ticks": found nothing, expected the header ticks,thrust,reverse,left,right"#]
+        );
+    }
+
+    #[test]
+    fn too_many_ticks_are_refused() {
+        let found = problems(&format!("{HEADER}\n1000000000,0,0,0,0\n1,0,0,0,0\n"));
+        assert_eq!(found, [r#"in.csv:3: column "ticks": found 1000000001 ticks up to here, expected at most 1000000000 in all"#]);
+        assert_eq!(problems(&format!("{HEADER}\n99999999999999999999,0,0,0,0\n")).len(), 1);
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_recorded_reads_back(keys in proptest::collection::vec(0_u8..16, 0..100)) {
+            let controls = |bits: &u8| Controls {
+                thrust: bits & 1 > 0, reverse: bits & 2 > 0, left: bits & 4 > 0, right: bits & 8 > 0,
+            };
+            let mut recorded = Inputs::default();
+            keys.iter().for_each(|bits| recorded.record(controls(bits)));
+            let read = Inputs::parse("in.csv", &recorded.to_string()).unwrap();
+            prop_assert_eq!(&read, &recorded);
+            prop_assert!(read.into_iter().eq(keys.iter().map(controls)));
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! Bytes to rows of cells, each of which knows its line as an editor counts it.
+//!
+//! The `csv` crate is not used here: its line numbers are off after CRLF, blank lines and comments, it swallows the rest of a file
+//! after a quote that is never closed, and it does not see a quoted cell behind a space. Authors need all three.
+
+use std::iter::Peekable;
+use std::str::Chars;
+
+/// What is wrong with a cell before anyone asks what it means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Fault {
+    /// The file ends inside quotes.
+    Unclosed,
+    /// Something other than a comma follows the closing quote.
+    AfterQuote,
+    /// The bytes are no UTF-8.
+    NotUtf8,
+    /// The whole file is UTF-16.
+    Utf16,
+}
+
+/// A cell without the spaces and the quotes around it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Cell {
+    pub text: String,
+    /// Where it begins.
+    pub line: usize,
+    pub fault: Option<Fault>,
+}
+
+impl Cell {
+    pub fn is_empty(&self) -> bool {
+        self.fault.is_none() && self.text.trim().is_empty()
+    }
+}
+
+/// A row with at least one cell that is not empty.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Row {
+    pub line: usize,
+    pub cells: Vec<Cell>,
+}
+
+/// All rows that hold something; blank lines, rows of empty cells and lines that start with `#` are skipped. Lines end with LF,
+/// CRLF or CR; a UTF-8 byte-order mark is passed over.
+pub(super) fn rows(bytes: &[u8]) -> Vec<Row> {
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        return vec![Row { line: 1, cells: vec![Cell { text: String::new(), line: 1, fault: Some(Fault::Utf16) }] }];
+    }
+    let text = String::from_utf8_lossy(bytes);
+    let damaged = matches!(text, std::borrow::Cow::Owned(_));
+    let mut scanner = Scanner { chars: text.strip_prefix('\u{feff}').unwrap_or(&text).chars().peekable(), line: 1 };
+    let mut rows = Vec::new();
+    while let Some(mut row) = scanner.row() {
+        if damaged {
+            for cell in row.cells.iter_mut().filter(|cell| cell.text.contains(char::REPLACEMENT_CHARACTER)) {
+                cell.fault = cell.fault.or(Some(Fault::NotUtf8));
+            }
+        }
+        if row.cells.iter().any(|cell| !cell.is_empty()) {
+            rows.push(row);
+        }
+    }
+    rows
+}
+
+struct Scanner<'a> {
+    chars: Peekable<Chars<'a>>,
+    line: usize,
+}
+
+impl Scanner<'_> {
+    /// The next row, possibly blank; `None` at the end of the text.
+    fn row(&mut self) -> Option<Row> {
+        self.skip_spaces();
+        while self.chars.peek() == Some(&'#') {
+            while !matches!(self.next(), Some('\n') | None) {}
+            self.skip_spaces();
+        }
+        self.chars.peek()?;
+        let line = self.line;
+        let mut cells = vec![self.cell()];
+        while self.next() == Some(',') {
+            cells.push(self.cell());
+        }
+        Some(Row { line, cells })
+    }
+
+    /// The next cell, up to but without its comma or line end.
+    fn cell(&mut self) -> Cell {
+        self.skip_spaces();
+        let line = self.line;
+        if self.chars.next_if_eq(&'"').is_none() {
+            return Cell { text: self.plain().trim_end().to_owned(), line, fault: None };
+        }
+        let mut text = String::new();
+        loop {
+            match self.next() {
+                None => return Cell { text, line, fault: Some(Fault::Unclosed) },
+                Some('"') if self.chars.next_if_eq(&'"').is_some() => text.push('"'),
+                Some('"') => break,
+                Some(other) => text.push(other),
+            }
+        }
+        let rest = self.plain();
+        let fault = (!rest.trim().is_empty()).then_some(Fault::AfterQuote);
+        Cell { text: text + rest.trim_end(), line, fault }
+    }
+
+    /// Everything up to the next comma or line end.
+    fn plain(&mut self) -> String {
+        let mut text = String::new();
+        while let Some(c) = self.chars.next_if(|c| !matches!(c, ',' | '\n' | '\r')) {
+            text.push(c);
+        }
+        text
+    }
+
+    fn skip_spaces(&mut self) {
+        while self.chars.next_if(|c| c.is_whitespace() && !matches!(c, '\n' | '\r')).is_some() {}
+    }
+
+    /// The next character; every kind of line end is one `\n`.
+    fn next(&mut self) -> Option<char> {
+        let next = match self.chars.next()? {
+            '\r' => {
+                self.chars.next_if_eq(&'\n');
+                '\n'
+            }
+            other => other,
+        };
+        self.line += usize::from(next == '\n');
+        Some(next)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(bytes: &[u8]) -> Vec<(usize, Vec<String>)> {
+        rows(bytes).into_iter().map(|row| (row.line, row.cells.into_iter().map(|cell| cell.text).collect())).collect()
+    }
+
+    fn row(line: usize, cells: &[&str]) -> (usize, Vec<String>) {
+        (line, cells.iter().map(|cell| (*cell).to_owned()).collect())
+    }
+
+    #[test]
+    fn lines_are_counted_as_an_editor_does() {
+        let text = b"\xef\xbb\xbf# note\r\n\r\nx, y\r\n \r\n  # note\r\n1 ,\t2\r\n,,\r\n3,4";
+        assert_eq!(texts(text), [row(3, &["x", "y"]), row(6, &["1", "2"]), row(8, &["3", "4"])]);
+        assert_eq!(texts(b"1\r2\r\r3"), [row(1, &["1"]), row(2, &["2"]), row(4, &["3"])]);
+    }
+
+    #[test]
+    fn quoted_cells_keep_commas_quotes_and_lines() {
+        let found = rows(b"a, \"b, \"\"c\"\"\r\n# d\" ,e\nf");
+        assert_eq!(found[0].cells[1].text, "b, \"c\"\n# d");
+        assert_eq!((found[0].cells[1].line, found[0].cells[2].line, found[1].line), (1, 2, 3));
+        assert!(found.iter().flat_map(|row| &row.cells).all(|cell| cell.fault.is_none()));
+        assert_eq!(texts(b"5\" nail,x"), [row(1, &["5\" nail", "x"])]);
+    }
+
+    #[test]
+    fn faults_are_found_where_they_are() {
+        assert_eq!(rows(b"1\n2,\"3\n4")[1].cells[1], Cell { text: "3\n4".into(), line: 2, fault: Some(Fault::Unclosed) });
+        assert_eq!(rows(b"\"1\" 2,3")[0].cells[0].fault, Some(Fault::AfterQuote));
+        let latin = rows(b"# \xe9\n1,caf\xe9");
+        assert_eq!((latin[0].cells[0].fault, latin[0].cells[1].fault), (None, Some(Fault::NotUtf8)));
+        assert_eq!(rows("caf\u{fffd}".as_bytes())[0].cells[0].fault, None);
+        assert_eq!(rows(&[0xff, 0xfe, b'x', 0])[0].cells[0].fault, Some(Fault::Utf16));
+    }
+
+    #[test]
+    fn rows_of_empty_cells_are_blank() {
+        assert_eq!(texts(b"1,,2, \n"), [row(1, &["1", "", "2", ""])]);
+        assert!(rows(b"").is_empty() && rows(b"\n,, ,\n\"\"\n#").is_empty());
+    }
+}

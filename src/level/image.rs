@@ -1,0 +1,111 @@
+//! Images as the loader needs them: whether a path stays in the project, whether there is a PNG, and its size.
+
+use super::problem::quoted;
+use super::quantity::Scale;
+use super::read::Files;
+use super::types::Look;
+use std::collections::BTreeMap;
+use std::io;
+use std::path::PathBuf;
+
+/// What was found and what is expected.
+pub(super) type Refusal = (String, String);
+
+/// An object's look and its width and height in pixels.
+pub(super) type Shape = (Look, f64, f64);
+
+/// The sizes of the images that were asked for, each read once.
+pub(super) struct Images<'a> {
+    files: &'a dyn Files,
+    known: BTreeMap<String, Result<(f64, f64), Refusal>>,
+}
+
+impl<'a> Images<'a> {
+    pub fn new(files: &'a dyn Files) -> Self {
+        Self { files, known: BTreeMap::new() }
+    }
+
+    /// What an `image` cell means: `box:40x40`, `ball:40x40`, or a PNG's path from the project root.
+    pub fn look(&mut self, cell: &str, scale: Scale) -> Result<Shape, Refusal> {
+        for (prefix, look) in [("box:", Look::Box), ("ball:", Look::Ball)] {
+            if let Some(size) = cell.get(..prefix.len()).filter(|start| start.eq_ignore_ascii_case(prefix)) {
+                let size = &cell[size.len()..];
+                let (width, height) = plain_size(size, scale)
+                    .ok_or_else(|| (quoted(cell), format!("{prefix}WIDTHxHEIGHT in pixels, such as {prefix}40x40")))?;
+                return Ok((look, width, height));
+            }
+        }
+        let path = project_path(cell)?;
+        let files = self.files;
+        let (width, height) =
+            self.known.entry(path.clone()).or_insert_with(|| png_size(files.project_file(&path), cell)).clone()?;
+        for side in [width, height] {
+            scale.size().parse(&side.to_string()).map_err(|expected| (format!("an image side of {side} pixels"), expected))?;
+        }
+        Ok((Look::Image(PathBuf::from(path)), width, height))
+    }
+}
+
+/// `40x40` in any case, both sides accepted sizes.
+fn plain_size(text: &str, scale: Scale) -> Option<(f64, f64)> {
+    let (width, height) = text.split_once(['x', 'X'])?;
+    let side = |text: &str| scale.size().parse(text.trim()).ok();
+    Some((side(width)?, side(height)?))
+}
+
+/// The path with forward slashes, if it cannot lead out of the project on any system.
+fn project_path(cell: &str) -> Result<String, Refusal> {
+    let expected = "a PNG's path from the project's folder, or box:40x40, or ball:40x40";
+    if cell.is_empty() {
+        return Err(("nothing".into(), expected.into()));
+    }
+    let path = cell.replace('\\', "/");
+    let leaves = path.starts_with('/') || path.contains([':', '\0']) || path.split('/').any(|part| part == "..");
+    if leaves { Err((format!("{}, which leads out of the project", quoted(cell)), expected.into())) } else { Ok(path) }
+}
+
+/// Width and height of a PNG in pixels, both > 0. `name` is how the author wrote it.
+///
+/// # Errors
+/// There is no such file, it cannot be read, or it is no PNG.
+pub(super) fn png_size(bytes: io::Result<Vec<u8>>, name: &str) -> Result<(f64, f64), Refusal> {
+    let expected = || "a PNG image".to_owned();
+    let bytes = bytes.map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => (format!("no file {}", quoted(name)), expected()),
+        _ => (format!("{}, which cannot be read ({error})", quoted(name)), expected()),
+    })?;
+    read_png_size(&bytes).map_err(|_| (format!("{}, which is no PNG or is damaged", quoted(name)), expected()))
+}
+
+/// Walks over all chunks and their checksums, without unpacking the picture: a file that was cut short is found here, not when it
+/// is drawn.
+fn read_png_size(bytes: &[u8]) -> Result<(f64, f64), png::DecodingError> {
+    let mut reader = png::Decoder::new(io::Cursor::new(bytes)).read_info()?;
+    reader.finish()?;
+    Ok((f64::from(reader.info().width), f64::from(reader.info().height)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_stay_in_the_project() {
+        assert_eq!(project_path("assets\\a.png"), Ok("assets/a.png".into()));
+        assert_eq!(project_path("assets/..a/b..png"), Ok("assets/..a/b..png".into()));
+        for path in
+            ["../a.png", "assets/../../a.png", "..\\a.png", "/a.png", "\\\\server\\a.png", "C:\\a.png", "c:a.png", "a/..", ""]
+        {
+            assert!(project_path(path).is_err(), "{path}");
+        }
+    }
+
+    #[test]
+    fn plain_shapes_have_two_sizes() {
+        let scale = Scale { metre: 30.0 };
+        assert_eq!(plain_size("40x20.5", scale), Some((40.0, 20.5)));
+        for size in ["40", "40x", "x40", "0x40", "-1x3", "40x40x40", "nanxinf", "1e99x1"] {
+            assert_eq!(plain_size(size, scale), None, "{size}");
+        }
+    }
+}

@@ -1,0 +1,228 @@
+//! The kinds of rows: which columns each file has, and how one record becomes one thing of the level.
+//!
+//! Every function reports all problems of its row before it gives up.
+
+use super::image::Images;
+use super::problem::{Problem, quoted};
+use super::quantity::{self as q, Scale};
+use super::table::{Layout, Record};
+use super::types::{Fluid, Look, Object, ObjectiveKind, Player, Solid, Stream, Text};
+use crate::physics::{Aabb, DVec2, Material};
+
+pub(super) const CONSTANTS: Layout = Layout { file: "constants.csv", columns: "name,value" };
+pub(super) const PLAYER: Layout = Layout { file: "player.csv", columns: "x,y,mass,fuel,thrust,[air],[vx],[vy],[angle]" };
+pub(super) const WORLD: Layout = Layout { file: "world.csv", columns: "x,y,width,height,[material]" };
+pub(super) const OBJECTS: Layout = Layout { file: "objects.csv", columns: "x,y,image,mass,drag,circular,restitution,[vx],[vy]" };
+pub(super) const OBSTACLES: Layout = Layout { file: "obstacles.csv", columns: "x,y,width,height" };
+pub(super) const HAZARDS: Layout =
+    Layout { file: "hazards.csv", columns: "x,y,width,height,stream_width,stream_height,force_x,force_y" };
+pub(super) const FLUIDS: Layout = Layout { file: "fluids.csv", columns: "x,y,width,height,density,viscosity,[r],[g],[b]" };
+pub(super) const TEXTS: Layout = Layout { file: "texts.csv", columns: "x,y,size,text" };
+/// The rows PLAYER and PHYS of objectives.csv, and what all its rows begin with.
+pub(super) const BLOCKS: Layout = Layout { file: "objectives.csv", columns: "kind,x,y,width,height" };
+/// The rows OBJECT of objectives.csv; restitution and drag stand the other way round than in objects.csv.
+pub(super) const KEY_OBJECTS: Layout =
+    Layout { file: "objectives.csv", columns: "kind,x,y,image,mass,r,g,b,restitution,drag,[vx],[vy]" };
+
+/// A liquid's colour where the author gives none: a calm blue that stands apart from every colour with a meaning.
+const FLUID_COLOUR: [u8; 3] = [58, 110, 165];
+
+/// A thing of the level and the row that it comes from.
+#[derive(Clone, Debug)]
+pub(super) struct Placed<T> {
+    pub file: &'static str,
+    pub line: usize,
+    pub item: T,
+}
+
+impl<T> Placed<T> {
+    pub fn new(record: &Record, item: T) -> Self {
+        Self { file: record.file, line: record.line, item }
+    }
+
+    /// Something made of the thing, from the same row.
+    pub fn map<U>(&self, make: impl FnOnce(&T) -> U) -> Placed<U> {
+        Placed { file: self.file, line: self.line, item: make(&self.item) }
+    }
+
+    /// A problem with where the thing is.
+    pub fn problem(&self, column: &str, found: impl Into<String>, expected: impl Into<String>) -> Problem {
+        Problem::new(self.file, self.line, column, found, expected)
+    }
+}
+
+/// The layout of an objectives.csv row, by its first cell in any case.
+pub(super) fn objective_layout(kind: &str) -> Option<Layout> {
+    match kind.to_ascii_uppercase().as_str() {
+        "PLAYER" | "PHYS" => Some(BLOCKS),
+        "OBJECT" => Some(KEY_OBJECTS),
+        _ => None,
+    }
+}
+
+/// The kind of an objective block; `None` for a key object.
+pub(super) fn objective_kind(record: &Record) -> Option<ObjectiveKind> {
+    match record.text("kind")?.to_ascii_uppercase().as_str() {
+        "PLAYER" => Some(ObjectiveKind::Player),
+        "PHYS" => Some(ObjectiveKind::Physics),
+        _ => None,
+    }
+}
+
+pub(super) fn player(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Player> {
+    let position = point(record, scale, problems);
+    let mass = record.number("mass", q::MASS, problems);
+    let fuel = record.number("fuel", q::FUEL, problems);
+    let thrust = record.number("thrust", q::THRUST, problems);
+    let feels_air = if record.has("air") { record.boolean("air", problems) } else { Some(true) };
+    let velocity = velocity(record, problems);
+    let angle = record.number_or("angle", 0.0, q::ANGLE, problems);
+    Some(Player {
+        position: position?,
+        velocity: velocity?,
+        angle: angle?,
+        mass: mass?,
+        fuel: fuel?,
+        thrust: thrust?,
+        feels_air: feels_air?,
+    })
+}
+
+pub(super) fn solid(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Solid> {
+    let bounds = rectangle(record, scale, problems);
+    let material = if record.has("material") {
+        let names = Material::ALL.map(|material| material.name).join(", ");
+        record.parse("material", problems, |name| Material::named(name).ok_or(format!("one of {names}")))
+    } else {
+        Some(Material::ASPHALT)
+    };
+    Some(Solid { bounds: bounds?, material: material? })
+}
+
+/// A row of objects.csv, or an OBJECT row of objectives.csv.
+pub(super) fn object(record: &Record, scale: Scale, images: &mut Images, problems: &mut Vec<Problem>) -> Option<Object> {
+    let is_key = record.file == KEY_OBJECTS.file;
+    let position = point(record, scale, problems);
+    let shape = record.text("image").and_then(|cell| match images.look(cell, scale) {
+        Ok(shape) => Some(shape),
+        Err((found, expected)) => {
+            problems.push(record.problem("image", found, expected));
+            None
+        }
+    });
+    let mass = record.number("mass", q::MASS, problems);
+    let key = if is_key { colour(record, None, problems).map(Some) } else { Some(None) };
+    let drag = record.number("drag", q::DRAG, problems);
+    let circular = if is_key { None } else { Some(record.boolean("circular", problems)) };
+    let restitution = record.number("restitution", q::RESTITUTION, problems);
+    let velocity = velocity(record, problems);
+    let (look, width, height) = shape?;
+    Some(Object {
+        position: position?,
+        velocity: velocity?,
+        size: scale.metres(width, height),
+        mass: mass?,
+        drag: drag?,
+        restitution: restitution?,
+        circular: circular.unwrap_or(Some(look == Look::Ball))?,
+        look,
+        key: key?,
+    })
+}
+
+pub(super) fn stream(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Stream> {
+    let source = pixels(record, scale, problems);
+    let reach = ["stream_width", "stream_height"].map(|column| record.number(column, scale.coordinate(), problems));
+    let force_x = record.number("force_x", q::FORCE, problems);
+    let force_y = record.number("force_y", q::FORCE, problems);
+    let reach = match reach {
+        [Some(0.0), Some(0.0)] => Err(("stream_width", "0 for both stream sizes".to_owned())),
+        [Some(across), Some(0.0)] => Ok(("stream_width", DVec2::new(across, 0.0))),
+        [Some(0.0), Some(down)] => Ok(("stream_height", DVec2::new(0.0, down))),
+        [Some(across), Some(down)] => Err(("stream_height", format!("{down} beside a stream_width of {across}"))),
+        _ => return None,
+    };
+    let reach = match reach {
+        Ok((column, reach)) => match scale.size().parse(&(reach.x + reach.y).abs().to_string()) {
+            Ok(_) => Some(reach),
+            Err(expected) => {
+                problems.push(record.problem(column, quoted(record.text(column)?), format!("0 or, but for its sign, {expected}")));
+                None
+            }
+        },
+        Err((column, found)) => {
+            problems.push(record.problem(column, found, "exactly one stream size other than 0"));
+            None
+        }
+    };
+    let ((min, max), reach) = (source?, reach?);
+    // The zone lies before the side that it blows from and is as wide as that side.
+    let beyond = |reach: f64, min: f64, max: f64| match reach {
+        reach if reach > 0.0 => (max, max + reach),
+        reach if reach < 0.0 => (min + reach, min),
+        _ => (min, max),
+    };
+    let (left, right) = beyond(reach.x, min.x, max.x);
+    let (top, bottom) = beyond(reach.y, min.y, max.y);
+    let zone = scale.rectangle(DVec2::new(left, top), DVec2::new(right, bottom));
+    Some(Stream { source: scale.rectangle(min, max), zone, force: DVec2::new(force_x?, force_y?) })
+}
+
+pub(super) fn fluid(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Fluid> {
+    let zone = rectangle(record, scale, problems);
+    let density = record.number("density", q::DENSITY, problems);
+    let viscosity = record.number("viscosity", q::VISCOSITY, problems);
+    let colour = colour(record, Some(FLUID_COLOUR), problems);
+    Some(Fluid { zone: zone?, density: density?, viscosity: viscosity?, colour: colour? })
+}
+
+pub(super) fn text(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Text> {
+    let position = point(record, scale, problems);
+    let size = record.number("size", scale.size(), problems);
+    let text = record.words("text", problems);
+    Some(Text { position: position?, size: size? / scale.metre, text: text? })
+}
+
+/// The columns x, y, width and height, in metres.
+pub(super) fn rectangle(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Aabb> {
+    let (min, max) = pixels(record, scale, problems)?;
+    Some(scale.rectangle(min, max))
+}
+
+/// The columns x, y, width and height as two corners in pixels.
+fn pixels(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<(DVec2, DVec2)> {
+    let x = record.number("x", scale.coordinate(), problems);
+    let y = record.number("y", scale.coordinate(), problems);
+    let width = record.number("width", scale.size(), problems);
+    let height = record.number("height", scale.size(), problems);
+    let min = DVec2::new(x?, y?);
+    Some((min, min + DVec2::new(width?, height?)))
+}
+
+/// The columns x and y, in metres.
+fn point(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<DVec2> {
+    let x = record.number("x", scale.coordinate(), problems);
+    let y = record.number("y", scale.coordinate(), problems);
+    Some(scale.metres(x?, y?))
+}
+
+/// The columns vx and vy, m/s.
+fn velocity(record: &Record, problems: &mut Vec<Problem>) -> Option<DVec2> {
+    let x = record.number_or("vx", 0.0, q::VELOCITY, problems);
+    let y = record.number_or("vy", 0.0, q::VELOCITY, problems);
+    Some(DVec2::new(x?, y?))
+}
+
+/// The columns r, g and b; required where there is no default.
+fn colour(record: &Record, default: Option<[u8; 3]>, problems: &mut Vec<Problem>) -> Option<[u8; 3]> {
+    let channels = [("r", 0), ("g", 1), ("b", 2)].map(|(column, i)| match default {
+        Some(default) if !record.has(column) => Some(default[i]),
+        _ => record.parse(column, problems, |text| match q::COLOUR.parse(text) {
+            // In range and whole, so the conversion is exact.
+            Ok(value) if value.fract() == 0.0 => Ok(value as u8),
+            _ => Err("a whole number from 0 to 255".into()),
+        }),
+    });
+    let [r, g, b] = channels;
+    Some([r?, g?, b?])
+}

@@ -1,0 +1,272 @@
+//! Which cell belongs to which column: headers, header-less files, rows of several shapes; and typed access to cells.
+//!
+//! Everything here reports and goes on, so that an author sees all problems at once. A getter returns `None` where a problem has
+//! been reported, by itself or before.
+
+use super::cells::{self, Cell, Fault, Row};
+use super::problem::{Problem, quoted};
+use super::quantity::Quantity;
+
+/// The columns of a file, or of one kind of row, in the documented order; `[name]` may be left out or left empty.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Layout {
+    /// The file's name.
+    pub file: &'static str,
+    /// Their names, separated by commas.
+    pub columns: &'static str,
+}
+
+impl Layout {
+    fn columns(&self) -> impl Iterator<Item = Column> + use<> {
+        self.columns.split(',').map(|name| match name.strip_prefix('[') {
+            Some(name) => Column { name: name.trim_end_matches(']'), required: false },
+            None => Column { name, required: true },
+        })
+    }
+
+    fn find(&self, name: &str) -> Option<Column> {
+        self.columns().find(|column| column.name.eq_ignore_ascii_case(name.trim()))
+    }
+
+    /// The first column, which stands for the whole row or file in a message.
+    fn first(&self) -> &'static str {
+        self.columns().next().map_or("", |column| column.name)
+    }
+
+    /// A problem that concerns the whole file.
+    pub fn problem(&self, line: usize, found: impl Into<String>, expected: impl Into<String>) -> Problem {
+        Problem::new(self.file, line, self.first(), found, expected)
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Column {
+    name: &'static str,
+    required: bool,
+}
+
+/// A row whose cells have found their columns.
+#[derive(Clone, Debug)]
+pub(super) struct Record {
+    pub file: &'static str,
+    pub line: usize,
+    cells: Vec<(&'static str, Cell)>,
+}
+
+/// What a file holds.
+#[derive(Debug, Default)]
+pub(super) struct Table {
+    /// The rows that could be read.
+    pub records: Vec<Record>,
+    /// The lines of all rows but the header, also of those that could not be read.
+    pub lines: Vec<usize>,
+}
+
+/// Reads a file whose rows all have the same columns.
+pub(super) fn read(layout: Layout, bytes: &[u8], problems: &mut Vec<Problem>) -> Table {
+    let rows = cells::rows(bytes);
+    let mut columns: Vec<Option<Column>> = layout.columns().map(Some).collect();
+    let mut rows = rows.as_slice();
+    if let Some((first, rest)) = rows.split_first()
+        && is_header(layout, first)
+    {
+        columns = header(layout, first, problems);
+        rows = rest;
+    }
+    let mut table = Table::default();
+    for row in rows {
+        table.lines.push(row.line);
+        if let Some(problem) = wrong_separator(layout, row) {
+            problems.push(problem);
+            break; // The rest of the file is like this row.
+        }
+        table.records.extend(record(layout, &columns, row, problems));
+    }
+    table
+}
+
+/// Reads a file whose rows have the layout that `of_kind` gives for their first cell. Leading rows that name columns (`x` and `y`
+/// in the second and third cell) are passed over.
+pub(super) fn read_by_kind(
+    kinds: Layout,
+    of_kind: impl Fn(&str) -> Option<Layout>,
+    bytes: &[u8],
+    problems: &mut Vec<Problem>,
+) -> Table {
+    let is_cell =
+        |row: &Row, i: usize, name: &str| row.cells.get(i).is_some_and(|cell| cell.text.trim().eq_ignore_ascii_case(name));
+    let rows = cells::rows(bytes);
+    let mut table = Table::default();
+    for row in rows.iter().skip_while(|row| is_cell(row, 1, "x") && is_cell(row, 2, "y")) {
+        table.lines.push(row.line);
+        if let Some(problem) = wrong_separator(kinds, row) {
+            problems.push(problem);
+            break;
+        }
+        let kind = &row.cells[0];
+        match of_kind(kind.text.trim()) {
+            Some(layout) => {
+                let columns: Vec<_> = layout.columns().map(Some).collect();
+                table.records.extend(record(layout, &columns, row, problems));
+            }
+            None if kind.fault.is_some() => report_faults(kinds, &[], row, problems),
+            None => problems.push(Problem::new(kinds.file, kind.line, kinds.first(), found(kind), "PLAYER, PHYS or OBJECT")),
+        }
+    }
+    table
+}
+
+/// Whether a first row names columns: its first cell does, or at least two others do (then the first is a misspelt name).
+fn is_header(layout: Layout, row: &Row) -> bool {
+    let named = |cell: &Cell| layout.find(&cell.text).is_some();
+    row.cells.first().is_some_and(named) || row.cells.iter().filter(|cell| named(cell)).count() >= 2
+}
+
+/// The columns in the order of the header; `None` for one that is not known.
+fn header(layout: Layout, row: &Row, problems: &mut Vec<Problem>) -> Vec<Option<Column>> {
+    let mut columns: Vec<Option<Column>> = Vec::new();
+    let used = row.cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1);
+    for cell in &row.cells[..used] {
+        let known = layout.find(&cell.text);
+        let mut report = |found: String, expected: String| {
+            problems.push(Problem::new(layout.file, cell.line, cell.text.trim(), found, expected));
+        };
+        match known {
+            None => report("an unknown column".into(), format!("the columns {}", layout.columns)),
+            Some(column) if columns.contains(&Some(column)) => report("the same column twice".into(), "each column once".into()),
+            Some(_) => {}
+        }
+        columns.push(known.filter(|column| !columns.contains(&Some(*column))));
+    }
+    for missing in layout.columns().filter(|column| column.required && !columns.contains(&Some(*column))) {
+        let expected = format!("the columns {}", layout.columns);
+        problems.push(Problem::new(layout.file, row.line, missing.name, "no such column in the header", expected));
+    }
+    columns
+}
+
+/// A problem where a row looks as if its cells were separated by semicolons or tabs, as some spreadsheets write them.
+fn wrong_separator(layout: Layout, row: &Row) -> Option<Problem> {
+    let required = layout.columns().filter(|column| column.required).count();
+    let count = |separator| row.cells.iter().map(|cell| cell.text.matches(separator).count()).sum::<usize>();
+    if row.cells.len() >= required {
+        return None;
+    }
+    let separator = [(';', "semicolons"), ('\t', "tabs")].into_iter().find(|(c, _)| count(*c) + 1 >= required)?.1;
+    Some(layout.problem(
+        row.line,
+        format!("cells separated by {separator}"),
+        "cells separated by commas, numbers with a decimal point",
+    ))
+}
+
+/// The row's cells by column, or `None` where the row as such is broken.
+fn record(layout: Layout, columns: &[Option<Column>], row: &Row, problems: &mut Vec<Problem>) -> Option<Record> {
+    if row.cells.iter().any(|cell| cell.fault.is_some()) {
+        report_faults(layout, columns, row, problems);
+        return None;
+    }
+    if let Some(extra) = row.cells.iter().skip(columns.len()).rposition(|cell| !cell.is_empty()) {
+        let (first, found) = (&row.cells[columns.len()], cell_count(columns.len() + extra + 1));
+        let name = (columns.len() + 1).to_string();
+        let expected = cells_wanted(columns) + " (a cell that holds a comma stands in quotes, decimals are written with a point)";
+        problems.push(Problem::new(layout.file, first.line, name, found, expected));
+    }
+    if let Some(column) = columns.iter().skip(row.cells.len()).flatten().find(|column| column.required) {
+        let found = cell_count(row.cells.len());
+        problems.push(Problem::new(layout.file, row.line, column.name, found, cells_wanted(columns)));
+    }
+    let named = columns.iter().zip(&row.cells).filter_map(|(column, cell)| Some(((*column)?.name, cell.clone())));
+    Some(Record { file: layout.file, line: row.line, cells: named.collect() })
+}
+
+fn cell_count(n: usize) -> String {
+    format!("{n} {} in the row", if n == 1 { "cell" } else { "cells" })
+}
+
+/// How many cells a row should have, and which.
+fn cells_wanted(columns: &[Option<Column>]) -> String {
+    let most = columns.len();
+    let least = columns.iter().rposition(|column| column.is_some_and(|column| column.required)).map_or(0, |last| last + 1);
+    let count = if least == most { most.to_string() } else { format!("{least} to {most}") };
+    let name = |column: &Option<Column>| match column {
+        Some(Column { name, required: true }) => (*name).to_owned(),
+        Some(Column { name, required: false }) => format!("[{name}]"),
+        None => "?".to_owned(),
+    };
+    format!("{count}: {}", columns.iter().map(name).collect::<Vec<_>>().join(","))
+}
+
+fn report_faults(layout: Layout, columns: &[Option<Column>], row: &Row, problems: &mut Vec<Problem>) {
+    for (i, cell) in row.cells.iter().enumerate() {
+        let name = match columns.get(i) {
+            Some(Some(column)) => column.name.to_owned(),
+            _ if i == 0 => layout.first().to_owned(),
+            _ => (i + 1).to_string(),
+        };
+        let (found, expected) = match cell.fault {
+            None => continue,
+            Some(Fault::Unclosed) => ("a quote that is never closed", "a closing quote"),
+            Some(Fault::AfterQuote) => ("text after a closing quote", "a comma after it (a quote within quotes is written twice)"),
+            Some(Fault::NotUtf8) => ("letters that are not UTF-8", "a file saved as UTF-8"),
+            Some(Fault::Utf16) => ("a file saved as UTF-16", "a file saved as UTF-8"),
+        };
+        problems.push(Problem::new(layout.file, cell.line, name, found, expected));
+    }
+}
+
+/// What a cell holds, in words.
+fn found(cell: &Cell) -> String {
+    if cell.is_empty() { "nothing".into() } else { quoted(cell.text.trim()) }
+}
+
+impl Record {
+    fn cell(&self, column: &str) -> Option<&Cell> {
+        self.cells.iter().find(|(name, _)| *name == column).map(|(_, cell)| cell)
+    }
+
+    /// A problem in one of the record's cells.
+    pub fn problem(&self, column: &str, found: impl Into<String>, expected: impl Into<String>) -> Problem {
+        Problem::new(self.file, self.cell(column).map_or(self.line, |cell| cell.line), column, found, expected)
+    }
+
+    /// The trimmed text of a cell; `None` where the row has no such cell.
+    pub fn text(&self, column: &str) -> Option<&str> {
+        self.cell(column).map(|cell| cell.text.trim())
+    }
+
+    /// Whether an optional column is given.
+    pub fn has(&self, column: &str) -> bool {
+        self.cell(column).is_some_and(|cell| !cell.is_empty())
+    }
+
+    /// The trimmed text of a required cell as `parse` understands it; `parse` answers with what is expected instead.
+    pub fn parse<T>(&self, column: &str, problems: &mut Vec<Problem>, parse: impl FnOnce(&str) -> Result<T, String>) -> Option<T> {
+        let cell = self.cell(column)?;
+        parse(cell.text.trim()).map_err(|expected| problems.push(self.problem(column, found(cell), expected))).ok()
+    }
+
+    /// A number in its range.
+    pub fn number(&self, column: &str, quantity: Quantity, problems: &mut Vec<Problem>) -> Option<f64> {
+        self.parse(column, problems, |text| quantity.parse(text))
+    }
+
+    /// A number that may be left out.
+    pub fn number_or(&self, column: &str, default: f64, quantity: Quantity, problems: &mut Vec<Problem>) -> Option<f64> {
+        if self.has(column) { self.number(column, quantity, problems) } else { Some(default) }
+    }
+
+    /// TRUE or FALSE in any case.
+    pub fn boolean(&self, column: &str, problems: &mut Vec<Problem>) -> Option<bool> {
+        self.parse(column, problems, |text| match text.to_ascii_lowercase().as_str() {
+            "true" => Ok(true),
+            "false" => Ok(false),
+            _ => Err("TRUE or FALSE".into()),
+        })
+    }
+
+    /// Words: anything but nothing.
+    pub fn words(&self, column: &str, problems: &mut Vec<Problem>) -> Option<String> {
+        self.parse(column, problems, |text| if text.is_empty() { Err("text".into()) } else { Ok(text.to_owned()) })
+    }
+}

@@ -1,0 +1,86 @@
+//! The broad phase: which pairs may meet soon.
+//!
+//! Every body owns an allowed box, its path of two ticks with a skin of [`SKIN`] around it. Only pairs whose allowed boxes overlap are
+//! looked at more closely, and the list holds until a body is about to leave its box. It is always complete and always in the same
+//! order, so that it changes no bit of any motion.
+
+use super::tuning::SKIN;
+use super::{Aabb, World};
+use glam::DVec2;
+
+/// Two things that may meet: a body, and a body of higher index or a surface (counted on from the number of bodies).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Pair {
+    pub a: u32,
+    pub b: u32,
+}
+
+/// The list of pairs and the boxes for which it holds.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Candidates {
+    pub pairs: Vec<Pair>,
+    allowed: Vec<Aabb>,
+    by_left_edge: Vec<u32>,
+    fresh: bool,
+}
+
+impl Candidates {
+    /// Something was added or moved by hand: the list has to be made anew.
+    pub fn spoil(&mut self) {
+        self.fresh = false;
+    }
+}
+
+impl World {
+    /// Makes sure that the list holds for the next `dt` seconds.
+    pub(super) fn refresh_candidates(&mut self, dt: f64) {
+        let holds = self.candidates.fresh
+            && self.bodies.iter().zip(&self.candidates.allowed).zip(&self.laws).all(|((body, allowed), law)| {
+                let reach = body.velocity.abs() * dt + law.constant.abs() * (dt * dt);
+                let bounds = body.bounds();
+                allowed.contains(&Aabb::new(bounds.min - reach, bounds.max + reach), 0.0)
+            });
+        if !holds {
+            self.rebuild_candidates(dt);
+        }
+    }
+
+    fn rebuild_candidates(&mut self, dt: f64) {
+        let n = self.bodies.len();
+        let list = &mut self.candidates;
+        list.allowed.clear();
+        list.allowed.extend(self.bodies.iter().zip(&self.laws).map(|(body, law)| {
+            let reach = 2.0 * (body.velocity.abs() * dt + law.constant.abs() * (dt * dt)) + DVec2::splat(SKIN);
+            let bounds = body.bounds();
+            Aabb::new(bounds.min - reach, bounds.max + reach)
+        }));
+        list.pairs.clear();
+        // Bodies against bodies: sweep along x.
+        if list.by_left_edge.len() != n {
+            list.by_left_edge.clear();
+            list.by_left_edge.extend(0..n as u32);
+        }
+        let allowed = &list.allowed;
+        list.by_left_edge
+            .sort_unstable_by(|&i, &j| allowed[i as usize].min.x.total_cmp(&allowed[j as usize].min.x).then(i.cmp(&j)));
+        for (at, &i) in list.by_left_edge.iter().enumerate() {
+            for &j in &list.by_left_edge[at + 1..] {
+                if allowed[j as usize].min.x > allowed[i as usize].max.x {
+                    break;
+                }
+                if allowed[i as usize].touches(&allowed[j as usize], 0.0) {
+                    list.pairs.push(Pair { a: i.min(j), b: i.max(j) });
+                }
+            }
+        }
+        for (i, allowed) in allowed.iter().enumerate() {
+            for (s, surface) in self.surfaces.iter().enumerate() {
+                if allowed.touches(&surface.bounds, 0.0) {
+                    list.pairs.push(Pair { a: i as u32, b: (n + s) as u32 });
+                }
+            }
+        }
+        list.pairs.sort_unstable();
+        list.fresh = true;
+    }
+}

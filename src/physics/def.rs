@@ -1,0 +1,160 @@
+//! How a world begins, and what is refused at the door: nothing that is accepted may ever become non-finite.
+
+use super::{Aabb, BodyDef, Material};
+use glam::DVec2;
+
+/// Something solid that never moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceDef {
+    /// Where it is, m.
+    pub bounds: Aabb,
+    /// What slides on it.
+    pub material: Material,
+}
+
+/// A zone that exerts a constant force named "Wind" on every body that touches it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StreamDef {
+    /// Where it blows, m.
+    pub zone: Aabb,
+    /// N.
+    pub force: DVec2,
+}
+
+/// A zone of liquid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FluidDef {
+    /// Where it is, m.
+    pub zone: Aabb,
+    /// kg/m³, ≥ 0.
+    pub density: f64,
+    /// Dynamic viscosity, Pa·s, ≥ 0.
+    pub viscosity: f64,
+}
+
+/// How a world begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorldDef {
+    /// Gravitational field strength, N/kg, downwards.
+    pub gravity: f64,
+    /// kg/m³, ≥ 0.
+    pub air_density: f64,
+    /// A rebound slower than this (m/s) is none; 0 keeps every bounce.
+    pub rest_speed: f64,
+    /// The edge of the level: solid on all four sides. `None`: no edge.
+    pub bounds: Option<Aabb>,
+    /// Solid, immovable rectangles.
+    pub surfaces: Vec<SurfaceDef>,
+    /// Air streams.
+    pub streams: Vec<StreamDef>,
+    /// Liquids.
+    pub fluids: Vec<FluidDef>,
+    /// What moves.
+    pub bodies: Vec<BodyDef>,
+}
+
+impl Default for WorldDef {
+    fn default() -> Self {
+        Self {
+            gravity: 15.0,
+            air_density: 1.2041,
+            rest_speed: 1.0,
+            bounds: None,
+            surfaces: Vec::new(),
+            streams: Vec::new(),
+            fluids: Vec::new(),
+            bodies: Vec::new(),
+        }
+    }
+}
+
+/// Why a definition was refused.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DefError(pub String);
+
+impl std::fmt::Display for DefError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for DefError {}
+
+/// The largest magnitude of any accepted number: squares, products of three and sums of these stay far from overflow.
+const LARGEST: f64 = 1e12;
+/// The smallest accepted mass (kg) and size (m), for the same reason.
+const SMALLEST: f64 = 1e-12;
+
+impl WorldDef {
+    /// # Errors
+    /// The first number that is not finite, too large or out of its range.
+    pub(super) fn check(&self) -> Result<(), DefError> {
+        number("gravity", self.gravity, -LARGEST)?;
+        number("air density", self.air_density, 0.0)?;
+        number("rest speed", self.rest_speed, 0.0)?;
+        if let Some(bounds) = &self.bounds {
+            rectangle("the level's edge", bounds)?;
+        }
+        for surface in &self.surfaces {
+            rectangle("a surface", &surface.bounds)?;
+            material(&surface.material)?;
+        }
+        for stream in &self.streams {
+            rectangle("a stream", &stream.zone)?;
+            vector("a stream's force", stream.force)?;
+        }
+        for fluid in &self.fluids {
+            rectangle("a liquid", &fluid.zone)?;
+            number("a liquid's density", fluid.density, 0.0)?;
+            number("a liquid's viscosity", fluid.viscosity, 0.0)?;
+        }
+        self.bodies.iter().try_for_each(BodyDef::check)
+    }
+}
+
+impl BodyDef {
+    /// # Errors
+    /// As [`WorldDef::check`].
+    pub(super) fn check(&self) -> Result<(), DefError> {
+        vector("a body's position", self.position)?;
+        vector("a body's velocity", self.velocity)?;
+        number("a body's half width", self.half.x, SMALLEST)?;
+        number("a body's half height", self.half.y, SMALLEST)?;
+        number("a body's mass", self.mass, SMALLEST)?;
+        number("a drag coefficient", self.drag, 0.0)?;
+        number("a restitution", self.restitution, 0.0)?;
+        if self.restitution > 1.0 {
+            return Err(DefError(format!("a restitution is {}, expected 0 … 1", self.restitution)));
+        }
+        material(&self.material)
+    }
+}
+
+fn number(what: &str, value: f64, least: f64) -> Result<(), DefError> {
+    if value.is_finite() && value >= least && value.abs() <= LARGEST {
+        return Ok(());
+    }
+    Err(DefError(format!("{what} is {value}, expected a number from {least} to {LARGEST}")))
+}
+
+fn vector(what: &str, value: DVec2) -> Result<(), DefError> {
+    number(what, value.x, -LARGEST).and_then(|()| number(what, value.y, -LARGEST))
+}
+
+fn rectangle(what: &str, bounds: &Aabb) -> Result<(), DefError> {
+    vector(what, bounds.min)?;
+    vector(what, bounds.max)?;
+    if bounds.min.cmplt(bounds.max).all() {
+        return Ok(());
+    }
+    Err(DefError(format!("{what} is {} m wide and {} m high, expected more than 0", bounds.size().x, bounds.size().y)))
+}
+
+fn material(material: &Material) -> Result<(), DefError> {
+    number("a static friction", material.static_friction, 0.0)?;
+    number("a kinetic friction", material.kinetic_friction, 0.0)?;
+    if material.kinetic_friction <= material.static_friction {
+        return Ok(());
+    }
+    Err(DefError(format!("{}: kinetic friction above static friction", material.name)))
+}

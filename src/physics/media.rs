@@ -1,0 +1,128 @@
+//! What acts on a body without touching it: gravity, its engine, air, streams and liquids.
+//!
+//! Air Resistance is ½·ρ·C_d·A·|u|·u with the depth of every body 1 m: A = height when it moves more across than up or down, width
+//! otherwise. In a liquid the submerged fraction f of the box displaces ρ·g·V (Archimedes) and feels the same quadratic drag with the
+//! liquid's density, plus Stokes' 3π·η·d·u with d the mean of width and height as a representative diameter; air acts on the rest.
+
+use super::{Aabb, Body, FluidDef, Force, ForceKind, Source, StreamDef};
+use glam::DVec2;
+
+/// Stokes' law: 3π per diameter.
+const STOKES: f64 = 3.0 * std::f64::consts::PI;
+
+/// The media of a world.
+#[derive(Clone, Debug)]
+pub(super) struct Media {
+    /// N/kg downwards.
+    pub gravity: f64,
+    /// kg/m³.
+    pub air_density: f64,
+    pub streams: Vec<StreamDef>,
+    pub fluids: Vec<FluidDef>,
+}
+
+/// The law by which one body moves during one interval, contacts left out.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Law {
+    /// All that is constant: gravity, drive, wind, m/s².
+    pub constant: DVec2,
+    /// Drag of the air, ½·ρ·C_d·A/m, 1/m.
+    pub air: f64,
+    /// Exposed area, m²: what the liquids act on.
+    pub area: f64,
+    /// Whether it touches a liquid.
+    pub wet: bool,
+}
+
+/// Exposed area of a body of 1 m depth that moves with velocity `v`, m².
+pub(super) fn exposed_area(half: DVec2, v: DVec2) -> f64 {
+    2.0 * if v.x.abs() > v.y.abs() { half.y } else { half.x }
+}
+
+/// The fraction of a body's box that lies inside a zone, 0 … 1.
+pub(super) fn submerged(position: DVec2, half: DVec2, zone: &Aabb) -> f64 {
+    let inside = (position + half).min(zone.max) - (position - half).max(zone.min);
+    let inside = inside.max(DVec2::ZERO);
+    (inside.x * inside.y) / (4.0 * half.x * half.y)
+}
+
+impl Media {
+    /// Acceleration of a body at `x` with velocity `v` under `law`, m/s².
+    pub fn acceleration(&self, body: &Body, law: &Law, x: DVec2, v: DVec2) -> DVec2 {
+        let mut a = law.constant;
+        let mut dry = 1.0;
+        if law.wet {
+            for fluid in &self.fluids {
+                let f = submerged(x, body.half, &fluid.zone);
+                if f > 0.0 {
+                    dry -= f;
+                    a += (self.buoyancy(body, fluid, f) + viscous_drag(body, fluid, law.area, f, v)) / body.mass;
+                }
+            }
+            dry = f64::max(dry, 0.0);
+        }
+        if law.air > 0.0 {
+            a -= v * (law.air * dry * v.length());
+        }
+        a
+    }
+
+    /// How fast the body's own motion changes its acceleration at velocity `v`, 1/s: what a Runge–Kutta step has to resolve.
+    pub fn rate(&self, body: &Body, law: &Law, v: DVec2) -> f64 {
+        let (mut quadratic, mut linear, mut stiffness) = (law.air, 0.0, 0.0);
+        if law.wet {
+            for fluid in &self.fluids {
+                if submerged(body.position, body.half + DVec2::ONE, &fluid.zone) > 0.0 {
+                    quadratic += 0.5 * fluid.density * body.drag * law.area / body.mass;
+                    linear += STOKES * fluid.viscosity * (body.half.x + body.half.y) / body.mass;
+                    stiffness += fluid.density * self.gravity.abs() * 2.0 * body.half.x.max(body.half.y) / body.mass;
+                }
+            }
+        }
+        linear + quadratic * v.length() + (quadratic * law.constant.length()).sqrt() + stiffness.sqrt()
+    }
+
+    fn buoyancy(&self, body: &Body, fluid: &FluidDef, f: f64) -> DVec2 {
+        DVec2::new(0.0, -fluid.density * self.gravity * 4.0 * body.half.x * body.half.y * f)
+    }
+
+    /// Lists the named forces on a body as it moves now, the engine's drive (N) included.
+    pub fn list(&self, body: &Body, law: &Law, drive: DVec2, in_stream: impl Fn(usize) -> bool, out: &mut Vec<Force>) {
+        let mut add = |kind, source, vector: DVec2| {
+            if vector != DVec2::ZERO {
+                out.push(Force { kind, source, vector });
+            }
+        };
+        add(ForceKind::Weight, Source::Gravity, DVec2::new(0.0, body.mass * self.gravity));
+        add(ForceKind::Drive, Source::Engine, drive);
+        for (i, stream) in self.streams.iter().enumerate() {
+            if in_stream(i) {
+                add(ForceKind::Wind, Source::Stream(i as u32), stream.force);
+            }
+        }
+        let mut dry = 1.0;
+        let area = exposed_area(body.half, body.velocity);
+        if law.wet {
+            for (i, fluid) in self.fluids.iter().enumerate() {
+                let f = submerged(body.position, body.half, &fluid.zone);
+                if f > 0.0 {
+                    dry -= f;
+                    add(ForceKind::Buoyancy, Source::Fluid(i as u32), self.buoyancy(body, fluid, f));
+                    add(ForceKind::ViscousDrag, Source::Fluid(i as u32), viscous_drag(body, fluid, area, f, body.velocity));
+                }
+            }
+            dry = f64::max(dry, 0.0);
+        }
+        if law.air > 0.0 {
+            let v = body.velocity;
+            let k = 0.5 * self.air_density * body.drag * area;
+            add(ForceKind::AirResistance, Source::Air, -v * (k * dry * v.length()));
+        }
+    }
+}
+
+fn viscous_drag(body: &Body, fluid: &FluidDef, area: f64, f: f64, v: DVec2) -> DVec2 {
+    let quadratic = 0.5 * fluid.density * body.drag * area * v.length();
+    let viscous = STOKES * fluid.viscosity * (body.half.x + body.half.y);
+    -v * (f * (quadratic + viscous))
+}

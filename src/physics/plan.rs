@@ -1,0 +1,55 @@
+//! The plan: which parts of the model a world needs, decided once from what is in it. What it leaves out could not change a bit.
+
+use super::WorldDef;
+
+/// The parts of the model that a world uses.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Plan {
+    /// Some body feels the air.
+    pub air: bool,
+    /// There are air streams.
+    pub streams: bool,
+    /// There are liquids.
+    pub liquids: bool,
+    /// More than one body moves: they can meet.
+    pub pairs: bool,
+    /// There is something to touch.
+    pub contacts: bool,
+    /// Some body bounces.
+    pub bounces: bool,
+}
+
+impl Plan {
+    pub(super) fn of(def: &WorldDef) -> Self {
+        let pairs = def.bodies.len() > 1;
+        Self {
+            air: def.air_density > 0.0 && def.bodies.iter().any(|body| body.feels_air && body.drag > 0.0),
+            streams: !def.streams.is_empty(),
+            liquids: !def.fluids.is_empty(),
+            pairs,
+            contacts: pairs || !def.surfaces.is_empty() || def.bounds.is_some(),
+            bounces: def.bodies.iter().any(|body| body.restitution > 0.0),
+        }
+    }
+
+    /// Whether anything acts that depends on place or velocity.
+    pub fn media(&self) -> bool {
+        self.air || self.streams || self.liquids
+    }
+
+    /// The parts in words, for `check` and the details overlay.
+    pub fn parts(&self) -> Vec<&'static str> {
+        let drag = self.air || self.liquids;
+        let parts = [
+            (!drag, "motion: exact parabolas"),
+            (drag, "motion: RK4, finer for light things"),
+            (self.air, "air resistance"),
+            (self.streams, "air streams"),
+            (self.liquids, "liquids"),
+            (self.contacts, "contacts: exact times of impact, direct solve"),
+            (self.pairs, "pairs of bodies"),
+            (self.bounces, "restitution"),
+        ];
+        parts.into_iter().filter(|(used, _)| *used).map(|(_, part)| part).collect()
+    }
+}

@@ -1,0 +1,201 @@
+//! Contact forces: from what else acts on the bodies to their accelerations, with Reaction, Push and Friction on the way.
+//!
+//! Each axis is a [`Network`] solved exactly. The axes are coupled by Coulomb's law only: how much friction a contact can carry along
+//! one axis depends on how hard it presses along the other. So the axis of gravity goes first, then the other with the friction that
+//! follows, and round again only where something slides along a wall that it is pressed against. Static friction is a tie that carries
+//! up to μ_s·N; where that is not enough the contact slides, with μ_k·N against the motion from then on.
+
+use super::network::{Carries, GROUND, Network, Node};
+use super::tuning::{FRICTION_ROUNDS, SPEED_TOLERANCE};
+use super::{Body, World, contacts::Contact};
+use glam::DVec2;
+
+/// What the solver works on, apart from the world so that it can be reused for forces, impulses and speeds.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Reactions {
+    network: Network,
+    /// Node of each body, or `GROUND` for bodies without contacts and for surfaces.
+    node_of: Vec<u32>,
+    body_of: Vec<u32>,
+    /// For each link the contact whose push (along its own axis) or friction (along the other) it carries.
+    contact_of: Vec<u32>,
+}
+
+/// What friction does in a solve.
+#[derive(Clone, Copy, PartialEq)]
+enum Friction {
+    /// Forces: static or kinetic by Coulomb's law.
+    Coulomb,
+    /// Impulses: up to μ_k times the normal impulse.
+    Impulse,
+}
+
+impl Reactions {
+    /// Numbers the bodies that the contacts join.
+    fn number(&mut self, contacts: &[Contact], bodies: usize, items: usize) {
+        self.node_of.clear();
+        self.node_of.resize(items, GROUND);
+        self.body_of.clear();
+        for contact in contacts {
+            for item in [contact.lo, contact.hi] {
+                if (item as usize) < bodies && self.node_of[item as usize] == GROUND {
+                    self.node_of[item as usize] = self.body_of.len() as u32;
+                    self.body_of.push(item);
+                }
+            }
+        }
+    }
+
+    /// Builds and solves one axis; `applied` gives each body's force (or momentum). Updates the contacts' flows along this axis.
+    fn solve_axis(&mut self, axis: usize, contacts: &mut [Contact], bodies: &[Body], friction: Friction, applied: &[DVec2]) {
+        loop {
+            self.network.clear();
+            self.contact_of.clear();
+            for &body in &self.body_of {
+                let Body { mass, position, .. } = bodies[body as usize];
+                let force = mass * applied[body as usize][axis];
+                self.network.nodes.push(Node { mass, force, at: position[axis], acceleration: 0.0 });
+            }
+            for (index, contact) in contacts.iter_mut().enumerate() {
+                let (lo, hi) = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
+                if contact.axis == axis {
+                    let both_ways = friction == Friction::Impulse && contact.clings;
+                    self.network.link(lo, hi, if both_ways { Carries::UpTo(f64::INFINITY) } else { Carries::Push });
+                    self.contact_of.push(index as u32);
+                    continue;
+                }
+                contact.friction = 0.0;
+                if contact.normal <= 0.0 {
+                    continue;
+                }
+                let kinetic = contact.kinetic_friction * contact.normal;
+                if friction == Friction::Coulomb && contact.slides != 0.0 {
+                    contact.friction = -contact.slides * kinetic;
+                    for (end, sign) in [(lo, -1.0), (hi, 1.0)] {
+                        if end != GROUND {
+                            self.network.nodes[end as usize].force += sign * contact.friction;
+                        }
+                    }
+                } else {
+                    let limit = if friction == Friction::Coulomb { contact.static_friction * contact.normal } else { kinetic };
+                    self.network.link(lo, hi, Carries::UpTo(limit));
+                    self.contact_of.push(index as u32);
+                }
+            }
+            self.network.solve();
+            if !self.read(axis, contacts, friction) {
+                return;
+            }
+        }
+    }
+
+    /// Takes the flows over into the contacts; true if static friction gave way somewhere, so that the axis has to be solved again.
+    fn read(&self, axis: usize, contacts: &mut [Contact], friction: Friction) -> bool {
+        let mut gave_way = false;
+        for (link, &index) in self.network.links.iter().zip(&self.contact_of) {
+            let contact = &mut contacts[index as usize];
+            if contact.axis == axis {
+                contact.normal = link.flow.max(0.0);
+                continue;
+            }
+            contact.friction = link.flow;
+            let slip = self.rate(link.hi) - self.rate(link.lo);
+            if friction == Friction::Coulomb && link.cut && slip != 0.0 {
+                contact.slides = slip.signum();
+                gave_way = true;
+            }
+        }
+        gave_way
+    }
+
+    fn rate(&self, node: u32) -> f64 {
+        self.network.nodes.get(node as usize).map_or(0.0, |node| node.acceleration)
+    }
+
+    /// Accelerations of bodies in contact (m/s²), from those they would have without (`free`), in place.
+    pub fn accelerate(&mut self, contacts: &mut [Contact], bodies: &[Body], items: usize, free: &[DVec2], out: &mut [DVec2]) {
+        self.number(contacts, bodies.len(), items);
+        for contact in contacts.iter_mut() {
+            contact.normal = 0.0;
+        }
+        for _ in 0..FRICTION_ROUNDS {
+            let mut settled = true;
+            for axis in [1, 0] {
+                self.solve_axis(axis, contacts, bodies, Friction::Coulomb, free);
+                for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
+                    let a = &mut out[body as usize][axis];
+                    if axis == 1 && (*a - node.acceleration).abs() > f64::EPSILON * a.abs() {
+                        settled = false;
+                    }
+                    *a = node.acceleration;
+                }
+            }
+            // Gravity's axis has seen no friction from walls in the first round; that matters only where something would slide on one.
+            let rubs = |contact: &Contact| {
+                let along = contact.slides != 0.0 || slip(contact, out) != 0.0;
+                contact.axis == 0 && contact.normal > 0.0 && along
+            };
+            if settled || !contacts.iter().any(rubs) {
+                break;
+            }
+        }
+    }
+
+    /// Speeds after a collision in which everything that touches stops approaching at once (perfectly plastic), with friction up to
+    /// μ_k times the normal impulse. Afterwards the contacts hold the impulses (N·s).
+    pub fn collide(&mut self, contacts: &mut [Contact], bodies: &mut [Body], items: usize, speeds: &mut Vec<DVec2>) {
+        self.number(contacts, bodies.len(), items);
+        speeds.clear();
+        speeds.extend(bodies.iter().map(|body| body.velocity));
+        for contact in contacts.iter_mut() {
+            contact.normal = 0.0;
+        }
+        for axis in [1, 0, 1] {
+            self.solve_axis(axis, contacts, bodies, Friction::Impulse, speeds);
+            for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
+                bodies[body as usize].velocity[axis] = node.acceleration;
+            }
+        }
+    }
+
+    /// Gives everything that moves alike along `axis`, but for the rounding of the instant at which a slide ended, exactly one speed.
+    pub fn merge_speeds(&mut self, axis: usize, contacts: &[Contact], bodies: &mut [Body], items: usize) {
+        self.number(contacts, bodies.len(), items);
+        self.network.clear();
+        for &body in &self.body_of {
+            let Body { mass, position, velocity, .. } = bodies[body as usize];
+            self.network.nodes.push(Node { mass, force: mass * velocity[axis], at: position[axis], acceleration: 0.0 });
+        }
+        let speed = |item: u32| bodies.get(item as usize).map_or(0.0, |body| body.velocity[axis]);
+        for contact in contacts {
+            if (speed(contact.hi) - speed(contact.lo)).abs() <= SPEED_TOLERANCE {
+                let ends = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
+                self.network.link(ends.0, ends.1, Carries::UpTo(f64::INFINITY));
+            }
+        }
+        self.network.solve();
+        for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
+            bodies[body as usize].velocity[axis] = node.acceleration;
+        }
+    }
+}
+
+/// How fast `hi` gains on `lo` along the contact's face, m/s².
+fn slip(contact: &Contact, accelerations: &[DVec2]) -> f64 {
+    let of = |item: u32| accelerations.get(item as usize).map_or(0.0, |a| a[1 - contact.axis]);
+    of(contact.hi) - of(contact.lo)
+}
+
+impl World {
+    /// Accelerations of all bodies now, with contact forces where there are contacts.
+    pub(super) fn solve_accelerations(&mut self) {
+        self.free.clear();
+        for (body, law) in self.bodies.iter().zip(&self.laws) {
+            self.free.push(self.media.acceleration(body, law, body.position, body.velocity));
+        }
+        self.solved.clear();
+        self.solved.extend_from_slice(&self.free);
+        let items = self.bodies.len() + self.blocks.len();
+        self.reactions.accelerate(&mut self.contacts, &self.bodies, items, &self.free, &mut self.solved);
+    }
+}

@@ -1,0 +1,63 @@
+//! Every tolerance of the engine, with its unit and what breaks when it changes.
+
+/// m. How much two boxes must share along the *other* axis before a contact counts. Smaller: things catch on the seams of tiles that
+/// rounding left proud; larger: the corners of boxes become visibly round. It is also the largest gap of a contact at rest; a *hit*
+/// needs a gap of zero (hits ahead of it would lose 3 to 6 % of the energy of small bounces).
+pub(crate) const SLOP: f64 = 1e-9;
+
+/// Relative to the largest force of a block of bodies: what counts as no force left over when reactions are shared out. Smaller:
+/// rounding splits resting blocks; larger: a feather beside an anvil is taken for part of it.
+pub(super) const FORCE_TOLERANCE: f64 = 1e-12;
+
+/// m/s. Two bodies in contact whose speeds differ by less when a slide ends move as one from then on. It only has to cover the
+/// rounding of the instant at which the slide ends.
+pub(super) const SPEED_TOLERANCE: f64 = 1e-11;
+
+/// m/s. Things that touch, part more slowly than this and are pulled together again rest on each other: they would part by 1e-13 m, which
+/// rounding can no longer resolve, and come back after a tenth of a microsecond, again and again.
+pub(super) const MICRO_SPEED: f64 = 2e-6;
+
+/// Rate × time of one Runge–Kutta step, at most. The error of a motion of some metres grows with its fourth power: 1e-9 m at 0.02, 1e-7 m
+/// at 0.06; from about 2 on the method diverges.
+pub(super) const RK4_REACH: f64 = 0.02;
+
+/// Runge–Kutta steps in one tick, at most; stiffer motion takes one exponential step instead, which is stable at any rate.
+pub(super) const RK4_STEPS: u32 = 8192;
+
+/// Relative distance from the terminal velocity at which a body counts as having reached it: no further steps are needed then.
+pub(super) const TERMINAL_TOLERANCE: f64 = 1e-14;
+
+/// m. How far a body may move beyond its predicted path before the list of its neighbours is made anew. Larger: fewer, longer lists.
+pub(super) const SKIN: f64 = 0.25;
+
+/// Intervals in one tick, at most. Perfectly elastic cascades between unequal masses need hundreds; beyond the cap impacts of the
+/// tick become plastic, and `World::overflows` counts it.
+pub(super) const MAX_INTERVALS: u32 = 4096;
+
+/// Hits of one pair in one tick after which an imperfect bounce (e < 1) between two moving bodies ends: it has become a rattle whose
+/// remaining energy is a fraction e^128 of the first hit's.
+pub(super) const RATTLE_HITS: u32 = 64;
+
+/// Bounces of a body on something immovable in one tick, after which the rest of the series is summed in closed form.
+pub(super) const ZENO_HITS: u32 = 6;
+
+/// Lossy impacts (e < 1) in one cascade, per contact, after which it is merged by one plastic solve: inelastic collapse would never end.
+pub(super) const CASCADE_HITS: usize = 16;
+
+/// Impacts in one cascade altogether. Perfectly elastic cascades end by themselves, but a mass ratio of R needs some 3·√R of them.
+pub(super) const MAX_CASCADE: usize = 65_536;
+
+/// Zone edges crossed by one body in one tick, at most: a body balanced on the edge of a stream would cross without end.
+pub(super) const MAX_CROSSINGS: u32 = 8;
+
+/// s. Kinks of the law of motion nearer than this to the interval's start are taken as passed: they are the kink it began at.
+pub(super) const MIN_SPLIT: f64 = 1e-10;
+
+/// m/s. Slower hits are not reported as events.
+pub(super) const REPORT_SPEED: f64 = 0.01;
+
+/// Rounds between the two axes when friction on walls and floors depend on each other.
+pub(super) const FRICTION_ROUNDS: u32 = 12;
+
+/// m. Thickness of the level's edges. No speed gets through: impacts are found along the whole path.
+pub(super) const EDGE_THICKNESS: f64 = 100.0;

@@ -1,0 +1,170 @@
+//! The order of a leaderboard, without files.
+
+use std::cmp::Reverse;
+
+use super::{Name, ScoresError};
+
+/// One user's best score.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Who.
+    pub name: Name,
+    /// Points, at least 1.
+    pub score: i64,
+    /// The cells behind these two, as they stand in the file; they belong to the user and stay when the score rises.
+    pub more: Vec<String>,
+}
+
+/// The leaderboard of one level: a row a user, from the highest score to the lowest, equal ones in the order they were reached.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Board {
+    more_columns: Vec<String>,
+    rows: Vec<Row>,
+}
+
+/// What became of a score; ranks count from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Placement {
+    /// The user was not on the board before.
+    New {
+        /// Where the row stands.
+        rank: usize,
+    },
+    /// The score is higher than the user's best before it and has replaced it.
+    Raised {
+        /// Where the row stands now.
+        rank: usize,
+        /// The score it replaced.
+        from: i64,
+    },
+    /// The user's best is as high or higher and stays.
+    Kept {
+        /// Where the row stands.
+        rank: usize,
+        /// The score that stays.
+        best: i64,
+    },
+}
+
+impl Placement {
+    /// Where the user's row stands now, counted from 1.
+    pub fn rank(self) -> usize {
+        match self {
+            Self::New { rank } | Self::Raised { rank, .. } | Self::Kept { rank, .. } => rank,
+        }
+    }
+}
+
+impl Board {
+    /// The board of these rows, which hold a name once each, the older one of equal scores first; `more_columns` names the
+    /// columns behind `name` and `score`.
+    pub(super) fn new(more_columns: Vec<String>, mut rows: Vec<Row>) -> Self {
+        rows.sort_by_key(|row| Reverse(row.score)); // stable: equal scores keep their order
+        Self { more_columns, rows }
+    }
+
+    /// The rows, best first.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// The names of the columns behind `name` and `score`, as far as the file gives any.
+    pub fn more_columns(&self) -> &[String] {
+        &self.more_columns
+    }
+
+    /// Where the user stands, counted from 1; `None` when not on the board.
+    pub fn rank(&self, name: &Name) -> Option<usize> {
+        self.rows.iter().position(|row| row.name == *name).map(|index| index + 1)
+    }
+
+    /// Puts a score on the board: a new row, or in place of the user's own when it is higher. It comes behind all rows that
+    /// already have as many points.
+    ///
+    /// # Errors
+    /// [`ScoresError::NoScore`] when `score` is below 1; the board stays as it is.
+    pub fn place(&mut self, name: &Name, score: i64) -> Result<Placement, ScoresError> {
+        if score < 1 {
+            return Err(ScoresError::NoScore);
+        }
+        let old = self.rows.iter().position(|row| row.name == *name);
+        if let Some(index) = old.filter(|&index| self.rows[index].score >= score) {
+            return Ok(Placement::Kept { rank: index + 1, best: self.rows[index].score });
+        }
+        let old = old.map(|index| self.rows.remove(index));
+        let from = old.as_ref().map(|row| row.score);
+        let more = old.map(|row| row.more).unwrap_or_default();
+        let index = self.rows.partition_point(|row| row.score >= score);
+        self.rows.insert(index, Row { name: name.clone(), score, more });
+        let rank = index + 1;
+        Ok(from.map_or(Placement::New { rank }, |from| Placement::Raised { rank, from }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn name(text: &str) -> Name {
+        Name::new(text).unwrap()
+    }
+
+    fn board(rows: &[(&str, i64)]) -> Board {
+        Board::new(vec![], rows.iter().map(|&(text, score)| Row { name: name(text), score, more: vec![] }).collect::<Vec<_>>())
+    }
+
+    fn shown(board: &Board) -> Vec<(&str, i64)> {
+        board.rows().iter().map(|row| (row.name.as_str(), row.score)).collect()
+    }
+
+    #[test]
+    fn robert_and_jim_find_their_places() {
+        let mut board = board(&[("NewPlayer", 13087), ("James", 12933), ("Robert", 12754)]);
+        assert_eq!(board.place(&name("Robert"), 12954).unwrap(), Placement::Raised { rank: 2, from: 12754 });
+        assert_eq!(board.place(&name("Jim"), 13052).unwrap(), Placement::New { rank: 2 });
+        assert_eq!(shown(&board), [("NewPlayer", 13087), ("Jim", 13052), ("Robert", 12954), ("James", 12933)]);
+        assert_eq!(board.rank(&name("Robert")), Some(3));
+        assert_eq!(board.rank(&name("Nobody")), None);
+    }
+
+    #[test]
+    fn a_score_that_is_not_higher_changes_nothing() {
+        let mut board = board(&[("a", 20), ("b", 10)]);
+        let before = board.clone();
+        assert_eq!(board.place(&name("b"), 9).unwrap(), Placement::Kept { rank: 2, best: 10 });
+        assert_eq!(board.place(&name("b"), 10).unwrap(), Placement::Kept { rank: 2, best: 10 });
+        assert_eq!(board, before);
+    }
+
+    #[test]
+    fn equal_scores_keep_the_older_first() {
+        let mut board = board(&[("a", 20), ("b", 20), ("c", 10)]);
+        assert_eq!(board.place(&name("d"), 20).unwrap(), Placement::New { rank: 3 });
+        assert_eq!(board.place(&name("c"), 20).unwrap(), Placement::Raised { rank: 4, from: 10 }, "risen to what others had first");
+        assert_eq!(shown(&board), [("a", 20), ("b", 20), ("d", 20), ("c", 20)]);
+    }
+
+    #[test]
+    fn names_in_another_case_are_other_users() {
+        let mut board = board(&[("bob", 20)]);
+        assert_eq!(board.place(&name("Bob"), 10).unwrap(), Placement::New { rank: 2 });
+    }
+
+    #[test]
+    fn nothing_below_one_point_is_placed() {
+        let mut board = board(&[("a", 20)]);
+        for score in [0, -1, i64::MIN] {
+            assert!(matches!(board.place(&name("b"), score), Err(ScoresError::NoScore)));
+        }
+        assert_eq!(shown(&board), [("a", 20)]);
+        assert_eq!(board.place(&name("b"), 1).unwrap().rank(), 2);
+    }
+
+    #[test]
+    fn further_cells_stay_with_their_user() {
+        let mut board = board(&[("a", 20), ("b", 10)]);
+        board.rows[1].more = vec!["7b".to_owned()];
+        board.place(&name("b"), 30).unwrap();
+        assert_eq!(board.rows()[0], Row { name: name("b"), score: 30, more: vec!["7b".to_owned()] });
+    }
+}

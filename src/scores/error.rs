@@ -1,0 +1,83 @@
+//! What can go wrong with scores, each with its place and what was expected there.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A place in a scores file that could not be read as a row. Its text is
+/// `file:line: column "name": what was found, what is expected`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Damage {
+    /// The file.
+    pub path: PathBuf,
+    /// The line as an editor counts it, from 1.
+    pub line: usize,
+    /// The column, where one cell is to blame.
+    pub column: Option<&'static str>,
+    /// What stands there.
+    pub found: String,
+    /// What belongs there.
+    pub expected: String,
+}
+
+impl fmt::Display for Damage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: ", self.path.display(), self.line)?;
+        if let Some(column) = self.column {
+            write!(f, "column \"{column}\": ")?;
+        }
+        write!(f, "{}, {}", self.found, self.expected)
+    }
+}
+
+/// Why scores could not be read or saved. Whatever it was, the file on disk is as it was before.
+#[derive(Debug)]
+pub enum ScoresError {
+    /// A score below 1 cannot be saved.
+    NoScore,
+    /// The level's name cannot name a file.
+    LevelName(String),
+    /// The scores file is marked read-only: whoever did that wants it left alone.
+    ReadOnly(PathBuf),
+    /// The system refused something.
+    File {
+        /// What was attempted, as in "cannot …".
+        attempt: &'static str,
+        /// With which file or folder.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+}
+
+impl ScoresError {
+    /// For `map_err`: the system refused `attempt` with `path`.
+    pub(super) fn file(attempt: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
+        move |source| Self::File { attempt, path: path.to_owned(), source }
+    }
+}
+
+impl fmt::Display for ScoresError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoScore => write!(f, "a score of 0 cannot be saved, expected 1 or more"),
+            Self::LevelName(name) => {
+                write!(
+                    f,
+                    "the level's name {name:?} cannot name a scores file, expected a name without / \\ : and control characters"
+                )
+            }
+            Self::ReadOnly(path) => write!(f, "{}: the file is read-only, expected one that may be replaced", path.display()),
+            Self::File { attempt, path, source } => write!(f, "{}: cannot {attempt}: {source}", path.display()),
+        }
+    }
+}
+
+impl std::error::Error for ScoresError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::NoScore | Self::LevelName(_) | Self::ReadOnly(_) => None,
+            Self::File { source, .. } => Some(source),
+        }
+    }
+}

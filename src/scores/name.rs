@@ -1,0 +1,152 @@
+//! What a user may be called.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// The most characters that a name has.
+pub const NAME_MAX: usize = 15;
+/// The most characters that a text field for a name takes while one types; [`Name::new`] judges them on submit.
+pub const NAME_TYPING_MAX: usize = 40;
+
+/// A user name: 1 to [`NAME_MAX`] characters, the first one a letter, the others letters, digits, `-` or `_`.
+///
+/// Letters are those of ASCII: every font draws them, no two of them look alike in different encodings, and a spreadsheet can
+/// never take such a name for a formula. Names that differ in case are different users.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Name(String);
+
+/// Why a text is no user name. Its text is meant for the player.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NameError {
+    /// No character at all.
+    Empty,
+    /// More than [`NAME_MAX`] characters: so many.
+    TooLong(usize),
+    /// The first character is not a letter but this.
+    StartsWith(char),
+    /// This character is not allowed anywhere.
+    NotAllowed(char),
+}
+
+impl Name {
+    /// The name spelt exactly like `text`; spaces around it are not cut off.
+    ///
+    /// # Errors
+    /// The first rule that `text` breaks, in the order of [`NameError`].
+    pub fn new(text: &str) -> Result<Self, NameError> {
+        let length = text.chars().count();
+        let Some(first) = text.chars().next() else { return Err(NameError::Empty) };
+        if length > NAME_MAX {
+            return Err(NameError::TooLong(length));
+        }
+        if !first.is_ascii_alphabetic() {
+            return Err(NameError::StartsWith(first));
+        }
+        match text.chars().find(|&c| !(c.is_ascii_alphanumeric() || c == '-' || c == '_')) {
+            Some(other) => Err(NameError::NotAllowed(other)),
+            None => Ok(Self(text.to_owned())),
+        }
+    }
+
+    /// The name as text.
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+}
+
+impl FromStr for Name {
+    type Err = NameError;
+
+    fn from_str(text: &str) -> Result<Self, NameError> {
+        Self::new(text)
+    }
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&self.0)
+    }
+}
+
+impl fmt::Display for NameError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Empty => write!(f, "The name is empty: type 1 to {NAME_MAX} characters."),
+            Self::TooLong(length) => write!(f, "The name is too long: {length} characters, at most {NAME_MAX} are allowed."),
+            Self::StartsWith(first) => write!(f, "The name must start with a letter (a–z, A–Z), not with {}.", shown(*first)),
+            Self::NotAllowed(other) => {
+                write!(f, "The character {} is not allowed: use letters (a–z, A–Z), digits, - and _.", shown(*other))
+            }
+        }
+    }
+}
+
+impl std::error::Error for NameError {}
+
+/// A character between quotation marks, or its number where it cannot be seen.
+fn shown(character: char) -> String {
+    match character {
+        ' ' => "a space".to_owned(),
+        _ if character.is_control() || character.is_whitespace() => format!("U+{:04X}", u32::from(character)),
+        _ => format!("“{character}”"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_follow_the_rules_are_kept_as_typed() {
+        for text in ["bob445", "bobbillson", "bobby404-_", "a", "bbbbbbbbbbbbbbb", "c_c------------", "d1", "Zed"] {
+            assert_eq!(Name::new(text).as_ref().map(Name::as_str), Ok(text));
+        }
+    }
+
+    #[test]
+    fn each_broken_rule_is_told_apart() {
+        for (text, error) in [
+            ("", NameError::Empty),
+            ("---bob", NameError::StartsWith('-')),
+            ("1", NameError::StartsWith('1')),
+            ("1bob1", NameError::StartsWith('1')),
+            ("1234b", NameError::StartsWith('1')),
+            ("_bob", NameError::StartsWith('_')),
+            (" bob", NameError::StartsWith(' ')),
+            ("=bob", NameError::StartsWith('=')),
+            ("+bob", NameError::StartsWith('+')),
+            ("@bob", NameError::StartsWith('@')),
+            ("élan", NameError::StartsWith('é')),
+            ("abbbbbbbbbbbbbbc", NameError::TooLong(16)),
+            ("1bbbbbbbbbbbbbbc", NameError::TooLong(16)),
+            (&"a".repeat(NAME_TYPING_MAX), NameError::TooLong(40)),
+            ("bob ", NameError::NotAllowed(' ')),
+            ("bo,b", NameError::NotAllowed(',')),
+            ("bo\"b", NameError::NotAllowed('"')),
+            ("bo\nb", NameError::NotAllowed('\n')),
+            ("Zoë", NameError::NotAllowed('ë')),
+        ] {
+            assert_eq!(Name::new(text), Err(error), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn length_counts_characters_not_bytes() {
+        assert_eq!(Name::new("aééééééééééééé").unwrap_err(), NameError::NotAllowed('é'));
+        assert_eq!(Name::new("aééééééééééééééé").unwrap_err(), NameError::TooLong(16));
+    }
+
+    #[test]
+    fn each_refusal_has_its_own_message() {
+        for (text, message) in [
+            ("", "The name is empty: type 1 to 15 characters."),
+            ("abbbbbbbbbbbbbbc", "The name is too long: 16 characters, at most 15 are allowed."),
+            ("1bob1", "The name must start with a letter (a–z, A–Z), not with “1”."),
+            (" bob", "The name must start with a letter (a–z, A–Z), not with a space."),
+            ("bob!", "The character “!” is not allowed: use letters (a–z, A–Z), digits, - and _."),
+            ("bob\t", "The character U+0009 is not allowed: use letters (a–z, A–Z), digits, - and _."),
+        ] {
+            assert_eq!(Name::new(text).unwrap_err().to_string(), message);
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! The text of a scores file: `name,score` and whatever columns follow, to a [`Board`] and back.
+//!
+//! Reading accepts what people and spreadsheets make of such a file: no header, any order, blank lines, CRLF, a byte-order mark,
+//! spaces around a name or a score. What cannot be a row becomes a [`Damage`] and spoils none of the others.
+
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::io;
+use std::path::Path;
+
+use super::{Board, Damage, Name, Row};
+
+/// The columns that every scores file has.
+const COLUMNS: [&str; 2] = ["name", "score"];
+/// What some editors put in front of UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+
+/// The board that stands in `bytes`, and every place that could not be read. `path` is only named in those.
+pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<Damage>) {
+    let mut reading = Reading { path, more_columns: Vec::new(), rows: Vec::new(), lines: HashMap::new(), damage: Vec::new() };
+    let mut rest = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+    let (mut line, mut first) = (1, true);
+    while !rest.is_empty() {
+        let end = match record_end(rest) {
+            Some(end) => {
+                if !rest[..end].trim_ascii().is_empty() {
+                    reading.record(line, &rest[..end], first);
+                    first = false;
+                }
+                end
+            }
+            // Only its own line is given up, not all that follow it.
+            None => {
+                reading.damaged(
+                    line,
+                    None,
+                    "a quotation mark that is never closed",
+                    "expected a second one at the end of its cell",
+                );
+                first = false;
+                line_end(rest)
+            }
+        };
+        line += line_count(&rest[..end]);
+        rest = &rest[end..];
+    }
+    (Board::new(reading.more_columns, reading.rows), reading.damage)
+}
+
+/// The file's bytes for a board: always with a header, always sorted, lines ending in LF.
+///
+/// # Errors
+/// Those of the CSV writer, none of which writing to memory is known to cause.
+pub fn write(board: &Board) -> io::Result<Vec<u8>> {
+    let mut writer = csv::WriterBuilder::new().flexible(true).from_writer(Vec::new());
+    writer.write_record(COLUMNS.into_iter().chain(board.more_columns().iter().map(String::as_str)))?;
+    for row in board.rows() {
+        let score = row.score.to_string();
+        writer.write_record([row.name.as_str(), &score].into_iter().chain(row.more.iter().map(String::as_str)))?;
+    }
+    writer.into_inner().map_err(|error| error.into_error())
+}
+
+/// What has been understood so far.
+struct Reading<'a> {
+    path: &'a Path,
+    more_columns: Vec<String>,
+    rows: Vec<Row>,
+    /// Where in `rows` a name stands, and the line it came from.
+    lines: HashMap<Name, (usize, usize)>,
+    damage: Vec<Damage>,
+}
+
+impl Reading<'_> {
+    fn damaged(&mut self, line: usize, column: Option<&'static str>, found: impl Into<String>, expected: impl Into<String>) {
+        self.damage.push(Damage { path: self.path.to_owned(), line, column, found: found.into(), expected: expected.into() });
+    }
+
+    /// Takes in one record, which starts at `line`; the `first` one may be the header.
+    fn record(&mut self, line: usize, bytes: &[u8], first: bool) {
+        let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes);
+        let cells = match reader.records().next() {
+            Some(Ok(record)) => record.iter().map(str::to_owned).collect::<Vec<_>>(),
+            Some(Err(_)) | None => return self.damaged(line, None, "bytes that are no text", "expected UTF-8"),
+        };
+        let [name, score, more @ ..] = cells.as_slice() else {
+            return self.damaged(line, None, "1 cell", "expected at least 2: name,score");
+        };
+        let (name, score) = (name.trim(), score.trim());
+        // Both are looked at: a user may be called "name".
+        if first && name.eq_ignore_ascii_case(COLUMNS[0]) && score.eq_ignore_ascii_case(COLUMNS[1]) {
+            self.more_columns = more.to_vec();
+            return;
+        }
+        let valid_name = Name::new(name)
+            .map_err(|error| self.damaged(line, Some("name"), format!("{name:?}"), format!("expected a user name: {error}")));
+        let valid_score = points(score).ok_or_else(|| {
+            self.damaged(line, Some("score"), format!("{score:?}"), "expected a whole number of 1 or more, digits only")
+        });
+        if let (Ok(name), Ok(score)) = (valid_name, valid_score) {
+            self.row(line, Row { name, score, more: more.to_vec() });
+        }
+    }
+
+    /// Adds a row, or keeps the better one of two with the same name.
+    fn row(&mut self, line: usize, row: Row) {
+        match self.lines.entry(row.name.clone()) {
+            Entry::Vacant(place) => {
+                place.insert((self.rows.len(), line));
+                self.rows.push(row);
+            }
+            Entry::Occupied(place) => {
+                let (index, earlier) = *place.get();
+                let found = format!("\"{}\" again, after line {earlier}", row.name);
+                if row.score > self.rows[index].score {
+                    self.rows[index] = row;
+                }
+                self.damaged(line, Some("name"), found, "expected one row a user: the higher score counts");
+            }
+        }
+    }
+}
+
+/// A score cell: digits only, of a value from 1 on; `None` for anything else.
+fn points(cell: &str) -> Option<i64> {
+    let digits = !cell.is_empty() && cell.bytes().all(|byte| byte.is_ascii_digit());
+    cell.parse().ok().filter(|&score: &i64| digits && score >= 1)
+}
+
+/// Where the first record of `bytes` ends, its line end included; `None` when a quotation mark in it is never closed.
+///
+/// This, and not the CSV reader's position, keeps the line numbers right and one stray quotation mark from swallowing all rows
+/// that follow it.
+fn record_end(bytes: &[u8]) -> Option<usize> {
+    let (mut quoted, mut may_open) = (false, true);
+    let mut index = 0;
+    while index < bytes.len() {
+        match bytes[index] {
+            b'"' if quoted => (quoted, may_open) = (false, true), // one right behind it opens again: a doubled mark is one mark
+            b'"' if may_open => quoted = true,
+            b'\r' | b'\n' if !quoted => return Some(index + line_end(&bytes[index..])),
+            byte => may_open = byte == b',',
+        }
+        index += 1;
+    }
+    (!quoted).then_some(bytes.len())
+}
+
+/// The length of the first line of `bytes` with its end: LF, CRLF or a CR alone.
+fn line_end(bytes: &[u8]) -> usize {
+    match bytes.iter().position(|&byte| byte == b'\r' || byte == b'\n') {
+        Some(index) if bytes[index..].starts_with(b"\r\n") => index + 2,
+        Some(index) => index + 1,
+        None => bytes.len(),
+    }
+}
+
+/// How many lines `bytes` holds.
+fn line_count(mut bytes: &[u8]) -> usize {
+    let mut count = 0;
+    while !bytes.is_empty() {
+        bytes = &bytes[line_end(bytes)..];
+        count += 1;
+    }
+    count
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The rows as `name,score,more…` and the damage as text.
+    fn reading(bytes: impl AsRef<[u8]>) -> (Vec<String>, Vec<String>) {
+        let (board, damage) = read(Path::new("1.csv"), bytes.as_ref());
+        let rows = board.rows().iter().map(|row| {
+            let more: String = row.more.iter().map(|cell| format!(",{cell}")).collect();
+            format!("{},{}{more}", row.name, row.score)
+        });
+        (rows.collect(), damage.iter().map(Damage::to_string).collect())
+    }
+
+    fn sound(bytes: impl AsRef<[u8]>) -> Vec<String> {
+        let (rows, damage) = reading(bytes);
+        assert_eq!(damage, [""; 0]);
+        rows
+    }
+
+    #[test]
+    fn a_header_is_read_and_may_be_missing() {
+        assert_eq!(sound("name,score\nann,30\nbob,20\n"), ["ann,30", "bob,20"]);
+        assert_eq!(sound("Name, Score\nann,30\n"), ["ann,30"]);
+        assert_eq!(sound("ann,30\nbob,20\n"), ["ann,30", "bob,20"]);
+        assert_eq!(sound("name,30\nbob,20\n"), ["name,30", "bob,20"], "a user may be called name");
+        assert_eq!(sound(""), [""; 0]);
+        assert_eq!(sound("name,score\n"), [""; 0]);
+    }
+
+    #[test]
+    fn what_editors_do_to_a_file_is_no_damage() {
+        assert_eq!(sound("\u{feff}name,score\r\nann,30\r\n\r\nbob,20"), ["ann,30", "bob,20"]);
+        assert_eq!(sound("\n  \n ann , 30 \n\"bob\",\"20\"\n\n"), ["ann,30", "bob,20"]);
+        assert_eq!(sound("ann,30\rbob,20\r"), ["ann,30", "bob,20"]);
+        assert_eq!(sound("bob,20\nann,30\ncid,20\n"), ["ann,30", "bob,20", "cid,20"], "sorted, equal ones as they stand");
+    }
+
+    #[test]
+    fn further_columns_come_back_byte_for_byte() {
+        let text = "name,score,class,note\nann,30,7b,\"said \"\"hi\"\",\nthen left\"\nbob,20\ncid,10, 7a ,,5\" tall\n";
+        let (board, damage) = read(Path::new("1.csv"), text.as_bytes());
+        assert_eq!(damage, []);
+        assert_eq!(board.more_columns(), ["class", "note"]);
+        assert_eq!(board.rows()[0].more, ["7b", "said \"hi\",\nthen left"]);
+        assert_eq!(board.rows()[2].more, [" 7a ", "", "5\" tall"]);
+        let written = write(&board).unwrap();
+        assert_eq!(read(Path::new("1.csv"), &written).0, board);
+        assert_eq!(
+            String::from_utf8(written).unwrap(),
+            "name,score,class,note\nann,30,7b,\"said \"\"hi\"\",\nthen left\"\nbob,20\ncid,10, 7a ,,\"5\"\" tall\"\n"
+        );
+    }
+
+    #[test]
+    fn a_damaged_row_is_reported_with_its_place_and_spoils_no_other() {
+        for (line, report) in [
+            ("bob", "1.csv:3: 1 cell, expected at least 2: name,score"),
+            ("bob,", "1.csv:3: column \"score\": \"\", expected a whole number of 1 or more, digits only"),
+            ("bob,0", "1.csv:3: column \"score\": \"0\", expected a whole number of 1 or more, digits only"),
+            ("bob,-5", "1.csv:3: column \"score\": \"-5\", expected a whole number of 1 or more, digits only"),
+            ("bob,+5", "1.csv:3: column \"score\": \"+5\", expected a whole number of 1 or more, digits only"),
+            ("bob,12.5", "1.csv:3: column \"score\": \"12.5\", expected a whole number of 1 or more, digits only"),
+            ("bob,nan", "1.csv:3: column \"score\": \"nan\", expected a whole number of 1 or more, digits only"),
+            (
+                "bob,9223372036854775808",
+                "1.csv:3: column \"score\": \"9223372036854775808\", expected a whole number of 1 or more, digits only",
+            ),
+            (
+                "1bob,5",
+                "1.csv:3: column \"name\": \"1bob\", expected a user name: The name must start with a letter (a–z, A–Z), not with “1”.",
+            ),
+            (",5", "1.csv:3: column \"name\": \"\", expected a user name: The name is empty: type 1 to 15 characters."),
+            ("ann,5", "1.csv:3: column \"name\": \"ann\" again, after line 2, expected one row a user: the higher score counts"),
+            ("\"bob,5", "1.csv:3: a quotation mark that is never closed, expected a second one at the end of its cell"),
+            ("bob,5,\"x", "1.csv:3: a quotation mark that is never closed, expected a second one at the end of its cell"),
+        ] {
+            let (rows, damage) = reading(format!("name,score\nann,30\n{line}\ncid,20\n"));
+            assert_eq!(damage, [report], "{line}");
+            assert_eq!(rows, ["ann,30", "cid,20"], "{line}");
+        }
+    }
+
+    #[test]
+    fn cells_that_a_spreadsheet_would_run_are_no_names() {
+        for cell in ["=1+1", "+bob", "-bob", "@bob"] {
+            let (rows, damage) = reading(format!("{cell},10\nann,5\n"));
+            assert_eq!((rows.len(), damage.len()), (1, 1), "{cell}");
+        }
+    }
+
+    #[test]
+    fn both_cells_of_a_row_can_be_damaged() {
+        let (rows, damage) = reading("# hello, world\n");
+        assert_eq!((rows.len(), damage.len()), (0, 2));
+    }
+
+    #[test]
+    fn the_better_one_of_two_rows_with_one_name_counts() {
+        let (rows, damage) = reading("ann,10\nbob,20\nann,30\n");
+        assert_eq!(rows, ["ann,30", "bob,20"]);
+        assert_eq!(damage.len(), 1);
+    }
+
+    #[test]
+    fn bytes_that_are_no_text_spoil_their_own_line_only() {
+        let (rows, damage) = reading(b"ann,30\nb\xFFb,20\ncid,10\n\0\0\0\0");
+        assert_eq!(rows, ["ann,30", "cid,10"]);
+        assert_eq!(damage, ["1.csv:2: bytes that are no text, expected UTF-8", "1.csv:4: 1 cell, expected at least 2: name,score"]);
+    }
+
+    #[test]
+    fn lines_are_counted_as_an_editor_counts_them() {
+        let (_, damage) = reading("\u{feff}name,score\r\n\r\nann,30,\"two\r\nlines\"\r\n\r\nbad\r\n");
+        assert_eq!(damage, ["1.csv:6: 1 cell, expected at least 2: name,score"]);
+    }
+}

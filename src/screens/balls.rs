@@ -1,0 +1,168 @@
+//! The menu's balls: the game's own engine under weak gravity, without air, on steel.
+
+use super::Input;
+use crate::game::{Clock, TICK_RATE};
+use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
+use crate::view::layout::{Area, Frame, Vec2};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg32;
+
+/// Canvas units a metre.
+const METRE: f32 = 30.0;
+/// N/kg.
+const GRAVITY: f64 = 2.0;
+/// Half a ball's width, m.
+const RADIUS: f64 = 0.45;
+/// kg.
+const MASS: f64 = 10.0;
+/// Coefficient of restitution: lively, yet coming to rest.
+const BOUNCE: f64 = 0.8;
+/// The fastest a ball starts along each axis, m/s.
+const FASTEST: f64 = 8.0;
+/// The most balls; the oldest makes room. More would cover the menu.
+const MOST: usize = 24;
+/// How far around the pointer a free place is looked for, in ball widths.
+const SEARCH: i32 = 6;
+
+/// The balls and what they bounce off.
+#[derive(Debug)]
+pub struct Balls {
+    /// `None` until the first frame has told what there is.
+    world: Option<World>,
+    obstacles: Vec<Area>,
+    frame: Frame,
+    clock: Clock,
+    random: Pcg32,
+}
+
+impl Balls {
+    /// No balls yet.
+    pub fn new(seed: u64) -> Self {
+        Self {
+            world: None,
+            obstacles: Vec::new(),
+            frame: Frame::default(),
+            clock: Clock::new(TICK_RATE),
+            random: Pcg32::seed_from_u64(seed),
+        }
+    }
+
+    /// One frame; a right click drops a ball.
+    pub fn update(&mut self, input: &Input, obstacles: &[Area]) {
+        if self.world.is_none() || self.frame.size != input.frame.size || self.obstacles != obstacles {
+            self.frame = input.frame;
+            self.obstacles = obstacles.to_vec();
+            self.rebuild(0);
+        }
+        if input.right_click {
+            if self.count() >= MOST {
+                self.rebuild(1);
+            }
+            let velocity = DVec2::new(self.random.random_range(-FASTEST..FASTEST), self.random.random_range(-FASTEST..FASTEST));
+            self.add(metres(input.pointer), velocity);
+        }
+        self.clock.add(input.frame_time);
+        while self.clock.tick() {
+            if let Some(world) = &mut self.world {
+                world.step(1.0 / TICK_RATE);
+            }
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.world.as_ref().map_or(0, |world| world.bodies().len())
+    }
+
+    /// Their boxes on the canvas, between the last two ticks.
+    pub fn areas(&self) -> impl Iterator<Item = Area> + '_ {
+        let alpha = self.clock.alpha();
+        self.world.iter().flat_map(move |world| {
+            world.bodies().iter().enumerate().map(move |(i, body)| {
+                let before = world.previous_position(BodyId(i as u32));
+                let centre = before.lerp(body.position, alpha) * f64::from(METRE);
+                Area::around(centre.as_vec2(), Vec2::splat(2.0 * RADIUS as f32 * METRE))
+            })
+        })
+    }
+
+    /// A world of the window as it is now, with all balls but the `without` oldest ones.
+    fn rebuild(&mut self, without: usize) {
+        let kept: Vec<_> = self.world.iter().flat_map(|w| w.bodies()).skip(without).map(|b| (b.position, b.velocity)).collect();
+        let solid = |area: &Area| SurfaceDef { bounds: in_metres(area), material: Material::STEEL };
+        let def = WorldDef {
+            gravity: GRAVITY,
+            air_density: 0.0,
+            bounds: Some(in_metres(&self.frame.area())),
+            surfaces: self.obstacles.iter().map(solid).collect(),
+            ..WorldDef::default()
+        };
+        // The numbers are the program's own and in range; should the engine refuse them, the menu has no balls.
+        self.world = World::new(def).ok();
+        for (position, velocity) in kept {
+            self.add(position, velocity);
+        }
+    }
+
+    fn add(&mut self, at: DVec2, velocity: DVec2) {
+        let Some(position) = self.free_place(at) else { return };
+        let def = BodyDef {
+            position,
+            velocity,
+            half: DVec2::splat(RADIUS),
+            mass: MASS,
+            drag: 0.0,
+            restitution: BOUNCE,
+            material: Material::STEEL,
+            feels_air: false,
+        };
+        if let Some(world) = &mut self.world {
+            // As above: a refusal costs a ball.
+            let _ = world.add_body(def);
+        }
+    }
+
+    /// The free place nearest to a point, as far as one is near.
+    fn free_place(&self, at: DVec2) -> Option<DVec2> {
+        let world = self.world.as_ref()?;
+        let room = in_metres(&self.frame.area());
+        let half = DVec2::splat(RADIUS);
+        let free = |place: &DVec2| {
+            let ball = Aabb::around(*place, half);
+            room.contains(&ball, 0.0)
+                && !self.obstacles.iter().any(|area| ball.overlaps(&in_metres(area), 0.0))
+                && !world.bodies().iter().any(|body| ball.overlaps(&Aabb::around(body.position, body.half), 0.0))
+        };
+        let at = at.clamp(room.min + half, room.max - half);
+        let around = (-SEARCH..=SEARCH).flat_map(|y| (-SEARCH..=SEARCH).map(move |x| DVec2::new(f64::from(x), f64::from(y))));
+        let places = around.map(|step| at + step * RADIUS).filter(free);
+        places.min_by(|a, b| a.distance_squared(at).total_cmp(&b.distance_squared(at)))
+    }
+}
+
+fn metres(point: Vec2) -> DVec2 {
+    (point / METRE).as_dvec2()
+}
+
+fn in_metres(area: &Area) -> Aabb {
+    Aabb::new(metres(area.min), metres(area.max()))
+}
+
+#[cfg(feature = "window")]
+mod drawing {
+    use super::Balls;
+    use crate::view::canvas::Canvas;
+    use crate::view::layout::Vec2;
+    use crate::view::theme;
+
+    impl Balls {
+        /// Draws the balls.
+        pub fn draw(&self, canvas: &Canvas) {
+            for (i, area) in self.areas().enumerate() {
+                let (centre, radius) = (area.centre(), area.size.x / 2.0);
+                let colour = [theme::PLAYER_OBJECTIVE, theme::PHYSICS_OBJECTIVE, theme::GOOD, theme::ACCENT][i % 4];
+                canvas.disc(centre, radius, colour);
+                canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::faded(theme::TEXT, 0.7));
+            }
+        }
+    }
+}

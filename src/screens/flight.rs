@@ -1,0 +1,194 @@
+//! The game screen: one attempt at a level, its keys and its pause panel.
+
+use super::{Buttons, Input, Key, Purpose, Request};
+use crate::game::{Clock, Controls, Game, GameError, Inputs, Latch, Outcome, Playback};
+use crate::level::Level;
+use std::sync::Arc;
+
+/// From the end of an attempt to its score, s: long enough to see what happened.
+const END_PAUSE: f64 = 0.9;
+/// The words on the pause panel's buttons, from top to bottom.
+pub const PAUSE_LABELS: [&str; 4] = ["Resume", "Restart", "Level Select", "Main Menu"];
+
+/// What is flown: a level, and the inputs that replace the keys, if any.
+#[derive(Clone, Debug)]
+pub struct Attempt {
+    /// The level.
+    pub level: Arc<Level>,
+    /// Recorded inputs, played from the first tick on.
+    pub inputs: Option<Arc<Inputs>>,
+}
+
+/// Whoever watches attempts tick by tick: particles, sound, the cost of a tick. It changes nothing in them.
+pub trait Spectator {
+    /// An attempt begins.
+    fn begins(&mut self, _game: &Game) {}
+    /// A tick is about to be computed.
+    fn before_tick(&mut self) {}
+    /// A tick has been computed; its events are in the game.
+    fn after_tick(&mut self, _game: &Game) {}
+}
+
+impl Spectator for () {}
+
+/// One attempt at a level.
+#[derive(Debug)]
+pub struct Flight {
+    attempt: Attempt,
+    game: Game,
+    clock: Clock,
+    latch: Latch,
+    /// What is left of the recorded inputs.
+    playback: Option<Playback>,
+    /// The pause panel, while it is open.
+    pause: Option<Buttons>,
+    /// Since the attempt has ended, s.
+    ended: f64,
+    details: bool,
+    hitboxes: bool,
+}
+
+impl Flight {
+    /// The level at its start.
+    ///
+    /// # Errors
+    /// The level makes no world.
+    pub fn new(attempt: Attempt, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
+        let game = Game::new(attempt.level.clone())?;
+        spectator.begins(&game);
+        Ok(Self {
+            clock: Clock::new(game.tick_rate()),
+            latch: Latch::default(),
+            playback: attempt.inputs.as_deref().map(|inputs| inputs.clone().into_iter()),
+            pause: None,
+            ended: 0.0,
+            details: false,
+            hitboxes: false,
+            attempt,
+            game,
+        })
+    }
+
+    /// One frame.
+    pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+        if self.pause.is_some() {
+            return self.update_pause(input, spectator);
+        }
+        if input.pressed(Key::R) {
+            return self.restart(spectator);
+        }
+        self.details ^= input.pressed(Key::Tab);
+        self.hitboxes ^= input.pressed(Key::F3);
+        if self.game.outcome() != Outcome::Running {
+            return self.wait_for_score(input);
+        }
+        if input.pressed(Key::Escape) {
+            self.latch.clear();
+            self.pause = Some(Buttons::default());
+            return None;
+        }
+        self.latch.frame(controls(|key| input.held(key)), controls(|key| input.pressed(key)));
+        self.clock.add(input.frame_time);
+        while self.game.outcome() == Outcome::Running && self.clock.tick() {
+            let controls = match &mut self.playback {
+                Some(playback) => playback.next().unwrap_or_default(),
+                None => self.latch.take(),
+            };
+            spectator.before_tick();
+            self.game.step(controls);
+            spectator.after_tick(&self.game);
+        }
+        None
+    }
+
+    /// The game as it stands.
+    pub fn game(&self) -> &Game {
+        &self.game
+    }
+
+    /// Where between the last two ticks to draw, 0 … 1.
+    pub fn alpha(&self) -> f64 {
+        self.clock.alpha()
+    }
+
+    /// The pause panel's buttons, while it is open: Resume, Restart, Level Select, Main Menu.
+    pub fn pause(&self) -> Option<&Buttons> {
+        self.pause.as_ref()
+    }
+
+    /// Whether forces are shown.
+    pub fn details(&self) -> bool {
+        self.details
+    }
+
+    /// Whether hitboxes and costs are shown.
+    pub fn hitboxes(&self) -> bool {
+        self.hitboxes
+    }
+
+    fn update_pause(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+        let pause = self.pause.as_mut()?;
+        pause.place(input.frame.column(PAUSE_LABELS.len(), input.frame.size.y / 2.0 - 88.0));
+        // What the overlays show stays right while paused, so they can be switched.
+        self.details ^= input.pressed(Key::Tab);
+        self.hitboxes ^= input.pressed(Key::F3);
+        if input.pressed(Key::Escape) {
+            self.pause = None;
+            return None;
+        }
+        match pause.update(input)? {
+            0 => self.pause = None,
+            1 => return self.restart(spectator),
+            2 => return Some(Request::LevelSelect(Purpose::Play)),
+            _ => return Some(Request::Menu),
+        }
+        None
+    }
+
+    /// The attempt has ended: its score comes after a while, or at once on Esc or Enter.
+    fn wait_for_score(&mut self, input: &Input) -> Option<Request> {
+        self.ended += input.frame_time;
+        let over = self.ended >= END_PAUSE || input.pressed(Key::Escape) || input.pressed(Key::Enter);
+        over.then(|| Request::Score(self.attempt.clone(), self.game.result()))
+    }
+
+    /// Begins anew, with the overlays as they are.
+    fn restart(&mut self, spectator: &mut dyn Spectator) -> Option<Request> {
+        match Self::new(self.attempt.clone(), spectator) {
+            Ok(fresh) => {
+                *self = Self { details: self.details, hitboxes: self.hitboxes, ..fresh };
+                None
+            }
+            // A level that made a world once makes it again; should it not, the app says why.
+            Err(_) => Some(Request::Attempt(self.attempt.clone())),
+        }
+    }
+}
+
+fn controls(is: impl Fn(Key) -> bool) -> Controls {
+    Controls { thrust: is(Key::Space), reverse: is(Key::Shift), left: is(Key::Left), right: is(Key::Right) }
+}
+
+#[cfg(feature = "window")]
+mod drawing {
+    use super::{Flight, PAUSE_LABELS};
+    use crate::view::canvas::Canvas;
+    use crate::view::layout::{Area, GAP, HEADING, PADDING, Vec2, WIDE_BUTTON};
+    use crate::view::widgets;
+
+    impl Flight {
+        /// Draws the pause panel, where it is open, above the game.
+        pub fn draw_pause(&self, canvas: &Canvas) {
+            let Some(pause) = &self.pause else { return };
+            widgets::curtain(canvas, 0.45);
+            let middle = canvas.size() / 2.0;
+            let height = PAUSE_LABELS.len() as f32 * (WIDE_BUTTON.y + GAP) + HEADING + 4.0 * PADDING;
+            let panel = Area::around(middle, Vec2::new(WIDE_BUTTON.x + 4.0 * PADDING, height));
+            widgets::panel(canvas, panel);
+            widgets::heading(canvas, "Paused", panel.min.y + PADDING + HEADING * 0.8);
+            for (i, area) in pause.areas().iter().enumerate() {
+                widgets::button(canvas, *area, PAUSE_LABELS[i], pause.hover() == Some(i), pause.focus() == i);
+            }
+        }
+    }
+}

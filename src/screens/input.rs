@@ -1,0 +1,202 @@
+//! What the player did in one frame, in canvas units and without a window.
+
+use crate::view::layout::{Frame, Vec2};
+
+/// A key that some screen understands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Key {
+    /// ↑
+    Up,
+    /// ↓
+    Down,
+    /// ←
+    Left,
+    /// →
+    Right,
+    /// Enter, also that of the number pad.
+    Enter,
+    /// Esc
+    Escape,
+    /// The space bar.
+    Space,
+    /// The left Shift key.
+    Shift,
+    /// Tab
+    Tab,
+    /// F3
+    F3,
+    /// R
+    R,
+    /// A
+    A,
+    /// D
+    D,
+    /// W
+    W,
+    /// Page up
+    PageUp,
+    /// Page down
+    PageDown,
+    /// Home
+    Home,
+    /// End
+    End,
+    /// Backspace
+    Backspace,
+    /// Delete
+    Delete,
+}
+
+/// A set of keys.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Keys(u32);
+
+impl Keys {
+    /// Whether the key is in it.
+    pub fn has(self, key: Key) -> bool {
+        self.0 & (1 << key as u32) != 0
+    }
+
+    /// Adds a key.
+    pub fn add(&mut self, key: Key) {
+        self.0 |= 1 << key as u32;
+    }
+}
+
+impl std::ops::BitOr for Keys {
+    type Output = Self;
+
+    /// All keys of both.
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+impl FromIterator<Key> for Keys {
+    fn from_iter<T: IntoIterator<Item = Key>>(keys: T) -> Self {
+        let mut set = Self::default();
+        keys.into_iter().for_each(|key| set.add(key));
+        set
+    }
+}
+
+/// What the player did since the last frame, and what is held down now.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Input {
+    /// The canvas as it is laid out now.
+    pub frame: Frame,
+    /// Since the last frame, s.
+    pub frame_time: f64,
+    /// Where the pointer is.
+    pub pointer: Vec2,
+    /// The left button went down.
+    pub click: bool,
+    /// The left button is down.
+    pub holding: bool,
+    /// The right button went down.
+    pub right_click: bool,
+    /// Notches of the wheel, positive away from the player (up).
+    pub wheel: f32,
+    /// Keys that went down, also those that are up again by now.
+    pub pressed: Keys,
+    /// Keys that are down.
+    pub held: Keys,
+    /// Characters that were typed, in order.
+    pub typed: String,
+}
+
+impl Input {
+    /// Whether the key went down: true in one frame for one press.
+    pub fn pressed(&self, key: Key) -> bool {
+        self.pressed.has(key)
+    }
+
+    /// The same moment once everything new in it has been taken: no time has passed and nothing was pressed, turned or typed.
+    pub fn without_edges(&self) -> Self {
+        Self { frame: self.frame, pointer: self.pointer, holding: self.holding, held: self.held, ..Self::default() }
+    }
+
+    /// Whether the key is down.
+    pub fn held(&self, key: Key) -> bool {
+        self.held.has(key)
+    }
+}
+
+/// Keeps what was pressed until a tick has taken it: a press shorter than a frame is not lost in a frame without a tick, and is not
+/// repeated in a frame with two.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct KeyLatch {
+    held: Keys,
+    pressed: Keys,
+}
+
+impl KeyLatch {
+    /// Takes note of a frame.
+    pub fn frame(&mut self, input: &Input) {
+        self.held = input.held;
+        self.pressed = self.pressed | input.pressed;
+    }
+
+    /// The keys of the next tick.
+    pub fn take(&mut self) -> Keys {
+        self.held | std::mem::take(&mut self.pressed)
+    }
+}
+
+/// How long a key is held before it repeats, s.
+const REPEAT_AFTER: f64 = 0.4;
+/// From one repetition to the next, s.
+const REPEAT_EVERY: f64 = 0.05;
+
+/// Repeats keys that are held, for moving through text and lists. Buttons never repeat.
+#[derive(Clone, Debug, Default)]
+pub struct Repeat {
+    key: Option<Key>,
+    /// Until the next repetition, s.
+    wait: f64,
+}
+
+impl Repeat {
+    /// How often each of `keys` acts in this frame; call it once a frame, with all keys of one screen.
+    pub fn strokes(&mut self, input: &Input, keys: &[Key]) -> Vec<Key> {
+        let mut strokes: Vec<Key> = keys.iter().copied().filter(|key| input.pressed(*key)).collect();
+        if let Some(last) = strokes.last() {
+            *self = Self { key: Some(*last), wait: REPEAT_AFTER };
+        } else if let Some(key) = self.key.filter(|key| input.held(*key)) {
+            self.wait -= input.frame_time;
+            if self.wait <= 0.0 {
+                // At most one a frame: a hitch must not run to the end of the list.
+                self.wait = REPEAT_EVERY;
+                strokes.push(key);
+            }
+        } else {
+            self.key = None;
+        }
+        strokes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn frame(pressed: &[Key], held: &[Key]) -> Input {
+        Input {
+            frame_time: 0.11,
+            pressed: pressed.iter().copied().collect(),
+            held: held.iter().copied().collect(),
+            ..Input::default()
+        }
+    }
+
+    #[test]
+    fn a_held_key_repeats_after_a_while_and_stops_when_released() {
+        let mut repeat = Repeat::default();
+        assert_eq!(repeat.strokes(&frame(&[Key::Down], &[Key::Down]), &[Key::Down]), [Key::Down]);
+        let strokes = (0..6).map(|_| repeat.strokes(&frame(&[], &[Key::Down]), &[Key::Down]).len()).collect::<Vec<_>>();
+        assert_eq!(strokes, [0, 0, 0, 1, 1, 1]);
+        assert!(repeat.strokes(&frame(&[], &[]), &[Key::Down]).is_empty());
+        assert!(repeat.strokes(&frame(&[], &[Key::Down]), &[Key::Down]).is_empty(), "held from before is no press");
+    }
+}

@@ -1,0 +1,61 @@
+//! The levels on disk, as the screens list them, and the tile run's map and commands.
+
+use crate::classics::tile_run::{Command, InputError, Map};
+use crate::level::{self, Level};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Where the tile run's `map.txt` and `commands.txt` are, from the project's root.
+const TILE_RUN: &str = "assets/tile_run";
+
+/// Why a level cannot be played: a line a problem.
+pub type Refusal = Vec<String>;
+
+/// The folder of levels and the folder that their image paths start from.
+#[derive(Clone, Debug)]
+pub struct Library {
+    root: PathBuf,
+    levels: PathBuf,
+}
+
+impl Library {
+    /// The levels in `levels`, with images under `root`.
+    pub fn new(root: impl Into<PathBuf>, levels: impl Into<PathBuf>) -> Self {
+        Self { root: root.into(), levels: levels.into() }
+    }
+
+    /// The names of all levels, those named by a number first and in numeric order. A folder that cannot be read holds none.
+    pub fn names(&self) -> Vec<String> {
+        level::list(&self.levels)
+    }
+
+    /// The level after that one in the list.
+    pub fn after(&self, name: &str) -> Option<String> {
+        self.names().into_iter().skip_while(|other| other != name).nth(1)
+    }
+
+    /// Reads a level.
+    ///
+    /// # Errors
+    /// All its problems, a line each.
+    pub fn load(&self, name: &str) -> Result<Arc<Level>, Refusal> {
+        match level::load(&self.levels.join(name), &self.root) {
+            Ok(loaded) => Ok(Arc::new(loaded.level)),
+            Err(problems) => Err(problems.iter().map(ToString::to_string).collect()),
+        }
+    }
+
+    /// The map of the tile run and the commands to watch, from the folder of [`TILE_RUN`].
+    ///
+    /// # Errors
+    /// The first problem, with file and line.
+    pub fn tile_run(&self) -> Result<(Map, Vec<Command>), String> {
+        let folder = self.root.join(TILE_RUN);
+        Ok((read(folder.join("map.txt"), Map::parse)?, read(folder.join("commands.txt"), Command::parse_all)?))
+    }
+}
+
+fn read<T>(path: PathBuf, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, String> {
+    let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    parse(&text).map_err(|error| format!("{}:{error}", path.display()))
+}

@@ -1,0 +1,274 @@
+//! What an attempt came to, part by part.
+
+use super::{Attempt, Buttons, Gain, Input, Key, Request};
+use crate::game::{Outcome, RunResult};
+use crate::view::layout::ROW_BUTTON;
+
+/// What a part did to the score.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// It helped.
+    Helped,
+    /// It cost.
+    Cost,
+    /// It changed nothing.
+    Nothing,
+}
+
+impl Effect {
+    fn of(points: i64) -> Self {
+        match points {
+            1.. => Self::Helped,
+            0 => Self::Nothing,
+            _ => Self::Cost,
+        }
+    }
+}
+
+/// A line of the score.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// What it is.
+    pub label: &'static str,
+    /// What was reached.
+    pub value: String,
+    /// What it is measured against, if anything.
+    pub beside: String,
+    /// Points, with their sign.
+    pub points: String,
+    /// What it did.
+    pub effect: Effect,
+}
+
+/// A button of this screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Press {
+    /// The level again.
+    Replay,
+    /// The level after it.
+    NextLevel,
+    /// A name for the score.
+    SaveScore,
+    /// The main menu.
+    MainMenu,
+}
+
+impl Press {
+    /// The words on it.
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Replay => "Replay",
+            Self::NextLevel => "Next Level",
+            Self::SaveScore => "Save Score",
+            Self::MainMenu => "Main Menu",
+        }
+    }
+}
+
+/// The scoring screen.
+#[derive(Debug)]
+pub struct Scoring {
+    attempt: Attempt,
+    result: RunResult,
+    /// The name of the level after this one.
+    next: Option<String>,
+    presses: Vec<Press>,
+    buttons: Buttons,
+}
+
+impl Scoring {
+    /// The screen for that result; `next` is the level after this one.
+    pub fn new(attempt: Attempt, result: RunResult, next: Option<String>) -> Self {
+        let mut presses = vec![Press::Replay];
+        if next.is_some() {
+            presses.push(Press::NextLevel);
+        }
+        if result.score.total > 0 {
+            presses.push(Press::SaveScore);
+        }
+        presses.push(Press::MainMenu);
+        Self { attempt, result, next, presses, buttons: Buttons::default() }
+    }
+
+    /// One frame.
+    pub fn update(&mut self, input: &Input) -> Option<Request> {
+        self.buttons.place(input.frame.row(self.presses.len(), input.frame.size.y - ROW_BUTTON.y - 40.0));
+        if input.pressed(Key::Escape) {
+            return Some(Request::Menu);
+        }
+        Some(match self.presses[self.buttons.update(input)?] {
+            Press::Replay => Request::Attempt(self.attempt.clone()),
+            Press::NextLevel => Request::Play(self.next.clone()?),
+            Press::SaveScore => Request::SaveScore(Gain {
+                board: self.result.level.clone(),
+                points: self.result.score.total,
+                back: Box::new(Request::Score(self.attempt.clone(), self.result.clone())),
+            }),
+            Press::MainMenu => Request::Menu,
+        })
+    }
+
+    /// What the attempt came to.
+    pub fn result(&self) -> &RunResult {
+        &self.result
+    }
+
+    /// The buttons that there are, in order.
+    pub fn presses(&self) -> &[Press] {
+        &self.presses
+    }
+
+    /// Where they are.
+    pub fn buttons(&self) -> &Buttons {
+        &self.buttons
+    }
+
+    /// The parts of the score, a line each.
+    pub fn parts(&self) -> Vec<Part> {
+        let (result, score) = (&self.result, &self.result.score);
+        let all_met = result.outcome == Outcome::Completed;
+        let part = |label, value, beside, points, effect| Part { label, value, beside, points: signed(points), effect };
+        vec![
+            part(
+                "Objectives met",
+                format!("{}/{}", result.objectives_met, result.objectives_all),
+                String::new(),
+                score.base,
+                if all_met { Effect::of(score.base) } else { Effect::Cost },
+            ),
+            part(
+                "Time",
+                minutes(result.time),
+                format!("optimal {}", minutes(result.optimal_time)),
+                score.time,
+                Effect::of(score.time),
+            ),
+            part(
+                "Damaging collisions",
+                result.collisions.to_string(),
+                "−500 each".into(),
+                score.collisions,
+                Effect::of(score.collisions),
+            ),
+            part(
+                "Fuel left",
+                format!("{:.0} %", result.fuel * 100.0),
+                "full bonus from 50 %".into(),
+                score.fuel,
+                Effect::of(score.fuel),
+            ),
+        ]
+    }
+
+    /// How efficient the solution was: label, value and unit.
+    pub fn efficiency(&self) -> [(&'static str, String, &'static str); 4] {
+        let result = &self.result;
+        [
+            ("Fuel used", format!("{:.1}", result.fuel_used), "units"),
+            ("Distance flown", format!("{:.1}", result.distance), "m"),
+            ("Top speed", format!("{:.1}", result.top_speed), "m/s"),
+            ("Peak resultant force", format!("{:.1}", result.peak_resultant), "N"),
+        ]
+    }
+}
+
+/// Whole minutes and seconds, mm:ss; a second that has begun is not yet over.
+pub fn minutes(seconds: f64) -> String {
+    let whole = seconds.max(0.0) as u64;
+    format!("{:02}:{:02}", whole / 60, whole % 60)
+}
+
+/// A number with its sign; the minus is a true one.
+fn signed(points: i64) -> String {
+    match points {
+        1.. => format!("+{points}"),
+        0 => "0".into(),
+        _ => format!("−{}", points.unsigned_abs()),
+    }
+}
+
+#[cfg(feature = "window")]
+mod drawing {
+    use super::{Effect, Scoring};
+    use crate::game::Outcome;
+    use crate::view::canvas::{Canvas, Style};
+    use crate::view::layout::{Area, BUTTON_TEXT, HEADING, TEXT, Vec2};
+    use crate::view::{theme, widgets};
+
+    /// The panel and where its columns stand, from its left edge.
+    const PANEL: Vec2 = Vec2::new(880.0, 248.0);
+    const COLUMNS: [f32; 3] = [24.0, 400.0, 424.0];
+    const ROW: f32 = 44.0;
+
+    impl Scoring {
+        /// Draws the score and its parts.
+        pub fn draw(&self, canvas: &Canvas) {
+            widgets::graph_paper(canvas);
+            let size = canvas.size();
+            let completed = self.result.outcome == Outcome::Completed;
+            let (heading, colour) = if completed { ("Level complete", theme::GOOD) } else { ("Attempt lost", theme::BAD) };
+            let middle = size.x / 2.0;
+            canvas.text(heading, Vec2::new(middle, 64.0), Style::new(HEADING, colour).centred().middle());
+            let quiet = Style::new(TEXT, theme::QUIET).middle();
+            let level = &self.attempt.level;
+            let title = if level.title == level.name { format!("Level {}", level.name) } else { level.title.clone() };
+            canvas.text(&title, Vec2::new(middle, 108.0), quiet.centred());
+
+            let top = ((size.y - 720.0) / 2.0).max(0.0) + 144.0;
+            let panel = Area::new((size.x - PANEL.x) / 2.0, top, PANEL.x, PANEL.y);
+            widgets::panel(canvas, panel);
+            let column = |i: usize| panel.min.x + COLUMNS[i];
+            let right = panel.max().x - 24.0;
+            for (i, part) in self.parts().iter().enumerate() {
+                let y = panel.min.y + 34.0 + i as f32 * ROW;
+                let colour = match part.effect {
+                    Effect::Helped => theme::GOOD,
+                    Effect::Cost => theme::BAD,
+                    Effect::Nothing => theme::TEXT,
+                };
+                let words = Style::new(TEXT, colour).middle();
+                canvas.text(part.label, Vec2::new(column(0), y), words);
+                canvas.text(&part.value, Vec2::new(column(1), y), words.mono().right());
+                canvas.text(&part.beside, Vec2::new(column(2), y), quiet);
+                canvas.text(&part.points, Vec2::new(right, y), words.mono().right());
+            }
+            let y = panel.min.y + 34.0 + 4.0 * ROW + 8.0;
+            canvas.line(Vec2::new(column(0), y - 28.0), Vec2::new(right, y - 28.0), 1.0, theme::PANEL_EDGE);
+            let total = Style::new(BUTTON_TEXT, theme::TEXT).middle();
+            canvas.text("Score", Vec2::new(column(0), y), total);
+            canvas.text(&self.result.score.total.to_string(), Vec2::new(right, y), total.mono().right());
+
+            let second = Area::new(panel.min.x, panel.max().y + 16.0, PANEL.x, 112.0);
+            widgets::panel(canvas, second);
+            for (i, (label, value, unit)) in self.efficiency().iter().enumerate() {
+                let left = second.min.x + if i % 2 == 0 { 24.0 } else { PANEL.x / 2.0 + 24.0 };
+                let y = second.min.y + 34.0 + (i / 2) as f32 * ROW;
+                canvas.text(label, Vec2::new(left, y), quiet);
+                let number = Style::new(TEXT, theme::TEXT).mono().middle();
+                canvas.text(value, Vec2::new(left + 312.0, y), number.right());
+                canvas.text(unit, Vec2::new(left + 324.0, y), quiet);
+            }
+            if !completed {
+                let at = Vec2::new(middle, second.max().y + 32.0);
+                canvas.text("A lost attempt scores 0 and cannot be saved.", at, quiet.centred());
+            }
+            for (i, press) in self.presses.iter().enumerate() {
+                let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
+                if let Some(area) = self.buttons.areas().get(i) {
+                    widgets::button(canvas, *area, press.label(), hover, focus);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn minutes_and_signs_read_well() {
+        assert_eq!([0.0, 59.99, 60.0, 3725.0].map(minutes), ["00:00", "00:59", "01:00", "62:05"]);
+        assert_eq!([-500, 0, 940].map(signed), ["−500", "0", "+940"]);
+    }
+}

@@ -1,0 +1,184 @@
+//! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
+
+use super::{App, Attempt, Flight, Input, Key, Keys, Places, Request, Screen, Spectator};
+use crate::game::Game;
+use crate::view::canvas::Canvas;
+use crate::view::layout::{DESIGN, Vec2};
+use crate::view::{Art, GameView, Overlays, icon, widgets};
+use macroquad::input::{
+    KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
+    mouse_position, mouse_wheel,
+};
+use macroquad::miniquad::conf::Conf;
+use macroquad::time::{get_fps, get_frame_time, get_time};
+use macroquad::window::next_frame;
+use std::cell::RefCell;
+use std::panic::{self, AssertUnwindSafe};
+use std::rc::Rc;
+
+/// A new screen fades in over this, s.
+const FADE: f64 = 0.16;
+/// How much one tick's time counts in the running mean that F3 shows.
+const COST_WEIGHT: f64 = 0.02;
+/// Which key of the keyboard is which of ours.
+const KEYS: [(KeyCode, Key); 21] = [
+    (KeyCode::Up, Key::Up),
+    (KeyCode::Down, Key::Down),
+    (KeyCode::Left, Key::Left),
+    (KeyCode::Right, Key::Right),
+    (KeyCode::Enter, Key::Enter),
+    (KeyCode::KpEnter, Key::Enter),
+    (KeyCode::Escape, Key::Escape),
+    (KeyCode::Space, Key::Space),
+    (KeyCode::LeftShift, Key::Shift),
+    (KeyCode::Tab, Key::Tab),
+    (KeyCode::F3, Key::F3),
+    (KeyCode::R, Key::R),
+    (KeyCode::A, Key::A),
+    (KeyCode::D, Key::D),
+    (KeyCode::W, Key::W),
+    (KeyCode::PageUp, Key::PageUp),
+    (KeyCode::PageDown, Key::PageDown),
+    (KeyCode::Home, Key::Home),
+    (KeyCode::End, Key::End),
+    (KeyCode::Backspace, Key::Backspace),
+    (KeyCode::Delete, Key::Delete),
+];
+
+/// Opens the window, in a level where one is given, and returns when it is closed.
+///
+/// # Errors
+/// There is no display, or what the window needs cannot be had; in words.
+pub fn open(places: Places, start: Option<Attempt>) -> Result<(), String> {
+    let conf = Conf {
+        window_title: "Resultant".into(),
+        window_width: DESIGN.x as i32,
+        window_height: DESIGN.y as i32,
+        window_resizable: true,
+        high_dpi: true,
+        icon: Some(icon()),
+        ..Conf::default()
+    };
+    // None until the window is there, then how the sitting ended.
+    let ended: Rc<RefCell<Option<Result<(), String>>>> = Rc::default();
+    let opened = ended.clone();
+    // miniquad panics where it finds no display. Until the window is there that panic is caught and told in words; from then on
+    // panics are what they always are.
+    let hook = panic::take_hook();
+    panic::set_hook(Box::new(|_| {}));
+    let outcome = panic::catch_unwind(AssertUnwindSafe(|| {
+        macroquad::Window::from_config(conf, async move {
+            panic::set_hook(hook);
+            *opened.borrow_mut() = Some(Ok(()));
+            let end = run(places, start).await;
+            *opened.borrow_mut() = Some(end);
+        });
+    }));
+    match (ended.take(), outcome) {
+        (None, _) => Err("the window cannot be opened: there is no display, or it lacks OpenGL".into()),
+        (Some(_), Err(panic)) => panic::resume_unwind(panic),
+        (Some(end), Ok(())) => end,
+    }
+}
+
+async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
+    let mut canvas = Canvas::new()?;
+    let mut theatre = Theatre::new();
+    let mut app = App::new(places);
+    if let Some(attempt) = start {
+        app.grant(Request::Attempt(attempt), &mut theatre);
+    }
+    loop {
+        canvas.begin()?;
+        let input = read_input(&canvas);
+        if !app.update(&input, &mut theatre) {
+            return Ok(());
+        }
+        draw(&app, &mut theatre, input.frame_time, &canvas);
+        next_frame().await;
+    }
+}
+
+fn read_input(canvas: &Canvas) -> Input {
+    let keys = |is: fn(KeyCode) -> bool| KEYS.iter().filter(|(code, _)| is(*code)).map(|(_, key)| *key).collect::<Keys>();
+    Input {
+        frame: *canvas.frame(),
+        frame_time: f64::from(get_frame_time()),
+        pointer: canvas.to_canvas(Vec2::from(mouse_position())),
+        click: is_mouse_button_pressed(MouseButton::Left),
+        holding: is_mouse_button_down(MouseButton::Left),
+        right_click: is_mouse_button_pressed(MouseButton::Right),
+        // Systems disagree by a factor of 120 on what a notch is; they agree on its sign.
+        wheel: mouse_wheel().1.clamp(-1.0, 1.0),
+        pressed: keys(is_key_pressed),
+        held: keys(is_key_down),
+        typed: std::iter::from_fn(get_char_pressed).collect(),
+    }
+}
+
+fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
+    match app.screen() {
+        Screen::Menu(screen) => screen.draw(canvas),
+        Screen::LevelSelect(screen) => screen.draw(canvas),
+        Screen::Flight(screen) => {
+            theatre.draw(screen, frame_time, canvas);
+            screen.draw_pause(canvas);
+        }
+        Screen::Scoring(screen) => screen.draw(canvas),
+        Screen::SaveScore(screen) => screen.draw(canvas, app.shown_for()),
+        Screen::Leaderboard(screen) => screen.draw(canvas),
+        Screen::Classics(screen) => screen.draw(canvas),
+        Screen::TileRun(screen) => screen.draw(canvas),
+        Screen::Jumper(screen) => screen.draw(canvas),
+        Screen::Pi(screen) => screen.draw(canvas),
+    }
+    let veil = 1.0 - (app.shown_for() / FADE).min(1.0);
+    if veil > 0.0 {
+        widgets::curtain(canvas, veil as f32);
+    }
+    canvas.end_layer();
+}
+
+/// What watches the attempt that is on the screen: its view, and how long its ticks take.
+struct Theatre {
+    art: Rc<Art>,
+    view: Option<GameView>,
+    tick_started: f64,
+    /// Running mean of the time that a tick takes, s.
+    tick_cost: f64,
+}
+
+impl Theatre {
+    fn new() -> Self {
+        Self { art: Rc::new(Art::new()), view: None, tick_started: 0.0, tick_cost: 0.0 }
+    }
+
+    /// Lets the view move on by the frame just updated, and draws it.
+    fn draw(&mut self, flight: &Flight, frame_time: f64, canvas: &Canvas) {
+        let Some(view) = &mut self.view else { return };
+        let overlays = Overlays { details: flight.details(), hitboxes: flight.hitboxes() };
+        let passed = if flight.pause().is_some() { 0.0 } else { frame_time };
+        view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
+        let figures = format!("{:>3} fps  tick {:.1} µs", get_fps(), self.tick_cost * 1e6);
+        view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
+    }
+}
+
+impl Spectator for Theatre {
+    fn begins(&mut self, game: &Game) {
+        self.view = Some(GameView::new(game, self.art.clone(), &|path| std::fs::read(path).ok()));
+        self.tick_cost = 0.0;
+    }
+
+    fn before_tick(&mut self) {
+        self.tick_started = get_time();
+    }
+
+    fn after_tick(&mut self, game: &Game) {
+        let cost = get_time() - self.tick_started;
+        self.tick_cost += (cost - self.tick_cost) * COST_WEIGHT;
+        if let Some(view) = &mut self.view {
+            view.after_tick(game);
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! Free-body arrows: the forces on each body from its centre, to scale, each kind with a colour, a dash and a head of its own.
+
+use super::boxes::covers_none;
+use super::camera::Viewport;
+use super::canvas::{Canvas, Style};
+use super::facts::by_name;
+use super::layout::{Area, DETAILS, Vec2};
+use super::theme::{self, faded};
+use crate::game::Game;
+use crate::level::{Level, Player};
+use crate::physics::{BodyId, DVec2, ForceKind};
+use macroquad::color::Color;
+
+/// About how many squares of the graph paper the ship's weight or thrust, whichever is larger, is long.
+const LONGEST: f64 = 6.0;
+/// Arrows shorter than this are a dot and have no label, canvas units.
+const SHORTEST: f32 = 5.0;
+/// Width of a force's arrow and of the resultant's, canvas units.
+const WIDTH: f32 = 2.6;
+const RESULTANT_WIDTH: f32 = 6.0;
+/// Length of a head, canvas units; half its breadth is the same times [`HEAD_SPREAD`].
+const HEAD: f32 = 11.0;
+const HEAD_SPREAD: f32 = 0.45;
+
+/// What is at an arrow's tip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Head {
+    Filled,
+    Open,
+    Double,
+    Diamond,
+    Bar,
+    Disc,
+}
+
+/// An arrow on the canvas.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arrow {
+    /// The body's centre.
+    pub from: Vec2,
+    /// The tip.
+    pub to: Vec2,
+    /// The force's kind, `None` for the resultant.
+    pub kind: Option<ForceKind>,
+}
+
+impl Arrow {
+    /// Its name.
+    pub fn name(&self) -> &'static str {
+        self.kind.map_or("Resultant", ForceKind::name)
+    }
+
+    fn colour(&self) -> Color {
+        self.kind.map_or(theme::RESULTANT, theme::force)
+    }
+
+    fn length(&self) -> f32 {
+        (self.to - self.from).length()
+    }
+
+    /// The box around it.
+    pub fn area(&self) -> Area {
+        let min = self.from.min(self.to) - 4.0;
+        Area { min, size: self.from.max(self.to) + 4.0 - min }
+    }
+}
+
+/// Newtons a metre of the level at which the arrows are drawn: a round number that suits the level's ship.
+pub fn newtons_a_metre(level: &Level) -> f64 {
+    let Player { mass, thrust, .. } = level.player;
+    round_up((mass * level.gravity).max(thrust) / LONGEST)
+}
+
+/// The next number from 1, 2, 5, 10, 20, 50, …
+fn round_up(value: f64) -> f64 {
+    let mut decade = 1.0;
+    while decade * 10.0 < value {
+        decade *= 10.0;
+    }
+    [1.0, 2.0, 5.0].into_iter().map(|step| step * decade).find(|step| *step >= value).unwrap_or(10.0 * decade)
+}
+
+/// The arrows of a body whose centre is drawn at `centre` (m): the resultant first, then the forces, the longest first, so that a
+/// shorter one over a longer can be seen.
+pub fn arrows(game: &Game, id: BodyId, centre: DVec2, view: &Viewport) -> Vec<Arrow> {
+    let scale = newtons_a_metre(game.level());
+    let forces = game.world().forces(id);
+    let arrow = |kind, vector: DVec2| Arrow { from: view.point(centre), to: view.point(centre + vector / scale), kind };
+    let mut named = by_name(forces);
+    named.sort_by(|a, b| b.1.length_squared().total_cmp(&a.1.length_squared()));
+    std::iter::once(arrow(None, forces.resultant()))
+        .chain(named.into_iter().map(|(kind, vector)| arrow(Some(kind), vector)))
+        .filter(|arrow| arrow.length() > 0.0)
+        .collect()
+}
+
+/// Draws arrows, without their labels.
+pub fn draw(arrows: &[Arrow], canvas: &Canvas) {
+    for arrow in arrows {
+        let width = if arrow.kind.is_some() { WIDTH } else { RESULTANT_WIDTH };
+        let (head, dash) = style(arrow.kind);
+        let along = (arrow.to - arrow.from).normalize_or_zero();
+        let tip_length = (HEAD * if arrow.kind.is_some() { 1.0 } else { 1.6 }).min(arrow.length());
+        let neck = arrow.to - along * tip_length * 0.8;
+        canvas.line(arrow.from, neck, width + 2.0, faded(theme::GROUND, 0.55));
+        if dash.is_empty() {
+            canvas.line(arrow.from, neck, width, arrow.colour());
+        } else {
+            dashed(canvas, arrow.from, neck, dash, width, arrow.colour());
+        }
+        draw_head(canvas, head, arrow.to, along, tip_length, width, arrow.colour());
+    }
+}
+
+/// How a kind of force is told without its colour: no two of the same head and dash. Dashes are lengths drawn and left out in turn.
+fn style(kind: Option<ForceKind>) -> (Head, &'static [f32]) {
+    match kind {
+        None | Some(ForceKind::Weight) => (Head::Filled, &[]),
+        Some(ForceKind::Drive) => (Head::Double, &[]),
+        Some(ForceKind::Reaction) => (Head::Open, &[]),
+        Some(ForceKind::Friction) => (Head::Filled, &[5.0, 4.0]),
+        Some(ForceKind::AirResistance) => (Head::Open, &[10.0, 5.0]),
+        Some(ForceKind::Wind) => (Head::Diamond, &[10.0, 5.0]),
+        Some(ForceKind::Buoyancy) => (Head::Disc, &[]),
+        Some(ForceKind::ViscousDrag) => (Head::Disc, &[9.0, 4.0, 2.5, 4.0]),
+        Some(ForceKind::Push) => (Head::Bar, &[]),
+    }
+}
+
+fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, pattern: &[f32], width: f32, colour: Color) {
+    let (along, length) = ((to - from).normalize_or_zero(), (to - from).length());
+    let mut at = 0.0;
+    for (i, step) in pattern.iter().cycle().enumerate() {
+        if at >= length {
+            break;
+        }
+        let end = (at + step).min(length);
+        if i % 2 == 0 {
+            canvas.line(from + along * at, from + along * end, width, colour);
+        }
+        at = end;
+    }
+}
+
+fn draw_head(canvas: &Canvas, head: Head, tip: Vec2, along: Vec2, length: f32, width: f32, colour: Color) {
+    let side = along.perp() * length * HEAD_SPREAD;
+    let triangle = |tip: Vec2| {
+        let base = tip - along * length;
+        canvas.convex(&[tip, base + side, base - side], colour);
+    };
+    match head {
+        Head::Filled => triangle(tip),
+        Head::Double => {
+            triangle(tip);
+            triangle(tip - along * length * 0.75);
+        }
+        Head::Open => {
+            let base = tip - along * length;
+            canvas.line(base, tip, width, colour);
+            canvas.line(base + side, tip, width, colour);
+            canvas.line(base - side, tip, width, colour);
+        }
+        Head::Diamond => {
+            let middle = tip - along * length * 0.5;
+            canvas.convex(&[tip, middle + side, tip - along * length, middle - side], colour);
+        }
+        Head::Bar => {
+            canvas.line(tip - along * length, tip, width, colour);
+            canvas.line(tip + side * 1.3, tip - side * 1.3, width * 1.4, colour);
+        }
+        Head::Disc => {
+            canvas.line(tip - along * length, tip - along * length * 0.5, width, colour);
+            canvas.disc(tip - along * length * 0.4, length * 0.4, colour);
+        }
+    }
+}
+
+/// A label and its place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Label {
+    /// The index of its arrow.
+    pub arrow: usize,
+    /// Where it stands.
+    pub area: Area,
+}
+
+/// Where the arrows' labels stand: beyond the tip, or next to it where that is taken; none over another or over `taken`, all inside
+/// the window. `width` gives a label's width. An arrow whose label finds no room has none: its box names it.
+pub fn place_labels(arrows: &[Arrow], height: f32, width: impl Fn(&str) -> f32, window: Area, taken: &[Area]) -> Vec<Label> {
+    let mut fixed = taken.to_vec();
+    let mut labels = Vec::new();
+    for (index, arrow) in arrows.iter().enumerate().filter(|(_, arrow)| arrow.length() >= SHORTEST) {
+        let size = Vec2::new(width(arrow.name()), height);
+        let along = (arrow.to - arrow.from).normalize_or_zero();
+        // From the tip to the label's middle so that the label just clears the tip in that direction.
+        let beyond = |way: Vec2, gap: f32| arrow.to + way * ((size * 0.5 * way.abs()).element_sum() + gap);
+        let places = [
+            beyond(along, 4.0),
+            beyond(along.perp(), 8.0) - along * 6.0,
+            beyond(-along.perp(), 8.0) - along * 6.0,
+            beyond(along, 4.0 + height),
+            beyond(along.perp(), 8.0) - along * (6.0 + height),
+            beyond(-along.perp(), 8.0) - along * (6.0 + height),
+            beyond(along, 4.0 + 2.0 * height),
+            // For a tip outside of the window or behind a box: beside the shaft.
+            beyond(along.perp(), 8.0) - along * (arrow.length() * 0.4),
+            beyond(-along.perp(), 8.0) - along * (arrow.length() * 0.4),
+            beyond(along.perp(), 8.0) - along * (arrow.length() * 0.65),
+            beyond(-along.perp(), 8.0) - along * (arrow.length() * 0.65),
+        ];
+        let fits = |middle: &Vec2| {
+            let area = Area::around(*middle, size);
+            area.min.cmpge(window.min).all() && area.max().cmple(window.max()).all() && covers_none(&area, &fixed)
+        };
+        if let Some(middle) = places.iter().find(|middle| fits(middle)) {
+            let area = Area::around(*middle, size);
+            fixed.push(area);
+            labels.push(Label { arrow: index, area });
+        }
+    }
+    labels
+}
+
+/// Draws the labels, on a dark ground so that they can be read over anything.
+pub fn draw_labels(arrows: &[Arrow], labels: &[Label], canvas: &Canvas) {
+    for label in labels {
+        let arrow = &arrows[label.arrow];
+        canvas.rounded(label.area.inset(-1.0), 3.0, faded(theme::GROUND, 0.7));
+        canvas.text(arrow.name(), label.area.centre(), Style::new(DETAILS, arrow.colour()).centred().middle());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scale_is_a_round_number() {
+        assert_eq!([0.3, 1.0, 1.1, 375.0, 500.0, 501.0, 750.0].map(round_up), [1.0, 1.0, 2.0, 500.0, 500.0, 1000.0, 1000.0]);
+    }
+
+    #[test]
+    fn no_two_kinds_share_head_and_dash() {
+        for (i, a) in ForceKind::ALL.iter().enumerate() {
+            for b in &ForceKind::ALL[i + 1..] {
+                assert_ne!(style(Some(*a)), style(Some(*b)), "{a:?} and {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn labels_keep_apart_and_inside() {
+        let window = Area::new(0.0, 0.0, 1280.0, 720.0);
+        let arrow = |x: f32, y: f32, kind| Arrow { from: Vec2::new(600.0, 300.0), to: Vec2::new(600.0 + x, 300.0 + y), kind };
+        let arrows = [
+            arrow(0.0, 90.0, None),
+            arrow(0.0, 90.0, Some(ForceKind::Weight)),
+            arrow(0.0, 88.0, Some(ForceKind::Push)),
+            arrow(2.0, -90.0, Some(ForceKind::Reaction)),
+            arrow(-2.0, -90.0, Some(ForceKind::Buoyancy)),
+            arrow(0.0, 1.0, Some(ForceKind::Wind)),
+        ];
+        let labels = place_labels(&arrows, 18.0, |name| name.len() as f32 * 7.0, window, &[]);
+        assert_eq!(labels.iter().map(|label| label.arrow).collect::<Vec<_>>(), [0, 1, 2, 3, 4], "an arrow too short has none");
+        for (i, label) in labels.iter().enumerate() {
+            let others: Vec<Area> = labels[i + 1..].iter().map(|other| other.area).collect();
+            assert!(covers_none(&label.area, &others));
+            assert!(label.area.min.cmpge(Vec2::ZERO).all() && label.area.max().cmple(window.size).all());
+        }
+    }
+}

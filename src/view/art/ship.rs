@@ -1,0 +1,112 @@
+//! The ship's picture: a compact lander, nose up, painted in unit coordinates (−1 … 1 across its 1.7 m box).
+
+use super::paint::Picture;
+
+const SHELL: [u8; 3] = [0xF4, 0xF6, 0xFA];
+const SHELL_SHADE: [u8; 3] = [0xB4, 0xBF, 0xD0];
+const BELLY: [u8; 3] = [0x5A, 0x68, 0x80];
+const BELLY_SHADE: [u8; 3] = [0x3C, 0x48, 0x5C];
+const TRIM: [u8; 3] = [0xFF, 0x9F, 0x1C];
+const OUTLINE: [u8; 3] = [0x1B, 0x22, 0x30];
+const GLASS: [u8; 3] = [0x2B, 0x6C, 0xB8];
+const GLINT: [u8; 3] = [0xBF, 0xE3, 0xFF];
+
+/// Width of the dark line round the hull.
+const RIM: f32 = 0.04;
+/// Where the shell ends and the belly begins.
+const WAIST: f32 = 0.30;
+
+/// The ship, `size` pixels wide and high.
+pub fn ship(size: usize) -> Picture {
+    let mut p = Picture::new(size, size, OUTLINE);
+    // Fins: they give the tail its width, so that the box is filled at the corners that the round hull leaves.
+    p.fill(|x, y| fin(x.abs(), y, 0.0), |_, _| OUTLINE);
+    p.fill(|x, y| fin(x.abs(), y, RIM), |x, _| if x > 0.0 { [0xE0, 0x86, 0x10] } else { TRIM });
+    // The nozzle, wider at its mouth.
+    p.fill(|x, y| nozzle(x, y, 0.0), |_, _| OUTLINE);
+    p.fill(|x, y| nozzle(x, y, RIM), |x, _| mix([0x8A, 0x97, 0xAD], BELLY_SHADE, x * 2.0 + 0.5));
+    // The hull: belly below the waist, shell above, a trim band between, an orange tip on the nose.
+    p.fill(|x, y| hull(x, y, 0.0), |_, _| OUTLINE);
+    p.fill(|x, y| hull(x, y, RIM) && y > WAIST, |x, _| mix(BELLY, BELLY_SHADE, x * 0.8 + 0.4));
+    p.fill(|x, y| hull(x, y, RIM) && y <= WAIST, |x, _| mix(SHELL, SHELL_SHADE, x * 1.1 - 0.05));
+    p.fill(|x, y| hull(x, y, RIM) && (WAIST - 0.06..WAIST + 0.08).contains(&y), |_, _| TRIM);
+    p.fill(|x, y| hull(x, y, RIM) && y < -0.62, |x, _| mix(TRIM, [0xD9, 0x7A, 0x08], x * 2.0 + 0.3));
+    // The window.
+    p.fill(|x, y| round(x, y + 0.17, 0.315), |_, _| OUTLINE);
+    p.fill(|x, y| round(x, y + 0.17, 0.26), |x, y| mix(GLASS, [0x14, 0x33, 0x66], (x + y + 0.17) * 1.6 + 0.5));
+    p.fill(|x, y| round(x + 0.09, y + 0.27, 0.075), |_, _| GLINT);
+    p
+}
+
+fn round(x: f32, y: f32, radius: f32) -> bool {
+    x * x + y * y < radius * radius
+}
+
+/// An egg with its narrow end up, from the tip of the nose to above the nozzle.
+fn hull(x: f32, y: f32, inset: f32) -> bool {
+    let upper = y < 0.16;
+    let (height, power, blunt) = if upper { (1.14 - inset * 1.6, 2.2, 0.64) } else { (0.66 - inset, 2.6, 0.5) };
+    let along = (y - 0.16).abs() / height;
+    along < 1.0 && x.abs() < (0.86 - inset) * (1.0 - along.powf(power)).powf(blunt)
+}
+
+fn nozzle(x: f32, y: f32, inset: f32) -> bool {
+    (0.70..0.985 - inset).contains(&y) && x.abs() < 0.24 + (y - 0.70) * 0.42 - inset
+}
+
+/// The right fin: a swept quadrilateral.
+fn fin(x: f32, y: f32, inset: f32) -> bool {
+    let corners = [(0.62, 0.10), (0.98, 0.58), (0.93, 0.93), (0.40, 0.70)];
+    (0..4).all(|i| {
+        let ((ax, ay), (bx, by)) = (corners[i], corners[(i + 1) % 4]);
+        let (dx, dy) = (bx - ax, by - ay);
+        (dx * (y - ay) - dy * (x - ax)) / dx.hypot(dy) > inset
+    })
+}
+
+fn mix(a: [u8; 3], b: [u8; 3], t: f32) -> [u8; 3] {
+    let t = t.clamp(0.0, 1.0);
+    std::array::from_fn(|i| (f32::from(a[i]) * (1.0 - t) + f32::from(b[i]) * t).round() as u8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Turned by any angle the picture reaches near all four sides of its box and hardly beyond: it fills the box well.
+    #[test]
+    fn the_ship_fills_its_box_at_every_angle() {
+        let size = 102;
+        let picture = ship(size);
+        for degrees in (0..360).step_by(15) {
+            let (sin, cos) = (degrees as f32).to_radians().sin_cos();
+            let (mut low, mut high) = ([0.0_f32; 2], [0.0_f32; 2]);
+            for y in 0..size {
+                for x in 0..size {
+                    if picture.at(x, y)[3] > 127 {
+                        let (u, v) = (x as f32 / 50.5 - 1.0, y as f32 / 50.5 - 1.0);
+                        for (axis, w) in [u * cos - v * sin, u * sin + v * cos].into_iter().enumerate() {
+                            low[axis] = low[axis].min(w);
+                            high[axis] = high[axis].max(w);
+                        }
+                    }
+                }
+            }
+            for reach in [-low[0], -low[1], high[0], high[1]] {
+                assert!((0.75..=1.36).contains(&reach), "at {degrees}° it reaches {reach} of half its box");
+            }
+        }
+    }
+
+    #[test]
+    fn the_nose_differs_from_the_tail_and_left_mirrors_right() {
+        let picture = ship(102);
+        for y in 0..102 {
+            for x in 0..51 {
+                assert_eq!(picture.at(x, y)[3], picture.at(101 - x, y)[3]);
+            }
+        }
+        let wide = |y: usize| (0..102).filter(|&x| picture.at(x, y)[3] > 127).count();
+        assert!(wide(8) + 20 < wide(80), "nose {} px, tail {} px", wide(8), wide(80));
+    }
+}

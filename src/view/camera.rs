@@ -1,0 +1,122 @@
+//! Which part of the level the window shows: pure arithmetic from the ship, the level and the canvas to one [`Viewport`].
+
+use crate::physics::{Aabb, DVec2};
+use macroquad::math::{Rect, Vec2};
+
+/// Time in which the camera closes in on the ship to 1/e of the distance, s. Longer swims behind, shorter jerks at every bump.
+const EASE_TIME: f64 = 0.12;
+/// How far from the window's edge the ship's centre stays at least, m (in a window that has the room). Below half the ship it
+/// could leave the screen while the camera still eases.
+const SHIP_MARGIN: f64 = 3.0;
+/// How much a level smaller than the window is magnified at most so that nothing outside of it is shown.
+const MAX_ZOOM: f64 = 1.5;
+
+/// The point that the camera looks at: it eases after the ship and knows nothing of the window or the level's edges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    focus: DVec2,
+}
+
+impl Camera {
+    /// A camera that looks at the ship's centre (m) at once.
+    pub const fn new(ship: DVec2) -> Self {
+        Self { focus: ship }
+    }
+
+    /// Eases towards the ship's centre (m) during `frame_time` seconds; the way does not depend on the frame rate.
+    pub fn follow(&mut self, ship: DVec2, frame_time: f64) {
+        self.focus += (ship - self.focus) * (1.0 - (-frame_time.max(0.0) / EASE_TIME).exp());
+    }
+
+    /// The point it looks at, m.
+    pub const fn focus(&self) -> DVec2 {
+        self.focus
+    }
+}
+
+/// The window as the camera needs it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window {
+    /// Width and height, canvas units.
+    pub size: DVec2,
+    /// Canvas units a physical pixel.
+    pub pixel: f64,
+}
+
+/// Where metres of the level lie on the canvas.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Viewport {
+    /// Canvas units a metre.
+    scale: f64,
+    /// The level's top left corner is drawn at minus this: whole physical pixels, so that everything static moves as one.
+    origin: DVec2,
+    /// The level's size, m.
+    level: DVec2,
+    window: Window,
+}
+
+impl Viewport {
+    /// Looks at `focus` (m), but keeps the ship on the screen and everything outside of the level off it. A level that is smaller
+    /// than the window along an axis even when magnified 1.5 times is centred along that axis.
+    ///
+    /// `level` is the level's size (m), `metre` the canvas units a metre at the usual magnification.
+    pub fn new(focus: DVec2, ship: DVec2, level: DVec2, metre: f64, window: Window) -> Self {
+        let zoom = (window.size / (level * metre)).max_element().clamp(1.0, MAX_ZOOM);
+        let scale = metre * zoom;
+        let half = window.size / scale * 0.5;
+        let reach = (half - SHIP_MARGIN).max(DVec2::ZERO);
+        let centre = focus.clamp(ship - reach, ship + reach);
+        let along =
+            |centre: f64, half: f64, level: f64| if 2.0 * half >= level { level * 0.5 } else { centre.clamp(half, level - half) };
+        let centre = DVec2::new(along(centre.x, half.x, level.x), along(centre.y, half.y, level.y));
+        let view = Self { scale, origin: DVec2::ZERO, level, window };
+        Self { origin: view.snap(centre * scale - window.size * 0.5), ..view }
+    }
+
+    /// The same view moved by `offset` canvas units. Where that would show something outside of the level it moves the other way.
+    pub fn shaken(self, offset: DVec2) -> Self {
+        let along = |origin: f64, offset: f64, room: f64| {
+            let moved = origin + offset;
+            if room <= 0.0 || (0.0..=room).contains(&moved) { moved } else { (origin - offset).clamp(0.0, room) }
+        };
+        let room = self.level * self.scale - self.window.size;
+        let offset = self.snap(offset);
+        Self { origin: DVec2::new(along(self.origin.x, offset.x, room.x), along(self.origin.y, offset.y, room.y)), ..self }
+    }
+
+    /// Canvas units a metre.
+    pub const fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// A length in metres as canvas units.
+    pub fn length(&self, metres: f64) -> f32 {
+        (metres * self.scale) as f32
+    }
+
+    /// The window's size, canvas units.
+    pub fn size(&self) -> Vec2 {
+        self.window.size.as_vec2()
+    }
+
+    /// Where a point of the level lies, canvas units from the window's top left corner.
+    pub fn point(&self, metres: DVec2) -> Vec2 {
+        (metres * self.scale - self.origin).as_vec2()
+    }
+
+    /// Where a box of the level lies, its edges on whole physical pixels so that boxes that adjoin leave no seam.
+    pub fn rect(&self, bounds: &Aabb) -> Rect {
+        let min = self.snap(bounds.min * self.scale - self.origin).as_vec2();
+        let max = self.snap(bounds.max * self.scale - self.origin).as_vec2();
+        Rect::new(min.x, min.y, max.x - min.x, max.y - min.y)
+    }
+
+    /// The part of space that the window shows, m.
+    pub fn visible(&self) -> Aabb {
+        Aabb::new(self.origin / self.scale, (self.origin + self.window.size) / self.scale)
+    }
+
+    fn snap(&self, point: DVec2) -> DVec2 {
+        (point / self.window.pixel).round() * self.window.pixel
+    }
+}

@@ -1,0 +1,188 @@
+//! The canvas: what every drawing goes through. Shapes are macroquad's, in canvas units; text is kept until the shapes of its layer
+//! are drawn, because each change between shapes and text costs a draw call.
+
+use super::fonts::{Face, Fonts, font_size, glyph_size};
+use super::layout::{Area, Frame, LINE, Vec2};
+use super::theme;
+use macroquad::camera::{Camera2D, set_camera, set_default_camera};
+use macroquad::color::Color;
+use macroquad::math::Rect;
+use macroquad::text::{TextParams, draw_text_ex, measure_text};
+use macroquad::window::{clear_background, screen_dpi_scale, screen_height, screen_width};
+use std::cell::RefCell;
+
+/// Where a text lies from the point that it is given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Align {
+    /// To the right of it.
+    #[default]
+    Left,
+    /// On both sides.
+    Centre,
+    /// To the left of it.
+    Right,
+}
+
+/// How a line of text looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Style {
+    /// One of [`super::layout::TEXT_SIZES`].
+    pub size: f32,
+    /// Its colour.
+    pub colour: Color,
+    /// Its face.
+    pub face: Face,
+    /// Where it lies from its point.
+    pub align: Align,
+    /// Whether its point is at the middle of its capitals' height instead of at the top of its line.
+    pub middle: bool,
+}
+
+impl Style {
+    /// Words that begin at their point.
+    pub const fn new(size: f32, colour: Color) -> Self {
+        Self { size, colour, face: Face::Sans, align: Align::Left, middle: false }
+    }
+
+    /// The same in the monospaced face.
+    pub const fn mono(self) -> Self {
+        Self { face: Face::Mono, ..self }
+    }
+
+    /// The same on both sides of its point.
+    pub const fn centred(self) -> Self {
+        Self { align: Align::Centre, ..self }
+    }
+
+    /// The same to the left of its point.
+    pub const fn right(self) -> Self {
+        Self { align: Align::Right, ..self }
+    }
+
+    /// The same with its point at the middle of the capitals' height.
+    pub const fn middle(self) -> Self {
+        Self { middle: true, ..self }
+    }
+}
+
+/// From the top of a line to its baseline, in heights of the text (both faces within 1 %).
+const ASCENT: f32 = 0.93;
+/// Half the height of a capital, in heights of the text.
+const HALF_CAPITAL: f32 = 0.355;
+
+struct Line {
+    text: String,
+    /// Where the baseline begins, logical pixels of the window.
+    at: Vec2,
+    size: u16,
+    face: Face,
+    colour: Color,
+}
+
+/// The canvas of one window.
+pub struct Canvas {
+    fonts: Fonts,
+    frame: Frame,
+    /// Physical pixels a logical one: macroquad's units.
+    dpi: f32,
+    lines: RefCell<Vec<Line>>,
+}
+
+impl Canvas {
+    /// A canvas for the window that is open.
+    ///
+    /// # Errors
+    /// A typeface that cannot be read, in words.
+    pub fn new() -> Result<Self, String> {
+        Ok(Self { fonts: Fonts::load()?, frame: Frame::default(), dpi: 1.0, lines: RefCell::new(Vec::new()) })
+    }
+
+    /// Clears the window and lays the canvas out anew, after whatever size the window has now.
+    ///
+    /// # Errors
+    /// A typeface that cannot be read, in words.
+    pub fn begin(&mut self) -> Result<(), String> {
+        self.dpi = screen_dpi_scale();
+        self.frame = Frame::of_window(Vec2::new(screen_width(), screen_height()) * self.dpi);
+        self.fonts.prepare(&self.frame, self.dpi)?;
+        self.lines.get_mut().clear();
+        clear_background(theme::GROUND);
+        self.use_canvas_units();
+        Ok(())
+    }
+
+    /// Draws the text kept so far. What is drawn afterwards lies above it: a panel over a screen, for example.
+    pub fn end_layer(&self) {
+        set_default_camera();
+        for line in self.lines.borrow_mut().drain(..) {
+            let params = TextParams {
+                font: Some(self.fonts.get(line.face)),
+                font_size: line.size,
+                color: line.colour,
+                ..TextParams::default()
+            };
+            draw_text_ex(&line.text, line.at.x, line.at.y, params);
+        }
+        self.use_canvas_units();
+    }
+
+    /// Width and height of the canvas, and its scale.
+    pub fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    /// Width and height of the canvas in canvas units: at least 1280 × 720.
+    pub fn size(&self) -> Vec2 {
+        self.frame.size
+    }
+
+    /// A point of the window (as macroquad reports the mouse) on the canvas.
+    pub fn to_canvas(&self, logical: Vec2) -> Vec2 {
+        logical * self.dpi * self.frame.pixel
+    }
+
+    /// Writes one line of text; `at` is the top of the line (or the middle of its capitals) at its left, middle or right end.
+    pub fn text(&self, text: &str, at: Vec2, style: Style) {
+        let height = f32::from(glyph_size(self.font_size(style), self.dpi)) * self.frame.pixel;
+        let left = match style.align {
+            Align::Left => at.x,
+            Align::Centre => at.x - self.width(text, style) / 2.0,
+            Align::Right => at.x - self.width(text, style),
+        };
+        let baseline = at.y + height * if style.middle { HALF_CAPITAL } else { ASCENT };
+        let physical = (Vec2::new(left, baseline) / self.frame.pixel).round();
+        self.lines.borrow_mut().push(Line {
+            text: text.to_owned(),
+            at: physical / self.dpi,
+            size: self.font_size(style),
+            face: style.face,
+            colour: style.colour,
+        });
+    }
+
+    /// The width of a line of text in canvas units.
+    pub fn width(&self, text: &str, style: Style) -> f32 {
+        let logical = measure_text(text, Some(self.fonts.get(style.face)), self.font_size(style), 1.0).width;
+        logical * self.dpi * self.frame.pixel
+    }
+
+    /// From one line to the next in canvas units.
+    pub fn line_height(&self, size: f32) -> f32 {
+        self.frame.text_height(size) * LINE
+    }
+
+    fn font_size(&self, style: Style) -> u16 {
+        font_size(&self.frame, self.dpi, style.size)
+    }
+
+    fn use_canvas_units(&self) {
+        let size = self.frame.size;
+        set_camera(&Camera2D { target: size / 2.0, zoom: Vec2::new(2.0, 2.0) / size, ..Camera2D::default() });
+    }
+}
+
+impl From<Area> for Rect {
+    fn from(area: Area) -> Self {
+        Self::new(area.min.x, area.min.y, area.size.x, area.size.y)
+    }
+}

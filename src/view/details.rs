@@ -1,0 +1,207 @@
+//! The details overlay: a box for each body in view, tied to it by a thin line, the free-body arrows with their labels, and a legend
+//! with the arrows' scale and the parts of the model that are at work.
+
+use super::arrows::{self, Arrow, Label, newtons_a_metre, place_labels};
+use super::boxes::{self, Wish};
+use super::camera::Viewport;
+use super::canvas::{Canvas, Style};
+use super::facts::{Facts, Value, facts, number_width, quantity, short_facts};
+use super::hud::HudLayout;
+use super::layout::{Area, CORNER, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
+use super::theme::{self, faded};
+use crate::game::{Game, SHIP};
+use crate::physics::{Aabb, BodyId, DVec2};
+
+/// Inside a box's edge, canvas units: less than a panel's, for there may be many.
+const PADDING: f32 = GRID;
+/// Characters of the longest name in a box, and of the longest unit, with the space before each of the two other columns.
+const NAME_WIDTH: usize = 15;
+const UNIT_WIDTH: usize = 5;
+/// Numbers are given room for this many characters at least, so that boxes seldom change their width: "−9999.9".
+const NUMBER_WIDTH: usize = 7;
+
+/// A box with its place.
+struct Placed {
+    facts: Facts,
+    area: Area,
+    object: Vec2,
+}
+
+/// The overlay as it is laid out for one frame.
+#[derive(Default)]
+pub struct Details {
+    boxes: Vec<Placed>,
+    arrows: Vec<Arrow>,
+    labels: Vec<Label>,
+    legend: Vec<String>,
+    legend_area: Area,
+    /// Bodies in view without a box.
+    left_out: usize,
+    /// Where each body's box was from its middle, so that it stays there.
+    before: Vec<Option<Vec2>>,
+    /// How many boxes were full ones.
+    full: Option<usize>,
+}
+
+impl Details {
+    /// Lays everything out anew. `centres` says where each body is drawn (m).
+    pub fn arrange(&mut self, game: &Game, centres: &[DVec2], view: &Viewport, frame: &Frame) {
+        self.before.resize(centres.len(), None);
+        let visible = view.visible();
+        let bounds = |i: usize| Aabb::around(centres[i], game.world().bodies()[i].half);
+        let mut shown: Vec<usize> = (0..centres.len()).filter(|&i| bounds(i).touches(&visible, 0.0)).collect();
+        // Those near the ship choose first; the sort is stable, and the ship is nearest to itself.
+        let from_ship = |i: &usize| centres[*i].distance_squared(centres[SHIP.index()]);
+        shown.sort_by(|a, b| from_ship(a).total_cmp(&from_ship(b)));
+
+        self.arrows = shown.iter().flat_map(|&i| arrows::arrows(game, id(i), centres[i], view)).collect();
+        let objects: Vec<Area> = shown.iter().map(|&i| on_canvas(&bounds(i), view)).collect();
+        let kept_clear: Vec<Area> = objects.iter().copied().chain(self.arrows.iter().map(Arrow::area)).collect();
+        self.legend = legend(game);
+        self.legend_area = legend_area(&self.legend, frame);
+        let hud = HudLayout::new(frame);
+        let taken = [hud.status, hud.fuel, self.legend_area];
+
+        let (all, places) = self.fit(game, &shown, &objects, frame, &taken, &kept_clear);
+        self.left_out = places.iter().filter(|place| place.is_none()).count();
+        self.before.fill(None);
+        self.boxes.clear();
+        for (((facts, place), body), object) in all.into_iter().zip(places).zip(shown).zip(objects) {
+            if let Some(area) = place {
+                self.before[body] = Some(area.min - object.centre());
+                self.boxes.push(Placed { facts, area, object: object.centre() });
+            }
+        }
+        if self.left_out > 0 {
+            let more = format!("{} more objects without a box", self.left_out);
+            self.legend.push(more);
+            self.legend_area = legend_area(&self.legend, frame);
+        }
+        let taken: Vec<Area> = taken.into_iter().chain(self.boxes.iter().map(|placed| placed.area)).collect();
+        let width = |name: &str| name.chars().count() as f32 * MONO_ADVANCE * frame.text_height(DETAILS);
+        self.labels = place_labels(&self.arrows, frame.text_height(DETAILS) * 1.1, width, frame.area(), &taken);
+    }
+
+    /// The boxes and their places: as many full ones as go in, for the first bodies, and short ones for the rest. The number of full
+    /// ones is found from that of the frame before, for it seldom changes.
+    fn fit(
+        &mut self,
+        game: &Game,
+        shown: &[usize],
+        objects: &[Area],
+        frame: &Frame,
+        taken: &[Area],
+        kept_clear: &[Area],
+    ) -> (Vec<Facts>, Vec<Option<Area>>) {
+        let try_full = |full: usize| {
+            let tell = |(i, &body): (usize, &usize)| if i < full { facts(game, id(body)) } else { short_facts(game, id(body)) };
+            let all: Vec<Facts> = shown.iter().enumerate().map(tell).collect();
+            let wish = |((facts, &body), &object): ((&Facts, &usize), &Area)| Wish {
+                object,
+                size: box_size(facts, frame),
+                before: self.before[body],
+            };
+            let wishes: Vec<Wish> = all.iter().zip(shown).zip(objects).map(wish).collect();
+            let places = boxes::place(&wishes, frame.area(), taken, kept_clear);
+            (all, places)
+        };
+        let fits = |(_, places): &(Vec<Facts>, Vec<Option<Area>>)| places.iter().all(Option::is_some);
+        let mut full = self.full.unwrap_or(shown.len()).clamp(1, shown.len().max(1));
+        let mut best = try_full(full);
+        while !fits(&best) && full > 1 {
+            full -= 1;
+            best = try_full(full);
+        }
+        if fits(&best) && full < shown.len() {
+            let more = try_full(full + 1);
+            if fits(&more) {
+                (full, best) = (full + 1, more);
+            }
+        }
+        self.full = Some(full);
+        best
+    }
+
+    /// Draws the shapes and the words.
+    pub fn draw(&self, canvas: &Canvas) {
+        for placed in &self.boxes {
+            let near = placed.object.clamp(placed.area.min, placed.area.max());
+            canvas.line(near, placed.object, 1.5, faded(theme::QUIET, 0.6));
+            canvas.disc(near, 3.0, theme::QUIET);
+        }
+        arrows::draw(&self.arrows, canvas);
+        for placed in &self.boxes {
+            draw_box(placed, canvas);
+        }
+        arrows::draw_labels(&self.arrows, &self.labels, canvas);
+        self.draw_legend(canvas);
+    }
+
+    fn draw_legend(&self, canvas: &Canvas) {
+        panel(canvas, self.legend_area);
+        for (i, line) in self.legend.iter().enumerate() {
+            let at = self.legend_area.min + Vec2::new(PADDING, PADDING + i as f32 * canvas.line_height(DETAILS));
+            canvas.text(line, at, Style::new(DETAILS, theme::QUIET).mono());
+        }
+    }
+}
+
+fn draw_box(placed: &Placed, canvas: &Canvas) {
+    panel(canvas, placed.area);
+    let line = canvas.line_height(DETAILS);
+    let at = |row: usize| placed.area.min + PADDING + Vec2::new(0.0, row as f32 * line);
+    canvas.text(&placed.facts.title, at(0), Style::new(DETAILS, theme::ACCENT).mono());
+    let width = number_width(&placed.facts.rows, NUMBER_WIDTH);
+    let numbers = Vec2::new(NAME_WIDTH as f32 * MONO_ADVANCE * canvas.frame().text_height(DETAILS), 0.0);
+    for (i, row) in placed.facts.rows.iter().enumerate() {
+        let colour = match row.force {
+            Some(kind) => theme::force(kind),
+            None if row.name == "Resultant" => theme::RESULTANT,
+            None => theme::QUIET,
+        };
+        canvas.text(row.name, at(i + 1), Style::new(DETAILS, colour).mono());
+        let colour = if matches!(row.value, Value::Vector(DVec2::ZERO)) { theme::QUIET } else { theme::TEXT };
+        canvas.text(&quantity(row, width), at(i + 1) + numbers, Style::new(DETAILS, colour).mono());
+    }
+}
+
+fn panel(canvas: &Canvas, area: Area) {
+    canvas.rounded(area, CORNER, faded(theme::PANEL, 0.95));
+    canvas.rounded_edge(area, CORNER, 1.5, theme::PANEL_EDGE);
+}
+
+/// The size of a box: its longest possible line at the width of its numbers, and its lines.
+fn box_size(facts: &Facts, frame: &Frame) -> Vec2 {
+    let text = frame.text_height(DETAILS);
+    // Brackets, comma and space stand between and around the two numbers.
+    let characters = NAME_WIDTH + 2 * number_width(&facts.rows, NUMBER_WIDTH) + 4 + UNIT_WIDTH;
+    let lines = facts.rows.len() + 1;
+    Vec2::new(characters as f32 * MONO_ADVANCE * text, lines as f32 * text * LINE) + 2.0 * PADDING
+}
+
+fn legend(game: &Game) -> Vec<String> {
+    let plan = game.world().plan().parts();
+    let mut lines = vec![format!("Arrows: one square = {} N", newtons_a_metre(game.level()))];
+    if !plan.is_empty() {
+        lines.push("Model at work:".to_owned());
+        lines.extend(plan.into_iter().map(|part| format!("· {part}")));
+    }
+    lines
+}
+
+/// At the top right.
+fn legend_area(lines: &[String], frame: &Frame) -> Area {
+    let text = frame.text_height(DETAILS);
+    let longest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0);
+    let size = Vec2::new(longest as f32 * MONO_ADVANCE * text, lines.len() as f32 * text * LINE) + 2.0 * PADDING;
+    Area { min: Vec2::new(frame.size.x - size.x - 2.0 * GRID, 2.0 * GRID), size }
+}
+
+fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
+    let min = view.point(bounds.min);
+    Area { min, size: view.point(bounds.max) - min }
+}
+
+const fn id(body: usize) -> BodyId {
+    BodyId(body as u32)
+}

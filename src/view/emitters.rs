@@ -1,0 +1,259 @@
+//! Who emits particles, how many a second and where to: the engine's plume, dust, objectives, key objects and air streams.
+
+use super::particles::{Look, Particle, Particles};
+use super::theme;
+use crate::game::{Game, SHIP};
+use crate::level::{Level, ObjectiveKind, SHIP_HALF};
+use crate::physics::{Aabb, BodyId, DVec2};
+use macroquad::color::Color;
+
+/// Particles of the plume a second, at full thrust.
+const PLUME_RATE: f64 = 110.0;
+/// How fast the plume leaves the ship, m/s.
+const PLUME_SPEED: f64 = 7.0;
+/// Time in which the plume grows to its full size, s.
+const PLUME_GROWTH: f64 = 0.06;
+/// Sparks a second and metre of an objective's outline.
+const OBJECTIVE_RATE: f64 = 1.3;
+/// Sparks a second of a key object.
+const KEY_RATE: f64 = 9.0;
+/// Streaks a second and square metre of an air stream.
+const STREAM_RATE: f64 = 1.2;
+/// All objectives, key objects and streams in view together emit at most this many a second: with more they thin out.
+const MOST_A_SECOND: f64 = 260.0;
+
+/// What emits all the time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Emitter {
+    Objective(usize),
+    Key(usize),
+    Stream(usize),
+}
+
+/// The emitters of a level and how much of the next particle each has ready.
+pub struct Emitters {
+    all: Vec<(Emitter, f64)>,
+    plume: f64,
+    /// How far the plume has grown, 0 … 1.
+    strength: f64,
+    /// The way the engine last burned: 1 along the nose, −1 against it.
+    way: f64,
+}
+
+impl Emitters {
+    /// Those of a level.
+    pub fn new(level: &Level) -> Self {
+        let keys = (0..level.objects.len()).filter(|&i| level.objects[i].key.is_some());
+        let all = ((0..level.objectives.len()).map(Emitter::Objective))
+            .chain(keys.map(Emitter::Key))
+            .chain((0..level.streams.len()).map(Emitter::Stream));
+        Self { all: all.map(|emitter| (emitter, 0.0)).collect(), plume: 0.0, strength: 0.0, way: 1.0 }
+    }
+
+    /// How far the plume has grown (0 … 1), and whether it leaves the tail (1) or the nose (−1).
+    pub const fn plume(&self) -> (f64, f64) {
+        (self.strength, self.way)
+    }
+
+    /// Emits what falls into `frame_time` seconds, from what is in view. `ship` is where the ship is drawn.
+    pub fn emit(&mut self, game: &Game, ship: DVec2, angle: f64, visible: &Aabb, frame_time: f64, particles: &mut Particles) {
+        self.emit_plume(game, ship, angle, frame_time, particles);
+        let rates: Vec<f64> = self.all.iter().map(|(emitter, _)| rate(*emitter, game, visible)).collect();
+        let thinned = thinning(rates.iter().sum());
+        for ((emitter, ready), rate) in self.all.iter_mut().zip(rates) {
+            *ready += rate * thinned * frame_time;
+            while *ready >= 1.0 {
+                *ready -= 1.0;
+                particles_of(*emitter, game, particles);
+            }
+        }
+    }
+
+    fn emit_plume(&mut self, game: &Game, ship: DVec2, angle: f64, frame_time: f64, particles: &mut Particles) {
+        let burning = f64::from(game.ship().burning);
+        if burning != 0.0 {
+            self.way = burning;
+        }
+        let change = frame_time / PLUME_GROWTH;
+        self.strength = if burning == 0.0 { self.strength - change } else { self.strength + change }.clamp(0.0, 1.0);
+        if burning == 0.0 {
+            return;
+        }
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let out = DVec2::new(-sin, cos) * burning;
+        let across = out.perp();
+        let moving = game.world().body(SHIP).velocity * 0.5;
+        self.plume += PLUME_RATE * self.strength * frame_time;
+        while self.plume >= 1.0 {
+            self.plume -= 1.0;
+            let spread = particles.between(-1.0, 1.0);
+            let along = particles.between(0.0, 0.25);
+            let speed = PLUME_SPEED * particles.between(0.75, 1.15);
+            let life = particles.between(0.5, 1.5) as f32;
+            particles.add(Particle {
+                position: ship + out * (SHIP_HALF.y + along) + across * (spread * 0.16),
+                velocity: moving + out * speed + across * (spread * 1.3),
+                age: 0.0,
+                life,
+                look: Look::Plume,
+                colour: theme::ACCENT,
+            });
+        }
+    }
+}
+
+/// Dust that an impact raises: the more, the harder it was.
+pub fn dust(particles: &mut Particles, point: DVec2, normal: DVec2, speed: f64) {
+    let along = normal.perp();
+    for _ in 0..(4.0 + speed * 1.4).min(26.0) as usize {
+        let sideways = particles.between(-1.0, 1.0);
+        let away = particles.between(0.1, 0.6);
+        let life = particles.between(0.3, 0.8) as f32;
+        particles.add(Particle {
+            position: point + along * (sideways * 0.4),
+            velocity: (along * sideways + normal * away) * (0.8 + speed * 0.25).min(5.0),
+            age: 0.0,
+            life,
+            look: Look::Dust,
+            colour: theme::QUIET,
+        });
+    }
+}
+
+/// The colour of an objective: its kind's, or green while it is met.
+pub fn objective_colour(game: &Game, index: usize) -> Color {
+    match game.level().objectives[index].kind {
+        _ if game.met()[index] => theme::GOOD,
+        ObjectiveKind::Player => theme::PLAYER_OBJECTIVE,
+        ObjectiveKind::Physics => theme::PHYSICS_OBJECTIVE,
+    }
+}
+
+/// The share of their particles that all emitters together may emit, from the sum of what they would like to a second.
+fn thinning(wanted: f64) -> f64 {
+    if wanted > MOST_A_SECOND { MOST_A_SECOND / wanted } else { 1.0 }
+}
+
+/// Particles a second that an emitter would like to emit: none when it is out of view.
+fn rate(emitter: Emitter, game: &Game, visible: &Aabb) -> f64 {
+    let level = game.level();
+    let (bounds, rate) = match emitter {
+        Emitter::Objective(i) => {
+            let bounds = level.objectives[i].bounds;
+            (bounds, (OBJECTIVE_RATE * 2.0 * bounds.size().element_sum()).min(30.0))
+        }
+        Emitter::Key(i) => (game.world().body(body(i)).bounds(), KEY_RATE),
+        Emitter::Stream(i) => {
+            let zone = &level.streams[i].zone;
+            let shown = (zone.max.min(visible.max) - zone.min.max(visible.min)).max(DVec2::ZERO);
+            (*zone, STREAM_RATE * shown.x * shown.y)
+        }
+    };
+    if bounds.touches(visible, 0.0) { rate } else { 0.0 }
+}
+
+fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
+    let level = game.level();
+    match emitter {
+        Emitter::Objective(i) => {
+            let (position, out) = on_outline(&level.objectives[i].bounds, particles);
+            let velocity = out * particles.between(0.2, 0.7) + DVec2::new(0.0, particles.between(-0.9, -0.2));
+            spark(particles, position, velocity, objective_colour(game, i));
+        }
+        Emitter::Key(i) => {
+            let [r, g, b] = level.objects[i].key.unwrap_or_default();
+            let body = game.world().body(body(i));
+            let (position, out) = on_outline(&body.bounds(), particles);
+            let velocity = body.velocity * 0.3 + out * particles.between(0.3, 0.9);
+            spark(particles, position, velocity, Color::from_rgba(r, g, b, 255));
+        }
+        Emitter::Stream(i) => {
+            let stream = &level.streams[i];
+            let way = stream.force.normalize_or_zero();
+            let speed = (3.0 + stream.force.length() / 300.0).min(12.0) * particles.between(0.8, 1.2);
+            let life = particles.between(0.5, 1.0);
+            let size = stream.zone.size();
+            let place = DVec2::new(particles.between(0.03, 0.97), particles.between(0.03, 0.97));
+            // It begins so far upstream that its whole way lies in the zone.
+            let position = stream.zone.min + place * size;
+            let room = (stream.zone.max - position).max(DVec2::ZERO).min(size);
+            let ahead = if way.x.abs() > way.y.abs() {
+                if way.x > 0.0 { room.x } else { size.x - room.x }
+            } else if way.y > 0.0 {
+                room.y
+            } else {
+                size.y - room.y
+            };
+            let life = life.min(ahead / speed) as f32;
+            if life > 0.1 {
+                let velocity = way * speed;
+                particles.add(Particle {
+                    position,
+                    velocity,
+                    age: 0.0,
+                    life,
+                    look: Look::Streak,
+                    colour: theme::force(crate::physics::ForceKind::Wind),
+                });
+            }
+        }
+    }
+}
+
+fn spark(particles: &mut Particles, position: DVec2, velocity: DVec2, colour: Color) {
+    let life = particles.between(0.6, 1.3) as f32;
+    particles.add(Particle { position, velocity, age: 0.0, life, look: Look::Spark, colour });
+}
+
+/// A chance point on a box's outline and the direction out of the box there.
+fn on_outline(bounds: &Aabb, particles: &mut Particles) -> (DVec2, DVec2) {
+    let size = bounds.size();
+    let along = particles.between(0.0, 2.0 * size.element_sum());
+    let (min, max) = (bounds.min, bounds.max);
+    if along < size.x {
+        (DVec2::new(min.x + along, min.y), DVec2::NEG_Y)
+    } else if along < 2.0 * size.x {
+        (DVec2::new(min.x + along - size.x, max.y), DVec2::Y)
+    } else if along < 2.0 * size.x + size.y {
+        (DVec2::new(min.x, min.y + along - 2.0 * size.x), DVec2::NEG_X)
+    } else {
+        (DVec2::new(max.x, min.y + along - 2.0 * size.x - size.y), DVec2::X)
+    }
+}
+
+/// The body of the level's object of that index.
+const fn body(object: usize) -> BodyId {
+    BodyId(object as u32 + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_emitters_thin_out_and_few_do_not() {
+        assert_eq!(thinning(50.0), 1.0);
+        assert!((1e4 * thinning(1e4) - MOST_A_SECOND).abs() < 1e-9);
+    }
+
+    #[test]
+    fn dust_grows_with_the_impact_and_stays_bounded() {
+        let count = |speed: f64| {
+            let mut particles = Particles::new();
+            dust(&mut particles, DVec2::ZERO, DVec2::NEG_Y, speed);
+            particles.all().len()
+        };
+        assert!(count(2.0) < count(9.0) && count(9.0) < count(15.0));
+        assert_eq!(count(1e6), 26);
+    }
+
+    #[test]
+    fn sparks_begin_on_the_outline() {
+        let bounds = Aabb::new(DVec2::new(1.0, 2.0), DVec2::new(4.0, 3.0));
+        let mut particles = Particles::new();
+        for _ in 0..200 {
+            let (p, out) = on_outline(&bounds, &mut particles);
+            assert!(bounds.contains(&Aabb::new(p, p), 1e-9) && !bounds.contains(&Aabb::new(p + out * 0.01, p + out * 0.01), 0.0));
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! What the details box of a body says: read off the world's own state, one decimal place, nothing computed anew.
+
+use crate::game::{Game, SHIP};
+use crate::level::Look;
+use crate::physics::{BodyId, DVec2, ForceKind, ForceManager};
+
+/// Below this length (N) a force's direction is no more than rounding: it is kept by itself.
+const SMALLEST_FORCE: f64 = 1e-9;
+/// Two forces of a name with directions closer than this (sine of the angle) are one arrow and one line.
+const SAME_DIRECTION: f64 = 1e-6;
+
+/// A quantity as it is shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// A number.
+    Scalar(f64),
+    /// Its x and y components.
+    Vector(DVec2),
+}
+
+/// One line of a box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// What it is.
+    pub name: &'static str,
+    /// How much.
+    pub value: Value,
+    /// In what.
+    pub unit: &'static str,
+    /// The force it tells of, if it is one.
+    pub force: Option<ForceKind>,
+}
+
+/// A box's heading and lines.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Facts {
+    /// The name of the body.
+    pub title: String,
+    /// Its lines, from the top.
+    pub rows: Vec<Row>,
+}
+
+/// All there is to say about a body.
+pub fn facts(game: &Game, id: BodyId) -> Facts {
+    let (world, ship) = (game.world(), id == SHIP);
+    let (body, forces) = (world.body(id), world.forces(id));
+    let row = |name, value, unit| Row { name, value, unit, force: None };
+    let mut rows = Vec::with_capacity(12);
+    if ship {
+        // Along the nose positive, against it negative.
+        let drive = forces.total(ForceKind::Drive).length() * if game.ship().burning < 0 { -1.0 } else { 1.0 };
+        rows.push(row("Engine drive", Value::Scalar(drive), "N"));
+    }
+    rows.push(row("Mass", Value::Scalar(body.mass), "kg"));
+    rows.push(row("Velocity", Value::Vector(body.velocity), "m/s"));
+    rows.push(row("Acceleration", Value::Vector(body.acceleration), "m/s²"));
+    rows.push(row("Resultant", Value::Vector(forces.resultant()), "N"));
+    rows.extend(by_name(forces).into_iter().map(|(kind, vector)| Row {
+        name: kind.name(),
+        value: Value::Vector(vector),
+        unit: "N",
+        force: Some(kind),
+    }));
+    Facts { title: title(game, id), rows }
+}
+
+/// The box's short form, for when there is no room: heading and resultant.
+pub fn short_facts(game: &Game, id: BodyId) -> Facts {
+    let Facts { title, rows } = facts(game, id);
+    Facts { title, rows: rows.into_iter().filter(|row| row.name == "Resultant").collect() }
+}
+
+/// The forces by name, in the usual order. Forces of one name that point the same way (the reactions of two floor tiles) are one;
+/// those of one name that oppose each other stay apart, for together they would hide what presses.
+pub fn by_name(forces: &ForceManager) -> Vec<(ForceKind, DVec2)> {
+    let mut named: Vec<(ForceKind, DVec2)> = Vec::new();
+    for kind in ForceKind::ALL {
+        let first = named.len();
+        for force in forces.forces().iter().filter(|force| force.kind == kind) {
+            match named[first..].iter_mut().find(|(_, sum)| same_way(*sum, force.vector)) {
+                Some((_, sum)) => *sum += force.vector,
+                None => named.push((kind, force.vector)),
+            }
+        }
+    }
+    named
+}
+
+fn same_way(a: DVec2, b: DVec2) -> bool {
+    let lengths = a.length() * b.length();
+    a.length().min(b.length()) < SMALLEST_FORCE || a.dot(b) > 0.0 && a.perp_dot(b).abs() <= SAME_DIRECTION * lengths
+}
+
+fn title(game: &Game, id: BodyId) -> String {
+    let Some(object) = id.index().checked_sub(1).and_then(|i| game.level().objects.get(i)) else {
+        return "Ship".to_owned();
+    };
+    let kind = match object.look {
+        _ if object.key.is_some() => "Key object",
+        _ if object.circular => "Ball",
+        Look::Ball => "Ball",
+        Look::Image(_) | Look::Box => "Box",
+    };
+    format!("{kind} {}", id.0)
+}
+
+/// A number to one decimal place with a true minus sign; what rounds to zero has no sign.
+pub fn number(value: f64) -> String {
+    let plain = format!("{value:.1}");
+    match plain.strip_prefix('-') {
+        Some("0.0") => "0.0".to_owned(),
+        Some(size) => format!("−{size}"),
+        None => plain,
+    }
+}
+
+/// The numbers of a row, each in a field of `width` characters so that decimal points lie below each other, and the unit.
+pub fn quantity(row: &Row, width: usize) -> String {
+    match row.value {
+        Value::Scalar(value) => format!(" {:>width$}  {:width$}  {}", number(value), "", row.unit),
+        Value::Vector(v) => format!("({:>width$}, {:>width$}) {}", number(v.x), number(v.y), row.unit),
+    }
+}
+
+/// The width of the longest number in the rows, but at least `least`, characters.
+pub fn number_width(rows: &[Row], least: usize) -> usize {
+    let length = |value: f64| number(value).chars().count();
+    rows.iter()
+        .map(|row| match row.value {
+            Value::Scalar(value) => length(value),
+            Value::Vector(v) => length(v.x).max(length(v.y)),
+        })
+        .fold(least, usize::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_one_decimal_and_a_true_minus_sign() {
+        assert_eq!(number(1500.0), "1500.0");
+        assert_eq!(number(-731.25), "−731.2");
+        assert_eq!(number(-0.04), "0.0");
+        assert_eq!(number(-0.0), "0.0");
+        assert_eq!(number(-0.06), "−0.1");
+    }
+
+    #[test]
+    fn decimal_points_lie_below_each_other() {
+        let row = |name, value, unit| Row { name, value, unit, force: None };
+        let rows = [
+            row("Mass", Value::Scalar(100.0), "kg"),
+            row("Velocity", Value::Vector(DVec2::new(-12.34, 0.0)), "m/s"),
+            row("Resultant", Value::Vector(DVec2::new(0.0, -123_456.7)), "N"),
+        ];
+        let width = number_width(&rows, 7);
+        assert_eq!(width, 9);
+        let lines: Vec<Vec<char>> = rows.iter().map(|row| quantity(row, width).chars().collect()).collect();
+        let dots = |line: &[char]| line.iter().enumerate().filter(|(_, c)| **c == '.').map(|(i, _)| i).collect::<Vec<_>>();
+        assert_eq!(dots(&lines[1]), dots(&lines[2]));
+        assert_eq!(dots(&lines[0])[0], dots(&lines[1])[0]);
+        let unit = |line: &[char], unit: char| line.iter().rposition(|c| *c == unit);
+        assert_eq!(unit(&lines[0], 'k'), unit(&lines[2], 'N'));
+    }
+
+    #[test]
+    fn only_forces_that_point_the_same_way_are_one() {
+        assert!(same_way(DVec2::new(0.0, -3.0), DVec2::new(0.0, -5.0)));
+        assert!(!same_way(DVec2::new(0.0, -3.0), DVec2::new(0.0, 5.0)));
+        assert!(!same_way(DVec2::new(0.0, -3.0), DVec2::new(2.0, 0.0)));
+    }
+}

@@ -1,0 +1,133 @@
+//! What the player feels of an event: the screen's shake and red edges after a damaging hit, the lost points that float up, the ring
+//! of an objective met.
+
+use super::camera::Viewport;
+use super::canvas::{Canvas, Style};
+use super::layout::BUTTON_TEXT;
+use super::theme::{self, faded};
+use crate::physics::DVec2;
+use macroquad::color::Color;
+use macroquad::math::Vec2;
+use macroquad::shapes::draw_rectangle;
+
+/// How long a damaging hit shakes the screen, s.
+const SHAKE_TIME: f64 = 0.2;
+/// How far at most, canvas units.
+const SHAKE_REACH: f64 = 6.0;
+/// How long the red edges stay, s.
+const FLASH_TIME: f64 = 0.35;
+/// How long the lost points float, s, and how fast, m/s.
+const FLOAT_TIME: f64 = 1.4;
+const FLOAT_SPEED: f64 = 1.3;
+/// How long a ring spreads, s, and how far, m.
+const RING_TIME: f64 = 0.7;
+const RING_REACH: f64 = 4.0;
+
+/// What is being shown, by the seconds for which it has been.
+#[derive(Default)]
+pub struct Feedback {
+    hit: Option<f64>,
+    floats: Vec<(DVec2, f64)>,
+    rings: Vec<(DVec2, Color, f64)>,
+}
+
+impl Feedback {
+    /// A damaging hit at a point (m).
+    pub fn hit(&mut self, point: DVec2) {
+        self.hit = Some(0.0);
+        self.floats.push((point, 0.0));
+    }
+
+    /// A ring that spreads once from a point (m).
+    pub fn ring(&mut self, centre: DVec2, colour: Color) {
+        self.rings.push((centre, colour, 0.0));
+    }
+
+    /// Lets `frame_time` seconds pass.
+    pub fn advance(&mut self, frame_time: f64) {
+        self.hit = self.hit.map(|age| age + frame_time).filter(|age| *age < SHAKE_TIME.max(FLASH_TIME));
+        for (_, age) in &mut self.floats {
+            *age += frame_time;
+        }
+        self.floats.retain(|(_, age)| *age < FLOAT_TIME);
+        for (_, _, age) in &mut self.rings {
+            *age += frame_time;
+        }
+        self.rings.retain(|(_, _, age)| *age < RING_TIME);
+    }
+
+    /// By how much the screen is shaken now, canvas units: never more than 6 each way, nothing after 200 ms.
+    pub fn shake(&self) -> DVec2 {
+        self.hit.map_or(DVec2::ZERO, |age| {
+            let left = (1.0 - age / SHAKE_TIME).max(0.0);
+            DVec2::new((age * 95.0).cos(), (age * 127.0).cos()) * (SHAKE_REACH * left)
+        })
+    }
+
+    /// Draws the rings and the points lost, in the level.
+    pub fn draw_in_level(&self, view: &Viewport, canvas: &Canvas) {
+        for (centre, colour, age) in &self.rings {
+            let t = age / RING_TIME;
+            let spread = 1.0 - (1.0 - t).powi(3);
+            canvas.ring(view.point(*centre), view.length(0.5 + RING_REACH * spread), 4.0, faded(*colour, 1.0 - t as f32));
+        }
+        for (point, age) in &self.floats {
+            let t = (age / FLOAT_TIME) as f32;
+            let at = view.point(*point - DVec2::new(0.0, 1.2 + FLOAT_SPEED * age));
+            // It stays on the screen when the hit was at its edge.
+            let at = at.clamp(Vec2::new(48.0, 64.0), (canvas.size() - 64.0).max(Vec2::splat(64.0)));
+            let style = Style::new(BUTTON_TEXT, faded(theme::BAD, (2.0 - 2.0 * t).min(1.0))).mono().centred().middle();
+            canvas.text("−500", at, style);
+        }
+    }
+
+    /// Draws the red edges of the screen.
+    pub fn draw_flash(&self, canvas: &Canvas) {
+        const BANDS: usize = 12;
+        let Some(age) = self.hit else { return };
+        let left = (1.0 - age / FLASH_TIME).max(0.0) as f32;
+        let (size, step) = (canvas.size(), 7.0);
+        for band in 0..BANDS {
+            let (inset, fall) = (band as f32 * step, 1.0 - band as f32 / BANDS as f32);
+            let colour = faded(theme::BAD, 0.6 * left * fall * fall);
+            let (w, h) = (size.x - 2.0 * inset, size.y - 2.0 * inset - 2.0 * step);
+            draw_rectangle(inset, inset, w, step, colour);
+            draw_rectangle(inset, size.y - inset - step, w, step, colour);
+            draw_rectangle(inset, inset + step, step, h, colour);
+            draw_rectangle(size.x - inset - step, inset + step, step, h, colour);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hit_shakes_by_at_most_six_units_for_200_ms() {
+        let mut feedback = Feedback::default();
+        assert_eq!(feedback.shake(), DVec2::ZERO);
+        feedback.hit(DVec2::ZERO);
+        let mut felt: f64 = 0.0;
+        for _ in 0..20 {
+            let reach = feedback.shake().abs().max_element();
+            assert!(reach <= 6.0);
+            felt = felt.max(reach);
+            feedback.advance(0.01);
+        }
+        assert!(felt > 3.0);
+        feedback.advance(0.001);
+        assert_eq!(feedback.shake().abs().max_element(), 0.0);
+    }
+
+    #[test]
+    fn what_is_shown_ends() {
+        let mut feedback = Feedback::default();
+        feedback.hit(DVec2::ZERO);
+        feedback.ring(DVec2::ZERO, theme::GOOD);
+        for _ in 0..30 {
+            feedback.advance(0.1);
+        }
+        assert!(feedback.hit.is_none() && feedback.floats.is_empty() && feedback.rings.is_empty());
+    }
+}

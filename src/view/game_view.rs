@@ -1,0 +1,150 @@
+//! The game's picture, put together: what lies below is drawn first, words after the shapes of their layer.
+
+use super::art::Art;
+use super::camera::{Camera, Viewport, Window};
+use super::canvas::Canvas;
+use super::details::Details;
+use super::edges::{Edge, open_edges};
+use super::emitters::{Emitters, dust, objective_colour};
+use super::feedback::Feedback;
+use super::layout::Frame;
+use super::particles::Particles;
+use super::pictures::Pictures;
+use super::{hitboxes, hud, things, world, zones};
+use crate::game::{Game, GameEvent, SHIP};
+use crate::physics::{BodyId, DVec2};
+use std::path::Path;
+use std::rc::Rc;
+
+/// The view of one attempt: what is drawn besides the game's own state.
+pub struct GameView {
+    art: Rc<Art>,
+    pictures: Pictures,
+    edges: Vec<Edge>,
+    camera: Camera,
+    particles: Particles,
+    emitters: Emitters,
+    feedback: Feedback,
+    details: Details,
+    /// Seconds shown, for what moves by itself (waves, pulses).
+    time: f64,
+}
+
+/// Which overlays are shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Overlays {
+    /// Details boxes and free-body arrows (Tab).
+    pub details: bool,
+    /// Hitboxes and figures (F3).
+    pub hitboxes: bool,
+}
+
+impl GameView {
+    /// The view of a game that begins. `art` is painted once and shared; `read` hands over the bytes of a picture that the
+    /// level names.
+    pub fn new(game: &Game, art: Rc<Art>, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
+        let level = game.level();
+        let solids: Vec<_> = level.world.iter().map(|solid| solid.bounds).collect();
+        Self {
+            art,
+            pictures: Pictures::new(level, read),
+            edges: open_edges(&solids, level.size),
+            camera: Camera::new(game.world().body(SHIP).position),
+            particles: Particles::new(),
+            emitters: Emitters::new(level),
+            feedback: Feedback::default(),
+            details: Details::default(),
+            time: 0.0,
+        }
+    }
+
+    /// Takes up what happened in the tick just made. To be called once a tick.
+    pub fn after_tick(&mut self, game: &Game) {
+        for event in game.events() {
+            match event {
+                GameEvent::Impact { point, speed, normal } => dust(&mut self.particles, *point, *normal, *speed),
+                GameEvent::DamagingHit { point, .. } => self.feedback.hit(*point),
+                GameEvent::ObjectiveMet(index) => {
+                    let centre = game.level().objectives[*index].bounds.centre();
+                    self.feedback.ring(centre, objective_colour(game, *index));
+                }
+                GameEvent::ObjectiveLost(_) | GameEvent::Completed | GameEvent::Died => {}
+            }
+        }
+    }
+
+    /// Lets `frame_time` seconds pass for everything that is only shown (0 while paused), and lays the details out. `alpha` (0 … 1)
+    /// is how far the frame lies between the last tick but one and the last.
+    pub fn update(&mut self, game: &Game, alpha: f64, frame_time: f64, overlays: Overlays, frame: &Frame) {
+        let ship = centre(game, SHIP, alpha);
+        self.time += frame_time;
+        self.camera.follow(ship, frame_time);
+        let view = self.viewport(game, alpha, frame);
+        self.particles.advance(frame_time);
+        self.emitters.emit(game, ship, angle(game, alpha), &view.visible(), frame_time, &mut self.particles);
+        self.feedback.advance(frame_time);
+        if overlays.details {
+            let centres: Vec<DVec2> = ids(game).map(|id| centre(game, id, alpha)).collect();
+            self.details.arrange(game, &centres, &view, frame);
+        }
+    }
+
+    /// Draws the game. `figures` is the line that the hitboxes show: frames a second and cost of a tick.
+    pub fn draw(&self, game: &Game, alpha: f64, overlays: Overlays, figures: &str, canvas: &Canvas) {
+        let view = self.viewport(game, alpha, canvas.frame());
+        self.draw_level(game, alpha, &view, canvas);
+        canvas.end_layer();
+        if overlays.hitboxes {
+            hitboxes::draw(game, figures, &view, canvas);
+        }
+        if overlays.details {
+            self.details.draw(canvas);
+        }
+        self.feedback.draw_flash(canvas);
+        hud::draw(game, canvas);
+        canvas.end_layer();
+    }
+
+    fn draw_level(&self, game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas) {
+        let (level, art, time) = (game.level(), &*self.art, self.time);
+        world::draw_ground(level, &self.pictures, view, canvas);
+        zones::draw_streams(level, view, canvas, time);
+        zones::draw_objectives(game, art, view, canvas, time);
+        // Smoke and dust vanish behind what is solid.
+        self.particles.draw(art, view);
+        world::draw_solids(level, &self.edges, art, view);
+        zones::draw_sources(level, view, canvas);
+        zones::draw_obstacles(level, art, view, time);
+        for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
+            things::draw_object(object, centre(game, id, alpha), &self.pictures, art, view, canvas);
+        }
+        let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
+        things::draw_ship(centre(game, SHIP, alpha), angle(game, alpha), self.emitters.plume(), flicker, art, view);
+        zones::draw_fluids(level, view, canvas, time);
+        world::draw_level_edge(level, view, canvas);
+        self.feedback.draw_in_level(view, canvas);
+        world::draw_texts(level, view, canvas);
+    }
+
+    fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {
+        let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
+        let level = game.level();
+        Viewport::new(self.camera.focus(), centre(game, SHIP, alpha), level.size, level.metre, window).shaken(self.feedback.shake())
+    }
+}
+
+fn ids(game: &Game) -> impl Iterator<Item = BodyId> {
+    (0..game.world().bodies().len() as u32).map(BodyId)
+}
+
+/// Where a body is drawn, m: between where it was one tick ago and where it is.
+fn centre(game: &Game, id: BodyId, alpha: f64) -> DVec2 {
+    game.world().previous_position(id).lerp(game.world().body(id).position, alpha)
+}
+
+/// The angle at which the ship is drawn, degrees: between the one a tick ago and now, the short way round.
+fn angle(game: &Game, alpha: f64) -> f64 {
+    let ship = game.ship();
+    let turn = (ship.angle - ship.previous_angle + 180.0).rem_euclid(360.0) - 180.0;
+    ship.previous_angle + turn * alpha
+}

@@ -1,0 +1,88 @@
+//! What authors and developers see with F3: the boxes that collide, the zones, the contacts, the path of the last tick, and a line of
+//! figures.
+
+use super::camera::Viewport;
+use super::canvas::{Canvas, Style};
+use super::layout::{Area, DETAILS, GRID, MONO_ADVANCE, Vec2};
+use super::theme::{self, faded, rgb};
+use crate::game::{Game, SHIP};
+use crate::physics::{Aabb, BodyId, DVec2, ForceKind, Source};
+use macroquad::color::Color;
+use macroquad::shapes::draw_rectangle_lines;
+
+/// The colours of bodies, solid surfaces and zones.
+const BODY: Color = rgb(0x7CFF6B);
+const SURFACE: Color = rgb(0x56B4E9);
+const ZONE: Color = rgb(0xE6EBF2);
+/// Two boxes count as touching for this drawing within so many metres.
+const NEAR: f64 = 1e-3;
+
+/// Draws the outlines and the line of `figures` (frames a second, cost of a tick), which the caller has measured.
+pub fn draw(game: &Game, figures: &str, view: &Viewport, canvas: &Canvas) {
+    let (level, world) = (game.level(), game.world());
+    let outline = |bounds: &Aabb, colour: Color| {
+        if bounds.touches(&view.visible(), 0.0) {
+            let area = view.rect(bounds);
+            draw_rectangle_lines(area.x, area.y, area.w, area.h, 2.0, colour);
+        }
+    };
+    for surface in world.surfaces() {
+        outline(&surface.bounds, SURFACE);
+    }
+    for objective in &level.objectives {
+        outline(&objective.bounds, theme::PLAYER_OBJECTIVE);
+    }
+    for bounds in &level.obstacles {
+        outline(bounds, theme::BAD);
+    }
+    for zone in level.streams.iter().map(|s| &s.zone).chain(level.fluids.iter().map(|f| &f.zone)) {
+        outline(zone, ZONE);
+    }
+    for (i, body) in world.bodies().iter().enumerate() {
+        let id = BodyId(i as u32);
+        outline(&body.bounds(), BODY);
+        let corners: Vec<Vec2> = world.path(id).map(|point| view.point(point)).collect();
+        for leg in corners.windows(2) {
+            canvas.line(leg[0], leg[1], 2.0, BODY);
+        }
+        draw_contacts(game, id, view, canvas);
+    }
+    draw_figures(game, figures, canvas);
+}
+
+/// The stretch along which a body is touched by what exerts a reaction or a push on it, with a stroke along the contact's normal.
+fn draw_contacts(game: &Game, id: BodyId, view: &Viewport, canvas: &Canvas) {
+    let world = game.world();
+    let own = world.body(id).bounds();
+    for force in world.forces(id).forces().iter().filter(|f| matches!(f.kind, ForceKind::Reaction | ForceKind::Push)) {
+        let other = match force.source {
+            Source::Surface(i) => world.surfaces()[i as usize].bounds,
+            Source::Body(other) => world.body(other).bounds(),
+            Source::Gravity | Source::Engine | Source::Air | Source::Stream(_) | Source::Fluid(_) => continue,
+        };
+        if !own.touches(&other, NEAR) {
+            continue;
+        }
+        let (from, to) = (own.min.max(other.min), own.max.min(other.max));
+        let normal = force.vector.normalize_or_zero();
+        canvas.line(view.point(from), view.point(to), 4.0, theme::force(ForceKind::Reaction));
+        let middle = (from + to) * 0.5;
+        canvas.line(view.point(middle), view.point(middle + normal * 0.5), 2.0, theme::force(ForceKind::Reaction));
+    }
+}
+
+/// Below the head-up display's panel, on a ground of its own so that it can be read over anything.
+fn draw_figures(game: &Game, figures: &str, canvas: &Canvas) {
+    let ship = game.world().body(SHIP);
+    let DVec2 { x, y } = ship.position;
+    let lines = [figures.to_owned(), format!("tick {}  ship {x:.3}, {y:.3} m  {:.1}°", game.ticks(), game.ship().angle)];
+    let line = canvas.line_height(DETAILS);
+    let longest = lines.iter().map(|text| text.chars().count()).max().unwrap_or(0);
+    let width = longest as f32 * MONO_ADVANCE * canvas.frame().text_height(DETAILS);
+    let area = Area::new(2.0 * GRID, 9.0 * GRID, width + 2.0 * GRID, lines.len() as f32 * line + GRID);
+    canvas.rounded(area, GRID, faded(theme::GROUND, 0.8));
+    for (i, text) in lines.iter().enumerate() {
+        let at = area.min + Vec2::new(GRID, GRID * 0.5 + i as f32 * line);
+        canvas.text(text, at, Style::new(DETAILS, theme::TEXT).mono());
+    }
+}

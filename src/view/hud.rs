@@ -1,0 +1,131 @@
+//! The head-up display: time, objectives met, fuel.
+
+use super::canvas::{Canvas, Style};
+use super::layout::{Area, DETAILS, Frame, GRID, TEXT, Vec2};
+use super::theme::{self, faded, rgb};
+use super::widgets::panel_in;
+use crate::game::Game;
+use macroquad::color::Color;
+
+/// Width and height of the fuel bar as shares of the window's.
+const BAR: Vec2 = Vec2::new(0.75, 0.03);
+/// The fuel bar's colour when full; it runs to [`FUEL_EMPTY`].
+const FUEL_FULL: Color = rgb(0xFFB01C);
+const FUEL_EMPTY: Color = rgb(0xF2302F);
+/// Height of the panel at the top left.
+const STATUS_HEIGHT: f32 = 40.0;
+
+/// Where the parts stand: nothing else should cover them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HudLayout {
+    /// Timer and objectives, at the top left.
+    pub status: Area,
+    /// The fuel bar, at the bottom centre.
+    pub fuel: Area,
+}
+
+impl HudLayout {
+    /// The places on a canvas.
+    pub fn new(frame: &Frame) -> Self {
+        let bar = frame.size * BAR;
+        let left = (frame.size.x - bar.x) / 2.0;
+        Self {
+            status: Area::new(
+                2.0 * GRID,
+                2.0 * GRID,
+                13.6 * frame.text_height(TEXT),
+                STATUS_HEIGHT.max(frame.text_height(TEXT) * 1.6),
+            ),
+            fuel: Area::new(left, frame.size.y - bar.y - 2.0 * GRID, bar.x, bar.y),
+        }
+    }
+}
+
+/// Draws all of it.
+pub fn draw(game: &Game, canvas: &Canvas) {
+    let layout = HudLayout::new(canvas.frame());
+    draw_status(game, layout.status, canvas);
+    let level = &game.level().player;
+    let share = if level.fuel > 0.0 { (game.ship().fuel / level.fuel).clamp(0.0, 1.0) } else { 0.0 };
+    draw_fuel(share as f32, game.ship().fuel, layout.fuel, canvas);
+}
+
+fn draw_status(game: &Game, area: Area, canvas: &Canvas) {
+    panel_in(canvas, area, faded(theme::PANEL, 0.9), theme::PANEL_EDGE);
+    let middle = area.centre().y;
+    let number = Style::new(TEXT, theme::TEXT).mono().middle();
+    let left = area.min.x + 2.0 * GRID;
+    canvas.text(&clock(game.time()), Vec2::new(left, middle), number);
+    let (met, all) = (game.met().iter().filter(|met| **met).count(), game.met().len());
+    let colour = if met == all { theme::GOOD } else { theme::TEXT };
+    let right = area.max().x - 2.0 * GRID;
+    let count = format!("{met}/{all}");
+    let style = Style::new(TEXT, colour).mono().middle().right();
+    canvas.text(&count, Vec2::new(right, middle), style);
+    let words = Vec2::new(right - canvas.width(&count, style) - GRID, middle);
+    canvas.text("Objectives", words, Style::new(TEXT, theme::QUIET).middle().right());
+}
+
+fn draw_fuel(share: f32, fuel: f64, area: Area, canvas: &Canvas) {
+    use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
+    let (at, size) = (area.min, area.size);
+    draw_rectangle(at.x, at.y, size.x, size.y, faded(theme::PANEL, 0.9));
+    draw_rectangle(at.x, at.y, size.x * share, size.y, fuel_colour(share));
+    // Quarters, so that the length can be read.
+    for quarter in 1..4_u8 {
+        let x = at.x + size.x * f32::from(quarter) / 4.0;
+        draw_rectangle(x - 1.0, at.y + size.y * 0.65, 2.0, size.y * 0.35, faded(theme::GROUND, 0.6));
+    }
+    draw_rectangle_lines(at.x, at.y, size.x, size.y, 4.0, theme::PANEL_EDGE);
+    // Dark words on the bright bar; where the bar has gone, light ones.
+    let words = format!("Fuel {fuel:.0}");
+    let style = Style::new(DETAILS, theme::GROUND).mono().middle();
+    let covered = size.x * share > canvas.width(&words, style) + 2.0 * GRID;
+    let colour = if covered { theme::GROUND } else { theme::TEXT };
+    let x = if covered { at.x + GRID } else { at.x + size.x * share + GRID };
+    canvas.text(&words, Vec2::new(x, area.centre().y), Style { colour, ..style });
+}
+
+/// From yellow-orange when full to red when empty.
+pub fn fuel_colour(share: f32) -> Color {
+    let mix = |empty: f32, full: f32| empty + (full - empty) * share.clamp(0.0, 1.0);
+    Color::new(mix(FUEL_EMPTY.r, FUEL_FULL.r), mix(FUEL_EMPTY.g, FUEL_FULL.g), mix(FUEL_EMPTY.b, FUEL_FULL.b), 1.0)
+}
+
+/// A time in seconds as mm:ss; minutes go on beyond 99.
+pub fn clock(time: f64) -> String {
+    let seconds = time as u64;
+    format!("{:02}:{:02}", seconds / 60, seconds % 60)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_clock_counts_whole_seconds() {
+        assert_eq!(clock(0.0), "00:00");
+        assert_eq!(clock(119.0 / 120.0), "00:00");
+        assert_eq!(clock(1.0), "00:01");
+        assert_eq!(clock(59.0 * 60.0 + 59.9), "59:59");
+        assert_eq!(clock(6000.0), "100:00");
+    }
+
+    #[test]
+    fn the_fuel_bar_is_three_quarters_wide_and_three_hundredths_high_at_the_bottom_centre() {
+        for pixels in [Vec2::new(900.0, 500.0), Vec2::new(1280.0, 720.0), Vec2::new(1920.0, 1080.0), Vec2::new(700.0, 1000.0)] {
+            let frame = Frame::of_window(pixels);
+            let bar = HudLayout::new(&frame).fuel;
+            assert!((bar.size - frame.size * Vec2::new(0.75, 0.03)).abs().max_element() < 1e-3);
+            assert!((bar.centre().x - frame.size.x / 2.0).abs() < 1e-3);
+            assert!(bar.max().y < frame.size.y && bar.min.y > frame.size.y * 0.9);
+        }
+    }
+
+    #[test]
+    fn the_fuel_bar_reddens_as_it_empties() {
+        let (full, half, empty) = (fuel_colour(1.0), fuel_colour(0.5), fuel_colour(0.0));
+        assert_eq!((full, empty), (FUEL_FULL, FUEL_EMPTY));
+        assert!(full.g > half.g && half.g > empty.g);
+    }
+}

@@ -1,0 +1,164 @@
+//! Where things go: sizes and boxes on the virtual canvas. Plain arithmetic, so that the screens are laid out and tested without a
+//! window.
+
+pub use glam::Vec2;
+
+/// The canvas on which every screen is designed; a window of another shape gets more of it along one axis, never less.
+pub const DESIGN: Vec2 = Vec2::new(1280.0, 720.0);
+/// No text is drawn smaller than this, physical pixels.
+pub const SMALLEST_TEXT: f32 = 12.0;
+
+/// Height of the text in details boxes.
+pub const DETAILS: f32 = 13.0;
+/// Height of running text.
+pub const TEXT: f32 = 18.0;
+/// Height of the words on buttons.
+pub const BUTTON_TEXT: f32 = 24.0;
+/// Height of headings.
+pub const HEADING: f32 = 40.0;
+/// Height of the title.
+pub const TITLE: f32 = 84.0;
+/// Every size of text that is used: their glyphs are made ready before they are drawn.
+pub const TEXT_SIZES: [f32; 5] = [DETAILS, TEXT, BUTTON_TEXT, HEADING, TITLE];
+/// From one line of text to the next, in heights of the text.
+pub const LINE: f32 = 1.35;
+/// Width of every glyph of the monospaced face, in heights of the text.
+pub const MONO_ADVANCE: f32 = 0.602;
+
+/// The step of the grid on which everything stands.
+pub const GRID: f32 = 8.0;
+/// Radius of a panel's corners.
+pub const CORNER: f32 = 8.0;
+/// From a panel's edge to what is in it.
+pub const PADDING: f32 = 16.0;
+/// Width of a panel's edge.
+pub const EDGE: f32 = 2.0;
+/// A button in a column.
+pub const WIDE_BUTTON: Vec2 = Vec2::new(320.0, 48.0);
+/// A button in a row.
+pub const ROW_BUTTON: Vec2 = Vec2::new(200.0, 48.0);
+/// Between two buttons.
+pub const GAP: f32 = 16.0;
+
+/// A box on the canvas, y down.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Area {
+    /// Its top left corner.
+    pub min: Vec2,
+    /// Its width and height.
+    pub size: Vec2,
+}
+
+impl Area {
+    /// The box of that corner and size.
+    pub const fn new(x: f32, y: f32, width: f32, height: f32) -> Self {
+        Self { min: Vec2::new(x, y), size: Vec2::new(width, height) }
+    }
+
+    /// The box of that size around a point.
+    pub fn around(centre: Vec2, size: Vec2) -> Self {
+        Self { min: centre - size / 2.0, size }
+    }
+
+    /// Its bottom right corner.
+    pub fn max(&self) -> Vec2 {
+        self.min + self.size
+    }
+
+    /// Its middle.
+    pub fn centre(&self) -> Vec2 {
+        self.min + self.size / 2.0
+    }
+
+    /// Whether a point lies in it.
+    pub fn contains(&self, point: Vec2) -> bool {
+        point.cmpge(self.min).all() && point.cmplt(self.max()).all()
+    }
+
+    /// The box whose edges lie `by` further in (or out, where negative).
+    pub fn inset(&self, by: f32) -> Self {
+        Self { min: self.min + by, size: self.size - 2.0 * by }
+    }
+}
+
+/// The canvas as the window shows it now.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// Its width and height in canvas units: at least [`DESIGN`].
+    pub size: Vec2,
+    /// Canvas units a physical pixel.
+    pub pixel: f32,
+}
+
+impl Frame {
+    /// The canvas in a window of so many physical pixels: one scale for both axes, so that all of [`DESIGN`] is in view.
+    pub fn of_window(pixels: Vec2) -> Self {
+        let pixels = pixels.max(Vec2::ONE);
+        let pixel = (DESIGN / pixels).max_element();
+        Self { size: pixels * pixel, pixel }
+    }
+
+    /// The whole canvas as a box.
+    pub fn area(&self) -> Area {
+        Area { min: Vec2::ZERO, size: self.size }
+    }
+
+    /// The height at which text of that size is drawn: itself, or what is legible in a small window.
+    pub fn text_height(&self, size: f32) -> f32 {
+        (size / self.pixel).round().max(SMALLEST_TEXT) * self.pixel
+    }
+
+    /// A column of `count` wide buttons whose top is at `top`, in the middle of the canvas.
+    pub fn column(&self, count: usize, top: f32) -> Vec<Area> {
+        let left = (self.size.x - WIDE_BUTTON.x) / 2.0;
+        let pitch = WIDE_BUTTON.y + GAP;
+        (0..count).map(|i| Area::new(left, top + i as f32 * pitch, WIDE_BUTTON.x, WIDE_BUTTON.y)).collect()
+    }
+
+    /// A row of `count` buttons with their tops at `top`, in the middle of the canvas.
+    pub fn row(&self, count: usize, top: f32) -> Vec<Area> {
+        let pitch = ROW_BUTTON.x + GAP;
+        let left = (self.size.x - (count as f32 * pitch - GAP)) / 2.0;
+        (0..count).map(|i| Area::new(left + i as f32 * pitch, top, ROW_BUTTON.x, ROW_BUTTON.y)).collect()
+    }
+}
+
+impl Default for Frame {
+    fn default() -> Self {
+        Self { size: DESIGN, pixel: 1.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_window_shows_the_whole_design_at_one_scale() {
+        for (w, h) in [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0), (500.0, 1200.0), (2560.0, 400.0)] {
+            let frame = Frame::of_window(Vec2::new(w, h));
+            assert!(frame.size.x >= DESIGN.x - 1e-3 && frame.size.y >= DESIGN.y - 1e-3, "{w} × {h}: {frame:?}");
+            assert!((frame.size / Vec2::new(w, h) - frame.pixel).abs().max_element() < 1e-5, "{w} × {h}: {frame:?}");
+        }
+    }
+
+    #[test]
+    fn text_stays_legible_in_a_small_window() {
+        let small = Frame::of_window(Vec2::new(900.0, 500.0));
+        for size in TEXT_SIZES {
+            assert!(small.text_height(size) / small.pixel >= SMALLEST_TEXT - 1e-3);
+        }
+        assert_eq!(Frame::default().text_height(DETAILS), DETAILS);
+    }
+
+    #[test]
+    fn a_row_and_a_column_stand_in_the_middle() {
+        let frame = Frame::default();
+        let row = frame.row(3, 600.0);
+        assert_eq!(row[0].min.x, frame.size.x - row[2].max().x);
+        assert_eq!(row[1].min.x - row[0].max().x, GAP);
+        let column = frame.column(2, 100.0);
+        assert_eq!(column[0].min.x, frame.size.x - column[0].max().x);
+        assert_eq!(column[1].min.y - column[0].max().y, GAP);
+    }
+}

@@ -1,0 +1,164 @@
+//! Particles: a pool of short-lived dots and streaks. They are for show: their chance is their own and nothing reads them back.
+
+use super::art::{Art, Tile};
+use super::camera::Viewport;
+use super::theme::faded;
+use crate::physics::DVec2;
+use macroquad::color::Color;
+use macroquad::math::Vec2;
+use rand::{Rng, SeedableRng};
+use rand_pcg::Pcg32;
+use std::f32::consts::FRAC_PI_2;
+
+/// Never more particles than this: more cost frames and hide the game.
+const MOST: usize = 1500;
+
+/// What a particle looks like during its life.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Look {
+    /// Orange fire that turns into white smoke.
+    Plume,
+    /// A puff that spreads and settles.
+    Dust,
+    /// A spark that shrinks.
+    Spark,
+    /// A stroke along its way.
+    Streak,
+}
+
+/// A dot on its way through the level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Particle {
+    /// m.
+    pub position: DVec2,
+    /// m/s.
+    pub velocity: DVec2,
+    /// s since it was made.
+    pub age: f32,
+    /// How old it gets, s.
+    pub life: f32,
+    /// How it looks.
+    pub look: Look,
+    /// Its colour (the plume has its own).
+    pub colour: Color,
+}
+
+impl Particle {
+    /// Its radius now, canvas units, and its colour.
+    pub fn appearance(&self) -> (f32, Color) {
+        let t = (self.age / self.life).clamp(0.0, 1.0);
+        let mix = |from: f32, to: f32| from + (to - from) * t;
+        match self.look {
+            Look::Plume => (mix(2.0, 5.0), Color::new(1.0, mix(174.0, 255.0) / 255.0, mix(0.0, 255.0) / 255.0, 0.85 * (1.0 - t))),
+            Look::Dust => (mix(1.5, 4.5), faded(self.colour, 0.7 * (1.0 - t))),
+            Look::Spark => (mix(2.2, 0.8), faded(self.colour, 0.9 * (1.0 - t))),
+            // Fades in as well, for it appears in the middle of the stream.
+            Look::Streak => (1.1, faded(self.colour, 0.75 * (t * 4.0).min(1.0) * ((1.0 - t) * 3.0).min(1.0))),
+        }
+    }
+
+    /// How fast it is slowed down, 1/s.
+    const fn drag(&self) -> f64 {
+        match self.look {
+            Look::Plume => 1.6,
+            Look::Dust => 2.5,
+            Look::Spark => 0.5,
+            Look::Streak => 0.0,
+        }
+    }
+}
+
+/// The pool of all particles and the chance that scatters them.
+pub struct Particles {
+    all: Vec<Particle>,
+    random: Pcg32,
+}
+
+impl Particles {
+    /// An empty pool.
+    pub fn new() -> Self {
+        Self { all: Vec::with_capacity(MOST), random: Pcg32::seed_from_u64(0x5245_5355) }
+    }
+
+    /// Adds a particle, unless the pool is full.
+    pub fn add(&mut self, particle: Particle) {
+        if self.all.len() < MOST {
+            self.all.push(particle);
+        }
+    }
+
+    /// A number between two, all equally likely.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * f64::from(self.random.next_u32()) / f64::from(u32::MAX)
+    }
+
+    /// Moves and ages all by `frame_time` seconds.
+    pub fn advance(&mut self, frame_time: f64) {
+        for particle in &mut self.all {
+            particle.age += frame_time as f32;
+            particle.position += particle.velocity * frame_time;
+            particle.velocity *= (-particle.drag() * frame_time).exp();
+        }
+        self.all.retain(|particle| particle.age < particle.life);
+    }
+
+    /// All that live.
+    pub fn all(&self) -> &[Particle] {
+        &self.all
+    }
+
+    /// Draws those in view.
+    pub fn draw(&self, art: &Art, view: &Viewport) {
+        let visible = view.visible();
+        for particle in &self.all {
+            if particle.position.cmpge(visible.min - 1.0).all() && particle.position.cmple(visible.max + 1.0).all() {
+                let (radius, colour) = particle.appearance();
+                let (length, rotation) = match particle.look {
+                    Look::Streak => (
+                        view.length(particle.velocity.length() * 0.1),
+                        (particle.velocity.x as f32).atan2(-particle.velocity.y as f32),
+                    ),
+                    Look::Plume | Look::Dust | Look::Spark => (2.0 * radius, FRAC_PI_2),
+                };
+                art.draw(Tile::Disc, view.point(particle.position), Vec2::new(2.0 * radius, length), rotation, colour);
+            }
+        }
+    }
+}
+
+impl Default for Particles {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use macroquad::color::WHITE;
+
+    fn particle(look: Look, life: f32) -> Particle {
+        Particle { position: DVec2::ZERO, velocity: DVec2::X, age: 0.0, life, look, colour: WHITE }
+    }
+
+    #[test]
+    fn the_plume_goes_from_orange_to_white_smoke_and_grows() {
+        let (radius, colour) = particle(Look::Plume, 1.0).appearance();
+        assert_eq!((radius, (colour.r, colour.g, colour.b)), (2.0, (1.0, 174.0 / 255.0, 0.0)));
+        let (radius, colour) = Particle { age: 1.0, ..particle(Look::Plume, 1.0) }.appearance();
+        assert_eq!((radius, (colour.r, colour.g, colour.b), colour.a), (5.0, (1.0, 1.0, 1.0), 0.0));
+    }
+
+    #[test]
+    fn the_pool_never_exceeds_its_cap_and_empties_with_age() {
+        let mut pool = Particles::new();
+        for _ in 0..2 * MOST {
+            pool.add(particle(Look::Dust, 0.5));
+        }
+        assert_eq!(pool.all().len(), MOST);
+        pool.advance(0.3);
+        assert_eq!(pool.all().len(), MOST);
+        pool.advance(0.3);
+        assert!(pool.all().is_empty());
+    }
+}

@@ -1,0 +1,111 @@
+//! What moves: the objects and the ship with its flame. Nothing that moves looks like the static world.
+
+use super::art::{Art, Tile};
+use super::camera::Viewport;
+use super::canvas::Canvas;
+use super::layout::Vec2;
+use super::pictures::Pictures;
+use super::theme::{faded, rgb};
+use super::zones::diamond;
+use crate::level::{Look, Object, SHIP_HALF};
+use crate::physics::{Aabb, DVec2};
+use macroquad::color::{Color, WHITE};
+use macroquad::math::Rect;
+use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
+use macroquad::texture::{DrawTextureParams, draw_texture_ex};
+
+/// The colour of plain movable things: brighter than anything that stands still.
+const PLAIN: Color = rgb(0xB9C6DA);
+/// Length of the fully grown flame, m.
+const FLAME: f64 = 1.25;
+/// Where on the nose the two flames of reverse thrust leave, m from the centre (to the side, forwards).
+const RETRO: (f64, f64) = (0.36, 0.50);
+
+/// An object around `centre` (m): its picture, or a plain box or ball; key objects in their colour, with a glow and their sign.
+pub fn draw_object(object: &Object, centre: DVec2, pictures: &Pictures, art: &Art, view: &Viewport, canvas: &Canvas) {
+    let bounds = Aabb::around(centre, object.size * 0.5);
+    if !bounds.touches(&view.visible(), 1.0) {
+        return;
+    }
+    let area = exact(&bounds, view);
+    let key = object.key.map(|[r, g, b]| Color::from_rgba(r, g, b, 255));
+    if let Some(colour) = key {
+        art.halo(area, 20.0, faded(colour, 0.55));
+    }
+    let picture = match &object.look {
+        Look::Image(path) => pictures.get(path),
+        Look::Box | Look::Ball => None,
+    };
+    let round = object.circular || object.look == Look::Ball;
+    match picture {
+        Some(texture) => {
+            let params = DrawTextureParams { dest_size: Some(area.size()), ..DrawTextureParams::default() };
+            draw_texture_ex(texture, area.x, area.y, WHITE, params);
+        }
+        None if round => ball(canvas, &area, key.unwrap_or(PLAIN)),
+        None => crate_box(canvas, &area, key.unwrap_or(PLAIN)),
+    }
+    if key.is_some() && picture.is_none() {
+        diamond(canvas, area.center(), area.w.min(area.h) * 0.20, WHITE);
+    }
+}
+
+/// A box with a frame and a brace.
+fn crate_box(canvas: &Canvas, area: &Rect, colour: Color) {
+    let dark = shaded(colour, 0.45);
+    let frame = (area.w.min(area.h) * 0.14).clamp(1.5, 6.0);
+    draw_rectangle(area.x, area.y, area.w, area.h, shaded(colour, 0.78));
+    let (a, b) = (area.point() + frame, area.point() + area.size() - frame);
+    canvas.line(a, b, frame * 0.8, shaded(colour, 0.6));
+    canvas.line(Vec2::new(b.x, a.y), Vec2::new(a.x, b.y), frame * 0.8, shaded(colour, 0.6));
+    draw_rectangle_lines(area.x, area.y, area.w, area.h, frame * 2.0, colour);
+    draw_rectangle_lines(area.x, area.y, area.w, area.h, 2.0, dark);
+}
+
+/// A ball with a rim, a band and a light on it.
+fn ball(canvas: &Canvas, area: &Rect, colour: Color) {
+    const SIDES: usize = 40;
+    let (centre, half) = (area.center(), area.size() / 2.0);
+    let outline = |scale: f32, offset: Vec2| -> Vec<Vec2> {
+        (0..SIDES)
+            .map(|i| centre + offset + Vec2::from_angle(std::f32::consts::TAU * i as f32 / SIDES as f32) * half * scale)
+            .collect()
+    };
+    canvas.convex(&outline(1.0, Vec2::ZERO), shaded(colour, 0.42));
+    canvas.convex(&outline(0.9, Vec2::ZERO), shaded(colour, 0.82));
+    canvas.convex(&outline(0.66, half * Vec2::new(-0.14, -0.16)), colour);
+    canvas.convex(&outline(0.18, half * Vec2::new(-0.34, -0.40)), faded(WHITE, 0.85));
+}
+
+/// A colour with so much of its light.
+fn shaded(colour: Color, light: f32) -> Color {
+    Color::new(colour.r * light, colour.g * light, colour.b * light, colour.a)
+}
+
+/// The ship around `centre` (m), turned clockwise by `angle` degrees, its plume grown to `strength`, out of the tail (`way` 1) or
+/// of the nose (−1); `flicker` (0 … 1) varies the flame.
+pub fn draw_ship(centre: DVec2, angle: f64, (strength, way): (f64, f64), flicker: f64, art: &Art, view: &Viewport) {
+    let rotation = angle.to_radians();
+    let (sin, cos) = rotation.sin_cos();
+    let (nose, right) = (DVec2::new(sin, -cos), DVec2::new(cos, sin));
+    let flames: &[(f64, f64, f64)] =
+        if way > 0.0 { &[(0.0, 0.80, 1.0)] } else { &[(-RETRO.0, RETRO.1, 0.55), (RETRO.0, RETRO.1, 0.55)] };
+    if strength > 0.0 {
+        for &(side, out, size) in flames {
+            let length = FLAME * size * strength * (0.85 + 0.15 * flicker);
+            let root = centre + right * side - nose * (out * way);
+            let middle = root - nose * (way * length * 0.5);
+            art.draw(Tile::Glow, view.point(middle), Vec2::splat(view.length(2.2 * length)), 0.0, faded(rgb(0xFF9F1C), 0.35));
+            let turn = if way > 0.0 { rotation } else { rotation + std::f64::consts::PI };
+            let size = Vec2::new(view.length(0.75 * size), view.length(length));
+            art.draw(Tile::Flame, view.point(middle), size, turn as f32, WHITE);
+        }
+    }
+    art.draw(Tile::Ship, view.point(centre), Vec2::splat(view.length(2.0 * SHIP_HALF.y)), rotation as f32, WHITE);
+}
+
+/// Where a moving box lies, not rounded to pixels: it glides.
+fn exact(bounds: &Aabb, view: &Viewport) -> Rect {
+    let (min, max) = (view.point(bounds.min), view.point(bounds.max));
+    Rect::new(min.x, min.y, max.x - min.x, max.y - min.y)
+}

@@ -1,0 +1,93 @@
+//! What the screens are made of: panels, buttons, headings.
+
+use super::canvas::{Canvas, Style};
+use super::layout::{Area, BUTTON_TEXT, CORNER, EDGE, GRID, HEADING, Vec2};
+use super::theme;
+use macroquad::color::Color;
+use macroquad::shapes::draw_rectangle;
+
+/// From a button's edge out to its focus ring.
+const RING_GAP: f32 = 4.0;
+
+/// A panel with its edge.
+pub fn panel(canvas: &Canvas, area: Area) {
+    panel_in(canvas, area, theme::PANEL, theme::PANEL_EDGE);
+}
+
+/// A panel of other colours.
+pub fn panel_in(canvas: &Canvas, area: Area, fill: Color, edge: Color) {
+    canvas.rounded(area, CORNER, fill);
+    canvas.rounded_edge(area, CORNER, EDGE, edge);
+}
+
+/// A button's box: hover lightens it, keyboard focus rings it.
+pub fn button_box(canvas: &Canvas, area: Area, hover: bool, focus: bool) {
+    panel_in(canvas, area, if hover { theme::PANEL_HOVER } else { theme::PANEL }, theme::PANEL_EDGE);
+    if focus {
+        focus_ring(canvas, area);
+    }
+}
+
+/// A button with its words in the middle.
+pub fn button(canvas: &Canvas, area: Area, label: &str, hover: bool, focus: bool) {
+    button_box(canvas, area, hover, focus);
+    canvas.text(label, area.centre(), Style::new(BUTTON_TEXT, theme::TEXT).centred().middle());
+}
+
+/// The ring around what has the keyboard.
+pub fn focus_ring(canvas: &Canvas, area: Area) {
+    canvas.rounded_edge(area.inset(-RING_GAP), CORNER + RING_GAP, EDGE, theme::ACCENT);
+}
+
+/// A screen's heading, in the middle of the canvas with its capitals around `y`.
+pub fn heading(canvas: &Canvas, text: &str, y: f32) {
+    canvas.text(text, Vec2::new(canvas.size().x / 2.0, y), Style::new(HEADING, theme::TEXT).centred().middle());
+}
+
+/// A line of text around its middle that is at most `widest` wide: in the first of `sizes` that fits, else cut off with an ellipsis.
+pub fn fitted(canvas: &Canvas, text: &str, middle: Vec2, widest: f32, sizes: &[f32], colour: Color) {
+    let style = |size: f32| Style::new(size, colour).centred().middle();
+    if let Some(size) = sizes.iter().find(|size| canvas.width(text, style(**size)) <= widest) {
+        return canvas.text(text, middle, style(*size));
+    }
+    let style = style(sizes.last().copied().unwrap_or(BUTTON_TEXT));
+    let mut kept: Vec<char> = text.chars().collect();
+    let shortened = loop {
+        kept.pop();
+        let shortened = kept.iter().collect::<String>() + "…";
+        if kept.is_empty() || canvas.width(&shortened, style) <= widest {
+            break shortened;
+        }
+    };
+    canvas.text(&shortened, middle, style);
+}
+
+/// A scroll bar.
+pub fn scroll_bar(canvas: &Canvas, track: Area, handle: Area, held: bool) {
+    canvas.rounded(track, track.size.x / 2.0, theme::GROUND);
+    canvas.rounded(handle, handle.size.x / 2.0, if held { theme::ACCENT } else { theme::SOLID_TOP });
+}
+
+/// The paper of the notebook: small squares, heavy lines every ten.
+pub fn graph_paper(canvas: &Canvas) {
+    const SQUARE: f32 = 4.0 * GRID;
+    let size = canvas.size();
+    let across = (size.x / SQUARE).ceil() as usize;
+    let down = (size.y / SQUARE).ceil() as usize;
+    for heavy in [false, true] {
+        let colour = if heavy { theme::GRID_HEAVY } else { theme::GRID_FINE };
+        let lines = |count: usize| (0..=count).filter(move |i| (i % 10 == 0) == heavy).map(|i| i as f32 * SQUARE);
+        for x in lines(across) {
+            canvas.hairline(Vec2::new(x, 0.0), Vec2::new(x, size.y), colour);
+        }
+        for y in lines(down) {
+            canvas.hairline(Vec2::new(0.0, y), Vec2::new(size.x, y), colour);
+        }
+    }
+}
+
+/// Darkens everything so far and starts a layer above it.
+pub fn curtain(canvas: &Canvas, alpha: f32) {
+    canvas.end_layer();
+    draw_rectangle(0.0, 0.0, canvas.size().x, canvas.size().y, theme::faded(theme::GROUND, alpha));
+}

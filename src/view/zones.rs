@@ -1,0 +1,195 @@
+//! What acts on what touches it: objectives, death boxes, air streams and liquids.
+
+use super::art::{Art, Tile};
+use super::camera::Viewport;
+use super::canvas::{Canvas, Style};
+use super::emitters::objective_colour;
+use super::layout::{DETAILS, Vec2};
+use super::theme::{self, faded, rgb};
+use crate::game::Game;
+use crate::level::{Level, ObjectiveKind};
+use crate::physics::{Aabb, DVec2};
+use macroquad::color::{Color, WHITE};
+use macroquad::math::Rect;
+use macroquad::shapes::{draw_rectangle, draw_rectangle_lines, draw_triangle};
+
+/// From an objective's edge to its label, canvas units.
+const LABEL_GAP: f32 = 14.0;
+/// Width and height of a wave on a liquid's surface, canvas units; the height in both directions together.
+const WAVE_LENGTH: f32 = 52.0;
+const WAVE_HEIGHT: f32 = 5.0;
+/// Between two of a stream's chevrons, m, and how fast they wander, m/s.
+const CHEVRON_STEP: f64 = 2.0;
+const CHEVRON_SPEED: f64 = 2.5;
+
+/// The objective blocks with their labels: the ship's with its outline, the key object's with a diamond, a met one with a tick.
+pub fn draw_objectives(game: &Game, art: &Art, view: &Viewport, canvas: &Canvas, time: f64) {
+    for (index, objective) in game.level().objectives.iter().enumerate() {
+        if !objective.bounds.touches(&view.visible(), 2.0) {
+            continue;
+        }
+        let colour = objective_colour(game, index);
+        let area = view.rect(&objective.bounds);
+        let pulse = 0.5 + 0.5 * (time * 2.6).sin() as f32;
+        art.halo(area, 26.0, faded(colour, 0.28 + 0.14 * pulse));
+        draw_rectangle(area.x, area.y, area.w, area.h, faded(colour, 0.30));
+        draw_rectangle_lines(area.x, area.y, area.w, area.h, 4.0, colour);
+        let label = label_place(&area, view);
+        let name = match objective.kind {
+            ObjectiveKind::Player => "Ship",
+            ObjectiveKind::Physics => "Key",
+        };
+        let style = Style::new(DETAILS, theme::TEXT).middle();
+        let icon = 16.0;
+        let left = label.x - (icon + 6.0 + canvas.width(name, style)) / 2.0;
+        let middle = Vec2::new(left + icon / 2.0, label.y);
+        if game.met()[index] {
+            canvas.line(middle + Vec2::new(-6.0, 0.0), middle + Vec2::new(-1.0, 5.0), 3.0, colour);
+            canvas.line(middle + Vec2::new(-1.5, 5.0), middle + Vec2::new(7.0, -5.0), 3.0, colour);
+        } else {
+            match objective.kind {
+                ObjectiveKind::Player => art.draw(Tile::Ship, middle, Vec2::splat(20.0), 0.0, WHITE),
+                ObjectiveKind::Physics => diamond(canvas, middle, 7.0, colour),
+            }
+        }
+        canvas.text(name, Vec2::new(left + icon + 6.0, label.y), style);
+    }
+}
+
+/// The middle of an objective's label: in the block where it has the room, else above it, or below at the top of the window.
+fn label_place(area: &Rect, view: &Viewport) -> Vec2 {
+    let centre = area.center();
+    let above = area.y - LABEL_GAP;
+    let y = match () {
+        () if area.w >= 72.0 && area.h >= 28.0 => centre.y,
+        () if above > LABEL_GAP => above,
+        () => area.bottom() + LABEL_GAP,
+    };
+    Vec2::new(centre.x.clamp(36.0, (view.size().x - 36.0).max(36.0)), y)
+}
+
+/// The sign of key objects.
+pub fn diamond(canvas: &Canvas, centre: Vec2, reach: f32, colour: Color) {
+    let corners = [Vec2::new(0.0, -reach), Vec2::new(reach, 0.0), Vec2::new(0.0, reach), Vec2::new(-reach, 0.0)];
+    canvas.convex(&corners.map(|corner| centre + corner), colour);
+}
+
+/// The death boxes: hatched, edged and glowing red.
+pub fn draw_obstacles(level: &Level, art: &Art, view: &Viewport, time: f64) {
+    let visible = view.visible();
+    let pulse = 0.5 + 0.5 * (time * 4.2).sin() as f32;
+    let in_view = || level.obstacles.iter().filter(|bounds| bounds.touches(&visible, 1.0));
+    for bounds in in_view() {
+        art.halo(view.rect(bounds), 22.0, faded(theme::BAD, 0.42 + 0.2 * pulse));
+    }
+    for bounds in in_view() {
+        art.fill(Tile::Hatching, bounds, view, WHITE);
+    }
+    for bounds in in_view() {
+        let area = view.rect(bounds);
+        draw_rectangle_lines(area.x, area.y, area.w, area.h, 4.0, rgb(0xFF7A7E));
+    }
+}
+
+/// The streams' zones and, over them, the chevrons that wander with the wind.
+pub fn draw_streams(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
+    let visible = view.visible();
+    for stream in level.streams.iter().filter(|stream| stream.zone.touches(&visible, 0.0)) {
+        let zone = view.rect(&stream.zone);
+        let colour = theme::force(crate::physics::ForceKind::Wind);
+        draw_rectangle(zone.x, zone.y, zone.w, zone.h, faded(colour, 0.055));
+        let way = if stream.force.x.abs() > stream.force.y.abs() {
+            DVec2::new(stream.force.x.signum(), 0.0)
+        } else {
+            DVec2::new(0.0, stream.force.y.signum())
+        };
+        let size = stream.zone.size();
+        let length = (size * way.abs()).element_sum();
+        let across = (size - size * way.abs()).element_sum();
+        let start = stream.zone.centre() - way * (length * 0.5);
+        let mut along = (time * CHEVRON_SPEED).rem_euclid(CHEVRON_STEP);
+        while along < length {
+            // Chevrons fade in at the source and out at the end of the zone.
+            let strength = (along.min(length - along) / CHEVRON_STEP).min(1.0) as f32;
+            let tip = start + way * along;
+            let arm = (across * 0.18).min(0.6);
+            for side in [-1.0, 1.0] {
+                let back = tip - way * arm + way.perp() * (arm * side);
+                canvas.line(view.point(tip), view.point(back), 2.5, faded(colour, 0.28 * strength));
+            }
+            along += CHEVRON_STEP;
+        }
+    }
+}
+
+/// The streams' solid source blocks: a grille with an arrow the way it blows.
+pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
+    let visible = view.visible();
+    for stream in level.streams.iter().filter(|stream| stream.source.touches(&visible, 0.0)) {
+        let area = view.rect(&stream.source);
+        draw_rectangle(area.x, area.y, area.w, area.h, rgb(0x55647C));
+        draw_rectangle_lines(area.x, area.y, area.w, area.h, 4.0, rgb(0x8FA3BF));
+        let inner = Rect::new(area.x + 5.0, area.y + 5.0, area.w - 10.0, area.h - 10.0);
+        let upright = stream.force.x.abs() > stream.force.y.abs();
+        let slats = ((if upright { inner.h } else { inner.w }) / 9.0).floor().max(0.0) as usize;
+        for i in 0..slats {
+            let at = 2.0 + 9.0 * i as f32;
+            let (x, y, w, h) = if upright { (inner.x, inner.y + at, inner.w, 4.0) } else { (inner.x + at, inner.y, 4.0, inner.h) };
+            draw_rectangle(x, y, w.max(0.0), h.max(0.0), rgb(0x2A3344));
+        }
+        let way = stream.force.normalize_or_zero().as_vec2();
+        let reach = area.w.min(area.h) * 0.32;
+        let centre = area.center();
+        let corners = [centre + way * reach, centre - way * reach + way.perp() * reach, centre - way * reach - way.perp() * reach];
+        canvas.convex(&corners, theme::TEXT);
+    }
+}
+
+/// The liquids, over whatever is in them: a tint, bands of light, and a surface that moves.
+pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
+    let visible = view.visible();
+    for fluid in level.fluids.iter().filter(|fluid| fluid.zone.touches(&visible, 0.5)) {
+        let [r, g, b] = fluid.colour;
+        let colour = Color::from_rgba(r, g, b, 255);
+        let shown = Aabb::new(fluid.zone.min.max(visible.min - 1.0), fluid.zone.max.min(visible.max + 1.0));
+        let all = view.rect(&fluid.zone);
+        let area = view.rect(&shown);
+        let top = all.y + WAVE_HEIGHT;
+        draw_rectangle(area.x, top.max(area.y), area.w, area.bottom() - top.max(area.y), faded(colour, 0.42));
+        surface(canvas, &area, all.y, colour, time);
+        // Two faint bands of light that drift below the surface.
+        for band in 0..2_u8 {
+            let depth = 18.0 + 26.0 * f32::from(band);
+            let y = all.y + depth + 3.0 * (time * 0.9 + f64::from(band) * 2.0).sin() as f32;
+            if y + 4.0 < area.bottom() {
+                draw_rectangle(area.x, y, area.w, 2.0, faded(WHITE, 0.06));
+            }
+        }
+    }
+}
+
+/// The top of a liquid: columns under a wave, and the bright line along it.
+fn surface(canvas: &Canvas, area: &Rect, level: f32, colour: Color, time: f64) {
+    const STEP: f32 = 8.0;
+    let bottom = level + WAVE_HEIGHT;
+    let height = |x: f32| {
+        let wave = (f64::from(x / WAVE_LENGTH) * std::f64::consts::TAU + time * 2.2).sin() * 0.7
+            + (f64::from(x / WAVE_LENGTH) * 3.9 - time * 1.3).sin() * 0.3;
+        level + WAVE_HEIGHT * 0.5 * (1.0 + wave as f32)
+    };
+    // The wave is fixed to the level: it begins at a multiple of the step from the zone's left edge.
+    let mut x = area.x;
+    while x < area.right() {
+        let next = (x + STEP).min(area.right());
+        let (a, b) = (Vec2::new(x, height(x - area.x)), Vec2::new(next, height(next - area.x)));
+        draw_triangle(a, b, Vec2::new(x, bottom), faded(colour, 0.42));
+        draw_triangle(b, Vec2::new(next, bottom), Vec2::new(x, bottom), faded(colour, 0.42));
+        canvas.line(a, b, 2.0, faded(mixed(colour), 0.85));
+        x = next;
+    }
+}
+
+/// The colour half way to white.
+fn mixed(colour: Color) -> Color {
+    Color::new(0.5 + colour.r * 0.5, 0.5 + colour.g * 0.5, 0.5 + colour.b * 0.5, 1.0)
+}

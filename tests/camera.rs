@@ -1,0 +1,133 @@
+//! The camera: it follows the ship, shows nothing outside of the level, and never loses the ship, in windows and levels of any size.
+#![cfg(feature = "window")]
+
+use resultant::physics::{Aabb, DVec2};
+use resultant::view::camera::{Camera, Viewport, Window};
+
+const METRE: f64 = 30.0;
+const HALF_SHIP: DVec2 = DVec2::splat(0.85);
+const WINDOWS: [Window; 4] = [
+    Window { size: DVec2::new(1280.0, 720.0), pixel: 1.0 },
+    Window { size: DVec2::new(1296.0, 720.0), pixel: 1.44 },
+    Window { size: DVec2::new(1280.0, 720.0), pixel: 2.0 / 3.0 },
+    Window { size: DVec2::new(1280.0, 2000.0), pixel: 1.0 },
+];
+
+fn view(focus: DVec2, ship: DVec2, level: DVec2, window: Window) -> Viewport {
+    Viewport::new(focus, ship, level, METRE, window)
+}
+
+/// Places of the ship from one corner of a level to the other.
+fn places(level: DVec2) -> impl Iterator<Item = DVec2> {
+    let room = level - 2.0 * HALF_SHIP;
+    (0..=10).flat_map(move |i| (0..=10).map(move |j| HALF_SHIP + room * DVec2::new(f64::from(i), f64::from(j)) / 10.0))
+}
+
+#[test]
+fn in_the_middle_of_a_large_level_the_ship_is_in_the_middle_of_the_window() {
+    let (level, ship) = (DVec2::new(200.0, 150.0), DVec2::new(90.0, 60.0));
+    for window in WINDOWS {
+        let at = view(ship, ship, level, window).point(ship).as_dvec2();
+        assert!((at - window.size * 0.5).abs().max_element() <= window.pixel, "{at} in {window:?}");
+    }
+}
+
+#[test]
+fn nothing_outside_of_a_level_larger_than_the_window_is_shown_wherever_the_ship_is() {
+    let level = DVec2::new(120.0, 90.0);
+    for window in WINDOWS {
+        for ship in places(level) {
+            for shake in [DVec2::ZERO, DVec2::new(6.0, -6.0), DVec2::new(-6.0, 6.0), DVec2::new(6.0, 6.0), DVec2::new(-6.0, -6.0)] {
+                let visible = view(ship, ship, level, window).shaken(shake).visible();
+                // Whole pixels: half of one is the most that rounding can show.
+                let slack = window.pixel / METRE;
+                assert!(Aabb::new(DVec2::ZERO, level).contains(&visible, slack), "{visible:?} at {ship} shaken by {shake}");
+            }
+        }
+    }
+}
+
+#[test]
+fn near_an_edge_the_ship_leaves_the_middle_and_stays_in_view() {
+    let level = DVec2::new(120.0, 90.0);
+    for window in WINDOWS {
+        let corner = HALF_SHIP;
+        let at = view(corner, corner, level, window).point(corner).as_dvec2();
+        assert!((at - HALF_SHIP * METRE).abs().max_element() <= window.pixel);
+    }
+}
+
+#[test]
+fn the_ship_never_leaves_the_screen_however_far_the_camera_lags() {
+    for level in [DVec2::new(120.0, 90.0), DVec2::new(20.0, 300.0), DVec2::new(500.0, 12.0), DVec2::new(30.0, 15.0)] {
+        for window in WINDOWS {
+            for ship in places(level) {
+                for focus in [DVec2::ZERO, level, DVec2::splat(-1e4), DVec2::splat(1e4)] {
+                    let visible = view(focus, ship, level, window).visible();
+                    let slack = window.pixel / METRE;
+                    assert!(visible.contains(&Aabb::around(ship, HALF_SHIP), slack), "{ship} is not in {visible:?} of {level}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_level_a_little_smaller_than_the_window_is_magnified_until_it_fills_it() {
+    // 40 m × 22 m at 30 units a metre would leave a strip in a window of 1280 × 720.
+    let (level, ship) = (DVec2::new(40.0, 22.0), DVec2::new(3.0, 20.0));
+    let view = view(ship, ship, level, WINDOWS[0]);
+    assert!(view.scale() > METRE && view.scale() <= 1.5 * METRE);
+    assert!(Aabb::new(DVec2::ZERO, level).contains(&view.visible(), 1.0 / METRE));
+}
+
+#[test]
+fn a_level_much_smaller_than_the_window_is_centred_and_stands_still() {
+    let level = DVec2::new(10.0, 6.0);
+    for window in WINDOWS {
+        let views: Vec<Viewport> = places(level).map(|ship| view(ship, ship, level, window)).collect();
+        assert!(views.windows(2).all(|pair| pair[0] == pair[1]), "the view moves with the ship");
+        let middle = views[0].point(level * 0.5).as_dvec2();
+        assert!((middle - window.size * 0.5).abs().max_element() <= window.pixel);
+    }
+}
+
+#[test]
+fn a_level_taller_than_wide_is_centred_across_and_followed_along() {
+    let level = DVec2::new(20.0, 200.0);
+    let (low, high) = (DVec2::new(4.0, 150.0), DVec2::new(16.0, 60.0));
+    let (a, b) = (view(low, low, level, WINDOWS[0]), view(high, high, level, WINDOWS[0]));
+    assert_eq!(a.point(DVec2::ZERO).x, b.point(DVec2::ZERO).x);
+    assert!((a.point(low).y - 360.0).abs() <= 1.0 && (b.point(high).y - 360.0).abs() <= 1.0);
+}
+
+#[test]
+fn a_metre_is_as_long_as_the_level_says() {
+    let (level, ship) = (DVec2::new(200.0, 150.0), DVec2::new(90.0, 60.0));
+    let view = view(ship, ship, level, WINDOWS[0]);
+    assert_eq!(view.point(ship + DVec2::X).x - view.point(ship).x, 30.0);
+    assert!(view.point(ship + DVec2::Y).y > view.point(ship).y, "down is down");
+}
+
+#[test]
+fn the_camera_eases_the_same_way_at_every_frame_rate() {
+    let target = DVec2::new(10.0, -4.0);
+    let after = |frames: u32| {
+        let mut camera = Camera::new(DVec2::ZERO);
+        (0..frames).for_each(|_| camera.follow(target, 0.25 / f64::from(frames)));
+        camera.focus()
+    };
+    let (slow, fast) = (after(8), after(36));
+    assert!((slow - fast).length() < 1e-9, "{slow} against {fast}");
+    assert!((slow - target).length() < 0.2 * target.length(), "it has not come near");
+    assert!((after(1) - fast).length() < 1e-9);
+}
+
+#[test]
+fn a_shake_moves_the_view_and_where_it_may_not_go_outwards_it_goes_inwards() {
+    let level = DVec2::new(120.0, 90.0);
+    let corner = HALF_SHIP;
+    let still = view(corner, corner, level, WINDOWS[0]);
+    let shaken = still.shaken(DVec2::new(-5.0, -3.0));
+    assert_eq!((shaken.point(corner) - still.point(corner)).as_dvec2(), DVec2::new(-5.0, -3.0));
+}

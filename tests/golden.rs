@@ -1,0 +1,182 @@
+//! The golden numbers of the engine: each comes out of the force manager or of a step, never from a copy of the formula.
+
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, ForceKind, Material, StreamDef, SurfaceDef, World, WorldDef};
+
+const TICK: f64 = 1.0 / 120.0;
+const BODY: BodyId = BodyId(0);
+
+fn floor(width: f64) -> SurfaceDef {
+    SurfaceDef { bounds: Aabb::new(DVec2::new(-width / 2.0, 0.0), DVec2::new(width / 2.0, 1.0)), material: Material::ASPHALT }
+}
+
+/// A body of 1 m × 1 m standing on the floor at y = 0.
+fn standing(mass: f64, velocity: f64) -> BodyDef {
+    BodyDef { position: DVec2::new(0.0, -0.5), velocity: DVec2::new(velocity, 0.0), mass, ..BodyDef::default() }
+}
+
+fn world(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>) -> World {
+    World::new(WorldDef { air_density: 0.0, bodies, surfaces, ..WorldDef::default() }).unwrap()
+}
+
+#[test]
+fn weight_and_reaction_cancel_exactly() {
+    for (mass, weight) in [(75.0, 1125.0), (100.0, 1500.0)] {
+        let mut world = world(vec![standing(mass, 0.0)], vec![floor(100.0)]);
+        for _ in 0..1000 {
+            let forces = world.forces(BODY);
+            assert_eq!(forces.total(ForceKind::Weight), DVec2::new(0.0, weight));
+            assert_eq!(forces.total(ForceKind::Reaction), DVec2::new(0.0, -weight));
+            assert_eq!(forces.resultant(), DVec2::ZERO);
+            assert_eq!(world.body(BODY).acceleration, DVec2::ZERO);
+            world.step(TICK);
+        }
+        assert_eq!(world.body(BODY).position, DVec2::new(0.0, -0.5));
+    }
+}
+
+#[test]
+fn sliding_on_asphalt_is_braked_by_kinetic_friction() {
+    for (mass, friction) in [(75.0, -731.25), (100.0, -975.0)] {
+        let world = world(vec![standing(mass, 9.6)], vec![floor(100.0)]);
+        assert_eq!(world.forces(BODY).total(ForceKind::Friction), DVec2::new(friction, 0.0));
+    }
+}
+
+#[test]
+fn friction_is_gone_once_it_has_slid_off_the_edge() {
+    let mut world = world(vec![standing(75.0, 9.6)], vec![floor(2.0)]);
+    let mut fell = false;
+    for _ in 0..60 {
+        world.step(TICK);
+        let friction = world.forces(BODY).total(ForceKind::Friction);
+        if world.previous_position(BODY).x > 1.5 {
+            assert_eq!(friction, DVec2::ZERO);
+            assert_eq!(world.body(BODY).acceleration, DVec2::new(0.0, 15.0));
+            fell = true;
+        } else if world.body(BODY).position.x < 1.5 {
+            assert_eq!(friction, DVec2::new(-731.25, 0.0));
+        }
+    }
+    assert!(fell);
+}
+
+#[test]
+fn all_masses_fall_alike() {
+    for mass in [0.5, 75.0, 10_000.0] {
+        let mut world = world(vec![BodyDef { mass, ..BodyDef::default() }], Vec::new());
+        assert_eq!(world.body(BODY).acceleration, DVec2::new(0.0, 15.0));
+        world.step(0.02552524);
+        assert!((world.body(BODY).velocity.y - 0.3828786).abs() < 1e-12);
+    }
+}
+
+/// The original's proof, with every force at once.
+#[test]
+fn the_original_proof_comes_out() {
+    // An exposed height of 1.1163 m at 1 m depth.
+    let half = DVec2::new(0.5, 1.1163 / 2.0);
+    let mut world = World::new(WorldDef {
+        bodies: vec![BodyDef {
+            position: DVec2::new(0.0, -half.y),
+            velocity: DVec2::new(23.49957, 0.0),
+            half,
+            mass: 100.0,
+            drag: 1.15,
+            ..BodyDef::default()
+        }],
+        surfaces: vec![floor(1000.0)],
+        ..WorldDef::default()
+    })
+    .unwrap();
+    let up = -683.5;
+    world.set_drive(BODY, DVec2::new((2000.0f64 * 2000.0 - up * up).sqrt(), up));
+    world.step(1e-9);
+    let forces = world.forces(BODY);
+    let near = |kind, x: f64, y: f64| {
+        let found = forces.total(kind);
+        assert!((found - DVec2::new(x, y)).abs().max_element() < 0.05, "{kind:?}: {found}, expected ({x}, {y})");
+    };
+    near(ForceKind::Weight, 0.0, 1500.0);
+    near(ForceKind::Reaction, 0.0, -816.5);
+    near(ForceKind::Friction, -530.7, 0.0);
+    near(ForceKind::AirResistance, -426.8, 0.0);
+    let resultant = forces.resultant();
+    assert!((resultant.x - 922.0).abs() < 0.5 && resultant.y == 0.0, "{resultant}");
+    assert!((world.body(BODY).acceleration.x - 9.22).abs() < 0.005);
+}
+
+#[test]
+fn a_stream_gives_everything_the_same_wind() {
+    let stream = StreamDef { zone: Aabb::new(DVec2::splat(-5.0), DVec2::splat(5.0)), force: DVec2::new(1200.0, 0.0) };
+    let bodies = [1.0, 75.0, 500.0].map(|mass| BodyDef {
+        position: DVec2::new(0.0, mass / 200.0),
+        mass,
+        half: DVec2::splat(0.1),
+        ..BodyDef::default()
+    });
+    let world = World::new(WorldDef { streams: vec![stream], bodies: bodies.to_vec(), ..WorldDef::default() }).unwrap();
+    for id in 0..3 {
+        assert_eq!(world.forces(BodyId(id)).total(ForceKind::Wind), DVec2::new(1200.0, 0.0));
+    }
+}
+
+#[test]
+fn an_elastic_collision_conserves_momentum_and_energy() {
+    let body = |x: f64, v: f64, mass| BodyDef {
+        position: DVec2::new(x, 0.0),
+        velocity: DVec2::new(v, 0.0),
+        mass,
+        restitution: 1.0,
+        ..BodyDef::default()
+    };
+    let mut world = World::new(WorldDef {
+        gravity: 0.0,
+        air_density: 0.0,
+        bodies: vec![body(-1.0, 25.7, 75.0), body(1.0, -11.3, 150.0)],
+        ..WorldDef::default()
+    })
+    .unwrap();
+    for _ in 0..60 {
+        world.step(TICK);
+    }
+    let v = [0, 1].map(|id| world.body(BodyId(id)).velocity.x);
+    assert!((v[0] + 23.0 + 19.0 / 30.0).abs() < 1e-12 && (v[1] - 13.0 - 11.0 / 30.0).abs() < 1e-12, "{v:?}");
+}
+
+#[test]
+fn a_ball_at_5_m_per_s_and_restitution_a_half_leaves_at_2_5() {
+    let ball = BodyDef { position: DVec2::new(0.0, -0.5 - 5.0 / 6.0), restitution: 0.5, ..BodyDef::default() };
+    let mut world = world(vec![ball], vec![floor(10.0)]);
+    let mut hit = None;
+    for _ in 0..60 {
+        let before = world.body(BODY).velocity.y;
+        world.step(TICK);
+        if hit.is_none() && world.body(BODY).velocity.y < 0.0 {
+            let resultant::physics::Event::Impact { speed, .. } = world.events()[0];
+            let fallen = (5.0 - before) / 15.0;
+            hit = Some((speed, world.body(BODY).velocity.y - 15.0 * (TICK - fallen)));
+        }
+    }
+    let (speed, left) = hit.unwrap();
+    assert!((speed - 5.0).abs() < 1e-12 && (left + 2.5).abs() < 1e-12, "{speed} {left}");
+}
+
+#[test]
+fn a_slow_rebound_ends_the_bounce_unless_the_scene_asks_for_every_one() {
+    for (rest_speed, bounces) in [(1.0, false), (0.0, true)] {
+        let ball = BodyDef { position: DVec2::new(0.0, -0.5 - 1.5 * 1.5 / 30.0), restitution: 0.5, ..BodyDef::default() };
+        let mut world = World::new(WorldDef {
+            air_density: 0.0,
+            rest_speed,
+            surfaces: vec![floor(10.0)],
+            bodies: vec![ball],
+            ..WorldDef::default()
+        })
+        .unwrap();
+        let rose = (0..40).any(|_| {
+            world.step(TICK);
+            world.body(BODY).velocity.y < -0.1
+        });
+        assert_eq!(rose, bounces);
+    }
+}

@@ -1,0 +1,426 @@
+//! The jumper's engine, and whether these checks can tell a right engine from a wrong one: each rule has a [`Fault`], an engine
+//! written for this file that breaks just this rule, and for each at least one check must fail. Without a fault it passes them all,
+//! as the program's own does.
+
+use glam::{BVec3, DVec3};
+use proptest::prelude::*;
+use resultant::classics::jumper::engine::{Cuboid, Dynamic, Face, Hit, Kind, Static, step};
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Fault {
+    None,
+    /// On one axis touching is colliding.
+    Touching(usize),
+    /// Moves, then falls.
+    MoveBeforeGravity,
+    /// Moves by the mean of the velocities before and after.
+    MeanVelocity,
+    /// Never remembers where it was.
+    NoCopy,
+    /// Remembers only after the move.
+    LateCopy,
+    /// Takes a hit of this face for an internal one.
+    NoFace(Face),
+    /// Takes an internal hit for one of this face.
+    InternalIs(Face),
+    /// Takes what touched before the step for what overlapped before it.
+    TouchedIsInternal,
+    /// Tries the sides before bottom and top.
+    SidesFirst,
+    /// Falls through z = 0.
+    NoGround,
+    /// Is on the ground only below z = 0.
+    GroundOnlyBelow,
+    /// Keeps v_z on the ground.
+    GroundKeepsVelocity,
+    /// Is put on the ground but not told so.
+    GroundUntold,
+    /// Once told, is always told.
+    GroundForEver,
+    /// Is not told that it stands on a platform.
+    PlatformUntold,
+    /// A platform stops from below, too.
+    PlatformFromBelow,
+    /// A platform stops from the side, too.
+    PlatformSideways,
+    /// A wall carries, too.
+    WallCarries,
+    /// A wall stops, but the box stays in it.
+    WallLeavesInside,
+    /// A wall puts the box outside, but it keeps its velocity.
+    WallKeepsVelocity,
+    /// Two boxes that move pass each other.
+    NoPairs,
+    /// The line between corners.
+    PairByCorners,
+    /// The line between the centres before the step.
+    PairBeforeMove,
+    /// As if both had the same mass.
+    PairSameMass,
+    /// Only what approaches bounces.
+    PairOnlyApproaching,
+}
+
+fn faulty(fault: Fault, bodies: &mut [Dynamic], statics: &[Static], g: f64, dt: f64) -> Vec<Hit> {
+    let mut hits = Vec::new();
+    let overlap = |a: &Cuboid, b: &Cuboid| {
+        (0..3).all(|axis| {
+            let gap = (a.location[axis].max(b.location[axis])) - (a.end()[axis].min(b.end()[axis]));
+            gap < 0.0 || (gap == 0.0 && fault == Fault::Touching(axis))
+        })
+    };
+    let before: Vec<Cuboid> = bodies.iter().map(|body| body.cuboid).collect();
+    for (object, body) in bodies.iter_mut().enumerate() {
+        let fall = DVec3::new(0.0, 0.0, -g * dt);
+        let moved = match fault {
+            Fault::MoveBeforeGravity => body.velocity,
+            Fault::MeanVelocity => body.velocity + fall / 2.0,
+            _ => body.velocity + fall,
+        };
+        body.velocity += fall;
+        if fault != Fault::NoCopy {
+            body.previous = body.cuboid.location;
+        }
+        body.cuboid.location += moved * dt;
+        if fault == Fault::LateCopy {
+            body.previous = body.cuboid.location;
+        }
+        if fault != Fault::GroundForEver {
+            body.on_ground = false;
+        }
+        let z = body.cuboid.location.z;
+        if fault != Fault::NoGround && (z < 0.0 || (z == 0.0 && fault != Fault::GroundOnlyBelow)) {
+            body.cuboid.location.z = 0.0;
+            if fault != Fault::GroundKeepsVelocity {
+                body.velocity.z = 0.0;
+            }
+            body.on_ground |= fault != Fault::GroundUntold;
+        }
+        for (obstacle, other) in statics.iter().enumerate() {
+            if overlap(&body.cuboid, &other.cuboid) {
+                let face = faulty_face(fault, Cuboid { location: body.previous, ..body.cuboid }, other.cuboid);
+                faulty_answer(fault, body, other, face);
+                hits.push(Hit::Static { object, obstacle, face });
+            }
+        }
+    }
+    for second in 1..bodies.len() {
+        for first in 0..second {
+            let (a, b) = (bodies[first], bodies[second]);
+            if fault == Fault::NoPairs || !overlap(&a.cuboid, &b.cuboid) {
+                continue;
+            }
+            let n = match fault {
+                Fault::PairByCorners => a.cuboid.location - b.cuboid.location,
+                Fault::PairBeforeMove => before[first].centre() - before[second].centre(),
+                _ => a.cuboid.centre() - b.cuboid.centre(),
+            };
+            let (m1, m2) = if fault == Fault::PairSameMass { (1.0, 1.0) } else { (a.mass, b.mass) };
+            let along = (a.velocity - b.velocity).dot(n);
+            if n != DVec3::ZERO && (along < 0.0 || fault != Fault::PairOnlyApproaching) {
+                bodies[first].velocity -= 2.0 * m2 / (m1 + m2) * along * n / n.dot(n);
+                bodies[second].velocity += 2.0 * m1 / (m1 + m2) * along * n / n.dot(n);
+            }
+            hits.push(Hit::Pair(first, second));
+        }
+    }
+    hits
+}
+
+fn faulty_face(fault: Fault, before: Cuboid, other: Cuboid) -> Face {
+    let mut order = [(2, Face::Bottom, Face::Top), (0, Face::MinX, Face::MaxX), (1, Face::MinY, Face::MaxY)];
+    if fault == Fault::SidesFirst {
+        order.rotate_left(1);
+    }
+    let touched = |gap: f64| gap > 0.0 || (gap == 0.0 && fault != Fault::TouchedIsInternal);
+    let face = order.into_iter().find_map(|(axis, low, high)| {
+        if touched(other.location[axis] - before.end()[axis]) {
+            Some(low)
+        } else {
+            touched(before.location[axis] - other.end()[axis]).then_some(high)
+        }
+    });
+    match (face, fault) {
+        (None, Fault::InternalIs(face)) => face,
+        (Some(face), Fault::NoFace(wrong)) if face == wrong => Face::Internal,
+        (face, _) => face.unwrap_or(Face::Internal),
+    }
+}
+
+fn faulty_answer(fault: Fault, body: &mut Dynamic, other: &Static, face: Face) {
+    let (location, end) = (&mut body.cuboid.location, other.cuboid.end());
+    match (other.kind, face) {
+        (Kind::Platform, Face::Top) => {
+            (location.z, body.velocity.z) = (end.z, 0.0);
+            body.on_ground |= fault != Fault::PlatformUntold;
+        }
+        (Kind::Wall, Face::Top) if fault == Fault::WallCarries => (location.z, body.velocity.z) = (end.z, 0.0),
+        (Kind::Platform, Face::Bottom) if fault == Fault::PlatformFromBelow => body.velocity.z = 0.0,
+        (Kind::Platform, Face::MinX | Face::MaxX) if fault == Fault::PlatformSideways => body.velocity.x = 0.0,
+        (Kind::Wall, Face::MinX | Face::MaxX) => {
+            if fault != Fault::WallKeepsVelocity {
+                body.velocity.x = 0.0;
+            }
+            if fault != Fault::WallLeavesInside {
+                let against = other.cuboid.location.x - body.cuboid.dimensions.x;
+                let rounded_into = against + body.cuboid.dimensions.x > other.cuboid.location.x;
+                let against = if rounded_into { against.next_down() } else { against };
+                location.x = if face == Face::MinX { against } else { end.x };
+            }
+        }
+        _ => {}
+    }
+}
+
+type Engine<'a> = &'a dyn Fn(&mut [Dynamic], &[Static], f64, f64) -> Vec<Hit>;
+
+fn shipped(bodies: &mut [Dynamic], statics: &[Static], g: f64, dt: f64) -> Vec<Hit> {
+    let mut hits = vec![Hit::Pair(7, 8)]; // A leftover, which a step has to clear.
+    step(bodies, statics, g, dt, &mut hits);
+    hits
+}
+
+fn v(x: f64, y: f64, z: f64) -> DVec3 {
+    DVec3::new(x, y, z)
+}
+
+fn body(location: DVec3, dimensions: DVec3, velocity: DVec3, mass: f64) -> Dynamic {
+    Dynamic::new(Cuboid { location, dimensions }, velocity, mass)
+}
+
+/// A cube of 1 m at (2, 2, 2).
+fn cube(kind: Kind) -> Static {
+    Static { cuboid: Cuboid { location: DVec3::splat(2.0), dimensions: DVec3::ONE }, kind }
+}
+
+/// Half a metre of cube at `location`.
+fn small(location: DVec3, velocity: DVec3) -> Dynamic {
+    body(location, DVec3::splat(0.5), velocity, 1.0)
+}
+
+/// One step without gravity of 0.1 s, against a cube of each kind: what was hit, and the two bodies after it.
+fn against_cubes(engine: Engine, before: Dynamic) -> [(Vec<Hit>, Dynamic); 2] {
+    [Kind::Platform, Kind::Wall].map(|kind| {
+        let mut bodies = [before];
+        let hits = engine(&mut bodies, &[cube(kind)], 0.0, 0.1);
+        (hits, bodies[0])
+    })
+}
+
+fn hit(face: Face) -> Vec<Hit> {
+    vec![Hit::Static { object: 0, obstacle: 0, face }]
+}
+
+fn close(a: DVec3, b: DVec3) -> bool {
+    (a - b).abs().max_element() < 1e-12
+}
+
+// The checks: whether an engine does what it should.
+
+fn gravity_comes_before_the_move(engine: Engine) -> bool {
+    let mut bodies = [small(v(0.0, 0.0, 10.0), v(1.0, 2.0, 3.0))];
+    engine(&mut bodies, &[], 10.0, 0.1);
+    close(bodies[0].velocity, v(1.0, 2.0, 2.0)) && close(bodies[0].cuboid.location, v(0.1, 0.2, 10.2))
+}
+
+fn the_location_before_the_move_is_remembered(engine: Engine) -> bool {
+    let mut bodies = [small(v(0.0, 0.0, 10.0), v(1.0, 0.0, 0.0))];
+    engine(&mut bodies, &[], 10.0, 0.1);
+    let between = bodies[0].cuboid.location;
+    let first = bodies[0].previous == v(0.0, 0.0, 10.0);
+    engine(&mut bodies, &[], 10.0, 0.1);
+    first && bodies[0].previous == between
+}
+
+fn touching_is_not_colliding(engine: Engine) -> bool {
+    let beside = [(0, 1.5), (0, 3.0), (1, 1.5), (1, 3.0), (2, 1.5), (2, 3.0)];
+    beside.into_iter().all(|(axis, at)| {
+        let mut location = DVec3::splat(2.25);
+        location[axis] = at;
+        let before = small(location, DVec3::ZERO);
+        let statics = against_cubes(engine, before).iter().all(|(hits, after)| hits.is_empty() && !after.on_ground);
+        let mut pair = [before, body(DVec3::splat(2.0), DVec3::ONE, DVec3::ZERO, 1.0)];
+        statics && engine(&mut pair, &[], 0.0, 0.1).is_empty()
+    })
+}
+
+fn the_ground_stops_and_tells(engine: Engine) -> bool {
+    let fall = |z: f64, speed: f64| {
+        let mut bodies = [small(v(0.0, 0.0, z), v(1.0, 0.0, -speed))];
+        engine(&mut bodies, &[], 0.0, 0.5);
+        bodies[0]
+    };
+    let lands = |after: Dynamic| after.on_ground && after.velocity == v(1.0, 0.0, 0.0) && after.cuboid.location == v(0.5, 0.0, 0.0);
+    let mut leaves = [fall(1.0, 4.0)];
+    leaves[0].velocity.z = 1.0;
+    engine(&mut leaves, &[], 0.0, 0.5);
+    lands(fall(1.0, 4.0)) && lands(fall(1.0, 2.0)) && !fall(1.0, 1.0).on_ground && !leaves[0].on_ground
+}
+
+/// A check a face: from 0.05 m in front of it, and from touching it, 0.1 m on. Only a platform's top and a wall's two sides act.
+fn from_the_side(engine: Engine, face: Face, axis: usize, direction: f64) -> bool {
+    let touching = if direction > 0.0 { 1.5 } else { 3.0 };
+    [0.05, 0.0].into_iter().all(|gap| {
+        let (mut location, mut velocity) = (DVec3::splat(2.25), DVec3::splat(0.125));
+        location[axis] = touching - direction * gap;
+        velocity[axis] = direction;
+        let [(platform_hits, on_platform), (wall_hits, at_wall)] = against_cubes(engine, small(location, velocity));
+        let passes = |after: &Dynamic| {
+            after.velocity == velocity && close(after.cuboid.location, location + 0.1 * velocity) && !after.on_ground
+        };
+        let stops = |after: &Dynamic| {
+            let mut left = velocity;
+            left[axis] = 0.0;
+            after.velocity == left && after.cuboid.location[axis] == touching && after.on_ground == (face == Face::Top)
+        };
+        platform_hits == hit(face)
+            && wall_hits == hit(face)
+            && (if face == Face::Top { stops(&on_platform) } else { passes(&on_platform) })
+            && (if matches!(face, Face::MinX | Face::MaxX) { stops(&at_wall) } else { passes(&at_wall) })
+    })
+}
+
+fn past_an_edge_bottom_and_top_come_first(engine: Engine) -> bool {
+    let diagonal = |location: DVec3, velocity: DVec3| against_cubes(engine, small(location, velocity))[0].0.clone();
+    diagonal(v(1.45, 2.25, 3.05), v(1.0, 0.0, -1.0)) == hit(Face::Top)
+        && diagonal(v(3.05, 2.25, 1.45), v(-1.0, 0.0, 1.0)) == hit(Face::Bottom)
+        && diagonal(v(1.45, 3.05, 2.25), v(1.0, -1.0, 0.0)) == hit(Face::MinX)
+}
+
+fn what_overlapped_before_is_internal_and_passes(engine: Engine) -> bool {
+    let velocity = v(0.5, 0.25, -0.5);
+    against_cubes(engine, small(DVec3::splat(2.25), velocity)).into_iter().all(|(hits, after)| {
+        hits == hit(Face::Internal)
+            && after.velocity == velocity
+            && !after.on_ground
+            && close(after.cuboid.location, v(2.3, 2.275, 2.2))
+    })
+}
+
+fn a_jump_passes_the_platform_and_lands_on_it(engine: Engine) -> bool {
+    let mut bodies = [small(v(2.25, 2.25, 0.0), v(0.0, 0.0, 9.0))];
+    for _ in 0..300 {
+        engine(&mut bodies, &[cube(Kind::Platform)], 10.0, 0.01);
+    }
+    bodies[0].cuboid.location == v(2.25, 2.25, 3.0) && bodies[0].on_ground && bodies[0].velocity == DVec3::ZERO
+}
+
+fn a_wall_holds_for_ever(engine: Engine) -> bool {
+    let wall = Static { cuboid: Cuboid { location: v(15.1, -1.0, 0.0), dimensions: v(0.1, 3.0, 9.0) }, kind: Kind::Wall };
+    [0.3, 0.1, 1.0 / 3.0, 14.9].into_iter().all(|width| {
+        let mut bodies = [body(v(0.0, 0.0, 1.0), v(width, 1.0, 1.0), DVec3::ZERO, 1.0)];
+        (0..600).all(|_| {
+            bodies[0].velocity.x = 4.0;
+            engine(&mut bodies, &[wall], 0.0, 1.0 / 120.0);
+            bodies[0].cuboid.end().x <= 15.1
+        })
+    })
+}
+
+fn the_first_elastic_example(engine: Engine) -> bool {
+    let cube = DVec3::ONE;
+    let mut bodies = [body(v(-0.1, -1.0, 0.0), cube, v(2.0, 1.5, 0.0), 2.0), body(v(0.1, -1.0, 0.0), cube, v(-2.0, 1.0, 0.0), 4.0)];
+    let hits = engine(&mut bodies, &[], 0.0, 0.1);
+    hits == [Hit::Pair(0, 1)]
+        && close(bodies[0].velocity, v(-3.176470588235294, 0.20588235294117496, 0.0))
+        && close(bodies[1].velocity, v(0.5882352941176473, 1.6470588235294126, 0.0))
+}
+
+fn the_second_elastic_example(engine: Engine) -> bool {
+    let mut bodies =
+        [body(v(-5.0, 1.0, 0.0), v(4.0, 1.0, 2.0), v(1.5, 0.0, 0.0), 10.0), body(DVec3::ZERO, v(1.0, 2.0, 5.0), DVec3::ZERO, 20.0)];
+    let hits = engine(&mut bodies, &[], 0.0, 1.0);
+    hits == [Hit::Pair(0, 1)]
+        && close(bodies[0].velocity, v(0.26923076923076905, 0.3076923076923077, -0.9230769230769232))
+        && close(bodies[1].velocity, v(0.6153846153846154, -0.15384615384615385, 0.4615384615384616))
+}
+
+type Check = fn(Engine) -> bool;
+
+const CHECKS: [(&str, Check); 16] = [
+    ("gravity comes before the move", gravity_comes_before_the_move),
+    ("the location before the move is remembered", the_location_before_the_move_is_remembered),
+    ("touching is not colliding", touching_is_not_colliding),
+    ("the ground stops and tells", the_ground_stops_and_tells),
+    ("bottom", |engine| from_the_side(engine, Face::Bottom, 2, 1.0)),
+    ("top", |engine| from_the_side(engine, Face::Top, 2, -1.0)),
+    ("min x", |engine| from_the_side(engine, Face::MinX, 0, 1.0)),
+    ("max x", |engine| from_the_side(engine, Face::MaxX, 0, -1.0)),
+    ("min y", |engine| from_the_side(engine, Face::MinY, 1, 1.0)),
+    ("max y", |engine| from_the_side(engine, Face::MaxY, 1, -1.0)),
+    ("past an edge bottom and top come first", past_an_edge_bottom_and_top_come_first),
+    ("what overlapped before is internal and passes", what_overlapped_before_is_internal_and_passes),
+    ("a jump passes the platform and lands on it", a_jump_passes_the_platform_and_lands_on_it),
+    ("a wall holds for ever", a_wall_holds_for_ever),
+    ("the first elastic example", the_first_elastic_example),
+    ("the second elastic example", the_second_elastic_example),
+];
+
+fn failed(engine: Engine) -> Vec<&'static str> {
+    CHECKS.iter().filter(|(_, check)| !check(engine)).map(|&(name, _)| name).collect()
+}
+
+fn with(fault: Fault) -> impl Fn(&mut [Dynamic], &[Static], f64, f64) -> Vec<Hit> {
+    move |bodies, statics, g, dt| faulty(fault, bodies, statics, g, dt)
+}
+
+#[test]
+fn the_engine_passes_every_check() {
+    assert_eq!(failed(&shipped), [""; 0]);
+    assert_eq!(failed(&with(Fault::None)), [""; 0]);
+}
+
+#[test]
+fn every_fault_is_caught() {
+    use Fault::*;
+    let faces = [Face::Bottom, Face::Top, Face::MinX, Face::MaxX, Face::MinY, Face::MaxY];
+    let mut faults = vec![Touching(0), Touching(1), Touching(2), MoveBeforeGravity, MeanVelocity, NoCopy, LateCopy];
+    faults.extend(faces.map(NoFace));
+    faults.extend(faces.map(InternalIs));
+    faults.extend([TouchedIsInternal, SidesFirst, NoGround, GroundOnlyBelow, GroundKeepsVelocity, GroundUntold, GroundForEver]);
+    faults.extend([PlatformUntold, PlatformFromBelow, PlatformSideways, WallCarries, WallLeavesInside, WallKeepsVelocity]);
+    faults.extend([NoPairs, PairByCorners, PairBeforeMove, PairSameMass, PairOnlyApproaching]);
+    for fault in faults {
+        let caught = failed(&with(fault));
+        assert!(!caught.is_empty(), "no check fails for {fault:?}");
+        println!("{fault:?}: {}", caught.join("; "));
+    }
+}
+
+/// Coordinates on a coarse grid, so that touching, which random numbers would never do, is frequent.
+fn coarse(range: std::ops::Range<i32>) -> impl Strategy<Value = DVec3> {
+    (range.clone(), range.clone(), range).prop_map(|(x, y, z)| DVec3::new(x.into(), y.into(), z.into()) * 0.25)
+}
+
+proptest! {
+    #[test]
+    fn the_engine_is_the_faultless_one(
+        bodies in prop::collection::vec((coarse(-4..8), coarse(1..5), coarse(-8..8), 1..4_i32), 0..4),
+        statics in prop::collection::vec((coarse(-4..8), coarse(1..8), any::<bool>()), 0..5),
+        g in 0..3_i32,
+    ) {
+        let statics: Vec<Static> = statics.into_iter().map(|(location, dimensions, wall)| Static {
+            cuboid: Cuboid { location, dimensions },
+            kind: if wall { Kind::Wall } else { Kind::Platform },
+        }).collect();
+        let mut ours: Vec<Dynamic> = bodies.into_iter().map(|(at, size, velocity, mass)| body(at, size, velocity, f64::from(mass))).collect();
+        let mut theirs = ours.clone();
+        for _ in 0..8 {
+            let hits = shipped(&mut ours, &statics, g.into(), 0.125);
+            prop_assert_eq!(&hits, &faulty(Fault::None, &mut theirs, &statics, g.into(), 0.125));
+            for (ours, theirs) in ours.iter().zip(&mut theirs) {
+                prop_assert!(close(ours.velocity, theirs.velocity) && ours.on_ground == theirs.on_ground);
+                prop_assert!(close(ours.cuboid.location, theirs.cuboid.location) && ours.velocity.is_finite());
+                *theirs = *ours; // Rounding differs; it shall not add up to another hit.
+            }
+        }
+    }
+
+    #[test]
+    fn overlapping_is_mutual_and_strict(a in coarse(0..6), b in coarse(0..6), size in coarse(1..4)) {
+        let (a, b) = (Cuboid { location: a, dimensions: size }, Cuboid { location: b, dimensions: size });
+        let apart = (a.location - b.location).abs();
+        prop_assert_eq!(a.overlaps(&b), apart.cmplt(size) == BVec3::TRUE);
+        prop_assert_eq!(a.overlaps(&b), b.overlaps(&a));
+    }
+}

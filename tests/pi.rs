@@ -1,0 +1,173 @@
+//! π from collisions: the counts, the places and times, where stepping fails, and the command line.
+
+use proptest::prelude::*;
+use resultant::classics::pi::{
+    Blocks, Collision, HEAVY_START, LIGHT_START, MAX_N, STEPPED_DURATION, count, mass_ratio, step_through,
+};
+use std::f64::consts::PI;
+use std::process::{Command, Output};
+
+/// The first digits of π, N+1 of them.
+fn digits(n: u32) -> u64 {
+    3_141_592_653 / 10_u64.pow(MAX_N - n)
+}
+
+/// Half the angle by which a round turns the velocities, in the plane of √m₁·u₁ and √m₂·u₂.
+fn angle(n: u32) -> f64 {
+    mass_ratio(n).sqrt().recip().atan()
+}
+
+fn pi(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_resultant")).arg("pi").args(arguments).output().unwrap()
+}
+
+fn value<'a>(output: &'a Output, key: &str) -> Option<&'a str> {
+    let text = std::str::from_utf8(&output.stdout).unwrap();
+    text.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix('='))
+}
+
+#[test]
+fn the_formula_is_the_digits() {
+    for n in 0..=MAX_N {
+        assert_eq!((PI / angle(n)).ceil() as u64 - 1, digits(n));
+    }
+}
+
+#[test]
+fn the_counts_are_the_digits() {
+    for n in 0..=7 {
+        assert_eq!(count(n), digits(n), "N = {n}");
+    }
+}
+
+/// N = 8 and 9 take too long without optimisation: `cargo test --release`.
+#[test]
+#[cfg(not(debug_assertions))]
+fn the_largest_counts_are_the_digits_within_ten_seconds() {
+    assert_eq!(count(8), digits(8));
+    let started = std::time::Instant::now();
+    assert_eq!(count(9), digits(9));
+    assert!(started.elapsed().as_secs_f64() < 10.0, "{:?}", started.elapsed());
+}
+
+/// Unfolded at the walls of its wedge, the way of the point (√m₁·x₁, √m₂·x₂) is a straight line, and collision k is where it
+/// crosses the ray at angle k·θ: both times and places follow.
+#[test]
+fn times_and_places_are_those_of_the_straight_line() {
+    /// What the rounding of all collisions may turn the line by. Near its end the line runs along the rays, and a turn moves a
+    /// crossing by a multiple of that.
+    const TURN: f64 = 1e-13;
+    for n in 0..=7 {
+        let (root, theta) = (mass_ratio(n).sqrt(), angle(n));
+        let mut blocks = Blocks::new(n);
+        for k in 1..=digits(n) {
+            let expected = if k % 2 == 1 { Collision::Blocks } else { Collision::Wall };
+            assert_eq!(blocks.collide(), Some(expected));
+            if n > 5 && k % 101 != 0 && k + 100 < digits(n) {
+                continue;
+            }
+            let turned = k as f64 * theta;
+            let time = HEAVY_START - LIGHT_START / (root * turned.tan());
+            let error = (blocks.time() - time).abs();
+            assert!(error < 1e-12 + TURN / (root * turned.sin().powi(2)), "N = {n}, {k}: {} s, not {time} s", blocks.time());
+            let (light, heavy) = blocks.positions(blocks.time());
+            let place = LIGHT_START / turned.sin() * if k % 2 == 1 { theta.sin() } else { 1.0 / root };
+            let error = (heavy / place - 1.0).abs();
+            assert!(error < 1e-11 + TURN / turned.sin(), "N = {n}, {k}: {heavy} m, not {place} m");
+            assert_eq!(light, if k % 2 == 1 { heavy } else { 0.0 });
+        }
+        assert_eq!((blocks.collide(), blocks.next_time(), blocks.collisions()), (None, None, digits(n)));
+        assert!(blocks.time() < 0.4 * STEPPED_DURATION);
+    }
+}
+
+#[test]
+fn energy_stays() {
+    let mut blocks = Blocks::new(6);
+    while blocks.collide().is_some() {}
+    let (light, heavy) = blocks.velocities();
+    assert!((light * light / mass_ratio(6) + heavy * heavy - 1.0).abs() < 1e-11);
+    assert!(light >= 0.0 && heavy >= light);
+}
+
+proptest! {
+    #[test]
+    fn the_same_collisions_come_out_at_any_frame_rate(
+        n in 0..=4_u32,
+        frames in prop::collection::vec((0.0..0.3, 1..2000_u64), 1..60),
+    ) {
+        let mut whole = Blocks::new(n);
+        let mut cut = whole.clone();
+        let mut now = 0.0;
+        for (frame, at_most) in frames {
+            let made = cut.advance(now + frame, at_most);
+            prop_assert!(made <= at_most);
+            // With its work used up the scene waits; otherwise all collisions up to now were made.
+            now = if made == at_most { cut.time() } else { now + frame };
+            prop_assert!(cut.time() <= now && (made == at_most || cut.next_time().is_none_or(|next| next > now)));
+            let (light, heavy) = cut.positions(now);
+            prop_assert!(light >= -1e-12 && heavy >= light - 1e-12);
+        }
+        for _ in 0..cut.collisions() {
+            whole.collide();
+        }
+        prop_assert_eq!(whole, cut);
+    }
+}
+
+#[test]
+fn stepping_is_right_with_small_steps_and_wrong_with_large_ones() {
+    let stepped = |n, dt, substeps| step_through(n, dt, substeps).unwrap().collisions;
+    assert_eq!([stepped(0, 0.1, 1), stepped(1, 0.01, 1), stepped(2, 1e-3, 1), stepped(3, 1e-3, 1)], [3, 31, 314, 3141]);
+    for (n, dt) in [(2, 0.1), (3, 0.1), (4, 0.01), (5, 0.01)] {
+        assert_ne!(stepped(n, dt, 1), digits(n), "N = {n}, dt = {dt}");
+    }
+    assert_eq!(step_through(3, 0.1, 100), step_through(3, 0.001, 1));
+}
+
+#[test]
+fn steps_that_make_no_sense_are_refused() {
+    for (dt, substeps) in [(0.0, 1), (-0.1, 1), (f64::NAN, 1), (f64::INFINITY, 1), (1e-300, 1), (1.0, 0), (5e-324, 2)] {
+        assert!(step_through(0, dt, substeps).is_err(), "{dt} {substeps}");
+    }
+    assert!(step_through(0, f64::MAX, 1).is_ok());
+}
+
+#[test]
+fn the_command_line_prints_the_counts() {
+    for n in 0..=5 {
+        let output = pi(&[&n.to_string()]);
+        assert_eq!(value(&output, "collisions"), Some(digits(n).to_string().as_str()));
+        for key in ["seconds", "last_time", "last_position"] {
+            assert!(value(&output, key).unwrap().parse::<f64>().unwrap() >= 0.0, "{key}");
+        }
+        assert_eq!((value(&output, "stepped"), output.status.code()), (None, Some(0)));
+    }
+    let output = pi(&["3", "--dt", "0.1", "--substeps", "2"]);
+    assert_eq!(value(&output, "collisions"), Some("3141"));
+    assert_eq!(value(&output, "stepped"), Some(step_through(3, 0.05, 1).unwrap().collisions.to_string().as_str()));
+}
+
+#[test]
+fn the_command_line_refuses_bad_numbers() {
+    for arguments in [
+        &["10"][..],
+        &["-1"],
+        &["2.5"],
+        &["x"],
+        &[],
+        &["2", "--dt", "0"],
+        &["2", "--dt", "-0.1"],
+        &["2", "--dt=-1"],
+        &["2", "--dt", "nan"],
+        &["2", "--dt", "inf"],
+        &["2", "--dt", "x"],
+        &["2", "--dt", "0.1", "--substeps", "0"],
+        &["2", "--dt", "0.1", "--substeps", "-1"],
+        &["2", "--substeps", "2"],
+    ] {
+        let output = pi(arguments);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments:?}");
+        assert!(!output.stderr.is_empty());
+    }
+}

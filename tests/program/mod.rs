@@ -1,0 +1,77 @@
+//! The program as a user runs it, in a data folder of its own.
+
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+/// A folder with `levels/`, and the program told to use it.
+pub struct Data {
+    folder: tempfile::TempDir,
+}
+
+impl Data {
+    /// An empty one.
+    pub fn new() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join("levels")).unwrap();
+        Self { folder }
+    }
+
+    /// A path in it.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// Writes a file and returns its path for the command line.
+    pub fn write(&self, name: &str, text: &str) -> String {
+        let path = self.path(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    }
+
+    /// Writes a level of 3000 × 3000 px from its files.
+    pub fn level(&self, name: &str, constants: &str, files: &[(&str, &str)]) {
+        self.write(&format!("levels/{name}/constants.csv"), &format!("name,value\nwidth,3000\nheight,3000\n{constants}"));
+        for (file, text) in files {
+            self.write(&format!("levels/{name}/{file}"), text);
+        }
+    }
+
+    /// Runs the program.
+    pub fn resultant(&self, args: &[&str]) -> Ran {
+        Ran::new(resultant().arg("--data").arg(self.folder.path()).args(args))
+    }
+}
+
+/// The program, without a display.
+pub fn resultant() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_resultant"));
+    command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
+    command
+}
+
+/// What a run of the program came to.
+#[derive(Debug)]
+pub struct Ran {
+    /// The exit status.
+    pub status: i32,
+    /// Standard output.
+    pub out: String,
+    /// Standard error.
+    pub err: String,
+}
+
+impl Ran {
+    /// Runs it.
+    pub fn new(command: &mut Command) -> Self {
+        let Output { status, stdout, stderr } = command.output().unwrap();
+        let text = |bytes| String::from_utf8(bytes).unwrap();
+        Self { status: status.code().unwrap_or(-1), out: text(stdout), err: text(stderr) }
+    }
+
+    /// The value of a line `key=value`.
+    pub fn value(&self, key: &str) -> &str {
+        let line = self.out.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix('='));
+        line.unwrap_or_else(|| panic!("no {key} in {self:?}"))
+    }
+}

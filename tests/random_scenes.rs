@@ -1,0 +1,135 @@
+//! Random scenes that run for long: finite, no energy from nothing, no overlap, the same bits twice.
+
+use proptest::prelude::*;
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, StreamDef, SurfaceDef, World, WorldDef};
+
+const TICK: f64 = 1.0 / 120.0;
+/// m. The bar for every pair at every tick.
+const OVERLAP: f64 = 1e-6;
+/// The room, m.
+const ROOM: Aabb = Aabb::new(DVec2::ZERO, DVec2::new(20.0, 16.0));
+
+fn materials() -> impl Strategy<Value = Material> {
+    (0..Material::ALL.len()).prop_map(|i| Material::ALL[i])
+}
+
+/// One body a cell of a grid, so that none begins inside another.
+fn bodies(most: usize) -> impl Strategy<Value = Vec<BodyDef>> {
+    let body = (0.1..0.45f64, 0.1..0.45f64, -1.0..3.0f64, 0.0..1.0f64, (-8.0..8.0f64, -8.0..8.0f64), materials(), any::<bool>());
+    prop::collection::vec(body, 1..most).prop_map(|list| {
+        let place = |i: usize| DVec2::new(1.0 + (i % 18) as f64, 1.0 + (i / 18) as f64);
+        list.into_iter()
+            .enumerate()
+            .map(|(i, (w, h, log_mass, e, (vx, vy), material, bouncy))| BodyDef {
+                position: place(i),
+                velocity: DVec2::new(vx, vy),
+                half: DVec2::new(w, h),
+                mass: 10f64.powf(log_mass),
+                restitution: if bouncy { e } else { 0.0 },
+                material,
+                ..BodyDef::default()
+            })
+            .collect()
+    })
+}
+
+fn surfaces() -> impl Strategy<Value = Vec<SurfaceDef>> {
+    let block = (0.0..17.0f64, 9.0..15.0f64, 0.2..4.0f64, 0.1..1.0f64, materials());
+    prop::collection::vec(block, 0..6).prop_map(|list| {
+        list.into_iter()
+            .map(|(x, y, w, h, material)| SurfaceDef { bounds: Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h)), material })
+            .collect()
+    })
+}
+
+fn scene(most: usize) -> impl Strategy<Value = WorldDef> {
+    (bodies(most), surfaces(), any::<bool>()).prop_map(|(bodies, surfaces, air)| WorldDef {
+        air_density: if air { 1.2041 } else { 0.0 },
+        bounds: Some(ROOM),
+        bodies,
+        surfaces,
+        ..WorldDef::default()
+    })
+}
+
+fn worst_overlap(world: &World) -> f64 {
+    let bodies = world.bodies();
+    let depth = |a: &Aabb, b: &Aabb| -a.gap(b).max_element();
+    let mut worst = 0.0f64;
+    for (i, a) in bodies.iter().enumerate() {
+        let a = a.bounds();
+        worst = bodies[i + 1..].iter().map(|b| depth(&a, &b.bounds())).fold(worst, f64::max);
+        worst = world.surfaces().iter().map(|b| depth(&a, &b.bounds)).fold(worst, f64::max);
+    }
+    worst
+}
+
+fn energy(world: &World) -> f64 {
+    world.bodies().iter().map(|b| b.mass * (0.5 * b.velocity.length_squared() - 15.0 * b.position.y)).sum()
+}
+
+fn hash(world: &World) -> Vec<u64> {
+    let mut bits = Vec::new();
+    world.hash_state(&mut |word| bits.push(word));
+    bits
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_room_of_bodies_keeps_every_law(def in scene(40)) {
+        let mut world = World::new(def.clone()).unwrap();
+        let mut twin = World::new(def).unwrap();
+        let mut before = energy(&world);
+        for tick in 0..600 {
+            world.step(TICK);
+            twin.step(TICK);
+            let now = energy(&world);
+            prop_assert!(now.is_finite());
+            prop_assert!(now <= before + 1e-9 * before.abs().max(1.0), "tick {}: energy rose from {} to {}", tick, before, now);
+            let overlap = worst_overlap(&world);
+            prop_assert!(overlap <= OVERLAP, "tick {}: overlap {} m", tick, overlap);
+            before = now;
+        }
+        prop_assert_eq!(hash(&world), hash(&twin));
+        prop_assert_eq!(world.overflows(), 0);
+    }
+
+    #[test]
+    fn collisions_in_space_conserve_momentum(bodies in bodies(24)) {
+        let momentum = |world: &World| world.bodies().iter().map(|b| b.velocity * b.mass).sum::<DVec2>();
+        let scale: f64 = bodies.iter().map(|b| b.mass * b.velocity.length()).sum();
+        let mut world = World::new(WorldDef { gravity: 0.0, air_density: 0.0, bodies, ..WorldDef::default() }).unwrap();
+        let before = momentum(&world);
+        for _ in 0..600 {
+            world.step(TICK);
+        }
+        prop_assert!((momentum(&world) - before).length() <= 1e-12 * scale.max(1.0));
+    }
+
+    #[test]
+    fn zones_and_drives_leave_everything_finite_and_apart(
+        def in scene(12),
+        force in (-3000.0..3000.0f64, -3000.0..3000.0f64),
+        zone in (0.0..15.0f64, 0.0..12.0f64, 0.5..6.0f64, 0.5..6.0f64),
+        density in 0.0..3000.0f64,
+        viscosity in 0.0..50.0f64,
+    ) {
+        let at = DVec2::new(zone.0, zone.1);
+        let zone = Aabb::new(at, at + DVec2::new(zone.2, zone.3));
+        let mut def = def;
+        def.streams.push(StreamDef { zone, force: DVec2::new(force.1, force.0) * 0.1 });
+        def.fluids.push(FluidDef { zone: Aabb::new(DVec2::new(0.0, 10.0), DVec2::new(20.0, 16.0)), density, viscosity });
+        let mut world = World::new(def).unwrap();
+        for tick in 0..600 {
+            let push = if tick / 60 % 2 == 0 { 1.0 } else { -0.5 };
+            world.set_drive(BodyId(0), DVec2::new(force.0, force.1) * push);
+            world.step(TICK);
+            prop_assert!(world.bodies().iter().all(|b| b.position.is_finite() && b.velocity.is_finite() && b.acceleration.is_finite()));
+            let overlap = worst_overlap(&world);
+            prop_assert!(overlap <= OVERLAP, "tick {}: overlap {} m", tick, overlap);
+            prop_assert!(world.bodies().iter().all(|b| ROOM.contains(&b.bounds(), OVERLAP)));
+        }
+    }
+}

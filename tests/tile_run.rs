@@ -1,0 +1,240 @@
+//! The tile run: to the last bit, on any map.
+//!
+//! [`described`] is written a second time from the description, over text instead of a grid and with integers where the program has
+//! `floor`, so that a slip in one of the two shows.
+
+use proptest::prelude::*;
+use resultant::classics::tile_run::{Command, Map, Runner};
+use std::path::PathBuf;
+use std::process::{Command as Process, Output};
+
+/// x, y, vx, vy and whether on the ground, after each command.
+type Frame = (f64, f64, f64, f64, bool);
+
+fn described(map: &str, commands: &[(&str, f64)]) -> Vec<Frame> {
+    let rows: Vec<&str> = map.split('\n').collect();
+    let solid = |x: f64, y: f64| {
+        let (column, row) = (x.floor() as i64, y.floor() as i64);
+        let inside = row >= 0 && row < rows.len() as i64 && column >= 0 && column < rows[row as usize].len() as i64;
+        !inside || rows[row as usize].as_bytes()[column as usize] == b'#'
+    };
+    let row = rows.iter().position(|row| row.contains(['s', 'S'])).unwrap();
+    let (mut x, mut y) = (rows[row].find(['s', 'S']).unwrap() as f64, row as f64);
+    let (mut vx, mut vy, mut ground) = (0.0_f64, 0.0_f64, false);
+    let mut frames = Vec::new();
+    for &(name, value) in commands {
+        if name == "LEFT" {
+            vx -= value;
+        } else if name == "RIGHT" {
+            vx += value;
+        } else if name == "JUMP" && ground {
+            vy -= value;
+        }
+        vy += 0.06;
+        vx *= 0.80;
+        vx = vx.clamp(-0.5, 0.5);
+        vy = vy.clamp(-0.6, 0.8);
+        let new_x = x + vx;
+        if !solid(new_x, y) {
+            x = new_x;
+        } else {
+            x = if vx > 0.0 { new_x.floor() - 1e-6 } else { new_x.floor() + 1.0 + 1e-6 };
+            vx = 0.0;
+        }
+        ground = false;
+        let new_y = y + vy;
+        if !solid(x, new_y) {
+            y = new_y;
+        } else {
+            ground = vy > 0.0;
+            y = if vy > 0.0 { new_y.floor() - 1e-6 } else { new_y.floor() + 1.0 + 1e-6 };
+            vy = 0.0;
+        }
+        frames.push((x, y, vx, vy, ground));
+    }
+    frames
+}
+
+fn run(map: &str, commands: &[(&str, f64)]) -> Vec<Frame> {
+    let text: String = commands.iter().map(|(name, value)| format!("{name} {value}\n")).collect();
+    let map = Map::parse(map).unwrap();
+    let mut runner = Runner::new(&map);
+    let frames = Command::parse_all(&text).unwrap().into_iter().map(|command| {
+        runner.frame(&map, command);
+        assert!(!map.is_solid(runner.x, runner.y), "inside a solid tile: {runner:?}");
+        (runner.x, runner.y, runner.vx, runner.vy, runner.on_ground)
+    });
+    frames.collect()
+}
+
+fn data(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/tile_run").join(name)
+}
+
+fn tiles(map: &std::path::Path, commands: &std::path::Path, more: &[&str]) -> Output {
+    Process::new(env!("CARGO_BIN_EXE_resultant")).arg("tiles").args([map, commands]).args(more).output().unwrap()
+}
+
+fn stdout(output: &Output) -> &str {
+    std::str::from_utf8(&output.stdout).unwrap()
+}
+
+// Worked out by hand from the description.
+
+#[test]
+fn a_fall_lands_a_millionth_above_the_floor_and_only_then_is_on_the_ground() {
+    // 0.06, 0.18, 0.36, 0.6, 0.9 tiles below the start: the sixth frame would reach 1.26.
+    let frames = run("s\n.", &[("WAIT", 0.0); 10]);
+    assert!(frames[..7].iter().all(|frame| !frame.4));
+    let fall = frames.iter().position(|frame| frame.4).unwrap();
+    assert_eq!(frames[fall], (0.0, 2.0 - 1e-6, 0.0, 0.0, true));
+    // Standing, each frame falls 0.06 into the floor and is set back: still on the ground.
+    assert_eq!(frames[9], frames[fall]);
+}
+
+#[test]
+fn a_start_in_a_corner_of_the_map_is_pushed_off_every_edge() {
+    let left = run("s", &[("LEFT", 1.0)]);
+    assert_eq!(left, [(1e-6, 0.06, 0.0, 0.06, false)]);
+    // 0.5 twice reaches x = 1, which is outside.
+    let right = run("s", &[("RIGHT", 1.0), ("RIGHT", 1.0)]);
+    assert_eq!(right[0], (0.5, 0.06, 0.5, 0.06, false));
+    assert_eq!((right[1].0, right[1].2), (1.0 - 1e-6, 0.0));
+}
+
+#[test]
+fn a_jump_needs_ground_and_stops_below_a_ceiling() {
+    let air = run("s\n.\n.", &[("JUMP", 0.6)]);
+    assert_eq!(air, [(0.0, 0.06, 0.0, 0.06, false)]);
+    // 0.06 + … + 0.30 + 0.36 = 1.26 ≥ 1: landed after the sixth frame; the jump is clamped to −0.6 and meets the map's top edge.
+    let mut commands = vec![("WAIT", 0.0); 6];
+    commands.extend([("JUMP", 2.0), ("WAIT", 0.0)]);
+    let frames = run("s", &commands);
+    assert_eq!(frames[5], (0.0, 1.0 - 1e-6, 0.0, 0.0, true));
+    assert_eq!(frames[6], (0.0, 1.0 - 1e-6 - 0.6, 0.0, -0.6, false));
+    assert_eq!(frames[7], (0.0, 1e-6, 0.0, 0.0, false));
+}
+
+#[test]
+fn friction_acts_on_what_the_command_added_and_before_the_clamp() {
+    let frames = run("s.......", &[("RIGHT", 0.1), ("RIGHT", 0.6), ("LEFT", 3.0)]);
+    let first = 0.1 * 0.80;
+    let second = (first + 0.6) * 0.80;
+    assert_eq!((frames[0].2, frames[1].2, frames[2].2), (first, if second > 0.5 { 0.5 } else { second }, -0.5));
+}
+
+#[test]
+fn behind_the_end_of_a_short_row_it_is_solid() {
+    // Row 0 ends after column 1, row 1 is longer: the runner cannot go right before it has fallen.
+    let frames = run("s.\n.....\n#####", &[("RIGHT", 0.5); 8]);
+    let stopped = frames.iter().position(|frame| frame.2 == 0.0).unwrap();
+    assert_eq!(frames[stopped].0, 2.0 - 1e-6);
+    assert!(frames[7].0 > 2.0 && frames[7].1 > 1.0);
+}
+
+#[test]
+fn across_is_decided_at_the_old_height_and_down_at_the_new_x() {
+    // Falling from row 0 to row 1 while stepping from column 0 to 1: the tile left of the landing column must not hold the runner.
+    let map = "s..\n#..\n###";
+    let commands = [("RIGHT", 0.6), ("RIGHT", 0.6), ("RIGHT", 0.6), ("WAIT", 0.0), ("WAIT", 0.0)];
+    assert_eq!(run(map, &commands), described(map, &commands));
+    assert_eq!(run(map, &commands)[2].0, 0.48 + 0.5 + 0.5);
+}
+
+proptest! {
+    #[test]
+    fn every_run_on_every_map_is_the_described_one(
+        rows in prop::collection::vec("[.#]{0,6}[.]{0,6}", 1..8),
+        place in any::<prop::sample::Index>(),
+        commands in prop::collection::vec((prop::sample::select(vec!["LEFT", "RIGHT", "JUMP", "WAIT"]), -1.5..1.5), 0..200),
+    ) {
+        let mut rows: Vec<String> = rows;
+        let row = place.index(rows.len());
+        let column = place.index(rows[row].len() + 1);
+        rows[row].insert(column, 's');
+        let map = rows.join("\n");
+        prop_assert_eq!(run(&map, &commands), described(&map, &commands));
+    }
+
+    #[test]
+    fn the_fiercest_commands_leave_all_finite(values in prop::collection::vec(-f64::MAX..f64::MAX, 1..100)) {
+        let commands: Vec<_> = values.iter().enumerate().map(|(i, &v)| (["RIGHT", "JUMP", "LEFT"][i % 3], v)).collect();
+        for (x, y, vx, vy, _) in run("#####\n#.s.#\n#...#\n#####", &commands) {
+            prop_assert!(x.is_finite() && y.is_finite() && vx.abs() <= 0.5 && (-0.6..=0.8).contains(&vy));
+        }
+    }
+}
+
+// The command line.
+
+#[test]
+fn the_projects_map_ends_where_it_should() {
+    let map = Map::parse(&std::fs::read_to_string(data("map.txt")).unwrap()).unwrap();
+    assert_eq!(map.start(), (58, 18));
+    let output = tiles(&data("map.txt"), &data("commands.txt"), &[]);
+    assert_eq!((stdout(&output), output.status.code()), ("tile 58 2\n", Some(0)));
+}
+
+#[test]
+fn a_trace_reads_back_to_the_same_bits() {
+    let output = tiles(&data("map.txt"), &data("commands.txt"), &["--trace"]);
+    let text = std::fs::read_to_string(data("commands.txt")).unwrap();
+    let commands: Vec<(&str, f64)> =
+        text.lines().map(|line| line.split_once(' ').unwrap()).map(|(name, value)| (name, value.trim().parse().unwrap())).collect();
+    let expected = described(&std::fs::read_to_string(data("map.txt")).unwrap(), &commands);
+    let mut lines = stdout(&output).lines();
+    for (index, frame) in expected.iter().enumerate() {
+        let cells: Vec<&str> = lines.next().unwrap().split(',').collect();
+        let numbers: Vec<f64> = cells[1..5].iter().map(|cell| cell.parse().unwrap()).collect();
+        assert_eq!(cells[0], index.to_string());
+        assert_eq!(numbers, [frame.0, frame.1, frame.2, frame.3], "frame {index}");
+        assert_eq!(cells[5], if frame.4 { "1" } else { "0" });
+    }
+    assert_eq!(lines.collect::<Vec<_>>(), ["tile 58 2"]);
+}
+
+#[test]
+fn a_trace_is_written_in_the_shortest_form() {
+    let folder = tempfile::tempdir().unwrap();
+    let (map, commands) = (folder.path().join("map"), folder.path().join("commands"));
+    std::fs::write(&map, "s..\n.").unwrap();
+    std::fs::write(&commands, "RIGHT 0.5\nWAIT 0\nLEFT 0.32").unwrap();
+    let frames = [
+        "0,0.4,0.06,0.4,0.06,0",
+        "1,0.7200000000000001,0.18,0.32000000000000006,0.12,0",
+        "2,0.7200000000000001,0.36,4.4408920985006264e-17,0.18,0",
+        "tile 0 0\n",
+    ];
+    assert_eq!(stdout(&tiles(&map, &commands, &["--trace"])), frames.join("\n"));
+    std::fs::write(&commands, "").unwrap();
+    assert_eq!(stdout(&tiles(&map, &commands, &["--trace"])), "tile 0 0\n");
+}
+
+#[test]
+fn bad_input_is_refused_with_file_and_line_before_any_frame() {
+    let folder = tempfile::tempdir().unwrap();
+    let (map, commands) = (folder.path().join("map"), folder.path().join("commands"));
+    let good: (&[u8], &[u8]) = (b"#s#\n###", b"LEFT 0.1\n");
+    let bad_map = |text: &'static [u8]| (text, good.1);
+    let bad_commands = |text: &'static [u8]| (good.0, text);
+    for ((map_text, command_text), at) in [
+        (bad_map(b""), "map:1: the map is empty"),
+        (bad_map(b"#.#\n"), "map:1: the map ends without a start"),
+        (bad_map(b"s.\ns."), "map:2: a second start"),
+        (bad_map(b"s.\n.x"), "map:2: column 2: found 'x'"),
+        (bad_map(b"s.\n.\xff"), "map:2: found letters that are not UTF-8"),
+        (bad_commands(b"LEFT 0.1\nUP 1"), "commands:2: unknown command \"UP\""),
+        (bad_commands(b"LEFT 0.1\n\nRIGHT\n"), "commands:3: RIGHT without a value"),
+        (bad_commands(b"WAIT x\n"), "commands:1: WAIT: found \"x\""),
+    ] {
+        std::fs::write(&map, map_text).unwrap();
+        std::fs::write(&commands, command_text).unwrap();
+        let output = tiles(&map, &commands, &["--trace"]);
+        let problem = String::from_utf8(output.stderr).unwrap();
+        let expected = folder.path().join(at).display().to_string();
+        assert!(problem.starts_with(&expected), "{problem:?} should start with {expected:?}");
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{at}");
+    }
+    let missing = tiles(&folder.path().join("none"), &commands, &[]);
+    assert_eq!((missing.status.code(), missing.stdout.len()), (Some(2), 0));
+}
