@@ -115,6 +115,11 @@ impl Jumper {
         &self.scene
     }
 
+    /// The panel's heading, while it is open.
+    pub fn heading(&self) -> Option<&str> {
+        self.panel.as_ref().map(|panel| panel.heading)
+    }
+
     /// What the panel's buttons do, from top to bottom, while it is open.
     pub fn presses(&self) -> &[Press] {
         self.panel.as_ref().map_or(&[], |panel| &panel.presses)
