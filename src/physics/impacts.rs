@@ -68,7 +68,7 @@ impl World {
     /// Whether two things part so slowly, and are pulled together so surely, that they rest on each other.
     fn clings(&self, contact: &Contact) -> bool {
         let approach = self.approach(contact);
-        if approach >= 0.0 || approach < -MICRO_SPEED {
+        if !(-MICRO_SPEED..0.0).contains(&approach) {
             return false;
         }
         let pull = |item: u32| {
