@@ -8,7 +8,7 @@
 use super::contacts::Contact;
 use super::flow::{Pose, flow, parabola};
 use super::impact_time::{Cubic, earliest, time_of_impact};
-use super::tuning::{COUPLED_REACH, MAX_CROSSINGS, MIN_SPLIT, RK4_REACH, SLOP};
+use super::tuning::{COUPLED_REACH, COUPLED_STEP, MAX_CROSSINGS, MIN_SPLIT, SLOP};
 use super::{Aabb, World};
 use glam::DVec2;
 
@@ -108,7 +108,7 @@ impl World {
                 }
             }
         }
-        let steps = (reach.min(COUPLED_REACH) / RK4_REACH).ceil().max(1.0);
+        let steps = (reach.min(COUPLED_REACH) / COUPLED_STEP).ceil().max(1.0);
         self.coupled_steps = steps as usize;
         self.coupled_step = longest / steps;
         longest
