@@ -52,8 +52,8 @@ const SHORTEST: f64 = 1.0 / 16.0;
 const POLISH: u32 = 4;
 
 impl World {
-    /// Decides how everything moves during the next interval, at most `left` seconds long, and returns its greatest length.
-    pub(super) fn choose_motions(&mut self, left: f64) -> f64 {
+    /// Decides how everything moves during the next interval, at most `left` seconds of a `tick`, and returns its greatest length.
+    pub(super) fn choose_motions(&mut self, left: f64, tick: f64) -> f64 {
         let mut longest = left;
         self.motions.clear();
         let (mut coupled, mut fastest) = (false, 0.0f64);
@@ -81,8 +81,8 @@ impl World {
                 if motion == Motion::Coupled {
                     fastest = rate.max(fastest);
                 }
-                if rate * left > CUBIC_REACH {
-                    longest = longest.min((CUBIC_REACH / rate).max(left * SHORTEST));
+                if rate * left > CUBIC_REACH && self.candidates.has_neighbours(i) {
+                    longest = longest.min((CUBIC_REACH / rate).max(tick * SHORTEST));
                 }
             }
             coupled |= motion == Motion::Coupled;
@@ -104,7 +104,8 @@ impl World {
         if reach > COUPLED_REACH {
             for (i, law) in self.laws.iter_mut().enumerate() {
                 if self.motions[i] == Motion::Coupled {
-                    law.soft = (COUPLED_REACH / (self.media.rate(&self.bodies[i], law, self.bodies[i].velocity) * longest)).min(1.0);
+                    law.soft =
+                        (COUPLED_REACH / (self.media.rate(&self.bodies[i], law, self.bodies[i].velocity) * longest)).min(1.0);
                 }
             }
         }

@@ -196,7 +196,7 @@ impl World {
                 self.find_contacts();
             }
             self.solve_accelerations();
-            let longest = self.choose_motions(left);
+            let longest = self.choose_motions(left, dt);
             let (t, happening) = self.next_happening(longest);
             intervals += 1;
             self.overflowing = intervals > MAX_INTERVALS / 2;
@@ -340,7 +340,7 @@ impl World {
             self.find_contacts();
         }
         self.solve_accelerations();
-        self.choose_motions(0.0);
+        self.choose_motions(0.0, 0.0);
         self.show_forces();
     }
 
