@@ -37,7 +37,8 @@ pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Statu
         }
     }
     let start = args.level.as_deref().map(|level| attempt(level, args.inputs.as_deref(), project)).transpose()?;
-    open(Places { root: project.root().to_path_buf(), levels: project.levels(), scores: project.scores() }, start);
+    let places = Places { root: project.root().to_path_buf(), levels: project.levels(), scores: project.scores() };
+    open(places, start).map_err(Stop::Refused)?;
     Ok(Status::Done)
 }
 

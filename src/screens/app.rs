@@ -1,10 +1,12 @@
 //! The one place where screens change: every [`Request`] is granted here, and what can fail in granting it lands on a screen that
 //! says why.
 
+use super::leaderboard::subject;
 use super::level_select::Entry;
 use super::library::{Library, Refusal};
 use super::{
-    Attempt, Classics, Flight, Input, Leaderboard, LevelSelect, Menu, Purpose, Request, SaveScore, Scoring, Screen, Spectator,
+    Attempt, Classic, Classics, Flight, Gain, Input, Jumper, Leaderboard, LevelSelect, Menu, Purpose, Request, SaveScore, Scoring,
+    Screen, Spectator, TileRun,
 };
 use crate::game::{Outcome, RunResult};
 use crate::scores::{Damage, Name, Placement, Saved, Scores};
@@ -32,6 +34,8 @@ pub struct App {
     shown_for: f64,
     /// The name that the last score was saved under.
     user: Option<Name>,
+    /// The level that was last chosen: where the keyboard is when the list comes back.
+    last_level: Option<String>,
     /// Levels completed in this sitting.
     completed: BTreeSet<String>,
     /// How many menus there have been: each has other balls.
@@ -47,6 +51,7 @@ impl App {
             screen: Screen::Menu(Box::new(Menu::new(None, 0))),
             shown_for: 0.0,
             user: None,
+            last_level: None,
             completed: BTreeSet::new(),
             menus: 0,
         };
@@ -57,7 +62,19 @@ impl App {
     /// One frame; `false` when the player has chosen to quit.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
         self.shown_for += input.frame_time;
-        let request = match &mut self.screen {
+        match self.update_screen(input, spectator) {
+            Some(Request::Quit) => return false,
+            Some(request) => self.grant(request, spectator),
+            None => {}
+        }
+        // Whatever has just opened knows its places, and what is under the pointer, before it is drawn.
+        let nothing_more = self.update_screen(&input.without_edges(), spectator);
+        debug_assert!(nothing_more.is_none(), "{nothing_more:?} was asked for by no one");
+        true
+    }
+
+    fn update_screen(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+        match &mut self.screen {
             Screen::Menu(screen) => screen.update(input),
             Screen::LevelSelect(screen) => screen.update(input),
             Screen::Flight(screen) => screen.update(input, spectator),
@@ -65,13 +82,10 @@ impl App {
             Screen::SaveScore(screen) => screen.update(input),
             Screen::Leaderboard(screen) => screen.update(input),
             Screen::Classics(screen) => screen.update(input),
-        };
-        match request {
-            Some(Request::Quit) => return false,
-            Some(request) => self.grant(request, spectator),
-            None => {}
+            Screen::TileRun(screen) => screen.update(input),
+            Screen::Jumper(screen) => screen.update(input),
+            Screen::Pi(screen) => screen.update(input),
         }
-        true
     }
 
     /// What is on the screen.
@@ -95,13 +109,15 @@ impl App {
             },
             Request::Attempt(attempt) => self.flight(attempt, spectator),
             Request::Score(attempt, result) => self.scoring(attempt, result),
-            Request::SaveScore(attempt, result) => Screen::SaveScore(Box::new(SaveScore::new(attempt, result, self.user.as_ref()))),
-            Request::Submit(result, name) => match self.save(&result, name) {
+            Request::SaveScore(gain) => Screen::SaveScore(Box::new(SaveScore::new(gain, self.user.as_ref()))),
+            Request::Submit(gain, name) => match self.save(&gain, name) {
                 Some(screen) => screen,
                 None => return,
             },
             Request::Leaderboard(level) => self.leaderboard(&level),
-            Request::Classics => Screen::Classics(Classics::default()),
+            Request::Classics(left) => Screen::Classics(Classics::new(left, None)),
+            Request::Classic(classic) => self.classic(classic),
+            Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),
             Request::Quit => return,
         };
         self.screen = next;
@@ -123,11 +139,16 @@ impl App {
             completed: self.is_completed(&name),
             name,
         };
-        LevelSelect::new(purpose, self.library.names().into_iter().map(entry).collect())
+        let mut screen = LevelSelect::new(purpose, self.library.names().into_iter().map(entry).collect());
+        if let Some(name) = &self.last_level {
+            screen.turn_to_level(name);
+        }
+        screen
     }
 
-    fn flight(&self, attempt: Attempt, spectator: &mut dyn Spectator) -> Screen {
+    fn flight(&mut self, attempt: Attempt, spectator: &mut dyn Spectator) -> Screen {
         let name = attempt.level.name.clone();
+        self.last_level = Some(name.clone());
         match Flight::new(attempt, spectator) {
             Ok(flight) => Screen::Flight(Box::new(flight)),
             Err(error) => self.refused(Purpose::Play, &name, vec![error.to_string()]),
@@ -149,9 +170,21 @@ impl App {
         Screen::Scoring(Box::new(Scoring::new(attempt, result, next)))
     }
 
+    /// A classic at its beginning, or the list of them with what is wrong.
+    fn classic(&self, classic: Classic) -> Screen {
+        match classic {
+            Classic::TileRun => match self.library.tile_run() {
+                Ok((map, commands)) => Screen::TileRun(Box::new(TileRun::new(map, commands))),
+                Err(problem) => Screen::Classics(Classics::new(Some(classic), Some(problem))),
+            },
+            Classic::Jumper => Screen::Jumper(Box::default()),
+            Classic::Pi => Screen::Pi(Box::default()),
+        }
+    }
+
     /// Saves a score; `None` when that failed, which the screen for the name then says.
-    fn save(&mut self, result: &RunResult, name: Name) -> Option<Screen> {
-        match self.scores.save(&result.level, &name, result.score.total) {
+    fn save(&mut self, gain: &Gain, name: Name) -> Option<Screen> {
+        match self.scores.save(&gain.board, &name, gain.points) {
             Ok(Saved { board, placement, rescue }) => {
                 let damage = rescue.map(|rescue| {
                     format!("{} The damaged file was kept as {}.", damage_text(&rescue.damage), rescue.kept.display())
@@ -160,7 +193,7 @@ impl App {
                     Placement::Kept { best, .. } => Some(format!("Your best of {best} points stays.")),
                     Placement::New { .. } | Placement::Raised { .. } => None,
                 };
-                let screen = Leaderboard::new(&result.level, board, Some(&name), damage, remark);
+                let screen = Leaderboard::new(&gain.board, board, Some(&name), damage, remark);
                 self.user = Some(name);
                 Some(Screen::Leaderboard(screen))
             }
@@ -173,7 +206,8 @@ impl App {
         }
     }
 
-    fn leaderboard(&self, level: &str) -> Screen {
+    fn leaderboard(&mut self, level: &str) -> Screen {
+        self.last_level = Some(level.to_owned());
         match self.scores.load(level) {
             Ok(loaded) => {
                 let damage = (!loaded.damage.is_empty()).then(|| damage_text(&loaded.damage));
@@ -181,7 +215,7 @@ impl App {
             }
             Err(error) => {
                 let mut screen = self.level_select(Purpose::Leaderboard);
-                screen.show(format!("The scores of level {level} cannot be read"), vec![error.to_string()]);
+                screen.show(format!("The scores of {} cannot be read", subject(level)), vec![error.to_string()]);
                 Screen::LevelSelect(screen)
             }
         }

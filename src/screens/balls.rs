@@ -2,7 +2,7 @@
 
 use super::Input;
 use crate::game::{Clock, TICK_RATE};
-use crate::physics::{Aabb, BodyDef, DVec2, Material, SurfaceDef, World, WorldDef};
+use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
 use crate::view::layout::{Area, Frame, Vec2};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
@@ -20,7 +20,7 @@ const BOUNCE: f64 = 0.8;
 /// The fastest a ball starts along each axis, m/s.
 const FASTEST: f64 = 8.0;
 /// The most balls; the oldest makes room. More would cover the menu.
-const MOST: usize = 40;
+const MOST: usize = 24;
 /// How far around the pointer a free place is looked for, in ball widths.
 const SEARCH: i32 = 6;
 
@@ -69,9 +69,20 @@ impl Balls {
         }
     }
 
-    /// How many there are.
-    pub fn count(&self) -> usize {
+    fn count(&self) -> usize {
         self.world.as_ref().map_or(0, |world| world.bodies().len())
+    }
+
+    /// Their boxes on the canvas, between the last two ticks.
+    pub fn areas(&self) -> impl Iterator<Item = Area> + '_ {
+        let alpha = self.clock.alpha();
+        self.world.iter().flat_map(move |world| {
+            world.bodies().iter().enumerate().map(move |(i, body)| {
+                let before = world.previous_position(BodyId(i as u32));
+                let centre = before.lerp(body.position, alpha) * f64::from(METRE);
+                Area::around(centre.as_vec2(), Vec2::splat(2.0 * RADIUS as f32 * METRE))
+            })
+        })
     }
 
     /// A world of the window as it is now, with all balls but the `without` oldest ones.
@@ -138,27 +149,16 @@ fn in_metres(area: &Area) -> Aabb {
 
 #[cfg(feature = "window")]
 mod drawing {
-    use super::{Balls, METRE, RADIUS};
-    use crate::physics::BodyId;
+    use super::Balls;
     use crate::view::canvas::Canvas;
     use crate::view::layout::Vec2;
     use crate::view::theme;
 
     impl Balls {
-        /// Their centres on the canvas, between the last two ticks, and their radius.
-        fn discs(&self) -> impl Iterator<Item = (Vec2, f32)> + '_ {
-            let alpha = self.clock.alpha();
-            self.world.iter().flat_map(move |world| {
-                world.bodies().iter().enumerate().map(move |(i, body)| {
-                    let before = world.previous_position(BodyId(i as u32));
-                    ((before.lerp(body.position, alpha) * f64::from(METRE)).as_vec2(), RADIUS as f32 * METRE)
-                })
-            })
-        }
-
         /// Draws the balls.
         pub fn draw(&self, canvas: &Canvas) {
-            for (i, (centre, radius)) in self.discs().enumerate() {
+            for (i, area) in self.areas().enumerate() {
+                let (centre, radius) = (area.centre(), area.size.x / 2.0);
                 let colour = [theme::PLAYER_OBJECTIVE, theme::PHYSICS_OBJECTIVE, theme::GOOD, theme::ACCENT][i % 4];
                 canvas.disc(centre, radius, colour);
                 canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::faded(theme::TEXT, 0.7));

@@ -111,7 +111,7 @@ impl Flight {
         self.clock.alpha()
     }
 
-    /// The pause panel's buttons, in the order of [`PAUSE_LABELS`], while it is open.
+    /// The pause panel's buttons, while it is open: Resume, Restart, Level Select, Main Menu.
     pub fn pause(&self) -> Option<&Buttons> {
         self.pause.as_ref()
     }
@@ -180,7 +180,7 @@ mod drawing {
         /// Draws the pause panel, where it is open, above the game.
         pub fn draw_pause(&self, canvas: &Canvas) {
             let Some(pause) = &self.pause else { return };
-            widgets::curtain(canvas, 0.6);
+            widgets::curtain(canvas, 0.45);
             let middle = canvas.size() / 2.0;
             let height = PAUSE_LABELS.len() as f32 * (WIDE_BUTTON.y + GAP) + HEADING + 4.0 * PADDING;
             let panel = Area::around(middle, Vec2::new(WIDE_BUTTON.x + 4.0 * PADDING, height));

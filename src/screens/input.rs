@@ -28,6 +28,12 @@ pub enum Key {
     F3,
     /// R
     R,
+    /// A
+    A,
+    /// D
+    D,
+    /// W
+    W,
     /// Page up
     PageUp,
     /// Page down
@@ -55,6 +61,15 @@ impl Keys {
     /// Adds a key.
     pub fn add(&mut self, key: Key) {
         self.0 |= 1 << key as u32;
+    }
+}
+
+impl std::ops::BitOr for Keys {
+    type Output = Self;
+
+    /// All keys of both.
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
     }
 }
 
@@ -97,9 +112,35 @@ impl Input {
         self.pressed.has(key)
     }
 
+    /// The same moment once everything new in it has been taken: no time has passed and nothing was pressed, turned or typed.
+    pub fn without_edges(&self) -> Self {
+        Self { frame: self.frame, pointer: self.pointer, holding: self.holding, held: self.held, ..Self::default() }
+    }
+
     /// Whether the key is down.
     pub fn held(&self, key: Key) -> bool {
         self.held.has(key)
+    }
+}
+
+/// Keeps what was pressed until a tick has taken it: a press shorter than a frame is not lost in a frame without a tick, and is not
+/// repeated in a frame with two.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct KeyLatch {
+    held: Keys,
+    pressed: Keys,
+}
+
+impl KeyLatch {
+    /// Takes note of a frame.
+    pub fn frame(&mut self, input: &Input) {
+        self.held = input.held;
+        self.pressed = self.pressed | input.pressed;
+    }
+
+    /// The keys of the next tick.
+    pub fn take(&mut self) -> Keys {
+        self.held | std::mem::take(&mut self.pressed)
     }
 }
 

@@ -1,7 +1,8 @@
 //! The best of one level.
 
 use super::scroll::{Bar, Scroll, bar_beside};
-use super::{Buttons, Input, Key, Purpose, Request};
+use super::{Buttons, Classic, Input, Key, Purpose, Request};
+use crate::classics::jumper::scene::LEADERBOARD;
 use crate::scores::{Board, Name};
 use crate::view::layout::{Area, Frame, ROW_BUTTON, Vec2};
 
@@ -15,6 +16,11 @@ const WIDTH: f32 = 720.0;
 const HEAD: f32 = 48.0;
 /// From the canvas' top to the panel.
 const TOP: f32 = 136.0;
+
+/// What a leaderboard is of, in words.
+pub fn subject(board: &str) -> String {
+    if board == LEADERBOARD { "the Jumper".to_owned() } else { format!("level {board}") }
+}
 
 /// The leaderboard screen.
 #[derive(Debug)]
@@ -48,8 +54,12 @@ impl Leaderboard {
     pub fn update(&mut self, input: &Input) -> Option<Request> {
         self.place(&input.frame);
         self.scroll.update(input);
-        // Whoever has just saved has come to the end of the way.
-        let back = if self.saved.is_some() { Request::Menu } else { Request::LevelSelect(Purpose::Leaderboard) };
+        let back = match (self.level == LEADERBOARD, self.saved) {
+            (true, _) => Request::Classic(Classic::Jumper),
+            // Whoever has just saved has come to the end of the way.
+            (false, Some(_)) => Request::Menu,
+            (false, None) => Request::LevelSelect(Purpose::Leaderboard),
+        };
         (self.back.update(input).is_some() || input.pressed(Key::Escape)).then_some(back)
     }
 
@@ -108,7 +118,7 @@ fn panel(frame: &Frame) -> Area {
 
 #[cfg(feature = "window")]
 mod drawing {
-    use super::{HEAD, Leaderboard, PAGE, ROW, panel};
+    use super::{HEAD, LEADERBOARD, Leaderboard, PAGE, ROW, panel, subject};
     use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, TEXT, Vec2};
     use crate::view::{theme, widgets};
@@ -121,7 +131,7 @@ mod drawing {
         pub fn draw(&self, canvas: &Canvas) {
             widgets::graph_paper(canvas);
             let panel = panel(canvas.frame());
-            widgets::heading(canvas, &format!("Leaderboard of level {}", self.level), panel.min.y - 72.0);
+            widgets::heading(canvas, &format!("Leaderboard of {}", subject(&self.level)), panel.min.y - 72.0);
             widgets::panel(canvas, panel);
             let quiet = Style::new(TEXT, theme::QUIET).middle();
             let middle = canvas.size().x / 2.0;
@@ -137,7 +147,7 @@ mod drawing {
                 self.draw_rows(canvas, panel, quiet);
             }
             if let Some(area) = self.back.areas().first() {
-                let label = if self.saved.is_some() { "Main Menu" } else { "Back" };
+                let label = if self.saved.is_some() && self.level != LEADERBOARD { "Main Menu" } else { "Back" };
                 widgets::button(canvas, *area, label, self.back.hover().is_some(), true);
             }
         }

@@ -58,12 +58,17 @@ impl LevelSelect {
         Self { purpose, entries, page: 0, buttons: Buttons::default(), problems: None }
     }
 
-    /// Opens the page of a level and shows why it does not load.
-    pub fn show_problems(&mut self, name: &str, refusal: Refusal) {
+    /// Opens the page of a level and puts the keyboard on it.
+    pub fn turn_to_level(&mut self, name: &str) {
         if let Some(index) = self.entries.iter().position(|entry| entry.name == name) {
             self.page = index / PAGE;
             self.buttons = Buttons::focused_on(index % PAGE);
         }
+    }
+
+    /// Shows why a level does not load.
+    pub fn show_problems(&mut self, name: &str, refusal: Refusal) {
+        self.turn_to_level(name);
         self.show(format!("Level {name} does not load"), refusal);
     }
 

@@ -1,8 +1,12 @@
-//! The levels on disk, as the screens list them.
+//! The levels on disk, as the screens list them, and the tile run's map and commands.
 
+use crate::classics::tile_run::{Command, InputError, Map};
 use crate::level::{self, Level};
 use std::path::PathBuf;
 use std::sync::Arc;
+
+/// Where the tile run's `map.txt` and `commands.txt` are, from the project's root.
+const TILE_RUN: &str = "assets/tile_run";
 
 /// Why a level cannot be played: a line a problem.
 pub type Refusal = Vec<String>;
@@ -40,4 +44,18 @@ impl Library {
             Err(problems) => Err(problems.iter().map(ToString::to_string).collect()),
         }
     }
+
+    /// The map of the tile run and the commands to watch, from the folder of [`TILE_RUN`].
+    ///
+    /// # Errors
+    /// The first problem, with file and line.
+    pub fn tile_run(&self) -> Result<(Map, Vec<Command>), String> {
+        let folder = self.root.join(TILE_RUN);
+        Ok((read(folder.join("map.txt"), Map::parse)?, read(folder.join("commands.txt"), Command::parse_all)?))
+    }
+}
+
+fn read<T>(path: PathBuf, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, String> {
+    let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    parse(&text).map_err(|error| format!("{}:{error}", path.display()))
 }

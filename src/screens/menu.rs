@@ -42,19 +42,19 @@ impl Menu {
             0 => self.next.clone().map_or(Request::LevelSelect(Purpose::Play), Request::Play),
             1 => Request::LevelSelect(Purpose::Play),
             2 => Request::LevelSelect(Purpose::Leaderboard),
-            3 => Request::Classics,
+            3 => Request::Classics(None),
             _ => Request::Quit,
         })
     }
 
-    /// Its buttons, in the order of [`LABELS`].
+    /// Its buttons: Play, Level Select, Leaderboards, Classics, Quit.
     pub fn buttons(&self) -> &Buttons {
         &self.buttons
     }
 
-    /// How many balls there are.
-    pub fn balls(&self) -> usize {
-        self.balls.count()
+    /// The boxes of the balls, as they are drawn.
+    pub fn balls(&self) -> Vec<Area> {
+        self.balls.areas().collect()
     }
 }
 

@@ -9,34 +9,43 @@ mod buttons;
 mod classics;
 mod flight;
 mod input;
+mod jumper;
 mod leaderboard;
 mod level_select;
 mod library;
 mod menu;
+mod pi;
 mod problems;
 mod save_score;
 mod scoring;
 mod scroll;
 mod text_field;
+mod tile_run;
+mod toolbar;
 #[cfg(feature = "window")]
 mod window;
 
 pub use app::{App, Places};
 pub use buttons::Buttons;
-pub use classics::Classics;
+pub use classics::{Classic, Classics};
 pub use flight::{Attempt, Flight, Spectator};
 pub use input::{Input, Key, Keys};
+pub use jumper::{Jumper, Press as JumperPress};
 pub use leaderboard::Leaderboard;
 pub use level_select::{Entry, LevelSelect, Purpose};
 pub use library::Library;
 pub use menu::Menu;
+pub use pi::Pi;
 pub use problems::Problems;
-pub use save_score::SaveScore;
+pub use save_score::{Gain, SaveScore};
 pub use scoring::{Effect, Part, Press, Scoring};
 pub use scroll::Bar;
+pub use tile_run::TileRun;
+pub use toolbar::Toolbar;
 #[cfg(feature = "window")]
 pub use window::open;
 
+use crate::classics::jumper::scene::Scene;
 use crate::game::RunResult;
 use crate::scores::Name;
 
@@ -57,6 +66,12 @@ pub enum Screen {
     Leaderboard(Leaderboard),
     /// Which classic.
     Classics(Classics),
+    /// A run through a map of tiles, or one that is watched.
+    TileRun(Box<TileRun>),
+    /// A climb.
+    Jumper(Box<Jumper>),
+    /// π from collisions.
+    Pi(Box<Pi>),
 }
 
 /// What a screen asks for: the next screen, with what it needs.
@@ -72,14 +87,18 @@ pub enum Request {
     Attempt(Attempt),
     /// An attempt has ended.
     Score(Attempt, RunResult),
-    /// Its score is to be saved.
-    SaveScore(Attempt, RunResult),
-    /// Its score is saved under that name.
-    Submit(RunResult, Name),
-    /// The leaderboard of the level of that name.
+    /// A score is to be saved.
+    SaveScore(Gain),
+    /// It is saved under that name.
+    Submit(Gain, Name),
+    /// The leaderboard of the level of that name, or that of the jumper.
     Leaderboard(String),
-    /// The list of classics.
-    Classics,
+    /// The list of classics, with the keyboard on the one that was left.
+    Classics(Option<Classic>),
+    /// One of them, from its beginning.
+    Classic(Classic),
+    /// A climb that has ended.
+    Climbed(Box<Scene>),
     /// The end.
     Quit,
 }

@@ -1,19 +1,28 @@
 //! A name for a score.
 
 use super::text_field::TextField;
-use super::{Attempt, Buttons, Input, Key, Request};
-use crate::game::RunResult;
+use super::{Buttons, Input, Key, Request};
 use crate::scores::{NAME_TYPING_MAX, Name};
 use crate::view::layout::{Area, Frame, ROW_BUTTON, Vec2};
 
 /// Width and height of the field.
 const FIELD: Vec2 = Vec2::new(720.0, 56.0);
 
+/// What is to be saved.
+#[derive(Clone, Debug)]
+pub struct Gain {
+    /// The leaderboard: that of a level, by its name, or that of the jumper.
+    pub board: String,
+    /// The score.
+    pub points: i64,
+    /// Where the way back leads.
+    pub back: Box<Request>,
+}
+
 /// The field for the name.
 #[derive(Debug)]
 pub struct SaveScore {
-    attempt: Attempt,
-    result: RunResult,
+    gain: Gain,
     field: TextField,
     field_area: Area,
     /// What is wrong with the name or went wrong with saving it.
@@ -25,10 +34,9 @@ pub struct SaveScore {
 
 impl SaveScore {
     /// The field for that score, with the name used before.
-    pub fn new(attempt: Attempt, result: RunResult, name: Option<&Name>) -> Self {
+    pub fn new(gain: Gain, name: Option<&Name>) -> Self {
         Self {
-            attempt,
-            result,
+            gain,
             field: TextField::new(name.map_or("", Name::as_str), NAME_TYPING_MAX),
             field_area: Area::default(),
             error: None,
@@ -42,7 +50,7 @@ impl SaveScore {
         self.field_area = field_area(&input.frame);
         self.buttons.place(input.frame.row(2, input.frame.size.y * 0.5 + 104.0));
         if input.pressed(Key::Escape) {
-            return Some(Request::Score(self.attempt.clone(), self.result.clone()));
+            return Some((*self.gain.back).clone());
         }
         if self.move_keyboard(input) {
             return None;
@@ -60,7 +68,7 @@ impl SaveScore {
         let to_buttons = Input { pressed: super::Keys::default(), ..input.clone() };
         match self.buttons.update(if self.on_buttons { input } else { &to_buttons })? {
             0 => self.submit(),
-            _ => Some(Request::Score(self.attempt.clone(), self.result.clone())),
+            _ => Some((*self.gain.back).clone()),
         }
     }
 
@@ -86,7 +94,7 @@ impl SaveScore {
 
     fn submit(&mut self) -> Option<Request> {
         match Name::new(&self.field.text()) {
-            Ok(name) => Some(Request::Submit(self.result.clone(), name)),
+            Ok(name) => Some(Request::Submit(self.gain.clone(), name)),
             Err(error) => {
                 self.error = Some(error.to_string());
                 None
@@ -115,6 +123,7 @@ fn field_area(frame: &Frame) -> Area {
 #[cfg(feature = "window")]
 mod drawing {
     use super::SaveScore;
+    use crate::screens::leaderboard;
     use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, PADDING, TEXT, Vec2};
     use crate::view::{theme, widgets};
@@ -127,7 +136,7 @@ mod drawing {
             widgets::heading(canvas, "Save score", canvas.size().y * 0.2);
             let area = self.field_area;
             let quiet = Style::new(TEXT, theme::QUIET).middle();
-            let score = format!("{} points in level {}", self.result.score.total, self.result.level);
+            let score = format!("{} points in {}", self.gain.points, leaderboard::subject(&self.gain.board));
             canvas.text(&score, Vec2::new(middle, area.min.y - 88.0), quiet.centred());
             canvas.text("Your name", area.min - Vec2::new(0.0, 24.0), quiet);
             canvas.text("up to 15 characters", Vec2::new(area.max().x, area.min.y - 24.0), quiet.right());

@@ -1,6 +1,6 @@
 //! What an attempt came to, part by part.
 
-use super::{Attempt, Buttons, Input, Key, Request};
+use super::{Attempt, Buttons, Gain, Input, Key, Request};
 use crate::game::{Outcome, RunResult};
 use crate::view::layout::ROW_BUTTON;
 
@@ -99,7 +99,11 @@ impl Scoring {
         Some(match self.presses[self.buttons.update(input)?] {
             Press::Replay => Request::Attempt(self.attempt.clone()),
             Press::NextLevel => Request::Play(self.next.clone()?),
-            Press::SaveScore => Request::SaveScore(self.attempt.clone(), self.result.clone()),
+            Press::SaveScore => Request::SaveScore(Gain {
+                board: self.result.level.clone(),
+                points: self.result.score.total,
+                back: Box::new(Request::Score(self.attempt.clone(), self.result.clone())),
+            }),
             Press::MainMenu => Request::Menu,
         })
     }
@@ -206,7 +210,9 @@ mod drawing {
             let middle = size.x / 2.0;
             canvas.text(heading, Vec2::new(middle, 64.0), Style::new(HEADING, colour).centred().middle());
             let quiet = Style::new(TEXT, theme::QUIET).middle();
-            canvas.text(&self.attempt.level.title, Vec2::new(middle, 108.0), quiet.centred());
+            let level = &self.attempt.level;
+            let title = if level.title == level.name { format!("Level {}", level.name) } else { level.title.clone() };
+            canvas.text(&title, Vec2::new(middle, 108.0), quiet.centred());
 
             let top = ((size.y - 720.0) / 2.0).max(0.0) + 144.0;
             let panel = Area::new((size.x - PANEL.x) / 2.0, top, PANEL.x, PANEL.y);

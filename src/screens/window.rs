@@ -12,6 +12,8 @@ use macroquad::input::{
 use macroquad::miniquad::conf::Conf;
 use macroquad::time::{get_fps, get_frame_time, get_time};
 use macroquad::window::next_frame;
+use std::cell::RefCell;
+use std::panic::{self, AssertUnwindSafe};
 use std::rc::Rc;
 
 /// A new screen fades in over this, s.
@@ -19,7 +21,7 @@ const FADE: f64 = 0.16;
 /// How much one tick's time counts in the running mean that F3 shows.
 const COST_WEIGHT: f64 = 0.02;
 /// Which key of the keyboard is which of ours.
-const KEYS: [(KeyCode, Key); 18] = [
+const KEYS: [(KeyCode, Key); 21] = [
     (KeyCode::Up, Key::Up),
     (KeyCode::Down, Key::Down),
     (KeyCode::Left, Key::Left),
@@ -32,6 +34,9 @@ const KEYS: [(KeyCode, Key); 18] = [
     (KeyCode::Tab, Key::Tab),
     (KeyCode::F3, Key::F3),
     (KeyCode::R, Key::R),
+    (KeyCode::A, Key::A),
+    (KeyCode::D, Key::D),
+    (KeyCode::W, Key::W),
     (KeyCode::PageUp, Key::PageUp),
     (KeyCode::PageDown, Key::PageDown),
     (KeyCode::Home, Key::Home),
@@ -41,7 +46,10 @@ const KEYS: [(KeyCode, Key); 18] = [
 ];
 
 /// Opens the window, in a level where one is given, and returns when it is closed.
-pub fn open(places: Places, start: Option<Attempt>) {
+///
+/// # Errors
+/// There is no display, or what the window needs cannot be had; in words.
+pub fn open(places: Places, start: Option<Attempt>) -> Result<(), String> {
     let conf = Conf {
         window_title: "Resultant".into(),
         window_width: DESIGN.x as i32,
@@ -51,11 +59,26 @@ pub fn open(places: Places, start: Option<Attempt>) {
         icon: Some(icon()),
         ..Conf::default()
     };
-    macroquad::Window::from_config(conf, async move {
-        if let Err(problem) = run(places, start).await {
-            eprintln!("{problem}");
-        }
-    });
+    // None until the window is there, then how the sitting ended.
+    let ended: Rc<RefCell<Option<Result<(), String>>>> = Rc::default();
+    let opened = ended.clone();
+    // miniquad panics where it finds no display. Until the window is there that panic is caught and told in words; from then on
+    // panics are what they always are.
+    let hook = panic::take_hook();
+    panic::set_hook(Box::new(|_| {}));
+    let outcome = panic::catch_unwind(AssertUnwindSafe(|| {
+        macroquad::Window::from_config(conf, async move {
+            panic::set_hook(hook);
+            *opened.borrow_mut() = Some(Ok(()));
+            let end = run(places, start).await;
+            *opened.borrow_mut() = Some(end);
+        });
+    }));
+    match (ended.take(), outcome) {
+        (None, _) => Err("the window cannot be opened: there is no display, or it lacks OpenGL".into()),
+        (Some(_), Err(panic)) => panic::resume_unwind(panic),
+        (Some(end), Ok(())) => end,
+    }
 }
 
 async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
@@ -105,6 +128,9 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
         Screen::SaveScore(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Leaderboard(screen) => screen.draw(canvas),
         Screen::Classics(screen) => screen.draw(canvas),
+        Screen::TileRun(screen) => screen.draw(canvas),
+        Screen::Jumper(screen) => screen.draw(canvas),
+        Screen::Pi(screen) => screen.draw(canvas),
     }
     let veil = 1.0 - (app.shown_for() / FADE).min(1.0);
     if veil > 0.0 {

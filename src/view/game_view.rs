@@ -110,10 +110,11 @@ impl GameView {
         world::draw_ground(level, &self.pictures, view, canvas);
         zones::draw_streams(level, view, canvas, time);
         zones::draw_objectives(game, art, view, canvas, time);
+        // Smoke and dust vanish behind what is solid.
+        self.particles.draw(art, view);
         world::draw_solids(level, &self.edges, art, view);
         zones::draw_sources(level, view, canvas);
         zones::draw_obstacles(level, art, view, time);
-        self.particles.draw(art, view);
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
             things::draw_object(object, centre(game, id, alpha), &self.pictures, art, view, canvas);
         }

@@ -5,6 +5,8 @@ use super::tower::{DEPTH, Tower, WIDTH};
 use crate::game::TICK_RATE;
 use glam::DVec3;
 
+/// The name of the climbs' leaderboard.
+pub const LEADERBOARD: &str = "jumper";
 /// m/s².
 const GRAVITY: f64 = 10.0;
 /// How much of the tower the view shows, m.
@@ -66,6 +68,11 @@ impl Player {
     /// Whether the view has left this player behind.
     pub fn is_out(&self) -> bool {
         self.out
+    }
+
+    /// The direction last taken: −1 left, 1 right, 0 standing.
+    pub fn direction(&self) -> f64 {
+        self.direction
     }
 
     fn obey(&mut self, keys: Keys, body: &mut Dynamic) {

@@ -1,0 +1,355 @@
+//! The jumper in the window: how many climb, the climb, and what it came to.
+
+use super::input::KeyLatch;
+use super::{Buttons, Classic, Gain, Input, Key, Keys, Request};
+use crate::classics::jumper::scene::Keys as Held;
+use crate::classics::jumper::scene::{LEADERBOARD, Scene};
+use crate::game::{Clock, TICK_RATE};
+use crate::view::layout::{Frame, GAP, HEADING, WIDE_BUTTON};
+
+/// What a button does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Press {
+    /// A climb of one.
+    One,
+    /// A climb of two.
+    Two,
+    /// The climb goes on.
+    Resume,
+    /// A new climb of as many, on another tower.
+    Again,
+    /// A name for the score.
+    SaveScore,
+    /// The best climbs.
+    Leaderboard,
+    /// The list of classics.
+    Back,
+}
+
+impl Press {
+    /// The words on it.
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::One => "One Player",
+            Self::Two => "Two Players",
+            Self::Resume => "Resume",
+            Self::Again => "Climb Again",
+            Self::SaveScore => "Save Score",
+            Self::Leaderboard => "Leaderboard",
+            Self::Back => "Back",
+        }
+    }
+}
+
+/// The jumper's screen.
+#[derive(Debug)]
+pub struct Jumper {
+    /// The climb; before the first one a tower to look at.
+    scene: Scene,
+    /// The panel above the climb, while it is open.
+    panel: Option<Panel>,
+    clock: Clock,
+    latch: KeyLatch,
+    /// How long the screen has been there, s: a tower's seed, so that each sitting has its own towers.
+    shown_for: f64,
+}
+
+/// Buttons above a climb that stands still.
+#[derive(Debug)]
+struct Panel {
+    heading: &'static str,
+    presses: Vec<Press>,
+    buttons: Buttons,
+}
+
+impl Panel {
+    fn new(heading: &'static str, presses: &[Press]) -> Self {
+        Self { heading, presses: presses.to_vec(), buttons: Buttons::default() }
+    }
+}
+
+impl Default for Jumper {
+    /// The question of how many climb.
+    fn default() -> Self {
+        let panel = Panel::new("Jumper", &[Press::One, Press::Two, Press::Leaderboard, Press::Back]);
+        Self::with_panel(Scene::new(0, true), Some(panel))
+    }
+}
+
+impl Jumper {
+    /// A climb that has ended, and what may be done with it.
+    pub fn ended(scene: Scene) -> Self {
+        let save: &[Press] = if scene.score() > 0 { &[Press::SaveScore] } else { &[] };
+        let presses = [&[Press::Again], save, &[Press::Leaderboard, Press::Back]].concat();
+        Self::with_panel(scene, Some(Panel::new("The view has left you behind", &presses)))
+    }
+
+    fn with_panel(scene: Scene, panel: Option<Panel>) -> Self {
+        Self { scene, panel, clock: Clock::new(TICK_RATE), latch: KeyLatch::default(), shown_for: 0.0 }
+    }
+
+    /// One frame.
+    pub fn update(&mut self, input: &Input) -> Option<Request> {
+        self.shown_for += input.frame_time;
+        if self.panel.is_some() {
+            return self.update_panel(input);
+        }
+        if input.pressed(Key::Escape) {
+            self.panel = Some(Panel::new("Paused", &[Press::Resume, Press::Again, Press::Back]));
+            return None;
+        }
+        if input.pressed(Key::R) {
+            self.climb(self.is_of_two());
+            return None;
+        }
+        self.latch.frame(input);
+        self.clock.add(input.frame_time);
+        while self.clock.tick() {
+            self.scene.tick(held(self.latch.take(), self.is_of_two()));
+        }
+        self.scene.is_over().then(|| Request::Climbed(Box::new(self.scene.clone())))
+    }
+
+    /// The climb.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// What the panel's buttons do, from top to bottom, while it is open.
+    pub fn presses(&self) -> &[Press] {
+        self.panel.as_ref().map_or(&[], |panel| &panel.presses)
+    }
+
+    /// The panel's buttons, while it is open.
+    pub fn buttons(&self) -> Option<&Buttons> {
+        self.panel.as_ref().map(|panel| &panel.buttons)
+    }
+
+    fn is_of_two(&self) -> bool {
+        self.scene.players().count() == 2
+    }
+
+    fn climb(&mut self, two: bool) {
+        let seed = self.shown_for.to_bits();
+        *self = Self { shown_for: self.shown_for, ..Self::with_panel(Scene::new(seed, two), None) };
+    }
+
+    fn update_panel(&mut self, input: &Input) -> Option<Request> {
+        let panel = self.panel.as_mut()?;
+        let resumes = panel.presses.contains(&Press::Resume);
+        panel.buttons.place(input.frame.column(panel.presses.len(), first_button(&input.frame, panel.presses.len())));
+        let press = if input.pressed(Key::Escape) {
+            if resumes { Press::Resume } else { Press::Back }
+        } else {
+            panel.presses[panel.buttons.update(input)?]
+        };
+        match press {
+            Press::One => self.climb(false),
+            Press::Two => self.climb(true),
+            Press::Again => self.climb(self.is_of_two()),
+            Press::Resume => {
+                self.panel = None;
+                self.latch = KeyLatch::default();
+            }
+            Press::SaveScore => {
+                let back = Box::new(Request::Climbed(Box::new(self.scene.clone())));
+                return Some(Request::SaveScore(Gain { board: LEADERBOARD.to_owned(), points: self.scene.score(), back }));
+            }
+            Press::Leaderboard => return Some(Request::Leaderboard(LEADERBOARD.to_owned())),
+            Press::Back => return Some(Request::Classics(Some(Classic::Jumper))),
+        }
+        None
+    }
+}
+
+/// Who holds what: alone, either half of the keyboard will do.
+fn held(keys: Keys, two: bool) -> [Held; 2] {
+    let letters = Held { left: keys.has(Key::A), right: keys.has(Key::D), jump: keys.has(Key::W) };
+    let arrows = Held { left: keys.has(Key::Left), right: keys.has(Key::Right), jump: keys.has(Key::Up) };
+    if two {
+        return [letters, arrows];
+    }
+    let either = Held {
+        left: letters.left || arrows.left,
+        right: letters.right || arrows.right,
+        jump: letters.jump || arrows.jump || keys.has(Key::Space),
+    };
+    [either, Held::default()]
+}
+
+/// The top of the panel's first button.
+fn first_button(frame: &Frame, count: usize) -> f32 {
+    let column = count as f32 * (WIDE_BUTTON.y + GAP) - GAP;
+    ((frame.size.y - column + 2.0 * HEADING) / 2.0).round()
+}
+
+#[cfg(feature = "window")]
+mod drawing {
+    use super::{Jumper, Panel, first_button};
+    use crate::classics::jumper::engine::{Cuboid, Kind};
+    use crate::classics::jumper::scene::{PLAYER_SIZE, VISIBLE};
+    use crate::classics::jumper::tower::WIDTH;
+    use crate::view::canvas::{Canvas, Style};
+    use crate::view::layout::{Area, BUTTON_TEXT, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
+    use crate::view::{theme, widgets};
+    use macroquad::color::Color;
+
+    /// The colour of each player; the number above them tells them apart without it.
+    const PLAYERS: [Color; 2] = [theme::ACCENT, theme::TEXT];
+    /// Below the view's lower edge, canvas units: the ground, or what is left behind.
+    const FOOT: f32 = 24.0;
+    /// Heights that the ruler names, m.
+    const RULER_STEP: i64 = 5;
+
+    impl Jumper {
+        /// Draws the climb, and the panel where it is open.
+        pub fn draw(&self, canvas: &Canvas) {
+            let view = View::new(canvas, self.scene.view_bottom(self.clock.alpha()));
+            widgets::graph_paper(canvas);
+            self.draw_tower(canvas, &view);
+            self.draw_players(canvas, &view);
+            self.draw_words(canvas, &view);
+            if let Some(panel) = &self.panel {
+                self.draw_panel(canvas, panel);
+            }
+        }
+
+        fn draw_tower(&self, canvas: &Canvas, view: &View) {
+            let tower = view.area(0.0, view.bottom, WIDTH, VISIBLE);
+            canvas.rounded(tower, 0.0, theme::GROUND);
+            for metre in 1..WIDTH as i32 {
+                let x = view.point(f64::from(metre), 0.0).x;
+                canvas.hairline(Vec2::new(x, tower.min.y), Vec2::new(x, tower.max().y), theme::GRID_FINE);
+            }
+            let (from, to) = (view.bottom.floor() as i64, (view.bottom + VISIBLE).ceil() as i64);
+            for metre in from.max(0)..=to {
+                let y = view.point(0.0, metre as f64).y;
+                let named = metre % RULER_STEP == 0;
+                let colour = if named { theme::GRID_HEAVY } else { theme::GRID_FINE };
+                canvas.hairline(Vec2::new(tower.min.x, y), Vec2::new(tower.max().x, y), colour);
+                if named {
+                    let at = Vec2::new(tower.max().x + PADDING, y);
+                    canvas.text(&format!("{metre} m"), at, Style::new(TEXT, theme::QUIET).mono().middle());
+                }
+            }
+            for it in self.scene.tower().statics() {
+                let Cuboid { location, dimensions } = it.cuboid;
+                let (z, height) = match it.kind {
+                    Kind::Platform => (location.z, dimensions.z),
+                    Kind::Wall => (view.bottom - 1.0, VISIBLE + 2.0),
+                };
+                let area = view.area(location.x, z, dimensions.x, height);
+                canvas.rounded(area, 2.0, theme::SOLID);
+                if it.kind == Kind::Platform {
+                    canvas.rounded(Area { size: Vec2::new(area.size.x, 1.5), ..area }, 0.0, theme::SOLID_TOP);
+                }
+            }
+            let foot = Area { min: Vec2::new(tower.min.x, tower.max().y), size: Vec2::new(tower.size.x, FOOT) };
+            if self.scene.view_bottom(1.0) > 0.0 {
+                // What is left behind is out: the edge is as red as everything that ends an attempt.
+                canvas.rounded(foot, 0.0, theme::PANEL);
+                for (height, alpha) in [(0.45, 0.12), (0.25, 0.2), (0.08, 0.9)] {
+                    canvas.rounded(view.area(0.0, view.bottom, WIDTH, height), 0.0, theme::faded(theme::BAD, alpha));
+                }
+            } else {
+                canvas.rounded(foot, 0.0, theme::SOLID);
+                canvas.rounded(Area { size: Vec2::new(foot.size.x, 2.0), ..foot }, 0.0, theme::SOLID_TOP);
+            }
+        }
+
+        fn draw_players(&self, canvas: &Canvas, view: &View) {
+            let alpha = self.clock.alpha();
+            let two = self.is_of_two();
+            for (number, (player, body)) in self.scene.players().enumerate().filter(|(_, (player, _))| !player.is_out()) {
+                let place = body.previous + alpha * (body.cuboid.location - body.previous);
+                let area = view.area(place.x, place.z, PLAYER_SIZE, PLAYER_SIZE);
+                canvas.rounded(area, 3.0, PLAYERS[number]);
+                let eye =
+                    Vec2::new(area.centre().x + area.size.x * 0.22 * player.direction() as f32, area.min.y + area.size.y * 0.35);
+                canvas.disc(eye, area.size.x * 0.14, theme::GROUND);
+                if two {
+                    let above = Vec2::new(area.centre().x, area.min.y - 12.0);
+                    canvas.text(&(number + 1).to_string(), above, Style::new(TEXT, PLAYERS[number]).mono().centred().middle());
+                }
+            }
+        }
+
+        fn draw_words(&self, canvas: &Canvas, view: &View) {
+            let right = view.point(0.0, 0.0).x - 48.0;
+            let quiet = Style::new(TEXT, theme::QUIET).right().middle();
+            canvas.text("Height", Vec2::new(right, 48.0), quiet);
+            canvas.text(
+                &format!("{} m", self.scene.score()),
+                Vec2::new(right, 84.0),
+                Style::new(HEADING, theme::TEXT).mono().right().middle(),
+            );
+            let keys: &[(&str, usize)] = if self.is_of_two() {
+                &[("1: A D walk, W jumps", 0), ("2: ← → walk, ↑ jumps", 1)]
+            } else {
+                &[("A D or ← → walk", 0), ("W, ↑ or Space jumps", 0)]
+            };
+            for (line, (words, player)) in keys.iter().enumerate() {
+                let at = Vec2::new(right, 152.0 + 28.0 * line as f32);
+                canvas.text(words, at, Style { colour: PLAYERS[*player], ..quiet }.mono());
+            }
+            for (line, words) in
+                ["Jump once more in the air;", "let go early for a low jump.", "", "Esc pauses, R restarts."].iter().enumerate()
+            {
+                canvas.text(words, Vec2::new(right, 224.0 + 28.0 * line as f32), quiet);
+            }
+            for (number, (player, _)) in self.scene.players().enumerate() {
+                if player.is_out() && self.is_of_two() {
+                    let at = Vec2::new(right, 360.0 + 28.0 * number as f32);
+                    canvas.text(&format!("Player {} is out", number + 1), at, Style { colour: theme::BAD, ..quiet });
+                }
+            }
+        }
+
+        fn draw_panel(&self, canvas: &Canvas, panel: &Panel) {
+            widgets::curtain(canvas, 0.6);
+            let Some(last) = panel.buttons.areas().last() else { return };
+            let top = first_button(canvas.frame(), panel.presses.len()) - 2.0 * HEADING - PADDING;
+            let width = WIDE_BUTTON.x + 12.0 * PADDING;
+            let area = Area::new((canvas.size().x - width) / 2.0, top, width, last.max().y + 2.0 * PADDING - top);
+            widgets::panel(canvas, area);
+            let middle = |y: f32| Vec2::new(area.centre().x, top + y);
+            widgets::fitted(canvas, panel.heading, middle(PADDING + 24.0), width - 32.0, &[HEADING, BUTTON_TEXT], theme::TEXT);
+            if self.scene.ticks() > 0 {
+                let score = format!("{} m high", self.scene.score());
+                canvas.text(&score, middle(PADDING + 64.0), Style::new(TEXT, theme::QUIET).centred().middle());
+            }
+            for (i, (area, press)) in panel.buttons.areas().iter().zip(&panel.presses).enumerate() {
+                let (hover, focus) = (panel.buttons.hover() == Some(i), panel.buttons.focus() == i);
+                widgets::button(canvas, *area, press.label(), hover, focus);
+            }
+        }
+    }
+
+    /// The part of the tower that is in view: the canvas' height but for its foot, in the middle of its width.
+    struct View {
+        bottom: f64,
+        left: f32,
+        /// Of the view's lower edge.
+        height: f32,
+        /// Canvas units a metre.
+        scale: f32,
+    }
+
+    impl View {
+        fn new(canvas: &Canvas, bottom: f64) -> Self {
+            let height = canvas.size().y - FOOT;
+            let scale = height / VISIBLE as f32;
+            Self { bottom, left: (canvas.size().x - scale * WIDTH as f32) / 2.0, height, scale }
+        }
+
+        fn point(&self, x: f64, z: f64) -> Vec2 {
+            Vec2::new(self.left + x as f32 * self.scale, self.height - (z - self.bottom) as f32 * self.scale)
+        }
+
+        /// The box whose lower left corner is at (x, z).
+        fn area(&self, x: f64, z: f64, width: f64, height: f64) -> Area {
+            let size = Vec2::new(width as f32, height as f32) * self.scale;
+            Area { min: self.point(x, z) - Vec2::new(0.0, size.y), size }
+        }
+    }
+}

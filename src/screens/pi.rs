@@ -1,0 +1,227 @@
+//! π from collisions in the window.
+
+use super::{Classic, Input, Key, Request, Toolbar};
+use crate::classics::pi::{Blocks, MAX_N};
+
+/// Seconds of the scene a second, from the slowest to the fastest; it begins with the real one.
+const SPEEDS: [f64; 6] = [0.01, 0.05, 0.25, 1.0, 2.0, 4.0];
+/// Which of them it begins with.
+const REAL: usize = 3;
+/// A hitch counts as at most so long, s.
+const LONGEST_FRAME: f64 = 0.1;
+/// At most so many collisions are made in a frame, which takes about 5 ms. Where there are more, time waits for them.
+const MOST_A_FRAME: u64 = 300_000;
+/// The first digits of π, as many as there are places at the largest N.
+pub const DIGITS: &str = "3141592653";
+/// N at the start.
+const FIRST_N: u32 = 2;
+/// How long the counter shows that there was a collision, s.
+const FLASH: f64 = 0.12;
+
+/// The toolbar's keys: back, restart, a smaller and a larger N, slower, faster.
+const KEYS: [Key; 6] = [Key::Escape, Key::R, Key::Left, Key::Right, Key::Down, Key::Up];
+
+/// The scene: two blocks and a wall.
+#[derive(Debug)]
+pub struct Pi {
+    n: u32,
+    blocks: Blocks,
+    /// s.
+    time: f64,
+    speed: usize,
+    /// Whether the last frame's work did not suffice.
+    behind: bool,
+    /// Since the last collision, s of the screen.
+    quiet_for: f64,
+    toolbar: Toolbar,
+}
+
+impl Default for Pi {
+    fn default() -> Self {
+        Self {
+            n: FIRST_N,
+            blocks: Blocks::new(FIRST_N),
+            time: 0.0,
+            speed: REAL,
+            behind: false,
+            quiet_for: f64::INFINITY,
+            toolbar: Toolbar::default(),
+        }
+    }
+}
+
+impl Pi {
+    /// One frame.
+    pub fn update(&mut self, input: &Input) -> Option<Request> {
+        match self.toolbar.update(input, &KEYS) {
+            Some(0) => return Some(Request::Classics(Some(Classic::Pi))),
+            Some(1) => self.restart(self.n),
+            Some(2) if self.n > 0 => self.restart(self.n - 1),
+            Some(3) if self.n < MAX_N => self.restart(self.n + 1),
+            Some(4) => self.speed = self.speed.saturating_sub(1),
+            Some(5) => self.speed = (self.speed + 1).min(SPEEDS.len() - 1),
+            Some(_) | None => {}
+        }
+        self.advance(input.frame_time);
+        None
+    }
+
+    /// N: the heavy block has 100^N times the light one's mass.
+    pub fn n(&self) -> u32 {
+        self.n
+    }
+
+    /// Seconds of the scene a second.
+    pub fn speed(&self) -> f64 {
+        SPEEDS[self.speed]
+    }
+
+    /// The blocks, at their last collision.
+    pub fn blocks(&self) -> &Blocks {
+        &self.blocks
+    }
+
+    /// The counter, with as many places as there will be digits, and how many of them, from the left, are right.
+    pub fn counter(&self) -> (String, usize) {
+        let counter = format!("{:0places$}", self.blocks.collisions(), places = self.n as usize + 1);
+        let right = counter.bytes().zip(DIGITS.bytes()).take_while(|(ours, true_one)| ours == true_one).count();
+        (counter, right)
+    }
+
+    /// Its buttons.
+    pub fn toolbar(&self) -> &Toolbar {
+        &self.toolbar
+    }
+
+    fn restart(&mut self, n: u32) {
+        *self =
+            Self { n, blocks: Blocks::new(n), speed: self.speed, toolbar: std::mem::take(&mut self.toolbar), ..Self::default() };
+    }
+
+    fn advance(&mut self, frame_time: f64) {
+        if frame_time <= 0.0 {
+            return;
+        }
+        let until = self.time + frame_time.min(LONGEST_FRAME) * self.speed();
+        let made = self.blocks.advance(until, MOST_A_FRAME);
+        self.behind = made == MOST_A_FRAME;
+        self.time = if self.behind { self.blocks.time() } else { until };
+        self.quiet_for = if made > 0 { 0.0 } else { self.quiet_for + frame_time };
+    }
+}
+
+#[cfg(feature = "window")]
+mod drawing {
+    use super::{DIGITS, FLASH, Pi};
+    use crate::classics::pi::mass_ratio;
+    use crate::view::canvas::{Canvas, Style};
+    use crate::view::layout::{Area, BUTTON_TEXT, MONO_ADVANCE, TEXT, TITLE, Vec2};
+    use crate::view::{theme, widgets};
+    use macroquad::color::Color;
+
+    /// From the canvas' left edge to the wall's face.
+    const WALL: f32 = 64.0;
+    /// From the canvas' foot to the floor.
+    const FLOOR: f32 = 136.0;
+    /// Canvas units a metre of distance.
+    const METRE: f32 = 300.0;
+    /// Canvas units a unit of the blocks' sides, |log₁₀(mass + 10)|: the largest block, 18 of them, leaves room for the counter.
+    const SIDE: f32 = 19.0;
+
+    impl Pi {
+        /// Draws blocks, counter and buttons.
+        pub fn draw(&self, canvas: &Canvas) {
+            widgets::graph_paper(canvas);
+            self.draw_blocks(canvas);
+            self.draw_counter(canvas);
+            let speed = match self.speed() {
+                whole if whole >= 1.0 => format!("{whole} ×"),
+                slow => format!("1/{} ×", (1.0 / slow).round()),
+            };
+            let words = format!("N = {}    masses 1 : {}    time {:6.3} s    speed {speed}", self.n, power(2 * self.n), self.time);
+            let at = Vec2::new(canvas.size().x / 2.0, canvas.size().y - 96.0);
+            canvas.text(&words, at, Style::new(TEXT, theme::QUIET).mono().centred().middle());
+            self.toolbar.draw(
+                canvas,
+                &[("Back", "Esc"), ("Restart", "R"), ("N − 1", "←"), ("N + 1", "→"), ("Slower", "↓"), ("Faster", "↑")],
+            );
+        }
+
+        fn draw_blocks(&self, canvas: &Canvas) {
+            let floor = canvas.size().y - FLOOR;
+            let solid = |area: Area| canvas.rounded(area, 0.0, theme::SOLID);
+            solid(Area::new(0.0, 0.0, WALL, floor));
+            solid(Area::new(0.0, floor, canvas.size().x, 10.0));
+            canvas.rounded(Area::new(WALL, floor, canvas.size().x - WALL, 2.0), 0.0, theme::SOLID_TOP);
+            canvas.rounded(Area::new(WALL - 2.0, 0.0, 2.0, floor), 0.0, theme::SOLID_TOP);
+
+            let (light, heavy) = self.blocks.positions(self.time);
+            let light_side = SIDE * side(1.0);
+            self.draw_block(canvas, WALL + light as f32 * METRE, 1.0, theme::PLAYER_OBJECTIVE);
+            self.draw_block(canvas, WALL + light_side + heavy as f32 * METRE, mass_ratio(self.n), theme::ACCENT);
+        }
+
+        fn draw_block(&self, canvas: &Canvas, left: f32, mass: f64, colour: Color) {
+            let side = SIDE * side(mass);
+            let area = Area::new(left, canvas.size().y - FLOOR - side, side, side);
+            canvas.rounded(area, 2.0, theme::PANEL);
+            canvas.rounded_edge(area, 2.0, 3.0, colour);
+            let (label, size) = if mass == 1.0 { ("1".to_owned(), TEXT) } else { (power(2 * self.n), BUTTON_TEXT) };
+            let style = Style::new(size, colour).mono().centred().middle();
+            let above = Vec2::new(area.centre().x, area.min.y - 20.0);
+            canvas.text(&label, if canvas.width(&label, style) + 8.0 < side { area.centre() } else { above }, style);
+        }
+
+        fn draw_counter(&self, canvas: &Canvas) {
+            let (counter, right) = self.counter();
+            let middle = (canvas.size().x + WALL) / 2.0;
+            let quiet = Style::new(TEXT, theme::QUIET).centred().middle();
+            canvas.text("collisions", Vec2::new(middle, 40.0), quiet);
+            let leading = counter.bytes().take_while(|digit| *digit == b'0').count().min(counter.len() - 1);
+            let advance = TITLE * MONO_ADVANCE;
+            let left = middle - advance * (counter.len() as f32 - 1.0) / 2.0;
+            let flash = (1.0 - self.quiet_for / FLASH).max(0.0) as f32;
+            for (place, digit) in counter.chars().enumerate() {
+                let colour = match place {
+                    _ if place < right => theme::GOOD,
+                    _ if place < leading => theme::PANEL_EDGE,
+                    _ => theme::TEXT,
+                };
+                let at = Vec2::new(left + advance * place as f32, 104.0);
+                canvas.text(&digit.to_string(), at, Style::new(TITLE, colour).mono().centred().middle());
+            }
+            let width = advance * counter.len() as f32;
+            let bar = Area::new(middle - width / 2.0, 156.0, width, 4.0);
+            canvas.rounded(bar, 2.0, theme::faded(theme::ACCENT, 0.15 + 0.85 * flash));
+            let digits = &DIGITS[..counter.len()];
+            let words = match (self.blocks.next_time(), self.behind) {
+                (None, _) => format!("No more will come: the first {} of π", plural(counter.len())),
+                (Some(_), true) => "So many a frame that time waits for them".to_owned(),
+                (Some(_), false) => format!("π = {}{}{}…", &digits[..1], if self.n > 0 { "." } else { "" }, &digits[1..]),
+            };
+            canvas.text(&words, Vec2::new(middle, 184.0), quiet);
+        }
+    }
+
+    /// A block's side for its mass in light ones.
+    fn side(mass: f64) -> f32 {
+        (mass + 10.0).log10().abs() as f32
+    }
+
+    /// 10 to that power, as people write it.
+    fn power(exponent: u32) -> String {
+        match exponent {
+            0..=4 => 10_u64.pow(exponent).to_string(),
+            _ => {
+                let raised = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+                let digits = exponent.to_string();
+                let digits = digits.bytes().map(|digit| raised[usize::from(digit - b'0')]);
+                std::iter::once('1').chain(std::iter::once('0')).chain(digits).collect()
+            }
+        }
+    }
+
+    fn plural(digits: usize) -> String {
+        if digits == 1 { "digit".to_owned() } else { format!("{digits} digits") }
+    }
+}
