@@ -85,7 +85,7 @@ mod tests {
         let def = WorldDef::default();
         let media = Media { gravity: 9.81, air_density: 1.0, streams: def.streams, fluids: def.fluids };
         let body = Body::new(&BodyDef { mass, drag, velocity, ..BodyDef::default() });
-        let law = Law { constant: DVec2::new(0.0, 9.81), air: 0.5 * drag / mass, area: 1.0, wet: false };
+        let law = Law { constant: DVec2::new(0.0, 9.81), air: 0.5 * drag / mass, area: 1.0, ..Law::default() };
         (media, body, law)
     }
 
