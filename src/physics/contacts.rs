@@ -1,7 +1,7 @@
 //! Contacts: which boxes touch, along which axis, and whether they slide.
 
 use super::candidates::Pair;
-use super::tuning::SLOP;
+use super::tuning::{SLOP, SPEED_ROUNDING};
 use super::{Material, World};
 use glam::DVec2;
 
@@ -105,8 +105,10 @@ impl World {
             let Some(mut contact) = self.contact(pair, SLOP) else { continue };
             let relative = self.velocity(contact.hi) - self.velocity(contact.lo);
             if relative[contact.axis] == 0.0 {
-                let sliding = relative[1 - contact.axis];
-                contact.slides = if sliding == 0.0 { 0.0 } else { sliding.signum() };
+                let along = 1 - contact.axis;
+                let fastest = self.velocity(contact.hi)[along].abs().max(self.velocity(contact.lo)[along].abs());
+                let sliding = relative[along];
+                contact.slides = if sliding.abs() <= SPEED_ROUNDING * fastest { 0.0 } else { sliding.signum() };
                 contacts.push(contact);
             }
         }

@@ -42,11 +42,6 @@ impl Default for Law {
     }
 }
 
-/// Exposed area of a body of 1 m depth that moves with velocity `v`, m².
-pub(super) fn exposed_area(half: DVec2, v: DVec2) -> f64 {
-    2.0 * if v.x.abs() > v.y.abs() { half.y } else { half.x }
-}
-
 /// The fraction of a body's box that lies inside a zone, 0 … 1.
 pub(super) fn submerged(position: DVec2, half: DVec2, zone: &Aabb) -> f64 {
     let inside = (position + half).min(zone.max) - (position - half).max(zone.min);
@@ -109,21 +104,20 @@ impl Media {
             }
         }
         let mut dry = 1.0;
-        let area = exposed_area(body.half, body.velocity);
         if law.wet {
             for (i, fluid) in self.fluids.iter().enumerate() {
                 let f = submerged(body.position, body.half, &fluid.zone);
                 if f > 0.0 {
                     dry -= f;
                     add(ForceKind::Buoyancy, Source::Fluid(i as u32), self.buoyancy(body, fluid, f));
-                    add(ForceKind::ViscousDrag, Source::Fluid(i as u32), viscous_drag(body, fluid, area, f, body.velocity));
+                    add(ForceKind::ViscousDrag, Source::Fluid(i as u32), viscous_drag(body, fluid, law.area, f, body.velocity));
                 }
             }
             dry = f64::max(dry, 0.0);
         }
         if law.air > 0.0 {
             let v = body.velocity;
-            let k = 0.5 * self.air_density * body.drag * area;
+            let k = 0.5 * self.air_density * body.drag * law.area;
             add(ForceKind::AirResistance, Source::Air, -v * (k * dry * v.length()));
         }
     }

@@ -13,6 +13,11 @@ pub(super) const FORCE_TOLERANCE: f64 = 1e-12;
 /// rounding of the instant at which the slide ends.
 pub(super) const SPEED_TOLERANCE: f64 = 1e-11;
 
+/// Relative to the faster of two bodies in contact: sliding slower than this is the rounding of a plastic solve, and they stick. Taken
+/// for a slide it would end after 1e-18 s, and the solve after that would bring it back, thousands of times a tick. Of something at rest
+/// it is nothing: what has stopped has stopped exactly.
+pub(super) const SPEED_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// m/s. Things that touch, part more slowly than this and are pulled together again rest on each other: they would part by 1e-13 m, which
 /// rounding can no longer resolve, and come back after a tenth of a microsecond, again and again.
 pub(super) const MICRO_SPEED: f64 = 2e-6;

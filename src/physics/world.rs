@@ -192,6 +192,10 @@ impl World {
             self.refresh_laws();
             if self.plan.contacts {
                 self.resolve_impacts(hit.take(), self.now, left);
+                if self.plan.media() {
+                    // Impacts turn motions, and with them the side that meets the air.
+                    self.refresh_laws();
+                }
                 self.refresh_candidates(left);
                 self.find_contacts();
             }
@@ -256,6 +260,10 @@ impl World {
         self.laws.clear();
         let streams = self.media.streams.len();
         for (i, body) in self.bodies.iter().enumerate() {
+            let speed = body.velocity.abs();
+            if speed.x != speed.y {
+                self.across[i] = speed.x > speed.y;
+            }
             let mut force = self.drives[i];
             for (stream, inside) in self.media.streams.iter().zip(&self.in_stream[i * streams..]) {
                 if *inside {
