@@ -245,6 +245,7 @@ fn a_climb_stands_still_while_it_is_paused() {
     sitting.click(0).frame(hold(&[])).press(Key::Escape);
     let ticks = jumper(&sitting).scene().ticks();
     assert_eq!(jumper(&sitting).presses(), [Press::Resume, Press::Again, Press::Back]);
+    assert_eq!(jumper(&sitting).heading(), Some("Paused"));
     sitting.frame(hold(&[])).frame(hold(&[]));
     assert_eq!(jumper(&sitting).scene().ticks(), ticks);
     sitting.press(Key::Escape).frame(hold(&[]));

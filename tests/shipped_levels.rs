@@ -1,14 +1,14 @@
 //! The levels that ship, each flown to its end by its recorded inputs.
 
-use resultant::game::{Game, Inputs, Outcome, SHIP};
-use resultant::level::{self, Level};
-use resultant::physics::{Aabb, Body, World};
+use resultant::game::{BURN_RATE, Controls, Game, Inputs, Outcome, SHIP, TICK_RATE};
+use resultant::level::{self, Level, ObjectiveKind, SHIP_HALF};
+use resultant::physics::{Aabb, Body, DVec2, World};
 use std::path::Path;
 use std::sync::Arc;
 
 /// How far two solids may ever overlap, m.
 const OVERLAP: f64 = 1e-3;
-/// How near the ship has to be at the end to what it came for, m; and how far it stays from what is deadly.
+/// How far the recorded flights stay from what is deadly, m.
 const CLEARANCE: f64 = 0.3;
 
 fn project() -> &'static Path {
@@ -91,4 +91,50 @@ fn the_recorded_flight_of_level_1_keeps_off_red() {
         let near = Aabb::new(ship.min - CLEARANCE, ship.max + CLEARANCE);
         assert!(!obstacles.iter().any(|deadly| near.touches(deadly, 0.0)), "tick {}: {ship:?}", game.ticks());
     });
+}
+
+/// The level with the ship at another place, flown with the same keys held until the tank is empty and everything is at rest.
+fn hold(mut level: Level, position: DVec2, angle: f64, controls: Controls, mut each_tick: impl FnMut(&Game)) -> Game {
+    (level.player.position, level.player.angle) = (position, angle);
+    let seconds = level.player.fuel / BURN_RATE + 5.0;
+    let mut game = Game::new(Arc::new(level)).unwrap();
+    for _ in 0..(seconds * TICK_RATE) as u32 {
+        game.step(controls);
+        each_tick(&game);
+    }
+    game
+}
+
+#[test]
+fn a_careless_climb_of_level_2_hits_the_roof() {
+    let level = Level::clone(&load("2"));
+    let start = level.player.position;
+    let game = hold(level, start, 0.0, Controls { thrust: true, ..Controls::default() }, |_| {});
+    assert!(game.collisions() > 0, "{:?}", game.result());
+    assert_eq!(game.outcome(), Outcome::Running);
+}
+
+#[test]
+fn the_wind_of_level_3_carries_the_ship_to_the_top_without_its_engine() {
+    let level = Level::clone(&load("3"));
+    let floor = level.streams[0].zone.max.y - SHIP_HALF.y;
+    let start = DVec2::new(level.streams[0].zone.centre().x, floor);
+    let player = level.objectives.iter().position(|objective| objective.kind == ObjectiveKind::Player).unwrap();
+    let mut met = false;
+    hold(level, start, 0.0, Controls::default(), |game| met |= game.met()[player]);
+    assert!(met, "the ship never got there");
+}
+
+#[test]
+fn the_chamber_of_level_3_lets_no_ship_out_again() {
+    let level = load("3");
+    let zone = level.streams[1].zone;
+    let start = DVec2::new(zone.centre().x, zone.max.y - SHIP_HALF.y);
+    for angle in (-180..180).step_by(15) {
+        for (thrust, reverse) in [(true, false), (false, true)] {
+            let controls = Controls { thrust, reverse, ..Controls::default() };
+            let game = hold(Level::clone(&level), start, f64::from(angle), controls, |_| {});
+            assert_eq!(game.world().body(SHIP).position, start, "{angle} degrees, {controls:?}");
+        }
+    }
 }

@@ -5,7 +5,9 @@
 //! - [`engine`]: cuboids that fall, land, stop at walls and bounce off each other; knows no player and no tower.
 //! - [`tower`]: the platforms, the same for the same seed.
 //! - [`scene`]: players, keys, jumps, the rising view, the score.
+//! - [`inputs`]: keys in a file.
 
 pub mod engine;
+pub mod inputs;
 pub mod scene;
 pub mod tower;

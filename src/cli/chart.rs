@@ -109,6 +109,7 @@ fn measure(scene: &Scene, quick: bool) -> Measured {
         work: scene.work.to_owned(),
         tolerance: scene.tolerance,
         shipped_step: scene.shipped_step,
+        alike: scene.alike,
         curves: curves.collect(),
     }
 }

@@ -8,6 +8,7 @@
 mod chart;
 mod check;
 mod files;
+mod jumper;
 mod new;
 mod number;
 mod pi;
@@ -57,6 +58,8 @@ enum Command {
     Verify(verify::Args),
     /// Run a list of commands through a map of tiles
     Tiles(tiles::Args),
+    /// Climb the jumper's tower without a window
+    Jumper(jumper::Args),
     /// Count the collisions of two blocks and a wall: the first N+1 digits of π
     Pi(pi::Args),
 }
@@ -129,6 +132,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
         Some(Command::New(args)) => new::run(args, &project, out),
         Some(Command::Verify(args)) => verify::run(args, &project, out),
         Some(Command::Tiles(args)) => tiles::run(args, &project, out),
+        Some(Command::Jumper(args)) => jumper::run(args, &project, out),
         Some(Command::Pi(args)) => pi::run(args, &project, out),
     }
 }

@@ -58,6 +58,8 @@ pub struct Measured {
     pub tolerance: f64,
     /// The step at which the game ships, s.
     pub shipped_step: f64,
+    /// Whether all methods answer the same question.
+    pub alike: bool,
     /// All methods.
     pub curves: Vec<Curve>,
 }
@@ -71,8 +73,11 @@ impl Measured {
         Some((curve, *point))
     }
 
-    /// The cheapest point within the tolerance.
+    /// The cheapest point within the tolerance, where all answer the same question.
     pub fn cheapest(&self) -> Option<(&Curve, Point)> {
+        if !self.alike {
+            return None;
+        }
         let points = self.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, *point)));
         points.filter(|(_, point)| point.error <= self.tolerance).min_by(|(_, a), (_, b)| a.work.total_cmp(&b.work))
     }

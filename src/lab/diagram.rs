@@ -7,6 +7,8 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
 
+// Sizes of type are given as the plotting library wants them: it writes 1/1.24 of them.
+
 /// Pixels.
 const SIZE: (u32, u32) = (1040, 600);
 /// Pixels. Where the legend begins.
@@ -59,7 +61,7 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
 
 fn draw<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
-    let heading = ("sans-serif", 20).into_font().color(&TEXT);
+    let heading = ("sans-serif", 24).into_font().color(&TEXT);
     root.draw_text(&measured.title, &heading, (24, 18))?;
     let (left, _) = root.split_horizontally(LEGEND - 16);
     let (xs, ys) = ranges(measured);
@@ -69,8 +71,8 @@ fn draw<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
         .margin_left(16)
         .margin_right(16)
         .margin_bottom(12)
-        .x_label_area_size(52)
-        .y_label_area_size(72)
+        .x_label_area_size(56)
+        .y_label_area_size(80)
         .build_cartesian_2d(xs.clone().log_scale(), ys.clone().log_scale())?;
     chart
         .configure_mesh()
@@ -84,8 +86,8 @@ fn draw<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
         .bold_line_style(HEAVY_GRID)
         .light_line_style(GRID)
         .max_light_lines(4)
-        .label_style(("sans-serif", 13).into_font().color(&QUIET))
-        .axis_desc_style(("sans-serif", 14).into_font().color(&TEXT))
+        .label_style(("sans-serif", 16).into_font().color(&QUIET))
+        .axis_desc_style(("sans-serif", 17).into_font().color(&TEXT))
         .draw()?;
     let tolerance = [(xs.start, measured.tolerance), (xs.end, measured.tolerance)];
     chart.draw_series(DashedLineSeries::new(tolerance, 2, 4, GOOD.stroke_width(2)))?;
@@ -113,8 +115,8 @@ fn draw<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
 }
 
 fn legend<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
-    let style = ("sans-serif", 14).into_font().color(&TEXT);
-    let quiet = ("sans-serif", 13).into_font().color(&QUIET);
+    let style = ("sans-serif", 17).into_font().color(&TEXT);
+    let quiet = ("sans-serif", 16).into_font().color(&QUIET);
     let mut y = 64;
     for (index, curve) in measured.curves.iter().enumerate() {
         let look = Look::of(index, curve);
@@ -290,6 +292,7 @@ mod tests {
             work: "work, ns".into(),
             tolerance: 1e-3,
             shipped_step: 0.01,
+            alike: true,
             curves: vec![
                 curve("wild", Origin::Lab, vec![point(0.1, 10.0, f64::NAN), point(0.01, 100.0, 1e-2)]),
                 curve("ours", Origin::Shipped, vec![point(0.01, 50.0, 0.0)]),

@@ -71,6 +71,9 @@ pub fn summary(setting: &Setting, diagrams: &[Measured], stress: &[Survival]) ->
         });
         let _ = writeln!(text, "| [{}](#{}) | {error} | {work} | {cheapest} |", measured.title, measured.name);
     }
+    if let Some(measured) = diagrams.iter().find(|measured| measured.name == PI) {
+        pi_table(&mut text, measured);
+    }
     text.push_str("\n## What each method survives\n\nThe largest value that a method survives; 0: none, ≥: nothing larger was tried.\n\n");
     text.push_str("| test | parameter | method | largest |\n|---|---|---|---|\n");
     for row in stress {
@@ -84,6 +87,27 @@ pub fn summary(setting: &Setting, diagrams: &[Measured], stress: &[Survival]) ->
         let _ = writeln!(text, "\n<a id=\"{name}\"></a>\n![{}]({name}.svg)\n\n[numbers]({name}.csv)", measured.title);
     }
     text
+}
+
+/// The scene of which [`summary`] makes a table of its own.
+pub const PI: &str = "pi";
+
+/// Up to which N each step counts right, and what that costs.
+fn pi_table(text: &mut String, measured: &Measured) {
+    text.push_str("\n## π from collisions in time steps\n\n| step, s | right up to N | its CPU time, ns |\n|---|---|---|\n");
+    let by_hand: Vec<&Curve> = measured.curves.iter().filter(|curve| curve.origin == Origin::Lab).collect();
+    let steps = by_hand.first().map_or(0, |curve| curve.points.len());
+    for index in 0..steps {
+        let right = by_hand.iter().take_while(|curve| curve.points[index].error == 0.0).count();
+        let step = number(by_hand[0].points[index].step);
+        let _ = match right.checked_sub(1) {
+            Some(n) => writeln!(text, "| {step} | {n} | {} |", number(by_hand[n].points[index].work)),
+            None => writeln!(text, "| {step} | none | – |"),
+        };
+    }
+    if let Some((curve, point)) = measured.shipped() {
+        let _ = writeln!(text, "| {}: at any | all | {} |", curve.name, number(point.work));
+    }
 }
 
 /// An error as read by people: below rounding it is none.
@@ -147,6 +171,7 @@ fn piles() -> Measured {
         work: "CPU time for a body and step, ns (a point a size)".to_owned(),
         tolerance: super::TOLERANCE,
         shipped_step: 1.0 / 60.0,
+        alike: false,
         curves: Vec::new(),
     }
 }

@@ -23,6 +23,8 @@ pub struct Scene {
     pub steps: Vec<f64>,
     /// The step at which the game ships, s.
     pub shipped_step: f64,
+    /// Whether all methods answer the same question, so that the cheapest right one can be named.
+    pub alike: bool,
     /// What answers it; the shipped engine is the last.
     pub methods: Vec<Method>,
 }
@@ -49,6 +51,7 @@ impl Scene {
             share: seconds * bodies as f64,
             steps: LADDER.to_vec(),
             shipped_step: 1.0 / crate::game::TICK_RATE,
+            alike: true,
             methods: Vec::new(),
         }
     }

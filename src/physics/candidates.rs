@@ -21,10 +21,16 @@ pub(super) struct Candidates {
     pub pairs: Vec<Pair>,
     allowed: Vec<Aabb>,
     by_left_edge: Vec<u32>,
+    near: Vec<bool>,
     fresh: bool,
 }
 
 impl Candidates {
+    /// Whether a body is in any pair.
+    pub fn has_neighbours(&self, body: usize) -> bool {
+        self.near[body]
+    }
+
     /// Something was added or moved by hand: the list has to be made anew.
     pub fn spoil(&mut self) {
         self.fresh = false;
@@ -81,6 +87,14 @@ impl World {
             }
         }
         list.pairs.sort_unstable();
+        list.near.clear();
+        list.near.resize(n, false);
+        for pair in &list.pairs {
+            list.near[pair.a as usize] = true;
+            if let Some(near) = list.near.get_mut(pair.b as usize) {
+                *near = true;
+            }
+        }
         list.fresh = true;
     }
 }

@@ -3,12 +3,12 @@
 //! Nothing that depends on velocity or place: the parabola, exact at any step. Drag: classical Runge–Kutta of fourth order (RK4), in as
 //! many steps as keep rate × time below [`RK4_REACH`]; one for ordinary things at a hundred ticks a second (error 1e-9 m after
 //! seconds), many for feathers and gusts, where a fixed step diverges. A feather that has reached its terminal velocity
-//! `√(A/k)` along A stays on it, which bounds the work for things of any lightness. Motion stiffer than that (a grain in
-//! treacle) takes an exponential step, `v → v∞ + (v − v∞)·e^(−mt)` with the damping m frozen, stable at any rate.
+//! `√(A/k)` along A stays on it, which bounds the work for things of any lightness. In a liquid, motion that settles many times within
+//! a tick (a grain in treacle) takes exponential steps, `v → v∞ + (v − v∞)·e^(−mt)` with the damping m frozen, stable at any rate.
 
 use super::Body;
 use super::media::{Law, Media};
-use super::tuning::{RK4_REACH, RK4_STEPS, TERMINAL_TOLERANCE};
+use super::tuning::{EXPONENTIAL_STEPS, RK4_REACH, RK4_STEPS, STIFF_REACH, TERMINAL_TOLERANCE};
 use glam::DVec2;
 
 /// Place and velocity.
@@ -42,6 +42,9 @@ pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
     let mut left = t;
     for _ in 0..RK4_STEPS {
         let rate = media.rate(body, law, pose.1);
+        if law.wet && rate * left > STIFF_REACH {
+            break;
+        }
         if rate * left <= RK4_REACH {
             return rk4(pose, left, |x, v| media.acceleration(body, law, x, v));
         }
@@ -58,7 +61,11 @@ pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
         pose = rk4(pose, h, |x, v| media.acceleration(body, law, x, v));
         left -= h;
     }
-    exponential(media, body, law, pose, left)
+    let h = left / EXPONENTIAL_STEPS;
+    for _ in 0..EXPONENTIAL_STEPS as u32 {
+        pose = exponential(media, body, law, pose, h);
+    }
+    pose
 }
 
 fn exponential(media: &Media, body: &Body, law: &Law, (x, v): Pose, t: f64) -> Pose {
@@ -78,7 +85,7 @@ mod tests {
         let def = WorldDef::default();
         let media = Media { gravity: 9.81, air_density: 1.0, streams: def.streams, fluids: def.fluids };
         let body = Body::new(&BodyDef { mass, drag, velocity, ..BodyDef::default() });
-        let law = Law { constant: DVec2::new(0.0, 9.81), air: 0.5 * drag / mass, area: 1.0, wet: false };
+        let law = Law { constant: DVec2::new(0.0, 9.81), air: 0.5 * drag / mass, area: 1.0, ..Law::default() };
         (media, body, law)
     }
 

@@ -38,12 +38,30 @@ impl World {
                 continue;
             }
             self.report_all_approaching();
-            let items = self.bodies.len() + self.blocks.len();
-            let mut touching = std::mem::take(&mut self.touching);
-            self.reactions.collide(&mut touching, &mut self.bodies, items, &mut self.free);
-            self.touching = touching;
+            self.stop_together();
             break;
         }
+    }
+
+    /// The plastic solve of all that touches. Pushing one side of a body can lift it off the other by next to nothing; where it is
+    /// pulled back at once, it stays, or the two sides would take turns for ever.
+    fn stop_together(&mut self) {
+        let items = self.bodies.len() + self.blocks.len();
+        let mut touching = std::mem::take(&mut self.touching);
+        for _ in 0..=touching.len() {
+            self.reactions.collide(&mut touching, &mut self.bodies, items, &mut self.free);
+            let mut lifted = false;
+            for contact in &mut touching {
+                if !contact.clings && self.clings(contact) {
+                    contact.clings = true;
+                    lifted = true;
+                }
+            }
+            if !lifted {
+                break;
+            }
+        }
+        self.touching = touching;
     }
 
     fn gather_touching(&mut self, hit: Option<Contact>) {
@@ -68,7 +86,7 @@ impl World {
     /// Whether two things part so slowly, and are pulled together so surely, that they rest on each other.
     fn clings(&self, contact: &Contact) -> bool {
         let approach = self.approach(contact);
-        if approach >= 0.0 || approach < -MICRO_SPEED {
+        if !(-MICRO_SPEED..0.0).contains(&approach) {
             return false;
         }
         let pull = |item: u32| {

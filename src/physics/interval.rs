@@ -8,7 +8,7 @@
 use super::contacts::Contact;
 use super::flow::{Pose, flow, parabola};
 use super::impact_time::{Cubic, earliest, time_of_impact};
-use super::tuning::{MAX_CROSSINGS, MIN_SPLIT, RK4_REACH, SLOP};
+use super::tuning::{COUPLED_REACH, COUPLED_STEP, MAX_CROSSINGS, MIN_SPLIT, SLOP};
 use super::{Aabb, World};
 use glam::DVec2;
 
@@ -47,16 +47,16 @@ pub(super) enum Happening {
 /// The rate of the fastest change within an interval that a cubic still follows.
 const CUBIC_REACH: f64 = 0.5;
 /// The shortest interval into which light things near others cut a tick, as a fraction of it.
-const SHORTEST: f64 = 1.0 / 64.0;
+const SHORTEST: f64 = 1.0 / 16.0;
 /// Steps to polish the time of an event on the motion itself.
 const POLISH: u32 = 4;
 
 impl World {
-    /// Decides how everything moves during the next interval, at most `left` seconds long, and returns its greatest length.
-    pub(super) fn choose_motions(&mut self, left: f64) -> f64 {
+    /// Decides how everything moves during the next interval, at most `left` seconds of a `tick`, and returns its greatest length.
+    pub(super) fn choose_motions(&mut self, left: f64, tick: f64) -> f64 {
         let mut longest = left;
         self.motions.clear();
-        let mut coupled = false;
+        let (mut coupled, mut fastest) = (false, 0.0f64);
         self.in_contact.clear();
         self.in_contact.resize(self.bodies.len(), false);
         for contact in &self.contacts {
@@ -78,8 +78,11 @@ impl World {
             };
             if matches!(motion, Motion::Flow | Motion::Coupled) {
                 let rate = self.media.rate(body, law, body.velocity);
-                if rate * left > CUBIC_REACH {
-                    longest = longest.min((CUBIC_REACH / rate).max(left * SHORTEST));
+                if motion == Motion::Coupled {
+                    fastest = rate.max(fastest);
+                }
+                if rate * left > CUBIC_REACH && self.candidates.has_neighbours(i) {
+                    longest = longest.min((CUBIC_REACH / rate).max(tick * SHORTEST));
                 }
             }
             coupled |= motion == Motion::Coupled;
@@ -96,6 +99,19 @@ impl World {
             }
         }
         self.coupled_at = f64::NAN;
+        self.coupled_nodes.clear();
+        let reach = fastest * longest;
+        if reach > COUPLED_REACH {
+            for (i, law) in self.laws.iter_mut().enumerate() {
+                if self.motions[i] == Motion::Coupled {
+                    law.soft =
+                        (COUPLED_REACH / (self.media.rate(&self.bodies[i], law, self.bodies[i].velocity) * longest)).min(1.0);
+                }
+            }
+        }
+        let steps = (reach.min(COUPLED_REACH) / COUPLED_STEP).ceil().max(1.0);
+        self.coupled_steps = steps as usize;
+        self.coupled_step = longest / steps;
         longest
     }
 
@@ -116,22 +132,26 @@ impl World {
         }
     }
 
-    /// RK4 for all coupled bodies at once.
+    /// RK4 for all coupled bodies at once. The states after whole steps are kept: the search for events asks for many times.
     fn integrate_coupled(&mut self, t: f64) {
-        let fastest = (0..self.bodies.len())
-            .filter(|&i| self.motions[i] == Motion::Coupled)
-            .map(|i| self.media.rate(&self.bodies[i], &self.laws[i], self.bodies[i].velocity))
-            .fold(0.0, f64::max);
-        let steps = (fastest * t / RK4_REACH).ceil().clamp(1.0, 256.0);
-        let h = t / steps;
+        let n = self.bodies.len();
+        let whole = ((t / self.coupled_step) as usize).min(self.coupled_steps - 1);
+        let known = (self.coupled_nodes.len() / n).saturating_sub(1);
         self.coupled.clear();
-        self.coupled.extend(self.bodies.iter().map(|body| (body.position, body.velocity)));
-        for step in 0..steps as u32 {
-            self.coupled_step(h, step == 0);
+        if self.coupled_nodes.is_empty() {
+            self.coupled_nodes.extend(self.bodies.iter().map(|body| (body.position, body.velocity)));
         }
+        let from = known.min(whole);
+        self.coupled.extend_from_slice(&self.coupled_nodes[from * n..(from + 1) * n]);
+        for step in from..whole {
+            self.step_coupled(self.coupled_step, step == 0);
+            self.coupled_nodes.extend_from_slice(&self.coupled);
+        }
+        self.step_coupled(t - whole as f64 * self.coupled_step, whole == 0);
     }
 
-    fn coupled_step(&mut self, h: f64, first: bool) {
+    /// One step of all coupled bodies from `self.coupled`; the interval's first begins with the accelerations already solved.
+    fn step_coupled(&mut self, h: f64, first: bool) {
         // Stage poses, and the weighted sums of velocities and accelerations.
         self.stage.clear();
         self.stage.extend_from_slice(&self.coupled);

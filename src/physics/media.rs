@@ -22,7 +22,7 @@ pub(super) struct Media {
 }
 
 /// The law by which one body moves during one interval, contacts left out.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Law {
     /// All that is constant: gravity, drive, wind, m/s².
     pub constant: DVec2,
@@ -30,8 +30,16 @@ pub(super) struct Law {
     pub air: f64,
     /// Exposed area, m²: what the liquids act on.
     pub area: f64,
-    /// Whether it touches a liquid.
+    /// Whether it is near a liquid.
     pub wet: bool,
+    /// Scale of all forces of the media, 1 but for things in contact that are so light that they follow the media within a tick.
+    pub soft: f64,
+}
+
+impl Default for Law {
+    fn default() -> Self {
+        Self { constant: DVec2::ZERO, air: 0.0, area: 0.0, wet: false, soft: 1.0 }
+    }
 }
 
 /// Exposed area of a body of 1 m depth that moves with velocity `v`, m².
@@ -56,13 +64,13 @@ impl Media {
                 let f = submerged(x, body.half, &fluid.zone);
                 if f > 0.0 {
                     dry -= f;
-                    a += (self.buoyancy(body, fluid, f) + viscous_drag(body, fluid, law.area, f, v)) / body.mass;
+                    a += (self.buoyancy(body, fluid, f) + viscous_drag(body, fluid, law.area, f, v)) * (law.soft / body.mass);
                 }
             }
             dry = f64::max(dry, 0.0);
         }
         if law.air > 0.0 {
-            a -= v * (law.air * dry * v.length());
+            a -= v * (law.air * law.soft * dry * v.length());
         }
         a
     }

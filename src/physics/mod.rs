@@ -13,6 +13,7 @@ mod interval;
 mod material;
 mod media;
 mod network;
+pub mod pile;
 mod plan;
 mod reactions;
 mod show;

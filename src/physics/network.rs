@@ -112,6 +112,12 @@ impl Network {
 
     /// Finds every node's acceleration and every link's flow.
     pub fn solve(&mut self) {
+        if self.links.is_empty() {
+            for node in &mut self.nodes {
+                node.acceleration = node.force / node.mass;
+            }
+            return;
+        }
         for link in &mut self.links {
             link.flow = 0.0;
             link.cut = false;

@@ -21,8 +21,23 @@ pub(super) const MICRO_SPEED: f64 = 2e-6;
 /// at 0.06; from about 2 on the method diverges.
 pub(super) const RK4_REACH: f64 = 0.02;
 
-/// Runge–Kutta steps in one tick, at most; stiffer motion takes one exponential step instead, which is stable at any rate.
-pub(super) const RK4_STEPS: u32 = 8192;
+/// Runge–Kutta steps of one free body in one interval, at most. A feather in a gust of a hundred times its terminal speed takes 300.
+pub(super) const RK4_STEPS: u32 = 4096;
+
+/// Rate × time from which on motion in a liquid takes exponential steps: stable at any rate, right at the end, and the way there (a
+/// millisecond) only roughly.
+pub(super) const STIFF_REACH: f64 = 4.0;
+
+/// Exponential steps of one interval.
+pub(super) const EXPONENTIAL_STEPS: f64 = 32.0;
+
+/// Rate × time of one Runge–Kutta step of bodies in contact, which all have to take the same and solve their contacts four times in each:
+/// 1e-7 m on a slide of ten metres.
+pub(super) const COUPLED_STEP: f64 = 0.1;
+
+/// Rate × time of one interval up to which bodies in contact feel the full force of the media. Beyond it all forces of the media are
+/// scaled down to this: such a body follows them within the tick anyway, and explicit steps would diverge.
+pub(super) const COUPLED_REACH: f64 = 4.0;
 
 /// Relative distance from the terminal velocity at which a body counts as having reached it: no further steps are needed then.
 pub(super) const TERMINAL_TOLERANCE: f64 = 1e-14;

@@ -78,6 +78,9 @@ pub struct World {
     pub(super) solved: Vec<DVec2>,
     pub(super) coupled: Vec<Pose>,
     pub(super) coupled_at: f64,
+    pub(super) coupled_nodes: Vec<Pose>,
+    pub(super) coupled_step: f64,
+    pub(super) coupled_steps: usize,
     pub(super) stage: Vec<Pose>,
     pub(super) stage_free: Vec<DVec2>,
     pub(super) stage_accelerations: Vec<DVec2>,
@@ -129,6 +132,9 @@ impl World {
             solved: Vec::new(),
             coupled: Vec::new(),
             coupled_at: f64::NAN,
+            coupled_nodes: Vec::new(),
+            coupled_step: 0.0,
+            coupled_steps: 1,
             stage: Vec::new(),
             stage_free: Vec::new(),
             stage_accelerations: Vec::new(),
@@ -190,7 +196,7 @@ impl World {
                 self.find_contacts();
             }
             self.solve_accelerations();
-            let longest = self.choose_motions(left);
+            let longest = self.choose_motions(left, dt);
             let (t, happening) = self.next_happening(longest);
             intervals += 1;
             self.overflowing = intervals > MAX_INTERVALS / 2;
@@ -334,7 +340,7 @@ impl World {
             self.find_contacts();
         }
         self.solve_accelerations();
-        self.choose_motions(0.0);
+        self.choose_motions(0.0, 0.0);
         self.show_forces();
     }
 

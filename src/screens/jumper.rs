@@ -5,7 +5,7 @@ use super::{Buttons, Classic, Gain, Input, Key, Keys, Request};
 use crate::classics::jumper::scene::Keys as Held;
 use crate::classics::jumper::scene::{LEADERBOARD, Scene};
 use crate::game::{Clock, TICK_RATE};
-use crate::view::layout::{Frame, GAP, HEADING, WIDE_BUTTON};
+use crate::view::layout::{Frame, GAP, WIDE_BUTTON};
 
 /// What a button does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,6 +115,11 @@ impl Jumper {
         &self.scene
     }
 
+    /// The panel's heading, while it is open.
+    pub fn heading(&self) -> Option<&str> {
+        self.panel.as_ref().map(|panel| panel.heading)
+    }
+
     /// What the panel's buttons do, from top to bottom, while it is open.
     pub fn presses(&self) -> &[Press] {
         self.panel.as_ref().map_or(&[], |panel| &panel.presses)
@@ -177,15 +182,18 @@ fn held(keys: Keys, two: bool) -> [Held; 2] {
     [either, Held::default()]
 }
 
+/// Above the panel's first button: its heading and the height.
+const HEAD: f32 = 96.0;
+
 /// The top of the panel's first button.
 fn first_button(frame: &Frame, count: usize) -> f32 {
     let column = count as f32 * (WIDE_BUTTON.y + GAP) - GAP;
-    ((frame.size.y - column + 2.0 * HEADING) / 2.0).round()
+    ((frame.size.y - column + HEAD) / 2.0).round()
 }
 
 #[cfg(feature = "window")]
 mod drawing {
-    use super::{Jumper, Panel, first_button};
+    use super::{HEAD, Jumper, Panel, first_button};
     use crate::classics::jumper::engine::{Cuboid, Kind};
     use crate::classics::jumper::scene::{PLAYER_SIZE, VISIBLE};
     use crate::classics::jumper::tower::WIDTH;
@@ -221,13 +229,13 @@ mod drawing {
                 let x = view.point(f64::from(metre), 0.0).x;
                 canvas.hairline(Vec2::new(x, tower.min.y), Vec2::new(x, tower.max().y), theme::GRID_FINE);
             }
-            let (from, to) = (view.bottom.floor() as i64, (view.bottom + VISIBLE).ceil() as i64);
+            let (from, to) = (view.bottom.ceil() as i64, (view.bottom + VISIBLE).floor() as i64);
             for metre in from.max(0)..=to {
                 let y = view.point(0.0, metre as f64).y;
                 let named = metre % RULER_STEP == 0;
                 let colour = if named { theme::GRID_HEAVY } else { theme::GRID_FINE };
                 canvas.hairline(Vec2::new(tower.min.x, y), Vec2::new(tower.max().x, y), colour);
-                if named {
+                if named && y > TEXT {
                     let at = Vec2::new(tower.max().x + PADDING, y);
                     canvas.text(&format!("{metre} m"), at, Style::new(TEXT, theme::QUIET).mono().middle());
                 }
@@ -308,7 +316,7 @@ mod drawing {
         fn draw_panel(&self, canvas: &Canvas, panel: &Panel) {
             widgets::curtain(canvas, 0.6);
             let Some(last) = panel.buttons.areas().last() else { return };
-            let top = first_button(canvas.frame(), panel.presses.len()) - 2.0 * HEADING - PADDING;
+            let top = first_button(canvas.frame(), panel.presses.len()) - HEAD - PADDING;
             let width = WIDE_BUTTON.x + 12.0 * PADDING;
             let area = Area::new((canvas.size().x - width) / 2.0, top, width, last.max().y + 2.0 * PADDING - top);
             widgets::panel(canvas, area);

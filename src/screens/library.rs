@@ -45,7 +45,7 @@ impl Library {
         }
     }
 
-    /// The map of the tile run and the commands to watch, from the folder of [`TILE_RUN`].
+    /// The map of the tile run and the commands to watch, from `assets/tile_run/`.
     ///
     /// # Errors
     /// The first problem, with file and line.

@@ -15,8 +15,6 @@ const MOST_A_FRAME: u64 = 300_000;
 pub const DIGITS: &str = "3141592653";
 /// N at the start.
 const FIRST_N: u32 = 2;
-/// How long the counter shows that there was a collision, s.
-const FLASH: f64 = 0.12;
 
 /// The toolbar's keys: back, restart, a smaller and a larger N, slower, faster.
 const KEYS: [Key; 6] = [Key::Escape, Key::R, Key::Left, Key::Right, Key::Down, Key::Up];
@@ -112,13 +110,15 @@ impl Pi {
 
 #[cfg(feature = "window")]
 mod drawing {
-    use super::{DIGITS, FLASH, Pi};
+    use super::{DIGITS, Pi};
     use crate::classics::pi::mass_ratio;
     use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, MONO_ADVANCE, TEXT, TITLE, Vec2};
     use crate::view::{theme, widgets};
     use macroquad::color::Color;
 
+    /// How long the counter shows that there was a collision, s.
+    const FLASH: f64 = 0.12;
     /// From the canvas' left edge to the wall's face.
     const WALL: f32 = 64.0;
     /// From the canvas' foot to the floor.

@@ -67,15 +67,19 @@ hud() { fuel_left_end "$1" && fuel_right_end "$1" && shows "$1" "$text" 0 0 14 9
 fuel_left_end() { shows "$1" "$accent" 14 90 6 10 15; }
 fuel_right_end() { shows "$1" "$accent" 80 90 6 10 15; }
 
-# expect SECONDS NAME QUESTION [ARG…]: takes the picture NAME again and again until QUESTION NAME ARG… is true; fails after SECONDS.
+# How long a picture may take to become what is expected, s. Only a failure waits so long; less fails on a busy machine, where
+# software OpenGL needs seconds for the first frames of a large window.
+patience=30
+
+# expect NAME QUESTION [ARG…]: takes the picture NAME again and again until QUESTION NAME ARG… is true, or patience ends.
 expect() {
-  local seconds=$1 name=$2 question=$3
-  shift 3
-  local end=$((SECONDS + seconds))
+  local name=$1 question=$2
+  shift 2
+  local end=$((SECONDS + patience))
   while :; do
     shot "$name"
     "$question" "$name" "$@" && break
-    [ "$SECONDS" -lt "$end" ] || fail "$out/$name.png: not after $seconds s: $question $*"
+    [ "$SECONDS" -lt "$end" ] || fail "$out/$name.png: not after $patience s: $question $*"
     sleep 0.1
   done
   echo "$out/$name.png: $question $*"

@@ -24,10 +24,11 @@ fail() {
   exit 1
 }
 
-# open_display WIDTHxHEIGHT: a display of its own, drawn in software.
+# open_display WIDTHxHEIGHT: a display of its own, drawn in software. It must not reset itself whenever a game has closed: the next
+# one would find no display for a moment.
 open_display() {
   local number
-  coproc DISPLAY_SERVER { exec Xvfb -displayfd 1 -screen 0 "${1}x24" -nolisten tcp 2>/dev/null; }
+  coproc DISPLAY_SERVER { exec Xvfb -displayfd 1 -screen 0 "${1}x24" -nolisten tcp -noreset 2>/dev/null; }
   display_process=$DISPLAY_SERVER_PID
   read -r -t 20 number <&"${DISPLAY_SERVER[0]}" || fail "Xvfb did not start"
   export DISPLAY=:$number LIBGL_ALWAYS_SOFTWARE=1

@@ -16,8 +16,8 @@ pub const APEXES: usize = 10;
 const LOSSY_SECONDS: f64 = 6.0;
 /// s.
 const PERFECT_SECONDS: f64 = 60.0;
-/// m or m/s. Less than this counts as rest.
-const REST: f64 = 1e-9;
+/// J/kg. Less than this counts as rest.
+const REST: f64 = 1e-12;
 
 /// The hand-written ways.
 pub const METHODS: [(&str, Bounce); 4] =
@@ -64,18 +64,13 @@ pub fn apex_heights(balls: impl Iterator<Item = (f64, Ball)>) -> Vec<f64> {
     turns.map(|(_, ball)| energy(ball, G) / G).take(APEXES).collect()
 }
 
-/// When the ball came to rest: the end of the first step after which it never moved again, s.
-pub fn rests_at(balls: impl Iterator<Item = (f64, Ball)>) -> f64 {
-    let mut moving = true;
-    let mut at = f64::INFINITY;
-    for (t, (y, v)) in balls {
-        let moves = y > REST || v.abs() > REST;
-        if moving && !moves {
-            at = t;
-        }
-        moving = moves;
-    }
-    if moving { f64::INFINITY } else { at }
+/// When the bouncing was over, s: from then on the ball has no more energy than at the very end, which is none, or the jitter that the
+/// method keeps for ever.
+pub fn bounces_until(balls: impl Iterator<Item = (f64, Ball)>) -> f64 {
+    let energies: Vec<(f64, f64)> = balls.map(|(t, ball)| (t, energy(ball, G))).collect();
+    let end = energies.len() - energies.len() / 10;
+    let kept = energies[end..].iter().map(|(_, energy)| *energy).fold(REST, f64::max);
+    energies.iter().rev().find(|(_, energy)| *energy > kept).map_or(0.0, |(t, _)| *t)
 }
 
 /// When all bounces are over, s.

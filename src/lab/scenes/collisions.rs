@@ -71,7 +71,7 @@ pub fn head_on() -> Scene {
 /// Five equal blocks.
 pub fn cradle() -> Scene {
     let blocks = cradle_of(5);
-    let meet = 1.0 / STRIKE;
+    let meet = 2.0 / STRIKE;
     let mut places: Vec<f64> = blocks.iter().map(|block| block.x).collect();
     places[0] = 0.0;
     places[4] += STRIKE * (SECONDS - meet);

@@ -3,7 +3,7 @@
 use super::{G, Rows, Survival, TICK};
 use crate::lab::methods::bounce::{Bounce, event_loop, every_tick, exact, reflect, snap, verlet_snap};
 use crate::lab::methods::friction::{self, Slide, by_sign, clamped};
-use crate::lab::scenes::bouncing::{self, METHODS, by_engine, by_hand, energy_kept, rests_at, series_end};
+use crate::lab::scenes::bouncing::{self, METHODS, by_engine, by_hand, energy_kept, bounces_until, series_end};
 use crate::lab::{TOLERANCE, shipped};
 use crate::physics::{BodyDef, BodyId, DVec2, Material};
 
@@ -73,12 +73,12 @@ pub fn coulomb_stop() -> Vec<Survival> {
 
 /// When all bounces from 1 m are over, by hand, at 60 Hz, s.
 pub fn end_by_hand(bounce: Bounce, e: f64) -> f64 {
-    rests_at(by_hand(bounce, e, 1.2 * series_end(e), TICK))
+    bounces_until(by_hand(bounce, e, 1.2 * series_end(e), TICK))
 }
 
 /// The same by the shipped engine.
 pub fn end_by_engine(e: f64) -> f64 {
-    rests_at(by_engine(e, 1.2 * series_end(e), TICK))
+    bounces_until(by_engine(e, 1.2 * series_end(e), TICK))
 }
 
 /// Infinitely many bounces in a finite time, up to e = 0.98.

@@ -100,7 +100,7 @@ pub fn cradle(run: impl Fn(Vec<Block>) -> Vec<Block>, n: usize) -> Vec<f64> {
     run(collisions::cradle_of(n)).iter().map(|block| block.v / collisions::STRIKE).collect()
 }
 
-/// s. The strike comes after a third of a second.
+/// s. The strike comes after two thirds of a second.
 const STRUCK: f64 = 1.0;
 
 /// By hand.

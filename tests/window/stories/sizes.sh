@@ -4,16 +4,16 @@ open_game
 for size in "900 500" "1280 720" "1920 1080"; do
   read -r width height <<<"$size"
   resize "$width" "$height"
-  expect 10 "menu-${width}x$height" size "$width" "$height"
-  expect 5 "menu-${width}x$height" shows "$accent" 0 0 100 45 0.3
+  expect "menu-${width}x$height" size "$width" "$height"
+  expect "menu-${width}x$height" shows "$accent" 0 0 100 45 0.3
 done
 close_game
 
 open_game play 1
-expect 20 level-1-first hud
+expect level-1-first hud
 for size in "900 500" "1920 1080" "1280 720"; do
   read -r width height <<<"$size"
   resize "$width" "$height"
-  expect 10 "level-1-${width}x$height" size "$width" "$height"
-  expect 5 "level-1-${width}x$height" hud
+  expect "level-1-${width}x$height" size "$width" "$height"
+  expect "level-1-${width}x$height" hud
 done

@@ -1,0 +1,87 @@
+//! Recorded keys of a climb: what was held for how many ticks, as a CSV file that people can write.
+//!
+//! ```text
+//! ticks,left1,right1,jump1,left2,right2,jump2
+//! 60,0,1,0,1,0,0
+//! 30,0,1,1,0,0,0
+//! ```
+//!
+//! Each row holds its keys (0 or 1) for that many ticks; the last three columns are the second player's and may be left out. Blank
+//! lines are skipped.
+
+use super::scene::Keys;
+
+/// The columns of the file, which are its first row.
+const HEADER: [&str; 7] = ["ticks", "left1", "right1", "jump1", "left2", "right2", "jump2"];
+/// The most ticks a row can hold: three months. More is a slip of the pen.
+const MOST_TICKS: u64 = 1_000_000_000;
+
+/// What both players hold for a number of ticks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// How long.
+    pub ticks: u64,
+    /// What.
+    pub keys: [Keys; 2],
+}
+
+/// Reads the text of a file of keys.
+///
+/// # Errors
+/// The first problem as `LINE: MESSAGE`, to be put behind `FILE:`: another header, a wrong number of cells, ticks that are no whole
+/// number from 1, a key that is neither 0 nor 1.
+pub fn parse(text: &str) -> Result<Vec<Row>, String> {
+    let lines = (1..).zip(text.strip_prefix('\u{feff}').unwrap_or(text).lines()).filter(|(_, line)| !line.trim().is_empty());
+    let mut lines = lines.map(|(number, line)| (number, line.split(',').map(str::trim).collect::<Vec<_>>()));
+    let expected = HEADER.join(",");
+    let (number, header) = lines.next().unwrap_or((1, Vec::new()));
+    if header != HEADER && header != HEADER[..4] {
+        return Err(format!("{number}: found {:?}, expected the header {expected}", header.join(",")));
+    }
+    lines.map(|(number, cells)| row(&cells, header.len()).map_err(|problem| format!("{number}: {problem}"))).collect()
+}
+
+fn row(cells: &[&str], columns: usize) -> Result<Row, String> {
+    if cells.len() != columns {
+        return Err(format!("found {} cells, expected {columns}", cells.len()));
+    }
+    let ticks = cells[0].parse().ok().filter(|ticks| (1..=MOST_TICKS).contains(ticks));
+    let ticks =
+        ticks.ok_or_else(|| format!("column \"ticks\": found {:?}, expected a whole number from 1 to {MOST_TICKS}", cells[0]))?;
+    let key = |column: usize| match cells.get(column) {
+        None | Some(&"0") => Ok(false),
+        Some(&"1") => Ok(true),
+        Some(other) => Err(format!("column {:?}: found {other:?}, expected 0 or 1", HEADER[column])),
+    };
+    let keys = |from: usize| Ok::<_, String>(Keys { left: key(from)?, right: key(from + 1)?, jump: key(from + 2)? });
+    Ok(Row { ticks, keys: [keys(1)?, keys(4)?] })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_of_one_or_both_players_are_read() {
+        let none = Keys::default();
+        let one = Row { ticks: 5, keys: [Keys { right: true, ..none }, none] };
+        assert_eq!(parse("\u{feff}ticks,left1,right1,jump1\r\n\r\n 5, 0,1,0\r\n"), Ok(vec![one]));
+        let both = Row { ticks: 1, keys: [Keys { left: true, ..none }, Keys { jump: true, ..none }] };
+        assert_eq!(parse("ticks,left1,right1,jump1,left2,right2,jump2\n1,1,0,0,0,0,1"), Ok(vec![both]));
+    }
+
+    #[test]
+    fn bad_files_are_refused_with_their_line() {
+        const GOOD: &str = "ticks,left1,right1,jump1";
+        for (rows, problem) in [
+            ("", "1: found \"\", expected the header ticks,left1,right1,jump1,left2,right2,jump2"),
+            ("5,0,1,0", "1: found \"5,0,1,0\", expected the header ticks,left1,right1,jump1,left2,right2,jump2"),
+            ("+0,0,0,0", "2: column \"ticks\": found \"0\", expected a whole number from 1 to 1000000000"),
+            ("+5,0,0", "2: found 3 cells, expected 4"),
+            ("+\n5,0,0,2", "3: column \"jump1\": found \"2\", expected 0 or 1"),
+        ] {
+            let text = rows.strip_prefix('+').map_or(rows.to_owned(), |rows| format!("{GOOD}\n{rows}"));
+            assert_eq!(parse(&text), Err(problem.to_owned()), "{rows:?}");
+        }
+    }
+}

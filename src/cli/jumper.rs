@@ -1,0 +1,57 @@
+//! `resultant jumper`: a climb without a window.
+
+use super::files::read_text;
+use super::number::Shortest;
+use super::{Project, Status, Stop};
+use crate::classics::jumper::inputs::{Row, parse};
+use crate::classics::jumper::scene::{Keys, Scene};
+use crate::game::TICK_RATE;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Ticks without inputs: 10 s.
+const TICKS_WITHOUT_INPUTS: u64 = 10 * TICK_RATE as u64;
+
+/// What `jumper` is told.
+#[derive(clap::Args, Debug)]
+#[command(after_help = "Prints lines key=value: outcome (climbing; out when all players are), score (whole metres), height (m), \
+    ticks, and each player's x and z (m).\n\nINPUTS: a CSV with the header ticks,left1,right1,jump1,left2,right2,jump2 (the last \
+    three may be left out); each row holds its keys (0 or 1) for that many ticks of 1/120 s.")]
+pub struct Args {
+    /// The tower's seed: the same seed builds the same tower
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+    /// How many climb
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2))]
+    players: u8,
+    /// The file with what they hold down; without it nobody moves for 10 s
+    #[arg(long, value_name = "FILE")]
+    inputs: Option<PathBuf>,
+}
+
+/// Climbs until the inputs end or all players are out.
+///
+/// # Errors
+/// Inputs that cannot be read or are refused, with file and line.
+pub fn run(args: &Args, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+    let rows = match &args.inputs {
+        Some(path) => parse(&read_text(path)?).map_err(|problem| Stop::Refused(format!("{}:{problem}", path.display())))?,
+        None => vec![Row { ticks: TICKS_WITHOUT_INPUTS, keys: [Keys::default(); 2] }],
+    };
+    let mut scene = Scene::new(args.seed, args.players == 2);
+    for row in rows {
+        for _ in 0..row.ticks {
+            if scene.is_over() {
+                break;
+            }
+            scene.tick(row.keys);
+        }
+    }
+    writeln!(out, "outcome={}", if scene.is_over() { "out" } else { "climbing" })?;
+    writeln!(out, "score={}\nheight={}\nticks={}", scene.score(), Shortest(scene.height()), scene.ticks())?;
+    for (number, (_, body)) in (1..).zip(scene.players()) {
+        let place = body.cuboid.location;
+        writeln!(out, "x{number}={}\nz{number}={}", Shortest(place.x), Shortest(place.z))?;
+    }
+    Ok(Status::Done)
+}

@@ -1,0 +1,180 @@
+//! Which pairs are contacts in this step, along which axis, and how fast they may close: the narrow phase.
+//!
+//! A pair keeps the axis along which it is apart at the start of the step; if it is apart along both, the one that it enters
+//! later. Along that axis it must still be apart, on the same side, at the end: so nothing passes through anything at any speed,
+//! and standing still always satisfies every pair. Speculative contact: the approach may not exceed gap/dt.
+//! Two boxes on a flush wall touch a third only at its corner: an entry of less than [`CATCH`] is none, so that seams do not
+//! catch.
+
+use super::bodies::Bodies;
+use super::neighbours::{NONE, Neighbours};
+
+/// Gaps within this many metres of zero are touching. Larger: visible gaps; smaller: rounding turns contacts into overlaps.
+pub(super) const TOUCH: f64 = 1e-9;
+/// How far a pair must enter across the contact's axis before a corner counts as hit, m. Smaller: seams of a floor of boxes
+/// catch what slides over them; larger: what lands on a corner by less slips off.
+const CATCH: f64 = 1e-4;
+/// How much further than predicted a body may get before its contacts are sought anew: m, and across that and so many times the
+/// mean way across. Larger: more contacts to look at; smaller: more steps in which a hit asks for a second look.
+const MARGIN: f64 = 1e-3;
+const MEAN_WAYS: f64 = 2.0;
+
+/// The upper body stands over `below`, which has a lower number or is a surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stack {
+    pub below: u32,
+    /// Whether it may act on velocities; if not, it only keeps the positions apart.
+    pub live: bool,
+    /// The fastest approach, m/s: gap/dt.
+    pub bound: f64,
+    /// Distance of the centres when touching, m.
+    pub reach: f64,
+}
+
+/// Two boxes side by side, or a body under a ceiling: the first has the smaller coordinate (for a ceiling: is the ceiling).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side {
+    pub first: u32,
+    pub second: u32,
+    pub live: bool,
+    pub bound: f64,
+    pub reach: f64,
+}
+
+/// The contacts of one step.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Contacts {
+    /// Supports of body i: `stacks[start[i]..start[i + 1]]`.
+    pub start: Vec<u32>,
+    pub stacks: Vec<Stack>,
+    /// Pairs apart along x.
+    pub sides: Vec<Side>,
+    /// Surfaces above bodies.
+    pub ceilings: Vec<Side>,
+    swept: Vec<[f64; 4]>,
+}
+
+/// What a pair is to the step.
+enum Kind {
+    Stack(bool),
+    Inverted(bool),
+    Side(bool),
+}
+
+impl Contacts {
+    /// Finds all contacts among the neighbours. Returns false if two bodies changed their order along gravity, so that they must
+    /// be renumbered first.
+    pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours, dt: f64) -> bool {
+        let n = bodies.len();
+        self.sweep(bodies);
+        self.start.clear();
+        self.stacks.clear();
+        self.sides.clear();
+        self.ceilings.clear();
+        let per_second = 1.0 / dt;
+        let (x, y, hx, hy) = (&bodies.x[..], &bodies.y[..], &bodies.hx[..], &bodies.hy[..]);
+        for i in 0..n {
+            self.start.push(self.stacks.len() as u32);
+            let mine = self.swept[i];
+            let (xi, yi, hxi, hyi) = (x[i], y[i], hx[i], hy[i]);
+            let mut known = neighbours.with[neighbours.start[i] as usize..neighbours.start[i + 1] as usize].iter();
+            let mut at = neighbours.first[i];
+            loop {
+                let other = if let Some(&other) = known.next() {
+                    other
+                } else if at != NONE {
+                    let more = neighbours.more[at as usize];
+                    at = more.next;
+                    more.with
+                } else {
+                    break;
+                };
+                let j = other as usize;
+                let theirs = self.swept[j];
+                if (mine[0] > theirs[1]) | (theirs[0] > mine[1]) | (mine[2] > theirs[3]) | (theirs[2] > mine[3]) {
+                    continue;
+                }
+                let (dx, dy) = (x[j] - xi, y[j] - yi);
+                let (reach_x, reach_y) = (hxi + hx[j], hyi + hy[j]);
+                let (gap_x, gap_y) = (dx.abs() - reach_x, dy.abs() - reach_y);
+                match kind(bodies, i, j, dx, dy, gap_x, gap_y, dt) {
+                    Kind::Stack(live) => {
+                        let bound = if gap_y > TOUCH { gap_y * per_second } else { 0.0 };
+                        self.stacks.push(Stack { below: other, live, bound, reach: reach_y });
+                    }
+                    Kind::Inverted(live) => {
+                        if j < n {
+                            return false;
+                        }
+                        let bound = if gap_y > TOUCH { gap_y * per_second } else { 0.0 };
+                        self.ceilings.push(Side { first: other, second: i as u32, live, bound, reach: reach_y });
+                    }
+                    Kind::Side(live) => {
+                        let bound = if gap_x > TOUCH { gap_x * per_second } else { 0.0 };
+                        let (first, second) = if dx > 0.0 { (i as u32, other) } else { (other, i as u32) };
+                        self.sides.push(Side { first, second, live, bound, reach: reach_x });
+                    }
+                }
+            }
+        }
+        self.start.push(self.stacks.len() as u32);
+        true
+    }
+
+    /// The supports of a body.
+    pub fn under(&self, i: usize) -> std::ops::Range<usize> {
+        self.start[i] as usize..self.start[i + 1] as usize
+    }
+
+    /// The boxes that the bodies sweep from where they are to where they are predicted, and a margin.
+    fn sweep(&mut self, bodies: &Bodies) {
+        let all = bodies.x.len();
+        self.swept.resize(all, [0.0; 4]);
+        let (x, px, hx) = (&bodies.x[..all], &bodies.px[..all], &bodies.hx[..all]);
+        let (y, py, hy) = (&bodies.y[..all], &bodies.py[..all], &bodies.hy[..all]);
+        let mean = x.iter().zip(px).map(|(x, px)| (x - px).abs()).sum::<f64>() / bodies.len() as f64;
+        let pad = MARGIN + MEAN_WAYS * mean;
+        for (i, swept) in self.swept.iter_mut().enumerate() {
+            let (left, right) = if x[i] < px[i] { (x[i], px[i]) } else { (px[i], x[i]) };
+            let (top, bottom) = if y[i] < py[i] { (y[i], py[i]) } else { (py[i], y[i]) };
+            *swept = [left - hx[i] - pad, right + hx[i] + pad, top - hy[i] - MARGIN, bottom + hy[i] + MARGIN];
+        }
+    }
+
+    /// Whether the predicted box of a body lies within what was swept when the contacts were sought.
+    pub fn covers(&self, bodies: &Bodies, i: usize) -> bool {
+        let s = &self.swept[i];
+        let (x, y, hx, hy) = (bodies.px[i], bodies.py[i], bodies.hx[i], bodies.hy[i]);
+        (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3])
+    }
+}
+
+#[allow(clippy::too_many_arguments)]
+#[inline(always)]
+fn kind(bodies: &Bodies, i: usize, j: usize, dx: f64, dy: f64, gap_x: f64, gap_y: f64, dt: f64) -> Kind {
+    let stack = |live| if dy >= 0.0 { Kind::Stack(live) } else { Kind::Inverted(live) };
+    // Most pairs rest on each other or stand side by side.
+    if gap_x < -TOUCH && gap_y < TOUCH {
+        return if gap_y < -TOUCH && gap_x > gap_y { Kind::Side(true) } else { stack(true) };
+    }
+    if gap_y < -CATCH && gap_x < TOUCH {
+        return Kind::Side(true);
+    }
+    // How far they close along each axis within the step.
+    let close_x = (bodies.free_vx[i] - bodies.free_vx[j]) * dt * dx.signum();
+    let close_y = (bodies.free_vy[i] - bodies.free_vy[j]) * dt * dy.signum();
+    if gap_x < -CATCH {
+        // Over each other and apart: passes only if it has left sideways before it arrives.
+        let leaves = gap_y < close_y && gap_x - close_x * (gap_y / close_y) > 0.0;
+        return stack(!leaves);
+    }
+    if gap_y < -CATCH {
+        let leaves = gap_x < close_x && gap_y - close_y * (gap_x / close_x) > 0.0;
+        return Kind::Side(!leaves);
+    }
+    // Apart along both, or at a corner: the later entry decides.
+    let enters = |gap: f64, close: f64, over: f64| if close > 0.0 { (gap + over) / close } else { f64::INFINITY };
+    let (enter_x, enter_y) = (enters(gap_x, close_x, CATCH), enters(gap_y, close_y, CATCH));
+    let by_x = if enter_x.is_infinite() && enter_y.is_infinite() { gap_x >= gap_y } else { enter_x >= enter_y };
+    if by_x { Kind::Side(enter_x <= 1.0 && enter_y <= 1.0) } else { stack(enter_x <= 1.0 && enter_y <= 1.0) }
+}

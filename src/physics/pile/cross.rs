@@ -1,0 +1,184 @@
+//! Velocities across gravity: what stands side by side.
+//!
+//! Friction of the stacks first ([`super::friction`]); then bodies that close too fast sideways are merged with what rides on
+//! them and with the friction of the ground under them ([`super::clusters`]), which moves a pushed row at (F − friction)/Σm and
+//! holds it below its common limit. What the merging did is handed to the friction pass as a push, until nothing closes any more;
+//! the few contacts left after [`ROUNDS`] are merged without friction.
+//! Faces that stand upright have no friction of their own.
+
+use super::bodies::Bodies;
+use super::bounce::{Axis, Impacts};
+use super::clusters::{Clusters, Node};
+use super::contacts::Contacts;
+use super::friction::{Friction, Grip};
+use super::gravity::SLACK;
+
+/// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
+const ROUNDS: usize = 3;
+/// Passes over the side contacts in one merging; each merges whole rows.
+const PASSES: usize = 16;
+
+/// Solves the velocities across gravity. `given` is left with each body's momentum before friction, pushes included; `pushed` is
+/// scratch.
+pub(super) fn solve(
+    bodies: &mut Bodies,
+    contacts: &Contacts,
+    friction: &mut Friction,
+    clusters: &mut Clusters,
+    impacts: &mut Impacts,
+    given: &mut [f64],
+    pushed: &mut [bool],
+) {
+    let n = bodies.len();
+    bodies.ux.copy_from_slice(&bodies.free_vx);
+    for ((given, mass), velocity) in given.iter_mut().zip(&bodies.mass).zip(&bodies.free_vx) {
+        *given = mass * velocity;
+    }
+    if given.iter().fold(true, |still, p| still & (*p == 0.0)) {
+        friction.rest();
+        return;
+    }
+    pushed.fill(false);
+    friction.wake(bodies, contacts, given, pushed);
+    friction.load(bodies, contacts);
+    friction.solve(bodies, given);
+    for _ in 0..ROUNDS {
+        if rouse(bodies, contacts, friction, pushed) {
+            friction.wake(bodies, contacts, given, pushed);
+            friction.load(bodies, contacts);
+            friction.solve(bodies, given);
+        }
+        if !merge(bodies, contacts, clusters, impacts, |bodies, i| node(bodies, friction, i)) {
+            return;
+        }
+        for &i in &clusters.joined {
+            let i = i as usize;
+            if let Some(node) = (i < n).then(|| node(bodies, friction, i)).flatten() {
+                given[i] += push(clusters, i, &node);
+                if clusters.velocity(i, 0.0) != 0.0 {
+                    friction.drag(i);
+                }
+            }
+        }
+        friction.solve(bodies, given);
+    }
+    let plain =
+        |bodies: &Bodies, i: usize| Some(Node { momentum: bodies.mass[i] * bodies.ux[i], mass: bodies.mass[i], ..Node::default() });
+    // Friction and plastic merging never make anything faster than the fastest was; if grips that did not settle would have,
+    // the step goes without friction.
+    let fastest = |v: &[f64]| v.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    if fastest(&bodies.ux[..n]) > fastest(&bodies.free_vx[..n]) * (1.0 + SLACK) {
+        bodies.ux.copy_from_slice(&bodies.free_vx);
+    }
+    if merge(bodies, contacts, clusters, impacts, plain) {
+        for &i in &clusters.joined {
+            let i = i as usize;
+            if i < n {
+                bodies.ux[i] = clusters.velocity(i, 0.0);
+            }
+        }
+    }
+}
+
+/// Wakes what stands and is about to be hit from the side, and what touches it in a row. Returns whether there was any.
+fn rouse(bodies: &Bodies, contacts: &Contacts, friction: &Friction, pushed: &mut [bool]) -> bool {
+    let n = bodies.len();
+    let sleeps = |pushed: &[bool], i: usize| i < n && !pushed[i] && !friction.is_awake(i);
+    let mut any = false;
+    for side in &contacts.sides {
+        let (a, b) = (side.first as usize, side.second as usize);
+        if side.live && bodies.ux[a] > bodies.ux[b] + side.bound + SLACK {
+            for i in [a, b] {
+                if sleeps(pushed, i) {
+                    pushed[i] = true;
+                    any = true;
+                }
+            }
+        }
+    }
+    let mut grows = any;
+    while grows {
+        grows = false;
+        for side in &contacts.sides {
+            let (a, b) = (side.first as usize, side.second as usize);
+            if side.live && side.bound == 0.0 && a < n && b < n && pushed[a] != pushed[b] {
+                for i in [a, b] {
+                    if sleeps(pushed, i) {
+                        pushed[i] = true;
+                        grows = true;
+                    }
+                }
+            }
+        }
+    }
+    any
+}
+
+/// What a body brings: itself and its riders, and the friction of supports that stand still.
+/// Nothing of a body that does not take part yet.
+fn node(bodies: &Bodies, friction: &Friction, i: usize) -> Option<Node> {
+    if !friction.is_awake(i) {
+        return None;
+    }
+    let mut node = friction.riders[i];
+    let tight = &friction.tight[friction.under(i)];
+    if tight.is_empty() || tight.iter().any(|t| bodies.ux[t.below as usize] != 0.0) {
+        return Some(Node { momentum: node.mass * bodies.ux[i], ..node });
+    }
+    for t in tight {
+        if t.grip != Grip::Stick {
+            node.momentum -= t.impulse;
+        }
+        node.static_limit += t.held;
+        node.kinetic_limit += t.dragged;
+    }
+    Some(node)
+}
+
+/// The impulse with which its neighbours bring a merged body to the velocity of its cluster.
+fn push(clusters: &Clusters, i: usize, node: &Node) -> f64 {
+    let velocity = clusters.velocity(i, 0.0);
+    if velocity != 0.0 {
+        return node.mass * velocity + node.kinetic_limit.copysign(velocity) - node.momentum;
+    }
+    if clusters.is_fixed(i) {
+        return node.momentum.clamp(-node.static_limit, node.static_limit) - node.momentum;
+    }
+    let total = clusters.total(i);
+    let part = if total.static_limit > 0.0 { node.static_limit / total.static_limit } else { 0.0 };
+    total.momentum * part - node.momentum
+}
+
+/// Merges what closes too fast, of those that `node` knows. Returns whether anything did.
+fn merge(
+    bodies: &Bodies,
+    contacts: &Contacts,
+    clusters: &mut Clusters,
+    impacts: &mut Impacts,
+    node: impl Fn(&Bodies, usize) -> Option<Node>,
+) -> bool {
+    let n = bodies.len();
+    clusters.clear();
+    let mut any = false;
+    for _ in 0..PASSES {
+        let mut merged = false;
+        for side in &contacts.sides {
+            let (a, b) = (side.first as usize, side.second as usize);
+            let (left, right) = (clusters.velocity(a, bodies.ux[a]), clusters.velocity(b, bodies.ux[b]));
+            if left <= right + side.bound + SLACK || !side.live {
+                continue;
+            }
+            any = true;
+            let brings = |i: usize| if i < n { node(bodies, i) } else { Some(Node::default()) };
+            let (Some(of_a), Some(of_b)) = (brings(a), brings(b)) else { continue };
+            clusters.join(a, (a >= n).then_some(0.0), of_a);
+            clusters.join(b, (b >= n).then_some(0.0), of_b);
+            impacts.note(a, b, Axis::Across, left - right - side.bound);
+            merged |= clusters.merge(a, b, side.bound);
+        }
+        if !merged {
+            break;
+        }
+    }
+    any
+}

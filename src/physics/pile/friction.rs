@@ -1,0 +1,292 @@
+//! Velocities across gravity: friction of the stacks.
+//!
+//! One pass top-down adds up the loads (a body's load is split equally among its tight supports, and μ times the load is the
+//! friction's limit) and, where contacts stick, mass and momentum of all that rides on a body; one pass bottom-up takes each body
+//! with its riders to its support's velocity if the limit allows, and lets it slide otherwise. A contact that slides hands down
+//! its limit instead of its riders, so the passes are done again with what they found (an active set over the tree of supports;
+//! it ends after two or three rounds), and every impulse is applied to both, so momentum is exact also where it slips.
+//! Exact on trees; a body on several supports that move differently sticks to the strongest and slides on the others.
+//!
+//! Only what moves, is pushed, or stands on such takes part. What stands and is not pushed holds whatever slides on it, since its
+//! own limit is at least theirs together, provided that no surface is more slippery than the bodies and all bodies are alike;
+//! otherwise all take part.
+
+use super::bodies::Bodies;
+use super::clusters::Node;
+use super::contacts::Contacts;
+use super::gravity::SLACK;
+
+/// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
+const ROUNDS: usize = 4;
+
+/// A limit exceeded by this part still holds: sums of many impulses are rounded.
+const ROUNDING: f64 = 1e-12;
+
+/// What a contact does across.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Grip {
+    Stick,
+    /// The friction on the upper body has this sign.
+    Slip(f64),
+}
+
+/// A tight stack contact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tight {
+    pub below: u32,
+    pub grip: Grip,
+    /// Impulse along the normal, N·s.
+    pub load: f64,
+    /// Largest impulses of friction, N·s.
+    pub held: f64,
+    pub dragged: f64,
+    /// Friction's impulse on the upper body, N·s.
+    pub impulse: f64,
+}
+
+/// Loads and friction of the tight contacts along gravity.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Friction {
+    /// Tight contacts of body i: `tight[start[i]..end[i]]`.
+    start: Vec<u32>,
+    end: Vec<u32>,
+    pub tight: Vec<Tight>,
+    /// What each body carries, itself included.
+    pub riders: Vec<Node>,
+    loads: Vec<f64>,
+    /// Who takes part, bottom-up.
+    awake: Vec<u32>,
+    is_awake: Vec<bool>,
+    /// Whether all materials are such that what stands holds what slides on it.
+    alike: bool,
+}
+
+impl Friction {
+    pub fn new(bodies: &Bodies) -> Self {
+        let (all, n) = (bodies.x.len(), bodies.len());
+        let mu = |i: usize| (bodies.traits[i].static_friction, bodies.traits[i].kinetic_friction);
+        let alike = (1..n).all(|i| mu(i) == mu(0)) && (n..all).all(|j| n == 0 || mu(j).0 >= mu(0).0.max(mu(0).1));
+        Self {
+            riders: vec![Node::default(); all],
+            loads: vec![0.0; all],
+            is_awake: vec![false; all],
+            start: vec![0; all],
+            end: vec![0; all],
+            alike,
+            ..Self::default()
+        }
+    }
+
+    /// The tight contacts under a body that takes part.
+    pub fn under(&self, i: usize) -> std::ops::Range<usize> {
+        self.start[i] as usize..self.end[i] as usize
+    }
+
+    pub fn is_awake(&self, i: usize) -> bool {
+        self.is_awake[i]
+    }
+
+    /// The impulse of friction between a body and one of its supports, N·s, on the upper one.
+    pub fn impulse(&self, upper: usize, below: u32) -> f64 {
+        let tight = if self.is_awake[upper] { &self.tight[self.under(upper)] } else { &[] };
+        tight.iter().find(|t| t.below == below).map_or(0.0, |t| t.impulse)
+    }
+
+    /// Nothing moves across, so nobody takes part.
+    pub fn rest(&mut self) {
+        self.awake.clear();
+        self.is_awake.fill(false);
+    }
+
+    /// Chooses who takes part: what has momentum in `given`, stands on nothing, stands on what takes part, or is `pushed`.
+    pub fn wake(&mut self, bodies: &Bodies, contacts: &Contacts, given: &[f64], pushed: &[bool]) {
+        self.awake.clear();
+        for i in 0..bodies.len() {
+            let under = &contacts.stacks[contacts.under(i)];
+            let awake = !self.alike
+                || given[i] != 0.0
+                || pushed[i]
+                || under.is_empty()
+                || bodies.uy[i] != 0.0
+                || under.iter().any(|stack| self.is_awake[stack.below as usize]);
+            self.is_awake[i] = awake;
+            if awake {
+                self.awake.push(i as u32);
+            }
+        }
+    }
+
+    /// Adds up the loads top-down, from what the solver changed along gravity.
+    pub fn load(&mut self, bodies: &Bodies, contacts: &Contacts) {
+        let n = bodies.len();
+        self.tight.clear();
+        for &i in &self.awake {
+            let i = i as usize;
+            self.start[i] = self.tight.len() as u32;
+            self.loads[i] = 0.0;
+            let velocity = bodies.uy[i];
+            for stack in &contacts.stacks[contacts.under(i)] {
+                if stack.live && (velocity - bodies.uy[stack.below as usize] - stack.bound).abs() <= SLACK {
+                    let (mine, other) = (&bodies.traits[i], &bodies.traits[stack.below as usize]);
+                    let surface = stack.below as usize >= n;
+                    let pick = |a: f64, b: f64| if surface { b } else { a.min(b) };
+                    // What slides stops only where kinetic friction stops it; static friction holds what stands.
+                    let stands = bodies.vx[i] == bodies.vx[stack.below as usize];
+                    let dragged = pick(mine.kinetic_friction, other.kinetic_friction);
+                    self.tight.push(Tight {
+                        below: stack.below,
+                        grip: Grip::Stick,
+                        load: 0.0,
+                        held: if stands { pick(mine.static_friction, other.static_friction) } else { dragged },
+                        dragged,
+                        impulse: 0.0,
+                    });
+                }
+            }
+            self.end[i] = self.tight.len() as u32;
+        }
+        for k in (0..self.awake.len()).rev() {
+            let i = self.awake[k] as usize;
+            let load = self.loads[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
+            let under = self.under(i);
+            let share = load.max(0.0) / under.len() as f64;
+            for tight in &mut self.tight[under] {
+                tight.load = share;
+                tight.held *= share;
+                tight.dragged *= share;
+                self.loads[tight.below as usize] += share;
+            }
+        }
+    }
+
+    /// From now on only kinetic friction acts under a body, for it is being pushed along.
+    pub fn drag(&mut self, i: usize) {
+        let under = self.under(i);
+        for tight in &mut self.tight[under] {
+            tight.held = tight.dragged;
+        }
+    }
+
+    /// Solves the velocities across, from the momenta `given`; leaves in `riders` what each body carries.
+    pub fn solve(&mut self, bodies: &mut Bodies, given: &[f64]) {
+        for tight in &mut self.tight {
+            tight.grip = Grip::Stick;
+        }
+        for round in 0..=ROUNDS {
+            self.gather(bodies, given, round == 0, round == ROUNDS);
+            if !self.spread(bodies, round == ROUNDS) {
+                break;
+            }
+        }
+    }
+
+    /// Top-down: mass and momentum of all that sticks to a body, and what slides on it gives.
+    fn gather(&mut self, bodies: &Bodies, given: &[f64], guess: bool, last: bool) {
+        let n = bodies.len();
+        for &i in &self.awake {
+            let i = i as usize;
+            self.riders[i] = Node { momentum: given[i], mass: bodies.mass[i], ..Node::default() };
+        }
+        for k in (0..self.awake.len()).rev() {
+            let i = self.awake[k] as usize;
+            let under = self.under(i);
+            let mut mine = self.riders[i];
+            if under.is_empty() {
+                continue;
+            }
+            let held: f64 = self.tight[under.clone()].iter().map(|t| t.held).sum();
+            if guess && (mine.momentum.abs() > held) && self.tight[under.clone()].iter().all(|t| t.below as usize >= n) {
+                for tight in &mut self.tight[under.clone()] {
+                    tight.grip = Grip::Slip(-mine.momentum.signum());
+                }
+            }
+            let mut held = 0.0;
+            for tight in &mut self.tight[under.clone()] {
+                match tight.grip {
+                    Grip::Slip(sign) => {
+                        tight.impulse = sign * tight.dragged;
+                        if last {
+                            // Not more than stops it, in case that the grips did not settle.
+                            let rider = &self.riders[i];
+                            let stop = rider.mass * bodies.ux[tight.below as usize] - rider.momentum;
+                            tight.impulse = sign * (stop * sign).clamp(0.0, tight.dragged);
+                        }
+                        self.riders[i].momentum += tight.impulse;
+                        if (tight.below as usize) < n {
+                            self.riders[tight.below as usize].momentum -= tight.impulse;
+                        }
+                    }
+                    Grip::Stick => held += tight.held,
+                }
+            }
+            if held <= 0.0 {
+                continue;
+            }
+            mine = self.riders[i];
+            for tight in &self.tight[under] {
+                if tight.grip == Grip::Stick && (tight.below as usize) < n {
+                    let part = tight.held / held;
+                    let below = &mut self.riders[tight.below as usize];
+                    below.momentum += part * mine.momentum;
+                    below.mass += part * mine.mass;
+                }
+            }
+        }
+    }
+
+    /// Bottom-up: the velocities. Returns whether some contact has to change its grip; with `last`, none does any more.
+    fn spread(&mut self, bodies: &mut Bodies, last: bool) -> bool {
+        let mut changed = false;
+        for k in 0..self.awake.len() {
+            let i = self.awake[k] as usize;
+            let under = self.under(i);
+            let mine = self.riders[i];
+            let mut velocity = mine.momentum / mine.mass;
+            // The strongest support that it sticks to.
+            let mut best: Option<usize> = None;
+            let mut held = 0.0;
+            for c in under.clone() {
+                let tight = &self.tight[c];
+                if tight.grip == Grip::Stick && tight.held > 0.0 {
+                    held += tight.held;
+                    if best.is_none_or(|b| tight.held > self.tight[b].held) {
+                        best = Some(c);
+                    }
+                }
+            }
+            if let Some(best) = best {
+                let target = bodies.ux[self.tight[best].below as usize];
+                let impulse = mine.mass * target - mine.momentum;
+                velocity = target;
+                for c in under.clone() {
+                    let other = bodies.ux[self.tight[c].below as usize];
+                    let tight = &mut self.tight[c];
+                    if tight.grip != Grip::Stick || tight.held <= 0.0 {
+                        continue;
+                    }
+                    tight.impulse = impulse * (tight.held / held);
+                    if last {
+                        velocity += (other - target) * (tight.held / held);
+                    } else if other != target {
+                        tight.grip = Grip::Slip((other - target).signum());
+                        changed = true;
+                    } else if impulse.abs() > held * (1.0 + ROUNDING) {
+                        tight.grip = Grip::Slip(impulse.signum());
+                        changed = true;
+                    }
+                }
+            }
+            for c in under {
+                if let Grip::Slip(sign) = self.tight[c].grip {
+                    let slip = velocity - bodies.ux[self.tight[c].below as usize];
+                    if best.is_none() && slip * sign > 0.0 && !last {
+                        self.tight[c].grip = Grip::Stick;
+                        changed = true;
+                    }
+                }
+            }
+            bodies.ux[i] = velocity;
+        }
+        changed && !last
+    }
+}

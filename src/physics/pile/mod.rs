@@ -1,0 +1,404 @@
+//! Many bodies at once: the general method for piles, rows and rain, from about 64 moving bodies to many thousands.
+//!
+//! Here live the passes of one step over separate arrays, without a world around them; the exact, event-driven engine for small
+//! scenes, named forces, streams and liquids do not. A step goes so:
+//!
+//! 1. `flight`: where would everything be, and how fast, if it touched nothing;
+//! 2. `neighbours`: who may meet whom, sought anew only when a body leaves the box in which its neighbours were sought;
+//! 3. `contacts`: which of these touch in this step, along which axis, and how fast they may close;
+//! 4. `gravity`: velocities along gravity, one pass bottom-up; `cross`: those across it, with the `friction` of the stacks;
+//!    what is neither carried nor held merges in `clusters`;
+//! 5. `place`: positions that cannot overlap, by construction;
+//! 6. `bounce`: restitution, after the move.
+//!
+//! Nothing iterates towards an answer except where bodies hang together in the air, so what comes to rest has velocity zero
+//! exactly, after which a step changes no bit and the whole pile sleeps until something outside changes.
+
+mod bodies;
+mod bounce;
+mod clusters;
+mod contacts;
+mod cross;
+mod flight;
+mod friction;
+mod gravity;
+mod neighbours;
+mod place;
+mod report;
+
+use super::Aabb;
+use bodies::{Bodies, Traits};
+pub use bounce::Axis;
+use bounce::Impacts;
+use clusters::Clusters;
+use contacts::Contacts;
+use friction::Friction;
+use glam::DVec2;
+use neighbours::Neighbours;
+pub use report::ContactForce;
+
+/// How often contacts are sought again in one step because a hit threw a body further than was looked for.
+const SECOND_LOOKS: usize = 3;
+
+/// A body as it starts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PileBody {
+    /// Centre, m.
+    pub position: DVec2,
+    /// Half the width and half the height, m, both > 0.
+    pub half: DVec2,
+    /// m/s.
+    pub velocity: DVec2,
+    /// kg, > 0.
+    pub mass: f64,
+    /// Coefficient of restitution, 0 … 1; a pair uses the larger.
+    pub restitution: f64,
+    /// Coefficient of static friction μ_s; a pair uses the smaller, on a surface the surface's counts.
+    pub static_friction: f64,
+    /// Coefficient of kinetic friction μ_k, likewise.
+    pub kinetic_friction: f64,
+    /// Drag coefficient times area, m²: `x` with the width (for motion mostly up and down), `y` with the height.
+    pub drag_area: DVec2,
+}
+
+impl Default for PileBody {
+    fn default() -> Self {
+        Self {
+            position: DVec2::ZERO,
+            half: DVec2::splat(0.5),
+            velocity: DVec2::ZERO,
+            mass: 1.0,
+            restitution: 0.0,
+            static_friction: 0.9,
+            kinetic_friction: 0.65,
+            drag_area: DVec2::ZERO,
+        }
+    }
+}
+
+/// Something that never moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PileSurface {
+    /// Where it is, m.
+    pub bounds: Aabb,
+    /// Coefficient of static friction of what stands on it.
+    pub static_friction: f64,
+    /// Coefficient of kinetic friction of what slides on it.
+    pub kinetic_friction: f64,
+}
+
+/// How a pile starts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PileDef {
+    /// What moves, at least 0 and fewer than 2³¹.
+    pub bodies: Vec<PileBody>,
+    /// What does not.
+    pub surfaces: Vec<PileSurface>,
+    /// Gravitational field strength towards larger y, N/kg; negative: towards smaller y.
+    pub gravity: f64,
+    /// kg/m³, ≥ 0.
+    pub air_density: f64,
+    /// A rebound slower than this, m/s, is none.
+    pub rest_speed: f64,
+    /// Whether a pile that rests stops computing. Changes no bit.
+    pub sleep: bool,
+}
+
+impl Default for PileDef {
+    fn default() -> Self {
+        Self { bodies: Vec::new(), surfaces: Vec::new(), gravity: 9.81, air_density: 0.0, rest_speed: 1.0, sleep: true }
+    }
+}
+
+/// Why a definition was refused: what is wrong, and of which body or surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PileError(pub String);
+
+impl std::fmt::Display for PileError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for PileError {}
+
+/// What a body touches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Other {
+    /// The body of that number.
+    Body(usize),
+    /// The surface of that number.
+    Surface(usize),
+}
+
+/// Two things hit each other during the last step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PileImpact {
+    /// The body that hit.
+    pub a: usize,
+    /// What it hit.
+    pub b: Other,
+    /// Along which axis.
+    pub axis: Axis,
+    /// Closing speed when they touched, m/s, > 0.
+    pub speed: f64,
+}
+
+/// Many boxes and their motion. Bodies keep the numbers of the definition for the outside.
+#[derive(Clone, Debug)]
+pub struct Pile {
+    bodies: Bodies,
+    neighbours: Neighbours,
+    contacts: Contacts,
+    friction: Friction,
+    clusters: Clusters,
+    impacts: Impacts,
+    events: Vec<PileImpact>,
+    /// Whether the ground carries a body, in this step; surfaces always.
+    anchored: Vec<bool>,
+    /// Momenta across before friction, N·s.
+    given: Vec<f64>,
+    pushed: Vec<bool>,
+    put_back: Vec<[bool; 2]>,
+    /// 1, or −1 if gravity points to smaller y: inside, y grows along gravity.
+    down: f64,
+    gravity: f64,
+    drag: bool,
+    rest_speed: f64,
+    may_sleep: bool,
+    asleep: bool,
+    /// Length of the last step, s; 0 before the first.
+    last_dt: f64,
+}
+
+impl Pile {
+    /// Checks the definition and builds the pile.
+    ///
+    /// # Errors
+    /// A number that is not finite or out of its range.
+    pub fn new(def: PileDef) -> Result<Self, PileError> {
+        check(&def)?;
+        let (n, s) = (def.bodies.len(), def.surfaces.len());
+        let down = if def.gravity < 0.0 { -1.0 } else { 1.0 };
+        let gravity = def.gravity * down;
+        let mut bodies = Bodies::new(n, s);
+        for (i, body) in def.bodies.iter().enumerate() {
+            (bodies.x[i], bodies.y[i]) = (body.position.x, body.position.y * down);
+            (bodies.px[i], bodies.py[i]) = (bodies.x[i], bodies.y[i]);
+            (bodies.hx[i], bodies.hy[i]) = (body.half.x, body.half.y);
+            (bodies.vx[i], bodies.vy[i]) = (body.velocity.x, body.velocity.y * down);
+            bodies.ay[i] = gravity;
+            bodies.mass[i] = body.mass;
+            let rate = 0.5 * def.air_density / body.mass;
+            (bodies.drag_wide[i], bodies.drag_tall[i]) = (rate * body.drag_area.x, rate * body.drag_area.y);
+            bodies.traits[i] = Traits {
+                restitution: body.restitution,
+                static_friction: body.static_friction,
+                kinetic_friction: body.kinetic_friction,
+            };
+        }
+        for (j, surface) in def.surfaces.iter().enumerate() {
+            let (i, centre, half) = (n + j, surface.bounds.centre(), surface.bounds.size() * 0.5);
+            (bodies.x[i], bodies.y[i]) = (centre.x, centre.y * down);
+            (bodies.px[i], bodies.py[i]) = (bodies.x[i], bodies.y[i]);
+            (bodies.hx[i], bodies.hy[i]) = (half.x, half.y);
+            bodies.traits[i] =
+                Traits { restitution: 0.0, static_friction: surface.static_friction, kinetic_friction: surface.kinetic_friction };
+        }
+        let mut anchored = vec![false; n];
+        anchored.resize(n + s, true);
+        Ok(Self {
+            neighbours: Neighbours::new(&bodies),
+            contacts: Contacts::default(),
+            friction: Friction::new(&bodies),
+            clusters: Clusters::new(n + s),
+            impacts: Impacts::default(),
+            events: Vec::new(),
+            anchored,
+            given: vec![0.0; n],
+            pushed: vec![false; n],
+            put_back: vec![[false; 2]; n],
+            down,
+            gravity,
+            drag: def.air_density > 0.0 && def.bodies.iter().any(|body| body.drag_area != DVec2::ZERO),
+            rest_speed: def.rest_speed,
+            may_sleep: def.sleep,
+            asleep: n == 0,
+            last_dt: 0.0,
+            bodies,
+        })
+    }
+
+    /// Sets the force (N) that acts on a body from outside from now on, besides weight and drag: drive, wind, buoyancy. A change
+    /// wakes the pile.
+    pub fn set_force(&mut self, body: usize, force: DVec2) {
+        let i = self.bodies.slot[body] as usize;
+        let ax = force.x / self.bodies.mass[i];
+        let ay = self.gravity + force.y * self.down / self.bodies.mass[i];
+        if ax != self.bodies.ax[i] || ay != self.bodies.ay[i] {
+            (self.bodies.ax[i], self.bodies.ay[i]) = (ax, ay);
+            self.asleep = false;
+        }
+    }
+
+    /// Advances the pile by `dt` seconds, > 0.
+    pub fn step(&mut self, dt: f64) {
+        self.events.clear();
+        if self.asleep {
+            return;
+        }
+        self.last_dt = dt;
+        self.neighbours.drift(&mut self.bodies, dt);
+        let inside = flight::fly(&mut self.bodies, dt, self.drag);
+        if !inside {
+            self.neighbours.update(&mut self.bodies, dt);
+        }
+        if self.neighbours.is_empty() {
+            self.fly_on();
+            return;
+        }
+        self.find_contacts(dt);
+        let mut inside = false;
+        for look in 0..=SECOND_LOOKS {
+            if look > 0 {
+                self.look_again(dt);
+            }
+            self.solve(dt);
+            inside = place::move_all(&mut self.bodies, &self.contacts, self.gravity, dt, look == 0);
+            if inside {
+                break;
+            }
+        }
+        place::part(&mut self.bodies, &self.contacts, &mut self.clusters, &mut self.put_back, inside);
+        self.impacts.measure(&self.bodies, dt);
+        self.impacts.rebound(&mut self.bodies, &self.anchored, self.rest_speed);
+        self.report_impacts();
+        self.bodies.commit();
+        self.fall_asleep();
+    }
+
+    fn find_contacts(&mut self, dt: f64) {
+        let Self { bodies, neighbours, contacts, .. } = self;
+        if !contacts.find(bodies, neighbours, dt) {
+            neighbours.search(bodies, dt);
+            contacts.find(bodies, neighbours, dt);
+        }
+    }
+
+    /// With nobody near anybody, free flight is the answer.
+    fn fly_on(&mut self) {
+        let bodies = &mut self.bodies;
+        bodies.ux.copy_from_slice(&bodies.free_vx);
+        bodies.uy.copy_from_slice(&bodies.free_vy);
+        bodies.commit();
+    }
+
+    /// A hit threw a body further than was looked for: seeks neighbours and contacts on its new way.
+    fn look_again(&mut self, dt: f64) {
+        if !flight::stays(&self.bodies) {
+            self.neighbours.update(&mut self.bodies, dt);
+        }
+        self.find_contacts(dt);
+        flight::fly(&mut self.bodies, dt, self.drag);
+    }
+
+    fn solve(&mut self, dt: f64) {
+        self.impacts.clear(self.gravity, dt);
+        let Self { bodies, contacts, anchored, clusters, impacts, friction, given, pushed, .. } = self;
+        gravity::solve(bodies, contacts, anchored, clusters, impacts);
+        cross::solve(bodies, contacts, friction, clusters, impacts, given, pushed);
+    }
+
+    fn report_impacts(&mut self) {
+        let (n, id) = (self.bodies.len(), &self.bodies.id);
+        let other = |i: usize| if i < n { Other::Body(id[i] as usize) } else { Other::Surface(i - n) };
+        for hit in &self.impacts.all {
+            let (a, b) = (hit.a as usize, hit.b as usize);
+            let (a, b) = if a < n { (a, b) } else { (b, a) };
+            self.events.push(PileImpact { a: id[a] as usize, b: other(b), axis: hit.axis, speed: hit.speed });
+        }
+    }
+
+    /// A step that moved nothing and left nothing moving would be followed by the same for ever.
+    fn fall_asleep(&mut self) {
+        let (bodies, n) = (&self.bodies, self.bodies.len());
+        let still = |v: &[f64]| v[..n].iter().rev().all(|v| *v == 0.0);
+        let rests = still(&bodies.vy) && still(&bodies.vx) && still(&bodies.uy) && still(&bodies.ux);
+        self.asleep = self.may_sleep && rests && bodies.x[..n] == bodies.px[..n] && bodies.y[..n] == bodies.py[..n];
+    }
+
+    /// The number of bodies.
+    pub fn len(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Whether there is no body.
+    pub fn is_empty(&self) -> bool {
+        self.bodies.len() == 0
+    }
+
+    /// Whether all rest and nothing is computed until a force changes.
+    pub fn is_asleep(&self) -> bool {
+        self.asleep
+    }
+
+    /// A body's centre, m.
+    pub fn position(&self, body: usize) -> DVec2 {
+        let i = self.bodies.slot[body] as usize;
+        DVec2::new(self.bodies.x[i], self.bodies.y[i] * self.down)
+    }
+
+    /// A body's velocity, m/s.
+    pub fn velocity(&self, body: usize) -> DVec2 {
+        let i = self.bodies.slot[body] as usize;
+        DVec2::new(self.bodies.vx[i], self.bodies.vy[i] * self.down)
+    }
+
+    /// A body's mean acceleration over the last step, m/s²: impacts included. Zero before the first step.
+    pub fn acceleration(&self, body: usize) -> DVec2 {
+        let (i, b) = (self.bodies.slot[body] as usize, &self.bodies);
+        if self.last_dt == 0.0 || self.asleep {
+            return DVec2::ZERO;
+        }
+        DVec2::new(b.vx[i] - b.ux[i], (b.vy[i] - b.uy[i]) * self.down) / self.last_dt
+    }
+
+    /// The box that a body fills, m.
+    pub fn bounds(&self, body: usize) -> Aabb {
+        let i = self.bodies.slot[body] as usize;
+        Aabb::around(self.position(body), DVec2::new(self.bodies.hx[i], self.bodies.hy[i]))
+    }
+
+    /// What hit what during the last step.
+    pub fn impacts(&self) -> &[PileImpact] {
+        &self.events
+    }
+}
+
+fn check(def: &PileDef) -> Result<(), PileError> {
+    let wrong = |what: String| Err(PileError(what));
+    for (name, value, least) in
+        [("gravity", def.gravity, f64::MIN), ("air density", def.air_density, 0.0), ("rest speed", def.rest_speed, 0.0)]
+    {
+        if !value.is_finite() || value < least {
+            return wrong(format!("{name}: {value} is not a number in range"));
+        }
+    }
+    for (i, b) in def.bodies.iter().enumerate() {
+        let finite = b.position.is_finite() && b.half.is_finite() && b.velocity.is_finite() && b.drag_area.is_finite();
+        let coefficients = [b.restitution, b.static_friction, b.kinetic_friction, b.drag_area.x, b.drag_area.y];
+        if !finite || coefficients.iter().any(|c| !c.is_finite() || *c < 0.0) || b.restitution > 1.0 {
+            return wrong(format!("body {i}: a number is not finite or out of range"));
+        }
+        if b.half.min_element() <= 0.0 || !b.mass.is_finite() || b.mass <= 0.0 {
+            return wrong(format!("body {i}: size and mass must be positive"));
+        }
+    }
+    for (i, s) in def.surfaces.iter().enumerate() {
+        let finite = s.bounds.min.is_finite() && s.bounds.max.is_finite();
+        if !finite || s.bounds.size().min_element() < 0.0 || !(s.static_friction >= 0.0 && s.kinetic_friction >= 0.0) {
+            return wrong(format!("surface {i}: a number is not finite or out of range"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,105 @@
+//! The forces in the contacts of the last step, for whoever wants to list them.
+//!
+//! Along gravity a body's load is split equally among the supports that it touches. Across, the impulses of a row follow from what
+//! each body's momentum lacks, from the loose ends inwards; a row clamped between two surfaces has no loose end, and what holds it
+//! cannot be told apart: it is left out. Nothing here enters the motion.
+
+use super::contacts::TOUCH;
+use super::{Axis, Other, Pile};
+
+/// What a contact exerted on average during the last step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactForce {
+    /// The body that feels it (the other one feels the opposite).
+    pub a: usize,
+    /// What exerts it.
+    pub b: Other,
+    /// The normal's direction.
+    pub axis: Axis,
+    /// The component along the normal, N: positive towards larger x or y.
+    pub normal: f64,
+    /// Friction, along the other direction, N.
+    pub friction: f64,
+}
+
+impl Pile {
+    /// Appends the contact forces of the last step, each pair once.
+    pub fn contact_forces(&self, into: &mut Vec<ContactForce>) {
+        if self.last_dt > 0.0 {
+            let friction = self.stack_forces(into);
+            self.side_forces(&friction, into);
+        }
+    }
+
+    fn other(&self, i: usize) -> Other {
+        let n = self.bodies.len();
+        if i < n { Other::Body(self.bodies.id[i] as usize) } else { Other::Surface(i - n) }
+    }
+
+    /// Returns the impulse of friction on each body, N·s.
+    fn stack_forces(&self, into: &mut Vec<ContactForce>) -> Vec<f64> {
+        let (b, n, per_second) = (&self.bodies, self.bodies.len(), 1.0 / self.last_dt);
+        let (mut loads, mut dragged) = (vec![0.0; b.x.len()], vec![0.0; b.x.len()]);
+        for i in (0..n).rev() {
+            let load = loads[i] + b.mass[i] * (b.free_vy[i] - b.vy[i]);
+            let touching = |below: u32, reach: f64| (b.y[below as usize] - b.y[i] - reach).abs() <= TOUCH;
+            let stacks = self.contacts.stacks.get(self.contacts.under(i)).unwrap_or_default();
+            let supports = stacks.iter().filter(|s| s.live && touching(s.below, s.reach));
+            let share = load.max(0.0) / supports.clone().count() as f64;
+            for stack in supports {
+                let below = stack.below as usize;
+                loads[below] += share;
+                let grip = self.friction.impulse(i, stack.below);
+                dragged[i] += grip;
+                dragged[below] -= grip;
+                let (a, other) = (b.id[i] as usize, self.other(below));
+                let normal = -share * per_second * self.down;
+                into.push(ContactForce { a, b: other, axis: Axis::Gravity, normal, friction: grip * per_second });
+            }
+        }
+        dragged
+    }
+
+    fn side_forces(&self, dragged: &[f64], into: &mut Vec<ContactForce>) {
+        let (b, n, per_second) = (&self.bodies, self.bodies.len(), 1.0 / self.last_dt);
+        let touches = |first: u32, second: u32, reach: f64| (b.x[second as usize] - b.x[first as usize] - reach).abs() <= TOUCH;
+        let mut open: Vec<_> = self.contacts.sides.iter().filter(|s| s.live && touches(s.first, s.second, s.reach)).collect();
+        let mut lacking: Vec<f64> = (0..n).map(|i| b.mass[i] * (b.vx[i] - b.free_vx[i]) - dragged[i]).collect();
+        let mut degree = vec![0; b.x.len()];
+        for side in &open {
+            degree[side.first as usize] += 1;
+            degree[side.second as usize] += 1;
+        }
+        loop {
+            let before = open.len();
+            open.retain(|side| {
+                let (first, second) = (side.first as usize, side.second as usize);
+                // The impulse on the second, by whichever of the two is a loose end.
+                let impulse = if second < n && degree[second] == 1 {
+                    lacking[second]
+                } else if first < n && degree[first] == 1 {
+                    -lacking[first]
+                } else {
+                    return true;
+                };
+                degree[first] -= 1;
+                degree[second] -= 1;
+                if second < n {
+                    lacking[second] -= impulse;
+                }
+                if first < n {
+                    lacking[first] += impulse;
+                }
+                if impulse > 0.0 {
+                    let (of, by, sign) = if first < n { (first, second, -1.0) } else { (second, first, 1.0) };
+                    let (a, normal) = (b.id[of] as usize, sign * impulse * per_second);
+                    into.push(ContactForce { a, b: self.other(by), axis: Axis::Across, normal, friction: 0.0 });
+                }
+                false
+            });
+            if open.len() == before {
+                return;
+            }
+        }
+    }
+}

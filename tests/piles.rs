@@ -1,0 +1,297 @@
+//! Many bodies at once: nothing overlaps, nothing passes through, everything comes to rest, the same bits every time.
+
+use glam::DVec2;
+use resultant::physics::Aabb;
+use resultant::physics::pile::{ContactForce, Other, Pile, PileBody, PileDef, PileSurface};
+
+const DT: f64 = 1.0 / 60.0;
+const MOST_OVERLAP: f64 = 1e-6;
+
+/// A generator of numbers in 0 … 1 whose values never change.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as f64 / (1u64 << 31) as f64
+    }
+}
+
+fn surface(left: f64, top: f64, right: f64, bottom: f64) -> PileSurface {
+    let bounds = Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom));
+    PileSurface { bounds, static_friction: 0.9, kinetic_friction: 0.65 }
+}
+
+fn square(x: f64, y: f64, mass: f64) -> PileBody {
+    PileBody { position: DVec2::new(x, y), mass, ..PileBody::default() }
+}
+
+/// Boxes of 0.3 to 0.6 m raining into a pit.
+fn rain(n: usize, masses: (f64, f64), restitution: f64) -> PileDef {
+    let mut random = Numbers(7);
+    let columns = (n as f64).sqrt().ceil() as usize;
+    let width = columns as f64 * 0.7;
+    let bodies = (0..n)
+        .map(|i| PileBody {
+            half: DVec2::new(0.15 + 0.15 * random.next(), 0.15 + 0.15 * random.next()),
+            position: DVec2::new(0.35 + 0.7 * (i % columns) as f64, -1.0 - 0.8 * (i / columns) as f64),
+            velocity: DVec2::new(4.0 * random.next() - 2.0, 0.0),
+            mass: masses.0 + (masses.1 - masses.0) * random.next(),
+            restitution: restitution * random.next(),
+            ..PileBody::default()
+        })
+        .collect();
+    let surfaces =
+        vec![surface(-5.0, 0.0, width + 5.0, 1.0), surface(-1.0, -900.0, 0.0, 0.0), surface(width, -900.0, width + 1.0, 0.0)];
+    PileDef { bodies, surfaces, ..PileDef::default() }
+}
+
+fn floor(bodies: Vec<PileBody>) -> PileDef {
+    PileDef { bodies, surfaces: vec![surface(-100.0, 0.0, 100.0, 1.0)], ..PileDef::default() }
+}
+
+/// The deepest overlap of any two bodies, or of a body and a surface, m.
+fn overlap(pile: &Pile, surfaces: &[PileSurface]) -> f64 {
+    let mut boxes: Vec<Aabb> = (0..pile.len()).map(|i| pile.bounds(i)).collect();
+    boxes.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
+    let mut deepest: f64 = 0.0;
+    for (i, a) in boxes.iter().enumerate() {
+        let near = boxes[i + 1..].iter().take_while(|b| b.min.x <= a.max.x);
+        for b in near.chain(surfaces.iter().map(|s| &s.bounds)) {
+            deepest = deepest.max(-a.gap(b).max_element());
+        }
+    }
+    deepest
+}
+
+fn energy(pile: &Pile, def: &PileDef) -> f64 {
+    let of = |(i, b): (usize, &PileBody)| b.mass * (0.5 * pile.velocity(i).length_squared() - def.gravity * pile.position(i).y);
+    def.bodies.iter().enumerate().map(of).sum()
+}
+
+/// Runs until all sleep; asserts that nothing ever overlaps and that energy is never created.
+fn settles(def: PileDef, most_steps: usize) {
+    let mut pile = Pile::new(def.clone()).unwrap();
+    let mut before = energy(&pile, &def);
+    for step in 0..most_steps {
+        pile.step(DT);
+        let (deepest, now) = (overlap(&pile, &def.surfaces), energy(&pile, &def));
+        assert!(deepest <= MOST_OVERLAP, "step {step}: overlap {deepest}");
+        assert!(now <= before + 1e-4 * before.abs(), "step {step}: energy from {before} to {now}");
+        before = now;
+        if pile.is_asleep() {
+            assert!((0..pile.len()).all(|i| pile.velocity(i) == DVec2::ZERO));
+            return;
+        }
+    }
+    panic!("still awake");
+}
+
+#[test]
+fn rain_comes_to_rest_and_never_overlaps() {
+    settles(rain(100, (1.0, 1.0), 0.0), 600);
+    settles(rain(600, (1.0, 1.0), 0.0), 600);
+}
+
+#[test]
+fn rain_of_mixed_masses_comes_to_rest() {
+    settles(rain(300, (0.5, 50.0), 0.0), 600);
+}
+
+#[test]
+fn rain_of_mixed_restitutions_comes_to_rest() {
+    settles(rain(300, (1.0, 1.0), 0.8), 1800);
+}
+
+#[test]
+fn the_same_bits_twice() {
+    let run = || {
+        let mut pile = Pile::new(rain(200, (0.5, 50.0), 0.8)).unwrap();
+        (0..300).for_each(|_| pile.step(DT));
+        (0..200).map(|i| pile.position(i).to_array().map(f64::to_bits)).collect::<Vec<_>>()
+    };
+    assert_eq!(run(), run());
+}
+
+#[test]
+fn sleep_changes_no_bit() {
+    let run = |sleep| {
+        let mut pile = Pile::new(PileDef { sleep, ..rain(100, (0.5, 50.0), 0.0) }).unwrap();
+        (0..400).for_each(|_| pile.step(DT));
+        (0..100).map(|i| pile.position(i).to_array().map(f64::to_bits)).collect::<Vec<_>>()
+    };
+    assert_eq!(run(true), run(false));
+}
+
+#[test]
+fn a_column_of_a_hundred_does_not_move_and_each_reaction_is_the_weight_above() {
+    let def = floor((0..100).map(|i| square(0.0, -0.5 - f64::from(i), 1.0 + f64::from(i % 7))).collect());
+    let mut pile = Pile::new(PileDef { sleep: false, ..def.clone() }).unwrap();
+    (0..1200).for_each(|_| pile.step(DT));
+    for (i, body) in def.bodies.iter().enumerate() {
+        assert_eq!((pile.position(i), pile.velocity(i)), (body.position, DVec2::ZERO));
+        assert_eq!(pile.acceleration(i), DVec2::ZERO);
+    }
+    let mut forces = Vec::new();
+    pile.contact_forces(&mut forces);
+    assert_eq!(forces.len(), 100);
+    for ContactForce { a, normal, .. } in forces {
+        let weight = def.gravity * def.bodies[a..].iter().map(|b| b.mass).sum::<f64>();
+        assert!((normal + weight).abs() <= 1e-9 * weight, "body {a}: {normal} instead of {}", -weight);
+    }
+}
+
+#[test]
+fn ten_tonnes_rest_on_a_kilogram_and_may_drop_on_it() {
+    for gap in [0.0, 3.0] {
+        let def = floor(vec![square(0.0, -0.5, 1.0), square(0.2, -1.5 - gap, 1e4)]);
+        settles(def.clone(), 300);
+        let mut pile = Pile::new(def).unwrap();
+        (0..300).for_each(|_| pile.step(DT));
+        assert!((pile.position(0).y + 0.5).abs() < 1e-9 && (pile.position(1).y + 1.5).abs() < 1e-9);
+    }
+}
+
+/// a = F/Σm − μg, and what presses the last ones is their share.
+#[test]
+fn a_pushed_row_moves_as_one() {
+    for n in [1usize, 5, 20] {
+        let def = floor((0..n).map(|i| square(i as f64, -0.5, 2.0)).collect());
+        let mass = 2.0 * n as f64;
+        let force = 12.0 * mass;
+        let mut pile = Pile::new(def).unwrap();
+        pile.set_force(0, DVec2::new(force, 0.0));
+        (0..60).for_each(|_| pile.step(DT));
+        let a = force / mass - 0.65 * 9.81;
+        for i in 0..n {
+            assert!((pile.velocity(i).x - a).abs() < 1e-9 * a, "{n}: body {i} at {} instead of {a}", pile.velocity(i).x);
+            assert!((pile.position(i).x - i as f64 - 0.5 * a).abs() < 1e-9, "{n}: body {i} at {}", pile.position(i).x);
+        }
+        let mut forces = Vec::new();
+        pile.contact_forces(&mut forces);
+        for f in forces.iter().filter(|f| f.axis == resultant::physics::pile::Axis::Across) {
+            let behind = f.a.max(if let Other::Body(b) = f.b { b } else { 0 });
+            let exact = force * (n - behind) as f64 / n as f64;
+            assert!((f.normal.abs() - exact).abs() < 1e-6 * exact, "{f:?} instead of {exact}");
+        }
+    }
+}
+
+#[test]
+fn static_friction_holds_a_row_below_its_limit_to_the_bit() {
+    let limit = 0.9 * 9.81 * 2.0 * 5.0;
+    let def = floor((0..5).map(|i| square(f64::from(i), -0.5, 2.0)).collect());
+    let mut pile = Pile::new(def).unwrap();
+    pile.set_force(0, DVec2::new(0.99 * limit, 0.0));
+    (0..1200).for_each(|_| pile.step(DT));
+    (0..5).for_each(|i| assert_eq!(pile.position(i), DVec2::new(i as f64, -0.5)));
+    pile.set_force(0, DVec2::new(1.02 * limit, 0.0));
+    pile.step(DT);
+    let a = (1.02 * 0.9 - 0.65) * 9.81;
+    (0..5).for_each(|i| assert!((pile.velocity(i).x / DT - a).abs() < 1e-6 * a, "{}", pile.velocity(i).x / DT));
+}
+
+/// What lies on a dragged box comes along, by friction alone, and none is created or lost.
+#[test]
+fn a_tower_is_dragged_along() {
+    let def = floor((0..10).map(|i| square(0.0, -0.5 - f64::from(i), 1.0)).collect());
+    let mut pile = Pile::new(def).unwrap();
+    pile.set_force(0, DVec2::new(10.0 * (0.65 + 0.3) * 9.81, 0.0));
+    (0..60).for_each(|_| pile.step(DT));
+    (0..10).for_each(|i| assert!((pile.velocity(i).x - 0.3 * 9.81).abs() < 1e-9, "body {i}: {}", pile.velocity(i).x));
+}
+
+#[test]
+fn momentum_stays_where_nothing_is_fixed() {
+    let mut random = Numbers(3);
+    let bodies: Vec<PileBody> = (0..200)
+        .map(|i| PileBody {
+            velocity: DVec2::new(8.0 * random.next() - 4.0, 8.0 * random.next() - 4.0),
+            restitution: random.next(),
+            ..square(f64::from(i % 14) * 1.1, f64::from(i / 14) * 1.1, 0.5 + 10.0 * random.next())
+        })
+        .collect();
+    let def = PileDef { bodies, gravity: 0.0, rest_speed: 0.0, ..PileDef::default() };
+    let momentum = |pile: &Pile| def.bodies.iter().enumerate().map(|(i, b)| b.mass * pile.velocity(i)).sum::<DVec2>();
+    let scale: f64 = def.bodies.iter().map(|b| b.mass * b.velocity.length()).sum();
+    let mut pile = Pile::new(def.clone()).unwrap();
+    let before = momentum(&pile);
+    for _ in 0..300 {
+        pile.step(DT);
+        assert!(overlap(&pile, &[]) <= MOST_OVERLAP);
+        assert!((momentum(&pile) - before).length() <= 1e-12 * scale);
+    }
+}
+
+#[test]
+fn nothing_passes_through_a_thin_wall_or_another_body() {
+    for speed in [36.0, 400.0, 1e4, 3e4] {
+        for direction in [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y] {
+            let shot = |at: f64| PileBody {
+                half: DVec2::splat(0.1),
+                velocity: speed * direction,
+                ..PileBody { position: direction * at, ..PileBody::default() }
+            };
+            let wall = surface(-0.005, -0.005, 0.005, 0.005);
+            let def = PileDef { bodies: vec![shot(-3.3)], surfaces: vec![wall], gravity: 0.0, ..PileDef::default() };
+            let mut pile = Pile::new(def).unwrap();
+            (0..60).for_each(|_| pile.step(DT));
+            assert!(pile.position(0).dot(direction) < -0.1, "{speed} {direction}: {}", pile.position(0));
+
+            let target = PileBody { position: DVec2::ZERO, half: DVec2::splat(0.005), ..PileBody::default() };
+            let def = PileDef { bodies: vec![shot(-3.3), target], gravity: 0.0, ..PileDef::default() };
+            let mut pile = Pile::new(def).unwrap();
+            (0..60).for_each(|_| pile.step(DT));
+            assert!(pile.position(0).dot(direction) < pile.position(1).dot(direction), "{speed} {direction}");
+        }
+    }
+}
+
+/// Gravity upwards is gravity downwards, mirrored, to the bit.
+#[test]
+fn gravity_may_point_up() {
+    let run = |sign: f64| {
+        let mut def = rain(60, (0.5, 5.0), 0.0);
+        def.gravity *= sign;
+        for body in &mut def.bodies {
+            body.position.y *= sign;
+        }
+        for s in &mut def.surfaces {
+            let (a, b) = (s.bounds.min.y * sign, s.bounds.max.y * sign);
+            (s.bounds.min.y, s.bounds.max.y) = (a.min(b), a.max(b));
+        }
+        let mut pile = Pile::new(def).unwrap();
+        (0..200).for_each(|_| pile.step(DT));
+        (0..60).map(|i| pile.position(i) * DVec2::new(1.0, sign)).collect::<Vec<_>>()
+    };
+    assert_eq!(run(1.0), run(-1.0));
+}
+
+/// A ship that pushes into a walled-in pile from any side neither overlaps nor blows up.
+#[test]
+fn a_drive_pushes_into_the_pile_from_any_side() {
+    for direction in [DVec2::X, -DVec2::X, DVec2::Y, -DVec2::Y] {
+        let mut def = rain(80, (0.5, 5.0), 0.3);
+        def.surfaces.push(surface(-1.0, -12.0, 20.0, -11.0));
+        let mut pile = Pile::new(def.clone()).unwrap();
+        pile.set_force(0, 200.0 * direction);
+        for step in 0..400 {
+            pile.step(DT);
+            let deepest = overlap(&pile, &def.surfaces);
+            assert!(deepest <= MOST_OVERLAP, "{direction} step {step}: overlap {deepest}");
+            assert!((0..80).all(|i| pile.velocity(i).length() < 1e3));
+        }
+    }
+}
+
+#[test]
+fn nonsense_is_refused() {
+    for body in [
+        PileBody { mass: 0.0, ..PileBody::default() },
+        PileBody { half: DVec2::new(0.0, 1.0), ..PileBody::default() },
+        PileBody { position: DVec2::new(f64::NAN, 0.0), ..PileBody::default() },
+        PileBody { restitution: 1.5, ..PileBody::default() },
+    ] {
+        assert!(Pile::new(PileDef { bodies: vec![body], ..PileDef::default() }).is_err());
+    }
+}
