@@ -14,7 +14,7 @@ pub struct Point {
 impl Point {
     /// Whether the error is beyond all bounds.
     pub fn blew_up(&self) -> bool {
-        !(self.error <= BLOWN_UP)
+        self.error.is_nan() || self.error > BLOWN_UP
     }
 }
 

@@ -167,7 +167,9 @@ impl Look {
         let shape = Marker::ALL[index % Marker::ALL.len()];
         match curve.origin {
             Origin::Shipped => Self { colour: SHIPPED, dash: None, marker: Marker::Star, width: 3 },
-            Origin::Lab => Self { colour: COLOURS[index % COLOURS.len()], dash: DASHES[index % DASHES.len()], marker: shape, width: 2 },
+            Origin::Lab => {
+                Self { colour: COLOURS[index % COLOURS.len()], dash: DASHES[index % DASHES.len()], marker: shape, width: 2 }
+            }
             Origin::Peer => Self { colour: COLOURS[index % COLOURS.len()], dash: DASHES[2], marker: shape, width: 1 },
         }
     }

@@ -74,11 +74,14 @@ pub fn summary(setting: &Setting, diagrams: &[Measured], stress: &[Survival]) ->
     if let Some(measured) = diagrams.iter().find(|measured| measured.name == PI) {
         pi_table(&mut text, measured);
     }
-    text.push_str("\n## What each method survives\n\nThe largest value that a method survives; 0: none, ≥: nothing larger was tried.\n\n");
+    text.push_str(
+        "\n## What each method survives\n\nThe largest value that a method survives; 0: none, ≥: nothing larger was tried.\n\n",
+    );
     text.push_str("| test | parameter | method | largest |\n|---|---|---|---|\n");
     for row in stress {
         let largest = format!("{}{}", if row.largest >= row.tried { "≥ " } else { "" }, number(row.largest));
-        let (method, largest) = if row.shipped { (format!("**{}**", row.method), format!("**{largest}**")) } else { (row.method.clone(), largest) };
+        let (method, largest) =
+            if row.shipped { (format!("**{}**", row.method), format!("**{largest}**")) } else { (row.method.clone(), largest) };
         let _ = writeln!(text, "| {} | {} | {method} | {largest} |", row.test, row.parameter);
     }
     text.push_str("\n## Diagrams\n");
@@ -137,7 +140,8 @@ pub fn add_peers(text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String>
         let (scene, engine) = (fields[0], fields[1]);
         let ours = engine == OURS;
         let pile = scene.starts_with("pile-");
-        let Some(measured) = (if pile { Some(&mut piles) } else { diagrams.iter_mut().find(|measured| measured.name == scene) }) else {
+        let Some(measured) = (if pile { Some(&mut piles) } else { diagrams.iter_mut().find(|measured| measured.name == scene) })
+        else {
             continue;
         };
         // In the scenes of the lab the shipped engine is measured here and now.

@@ -59,11 +59,5 @@ pub(super) fn line(blocks: &[Block], e: f64) -> WorldDef {
         bounds: Aabb::around(DVec2::new(block.x, 0.0), DVec2::new(block.half, 100.0)),
         material: Material::STEEL,
     });
-    WorldDef {
-        gravity: 0.0,
-        air_density: 0.0,
-        bodies: bodies.collect(),
-        surfaces: surfaces.collect(),
-        ..WorldDef::default()
-    }
+    WorldDef { gravity: 0.0, air_density: 0.0, bodies: bodies.collect(), surfaces: surfaces.collect(), ..WorldDef::default() }
 }

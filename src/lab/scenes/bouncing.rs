@@ -16,6 +16,8 @@ pub const APEXES: usize = 10;
 const LOSSY_SECONDS: f64 = 6.0;
 /// s.
 const PERFECT_SECONDS: f64 = 60.0;
+/// Energies up to this times the largest at the end are the same jitter.
+const JITTER: f64 = 2.0;
 /// J/kg. Less than this counts as rest.
 const REST: f64 = 1e-12;
 
@@ -70,7 +72,7 @@ pub fn bounces_until(balls: impl Iterator<Item = (f64, Ball)>) -> f64 {
     let energies: Vec<(f64, f64)> = balls.map(|(t, ball)| (t, energy(ball, G))).collect();
     let end = energies.len() - energies.len() / 10;
     let kept = energies[end..].iter().map(|(_, energy)| *energy).fold(REST, f64::max);
-    energies.iter().rev().find(|(_, energy)| *energy > kept).map_or(0.0, |(t, _)| *t)
+    energies.iter().rev().find(|(_, energy)| *energy > JITTER * kept).map_or(0.0, |(t, _)| *t)
 }
 
 /// When all bounces are over, s.

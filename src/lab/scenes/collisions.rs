@@ -64,7 +64,8 @@ pub fn head_on() -> Scene {
     let meet = 10.0 / (a.v - b.v);
     let (va, vb) = crate::classics::pi::elastic(a.mass, a.v, b.mass, b.v);
     let places = vec![a.x + a.v * meet + va * (SECONDS - meet), b.x + b.v * meet + vb * (SECONDS - meet)];
-    let methods: [(&str, Line); 3] = [("overlap at tick ends", discrete), ("swept, rest of tick lost", swept), ("exact time of impact", exact)];
+    let methods: [(&str, Line); 3] =
+        [("overlap at tick ends", discrete), ("swept, rest of tick lost", swept), ("exact time of impact", exact)];
     scene("head-on", "An elastic head-on collision, 10 s", blocks, places, &methods)
 }
 

@@ -37,9 +37,15 @@ pub fn fall() -> Scene {
     let law = Law { constant: DVec2::new(0.0, G), drag: 0.05, wind: DVec2::ZERO };
     let start = Point::default();
     let exact = exact_fall(&law, start, SECONDS).x;
-    with_methods(Scene::new("fall-with-drag", "Fall with drag (terminal velocity 14 m/s), 10 s", SECONDS, 1), law, start, SECONDS, exact)
-        .method("exact flow", move |h| (follow(exact_fall, &law, start, SECONDS, h).x - exact).length())
-        .shipped(move |h| (shipped::flight(&law, start, SECONDS, h).x - exact).length())
+    with_methods(
+        Scene::new("fall-with-drag", "Fall with drag (terminal velocity 14 m/s), 10 s", SECONDS, 1),
+        law,
+        start,
+        SECONDS,
+        exact,
+    )
+    .method("exact flow", move |h| (follow(exact_fall, &law, start, SECONDS, h).x - exact).length())
+    .shipped(move |h| (shipped::flight(&law, start, SECONDS, h).x - exact).length())
 }
 
 /// The law and the start of the throw.
@@ -52,8 +58,14 @@ pub fn thrown() -> (Law, Point) {
 pub fn projectile() -> Scene {
     let (law, start) = thrown();
     let exact = reference::drag_in_two_dimensions(&law, start, SECONDS).x;
-    with_methods(Scene::new("projectile", "A throw with drag and wind in two dimensions, 10 s", SECONDS, 1), law, start, SECONDS, exact)
-        .shipped(move |h| (shipped::flight(&law, start, SECONDS, h).x - exact).length())
+    with_methods(
+        Scene::new("projectile", "A throw with drag and wind in two dimensions, 10 s", SECONDS, 1),
+        law,
+        start,
+        SECONDS,
+        exact,
+    )
+    .shipped(move |h| (shipped::flight(&law, start, SECONDS, h).x - exact).length())
 }
 
 /// Something that falls at 0.18 m/s, caught by 40 m/s of wind.

@@ -3,7 +3,7 @@
 use super::{G, Rows, Survival, TICK};
 use crate::lab::methods::bounce::{Bounce, event_loop, every_tick, exact, reflect, snap, verlet_snap};
 use crate::lab::methods::friction::{self, Slide, by_sign, clamped};
-use crate::lab::scenes::bouncing::{self, METHODS, by_engine, by_hand, energy_kept, bounces_until, series_end};
+use crate::lab::scenes::bouncing::{self, METHODS, bounces_until, by_engine, by_hand, energy_kept, series_end};
 use crate::lab::{TOLERANCE, shipped};
 use crate::physics::{BodyDef, BodyId, DVec2, Material};
 

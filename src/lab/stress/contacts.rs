@@ -18,7 +18,8 @@ const SWEEPS: [u32; 4] = [10, 50, 500, 5000];
 /// s. How long things have to rest.
 const RESTING: f64 = 2.0;
 
-const LINES: [(&str, Line); 3] = [("overlap at tick ends", discrete), ("swept, rest of tick lost", swept), ("exact time of impact", exact)];
+const LINES: [(&str, Line); 3] =
+    [("overlap at tick ends", discrete), ("swept, rest of tick lost", swept), ("exact time of impact", exact)];
 
 /// Whether a box of 0.5 m never gets through something of 0.1 m and `mass` (kg; infinite: a wall) at 60 Hz, by hand.
 pub fn stays_out(line: Line, speed: f64, mass: f64) -> bool {
@@ -122,7 +123,8 @@ fn last_leaves(velocities: &[f64]) -> bool {
 pub fn simultaneous_impacts() -> Vec<Survival> {
     let range = (2.0, 20.0);
     let count = |n: f64| n.floor() as usize;
-    let methods: [(&str, Line); 3] = [("all contacts at once", at_once), ("overlap at tick ends", discrete), ("impacts in order of time", exact)];
+    let methods: [(&str, Line); 3] =
+        [("all contacts at once", at_once), ("overlap at tick ends", discrete), ("impacts in order of time", exact)];
     let mut rows = Rows::of("cradle: the last leaves alone", "blocks");
     for (name, line) in methods {
         rows = rows.method(name, range, |n| last_leaves(&cradle_by_hand(line, count(n))));

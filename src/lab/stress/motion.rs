@@ -24,6 +24,9 @@ const METHODS: [(&str, Step); 7] = [
     ("Strang", strang),
 ];
 
+/// Terminal velocities: beyond, a fall has diverged.
+const BOUNDS: f64 = 1e6;
+
 /// What becomes of a fall from rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fall {
@@ -48,7 +51,7 @@ pub fn fall(step: Step, z: f64, start: f64) -> Fall {
     let mut right = 0;
     for _ in 0..LONG {
         point = step(&law, point, TICK);
-        if !(point.v.length() <= 1e6 * terminal) {
+        if !point.v.is_finite() || point.v.length() > BOUNDS * terminal {
             return Fall::Diverges;
         }
         right = if (point.v.y / terminal - 1.0).abs() <= RIGHT { right + 1 } else { 0 };
@@ -71,8 +74,7 @@ pub fn terminal_velocity() -> Vec<Survival> {
     for (name, step) in METHODS {
         rows = rows.method(name, range, |z| fall(step, z, 0.0) == Fall::Right);
     }
-    rows.method("exact flow", range, |z| fall(exact_fall, z, 0.0) == Fall::Right)
-        .shipped(range, |z| shipped_fall_error(z) <= RIGHT)
+    rows.method("exact flow", range, |z| fall(exact_fall, z, 0.0) == Fall::Right).shipped(range, |z| shipped_fall_error(z) <= RIGHT)
 }
 
 /// Drag alone on something with a terminal velocity of 2 m/s.
