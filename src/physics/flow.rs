@@ -42,7 +42,8 @@ pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
     let mut left = t;
     for _ in 0..RK4_STEPS {
         let rate = media.rate(body, law, pose.1);
-        if law.wet && rate * left > STIFF_REACH {
+        // A splash is fast for as long as its speed is high, and takes a few more steps; what stays fast at any speed is stiff.
+        if law.wet && media.rate(body, law, DVec2::ZERO) * left > STIFF_REACH {
             break;
         }
         if rate * left <= RK4_REACH {

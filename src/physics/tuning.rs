@@ -29,7 +29,7 @@ pub(super) const RK4_REACH: f64 = 0.02;
 /// Runge–Kutta steps of one free body in one interval, at most. A feather in a gust of a hundred times its terminal speed takes 300.
 pub(super) const RK4_STEPS: u32 = 4096;
 
-/// Rate × time from which on motion in a liquid takes exponential steps: stable at any rate, right at the end, and the way there (a
+/// Rate × time at rest from which on motion in a liquid takes exponential steps: stable at any rate, right at the end, and the way there (a
 /// millisecond) only roughly.
 pub(super) const STIFF_REACH: f64 = 4.0;
 
