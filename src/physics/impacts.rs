@@ -83,7 +83,7 @@ impl World {
         self.touching = touching;
     }
 
-    /// Whether two things part so slowly, and are pulled together so surely, that they rest on each other.
+    /// Whether two things part so slowly that they rest on each other, if nothing pulls them apart.
     fn clings(&self, contact: &Contact) -> bool {
         let approach = self.approach(contact);
         if !(-MICRO_SPEED..0.0).contains(&approach) {
@@ -94,7 +94,7 @@ impl World {
                 .get(item as usize)
                 .map_or(DVec2::ZERO, |body| self.media.acceleration(body, &self.laws[item as usize], body.position, body.velocity))
         };
-        (pull(contact.lo) - pull(contact.hi))[contact.axis] > 0.0
+        (pull(contact.lo) - pull(contact.hi))[contact.axis] >= 0.0
     }
 
     fn approach(&self, contact: &Contact) -> f64 {
