@@ -52,6 +52,10 @@ impl Polynomial {
         c[1] + t * (2.0 * c[2] + t * 3.0 * c[3])
     }
 
+    pub fn curvature(&self, t: f64) -> f64 {
+        2.0 * self.0[2] + 6.0 * self.0[3] * t
+    }
+
     /// Bounds of its values on [0, t]: the hull of its Bézier points.
     pub fn bounds(&self, t: f64) -> (f64, f64) {
         let c = &self.0;

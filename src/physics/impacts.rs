@@ -76,7 +76,9 @@ impl World {
             let met = hit.filter(|contact| contact.pair == pair);
             if let Some(mut contact) = met.or_else(|| self.contact(pair, SLOP)) {
                 contact.closed |= resting || met.is_some();
-                contact.clings = self.clings(&contact);
+                // What has just come together by a hair's breadth has done so, whatever pulls at it alone.
+                let grazes = met.is_some() && (-MICRO_SPEED..=0.0).contains(&self.approach(&contact));
+                contact.clings = grazes || self.clings(&contact);
                 touching.push(contact);
             }
         }
