@@ -4,6 +4,7 @@ mod aabb;
 mod body;
 mod candidates;
 mod contacts;
+mod crowd;
 mod def;
 mod flow;
 mod forces;

@@ -2,6 +2,7 @@
 
 use super::candidates::Candidates;
 use super::contacts::Contact;
+use super::crowd::Crowd;
 use super::flow::Pose;
 use super::impact_time::Cubic;
 use super::impacts::Resume;
@@ -56,6 +57,8 @@ pub struct World {
     pub(super) corners: Vec<(u32, DVec2)>,
     overflows: u64,
     still: bool,
+    /// Set where the plan says so: it then advances the bodies.
+    pub(super) crowd: Option<Box<Crowd>>,
     // Scratch, kept so that a tick allocates nothing once warm.
     /// Centre and half of every surface, m.
     pub(super) blocks: Vec<(DVec2, DVec2)>,
@@ -113,6 +116,7 @@ impl World {
             corners: Vec::new(),
             overflows: 0,
             still: false,
+            crowd: None,
             candidates: Candidates::default(),
             contacts: Vec::new(),
             touching: Vec::new(),
@@ -142,6 +146,7 @@ impl World {
             sums: Vec::new(),
             poses: Vec::new(),
         };
+        world.gather_crowd()?;
         world.show_start();
         Ok(world)
     }
@@ -165,6 +170,7 @@ impl World {
         self.contacts.clear();
         self.candidates.spoil();
         self.still = false;
+        self.gather_crowd()?;
         Ok(id)
     }
 
@@ -181,6 +187,11 @@ impl World {
     pub fn step(&mut self, dt: f64) {
         self.begin_tick();
         if self.still {
+            return;
+        }
+        if let Some(mut crowd) = self.crowd.take() {
+            self.step_crowd(&mut crowd, dt);
+            self.crowd = Some(crowd);
             return;
         }
         self.refresh_laws();
@@ -252,7 +263,7 @@ impl World {
     }
 
     /// The law of motion of every body in the coming interval.
-    fn refresh_laws(&mut self) {
+    pub(super) fn refresh_laws(&mut self) {
         self.laws.clear();
         let streams = self.media.streams.len();
         for (i, body) in self.bodies.iter().enumerate() {
