@@ -9,6 +9,7 @@
 //! - [`game`]: one run of a level: controls, fuel, objectives, hazards, events, score.
 //! - [`scores`]: user names and leaderboards, and their files.
 //! - [`classics`]: a tile run, a jumper, and π from collisions, each with just the model that it needs.
+//! - [`lab`]: accuracy against speed: scenes with exact answers, methods, stress tests, charts.
 //! - [`screens`]: the screens as a state machine, one file a screen; it is tested without a window.
 //! - [`view`]: drawing only: it reads the game and changes nothing in it.
 //! - [`cli`]: one file a subcommand.
@@ -16,6 +17,7 @@
 pub mod classics;
 pub mod cli;
 pub mod game;
+pub mod lab;
 pub mod level;
 pub mod physics;
 pub mod scores;

@@ -5,6 +5,7 @@
 //! Each subcommand's file has `pub struct Args` and `pub fn run(&Args, &Project, &mut dyn Write) -> Result<Status, Stop>`. It
 //! writes its results to the writer, never with `println!`, which panics when the reader has gone away.
 
+mod chart;
 mod check;
 mod files;
 mod jumper;
@@ -49,6 +50,8 @@ enum Command {
     Check(check::Args),
     /// Play a level without a window and print what that came to
     Run(run::Args),
+    /// Measure accuracy against speed and draw the charts
+    Chart(chart::Args),
     /// Make a level folder that loads
     New(new::Args),
     /// Fly recorded runs again and compare where they lead
@@ -125,6 +128,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
         Some(Command::Play(args)) => play::run(args, &project, out),
         Some(Command::Check(args)) => check::run(args, &project, out),
         Some(Command::Run(args)) => run::run(args, &project, out),
+        Some(Command::Chart(args)) => chart::run(args, &project, out),
         Some(Command::New(args)) => new::run(args, &project, out),
         Some(Command::Verify(args)) => verify::run(args, &project, out),
         Some(Command::Tiles(args)) => tiles::run(args, &project, out),

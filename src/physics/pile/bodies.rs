@@ -4,6 +4,11 @@
 //! linear loop; the immovable surfaces follow after the last movable body and never move. [`Bodies::slot`] and [`Bodies::id`]
 //! translate between this numbering and that of the outside.
 
+use std::cmp::Ordering;
+
+/// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
+const MOST_MOVES: usize = 8;
+
 /// What seldom enters a formula, kept together.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Traits {
@@ -111,7 +116,7 @@ impl Bodies {
     }
 
     /// Numbers the bodies bottom-up, equal heights by their number outside. Only what holds at the start of a step is carried
-    /// along. By insertion, since little changes from one time to the next.
+    /// along. By insertion where little has changed since the last time.
     pub fn renumber(&mut self) {
         let n = self.count;
         let (y, id) = (&self.y, &self.id);
@@ -123,19 +128,23 @@ impl Bodies {
         for (i, slot) in self.order.iter_mut().enumerate() {
             *slot = i as u32;
         }
-        if (1..n).filter(|&i| below(i as u32, i as u32 - 1)).count() > n / 4 {
-            self.order.sort_unstable_by(|&a, &b| if below(a, b) { std::cmp::Ordering::Less } else { std::cmp::Ordering::Greater });
-            sorted = false;
-        } else {
-            for i in 1..n {
-                let moved = self.order[i];
-                let mut at = i;
-                while at > 0 && below(moved, self.order[at - 1]) {
-                    self.order[at] = self.order[at - 1];
-                    at -= 1;
-                }
-                self.order[at] = moved;
-                sorted &= at == i;
+        let mut moves = 0;
+        for i in 1..n {
+            let moved = self.order[i];
+            let mut at = i;
+            while at > 0 && below(moved, self.order[at - 1]) {
+                self.order[at] = self.order[at - 1];
+                at -= 1;
+            }
+            self.order[at] = moved;
+            sorted &= at == i;
+            moves += i - at;
+            if moves > MOST_MOVES * n {
+                self.order.sort_unstable_by(|&a, &b| {
+                    let (a, b) = (a as usize, b as usize);
+                    y[b].partial_cmp(&y[a]).unwrap_or(Ordering::Equal).then(id[a].cmp(&id[b]))
+                });
+                break;
             }
         }
         if sorted {

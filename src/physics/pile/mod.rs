@@ -248,7 +248,7 @@ impl Pile {
             return;
         }
         self.last_dt = dt;
-        self.neighbours.drift(&mut self.bodies, self.gravity, dt);
+        self.neighbours.drift(&mut self.bodies, dt);
         let inside = flight::fly(&mut self.bodies, dt, self.drag);
         if !inside {
             self.neighbours.update(&mut self.bodies, dt);

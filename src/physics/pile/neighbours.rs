@@ -5,7 +5,7 @@
 //! are added; when many have left, all is sought anew. The search is a uniform grid of centres filled by a counting sort (cells
 //! in rows, so that what one row has to offer is one contiguous range); the boxes that are much larger than the rest, and those
 //! that were made since, are tested one by one. Surfaces never move: each is tested when they are few, else looked up in a grid
-//! of their own. Without surfaces the boxes move along with the mean velocity and gravity, so that a shower is sought seldom.
+//! of their own. Without surfaces the boxes move along with the mean motion, so that a shower is sought seldom.
 
 use super::bodies::Bodies;
 
@@ -99,7 +99,7 @@ pub(super) struct Neighbours {
     pub first: Vec<u32>,
     pub more: Vec<More>,
     left: usize,
-    /// Mean velocity when all was sought, m/s, and how long ago that was, s.
+    /// Mean velocity (m/s) and mean fall (m/s²) when all was sought, and how long ago that was, s.
     drift: (f64, f64),
     age: f64,
     fall: f64,
@@ -187,10 +187,9 @@ impl Neighbours {
         }
     }
 
-    /// Moves the allowed boxes along for a step of `dt` seconds under `gravity`.
-    pub fn drift(&mut self, bodies: &mut Bodies, gravity: f64, dt: f64) {
+    /// Moves the allowed boxes along for a step of `dt` seconds.
+    pub fn drift(&mut self, bodies: &mut Bodies, dt: f64) {
         if self.surface_edges.is_empty() {
-            self.fall = gravity;
             self.age += dt;
             bodies.shift = self.drifted(self.age);
         }
@@ -250,6 +249,7 @@ impl Neighbours {
         if self.surface_edges.is_empty() {
             let mean = |v: &[f64]| v[..n].iter().sum::<f64>() / n.max(1) as f64;
             self.drift = (mean(&bodies.vx), mean(&bodies.vy));
+            self.fall = (mean(&bodies.free_vy) - self.drift.1) / dt;
             self.age = dt;
             bodies.shift = self.drifted(dt);
         }
@@ -287,7 +287,7 @@ impl Neighbours {
         let (x, px, y, py) = (bodies.x[i] - now.0, bodies.px[i] - then.0, bodies.y[i] - now.1, bodies.py[i] - then.1);
         let falling = self.drift.1 + self.fall * (self.age - dt).max(0.0);
         let far_x = x + ahead * (bodies.vx[i] - self.drift.0 + 0.5 * ahead * bodies.ax[i]);
-        let far_y = y + ahead * (bodies.vy[i] - falling + 0.5 * ahead * (bodies.ay[i] - self.fall));
+        let far_y = y + ahead * (bodies.vy[i] - falling + 0.5 * ahead * ((bodies.free_vy[i] - bodies.vy[i]) / dt - self.fall));
         let (left, right) = (x.min(px).min(far_x) - self.skin, x.max(px).max(far_x) + self.skin);
         let (top, bottom) = (y.min(py).min(far_y) - self.skin, y.max(py).max(far_y) + self.skin);
         (bodies.allowed_left[i], bodies.allowed_right[i]) = (left, right);

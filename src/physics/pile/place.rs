@@ -173,8 +173,20 @@ fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], a: usize, b: usize, axis
     if !crossed && (deep_x <= HAIR || deep_y <= HAIR) {
         return false;
     }
-    let first = put_back(bodies, back, a, axis);
-    put_back(bodies, back, b, axis) || first
+    // A pair that may pass a corner keeps an axis along which it was not quite apart: then both axes go back.
+    let started_apart = match axis {
+        ACROSS => (bodies.x[a] - bodies.x[b]).abs() >= bodies.hx[a] + bodies.hx[b] - HAIR,
+        _ => (bodies.y[a] - bodies.y[b]).abs() >= bodies.hy[a] + bodies.hy[b] - HAIR,
+    };
+    let mut moved = false;
+    for i in [a, b] {
+        for which in [ACROSS, ALONG] {
+            if which == axis || !started_apart {
+                moved |= put_back(bodies, back, i, which);
+            }
+        }
+    }
+    moved
 }
 
 /// Returns whether it was not yet back. Along gravity it does not keep the speed that it gained on a way that it did not go.

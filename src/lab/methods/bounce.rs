@@ -1,0 +1,101 @@
+//! A ball over a floor: one step of length h, with y the height above the floor (m) and v upwards (m/s), by the ways in which games
+//! answer the floor. The ball is a point; the floor is at 0.
+
+/// Height above the floor, m, and velocity upwards, m/s.
+pub type Ball = (f64, f64);
+
+/// One step: ball, field strength g (N/kg), restitution e, step h (s).
+pub type Bounce = fn(Ball, f64, f64, f64) -> Ball;
+
+/// m. A ball this near counts as touching in [`every_tick`]: the slop of the well-known engines.
+const TOUCHING: f64 = 0.005;
+/// Bounces in one step after which the rest of the series is summed (see [`exact`]).
+const SUMMED_AFTER: u32 = 4;
+
+/// Semi-implicit Euler; a ball below the floor is put on it and its velocity turned round.
+pub fn snap((y, v): Ball, g: f64, e: f64, h: f64) -> Ball {
+    let v = v - g * h;
+    let y = y + v * h;
+    if y < 0.0 { (0.0, -e * v) } else { (y, v) }
+}
+
+/// Semi-implicit Euler; a ball below the floor is mirrored at it.
+pub fn reflect((y, v): Ball, g: f64, e: f64, h: f64) -> Ball {
+    let v = v - g * h;
+    let y = y + v * h;
+    if y < 0.0 { (-e * y, -e * v) } else { (y, v) }
+}
+
+/// The exact parabola, but the floor is only looked at when the step is over.
+pub fn verlet_snap((y, v): Ball, g: f64, e: f64, h: f64) -> Ball {
+    let (y, v) = (y + v * h - 0.5 * g * h * h, v - g * h);
+    if y < 0.0 { (0.0, -e * v) } else { (y, v) }
+}
+
+/// A velocity solver that applies restitution at every tick of contact, with the position held to the floor: at rest it keeps a
+/// velocity of e·g·h/(1+e).
+pub fn every_tick((y, v): Ball, g: f64, e: f64, h: f64) -> Ball {
+    let v = v - g * h;
+    let v = if y <= TOUCHING && v < 0.0 { -e * v } else { v };
+    let y = y + v * h;
+    (if y < TOUCHING { 0.0 } else { y }, v)
+}
+
+/// The time until a ball at (y, v) is on the floor: the later root of y + v·t − g·t²/2, without cancellation.
+pub fn time_to_floor((y, v): Ball, g: f64) -> f64 {
+    let root = (v * v + 2.0 * g * y).sqrt();
+    if v > 0.0 { (v + root) / g } else { 2.0 * y / (root - v).max(f64::MIN_POSITIVE) }
+}
+
+/// Exact times of impact on the parabola; what is left of a step after some bounces within it is the geometric series: all bounces
+/// from a take-off at w end after 2w/(g·(1−e)).
+pub fn exact((mut y, mut v): Ball, g: f64, e: f64, h: f64) -> Ball {
+    let mut left = h;
+    let mut bounces = 0;
+    loop {
+        if y == 0.0 && v == 0.0 {
+            return (0.0, 0.0);
+        }
+        let t = time_to_floor((y, v), g);
+        if t > left {
+            return (y + (v - 0.5 * g * left) * left, v - g * left);
+        }
+        left -= t;
+        (y, v) = (0.0, e * (v - g * t).abs());
+        bounces += 1;
+        if bounces > SUMMED_AFTER && e < 1.0 && 2.0 * v / (g * (1.0 - e)) <= left {
+            return (0.0, 0.0);
+        }
+    }
+}
+
+/// The same without the series: how many impacts it makes within `seconds`, at most `cap`. With e < 1 it meets the cap.
+pub fn event_loop(mut ball: Ball, g: f64, e: f64, seconds: f64, cap: u32) -> u32 {
+    let mut left = seconds;
+    for impacts in 0..cap {
+        let t = time_to_floor(ball, g);
+        if t > left {
+            return impacts;
+        }
+        left -= t;
+        ball = (0.0, e * (ball.1 - g * t).abs());
+    }
+    cap
+}
+
+/// E/m over the floor, J/kg.
+pub fn energy((y, v): Ball, g: f64) -> f64 {
+    g * y + 0.5 * v * v
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_exact_bounce_is_the_same_at_any_step() {
+        let whole = exact((1.0, 0.0), 10.0, 0.9, 3.0);
+        let cut = (0..300).fold((1.0, 0.0), |ball, _| exact(ball, 10.0, 0.9, 0.01));
+        assert!((whole.0 - cut.0).abs() < 1e-12 && (whole.1 - cut.1).abs() < 1e-12, "{whole:?} {cut:?}");
+    }
+}

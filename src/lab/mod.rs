@@ -1,0 +1,23 @@
+//! Accuracy against speed: scenes with exact answers, the methods that games use and the engine as it is shipped, what each of them
+//! survives, and the charts that show it. Nothing here reads a clock or a file: `resultant chart` measures, this draws.
+//!
+//! - [`methods`]: the methods, written by hand, each a small pure function.
+//! - [`scenes`]: what they are run on, one file a family; each scene knows its exact answer.
+//! - [`stress`]: where methods fail: the largest value that each survives.
+//! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
+//! - [`curve`]: the numbers behind a diagram. [`diagram`]: work–precision diagrams as SVG; [`report`]: the same as CSV, and the summary.
+
+pub mod curve;
+pub mod diagram;
+pub mod methods;
+pub mod reference;
+pub mod report;
+mod scene;
+pub mod scenes;
+mod shipped;
+pub mod stress;
+
+pub use scene::{Method, Scene};
+
+/// m. A tenth of a pixel at the default scale of 30 pixels a metre: an error that no one can see.
+pub const TOLERANCE: f64 = 1.0 / 300.0;

@@ -1,0 +1,82 @@
+//! A scene: a question with an exact answer, and the methods that are to answer it.
+
+use super::TOLERANCE;
+
+/// The ladder of steps, s. The game's tick is among them.
+pub(super) const LADDER: [f64; 7] = [1.0 / 15.0, 1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0, 1.0 / 480.0, 1.0 / 960.0];
+
+/// A question with an exact answer.
+pub struct Scene {
+    /// Name of its files.
+    pub name: &'static str,
+    /// Heading of its diagram.
+    pub title: String,
+    /// What the error is, with its unit, for the axis.
+    pub error: &'static str,
+    /// The largest error that nobody sees, in the error's unit.
+    pub tolerance: f64,
+    /// What the work is, with its unit, for the axis.
+    pub work: &'static str,
+    /// Work is divided by this: simulated seconds × bodies.
+    pub share: f64,
+    /// Steps to try, s, from the coarsest.
+    pub steps: Vec<f64>,
+    /// The step at which the game ships, s.
+    pub shipped_step: f64,
+    /// Whether all methods answer the same question, so that the cheapest right one can be named.
+    pub alike: bool,
+    /// What answers it; the shipped engine is the last.
+    pub methods: Vec<Method>,
+}
+
+/// A way to answer a scene.
+pub struct Method {
+    /// Its name in the legend.
+    pub name: String,
+    /// Whether it is the engine as it is shipped.
+    pub shipped: bool,
+    /// Runs the whole scene at a step (s) and returns the error.
+    pub run: Box<dyn Fn(f64) -> f64>,
+}
+
+impl Scene {
+    /// A scene of so many simulated seconds and bodies, on the usual ladder, whose error is a distance.
+    pub(super) fn new(name: &'static str, title: impl Into<String>, seconds: f64, bodies: usize) -> Self {
+        Self {
+            name,
+            title: title.into(),
+            error: "error of position at the end, m",
+            tolerance: TOLERANCE,
+            work: "CPU time for a simulated second and body, ns",
+            share: seconds * bodies as f64,
+            steps: LADDER.to_vec(),
+            shipped_step: 1.0 / crate::game::TICK_RATE,
+            alike: true,
+            methods: Vec::new(),
+        }
+    }
+
+    /// With another measure of the error.
+    pub(super) fn measuring(self, error: &'static str) -> Self {
+        Self { error, ..self }
+    }
+
+    /// With one method more.
+    pub(super) fn method(mut self, name: impl Into<String>, run: impl Fn(f64) -> f64 + 'static) -> Self {
+        self.methods.push(Method { name: name.into(), shipped: false, run: Box::new(run) });
+        self
+    }
+
+    /// With the engine as it is shipped.
+    pub(super) fn shipped(mut self, run: impl Fn(f64) -> f64 + 'static) -> Self {
+        self.methods.push(Method { name: "shipped engine".to_owned(), shipped: true, run: Box::new(run) });
+        self
+    }
+}
+
+impl std::fmt::Debug for Scene {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let methods: Vec<_> = self.methods.iter().map(|method| &method.name).collect();
+        f.debug_struct("Scene").field("name", &self.name).field("methods", &methods).finish_non_exhaustive()
+    }
+}

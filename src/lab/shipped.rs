@@ -1,0 +1,63 @@
+//! The engine as it is shipped, set up for the lab's scenes. Its defaults are the game's.
+
+use super::methods::impact::Block;
+use super::methods::motion::{Law, Point};
+use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
+
+/// Steps a world of such a definition for `seconds` in steps of `h`. A definition that is refused answers nothing.
+pub(super) fn run(def: WorldDef, seconds: f64, h: f64) -> Option<World> {
+    let mut world = World::new(def).ok()?;
+    for _ in 0..(seconds / h).round() as u64 {
+        world.step(h);
+    }
+    Some(world)
+}
+
+/// A floor whose top is at y = 0.
+pub(super) fn floor() -> SurfaceDef {
+    SurfaceDef { bounds: Aabb::new(DVec2::new(-1e4, 0.0), DVec2::new(1e4, 1.0)), material: Material::ASPHALT }
+}
+
+/// Bodies above that floor, without air.
+pub(super) fn on_floor(gravity: f64, rest_speed: f64, bodies: Vec<BodyDef>) -> WorldDef {
+    WorldDef { gravity, rest_speed, air_density: 0.0, bodies, surfaces: vec![floor()], ..WorldDef::default() }
+}
+
+/// A box of 1 m whose lower side is at height `y` above the floor.
+pub(super) fn crate_at(x: f64, y: f64, mass: f64) -> BodyDef {
+    BodyDef { position: DVec2::new(x, -0.5 - y), mass, ..BodyDef::default() }
+}
+
+/// A world with one body that obeys `law`, which pulls downwards only. Air that blows everywhere alike is another frame of reference:
+/// in it the air stands still.
+pub(super) fn in_air(law: &Law, start: Point) -> WorldDef {
+    let body = BodyDef { position: start.x, velocity: start.v - law.wind, drag: 2.0 * law.drag, ..BodyDef::default() };
+    WorldDef { gravity: law.constant.y, air_density: 1.0, bodies: vec![body], ..WorldDef::default() }
+}
+
+/// Where that body is after `seconds`, in the ground's frame.
+pub(super) fn flight(law: &Law, start: Point, seconds: f64, h: f64) -> Point {
+    run(in_air(law, start), seconds, h).map_or(Point { x: DVec2::NAN, v: DVec2::NAN }, |world| {
+        let body = world.body(BodyId(0));
+        Point { x: body.position + law.wind * seconds, v: body.velocity + law.wind }
+    })
+}
+
+/// A line of blocks without gravity and air; what has infinite mass is a wall.
+pub(super) fn line(blocks: &[Block], e: f64) -> WorldDef {
+    let movable = blocks.iter().filter(|block| block.mass.is_finite());
+    let bodies = movable.map(|block| BodyDef {
+        position: DVec2::new(block.x, 0.0),
+        velocity: DVec2::new(block.v, 0.0),
+        half: DVec2::new(block.half, 0.5),
+        mass: block.mass,
+        restitution: e,
+        ..BodyDef::default()
+    });
+    let walls = blocks.iter().filter(|block| block.mass.is_infinite());
+    let surfaces = walls.map(|block| SurfaceDef {
+        bounds: Aabb::around(DVec2::new(block.x, 0.0), DVec2::new(block.half, 100.0)),
+        material: Material::STEEL,
+    });
+    WorldDef { gravity: 0.0, air_density: 0.0, bodies: bodies.collect(), surfaces: surfaces.collect(), ..WorldDef::default() }
+}

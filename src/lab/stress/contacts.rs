@@ -1,0 +1,142 @@
+//! Where contact methods fail: thin things, unequal masses, tall columns, many contacts at one instant.
+
+use super::{G, Rows, Survival, TICK};
+use crate::lab::methods::chain::sweeps_needed;
+use crate::lab::methods::impact::{Block, Line, at_once, discrete, exact, swept};
+use crate::lab::scenes::{collisions, stacks, tunnelling};
+use crate::lab::shipped;
+use crate::physics::{BodyId, ForceKind, World};
+
+/// m. The overlap that a resting pair may show at any tick.
+pub const OVERLAP: f64 = 1e-6;
+/// Relative: how right a resting contact's force has to be, of the shipped engine.
+pub const FORCE: f64 = 1e-9;
+/// Relative: how right it has to be for sweeps.
+const SWEPT_FORCE: f64 = 0.01;
+/// Sweeps of the solvers in the table.
+const SWEEPS: [u32; 4] = [10, 50, 500, 5000];
+/// s. How long things have to rest.
+const RESTING: f64 = 2.0;
+
+const LINES: [(&str, Line); 3] =
+    [("overlap at tick ends", discrete), ("swept, rest of tick lost", swept), ("exact time of impact", exact)];
+
+/// Whether a box of 0.5 m never gets through something of 0.1 m and `mass` (kg; infinite: a wall) at 60 Hz, by hand.
+pub fn stays_out(line: Line, speed: f64, mass: f64) -> bool {
+    tunnelling::holds(&|blocks, seconds, h| collisions::by_hand(line, blocks, seconds, h), speed, mass, TICK)
+}
+
+/// The same by the shipped engine.
+pub fn shipped_stays_out(speed: f64, mass: f64) -> bool {
+    tunnelling::holds(&|blocks, seconds, h| collisions::by_engine(&blocks, seconds, h), speed, mass, TICK)
+}
+
+fn tunnels(test: &'static str, mass: f64) -> Vec<Survival> {
+    let range = (1.0, 1e6);
+    let mut rows = Rows::of(test, "speed at 60 Hz, m/s");
+    for (name, line) in LINES {
+        rows = rows.method(name, range, |speed| stays_out(line, speed, mass));
+    }
+    rows.shipped(range, |speed| shipped_stays_out(speed, mass))
+}
+
+/// A wall.
+pub fn tunnelling() -> Vec<Survival> {
+    tunnels("0.5 m box against a 0.1 m wall", f64::INFINITY)
+}
+
+/// Something that can move.
+pub fn tunnelling_of_bodies() -> Vec<Survival> {
+    tunnels("0.5 m box against a 0.1 m plate that can move", 3.0)
+}
+
+/// Whether a column of these masses stands with the shipped engine: nothing moves, and every reaction is the weight above.
+pub fn stands(masses: &[f64]) -> bool {
+    let bodies = masses.iter().enumerate().map(|(i, &mass)| shipped::crate_at(0.0, i as f64, mass));
+    let Ok(mut world) = World::new(shipped::on_floor(G, 1.0, bodies.collect())) else { return false };
+    (0..(RESTING / TICK) as u32).all(|_| {
+        world.step(TICK);
+        let mut above = 0.0;
+        (0..masses.len()).rev().all(|i| {
+            let id = BodyId(i as u32);
+            let carried = above;
+            above += masses[i] * G;
+            // Its reactions from below and from above; the latter is the weight of what it carries.
+            let reaction = -world.forces(id).total(ForceKind::Reaction).y - world.forces(id).total(ForceKind::Push).y;
+            let still = (world.body(id).position.y + 0.5 + i as f64).abs() <= OVERLAP;
+            still && (reaction - (above - carried)).abs() <= FORCE * above
+        })
+    })
+}
+
+/// R times its mass on a block.
+pub fn heavy_on_light() -> Vec<Survival> {
+    let mut rows = Rows::of("heavy on light: forces to 1 %", "mass ratio R");
+    for sweeps in SWEEPS {
+        rows = rows.method(format!("impulses from cold, {sweeps} sweeps"), (1.0, 1e8), |ratio| {
+            sweeps_needed(&[1.0, ratio], SWEPT_FORCE, sweeps).is_some()
+        });
+    }
+    rows.shipped((1.0, 1e8), |ratio| stands(&[1.0, ratio]))
+}
+
+/// N equal blocks.
+pub fn columns() -> Vec<Survival> {
+    let mut rows = Rows::of("column: forces to 1 %", "equal blocks N");
+    let column = |n: f64| vec![1.0; n.floor() as usize];
+    for sweeps in SWEEPS {
+        rows = rows.method(format!("impulses from cold, {sweeps} sweeps"), (1.0, 200.0), |n| {
+            sweeps_needed(&column(n), SWEPT_FORCE, sweeps).is_some()
+        });
+    }
+    let mut rows = rows.shipped((1.0, 200.0), |n| stands(&column(n)));
+    for row in &mut rows {
+        row.largest = row.largest.floor();
+    }
+    rows
+}
+
+/// The velocities after the cradle of `n` has been struck, in units of the first one's.
+pub fn cradle(run: impl Fn(Vec<Block>) -> Vec<Block>, n: usize) -> Vec<f64> {
+    run(collisions::cradle_of(n)).iter().map(|block| block.v / collisions::STRIKE).collect()
+}
+
+/// s. The strike comes after two thirds of a second.
+const STRUCK: f64 = 1.0;
+
+/// By hand.
+pub fn cradle_by_hand(line: Line, n: usize) -> Vec<f64> {
+    cradle(|blocks| collisions::by_hand(line, blocks, STRUCK, TICK), n)
+}
+
+/// By the shipped engine.
+pub fn cradle_by_engine(n: usize) -> Vec<f64> {
+    cradle(|blocks| collisions::by_engine(&blocks, STRUCK, TICK), n)
+}
+
+fn last_leaves(velocities: &[f64]) -> bool {
+    let last = velocities.len().saturating_sub(1);
+    !velocities.is_empty() && velocities.iter().enumerate().all(|(i, v)| (v - f64::from(u8::from(i == last))).abs() <= 1e-9)
+}
+
+/// A cradle's pattern: 0, …, 0, v.
+pub fn simultaneous_impacts() -> Vec<Survival> {
+    let range = (2.0, 20.0);
+    let count = |n: f64| n.floor() as usize;
+    let methods: [(&str, Line); 3] =
+        [("all contacts at once", at_once), ("overlap at tick ends", discrete), ("impacts in order of time", exact)];
+    let mut rows = Rows::of("cradle: the last leaves alone", "blocks");
+    for (name, line) in methods {
+        rows = rows.method(name, range, |n| last_leaves(&cradle_by_hand(line, count(n))));
+    }
+    let mut rows = rows.shipped(range, |n| last_leaves(&cradle_by_engine(count(n))));
+    for row in &mut rows {
+        row.largest = row.largest.floor();
+    }
+    rows
+}
+
+/// The sag of a resting pair of 1 kg and `ratio` kg with the shipped engine, m.
+pub fn shipped_sag(ratio: f64) -> f64 {
+    stacks::sag_by_engine(&[1.0, ratio], RESTING, TICK)
+}

@@ -1,0 +1,149 @@
+//! The lab: its methods against figures known from elsewhere, its scenes against the shipped engine, and `resultant chart`.
+
+use resultant::lab::methods::motion::{Law, Point, Step, follow, rk4, semi_implicit_euler, strang};
+use resultant::lab::stress::TESTS;
+use resultant::lab::{Scene, reference, scenes};
+use resultant::physics::DVec2;
+use std::path::Path;
+use std::process::Command;
+
+fn scene(name: &str) -> Scene {
+    scenes::all().into_iter().find(|scene| scene.name == name).unwrap()
+}
+
+fn error(scene: &Scene, method: &str, step: f64) -> f64 {
+    (scene.methods.iter().find(|found| found.name == method).unwrap().run)(step)
+}
+
+/// Position errors after 3 s, to the two digits known from another implementation.
+#[test]
+fn integrators_have_their_known_errors() {
+    let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, wind: DVec2::new(4.0, 0.0) };
+    let start = Point { x: DVec2::ZERO, v: DVec2::new(20.0, -20.0) };
+    let exact = reference::drag_in_two_dimensions(&law, start, 3.0).x;
+    let known: [(Step, [f64; 3]); 3] =
+        [(semi_implicit_euler, [2.4, 0.59, 0.15]), (strang, [1.2e-2, 7.3e-4, 4.6e-5]), (rk4, [2.3e-5, 7.9e-8, 3.0e-10])];
+    for (step, errors) in known {
+        for (h, known) in [1.0 / 15.0, 1.0 / 60.0, 1.0 / 240.0].into_iter().zip(errors) {
+            let found = (follow(step, &law, start, 3.0, h).x - exact).length();
+            assert!((found / known - 1.0).abs() < 0.03, "{found:e}, known {known:e}");
+        }
+    }
+}
+
+#[test]
+fn the_shipped_engine_is_right_to_rounding_where_an_exact_answer_exists() {
+    for (name, bar) in [
+        ("fall", 1e-9),
+        ("parabola", 1e-9),
+        ("fall-with-drag", 1e-6),
+        ("projectile", 1e-6),
+        ("gust", 1e-6),
+        ("slide", 1e-9),
+        ("bounce-perfect", 1e-6),
+        ("bounce-apexes", 1e-9),
+        ("head-on", 1e-9),
+        ("cradle", 1e-9),
+        ("column", 0.0),
+        ("heavy-on-light", 0.0),
+        ("pushed-row", 1e-9),
+        ("thin-wall", 1e-9),
+        ("thin-body", 1e-9),
+        ("pi", 0.0),
+    ] {
+        let scene = scene(name);
+        let found = error(&scene, &scene.methods.last().unwrap().name, scene.shipped_step);
+        assert!(found <= bar, "{name}: {found:e}");
+    }
+}
+
+#[test]
+fn naive_methods_miss_the_tolerance_where_they_are_known_to() {
+    for (name, method, step) in [
+        ("fall", "semi-implicit Euler", 1.0 / 120.0),
+        ("projectile", "exact drag (Lie)", 1.0 / 120.0),
+        ("slide", "friction clamped", 1.0 / 120.0),
+        ("bounce-apexes", "reflect", 1.0 / 60.0),
+        ("cradle", "all contacts at once", 1.0 / 60.0),
+        ("column", "impulses, 20 sweeps, warm", 1.0 / 60.0),
+        ("heavy-on-light", "impulses, 20 sweeps, warm", 1.0 / 60.0),
+        ("thin-wall", "overlap at tick ends", 1.0 / 60.0),
+        ("thin-body", "overlap at tick ends", 1.0 / 60.0),
+        ("pi", "time steps, N = 3", 1.0 / 60.0),
+    ] {
+        let scene = scene(name);
+        let found = error(&scene, method, step);
+        assert!(found > scene.tolerance || found.is_nan(), "{name}, {method}: {found:e}");
+    }
+    // A gust blows up what takes it in fixed explicit steps.
+    let gust = scene("gust");
+    for method in ["explicit Euler", "semi-implicit Euler", "velocity Verlet", "RK4"] {
+        let found = error(&gust, method, 1.0 / 60.0);
+        assert!(found > 1e4 || found.is_nan(), "{method}: {found:e}");
+    }
+}
+
+/// A step allows two collisions: where the blocks turn round in less time than all of theirs take, the count is wrong.
+#[test]
+fn pi_needs_small_steps() {
+    let tick = 1.0 / 60.0;
+    for (n, h, right) in
+        [(1, 0.1, true), (2, 0.1, false), (2, tick, true), (3, tick, false), (4, 0.01, false), (4, 1e-3, true), (5, 1e-4, false)]
+    {
+        assert_eq!(scenes::pi::stepped(n, h) == Some(scenes::pi::COUNTS[n as usize]), right, "N = {n}, {h} s");
+    }
+}
+
+#[test]
+fn in_every_stress_test_the_shipped_engine_survives_all_that_is_tried() {
+    for test in TESTS {
+        let rows = test();
+        let (naive, shipped): (Vec<_>, Vec<_>) = rows.iter().partition(|row| !row.shipped);
+        assert_eq!(shipped.len(), 1);
+        assert_eq!(shipped[0].largest, shipped[0].tried, "{}", shipped[0].test);
+        assert!(naive.iter().any(|row| row.largest < row.tried), "{}: nobody fails", shipped[0].test);
+    }
+}
+
+/// Runs `resultant chart --quick` without a display: exit status and standard error.
+fn chart(out: &Path) -> (Option<i32>, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_resultant"));
+    let ran = command.env_remove("DISPLAY").args(["chart", "--quick", "--out"]).arg(out).output().unwrap();
+    (ran.status.code(), String::from_utf8(ran.stderr).unwrap())
+}
+
+#[test]
+fn chart_writes_diagrams_tables_and_a_summary() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("new/charts");
+    let (status, progress) = chart(&out);
+    assert_eq!(status, Some(0), "{progress}");
+    let summary = std::fs::read_to_string(out.join("summary.md")).unwrap();
+    assert!(summary.contains("Machine: ") && summary.contains("Commit: "));
+    for scene in scenes::all() {
+        assert!(progress.contains(&scene.title), "no progress shown for {}", scene.name);
+        assert!(summary.contains(&format!("({}.svg)", scene.name)));
+        let svg = std::fs::read_to_string(out.join(format!("{}.svg", scene.name))).unwrap();
+        assert!(svg.contains(scene.error) && svg.contains(scene.work));
+        let csv = std::fs::read_to_string(out.join(format!("{}.csv", scene.name))).unwrap();
+        let rows: Vec<_> = csv::Reader::from_reader(csv.as_bytes()).into_records().map(Result::unwrap).collect();
+        let lab = rows.iter().filter(|row| &row[1] != "peer").count();
+        assert_eq!(lab, scene.methods.len() * scene.steps.len(), "{}", scene.name);
+        for row in rows {
+            assert!(row[3].parse::<f64>().unwrap() > 0.0, "{}: a point without work", scene.name);
+            assert!(row[4].parse::<f64>().is_ok());
+        }
+    }
+    let stress = std::fs::read_to_string(out.join("stress.csv")).unwrap();
+    assert!(stress.lines().count() > 60);
+}
+
+#[test]
+fn chart_says_where_it_cannot_write() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    std::fs::write(&file, "").unwrap();
+    let (status, problem) = chart(&file);
+    assert_eq!(status, Some(2));
+    assert!(problem.contains(&file.display().to_string()), "{problem}");
+}
