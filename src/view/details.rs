@@ -2,7 +2,7 @@
 //! with the arrows' scale and the parts of the model that are at work.
 
 use super::arrows::{self, Arrow, Label, newtons_a_metre, place_labels};
-use super::boxes::{self, Wish};
+use super::boxes::{self, Wish, covers_none};
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
 use super::facts::{Facts, Value, facts, number_width, quantity, short_facts};
@@ -39,6 +39,8 @@ pub struct Details {
     labels: Vec<Label>,
     legend: Vec<String>,
     legend_area: Area,
+    /// Whether the legend is at the left: it changes sides when the ship comes to it.
+    legend_left: bool,
     /// Bodies in view without a box.
     left_out: usize,
     /// Where each body's box was from its middle, so that it stays there.
@@ -67,8 +69,12 @@ impl Details {
         let kept_clear: Vec<Area> =
             objects.iter().copied().chain(self.arrows.iter().map(Arrow::area)).chain(marks).chain(words).collect();
         self.legend = legend(game);
-        self.legend_area = legend_area(&self.legend, frame);
         let hud = HudLayout::new(frame);
+        let below = covered.map_or(hud.status.max().y, |area| area.max().y) + 2.0 * GRID;
+        let ship = on_canvas(&bounds(SHIP.index()), view).inset(-2.0 * GRID);
+        let place = |left: bool| legend_area(&self.legend, frame, left.then_some(below));
+        self.legend_left ^= !covers_none(&place(self.legend_left), &[ship]);
+        self.legend_area = place(self.legend_left);
         let taken: Vec<Area> = [hud.status, hud.fuel, self.legend_area].into_iter().chain(covered).collect();
 
         let (all, places) = self.fit(game, &shown, &objects, frame, &taken, &kept_clear);
@@ -84,7 +90,7 @@ impl Details {
         if self.left_out > 0 {
             let more = format!("{} more objects without a box", self.left_out);
             self.legend.push(more);
-            self.legend_area = legend_area(&self.legend, frame);
+            self.legend_area = legend_area(&self.legend, frame, self.legend_left.then_some(below));
         }
         let taken: Vec<Area> = taken.into_iter().chain(self.boxes.iter().map(|placed| placed.area)).collect();
         let width = |name: &str| name.chars().count() as f32 * MONO_ADVANCE * frame.text_height(DETAILS);
@@ -204,12 +210,13 @@ fn words_area(text: &Text, view: &Viewport) -> Area {
     Area { min: view.point(text.position), size: Vec2::new(letters * WORDS_ADVANCE, 1.0) * view.length(text.size) }
 }
 
-/// At the top right.
-fn legend_area(lines: &[String], frame: &Frame) -> Area {
+/// At the top right, or at the left so far down.
+fn legend_area(lines: &[String], frame: &Frame, left: Option<f32>) -> Area {
     let text = frame.text_height(DETAILS);
     let longest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0);
     let size = Vec2::new(longest as f32 * MONO_ADVANCE * text, lines.len() as f32 * text * LINE) + 2.0 * PADDING;
-    Area { min: Vec2::new(frame.size.x - size.x - 2.0 * GRID, 2.0 * GRID), size }
+    let right = Vec2::new(frame.size.x - size.x - 2.0 * GRID, 2.0 * GRID);
+    Area { min: left.map_or(right, |top| Vec2::new(2.0 * GRID, top)), size }
 }
 
 fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
