@@ -36,6 +36,8 @@ pub(super) enum Happening {
     Stop(usize),
     /// A contact ends because its bodies no longer face each other.
     Edge,
+    /// A hit that the cubics foresaw and the motions do not show yet: look again from nearer.
+    Look,
     /// A body enters or leaves an air stream.
     Stream(u32, u32),
     /// The law of motion has a kink: a liquid's surface, or the exposed side of a body changes.
@@ -48,6 +50,12 @@ pub(super) enum Happening {
 const CUBIC_REACH: f64 = 0.5;
 /// The shortest interval into which light things near others cut a tick, as a fraction of it.
 const SHORTEST: f64 = 1.0 / 16.0;
+/// m/s and m/s². Where things meet more gently than this it is the rounding of their places that meets: they would sink into each other
+/// by less than 1e-11 m within a tick.
+const GRAZING_SPEED: f64 = 1e-11;
+const GRAZING_ACCELERATION: f64 = 1e-6;
+/// How soon to look again, as a part of the interval.
+const SECOND_LOOK: f64 = 1.0 / 64.0;
 /// Steps to polish the time of an event on the motion itself.
 const POLISH: u32 = 4;
 
@@ -206,19 +214,13 @@ impl World {
     /// The first thing that happens within `end` seconds, and when.
     pub(super) fn next_happening(&mut self, end: f64) -> (f64, Happening) {
         let mut first = (end, Happening::Nothing);
-        self.cubics.clear();
-        for i in 0..self.bodies.len() {
-            let body = &self.bodies[i];
-            let cubic = match self.motions[i] {
-                Motion::Still => Cubic::parabola(body.position, DVec2::ZERO, DVec2::ZERO),
-                Motion::Parabola => Cubic::parabola(body.position, body.velocity, self.solved[i]),
-                Motion::Flow | Motion::Coupled => {
-                    let (x0, v0) = (body.position, body.velocity);
-                    let (x1, v1) = self.pose(i, end);
-                    Cubic::hermite(x0, v0, x1, v1, end)
-                }
-            };
-            self.cubics.push(cubic);
+        self.draw_cubics(end);
+        if self.plan.media() {
+            self.next_crossing(&mut first);
+            if first.0 < end {
+                // Across a kink of its law no cubic follows a motion: draw them up to it.
+                self.draw_cubics(first.0);
+            }
         }
         for index in 0..self.resumes.len() {
             let t = self.resumes[index].at - self.now;
@@ -228,10 +230,25 @@ impl World {
         }
         self.next_contact_change(&mut first);
         self.next_hit(&mut first);
-        if self.plan.media() {
-            self.next_crossing(&mut first);
-        }
         first
+    }
+
+    /// Cubics that follow the motions for `end` seconds.
+    fn draw_cubics(&mut self, end: f64) {
+        self.cubics.clear();
+        for i in 0..self.bodies.len() {
+            let (x, v) = (self.bodies[i].position, self.bodies[i].velocity);
+            let cubic = match self.motions[i] {
+                Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
+                Motion::Parabola => Cubic::parabola(x, v, self.solved[i]),
+                Motion::Flow | Motion::Coupled if end > 0.0 => {
+                    let (end_x, end_v) = self.pose(i, end);
+                    Cubic::hermite(x, v, end_x, end_v, end)
+                }
+                Motion::Flow | Motion::Coupled => Cubic::parabola(x, v, self.solved[i]),
+            };
+            self.cubics.push(cubic);
+        }
     }
 
     fn cubic(&self, item: u32) -> Cubic {
@@ -265,23 +282,35 @@ impl World {
             let motion = self.cubic(pair.a).relative(&self.cubic(pair.b));
             let reach = self.half(pair.a) + self.half(pair.b);
             let Some((t, axis)) = time_of_impact(&motion, reach, first.0) else { continue };
-            let contact = self.contact_along(pair, axis, motion.axis(axis).at(t) > 0.0, true);
-            let t = self.polish(contact.lo, contact.hi, axis, reach[axis], t, first.0);
+            let path = motion.axis(axis);
+            let side = path.at(t).signum();
+            if -side * path.slope(t) <= GRAZING_SPEED && -side * path.curvature(t) <= GRAZING_ACCELERATION {
+                continue;
+            }
+            let contact = self.contact_along(pair, axis, side > 0.0, true);
+            let (t, happening) = match self.polish(&contact, reach[axis], t, first.0) {
+                Some(t) => (t, Happening::Hit(contact)),
+                None => (t.max(first.0 * SECOND_LOOK), Happening::Look),
+            };
             if t < first.0 {
-                *first = (t, Happening::Hit(contact));
+                *first = (t, happening);
             }
         }
     }
 
-    /// Newton's method for the time at which `hi` touches `lo`, on the motions themselves.
-    fn polish(&mut self, lo: u32, hi: u32, axis: usize, reach: f64, mut t: f64, end: f64) -> f64 {
+    /// Newton's method for the time at which a contact closes, on the motions themselves; none if they do not close there after all.
+    fn polish(&mut self, contact: &Contact, reach: f64, mut t: f64, end: f64) -> Option<f64> {
+        let Contact { lo, hi, axis, .. } = *contact;
         if self.exact(lo) && self.exact(hi) {
-            return t;
+            return Some(t);
         }
-        for _ in 0..POLISH {
+        for step in 0..POLISH {
             let ((lo_x, lo_v), (hi_x, hi_v)) = (self.pose_of(lo, t), self.pose_of(hi, t));
             let gap = hi_x[axis] - lo_x[axis] - reach;
             let closing = lo_v[axis] - hi_v[axis];
+            if step == 0 && closing <= 0.0 && gap > -SLOP {
+                return None;
+            }
             let next = t + gap / closing;
             // Where the boxes only graze, Newton's method would run off to the moment at which they parted.
             if closing <= 0.0 || next <= 0.0 || next > end || next == t {
@@ -289,7 +318,7 @@ impl World {
             }
             t = next;
         }
-        t
+        Some(t)
     }
 
     /// Ends of slides, and things sliding off an edge.

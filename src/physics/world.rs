@@ -291,7 +291,7 @@ impl World {
     /// Does what ended the interval; returns the pair that met, if that was it.
     fn apply(&mut self, happening: Happening) -> Option<Contact> {
         match happening {
-            Happening::Nothing | Happening::Edge => {}
+            Happening::Nothing | Happening::Edge | Happening::Look => {}
             Happening::Hit(contact) => {
                 self.place_against(&contact);
                 return Some(contact);
