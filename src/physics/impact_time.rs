@@ -52,6 +52,10 @@ impl Polynomial {
         c[1] + t * (2.0 * c[2] + t * 3.0 * c[3])
     }
 
+    pub fn curvature(&self, t: f64) -> f64 {
+        2.0 * self.0[2] + 6.0 * self.0[3] * t
+    }
+
     /// Bounds of its values on [0, t]: the hull of its Bézier points.
     pub fn bounds(&self, t: f64) -> (f64, f64) {
         let c = &self.0;
@@ -62,16 +66,20 @@ impl Polynomial {
         (p0.min(p1).min(p2.min(p3)), p0.max(p1).max(p2.max(p3)))
     }
 
-    /// The first t in (0, end] after `from` at which it falls through `level`: from above it to it or below.
+    /// The first t in (from, end] at which it falls through `level`: from above it to it or below, or back into it from a rise that
+    /// ended at it (within [`SLOP`] below: things that parted by a rounding and come back).
     pub fn falls_through(&self, level: f64, from: f64, end: f64) -> Option<f64> {
         let shifted = Self([self.0[0] - level, self.0[1], self.0[2], self.0[3]]);
         let (first, second) = shifted.turning_points();
         let mut begin = from;
         for stop in [first, second, end] {
-            // Not `clamp`, which panics where the interval is shorter than `from` already.
             let stop = stop.min(end).max(begin);
-            if shifted.at(begin) > 0.0 && shifted.at(stop) <= 0.0 {
+            let (high, low) = (shifted.at(begin), shifted.at(stop));
+            if high > 0.0 && low <= 0.0 {
                 return Some(shifted.root(begin, stop));
+            }
+            if begin > from && low < high && (-2.0 * SLOP..=0.0).contains(&high) {
+                return Some(begin);
             }
             begin = stop;
         }

@@ -76,14 +76,16 @@ impl World {
             let met = hit.filter(|contact| contact.pair == pair);
             if let Some(mut contact) = met.or_else(|| self.contact(pair, SLOP)) {
                 contact.closed |= resting || met.is_some();
-                contact.clings = self.clings(&contact);
+                // What has just come together by a hair's breadth has done so, whatever pulls at it alone.
+                let grazes = met.is_some() && (-MICRO_SPEED..=0.0).contains(&self.approach(&contact));
+                contact.clings = grazes || self.clings(&contact);
                 touching.push(contact);
             }
         }
         self.touching = touching;
     }
 
-    /// Whether two things part so slowly, and are pulled together so surely, that they rest on each other.
+    /// Whether two things part so slowly that they rest on each other, if nothing pulls them apart.
     fn clings(&self, contact: &Contact) -> bool {
         let approach = self.approach(contact);
         if !(-MICRO_SPEED..0.0).contains(&approach) {
@@ -94,7 +96,7 @@ impl World {
                 .get(item as usize)
                 .map_or(DVec2::ZERO, |body| self.media.acceleration(body, &self.laws[item as usize], body.position, body.velocity))
         };
-        (pull(contact.lo) - pull(contact.hi))[contact.axis] > 0.0
+        (pull(contact.lo) - pull(contact.hi))[contact.axis] >= 0.0
     }
 
     fn approach(&self, contact: &Contact) -> f64 {

@@ -2,10 +2,12 @@
 
 use super::candidates::Candidates;
 use super::contacts::Contact;
+use super::crowd::Crowd;
 use super::flow::Pose;
+use super::happenings::Happening;
 use super::impact_time::Cubic;
 use super::impacts::Resume;
-use super::interval::{Happening, Motion};
+use super::interval::Motion;
 use super::media::{Law, Media};
 use super::reactions::Reactions;
 use super::tuning::{EDGE_THICKNESS, MAX_INTERVALS, SLOP};
@@ -56,6 +58,8 @@ pub struct World {
     pub(super) corners: Vec<(u32, DVec2)>,
     overflows: u64,
     still: bool,
+    /// Set where the plan says so: it then advances the bodies.
+    pub(super) crowd: Option<Box<Crowd>>,
     // Scratch, kept so that a tick allocates nothing once warm.
     /// Centre and half of every surface, m.
     pub(super) blocks: Vec<(DVec2, DVec2)>,
@@ -113,6 +117,7 @@ impl World {
             corners: Vec::new(),
             overflows: 0,
             still: false,
+            crowd: None,
             candidates: Candidates::default(),
             contacts: Vec::new(),
             touching: Vec::new(),
@@ -142,6 +147,7 @@ impl World {
             sums: Vec::new(),
             poses: Vec::new(),
         };
+        world.gather_crowd()?;
         world.show_start();
         Ok(world)
     }
@@ -165,6 +171,7 @@ impl World {
         self.contacts.clear();
         self.candidates.spoil();
         self.still = false;
+        self.gather_crowd()?;
         Ok(id)
     }
 
@@ -181,6 +188,11 @@ impl World {
     pub fn step(&mut self, dt: f64) {
         self.begin_tick();
         if self.still {
+            return;
+        }
+        if let Some(mut crowd) = self.crowd.take() {
+            self.step_crowd(&mut crowd, dt);
+            self.crowd = Some(crowd);
             return;
         }
         self.refresh_laws();
@@ -252,7 +264,7 @@ impl World {
     }
 
     /// The law of motion of every body in the coming interval.
-    fn refresh_laws(&mut self) {
+    pub(super) fn refresh_laws(&mut self) {
         self.laws.clear();
         let streams = self.media.streams.len();
         for (i, body) in self.bodies.iter().enumerate() {
@@ -291,7 +303,7 @@ impl World {
     /// Does what ended the interval; returns the pair that met, if that was it.
     fn apply(&mut self, happening: Happening) -> Option<Contact> {
         match happening {
-            Happening::Nothing | Happening::Edge => {}
+            Happening::Nothing | Happening::Edge | Happening::Look => {}
             Happening::Hit(contact) => {
                 self.place_against(&contact);
                 return Some(contact);

@@ -15,9 +15,13 @@ use macroquad::window::next_frame;
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
 use std::rc::Rc;
+use std::time::Duration;
 
 /// A new screen fades in over this, s.
 const FADE: f64 = 0.16;
+/// How often the window is tried to open, and the time after each: an X server turns programs away for a moment while it resets.
+const ATTEMPTS: u32 = 4;
+const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(150);
 /// How much one tick's time counts in the running mean that F3 shows.
 const COST_WEIGHT: f64 = 0.02;
 /// Which key of the keyboard is which of ours.
@@ -50,7 +54,7 @@ const KEYS: [(KeyCode, Key); 21] = [
 /// # Errors
 /// There is no display, or what the window needs cannot be had; in words.
 pub fn open(places: Places, start: Option<Attempt>) -> Result<(), String> {
-    let conf = Conf {
+    let conf = || Conf {
         window_title: "Resultant".into(),
         window_width: DESIGN.x as i32,
         window_height: DESIGN.y as i32,
@@ -61,24 +65,27 @@ pub fn open(places: Places, start: Option<Attempt>) -> Result<(), String> {
     };
     // None until the window is there, then how the sitting ended.
     let ended: Rc<RefCell<Option<Result<(), String>>>> = Rc::default();
-    let opened = ended.clone();
     // miniquad panics where it finds no display. Until the window is there that panic is caught and told in words; from then on
     // panics are what they always are.
-    let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
-    let outcome = panic::catch_unwind(AssertUnwindSafe(|| {
-        macroquad::Window::from_config(conf, async move {
-            panic::set_hook(hook);
-            *opened.borrow_mut() = Some(Ok(()));
-            let end = run(places, start).await;
-            *opened.borrow_mut() = Some(end);
-        });
-    }));
-    match (ended.take(), outcome) {
-        (None, _) => Err("the window cannot be opened: there is no display, or it lacks OpenGL".into()),
-        (Some(_), Err(panic)) => panic::resume_unwind(panic),
-        (Some(end), Ok(())) => end,
+    for _ in 0..ATTEMPTS {
+        let (sitting, opened) = ((places.clone(), start.clone()), ended.clone());
+        let outcome = panic::catch_unwind(AssertUnwindSafe(|| {
+            macroquad::Window::from_config(conf(), async move {
+                drop(panic::take_hook());
+                *opened.borrow_mut() = Some(Ok(()));
+                let end = run(sitting.0, sitting.1).await;
+                *opened.borrow_mut() = Some(end);
+            });
+        }));
+        match (ended.take(), outcome) {
+            (None, _) => std::thread::sleep(BETWEEN_ATTEMPTS),
+            (Some(_), Err(panic)) => panic::resume_unwind(panic),
+            (Some(end), Ok(())) => return end,
+        }
     }
+    drop(panic::take_hook());
+    Err("the window cannot be opened: there is no display, or it lacks OpenGL".into())
 }
 
 async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {

@@ -225,7 +225,7 @@ pub fn place_labels(arrows: &[Arrow], height: f32, width: impl Fn(&str) -> f32, 
 pub fn draw_labels(arrows: &[Arrow], labels: &[Label], canvas: &Canvas) {
     for label in labels {
         let arrow = &arrows[label.arrow];
-        canvas.rounded(label.area.inset(-1.0), 3.0, faded(theme::GROUND, 0.7));
+        canvas.rounded(label.area.inset(-1.0), 3.0, faded(theme::GROUND, 0.85));
         canvas.text(arrow.name(), label.area.centre(), Style::new(DETAILS, arrow.colour()).centred().middle());
     }
 }

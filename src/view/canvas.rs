@@ -1,7 +1,7 @@
 //! The canvas: what every drawing goes through. Shapes are macroquad's, in canvas units; text is kept until the shapes of its layer
 //! are drawn, because each change between shapes and text costs a draw call.
 
-use super::fonts::{Face, Fonts, font_size, glyph_size};
+use super::fonts::{Face, Fonts, font_size, glyph_size, runs};
 use super::layout::{Area, Frame, LINE, Vec2};
 use super::theme;
 use macroquad::camera::{Camera2D, set_camera, set_default_camera};
@@ -150,18 +150,21 @@ impl Canvas {
             Align::Right => at.x - self.width(text, style),
         };
         let baseline = at.y + height * if style.middle { HALF_CAPITAL } else { ASCENT };
-        let physical = (Vec2::new(left, baseline) / self.frame.pixel).round();
-        self.lines.borrow_mut().push(Line {
-            text: text.to_owned(),
-            at: physical / self.dpi,
-            size: self.font_size(style),
-            face: style.face,
-            colour: style.colour,
-        });
+        let mut from = left;
+        for (text, face) in runs(text, style.face) {
+            let physical = (Vec2::new(from, baseline) / self.frame.pixel).round();
+            from += self.run_width(&text, Style { face, ..style });
+            let (size, colour) = (self.font_size(style), style.colour);
+            self.lines.borrow_mut().push(Line { text, at: physical / self.dpi, size, face, colour });
+        }
     }
 
     /// The width of a line of text in canvas units.
     pub fn width(&self, text: &str, style: Style) -> f32 {
+        runs(text, style.face).iter().map(|(run, face)| self.run_width(run, Style { face: *face, ..style })).sum()
+    }
+
+    fn run_width(&self, text: &str, style: Style) -> f32 {
         let logical = measure_text(text, Some(self.fonts.get(style.face)), self.font_size(style), 1.0).width;
         logical * self.dpi * self.frame.pixel
     }

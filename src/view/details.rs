@@ -2,7 +2,7 @@
 //! with the arrows' scale and the parts of the model that are at work.
 
 use super::arrows::{self, Arrow, Label, newtons_a_metre, place_labels};
-use super::boxes::{self, Wish};
+use super::boxes::{self, Wish, covers_none};
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
 use super::facts::{Facts, Value, facts, number_width, quantity, short_facts};
@@ -10,15 +10,19 @@ use super::hud::HudLayout;
 use super::layout::{Area, CORNER, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
 use super::theme::{self, faded};
 use crate::game::{Game, SHIP};
+use crate::level::Text;
 use crate::physics::{Aabb, BodyId, DVec2};
 
-/// Inside a box's edge, canvas units: less than a panel's, for there may be many.
-const PADDING: f32 = GRID;
+/// Inside a box's edge, canvas units: above and below less than in a panel, for there may be many.
+const PADDING: Vec2 = Vec2::new(2.0 * GRID, GRID);
 /// Characters of the longest name in a box, and of the longest unit, with the space before each of the two other columns.
 const NAME_WIDTH: usize = 15;
 const UNIT_WIDTH: usize = 5;
 /// Numbers are given room for this many characters at least, so that boxes seldom change their width: "−9999.9".
 const NUMBER_WIDTH: usize = 7;
+
+/// About the mean width of a letter of the sans face, in heights of the text.
+const WORDS_ADVANCE: f32 = 0.5;
 
 /// A box with its place.
 struct Placed {
@@ -35,6 +39,8 @@ pub struct Details {
     labels: Vec<Label>,
     legend: Vec<String>,
     legend_area: Area,
+    /// Whether the legend is at the left: it changes sides when the ship comes to it.
+    legend_left: bool,
     /// Bodies in view without a box.
     left_out: usize,
     /// Where each body's box was from its middle, so that it stays there.
@@ -44,8 +50,8 @@ pub struct Details {
 }
 
 impl Details {
-    /// Lays everything out anew. `centres` says where each body is drawn (m).
-    pub fn arrange(&mut self, game: &Game, centres: &[DVec2], view: &Viewport, frame: &Frame) {
+    /// Lays everything out anew. `centres` says where each body is drawn (m), `covered` what else stands on the screen.
+    pub fn arrange(&mut self, game: &Game, centres: &[DVec2], covered: Option<Area>, view: &Viewport, frame: &Frame) {
         self.before.resize(centres.len(), None);
         let visible = view.visible();
         let bounds = |i: usize| Aabb::around(centres[i], game.world().bodies()[i].half);
@@ -56,11 +62,20 @@ impl Details {
 
         self.arrows = shown.iter().flat_map(|&i| arrows::arrows(game, id(i), centres[i], view)).collect();
         let objects: Vec<Area> = shown.iter().map(|&i| on_canvas(&bounds(i), view)).collect();
-        let kept_clear: Vec<Area> = objects.iter().copied().chain(self.arrows.iter().map(Arrow::area)).collect();
+        let level = game.level();
+        let goals = level.objectives.iter().map(|objective| &objective.bounds);
+        let marks = level.obstacles.iter().chain(goals).map(|bounds| on_canvas(bounds, view));
+        let words = level.texts.iter().map(|text| words_area(text, view));
+        let kept_clear: Vec<Area> =
+            objects.iter().copied().chain(self.arrows.iter().map(Arrow::area)).chain(marks).chain(words).collect();
         self.legend = legend(game);
-        self.legend_area = legend_area(&self.legend, frame);
         let hud = HudLayout::new(frame);
-        let taken = [hud.status, hud.fuel, self.legend_area];
+        let below = covered.map_or(hud.status.max().y, |area| area.max().y) + 2.0 * GRID;
+        let ship = on_canvas(&bounds(SHIP.index()), view).inset(-2.0 * GRID);
+        let place = |left: bool| legend_area(&self.legend, frame, left.then_some(below));
+        self.legend_left ^= !covers_none(&place(self.legend_left), &[ship]);
+        self.legend_area = place(self.legend_left);
+        let taken: Vec<Area> = [hud.status, hud.fuel, self.legend_area].into_iter().chain(covered).collect();
 
         let (all, places) = self.fit(game, &shown, &objects, frame, &taken, &kept_clear);
         self.left_out = places.iter().filter(|place| place.is_none()).count();
@@ -75,7 +90,7 @@ impl Details {
         if self.left_out > 0 {
             let more = format!("{} more objects without a box", self.left_out);
             self.legend.push(more);
-            self.legend_area = legend_area(&self.legend, frame);
+            self.legend_area = legend_area(&self.legend, frame, self.legend_left.then_some(below));
         }
         let taken: Vec<Area> = taken.into_iter().chain(self.boxes.iter().map(|placed| placed.area)).collect();
         let width = |name: &str| name.chars().count() as f32 * MONO_ADVANCE * frame.text_height(DETAILS);
@@ -140,7 +155,7 @@ impl Details {
     fn draw_legend(&self, canvas: &Canvas) {
         panel(canvas, self.legend_area);
         for (i, line) in self.legend.iter().enumerate() {
-            let at = self.legend_area.min + Vec2::new(PADDING, PADDING + i as f32 * canvas.line_height(DETAILS));
+            let at = self.legend_area.min + PADDING + Vec2::new(0.0, i as f32 * canvas.line_height(DETAILS));
             canvas.text(line, at, Style::new(DETAILS, theme::QUIET).mono());
         }
     }
@@ -166,7 +181,7 @@ fn draw_box(placed: &Placed, canvas: &Canvas) {
 }
 
 fn panel(canvas: &Canvas, area: Area) {
-    canvas.rounded(area, CORNER, faded(theme::PANEL, 0.95));
+    canvas.rounded(area, CORNER, faded(theme::PANEL, 0.97));
     canvas.rounded_edge(area, CORNER, 1.5, theme::PANEL_EDGE);
 }
 
@@ -189,12 +204,19 @@ fn legend(game: &Game) -> Vec<String> {
     lines
 }
 
-/// At the top right.
-fn legend_area(lines: &[String], frame: &Frame) -> Area {
+/// About where words of the level stand.
+fn words_area(text: &Text, view: &Viewport) -> Area {
+    let letters = text.text.chars().count() as f32;
+    Area { min: view.point(text.position), size: Vec2::new(letters * WORDS_ADVANCE, 1.0) * view.length(text.size) }
+}
+
+/// At the top right, or at the left so far down.
+fn legend_area(lines: &[String], frame: &Frame, left: Option<f32>) -> Area {
     let text = frame.text_height(DETAILS);
     let longest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0);
     let size = Vec2::new(longest as f32 * MONO_ADVANCE * text, lines.len() as f32 * text * LINE) + 2.0 * PADDING;
-    Area { min: Vec2::new(frame.size.x - size.x - 2.0 * GRID, 2.0 * GRID), size }
+    let right = Vec2::new(frame.size.x - size.x - 2.0 * GRID, 2.0 * GRID);
+    Area { min: left.map_or(right, |top| Vec2::new(2.0 * GRID, top)), size }
 }
 
 fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {

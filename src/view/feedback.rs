@@ -19,6 +19,9 @@ const FLASH_TIME: f64 = 0.35;
 /// How long the lost points float, s, and how fast, m/s.
 const FLOAT_TIME: f64 = 1.4;
 const FLOAT_SPEED: f64 = 1.3;
+/// How far down the screen the lost points stay at least, and how far beside the hit they are under a roof, canvas units.
+const TOP: f32 = 80.0;
+const FLOAT_ASIDE: f32 = 80.0;
 /// How long a ring spreads, s, and how far, m.
 const RING_TIME: f64 = 0.7;
 const RING_REACH: f64 = 4.0;
@@ -74,8 +77,10 @@ impl Feedback {
         for (point, age) in &self.floats {
             let t = (age / FLOAT_TIME) as f32;
             let at = view.point(*point - DVec2::new(0.0, 1.2 + FLOAT_SPEED * age));
-            // It stays on the screen when the hit was at its edge.
-            let at = at.clamp(Vec2::new(48.0, 64.0), (canvas.size() - 64.0).max(Vec2::splat(64.0)));
+            // After a hit at the edge of the screen it stays on it; under a roof it floats beside the ship instead of over it.
+            let beside = if at.y < TOP { FLOAT_ASIDE * (canvas.size().x / 2.0 - at.x).signum() } else { 0.0 };
+            let low = Vec2::new(48.0, TOP);
+            let at = (at + Vec2::new(beside, 0.0)).clamp(low, (canvas.size() - low).max(low));
             let style = Style::new(BUTTON_TEXT, faded(theme::BAD, (2.0 - 2.0 * t).min(1.0))).mono().centred().middle();
             canvas.text("−500", at, style);
         }

@@ -15,11 +15,20 @@ pub enum Face {
     Mono,
 }
 
+/// Signs that are set in the monospaced face amid words too: the sans face has no arrows, and its π reads like another letter.
+const IN_MONO: [char; 5] = ['←', '→', '↑', '↓', 'π'];
 /// Beyond printable ASCII, the signs that the game writes.
 const SIGNS: &str = "−×·°²³±≈≤≥→←↑↓–—…µμρπΔ‘’“”£é";
 /// Sizes in physical pixels kept at once; a window dragged through more of them starts a fresh atlas, so that it never grows
 /// without end.
 const MOST_SIZES: usize = 20;
+
+/// The text cut into runs of one face each.
+pub fn runs(text: &str, face: Face) -> Vec<(String, Face)> {
+    let face_of = |c: &char| if IN_MONO.contains(c) { Face::Mono } else { face };
+    let letters: Vec<char> = text.chars().collect();
+    letters.chunk_by(|a, b| face_of(a) == face_of(b)).map(|run| (run.iter().collect(), face_of(&run[0]))).collect()
+}
 
 /// The faces with the glyphs that have been made ready.
 pub struct Fonts {
@@ -88,4 +97,20 @@ fn face(name: &str, bytes: &[u8]) -> Result<Font, String> {
     // Glyphs are drawn at the size at which they were made: the nearest sample keeps them sharp between pixels.
     font.set_filter(FilterMode::Nearest);
     Ok(font)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signs_that_the_words_lack_are_set_in_the_other_face() {
+        let cut = |text, face| runs(text, face).into_iter().map(|(run, face)| format!("{face:?} {run}")).collect::<Vec<_>>();
+        assert_eq!(
+            cut("the digits of π, → and so on", Face::Sans),
+            ["Sans the digits of ", "Mono π", "Sans , ", "Mono →", "Sans  and so on"]
+        );
+        assert_eq!(cut("← → walk", Face::Mono), ["Mono ← → walk"]);
+        assert!(cut("", Face::Sans).is_empty());
+    }
 }

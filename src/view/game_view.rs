@@ -85,7 +85,8 @@ impl GameView {
         self.feedback.advance(frame_time);
         if overlays.details {
             let centres: Vec<DVec2> = ids(game).map(|id| centre(game, id, alpha)).collect();
-            self.details.arrange(game, &centres, &view, frame);
+            let figures = overlays.hitboxes.then(|| hitboxes::figures_area(frame));
+            self.details.arrange(game, &centres, figures, &view, frame);
         }
     }
 

@@ -3,7 +3,9 @@
 
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
-use super::layout::{Area, DETAILS, GRID, MONO_ADVANCE, Vec2};
+use super::facts::number;
+use super::hud::HudLayout;
+use super::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
 use super::theme::{self, faded, rgb};
 use crate::game::{Game, SHIP};
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind, Source};
@@ -14,6 +16,8 @@ use macroquad::shapes::draw_rectangle_lines;
 const BODY: Color = rgb(0x7CFF6B);
 const SURFACE: Color = rgb(0x56B4E9);
 const ZONE: Color = rgb(0xE6EBF2);
+/// Lines of figures, and the characters that they have room for: the panel keeps its size while they change.
+const FIGURES: (usize, usize) = (2, 46);
 /// Two boxes count as touching for this drawing within so many metres.
 const NEAR: f64 = 1e-3;
 
@@ -71,15 +75,21 @@ fn draw_contacts(game: &Game, id: BodyId, view: &Viewport, canvas: &Canvas) {
     }
 }
 
-/// Below the head-up display's panel, on a ground of its own so that it can be read over anything.
+/// Where the figures stand: below the head-up display's panel.
+pub fn figures_area(frame: &Frame) -> Area {
+    let text = frame.text_height(DETAILS);
+    let size = Vec2::new(FIGURES.1 as f32 * MONO_ADVANCE, FIGURES.0 as f32 * LINE) * text;
+    let status = HudLayout::new(frame).status;
+    Area { min: Vec2::new(status.min.x, status.max().y + 2.0 * GRID), size: size + Vec2::new(2.0, 1.0) * GRID }
+}
+
+/// On a ground of its own so that it can be read over anything.
 fn draw_figures(game: &Game, figures: &str, canvas: &Canvas) {
     let ship = game.world().body(SHIP);
     let DVec2 { x, y } = ship.position;
-    let lines = [figures.to_owned(), format!("tick {}  ship {x:.3}, {y:.3} m  {:.1}°", game.ticks(), game.ship().angle)];
-    let line = canvas.line_height(DETAILS);
-    let longest = lines.iter().map(|text| text.chars().count()).max().unwrap_or(0);
-    let width = longest as f32 * MONO_ADVANCE * canvas.frame().text_height(DETAILS);
-    let area = Area::new(2.0 * GRID, 9.0 * GRID, width + 2.0 * GRID, lines.len() as f32 * line + GRID);
+    let angle = number(game.ship().angle);
+    let lines: [String; FIGURES.0] = [figures.to_owned(), format!("tick {}  ship {x:.3}, {y:.3} m  {angle}°", game.ticks())];
+    let (line, area) = (canvas.line_height(DETAILS), figures_area(canvas.frame()));
     canvas.rounded(area, GRID, faded(theme::GROUND, 0.8));
     for (i, text) in lines.iter().enumerate() {
         let at = area.min + Vec2::new(GRID, GRID * 0.5 + i as f32 * line);

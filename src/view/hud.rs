@@ -78,7 +78,7 @@ fn draw_fuel(share: f32, fuel: f64, area: Area, canvas: &Canvas) {
     }
     draw_rectangle_lines(at.x, at.y, size.x, size.y, 4.0, theme::PANEL_EDGE);
     // Dark words on the bright bar; where the bar has gone, light ones.
-    let words = format!("Fuel {fuel:.0}");
+    let words = format!("Fuel {fuel:.0} units");
     let style = Style::new(DETAILS, theme::GROUND).mono().middle();
     let covered = size.x * share > canvas.width(&words, style) + 2.0 * GRID;
     let colour = if covered { theme::GROUND } else { theme::TEXT };

@@ -106,14 +106,11 @@ pub fn draw_level_edge(level: &Level, view: &Viewport, canvas: &Canvas) {
     draw_rectangle(all.right() - width, all.y, width, all.h, theme::SOLID_TOP);
 }
 
-/// The words written in the level, each in the size of type next to the author's. The sans face has no arrows: what holds one is
-/// set in the other face.
+/// The words written in the level, each in the size of type next to the author's.
 pub fn draw_texts(level: &Level, view: &Viewport, canvas: &Canvas) {
     for text in &level.texts {
         let wanted = view.length(text.size);
         let size = TEXT_SIZES.into_iter().min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(wanted);
-        let style = Style::new(size, theme::TEXT);
-        let style = if text.text.contains(|c| ('←'..='⇿').contains(&c)) { style.mono() } else { style };
-        canvas.text(&text.text, view.point(text.position), style);
+        canvas.text(&text.text, view.point(text.position), Style::new(size, theme::TEXT));
     }
 }

@@ -1,5 +1,5 @@
 //! A chain of bodies in contact along one axis: columns, rows, something heavy on something light. The contact solvers of games act
-//! on velocities: body j+1 must not come nearer to body j than their gap allows within the step, v[j+1] − v[j] ≥ −gap/h, by impulses
+//! on velocities: body j+1 must not come nearer to body j than their gap allows within the step, `v[j+1] − v[j] ≥ −gap/h`, by impulses
 //! λ ≥ 0. Here they are solved by sequential impulses (projected Gauss–Seidel; E. Catto, "Iterative Dynamics with Temporal
 //! Coherence", GDC 2005), cold or warm-started or in substeps, and directly.
 //!
