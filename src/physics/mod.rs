@@ -33,7 +33,7 @@
 //!   the resultant shown is what the solver found.
 //! - **Impacts go in the order of their times**, then by speed: that makes the cradle. What is plastic is solved at once, with the same
 //!   network on momenta: that makes ten tonnes on a kilogram.
-//! - **Crowds take another path.** Above 128 bodies (`crowd`) the same world is advanced by [`pile`], one step a tick for all: a pass along
+//! - **Crowds take another path.** Above 64 bodies (`crowd`) the same world is advanced by [`pile`], one step a tick for all: a pass along
 //!   gravity, positions that cannot overlap by construction, sleep. The choice stands in the [`Plan`].
 //!
 //! What is not modelled: rotation (boxes keep their orientation, so contacts exert no torque), round collision shapes (a ball's contact is

@@ -57,7 +57,10 @@ pub struct World {
     pub(super) events: Vec<Event>,
     pub(super) corners: Vec<(u32, DVec2)>,
     overflows: u64,
-    still: bool,
+    /// Nothing moved or will move until something is changed from outside.
+    pub(super) still: bool,
+    /// Still, and the previous positions say so too.
+    settled: bool,
     /// Set where the plan says so: it then advances the bodies.
     pub(super) crowd: Option<Box<Crowd>>,
     // Scratch, kept so that a tick allocates nothing once warm.
@@ -117,6 +120,7 @@ impl World {
             corners: Vec::new(),
             overflows: 0,
             still: false,
+            settled: false,
             crowd: None,
             candidates: Candidates::default(),
             contacts: Vec::new(),
@@ -170,7 +174,7 @@ impl World {
         // Contacts and pairs count surfaces on from the number of bodies.
         self.contacts.clear();
         self.candidates.spoil();
-        self.still = false;
+        self.wake();
         self.gather_crowd()?;
         Ok(id)
     }
@@ -180,13 +184,23 @@ impl World {
         let force = if force.is_finite() { force } else { DVec2::ZERO };
         if self.drives[body.index()] != force {
             self.drives[body.index()] = force;
-            self.still = false;
+            self.wake();
         }
+    }
+
+    fn wake(&mut self) {
+        self.still = false;
+        self.settled = false;
     }
 
     /// Advances the world by exactly one tick of `dt` seconds, in intervals between the things that happen within it.
     pub fn step(&mut self, dt: f64) {
-        self.begin_tick();
+        self.events.clear();
+        self.corners.clear();
+        if !self.settled {
+            self.settled = self.still;
+            self.begin_tick();
+        }
         if self.still {
             return;
         }
@@ -233,8 +247,6 @@ impl World {
     }
 
     fn begin_tick(&mut self) {
-        self.events.clear();
-        self.corners.clear();
         for (previous, body) in self.previous.iter_mut().zip(&self.bodies) {
             *previous = body.position;
         }
@@ -246,9 +258,7 @@ impl World {
         self.hits.resize(n, 0);
         self.crossings.clear();
         self.crossings.resize(n, 0);
-        if !self.still {
-            self.find_zones();
-        }
+        self.find_zones();
     }
 
     /// Which body feels which stream, from where they are; crossings within the tick keep it true.
