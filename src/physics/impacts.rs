@@ -91,20 +91,12 @@ impl World {
         if !(-MICRO_SPEED..0.0).contains(&approach) {
             return false;
         }
-        self.pull(contact) >= 0.0
-    }
-
-    /// How fast (m/s²) what acts on two things brings them together: the media now, or their contacts with others when they were last
-    /// solved, whichever pulls more.
-    fn pull(&self, contact: &Contact) -> f64 {
-        let alone = |item: u32| {
+        let pull = |item: u32| {
             self.bodies
                 .get(item as usize)
                 .map_or(DVec2::ZERO, |body| self.media.acceleration(body, &self.laws[item as usize], body.position, body.velocity))
         };
-        let solved = |item: u32| self.solved.get(item as usize).copied().unwrap_or_default();
-        let axis = contact.axis;
-        (alone(contact.lo) - alone(contact.hi))[axis].max((solved(contact.lo) - solved(contact.hi))[axis])
+        (pull(contact.lo) - pull(contact.hi))[contact.axis] >= 0.0
     }
 
     fn approach(&self, contact: &Contact) -> f64 {
@@ -119,7 +111,7 @@ impl World {
             if speed <= 0.0 && !contact.clings {
                 continue;
             }
-            let e = if bounces_left { self.restitution(contact, speed) } else { 0.0 };
+            let e = if bounces_left && self.plan.bounces { self.restitution(contact, speed) } else { 0.0 };
             // A bounce needs a closed gap, or it would lose energy; what only comes to rest may do so within the slop.
             if e > 0.0 && !contact.closed {
                 continue;
@@ -139,9 +131,7 @@ impl World {
         let movable = !self.immovable(contact.lo) && !self.immovable(contact.hi);
         let rattles = |item: u32| self.hits.get(item as usize).is_some_and(|&hits| hits > RATTLE_HITS);
         let rattled = e < 1.0 && movable && rattles(contact.lo) && rattles(contact.hi);
-        // So slow a rebound would not leave the surface by a rounding, and nobody would see it come back.
-        let clings = || e * speed < MICRO_SPEED && self.pull(contact) > 0.0;
-        if e * speed < self.rest_speed || rattled || self.overflowing || clings() { 0.0 } else { e }
+        if e * speed < self.rest_speed || rattled || self.overflowing { 0.0 } else { e }
     }
 
     /// One pair's impulse.
