@@ -1,19 +1,26 @@
 //! A step allocates nothing once its scratch has grown to the scene.
 
 use glam::DVec2;
-use resultant::physics::Aabb;
 use resultant::physics::pile::{Pile, PileBody, PileDef, PileSurface};
+use resultant::physics::{Aabb, BodyDef, BodyId, FluidDef, Material, StreamDef, SurfaceDef, World, WorldDef};
 use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::cell::Cell;
 
 struct Counting;
 
-static ALLOCATIONS: AtomicUsize = AtomicUsize::new(0);
+thread_local! {
+    /// Of this test's own thread: others run beside it.
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+fn allocations() -> usize {
+    ALLOCATIONS.get()
+}
 
 // SAFETY: every call is handed on to the system's allocator unchanged.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
         unsafe { System.alloc(layout) }
     }
 
@@ -43,7 +50,42 @@ fn a_warm_step_allocates_nothing() {
     let surfaces = vec![surface(-5.0, 0.0, 25.0, 1.0), surface(-1.0, -99.0, 0.0, 0.0), surface(20.0, -99.0, 21.0, 0.0)];
     let mut pile = Pile::new(PileDef { bodies, surfaces, sleep: false, ..PileDef::default() }).unwrap();
     (0..120).for_each(|_| pile.step(1.0 / 60.0));
-    let before = ALLOCATIONS.load(Ordering::Relaxed);
+    let before = allocations();
     (0..300).for_each(|_| pile.step(1.0 / 60.0));
-    assert_eq!(ALLOCATIONS.load(Ordering::Relaxed), before);
+    assert_eq!(allocations(), before);
+}
+
+/// A level's worth of everything: bounces, slides, air, a stream, a liquid, a drive that is switched; and a crowd.
+#[test]
+fn a_warm_tick_of_a_world_allocates_nothing() {
+    for bodies in [12, 200] {
+        let body = |i: i32| BodyDef {
+            position: DVec2::new(1.0 + f64::from(i % 14), 1.0 + f64::from(i / 14)),
+            velocity: DVec2::new(f64::from(i % 5) - 2.0, 0.0),
+            half: DVec2::new(0.4, 0.3),
+            mass: 20.0 + f64::from(i),
+            restitution: 0.2 * f64::from(i % 4),
+            ..BodyDef::default()
+        };
+        let zone = |x: f64, y: f64, w: f64, h: f64| Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h));
+        let mut world = World::new(WorldDef {
+            bounds: Some(zone(0.0, 0.0, 16.0, 30.0)),
+            surfaces: vec![SurfaceDef { bounds: zone(2.0, 20.0, 5.0, 1.0), material: Material::ICE }],
+            streams: vec![StreamDef { zone: zone(8.0, 10.0, 4.0, 20.0), force: DVec2::new(0.0, -900.0) }],
+            fluids: vec![FluidDef { zone: zone(0.0, 25.0, 8.0, 5.0), density: 900.0, viscosity: 0.1 }],
+            bodies: (0..bodies).map(body).collect(),
+            ..WorldDef::default()
+        })
+        .unwrap();
+        let tick = |world: &mut World, n: u32| {
+            for i in 0..n {
+                world.set_drive(BodyId(0), DVec2::new(if i / 60 % 2 == 0 { 2500.0 } else { -2500.0 }, -800.0));
+                world.step(1.0 / 120.0);
+            }
+        };
+        tick(&mut world, 1200);
+        let before = allocations();
+        tick(&mut world, 600);
+        assert_eq!(allocations(), before, "{bodies} bodies");
+    }
 }

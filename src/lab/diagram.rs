@@ -137,8 +137,15 @@ fn legend<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
         y += LINE;
     }
     y += LINE / 2;
-    root.draw(&PathElement::new(vec![(LEGEND, y), (LEGEND + 36, y)], GOOD.stroke_width(2)))?;
-    root.draw_text(&format!("tolerance: {}", number(measured.tolerance)), &quiet, (LEGEND + 46, y - 8))?;
+    for x in (LEGEND..LEGEND + 36).step_by(6) {
+        root.draw(&PathElement::new(vec![(x, y), (x + 2, y)], GOOD.stroke_width(2)))?;
+    }
+    let tolerance = if measured.tolerance == super::TOLERANCE {
+        "a tenth of a pixel, 1/300 m".to_owned()
+    } else {
+        format!("tolerance: {}", number(measured.tolerance))
+    };
+    root.draw_text(&tolerance, &quiet, (LEGEND + 46, y - 8))?;
     y += LINE;
     if measured.shipped().is_some() {
         root.draw(&Circle::new((LEGEND + 18, y), 10, SHIPPED.stroke_width(2)))?;
@@ -150,11 +157,15 @@ fn legend<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
         root.draw_text("on the upper edge: blew up", &quiet, (LEGEND + 46, y - 8))?;
         y += LINE;
     }
+    if measured.curves.iter().flat_map(|curve| &curve.points).any(|point| point.error < LEAST_ERROR) {
+        root.draw_text("on the lower edge: no error", &quiet, (LEGEND, y))?;
+        y += LINE;
+    }
     root.draw_text("lower left is better", &quiet, (LEGEND, y))?;
     Ok(())
 }
 
-/// How a curve looks.
+/// How a curve looks. Other engines are white, ours has the accent's colour.
 struct Look {
     colour: RGBColor,
     dash: Option<(u32, u32)>,
@@ -170,7 +181,7 @@ impl Look {
             Origin::Lab => {
                 Self { colour: COLOURS[index % COLOURS.len()], dash: DASHES[index % DASHES.len()], marker: shape, width: 2 }
             }
-            Origin::Peer => Self { colour: COLOURS[index % COLOURS.len()], dash: DASHES[2], marker: shape, width: 1 },
+            Origin::Peer => Self { colour: TEXT, dash: DASHES[2], marker: shape, width: 1 },
         }
     }
 

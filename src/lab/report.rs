@@ -66,7 +66,8 @@ pub fn summary(setting: &Setting, diagrams: &[Measured], stress: &[Survival]) ->
     text.push_str("|---|---|---|---|---|---|---|\n");
     for measured in diagrams {
         let (error, work) = measured.shipped().map_or(("–".into(), "–".into()), |(_, p)| (shown(p.error), number(p.work)));
-        let cheapest = measured.cheapest().map_or("none | – | – | –".to_owned(), |(curve, p)| {
+        let none = if measured.alike { "none | – | – | –" } else { "– | – | – | –" };
+        let cheapest = measured.cheapest().map_or(none.to_owned(), |(curve, p)| {
             format!("{} | {} | {} | {}", curve.name, number(p.step), shown(p.error), number(p.work))
         });
         let _ = writeln!(text, "| [{}](#{}) | {error} | {work} | {cheapest} |", measured.title, measured.name);
@@ -170,7 +171,7 @@ pub const OURS: &str = "Resultant";
 fn piles() -> Measured {
     Measured {
         name: "piles".to_owned(),
-        title: "Piles of 100, 1000 and 5000 boxes raining into a pit, 10 s, sleep off".to_owned(),
+        title: "Piles of 100, 1000 and 5000 boxes raining into a pit, 10 s".to_owned(),
         error: "worst overlap at any step, m".to_owned(),
         work: "CPU time for a body and step, ns (a point a size)".to_owned(),
         tolerance: super::TOLERANCE,

@@ -17,6 +17,8 @@ pub struct Plan {
     pub contacts: bool,
     /// Some body bounces.
     pub bounces: bool,
+    /// So many bodies that they take the general method.
+    pub crowd: bool,
 }
 
 impl Plan {
@@ -29,6 +31,7 @@ impl Plan {
             pairs,
             contacts: pairs || !def.surfaces.is_empty() || def.bounds.is_some(),
             bounces: def.bodies.iter().any(|body| body.restitution > 0.0),
+            crowd: false,
         }
     }
 
@@ -46,7 +49,8 @@ impl Plan {
             (self.air, "air resistance"),
             (self.streams, "air streams"),
             (self.liquids, "liquids"),
-            (self.contacts, "contacts: exact times of impact, direct solve"),
+            (self.contacts && !self.crowd, "contacts: exact times of impact, direct solve"),
+            (self.contacts && self.crowd, "contacts: a crowd, solved along gravity in one pass"),
             (self.pairs, "pairs of bodies"),
             (self.bounces, "restitution"),
         ];

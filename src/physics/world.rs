@@ -2,10 +2,12 @@
 
 use super::candidates::Candidates;
 use super::contacts::Contact;
+use super::crowd::Crowd;
 use super::flow::Pose;
+use super::happenings::Happening;
 use super::impact_time::Cubic;
 use super::impacts::Resume;
-use super::interval::{Happening, Motion};
+use super::interval::Motion;
 use super::media::{Law, Media};
 use super::reactions::Reactions;
 use super::tuning::{EDGE_THICKNESS, MAX_INTERVALS, SLOP};
@@ -55,7 +57,12 @@ pub struct World {
     pub(super) events: Vec<Event>,
     pub(super) corners: Vec<(u32, DVec2)>,
     overflows: u64,
-    still: bool,
+    /// Nothing moved or will move until something is changed from outside.
+    pub(super) still: bool,
+    /// Still, and the previous positions say so too.
+    settled: bool,
+    /// Set where the plan says so: it then advances the bodies.
+    pub(super) crowd: Option<Box<Crowd>>,
     // Scratch, kept so that a tick allocates nothing once warm.
     /// Centre and half of every surface, m.
     pub(super) blocks: Vec<(DVec2, DVec2)>,
@@ -113,6 +120,8 @@ impl World {
             corners: Vec::new(),
             overflows: 0,
             still: false,
+            settled: false,
+            crowd: None,
             candidates: Candidates::default(),
             contacts: Vec::new(),
             touching: Vec::new(),
@@ -142,6 +151,7 @@ impl World {
             sums: Vec::new(),
             poses: Vec::new(),
         };
+        world.gather_crowd()?;
         world.show_start();
         Ok(world)
     }
@@ -164,7 +174,8 @@ impl World {
         // Contacts and pairs count surfaces on from the number of bodies.
         self.contacts.clear();
         self.candidates.spoil();
-        self.still = false;
+        self.wake();
+        self.gather_crowd()?;
         Ok(id)
     }
 
@@ -173,14 +184,29 @@ impl World {
         let force = if force.is_finite() { force } else { DVec2::ZERO };
         if self.drives[body.index()] != force {
             self.drives[body.index()] = force;
-            self.still = false;
+            self.wake();
         }
+    }
+
+    fn wake(&mut self) {
+        self.still = false;
+        self.settled = false;
     }
 
     /// Advances the world by exactly one tick of `dt` seconds, in intervals between the things that happen within it.
     pub fn step(&mut self, dt: f64) {
-        self.begin_tick();
+        self.events.clear();
+        self.corners.clear();
+        if !self.settled {
+            self.settled = self.still;
+            self.begin_tick();
+        }
         if self.still {
+            return;
+        }
+        if let Some(mut crowd) = self.crowd.take() {
+            self.step_crowd(&mut crowd, dt);
+            self.crowd = Some(crowd);
             return;
         }
         self.refresh_laws();
@@ -217,8 +243,6 @@ impl World {
     }
 
     fn begin_tick(&mut self) {
-        self.events.clear();
-        self.corners.clear();
         for (previous, body) in self.previous.iter_mut().zip(&self.bodies) {
             *previous = body.position;
         }
@@ -230,9 +254,7 @@ impl World {
         self.hits.resize(n, 0);
         self.crossings.clear();
         self.crossings.resize(n, 0);
-        if !self.still {
-            self.find_zones();
-        }
+        self.find_zones();
     }
 
     /// Which body feels which stream, from where they are; crossings within the tick keep it true.
@@ -252,7 +274,7 @@ impl World {
     }
 
     /// The law of motion of every body in the coming interval.
-    fn refresh_laws(&mut self) {
+    pub(super) fn refresh_laws(&mut self) {
         self.laws.clear();
         let streams = self.media.streams.len();
         for (i, body) in self.bodies.iter().enumerate() {

@@ -66,9 +66,9 @@ pub fn column() -> Scene {
     standing("column", format!("A column of {COLUMN} equal blocks, 10 s"), vec![1.0; COLUMN])
 }
 
-/// A thousand times its weight.
+/// Ten thousand times its weight.
 pub fn heavy_on_light() -> Scene {
-    standing("heavy-on-light", "1000 kg resting on 1 kg, 10 s".to_owned(), vec![1.0, 1000.0])
+    standing("heavy-on-light", "10 000 kg resting on 1 kg, 10 s".to_owned(), vec![1.0, 10_000.0])
 }
 
 /// The worst error of a place in a row that is pushed along a floor, by hand. Every block slides from the first step on.

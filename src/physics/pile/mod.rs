@@ -153,6 +153,7 @@ pub struct Pile {
     friction: Friction,
     clusters: Clusters,
     impacts: Impacts,
+    report: report::Scratch,
     events: Vec<PileImpact>,
     /// Whether the ground carries a body, in this step; surfaces always.
     anchored: Vec<bool>,
@@ -213,6 +214,7 @@ impl Pile {
             friction: Friction::new(&bodies),
             clusters: Clusters::new(n + s),
             impacts: Impacts::default(),
+            report: report::Scratch::default(),
             events: Vec::new(),
             anchored,
             given: vec![0.0; n],

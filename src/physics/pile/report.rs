@@ -22,12 +22,26 @@ pub struct ContactForce {
     pub friction: f64,
 }
 
+/// What the listing works on, kept from call to call.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    loads: Vec<f64>,
+    /// Impulse of friction on each body, N·s.
+    dragged: Vec<f64>,
+    /// Momentum across that no friction explains, N·s.
+    lacking: Vec<f64>,
+    degree: Vec<u32>,
+    open: Vec<u32>,
+}
+
 impl Pile {
     /// Appends the contact forces of the last step, each pair once.
-    pub fn contact_forces(&self, into: &mut Vec<ContactForce>) {
+    pub fn contact_forces(&mut self, into: &mut Vec<ContactForce>) {
         if self.last_dt > 0.0 {
-            let friction = self.stack_forces(into);
-            self.side_forces(&friction, into);
+            let mut scratch = std::mem::take(&mut self.report);
+            self.stack_forces(&mut scratch, into);
+            self.side_forces(&mut scratch, into);
+            self.report = scratch;
         }
     }
 
@@ -36,10 +50,13 @@ impl Pile {
         if i < n { Other::Body(self.bodies.id[i] as usize) } else { Other::Surface(i - n) }
     }
 
-    /// Returns the impulse of friction on each body, N·s.
-    fn stack_forces(&self, into: &mut Vec<ContactForce>) -> Vec<f64> {
+    fn stack_forces(&self, scratch: &mut Scratch, into: &mut Vec<ContactForce>) {
         let (b, n, per_second) = (&self.bodies, self.bodies.len(), 1.0 / self.last_dt);
-        let (mut loads, mut dragged) = (vec![0.0; b.x.len()], vec![0.0; b.x.len()]);
+        let Scratch { loads, dragged, .. } = scratch;
+        for list in [&mut *loads, &mut *dragged] {
+            list.clear();
+            list.resize(b.x.len(), 0.0);
+        }
         for i in (0..n).rev() {
             let load = loads[i] + b.mass[i] * (b.free_vy[i] - b.vy[i]);
             let touching = |below: u32, reach: f64| (b.y[below as usize] - b.y[i] - reach).abs() <= TOUCH;
@@ -57,22 +74,31 @@ impl Pile {
                 into.push(ContactForce { a, b: other, axis: Axis::Gravity, normal, friction: grip * per_second });
             }
         }
-        dragged
     }
 
-    fn side_forces(&self, dragged: &[f64], into: &mut Vec<ContactForce>) {
+    fn side_forces(&self, scratch: &mut Scratch, into: &mut Vec<ContactForce>) {
         let (b, n, per_second) = (&self.bodies, self.bodies.len(), 1.0 / self.last_dt);
         let touches = |first: u32, second: u32, reach: f64| (b.x[second as usize] - b.x[first as usize] - reach).abs() <= TOUCH;
-        let mut open: Vec<_> = self.contacts.sides.iter().filter(|s| s.live && touches(s.first, s.second, s.reach)).collect();
-        let mut lacking: Vec<f64> = (0..n).map(|i| b.mass[i] * (b.vx[i] - b.free_vx[i]) - dragged[i]).collect();
-        let mut degree = vec![0; b.x.len()];
-        for side in &open {
+        let Scratch { dragged, lacking, degree, open, .. } = scratch;
+        let sides = &self.contacts.sides;
+        open.clear();
+        open.extend((0..sides.len() as u32).filter(|&s| {
+            let side = &sides[s as usize];
+            side.live && touches(side.first, side.second, side.reach)
+        }));
+        lacking.clear();
+        lacking.extend((0..n).map(|i| b.mass[i] * (b.vx[i] - b.free_vx[i]) - dragged[i]));
+        degree.clear();
+        degree.resize(b.x.len(), 0);
+        for &side in &*open {
+            let side = &sides[side as usize];
             degree[side.first as usize] += 1;
             degree[side.second as usize] += 1;
         }
         loop {
             let before = open.len();
-            open.retain(|side| {
+            open.retain(|&side| {
+                let side = &sides[side as usize];
                 let (first, second) = (side.first as usize, side.second as usize);
                 // The impulse on the second, by whichever of the two is a loose end.
                 let impulse = if second < n && degree[second] == 1 {

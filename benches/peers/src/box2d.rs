@@ -1,0 +1,93 @@
+//! Box2D v3 through boxdd, with 4 substeps. Rotation is off by the lock *and* by a rotational inertia of 0: the lock alone gives soft,
+//! lossy contacts.
+
+use crate::engine::{Engine, Spec, V};
+use boxdd::shapes::SurfaceMaterial;
+use boxdd::{BodyId, BodyType, Foundation, MassData, MotionLocks, Position, ShapeDef, Vec2, World, WorldBuilder, shapes};
+
+/// Box2D's own advice.
+const SUBSTEPS: i32 = 4;
+
+/// Its world, the ids of its bodies, and the forces on them, which hold for one step only.
+pub struct Box2d {
+    world: World,
+    ids: Vec<BodyId>,
+    forces: Vec<(usize, f32)>,
+}
+
+impl Box2d {
+    fn build(spec: &Spec) -> boxdd::Result<Self> {
+        let foundation = Foundation::get().map_or_else(Foundation::initialize_default, Ok)?;
+        let gravity = Vec2::new(0.0, spec.gravity as f32);
+        let mut world = foundation.create_world(WorldBuilder::from(foundation.world_def()).gravity(gravity).build()?)?;
+        world.enable_sleeping(false)?;
+        let material = SurfaceMaterial::default()
+            .with_friction(spec.friction as f32)?
+            .with_restitution(spec.restitution as f32)?;
+        let solid = ShapeDef::builder().density(1.0).material(material).build()?;
+        let place = |(x, y): V| Position::new(x as f32, y as f32);
+        for &(centre, half) in &spec.statics {
+            let def = world
+                .body_builder()
+                .body_type(BodyType::Static)
+                .position(place(centre))
+                .build()?;
+            let id = world.create_body(def)?;
+            world
+                .body(id)?
+                .create_polygon(&solid, &shapes::box_polygon(half.0 as f32, half.1 as f32)?)?;
+        }
+        let mut ids = Vec::new();
+        for body in &spec.bodies {
+            let def = world
+                .body_builder()
+                .body_type(BodyType::Dynamic)
+                .position(place(body.position))
+                .linear_velocity(Vec2::new(body.velocity.0 as f32, body.velocity.1 as f32))
+                .motion_locks(MotionLocks::new(false, false, true))
+                .bullet(spec.swept)
+                .build()?;
+            let id = world.create_body(def)?;
+            let mut rigid = world.body(id)?;
+            rigid.create_polygon(&solid, &shapes::box_polygon(body.half.0 as f32, body.half.1 as f32)?)?;
+            rigid.set_mass_data(MassData::new(body.mass as f32, Vec2::new(0.0, 0.0), 0.0)?)?;
+            ids.push(id);
+        }
+        let forces = spec.bodies.iter().enumerate().filter(|(_, body)| body.force != 0.0);
+        let forces = forces.map(|(i, body)| (i, body.force as f32)).collect();
+        Ok(Self { world, ids, forces })
+    }
+
+    fn try_step(&mut self, dt: f64) -> boxdd::Result<()> {
+        for &(body, force) in &self.forces {
+            self.world
+                .body(self.ids[body])?
+                .apply_force_to_center(Vec2::new(force, 0.0), true)?;
+        }
+        self.world.step(dt as f32, SUBSTEPS).map(|_| ())
+    }
+}
+
+impl Engine for Box2d {
+    const NAME: &'static str = "Box2D";
+
+    fn new(spec: &Spec) -> Option<Self> {
+        Self::build(spec)
+            .map_err(|error| eprintln!("Box2D refuses the scene: {error}"))
+            .ok()
+    }
+
+    fn step(&mut self, dt: f64) {
+        self.try_step(dt).expect("Box2D steps a scene that it has accepted");
+    }
+
+    fn position(&mut self, body: usize) -> V {
+        let read = self.world.body(self.ids[body]).and_then(|body| body.position());
+        read.map_or((f64::NAN, f64::NAN), |at| (f64::from(at.x), f64::from(at.y)))
+    }
+
+    fn velocity(&mut self, body: usize) -> V {
+        let read = self.world.body(self.ids[body]).and_then(|body| body.linear_velocity());
+        read.map_or((f64::NAN, f64::NAN), |v| (f64::from(v.x), f64::from(v.y)))
+    }
+}

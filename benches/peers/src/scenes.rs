@@ -1,0 +1,307 @@
+//! The scenes: those of the lab that every engine can run, under the lab's names, and the piles.
+
+use crate::engine::{Box, Engine, Spec};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+const STEP: f64 = 1.0 / 60.0;
+const G: f64 = 9.81;
+const FRICTION: f64 = 0.65;
+/// A floor's half height, m.
+const FLOOR: f64 = 0.5;
+
+/// A scene.
+pub struct Scene {
+    /// As in the lab, where it is one of the lab's.
+    pub name: &'static str,
+    /// What its error is, with its unit.
+    pub what: &'static str,
+    /// What it consists of.
+    pub spec: Spec,
+    /// How long it runs, s.
+    pub seconds: f64,
+    /// s.
+    pub step: f64,
+    /// Whether it is one for our pile engine.
+    pub pile: bool,
+    /// Runs it for so many steps of such a length and says how far from the exact answer it was.
+    pub error: Error,
+}
+
+/// See [`Scene::error`].
+type Error = fn(&mut dyn Run, &Spec, usize, f64) -> f64;
+
+/// An [`Engine`] that runs, whichever it is.
+pub trait Run {
+    /// One step.
+    fn step(&mut self, dt: f64);
+    /// x, y of a body's centre, m.
+    fn position(&mut self, body: usize) -> (f64, f64);
+    /// m/s.
+    fn velocity(&mut self, body: usize) -> (f64, f64);
+}
+
+impl<E: Engine> Run for E {
+    fn step(&mut self, dt: f64) {
+        Engine::step(self, dt);
+    }
+
+    fn position(&mut self, body: usize) -> (f64, f64) {
+        Engine::position(self, body)
+    }
+
+    fn velocity(&mut self, body: usize) -> (f64, f64) {
+        Engine::velocity(self, body)
+    }
+}
+
+fn spec(bodies: Vec<Box>) -> Spec {
+    Spec {
+        gravity: G,
+        friction: FRICTION,
+        restitution: 0.0,
+        swept: false,
+        bodies,
+        statics: vec![((0.0, FLOOR), (1000.0, FLOOR))],
+    }
+}
+
+/// A box of 1 m and `mass` kg whose lower side is at height `y` over the floor.
+fn crate_at(x: f64, y: f64, mass: f64) -> Box {
+    Box {
+        position: (x, -0.5 - y),
+        velocity: (0.0, 0.0),
+        half: (0.5, 0.5),
+        mass,
+        force: 0.0,
+    }
+}
+
+/// All of them.
+pub fn all() -> Vec<Scene> {
+    let scene = |name, what, seconds, spec, error| Scene {
+        name,
+        what,
+        spec,
+        seconds,
+        step: STEP,
+        pile: false,
+        error,
+    };
+    let column = |n: usize| spec((0..n).map(|i| crate_at(0.0, i as f64, 1.0)).collect());
+    let heavy = spec(vec![crate_at(0.0, 0.0, 1.0), crate_at(0.0, 1.0, 10_000.0)]);
+    let slide = Spec {
+        gravity: 15.0,
+        ..spec(vec![Box {
+            velocity: (10.0, 0.0),
+            ..crate_at(0.0, 0.0, 1.0)
+        }])
+    };
+    let bounce = |e: f64, height: f64| Spec {
+        restitution: e,
+        ..spec(vec![crate_at(0.0, height, 1.0)])
+    };
+    let mut row: Vec<_> = (0..20)
+        .map(|i| Box {
+            velocity: (1e-3, 0.0),
+            ..crate_at(f64::from(i), 0.0, 1.0)
+        })
+        .collect();
+    row[0].force = 20.0 * (1.0 + FRICTION * G);
+    let thin = Spec {
+        gravity: 0.0,
+        swept: true,
+        statics: vec![((2500.0, 0.0), (0.025, 10.0))],
+        ..spec(vec![Box {
+            velocity: (10_000.0, 0.0),
+            half: (0.1, 0.1),
+            ..crate_at(0.0, 0.0, 1.0)
+        }])
+    };
+    let mut scenes = vec![
+        scene(
+            "fall",
+            "position after 10 s, m",
+            10.0,
+            Spec {
+                statics: vec![],
+                ..spec(vec![crate_at(0.0, 0.0, 1.0)])
+            },
+            fall,
+        ),
+        Scene {
+            pile: true,
+            ..scene("flight-1000", "position after 5 s of fall, m", 5.0, flight(1000), fall)
+        },
+        Scene {
+            pile: true,
+            ..scene("flight-10000", "position after 5 s of fall, m", 5.0, flight(10_000), fall)
+        },
+        scene("slide", "distance, m", 10.0, slide, slide_error),
+        scene(
+            "bounce-perfect",
+            "height after 60 s at e = 1, m",
+            60.0,
+            bounce(1.0, 1.0),
+            bounce_error,
+        ),
+        scene(
+            "bounce-fourth",
+            "fourth apex at e = 0.5 from 20 m, relative",
+            8.0,
+            bounce(0.5, 20.0),
+            fourth_error,
+        ),
+        scene("column", "largest movement in a column of 20, m", 10.0, column(20), sag),
+        scene("column-100", "largest movement in a column of 100, m", 10.0, column(100), sag),
+        scene("heavy-on-light", "largest movement of 10 000 kg on 1 kg, m", 10.0, heavy, sag),
+        scene(
+            "pushed-row",
+            "worst position in a row of 20 after 1 s, m",
+            1.0,
+            spec(row),
+            row_error,
+        ),
+        scene("wall-10-km-s", "position after 0.5 s, m", 0.5, thin, wall_error),
+    ];
+    for (name, n) in [("pile-100", 100), ("pile-1000", 1000), ("pile-5000", 5000)] {
+        scenes.push(Scene {
+            pile: true,
+            ..scene(name, "worst overlap at any step, m", 10.0, rain(n), overlap)
+        });
+    }
+    scenes
+}
+
+/// Bodies far from each other.
+fn flight(n: u32) -> Spec {
+    let body = |i: u32| Box {
+        position: (f64::from(i % 100) * 3.0, f64::from(i / 100) * 3.0),
+        ..crate_at(0.0, 0.0, 10.0)
+    };
+    Spec {
+        statics: vec![],
+        ..spec((0..n).map(body).collect())
+    }
+}
+
+/// Boxes of 0.3 to 0.6 m raining into a pit.
+fn rain(n: usize) -> Spec {
+    let mut random = Pcg64Mcg::seed_from_u64(7);
+    let columns = (n as f64).sqrt().ceil() as usize;
+    let width = columns as f64 * 0.7;
+    let bodies = (0..n).map(|i| Box {
+        half: (random.random_range(0.15..0.3), random.random_range(0.15..0.3)),
+        position: (0.35 + 0.7 * (i % columns) as f64, -1.0 - 0.8 * (i / columns) as f64),
+        velocity: (random.random_range(-2.0..2.0), 0.0),
+        mass: 1.0,
+        force: 0.0,
+    });
+    let statics = vec![
+        ((0.5 * width, 0.5), (0.5 * width + 5.0, 0.5)),
+        ((-0.5, -1000.0), (0.5, 1000.0)),
+        ((width + 0.5, -1000.0), (0.5, 1000.0)),
+    ];
+    Spec {
+        statics,
+        ..spec(bodies.collect())
+    }
+}
+
+fn run(engine: &mut dyn Run, steps: usize, step: f64) {
+    (0..steps).for_each(|_| engine.step(step));
+}
+
+fn fall(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64 {
+    run(engine, steps, step);
+    let t = steps as f64 * step;
+    let fallen = |(i, body): (usize, &Box)| (engine.position(i).1 - body.position.1 - 0.5 * G * t * t).abs();
+    spec.bodies.iter().enumerate().map(fallen).fold(0.0, f64::max)
+}
+
+fn slide_error(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64 {
+    run(engine, steps, step);
+    (engine.position(0).0 - 100.0 / (2.0 * spec.friction * spec.gravity)).abs()
+}
+
+/// The height over the floor that its energy reaches.
+fn reach(engine: &mut dyn Run) -> f64 {
+    let (y, v) = (engine.position(0).1, engine.velocity(0).1);
+    -0.5 - y + v * v / (2.0 * G)
+}
+
+fn bounce_error(engine: &mut dyn Run, _: &Spec, steps: usize, step: f64) -> f64 {
+    run(engine, steps, step);
+    (reach(engine) - 1.0).abs()
+}
+
+fn fourth_error(engine: &mut dyn Run, _: &Spec, steps: usize, step: f64) -> f64 {
+    let (mut rising, mut apexes) = (false, 0);
+    for _ in 0..steps {
+        engine.step(step);
+        // Upwards is negative.
+        let v = engine.velocity(0).1;
+        if rising && v >= 0.0 {
+            apexes += 1;
+            if apexes == 4 {
+                let exact = 20.0 * 0.25 * 0.25 * 0.25 * 0.25;
+                return (reach(engine) / exact - 1.0).abs();
+            }
+        }
+        rising = v < 0.0;
+    }
+    // There was no fourth one.
+    1.0
+}
+
+fn sag(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64 {
+    let mut worst: f64 = 0.0;
+    for _ in 0..steps {
+        engine.step(step);
+        let moved = |(i, body): (usize, &Box)| (engine.position(i).1 - body.position.1).abs();
+        worst = spec.bodies.iter().enumerate().map(moved).fold(worst, f64::max);
+    }
+    worst
+}
+
+fn row_error(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64 {
+    run(engine, steps, step);
+    let t = steps as f64 * step;
+    let exact = 1e-3 * t + 0.5 * t * t;
+    let off = |(i, body): (usize, &Box)| (engine.position(i).0 - body.position.0 - exact).abs();
+    spec.bodies.iter().enumerate().map(off).fold(0.0, f64::max)
+}
+
+/// It has to lie at the wall.
+fn wall_error(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64 {
+    run(engine, steps, step);
+    let ((x, _), (half, _)) = spec.statics[0];
+    (engine.position(0).0 - (x - half - spec.bodies[0].half.0)).abs()
+}
+
+/// The deepest overlap of any two things after any step.
+fn overlap(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64 {
+    let mut worst: f64 = 0.0;
+    let mut order: Vec<usize> = (0..spec.bodies.len()).collect();
+    let mut places = vec![(0.0, 0.0); spec.bodies.len()];
+    let depth = |a: f64, b: f64, reach: f64| reach - (a - b).abs();
+    for _ in 0..steps {
+        engine.step(step);
+        for (i, place) in places.iter_mut().enumerate() {
+            *place = engine.position(i);
+        }
+        let left = |i: usize| places[i].0 - spec.bodies[i].half.0;
+        order.sort_by(|&i, &j| left(i).total_cmp(&left(j)));
+        for (at, &i) in order.iter().enumerate() {
+            let ((x, y), (w, h)) = (places[i], spec.bodies[i].half);
+            for &j in order[at + 1..].iter().take_while(|&&j| left(j) < x + w) {
+                let (place, half) = (places[j], spec.bodies[j].half);
+                worst = worst.max(depth(x, place.0, w + half.0).min(depth(y, place.1, h + half.1)));
+            }
+            for &(place, half) in &spec.statics {
+                worst = worst.max(depth(x, place.0, w + half.0).min(depth(y, place.1, h + half.1)));
+            }
+        }
+    }
+    worst
+}

@@ -1,0 +1,126 @@
+//! Worlds of many bodies: the general method behind the same world, forces and events as the exact one.
+
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, ForceKind, Material, SurfaceDef, World, WorldDef};
+
+const TICK: f64 = 1.0 / 120.0;
+const G: f64 = 9.81;
+
+fn pit(width: f64) -> Vec<SurfaceDef> {
+    let wall = |x0: f64, y0: f64, x1: f64, y1: f64| SurfaceDef {
+        bounds: Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)),
+        material: Material::ASPHALT,
+    };
+    vec![wall(-1.0, 0.0, width + 1.0, 1.0), wall(-1.0, -200.0, 0.0, 0.0), wall(width, -200.0, width + 1.0, 0.0)]
+}
+
+fn world(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>) -> World {
+    World::new(WorldDef { gravity: G, air_density: 0.0, bodies, surfaces, ..WorldDef::default() }).unwrap()
+}
+
+fn overlap(world: &World) -> f64 {
+    let mut boxes: Vec<Aabb> = world.bodies().iter().map(|body| body.bounds()).collect();
+    boxes.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
+    let mut worst = 0.0f64;
+    for (i, a) in boxes.iter().enumerate() {
+        for b in boxes[i + 1..].iter().take_while(|b| b.min.x < a.max.x) {
+            worst = worst.max(-a.gap(b).max_element());
+        }
+        for surface in world.surfaces() {
+            worst = worst.max(-a.gap(&surface.bounds).max_element());
+        }
+    }
+    worst
+}
+
+#[test]
+fn rain_settles_without_overlap_and_every_resultant_is_exactly_zero() {
+    let bodies: Vec<BodyDef> = (0..300)
+        .map(|i| BodyDef {
+            position: DVec2::new(0.6 + (i % 10) as f64 + 0.05 * (i % 7) as f64, -0.6 - (i / 10) as f64),
+            half: DVec2::new(0.2 + 0.03 * (i % 5) as f64, 0.2 + 0.03 * (i % 4) as f64),
+            mass: 0.5 + (i * 37 % 100) as f64 / 2.0,
+            ..BodyDef::default()
+        })
+        .collect();
+    let mut world = world(bodies, pit(12.0));
+    assert!(world.plan().crowd);
+    for tick in 0..1800 {
+        world.step(TICK);
+        let overlap = overlap(&world);
+        assert!(overlap <= 1e-6, "tick {tick}: {overlap} m");
+    }
+    for i in 0..300 {
+        let id = BodyId(i);
+        assert_eq!(world.body(id).velocity, DVec2::ZERO);
+        assert_eq!(world.body(id).acceleration, DVec2::ZERO);
+        assert_eq!(world.forces(id).resultant(), DVec2::ZERO);
+        let listed: DVec2 = world.forces(id).forces().iter().map(|force| force.vector).sum();
+        assert!(listed.y.abs() < 1e-6, "body {i}: its forces add up to {listed}");
+    }
+}
+
+#[test]
+fn a_column_of_a_crowd_stands_still_and_shows_every_reaction() {
+    let n = 150;
+    let bodies: Vec<BodyDef> = (0..n)
+        .map(|i| BodyDef { position: DVec2::new(5.0, -0.5 - i as f64), mass: 1.0 + (i % 3) as f64, ..BodyDef::default() })
+        .collect();
+    let masses: Vec<f64> = bodies.iter().map(|body| body.mass).collect();
+    let mut world = world(bodies, pit(10.0));
+    for tick in 0..600 {
+        for i in [0, 70, 149] {
+            let id = BodyId(i as u32);
+            let weight: f64 = masses[i..].iter().sum::<f64>() * G;
+            let reaction = world.forces(id).total(ForceKind::Reaction).y;
+            assert!((reaction / -weight - 1.0).abs() < 1e-9, "tick {tick}, block {i}: {reaction} N, expected {}", -weight);
+            assert_eq!(world.forces(id).resultant(), DVec2::ZERO);
+            assert_eq!(world.body(id).position, DVec2::new(5.0, -0.5 - i as f64));
+        }
+        world.step(TICK);
+    }
+}
+
+#[test]
+fn the_ship_of_a_crowd_pushes_a_row() {
+    // Body 0 pushes three boxes on the floor; the rest of the crowd stands by.
+    let mut bodies: Vec<BodyDef> =
+        (0..4).map(|i| BodyDef { position: DVec2::new(1.0 + i as f64, -0.5), mass: 10.0, ..BodyDef::default() }).collect();
+    bodies.extend((0..140).map(|i| BodyDef {
+        position: DVec2::new(40.5 + (i % 20) as f64, -0.5 - (i / 20) as f64),
+        mass: 5.0,
+        ..BodyDef::default()
+    }));
+    let mut world = world(bodies, pit(70.0));
+    world.set_drive(BodyId(0), DVec2::new(600.0, 0.0));
+    let a = 600.0 / 40.0 - 0.65 * G;
+    for tick in 1..=120 {
+        world.step(TICK);
+        let t = tick as f64 * TICK;
+        for i in 0..4 {
+            let x = world.body(BodyId(i)).position.x;
+            assert!((x - 1.0 - i as f64 - 0.5 * a * t * t).abs() < 1e-6, "tick {tick}, box {i}: {x}");
+        }
+    }
+}
+
+#[test]
+fn a_fast_body_of_a_crowd_is_reported_when_it_hits() {
+    let mut bodies: Vec<BodyDef> = (0..140)
+        .map(|i| BodyDef { position: DVec2::new(20.5 + (i % 20) as f64, -0.5 - (i / 20) as f64), ..BodyDef::default() })
+        .collect();
+    bodies[0] = BodyDef { position: DVec2::new(5.0, -0.5 - 20.0), ..BodyDef::default() };
+    let mut world = world(bodies, pit(60.0));
+    let hit = (0..600).find_map(|_| {
+        world.step(TICK);
+        world
+            .events()
+            .iter()
+            .map(|event| match event {
+                resultant::physics::Event::Impact { a, speed, normal, .. } => (*a, *speed, *normal),
+            })
+            .find(|(a, ..)| *a == BodyId(0))
+    });
+    let (_, speed, normal) = hit.unwrap();
+    assert!((speed - (2.0 * G * 20.0f64).sqrt()).abs() < 0.1, "{speed}");
+    assert_eq!(normal, DVec2::new(0.0, -1.0));
+}
