@@ -69,8 +69,9 @@ impl World {
         let allowed = &list.allowed;
         list.by_left_edge
             .sort_unstable_by(|&i, &j| allowed[i as usize].min.x.total_cmp(&allowed[j as usize].min.x).then(i.cmp(&j)));
-        for (at, &i) in list.by_left_edge.iter().enumerate() {
-            for &j in &list.by_left_edge[at + 1..] {
+        let sweep: &[u32] = if self.plan.pairs { &list.by_left_edge } else { &[] };
+        for (at, &i) in sweep.iter().enumerate() {
+            for &j in &sweep[at + 1..] {
                 if allowed[j as usize].min.x > allowed[i as usize].max.x {
                     break;
                 }

@@ -28,7 +28,6 @@ impl World {
     /// # Errors
     /// What the general method refuses.
     pub(super) fn gather_crowd(&mut self) -> Result<(), DefError> {
-        self.plan.crowd = self.bodies.len() > CROWD;
         self.crowd = None;
         if !self.plan.crowd {
             return Ok(());

@@ -111,7 +111,7 @@ impl World {
             if speed <= 0.0 && !contact.clings {
                 continue;
             }
-            let e = if bounces_left { self.restitution(contact, speed) } else { 0.0 };
+            let e = if bounces_left && self.plan.bounces { self.restitution(contact, speed) } else { 0.0 };
             // A bounce needs a closed gap, or it would lose energy; what only comes to rest may do so within the slop.
             if e > 0.0 && !contact.closed {
                 continue;

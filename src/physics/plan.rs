@@ -1,6 +1,7 @@
 //! The plan: which parts of the model a world needs, decided once from what is in it. What it leaves out could not change a bit.
 
 use super::WorldDef;
+use super::crowd::CROWD;
 
 /// The parts of the model that a world uses.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -22,7 +23,12 @@ pub struct Plan {
 }
 
 impl Plan {
-    pub(super) fn of(def: &WorldDef) -> Self {
+    /// All parts that a world of few bodies can have.
+    pub const EVERYTHING: Self =
+        Self { air: true, streams: true, liquids: true, pairs: true, contacts: true, bounces: true, crowd: false };
+
+    /// The parts that a definition needs.
+    pub fn of(def: &WorldDef) -> Self {
         let pairs = def.bodies.len() > 1;
         Self {
             air: def.air_density > 0.0 && def.bodies.iter().any(|body| body.feels_air && body.drag > 0.0),
@@ -31,7 +37,7 @@ impl Plan {
             pairs,
             contacts: pairs || !def.surfaces.is_empty() || def.bounds.is_some(),
             bounces: def.bodies.iter().any(|body| body.restitution > 0.0),
-            crowd: false,
+            crowd: def.bodies.len() > CROWD,
         }
     }
 

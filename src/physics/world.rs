@@ -2,7 +2,7 @@
 
 use super::candidates::Candidates;
 use super::contacts::Contact;
-use super::crowd::Crowd;
+use super::crowd::{CROWD, Crowd};
 use super::flow::Pose;
 use super::happenings::Happening;
 use super::impact_time::Cubic;
@@ -101,9 +101,18 @@ impl World {
     ///
     /// # Errors
     /// A number that is not finite or out of its range.
-    pub fn new(mut def: WorldDef) -> Result<Self, DefError> {
-        def.check()?;
+    pub fn new(def: WorldDef) -> Result<Self, DefError> {
         let plan = Plan::of(&def);
+        Self::with_plan(def, plan)
+    }
+
+    /// As [`World::new`] with parts of the model that the definition does not need: they cost time and change no bit, which is what
+    /// this is for showing. A plan without a part that is needed leaves its effect out.
+    ///
+    /// # Errors
+    /// As [`World::new`].
+    pub fn with_plan(mut def: WorldDef, plan: Plan) -> Result<Self, DefError> {
+        def.check()?;
         def.surfaces.extend(def.bounds.iter().flat_map(edges));
         let n = def.bodies.len();
         let mut world = Self {
@@ -167,7 +176,8 @@ impl World {
         self.drives.push(DVec2::ZERO);
         self.previous.push(def.position);
         self.forces.push(ForceManager::default());
-        self.plan.pairs = self.bodies.len() > 1;
+        self.plan.pairs |= self.bodies.len() > 1;
+        self.plan.crowd |= self.bodies.len() > CROWD;
         self.plan.contacts |= self.plan.pairs;
         self.plan.air |= self.media.air_density > 0.0 && def.feels_air && def.drag > 0.0;
         self.plan.bounces |= def.restitution > 0.0;
