@@ -122,6 +122,7 @@ impl Sitting {
             Screen::SaveScore(screen) => screen.buttons(),
             Screen::Leaderboard(screen) => screen.buttons(),
             Screen::Classics(screen) => screen.buttons(),
+            Screen::Lab(screen) => screen.toolbar().buttons(),
             Screen::TileRun(screen) => screen.toolbar().buttons(),
             Screen::Jumper(screen) => screen.buttons().expect("the panel is open"),
             Screen::Pi(screen) => screen.toolbar().buttons(),
@@ -142,6 +143,7 @@ impl Sitting {
             Screen::SaveScore(_) => "save score",
             Screen::Leaderboard(_) => "leaderboard",
             Screen::Classics(_) => "classics",
+            Screen::Lab(_) => "lab",
             Screen::TileRun(_) => "tile run",
             Screen::Jumper(_) => "jumper",
             Screen::Pi(_) => "pi",
@@ -208,16 +210,16 @@ fn board(rows: usize) -> String {
 
 #[test]
 fn every_button_of_the_menu_leads_where_it_says_by_mouse_and_by_keyboard() {
-    for (index, screen) in [(0, "flight"), (1, "level select"), (2, "leaderboards"), (3, "classics")] {
+    for (index, screen) in [(0, "flight"), (1, "level select"), (2, "leaderboards"), (3, "classics"), (4, "lab")] {
         assert_eq!(Sitting::new().click(index).at(), screen);
         assert_eq!(Sitting::new().choose(index).at(), screen);
     }
     let mut sitting = Sitting::new();
-    let quit = sitting.rest().buttons().areas()[4].centre();
+    let quit = sitting.rest().buttons().areas()[5].centre();
     assert!(!sitting.give(Input { pointer: quit, click: true, ..Input::default() }).open);
     let mut sitting = Sitting::new();
     sitting.press_all(&[Key::Down; 9]);
-    assert_eq!(sitting.buttons().focus(), 4, "the arrows stop at the last button");
+    assert_eq!(sitting.buttons().focus(), 5, "the arrows stop at the last button");
     assert!(!sitting.give(enter()).open);
 }
 
@@ -650,12 +652,38 @@ fn an_empty_board_is_a_board_and_a_damaged_file_is_reported() {
 }
 
 #[test]
+fn in_the_lab_two_methods_run_side_by_side_and_part() {
+    let mut sitting = Sitting::new();
+    sitting.choose(4).wait(30.0);
+    let lab = |sitting: &Sitting| {
+        let Screen::Lab(lab) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+        let [(left, left_boxes), (right, right_boxes)] = lab.sides();
+        let apart = (left_boxes[0].centre() - right_boxes[0].centre()).length();
+        (lab.exhibit().title, left, right, apart, lab.time())
+    };
+    let (first, left, right, apart, time) = lab(&sitting);
+    assert_eq!((left, right), ("snap to the floor", "shipped engine"));
+    assert!((time - 30.0).abs() < 0.1 && apart > 0.01, "{apart} m after {time} s");
+    sitting.press(Key::Left);
+    let (title, other, _, _, time) = lab(&sitting);
+    assert!(title == first && other != left && time < 0.1, "another method starts from the beginning");
+    sitting.press(Key::Right);
+    assert_ne!(lab(&sitting).2, right);
+    let mut titles = vec![first];
+    while titles.len() < 10 && lab(sitting.press(Key::Down)).0 != first {
+        titles.push(lab(&sitting).0);
+    }
+    assert_eq!(titles.len(), 4, "{titles:?}");
+}
+
+#[test]
 fn esc_goes_back_everywhere() {
     let esc = |sitting: &mut Sitting| sitting.press(Key::Escape).at();
     assert_eq!(esc(&mut Sitting::new()), "menu", "the menu is where Esc ends");
     assert_eq!(esc(Sitting::new().choose(1)), "menu");
     assert_eq!(esc(Sitting::new().choose(2)), "menu");
     assert_eq!(esc(Sitting::new().choose(3)), "menu");
+    assert_eq!(esc(Sitting::new().choose(4)), "menu");
     assert_eq!(esc(Sitting::new().choose(1).choose(4)), "level select");
     assert_eq!(esc(Sitting::new().fly(1)), "pause");
     assert_eq!(esc(Sitting::new().fly(1).press(Key::Escape)), "flight");

@@ -4,6 +4,7 @@
 //! - [`methods`]: the methods, written by hand, each a small pure function.
 //! - [`scenes`]: what they are run on, one file a family; each scene knows its exact answer.
 //! - [`stress`]: where methods fail: the largest value that each survives.
+//! - [`side_by_side`]: two methods on a scene, to be watched.
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
 //! - [`curve`]: the numbers behind a diagram. [`diagram`]: work–precision diagrams as SVG; [`report`]: the same as CSV, and the summary.
 
@@ -15,6 +16,7 @@ pub mod report;
 mod scene;
 pub mod scenes;
 mod shipped;
+pub mod side_by_side;
 pub mod stress;
 
 pub use scene::{Method, Scene};

@@ -6,7 +6,7 @@ use super::{Buttons, Input, Key, Request};
 use crate::view::layout::{Area, Frame, GRID, TITLE, Vec2};
 
 /// The words on the buttons, from top to bottom.
-pub const LABELS: [&str; 5] = ["Play", "Level Select", "Leaderboards", "Classics", "Quit"];
+pub const LABELS: [&str; 6] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Quit"];
 /// From the canvas' top to the middle of the title's capitals, of the canvas' height.
 const TITLE_AT: f32 = 0.2;
 /// The title's letters, in heights of its text: what balls bounce off.
@@ -43,11 +43,12 @@ impl Menu {
             1 => Request::LevelSelect(Purpose::Play),
             2 => Request::LevelSelect(Purpose::Leaderboard),
             3 => Request::Classics(None),
+            4 => Request::Lab,
             _ => Request::Quit,
         })
     }
 
-    /// Its buttons: Play, Level Select, Leaderboards, Classics, Quit.
+    /// Its buttons: Play, Level Select, Leaderboards, Classics, Lab, Quit.
     pub fn buttons(&self) -> &Buttons {
         &self.buttons
     }

@@ -10,6 +10,7 @@ mod classics;
 mod flight;
 mod input;
 mod jumper;
+mod lab;
 mod leaderboard;
 mod level_select;
 mod library;
@@ -31,6 +32,7 @@ pub use classics::{Classic, Classics};
 pub use flight::{Attempt, Flight, Spectator};
 pub use input::{Input, Key, Keys};
 pub use jumper::{Jumper, Press as JumperPress};
+pub use lab::Lab;
 pub use leaderboard::Leaderboard;
 pub use level_select::{Entry, LevelSelect, Purpose};
 pub use library::Library;
@@ -66,6 +68,8 @@ pub enum Screen {
     Leaderboard(Leaderboard),
     /// Which classic.
     Classics(Classics),
+    /// Two methods side by side.
+    Lab(Box<Lab>),
     /// A run through a map of tiles, or one that is watched.
     TileRun(Box<TileRun>),
     /// A climb.
@@ -95,6 +99,8 @@ pub enum Request {
     Leaderboard(String),
     /// The list of classics, with the keyboard on the one that was left.
     Classics(Option<Classic>),
+    /// Two methods side by side.
+    Lab,
     /// One of them, from its beginning.
     Classic(Classic),
     /// A climb that has ended.

@@ -135,6 +135,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
         Screen::SaveScore(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Leaderboard(screen) => screen.draw(canvas),
         Screen::Classics(screen) => screen.draw(canvas),
+        Screen::Lab(screen) => screen.draw(canvas),
         Screen::TileRun(screen) => screen.draw(canvas),
         Screen::Jumper(screen) => screen.draw(canvas),
         Screen::Pi(screen) => screen.draw(canvas),
