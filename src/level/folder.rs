@@ -41,12 +41,21 @@ struct Disk<'a> {
 
 impl Files for Disk<'_> {
     fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
-        std::fs::read(self.folder.join(name))
+        read_regular(&self.folder.join(name))
     }
 
     fn project_file(&self, path: &str) -> io::Result<Vec<u8>> {
-        std::fs::read(self.project.join(path))
+        read_regular(&self.project.join(path))
     }
+}
+
+/// Reads a file, unless it is something else that would keep a reader waiting for ever (a pipe, a device).
+fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
+    let kind = std::fs::metadata(path)?.file_type();
+    if kind.is_file() || kind.is_dir() {
+        return std::fs::read(path);
+    }
+    Err(io::Error::new(io::ErrorKind::InvalidInput, "not a regular file"))
 }
 
 /// The names of the level folders in `levels`: those named by a number first and in numeric order (2 before 10), the others after,

@@ -25,7 +25,7 @@ pub(super) enum Motion {
 /// The rate of the fastest change within an interval that a cubic still follows.
 const CUBIC_REACH: f64 = 0.5;
 /// The shortest interval into which light things near others cut a tick, as a fraction of it.
-const SHORTEST: f64 = 1.0 / 16.0;
+const SHORTEST: f64 = 1.0 / 64.0;
 
 impl World {
     /// Decides how everything moves during the next interval, at most `left` seconds of a `tick`, and returns its greatest length.

@@ -81,3 +81,8 @@ pub(super) const FRICTION_ROUNDS: u32 = 12;
 
 /// m. Thickness of the level's edges. No speed gets through: impacts are found along the whole path.
 pub(super) const EDGE_THICKNESS: f64 = 100.0;
+
+/// How often an interval in which something sank into something is cut, and to what part of it. A tick cut so often is 1 µs long.
+pub(super) const RETRIES: u32 = 7;
+/// See [`RETRIES`].
+pub(super) const RETRY_PART: f64 = 0.25;

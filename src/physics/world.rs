@@ -10,7 +10,7 @@ use super::impacts::Resume;
 use super::interval::Motion;
 use super::media::{Law, Media};
 use super::reactions::Reactions;
-use super::tuning::{EDGE_THICKNESS, MAX_INTERVALS, SLOP};
+use super::tuning::{EDGE_THICKNESS, MAX_INTERVALS, RETRIES, RETRY_PART, SLOP};
 use super::{Aabb, Body, BodyDef, BodyId, DefError, ForceManager, Material, Plan, SurfaceDef, WorldDef};
 use glam::DVec2;
 
@@ -238,6 +238,7 @@ impl World {
             self.solve_accelerations();
             let longest = self.choose_motions(left, dt);
             let (t, happening) = self.next_happening(longest);
+            let (t, happening) = self.advance(t, happening);
             intervals += 1;
             self.overflowing = intervals > MAX_INTERVALS / 2;
             let last = (matches!(happening, Happening::Nothing) && t >= left) || intervals > MAX_INTERVALS;
@@ -245,7 +246,7 @@ impl World {
                 // Shown are the forces at the beginning of the interval that leads to what is shown with them.
                 self.show_forces();
             }
-            self.advance(t);
+            self.commit();
             self.now += t;
             if last {
                 break;
@@ -316,13 +317,43 @@ impl World {
         }
     }
 
-    /// Moves everything on by `t` seconds.
-    fn advance(&mut self, t: f64) {
+    /// Finds where everything is after `t` seconds. Where a motion is no cubic, an impact can have been overlooked: if anything has sunk
+    /// into anything on the way, the interval was too long, and a part of it is taken instead.
+    fn advance(&mut self, mut t: f64, mut happening: Happening) -> (f64, Happening) {
+        for _ in 0..RETRIES {
+            self.find_poses(t);
+            if !self.plan.media() || !self.has_sunk() {
+                return (t, happening);
+            }
+            t *= RETRY_PART;
+            happening = Happening::Look;
+        }
+        self.find_poses(t);
+        (t, happening)
+    }
+
+    fn find_poses(&mut self, t: f64) {
         self.poses.clear();
         for i in 0..self.bodies.len() {
             let pose = self.pose(i, t);
             self.poses.push(pose);
         }
+    }
+
+    /// Whether some pair of which one is no cubic overlaps at the new poses, and more than before.
+    fn has_sunk(&self) -> bool {
+        let follows = |item: u32| self.motions.get(item as usize).is_some_and(|m| matches!(m, Motion::Flow | Motion::Coupled));
+        let after = |item: u32| self.poses.get(item as usize).map_or_else(|| self.place(item), |pose| pose.0);
+        self.candidates.pairs.iter().any(|pair| {
+            let reach = self.half(pair.a) + self.half(pair.b);
+            let depth = |a: DVec2, b: DVec2| (reach - (b - a).abs()).min_element();
+            let now = depth(after(pair.a), after(pair.b));
+            now > 2.0 * SLOP && (follows(pair.a) || follows(pair.b)) && now > depth(self.place(pair.a), self.place(pair.b)) + SLOP
+        })
+    }
+
+    /// Moves everything to the poses found.
+    fn commit(&mut self) {
         for (body, &(position, velocity)) in self.bodies.iter_mut().zip(&self.poses) {
             (body.position, body.velocity) = (position, velocity);
         }
