@@ -60,6 +60,7 @@ pub mod pile;
 mod plan;
 mod reactions;
 mod show;
+mod tick;
 mod tuning;
 mod world;
 

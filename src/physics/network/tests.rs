@@ -1,0 +1,113 @@
+//! The contact network against answers by hand, and against the conditions of the minimum on random graphs.
+use super::*;
+
+/// Bodies of (mass, force) in a line along the axis, one after the other.
+fn line(bodies: &[(f64, f64)], links: &[(u32, u32, Carries)]) -> Network {
+    let mut network = Network::default();
+    for (i, &(mass, force)) in bodies.iter().enumerate() {
+        network.nodes.push(Node { mass, force, at: i as f64, acceleration: f64::NAN });
+    }
+    for &(lo, hi, carries) in links {
+        network.link(lo, hi, carries);
+    }
+    network.solve();
+    network
+}
+
+fn accelerations(network: &Network) -> Vec<f64> {
+    network.nodes.iter().map(|node| node.acceleration).collect()
+}
+
+#[test]
+fn a_column_rests_exactly_and_each_link_carries_all_above() {
+    let masses = [1.0, 1e4, 0.5, 3.0];
+    let bodies = masses.map(|m| (m, m * 9.81));
+    let links: Vec<_> = (0..4).map(|i| (i, if i < 3 { i + 1 } else { GROUND }, Carries::Push)).collect();
+    let network = line(&bodies, &links);
+    assert_eq!(accelerations(&network), [0.0; 4]);
+    let mut load = 0.0;
+    for (link, mass) in network.links.iter().zip(masses) {
+        load += mass * 9.81;
+        assert_eq!(link.flow, load);
+    }
+}
+
+#[test]
+fn what_pulls_away_parts_and_what_presses_moves_as_one() {
+    // The first pushes the second; the third runs ahead of them.
+    let links = [(0, 1, Carries::Push), (1, 2, Carries::Push)];
+    let network = line(&[(2.0, 10.0), (3.0, 0.0), (1.0, 7.0)], &links);
+    assert_eq!(accelerations(&network), [2.0, 2.0, 7.0]);
+    assert_eq!((network.links[0].flow, network.links[1].flow), (6.0, 0.0));
+}
+
+#[test]
+fn a_load_on_two_supports_is_shared_equally() {
+    let links = [(0, 1, Carries::Push), (0, 2, Carries::Push), (1, GROUND, Carries::Push), (2, GROUND, Carries::Push)];
+    let network = line(&[(4.0, 40.0), (1.0, 10.0), (1.0, 10.0)], &links);
+    assert_eq!(network.links.iter().map(|link| link.flow).collect::<Vec<_>>(), [20.0, 20.0, 30.0, 30.0]);
+}
+
+#[test]
+fn a_tie_holds_up_to_its_limit_and_then_slips_at_it() {
+    let held = line(&[(2.0, 9.0)], &[(0, GROUND, Carries::UpTo(9.5))]);
+    assert_eq!((accelerations(&held)[0], held.links[0].flow), (0.0, 9.0));
+    let slips = line(&[(2.0, 9.0)], &[(0, GROUND, Carries::UpTo(4.0))]);
+    assert_eq!((accelerations(&slips)[0], slips.links[0].flow, slips.links[0].cut), (2.5, 4.0, true));
+}
+
+#[test]
+fn nothing_is_ever_pulled() {
+    let network = line(&[(1.0, -5.0), (1.0, 5.0)], &[(0, 1, Carries::Push)]);
+    assert_eq!(accelerations(&network), [-5.0, 5.0]);
+    assert_eq!(network.links[0].flow, 0.0);
+}
+
+/// The conditions that make the answer unique, on random networks: momentum, order, no pulling, limits kept.
+#[test]
+fn random_networks_satisfy_the_conditions_of_the_minimum() {
+    let mut seed = 1u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1u64 << 53) as f64
+    };
+    for _ in 0..300 {
+        let n = 2 + (random() * 10.0) as u32;
+        let bodies: Vec<_> = (0..n).map(|_| (0.1 + 10.0 * random(), 40.0 * random() - 20.0)).collect();
+        let mut links = Vec::new();
+        for i in 0..n {
+            for j in i + 1..n {
+                if random() < 0.3 {
+                    links.push((i, j, if random() < 0.6 { Carries::Push } else { Carries::UpTo(8.0 * random()) }));
+                }
+            }
+            if random() < 0.2 {
+                links.push((i, GROUND, Carries::Push));
+            }
+        }
+        let network = line(&bodies, &links);
+        let mut net: Vec<f64> = bodies.iter().map(|body| body.1).collect();
+        let a = |i: u32| if i == GROUND { 0.0 } else { network.nodes[i as usize].acceleration };
+        for link in &network.links {
+            for (end, sign) in [(link.lo, -1.0), (link.hi, 1.0)] {
+                if end != GROUND {
+                    net[end as usize] += sign * link.flow;
+                }
+            }
+            let gains = a(link.hi) - a(link.lo);
+            match link.carries {
+                Carries::Push => {
+                    assert!(link.flow >= 0.0 && gains >= -1e-12);
+                    assert!(link.flow * gains <= 1e-9, "a push across a gap that opens");
+                }
+                Carries::UpTo(limit) => {
+                    assert!(link.flow.abs() <= limit * (1.0 + 1e-12) + 1e-12);
+                    assert!(gains.abs() < 1e-12 || (link.flow + limit * gains.signum()).abs() < 1e-9, "slips below its limit");
+                }
+            }
+        }
+        for (i, &(mass, _)) in bodies.iter().enumerate() {
+            assert!((net[i] - mass * network.nodes[i].acceleration).abs() < 1e-9, "Newton's second law");
+        }
+    }
+}
