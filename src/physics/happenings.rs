@@ -19,8 +19,8 @@ pub(super) enum Happening {
     Nothing,
     /// An impact.
     Hit(Contact),
-    /// A slide along this axis ends.
-    Stop(usize),
+    /// The slide of this contact ends.
+    Stop(Contact),
     /// A contact ends because its bodies no longer face each other.
     Edge,
     /// A hit that the cubics foresaw and the motions do not show yet: look again from nearer.
@@ -166,7 +166,7 @@ impl World {
                 && let Some(t) = self.end_of_slide(&contact, first.0)
                 && t < first.0
             {
-                *first = (t, Happening::Stop(along));
+                *first = (t, Happening::Stop(contact));
             }
             // Half the slop: a contact needs all of it, so that this one is over then, however the time is rounded.
             let level = self.half(contact.lo)[along] + self.half(contact.hi)[along] - 0.5 * SLOP;
@@ -198,9 +198,9 @@ impl World {
         if last > 0.0 {
             return None;
         }
-        // Secant steps kept inside the bracket.
-        let (mut from_speed, mut t) = (speed, end);
-        for _ in 0..40 {
+        // Secant steps inside the bracket; an end that stays where it is counts half (the Illinois rule), so that both close in.
+        let (mut from_speed, mut t, mut side) = (speed, end, 0);
+        for _ in 0..60 {
             let secant = from + (to - from) * from_speed / (from_speed - last);
             t = if secant > from && secant < to { secant } else { 0.5 * (from + to) };
             let now = at(self, t);
@@ -209,10 +209,16 @@ impl World {
             }
             if now > 0.0 {
                 (from, from_speed) = (t, now);
-                last *= 0.5; // the Illinois rule: keeps the far end from standing still
+                if side > 0 {
+                    last *= 0.5;
+                }
+                side = 1;
             } else {
                 (to, last) = (t, now);
-                from_speed *= 0.5;
+                if side < 0 {
+                    from_speed *= 0.5;
+                }
+                side = -1;
             }
         }
         Some(t)

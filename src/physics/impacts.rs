@@ -10,7 +10,7 @@
 //! is passed over in closed form (rest after 2w/(g(1 − e))), during which the mean reaction is that of a body at rest.
 
 use super::contacts::Contact;
-use super::tuning::{CASCADE_HITS, MAX_CASCADE, MICRO_SPEED, RATTLE_HITS, REPORT_SPEED, SLOP, ZENO_HITS};
+use super::tuning::{CASCADE_HITS, MAX_CASCADE, MAX_CLINGS, MICRO_SPEED, RATTLE_HITS, REPORT_SPEED, SLOP, ZENO_HITS};
 use super::{BodyId, Event, Obstacle, World};
 use glam::DVec2;
 
@@ -79,6 +79,13 @@ impl World {
                 // What has just come together by a hair's breadth has done so, whatever pulls at it alone.
                 let grazes = met.is_some() && (-MICRO_SPEED..=0.0).contains(&self.approach(&contact));
                 contact.clings = grazes || self.clings(&contact);
+                if contact.clings {
+                    for item in [contact.lo, contact.hi] {
+                        if let Some(clung) = self.clung.get_mut(item as usize) {
+                            *clung += 1;
+                        }
+                    }
+                }
                 touching.push(contact);
             }
         }
@@ -88,7 +95,8 @@ impl World {
     /// Whether two things part so slowly that they rest on each other, if nothing pulls them apart.
     fn clings(&self, contact: &Contact) -> bool {
         let approach = self.approach(contact);
-        if !(-MICRO_SPEED..0.0).contains(&approach) {
+        let tried = |item: u32| self.clung.get(item as usize).is_some_and(|&clung| clung > MAX_CLINGS);
+        if !(-MICRO_SPEED..0.0).contains(&approach) || tried(contact.lo) || tried(contact.hi) {
             return false;
         }
         let pull = |item: u32| {

@@ -158,8 +158,10 @@ impl Reactions {
         }
     }
 
-    /// Gives everything that moves alike along `axis`, but for the rounding of the instant at which a slide ended, exactly one speed.
-    pub fn merge_speeds(&mut self, axis: usize, contacts: &[Contact], bodies: &mut [Body], items: usize) {
+    /// Ends a slide: gives both sides of the contact that stopped, and everything that moves with them but for the rounding of that
+    /// instant, exactly one speed along its face.
+    pub fn merge_speeds(&mut self, stopped: &Contact, contacts: &[Contact], bodies: &mut [Body], items: usize) {
+        let axis = 1 - stopped.axis;
         self.number(contacts, bodies.len(), items);
         self.network.clear();
         for &body in &self.body_of {
@@ -168,7 +170,8 @@ impl Reactions {
         }
         let speed = |item: u32| bodies.get(item as usize).map_or(0.0, |body| body.velocity[axis]);
         for contact in contacts {
-            if (speed(contact.hi) - speed(contact.lo)).abs() <= SPEED_TOLERANCE {
+            let alike = (speed(contact.hi) - speed(contact.lo)).abs() <= SPEED_TOLERANCE;
+            if alike || contact.pair == stopped.pair {
                 let ends = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
                 self.network.link(ends.0, ends.1, Carries::UpTo(f64::INFINITY));
             }

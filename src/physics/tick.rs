@@ -75,6 +75,8 @@ impl World {
         let n = self.bodies.len();
         self.hits.clear();
         self.hits.resize(n, 0);
+        self.clung.clear();
+        self.clung.resize(n, 0);
         self.crossings.clear();
         self.crossings.resize(n, 0);
         self.find_zones();
@@ -175,9 +177,9 @@ impl World {
                 self.place_against(&contact);
                 return Some(contact);
             }
-            Happening::Stop(axis) => {
+            Happening::Stop(contact) => {
                 let items = self.bodies.len() + self.blocks.len();
-                self.reactions.merge_speeds(axis, &self.contacts, &mut self.bodies, items);
+                self.reactions.merge_speeds(&contact, &self.contacts, &mut self.bodies, items);
             }
             Happening::Stream(body, stream) => {
                 let at = body as usize * self.media.streams.len() + stream as usize;

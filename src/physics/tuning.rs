@@ -5,6 +5,10 @@
 /// needs a gap of zero (hits ahead of it would lose 3 to 6 % of the energy of small bounces).
 pub(crate) const SLOP: f64 = 1e-9;
 
+/// How often in one tick a body that parts by less than [`MICRO_SPEED`] is taken to stay. If something keeps drawing it away (friction on
+/// its other side), it parts after that.
+pub(super) const MAX_CLINGS: u32 = 32;
+
 /// Relative to the largest force of a block of bodies: what counts as no force left over when reactions are shared out. Smaller:
 /// rounding splits resting blocks; larger: a feather beside an anvil is taken for part of it.
 pub(super) const FORCE_TOLERANCE: f64 = 1e-12;
