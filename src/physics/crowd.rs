@@ -4,10 +4,10 @@
 //! exact; above, a tick is one step for all: contacts along gravity are still exact at any mass ratio and positions never overlap, but
 //! zones are sampled once a tick, and impacts within one tick have no order.
 
+use super::candidates::Pair;
 use super::media::Law;
 use super::pile::{Axis, ContactForce, Other, Pile, PileBody, PileDef, PileSurface};
-use super::tuning::REPORT_SPEED;
-use super::{Body, BodyId, DefError, Event, Obstacle, World};
+use super::{Body, DefError, World};
 use glam::DVec2;
 
 /// Up to this many bodies the exact method is used. A heap of 100 costs it 200 ns a body and tick and the general method 30, and the exact
@@ -121,20 +121,14 @@ impl World {
     }
 
     fn report_crowd(&mut self, crowd: &Crowd) {
-        for impact in crowd.pile.impacts().iter().filter(|impact| impact.speed >= REPORT_SPEED) {
-            let (a, b) = (impact.a as u32, self.item(impact.b));
-            let (a_at, b_at) = (self.place(a), self.place(b));
-            let (a_half, b_half) = (self.half(a), self.half(b));
-            let (low, high) = ((a_at - a_half).max(b_at - b_half), (a_at + a_half).min(b_at + b_half));
-            let normal = match impact.axis {
-                Axis::Gravity => DVec2::new(0.0, (a_at.y - b_at.y).signum()),
-                Axis::Across => DVec2::new((a_at.x - b_at.x).signum(), 0.0),
+        for impact in crowd.pile.impacts() {
+            let axis = match impact.axis {
+                Axis::Gravity => 1,
+                Axis::Across => 0,
             };
-            let b = match impact.b {
-                Other::Body(body) => Obstacle::Body(BodyId(body as u32)),
-                Other::Surface(surface) => Obstacle::Surface(surface as u32),
-            };
-            self.events.push(Event::Impact { a: BodyId(a), b, point: (low + high) * 0.5, normal, speed: impact.speed });
+            let pair = Pair { a: impact.a as u32, b: self.item(impact.b) };
+            let ascending = self.place(pair.b)[axis] > self.place(pair.a)[axis];
+            self.report(&self.contact_along(pair, axis, ascending, true), impact.speed);
         }
     }
 }

@@ -222,7 +222,7 @@ impl World {
     }
 
     /// Notes the impact for rules, view and sound.
-    fn report(&mut self, contact: &Contact, speed: f64) {
+    pub(super) fn report(&mut self, contact: &Contact, speed: f64) {
         if speed < REPORT_SPEED {
             return;
         }

@@ -29,6 +29,17 @@ pub struct Point {
 /// One step of so many seconds.
 pub type Step = fn(&Law, Point, f64) -> Point;
 
+/// Every method that steps a motion through drag, by the name that charts and tables show.
+pub const METHODS: [(&str, Step); 7] = [
+    ("explicit Euler", explicit_euler),
+    ("semi-implicit Euler", semi_implicit_euler),
+    ("velocity Verlet", velocity_verlet),
+    ("RK4", rk4),
+    ("linearised drag", linearised_drag),
+    ("exact drag (Lie)", exact_decay),
+    ("Strang", strang),
+];
+
 impl Law {
     /// Acceleration at velocity `v`, m/s².
     pub fn acceleration(&self, v: DVec2) -> DVec2 {

@@ -1,10 +1,7 @@
 //! Flight with quadratic drag: a fall, whose flow is exact (tanh), a throw into the wind, and a gust that catches something light,
 //! which have no closed form (see [`crate::lab::reference`]).
 
-use crate::lab::methods::motion::{
-    Law, Point, Step, exact_decay, exact_fall, explicit_euler, follow, linearised_drag, rk4, semi_implicit_euler, strang,
-    velocity_verlet,
-};
+use crate::lab::methods::motion::{Law, METHODS, Point, exact_fall, follow};
 use crate::lab::{Scene, reference, shipped};
 use crate::physics::DVec2;
 
@@ -14,16 +11,6 @@ const G: f64 = 9.81;
 const SECONDS: f64 = 10.0;
 /// s. A gust is over in no time; what follows is a fall at terminal velocity.
 const GUST_SECONDS: f64 = 1.0;
-
-const METHODS: [(&str, Step); 7] = [
-    ("explicit Euler", explicit_euler),
-    ("semi-implicit Euler", semi_implicit_euler),
-    ("velocity Verlet", velocity_verlet),
-    ("RK4", rk4),
-    ("linearised drag", linearised_drag),
-    ("exact drag (Lie)", exact_decay),
-    ("Strang", strang),
-];
 
 fn with_methods(mut scene: Scene, law: Law, start: Point, seconds: f64, exact: DVec2) -> Scene {
     for (name, step) in METHODS {

@@ -1,9 +1,7 @@
 //! Where integrators fail: things so light that a step overshoots their terminal velocity, and gusts that turn them round.
 
 use super::{G, Rows, Survival, TICK};
-use crate::lab::methods::motion::{
-    Law, Point, Step, exact_decay, exact_fall, explicit_euler, linearised_drag, rk4, semi_implicit_euler, strang, velocity_verlet,
-};
+use crate::lab::methods::motion::{Law, METHODS, Point, Step, exact_fall};
 use crate::lab::shipped;
 use crate::physics::DVec2;
 
@@ -13,16 +11,6 @@ const LONG: u32 = 2000;
 const LIGHT: f64 = 2.0;
 /// Relative: how near to the terminal velocity counts as right.
 const RIGHT: f64 = 0.01;
-
-const METHODS: [(&str, Step); 7] = [
-    ("explicit Euler", explicit_euler),
-    ("semi-implicit Euler", semi_implicit_euler),
-    ("velocity Verlet", velocity_verlet),
-    ("RK4", rk4),
-    ("linearised drag", linearised_drag),
-    ("exact drag (Lie)", exact_decay),
-    ("Strang", strang),
-];
 
 /// Terminal velocities: beyond, a fall has diverged.
 const BOUNDS: f64 = 1e6;
