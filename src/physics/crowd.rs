@@ -14,6 +14,9 @@ use glam::DVec2;
 /// one grows faster than linearly; a level that a person flies through seldom has more than a dozen.
 pub(super) const CROWD: usize = 64;
 
+/// Forces on one body for which there is room from the start. Fewer: what is hit from all sides for the first time allocates.
+const FORCES: usize = 32;
+
 /// The part of a world that only crowds have.
 #[derive(Clone, Debug)]
 pub(super) struct Crowd {
@@ -56,6 +59,7 @@ impl World {
             sleep: true,
         })
         .map_err(|error| DefError(error.0))?;
+        self.forces.iter_mut().for_each(|forces| forces.renew().reserve(FORCES));
         self.crowd = Some(Box::new(Crowd { pile, contacts: Vec::new(), touched: Vec::new() }));
         Ok(())
     }

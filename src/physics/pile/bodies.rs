@@ -46,6 +46,8 @@ pub(super) struct Bodies {
     /// Velocities as the solver leaves them (surfaces too).
     pub ux: Vec<f64>,
     pub uy: Vec<f64>,
+    /// Mean velocities along gravity over the step of what touched something, m/s.
+    pub mean_vy: Vec<f64>,
     /// Positions at the end of the step, first predicted, then final (surfaces too).
     pub px: Vec<f64>,
     pub py: Vec<f64>,
@@ -88,6 +90,7 @@ impl Bodies {
             free_vy: all(),
             ux: all(),
             uy: all(),
+            mean_vy: movable(),
             px: all(),
             py: all(),
             allowed_left: vec![f64::INFINITY; count],
@@ -110,6 +113,7 @@ impl Bodies {
     }
 
     /// Whether the predicted centre lies within the body's allowed box.
+    #[inline(always)]
     pub fn is_allowed(&self, i: usize) -> bool {
         let (x, y) = (self.px[i] - self.shift.0, self.py[i] - self.shift.1);
         (x >= self.allowed_left[i]) & (x <= self.allowed_right[i]) & (y >= self.allowed_top[i]) & (y <= self.allowed_bottom[i])
