@@ -67,8 +67,8 @@ impl World {
 
     /// Cubics that follow the motions for `end` seconds.
     fn draw_cubics(&mut self, end: f64) {
-        self.cubics.clear();
-        for i in 0..self.bodies.len() {
+        for index in 0..self.awake.len() {
+            let i = self.awake[index] as usize;
             let (x, v) = (self.bodies[i].position, self.bodies[i].velocity);
             let cubic = match self.motions[i] {
                 Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
@@ -79,7 +79,7 @@ impl World {
                 }
                 Motion::Flow | Motion::Coupled => Cubic::parabola(x, v, self.solved[i]),
             };
-            self.cubics.push(cubic);
+            self.cubics[i] = cubic;
         }
     }
 
@@ -102,8 +102,8 @@ impl World {
 
     fn next_hit(&mut self, first: &mut (f64, Happening)) {
         let mut closed = 0;
-        for index in 0..self.candidates.pairs.len() {
-            let pair = self.candidates.pairs[index];
+        for index in 0..self.candidates.live.len() {
+            let pair = self.candidates.live[index];
             while self.contacts.get(closed).is_some_and(|contact| contact.pair < pair) {
                 closed += 1;
             }
@@ -226,7 +226,8 @@ impl World {
 
     /// Borders of zones, and kinks of drag.
     fn next_crossing(&mut self, first: &mut (f64, Happening)) {
-        for i in 0..self.bodies.len() {
+        for index in 0..self.awake.len() {
+            let i = self.awake[index] as usize;
             if self.motions[i] == Motion::Still || self.crossings[i] >= MAX_CROSSINGS {
                 continue;
             }
@@ -256,17 +257,26 @@ impl World {
         }
     }
 
+    /// By how much a body's motion leads along the axis whose side it turns to the air, at velocity `v`.
+    pub(super) fn lead(&self, i: usize, v: DVec2) -> f64 {
+        if self.across[i] { v.x.abs() - v.y.abs() } else { v.y.abs() - v.x.abs() }
+    }
+
     /// When a body begins to move more across than up or down, or the other way round.
     fn change_of_side(&mut self, i: usize, end: f64) -> Option<f64> {
-        let across = self.across[i];
-        let lead = |v: DVec2| if across { v.x.abs() - v.y.abs() } else { v.y.abs() - v.x.abs() };
         let (mut from, mut to) = (MIN_SPLIT, end);
-        if to <= from || lead(self.pose(i, to).1) >= 0.0 || lead(self.pose(i, from).1) < 0.0 {
+        let last = self.pose(i, to).1;
+        if to <= from || self.lead(i, last) >= 0.0 {
+            return None;
+        }
+        let first = self.pose(i, from).1;
+        if self.lead(i, first) < 0.0 {
             return None;
         }
         while to - from > MIN_SPLIT {
             let middle = 0.5 * (from + to);
-            if lead(self.pose(i, middle).1) >= 0.0 {
+            let v = self.pose(i, middle).1;
+            if self.lead(i, v) >= 0.0 {
                 from = middle;
             } else {
                 to = middle;

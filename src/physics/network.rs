@@ -64,8 +64,6 @@ pub(super) struct Node {
     pub mass: f64,
     /// Applied force without the contacts of this network, N.
     pub force: f64,
-    /// Centre, m: along a push link the lower body has the smaller one.
-    pub at: f64,
     /// The solution, m/s².
     pub acceleration: f64,
 }
@@ -83,6 +81,8 @@ pub(super) struct Network {
     blocks: Vec<(u32, u32)>,
     block_of: Vec<u32>,
     excess: Vec<f64>,
+    /// Bodies that have not handed their load on to node i yet.
+    waits_for: Vec<u32>,
     side: Vec<Side>,
     came_by: Vec<u32>,
     queue: Vec<u32>,
@@ -118,9 +118,8 @@ impl Network {
             }
             return;
         }
-        for link in &mut self.links {
-            link.flow = 0.0;
-            link.cut = false;
+        if self.nodes.len() == 1 && self.rests_alone() {
+            return;
         }
         self.index_links();
         self.find_components();
@@ -129,6 +128,25 @@ impl Network {
             self.settle_block(next);
             next += 1;
         }
+    }
+
+    /// The direct answer for one body that presses against the ground, shared equally between all that carries it: what `settle_block`
+    /// comes to. False, and nothing done, if friction has to hold it or nothing does.
+    fn rests_alone(&mut self) -> bool {
+        let force = self.nodes[0].force;
+        let carries = |link: &Link| link.carries == Carries::Push && (link.hi == GROUND) == (force > 0.0);
+        let supports = self.links.iter().filter(|link| carries(link)).count();
+        if force == 0.0 || supports == 0 {
+            return false;
+        }
+        let share = force.abs() / supports as f64;
+        for link in &mut self.links {
+            if carries(link) {
+                link.flow = share;
+            }
+        }
+        self.nodes[0].acceleration = 0.0;
+        true
     }
 
     fn slot(&self, end: u32) -> usize {
@@ -164,6 +182,8 @@ impl Network {
         self.first.push(2 * self.links.len() as u32);
         self.excess.clear();
         self.excess.resize(n, 0.0);
+        self.waits_for.clear();
+        self.waits_for.resize(n, 0);
         self.side.clear();
         self.side.resize(n, Side::Same);
         self.came_by.clear();
@@ -250,24 +270,36 @@ impl Network {
         }
     }
 
-    /// One pass along the axis: every body hands its excess on to the bodies (or the ground) that it presses against, in equal shares.
-    /// True if that settles the block: nobody would have to pull.
+    /// One pass along the axis: every body hands its excess on to the bodies (or the ground) that it presses against, in equal shares, as
+    /// soon as it has been handed all of its own (Kahn's order). True if that settles the block: nobody would have to pull.
     fn passes(&mut self, begin: usize, end: usize, upwards: bool, tolerance: f64) -> bool {
         self.reset_flows(begin, end);
-        let nodes = &self.nodes;
         let sign = if upwards { 1.0 } else { -1.0 };
-        self.order[begin..end]
-            .sort_unstable_by(|&i, &j| (sign * nodes[i as usize].at).total_cmp(&(sign * nodes[j as usize].at)).then(i.cmp(&j)));
+        let presses =
+            |link: &Link, i: u32| !link.cut && link.carries == Carries::Push && (if upwards { link.lo } else { link.hi }) == i;
+        self.queue.clear();
         for at in begin..end {
             let i = self.order[at];
+            let bearing = self.links_of(i).filter(|&slot| {
+                let link = &self.links[self.around[slot] as usize];
+                let from = link.other(i);
+                from != GROUND && presses(link, from)
+            });
+            self.waits_for[i as usize] = bearing.count() as u32;
+            if self.waits_for[i as usize] == 0 {
+                self.queue.push(i);
+            }
+        }
+        let mut next = 0;
+        while next < self.queue.len() {
+            let i = self.queue[next];
+            next += 1;
             let load = sign * self.excess[i as usize];
             if load < -tolerance {
                 return false;
             }
-            let carries_on =
-                |link: &Link| !link.cut && link.carries == Carries::Push && (if upwards { link.lo } else { link.hi }) == i;
             let range = self.links_of(i);
-            let supports = range.clone().filter(|&slot| carries_on(&self.links[self.around[slot] as usize])).count();
+            let supports = range.clone().filter(|&slot| presses(&self.links[self.around[slot] as usize], i)).count();
             if supports == 0 {
                 if load > tolerance {
                     return false;
@@ -277,16 +309,20 @@ impl Network {
             let share = load.max(0.0) / supports as f64;
             for slot in range {
                 let link = &mut self.links[self.around[slot] as usize];
-                if carries_on(link) {
+                if presses(link, i) {
                     link.flow = share;
                     let other = link.other(i);
                     if other != GROUND {
                         self.excess[other as usize] += sign * share;
+                        self.waits_for[other as usize] -= 1;
+                        if self.waits_for[other as usize] == 0 {
+                            self.queue.push(other);
+                        }
                     }
                 }
             }
         }
-        true
+        self.queue.len() == end - begin
     }
 
     /// Routes as much excess as the links allow along shortest paths: first from where it is to where it is missing or into the ground,

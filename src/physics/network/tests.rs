@@ -4,8 +4,8 @@ use super::*;
 /// Bodies of (mass, force) in a line along the axis, one after the other.
 fn line(bodies: &[(f64, f64)], links: &[(u32, u32, Carries)]) -> Network {
     let mut network = Network::default();
-    for (i, &(mass, force)) in bodies.iter().enumerate() {
-        network.nodes.push(Node { mass, force, at: i as f64, acceleration: f64::NAN });
+    for &(mass, force) in bodies {
+        network.nodes.push(Node { mass, force, acceleration: f64::NAN });
     }
     for &(lo, hi, carries) in links {
         network.link(lo, hi, carries);
