@@ -48,14 +48,17 @@ impl Candidates {
 impl World {
     /// Makes sure that the list holds for the next `dt` seconds.
     pub(super) fn refresh_candidates(&mut self, dt: f64) {
+        // Where there is nothing to meet and no border the list stays empty.
+        let empty = !self.plan.contacts && !self.plan.streams;
         let holds = self.candidates.fresh
-            && self.awake.iter().all(|&index| {
-                let i = index as usize;
-                let (body, law, allowed) = (&self.bodies[i], &self.laws[i], &self.candidates.allowed[i]);
-                let reach = body.velocity.abs() * dt + law.constant.abs() * (dt * dt);
-                let bounds = body.bounds();
-                allowed.contains(&Aabb::new(bounds.min - reach, bounds.max + reach), 0.0)
-            });
+            && (empty
+                || self.awake.iter().all(|&index| {
+                    let i = index as usize;
+                    let (body, law, allowed) = (&self.bodies[i], &self.laws[i], &self.candidates.allowed[i]);
+                    let reach = body.velocity.abs() * dt + law.constant.abs() * (dt * dt);
+                    let bounds = body.bounds();
+                    allowed.contains(&Aabb::new(bounds.min - reach, bounds.max + reach), 0.0)
+                }));
         if !holds {
             self.rebuild_candidates(dt);
         }

@@ -39,24 +39,18 @@ pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
     if law.air == 0.0 && !law.wet {
         return parabola(pose, law.constant, t);
     }
+    if !law.wet {
+        return through_air(pose, law.constant, law.air, t);
+    }
     let mut left = t;
     for _ in 0..RK4_STEPS {
         let rate = media.rate(body, law, pose.1);
         // A splash is fast for as long as its speed is high, and takes a few more steps; what stays fast at any speed is stiff.
-        if law.wet && media.rate(body, law, DVec2::ZERO) * left > STIFF_REACH {
+        if media.rate(body, law, DVec2::ZERO) * left > STIFF_REACH {
             break;
         }
         if rate * left <= RK4_REACH {
             return rk4(pose, left, |x, v| media.acceleration(body, law, x, v));
-        }
-        if !law.wet {
-            let a = law.constant.length();
-            if a > 0.0 {
-                let terminal = law.constant * (1.0 / (a * law.air).sqrt());
-                if (pose.1 - terminal).length() <= TERMINAL_TOLERANCE * terminal.length() {
-                    return (pose.0 + terminal * left, terminal);
-                }
-            }
         }
         let h = RK4_REACH / rate;
         pose = rk4(pose, h, |x, v| media.acceleration(body, law, x, v));
@@ -64,14 +58,42 @@ pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
     }
     let h = left / EXPONENTIAL_STEPS;
     for _ in 0..EXPONENTIAL_STEPS as u32 {
-        pose = exponential(media, body, law, pose, h);
+        let (a, damping) = (media.acceleration(body, law, pose.0, pose.1), media.rate(body, law, pose.1));
+        pose = exponential(pose, a, damping, h);
     }
     pose
 }
 
-fn exponential(media: &Media, body: &Body, law: &Law, (x, v): Pose, t: f64) -> Pose {
-    let a = media.acceleration(body, law, x, v);
-    let damping = media.rate(body, law, v);
+/// Flight with quadratic drag `air` (1/m) under a constant acceleration for `t` seconds.
+fn through_air(mut pose: Pose, constant: DVec2, air: f64, t: f64) -> Pose {
+    let acceleration = |_, v: DVec2| constant - v * (air * v.length());
+    let pull = constant.length();
+    let settling = (air * pull).sqrt();
+    let mut left = t;
+    for _ in 0..RK4_STEPS {
+        let rate = air * pose.1.length() + settling;
+        if rate * left <= RK4_REACH {
+            return rk4(pose, left, acceleration);
+        }
+        if pull > 0.0 {
+            let terminal = constant * (1.0 / settling);
+            if (pose.1 - terminal).length() <= TERMINAL_TOLERANCE * terminal.length() {
+                return (pose.0 + terminal * left, terminal);
+            }
+        }
+        let h = RK4_REACH / rate;
+        pose = rk4(pose, h, acceleration);
+        left -= h;
+    }
+    let h = left / EXPONENTIAL_STEPS;
+    for _ in 0..EXPONENTIAL_STEPS as u32 {
+        pose = exponential(pose, acceleration(pose.0, pose.1), air * pose.1.length() + settling, h);
+    }
+    pose
+}
+
+/// One step of `t` seconds with the acceleration `a` at its start and the damping (1/s) frozen.
+fn exponential((x, v): Pose, a: DVec2, damping: f64, t: f64) -> Pose {
     // x and v of v′ = a − m·(v − v₀): with s = (1 − e^(−mt))/m.
     let s = -libm::expm1(-damping * t) / damping;
     (x + v * t + a * ((t - s) / damping), v + a * s)

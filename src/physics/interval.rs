@@ -76,6 +76,7 @@ impl World {
         self.coupled_nodes.clear();
         let reach = fastest * longest;
         if reach > COUPLED_REACH {
+            self.laws_hold = false;
             for &body in &self.coupled_bodies {
                 let i = body as usize;
                 let (body, law) = (&self.bodies[i], &mut self.laws[i]);

@@ -47,6 +47,7 @@ mod candidates;
 mod contacts;
 mod crowd;
 mod def;
+mod face;
 mod flight;
 mod flow;
 mod forces;

@@ -7,7 +7,7 @@
 
 use super::network::{Carries, GROUND, Network, Node};
 use super::tuning::{FRICTION_ROUNDS, SPEED_TOLERANCE};
-use super::{Body, World, contacts::Contact};
+use super::{Body, World, contacts::Contact, face};
 use glam::DVec2;
 
 /// What the solver works on, apart from the world so that it can be reused for forces, impulses and speeds.
@@ -119,6 +119,14 @@ impl Reactions {
     /// Accelerations of bodies in contact (m/s²), from those they would have without (`free`), for the bodies of the contacts. What no
     /// contact joins is solved apart: no group's answer depends on another's.
     pub fn accelerate(&mut self, contacts: &mut [Contact], bodies: &[Body], items: usize, free: &[DVec2], out: &mut [DVec2]) {
+        if let [contact] = contacts
+            && let Contact { pair, lo, .. } = *contact
+            && pair.b as usize >= bodies.len()
+            && let Some(a) = face::press(contact, bodies[pair.a as usize].mass, free[pair.a as usize], pair.a != lo)
+        {
+            out[pair.a as usize] = a;
+            return;
+        }
         if self.find_groups(contacts, bodies.len()) <= 1 {
             return self.accelerate_group(contacts, bodies, items, free, out);
         }

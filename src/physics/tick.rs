@@ -111,7 +111,9 @@ impl World {
             if v.x.abs() == v.y.abs() {
                 let force = self.drives[i] + DVec2::new(0.0, body.mass * self.media.gravity);
                 let turns = |v: f64, force: f64| if v == 0.0 { force.abs() } else { force * v.signum() };
-                self.across[i] = turns(v.x, force.x) > turns(v.y, force.y);
+                let across = turns(v.x, force.x) > turns(v.y, force.y);
+                self.laws_hold &= across == self.across[i];
+                self.across[i] = across;
             }
         }
     }
@@ -121,15 +123,18 @@ impl World {
         if self.laws_hold && !self.plan.media() {
             return;
         }
-        self.laws_hold = true;
         let streams = self.media.streams.len();
+        let (hold, zones) = (self.laws_hold, self.plan.streams || self.plan.liquids);
+        self.laws_hold = true;
         for &index in &self.awake {
             let i = index as usize;
             let body = &self.bodies[i];
             let speed = body.velocity.abs();
-            if speed.x != speed.y {
-                self.across[i] = speed.x > speed.y;
+            let across = if speed.x == speed.y { self.across[i] } else { speed.x > speed.y };
+            if hold && !zones && across == self.across[i] {
+                continue;
             }
+            self.across[i] = across;
             let mut force = self.drives[i];
             for (stream, inside) in self.media.streams.iter().zip(&self.in_stream[i * streams..]) {
                 if *inside {
@@ -215,6 +220,7 @@ impl World {
                 let i = body as usize;
                 let v = self.bodies[i].velocity;
                 self.across[i] = v.x.abs() > v.y.abs();
+                self.laws_hold = false;
                 self.crossings[i] += 1;
             }
             Happening::Resume(index) => {
