@@ -58,6 +58,7 @@ impl Plan {
             (self.air, "air resistance"),
             (self.streams, "air streams"),
             (self.liquids, "liquids"),
+            (self.direct && !self.crowd, "direct answers where nothing changes"),
             (self.contacts && !self.crowd, "contacts: exact times of impact, direct solve"),
             (self.contacts && self.crowd, "contacts: a crowd, solved along gravity in one pass"),
             (self.pairs, "pairs of bodies"),

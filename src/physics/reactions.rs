@@ -309,3 +309,50 @@ impl World {
             })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::{BodyDef, candidates::Pair};
+
+    /// What `face` answers is what the network answers, to the bit.
+    #[test]
+    fn a_body_on_one_face_has_the_same_answer_directly_and_by_the_network() {
+        let mut seed = 3u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let mut moved = 0;
+        for _ in 0..5000 {
+            let bodies = [Body::new(&BodyDef { mass: 0.1 + 10.0 * random(), ..BodyDef::default() })];
+            let free = [DVec2::new(20.0 * random() - 10.0, if random() < 0.1 { 0.0 } else { 30.0 * random() - 15.0 })];
+            let (lo, hi) = if random() < 0.5 { (0, 1) } else { (1, 0) };
+            let mut direct = [Contact {
+                pair: Pair { a: 0, b: 1 },
+                axis: usize::from(random() < 0.7),
+                lo,
+                hi,
+                static_friction: random(),
+                kinetic_friction: 0.0,
+                closed: true,
+                clings: false,
+                lossy_hits: 0,
+                slides: (3.0 * random()).floor() - 1.0,
+                normal: 0.0,
+                friction: 0.0,
+            }];
+            direct[0].kinetic_friction = direct[0].static_friction * random();
+            let mut network = direct;
+            let (mut by_face, mut by_network) = ([DVec2::NAN], [DVec2::NAN]);
+            let mut reactions = Reactions::default();
+            reactions.accelerate(&mut direct, &bodies, 2, &free, &mut by_face);
+            reactions.accelerate_group(&mut network, &bodies, 2, &free, &mut by_network);
+            assert_eq!(by_face, by_network, "{direct:?} {network:?}");
+            let found = |[contact]: [Contact; 1]| [contact.normal, contact.friction, contact.slides];
+            assert_eq!(found(direct), found(network));
+            moved += u32::from(by_face[0] != DVec2::ZERO);
+        }
+        assert!((1000..4900).contains(&moved), "{moved}");
+    }
+}

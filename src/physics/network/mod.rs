@@ -134,9 +134,12 @@ impl Network {
             }
             return;
         }
-        if self.lies_on_ground() || self.is_pair() {
-            return;
+        if !self.lies_on_ground() && !self.is_pair() {
+            self.solve_by_blocks();
         }
+    }
+
+    fn solve_by_blocks(&mut self) {
         self.index_links();
         self.find_components();
         let mut next = 0;
