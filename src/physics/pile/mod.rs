@@ -293,6 +293,7 @@ impl Pile {
         bodies.ux.copy_from_slice(&bodies.free_vx);
         bodies.uy.copy_from_slice(&bodies.free_vy);
         bodies.commit();
+        self.contacts.clear();
     }
 
     /// A hit threw a body further than was looked for: seeks neighbours and contacts on its new way.
