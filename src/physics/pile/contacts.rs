@@ -67,10 +67,7 @@ impl Contacts {
     pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours, dt: f64) -> bool {
         let n = bodies.len();
         self.sweep(bodies);
-        self.start.clear();
-        self.stacks.clear();
-        self.sides.clear();
-        self.ceilings.clear();
+        self.clear();
         let per_second = 1.0 / dt;
         let (x, y, hx, hy) = (&bodies.x[..], &bodies.y[..], &bodies.hx[..], &bodies.hy[..]);
         for i in 0..n {
@@ -121,7 +118,15 @@ impl Contacts {
         true
     }
 
-    /// The supports of a body.
+    /// Nothing touches anything.
+    pub fn clear(&mut self) {
+        self.start.clear();
+        self.stacks.clear();
+        self.sides.clear();
+        self.ceilings.clear();
+    }
+
+    /// The supports of a body, by their numbers among the stacks; only after contacts were sought.
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
         self.start[i] as usize..self.start[i + 1] as usize
     }

@@ -293,6 +293,7 @@ impl Pile {
         std::mem::swap(&mut bodies.ux, &mut bodies.free_vx);
         std::mem::swap(&mut bodies.uy, &mut bodies.free_vy);
         bodies.commit();
+        self.contacts.clear();
     }
 
     /// A hit threw a body further than was looked for: seeks neighbours and contacts on its new way.
