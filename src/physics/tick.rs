@@ -5,7 +5,7 @@ use super::World;
 use super::contacts::Contact;
 use super::happenings::Happening;
 use super::interval::Motion;
-use super::media::Law;
+use super::media::{Law, moves_across};
 use super::tuning::{MAX_INTERVALS, RETRIES, RETRY_PART, SLOP};
 use glam::DVec2;
 
@@ -89,12 +89,8 @@ impl World {
         for (body, drive) in self.bodies.iter().zip(&self.drives) {
             let bounds = body.bounds();
             self.in_stream.extend(self.media.streams.iter().map(|stream| bounds.touches(&stream.zone, SLOP)));
-            // On the border between the two sides (and at rest) it is the force that decides: drag alone leaves the direction as it is.
-            let v = body.velocity;
             let force = *drive + DVec2::new(0.0, body.mass * self.media.gravity);
-            let turns = |v: f64, force: f64| if v == 0.0 { force.abs() } else { force * v.signum() };
-            let across = if v.x.abs() == v.y.abs() { turns(v.x, force.x) > turns(v.y, force.y) } else { v.x.abs() > v.y.abs() };
-            self.across.push(across);
+            self.across.push(moves_across(body.velocity, force));
         }
     }
 

@@ -41,6 +41,8 @@ pub mod pictures;
 #[cfg(feature = "window")]
 pub mod shapes;
 #[cfg(feature = "window")]
+pub mod sound;
+#[cfg(feature = "window")]
 pub mod theme;
 #[cfg(feature = "window")]
 pub mod things;

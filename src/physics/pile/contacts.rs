@@ -67,10 +67,7 @@ impl Contacts {
     pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours, dt: f64) -> bool {
         let n = bodies.len();
         self.sweep(bodies);
-        self.start.clear();
-        self.stacks.clear();
-        self.sides.clear();
-        self.ceilings.clear();
+        self.clear();
         let per_second = 1.0 / dt;
         let (x, y, hx, hy) = (&bodies.x[..], &bodies.y[..], &bodies.hx[..], &bodies.hy[..]);
         for i in 0..n {
@@ -121,12 +118,20 @@ impl Contacts {
         true
     }
 
-    /// The supports of a body.
+    /// Nothing touches anything.
+    pub fn clear(&mut self) {
+        self.start.clear();
+        self.stacks.clear();
+        self.sides.clear();
+        self.ceilings.clear();
+    }
+
+    /// The supports of a body, by their numbers among the stacks; only after contacts were sought.
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
         self.start[i] as usize..self.start[i + 1] as usize
     }
 
-    /// The boxes that the bodies sweep from where they are to where they are predicted, and a margin.
+    /// The boxes that the bodies sweep from where they are to where they are predicted, and a margin, as far as neighbours are known.
     fn sweep(&mut self, bodies: &Bodies) {
         let all = bodies.x.len();
         self.swept.resize(all, [0.0; 4]);
@@ -138,6 +143,14 @@ impl Contacts {
             let (left, right) = if x[i] < px[i] { (x[i], px[i]) } else { (px[i], x[i]) };
             let (top, bottom) = if y[i] < py[i] { (y[i], py[i]) } else { (py[i], y[i]) };
             *swept = [left - hx[i] - pad, right + hx[i] + pad, top - hy[i] - MARGIN, bottom + hy[i] + MARGIN];
+        }
+        // Beyond the boxes in which neighbours were sought nobody is known, however wide the margin.
+        let (shift_x, shift_y) = bodies.shift;
+        for (i, swept) in self.swept[..bodies.len()].iter_mut().enumerate() {
+            swept[0] = swept[0].max(bodies.allowed_left[i] + shift_x - hx[i]);
+            swept[1] = swept[1].min(bodies.allowed_right[i] + shift_x + hx[i]);
+            swept[2] = swept[2].max(bodies.allowed_top[i] + shift_y - hy[i]);
+            swept[3] = swept[3].min(bodies.allowed_bottom[i] + shift_y + hy[i]);
         }
     }
 
