@@ -131,7 +131,7 @@ impl Contacts {
         self.start[i] as usize..self.start[i + 1] as usize
     }
 
-    /// The boxes that the bodies sweep from where they are to where they are predicted, and a margin, as far as neighbours are known.
+    /// The boxes that the bodies sweep from where they are to where they are predicted, and a margin.
     fn sweep(&mut self, bodies: &Bodies) {
         let all = bodies.x.len();
         self.swept.resize(all, [0.0; 4]);
@@ -144,21 +144,14 @@ impl Contacts {
             let (top, bottom) = if y[i] < py[i] { (y[i], py[i]) } else { (py[i], y[i]) };
             *swept = [left - hx[i] - pad, right + hx[i] + pad, top - hy[i] - MARGIN, bottom + hy[i] + MARGIN];
         }
-        // Beyond the boxes in which neighbours were sought nobody is known, however wide the margin.
-        let (shift_x, shift_y) = bodies.shift;
-        for (i, swept) in self.swept[..bodies.len()].iter_mut().enumerate() {
-            swept[0] = swept[0].max(bodies.allowed_left[i] + shift_x - hx[i]);
-            swept[1] = swept[1].min(bodies.allowed_right[i] + shift_x + hx[i]);
-            swept[2] = swept[2].max(bodies.allowed_top[i] + shift_y - hy[i]);
-            swept[3] = swept[3].min(bodies.allowed_bottom[i] + shift_y + hy[i]);
-        }
     }
 
-    /// Whether the predicted box of a body lies within what was swept when the contacts were sought.
+    /// Whether the predicted box of a body lies within what was swept when the contacts were sought, and within that in which its
+    /// neighbours were: the margin of the sweep grows with the mean way of all, and with a few very fast bodies reaches beyond.
     pub fn covers(&self, bodies: &Bodies, i: usize) -> bool {
         let s = &self.swept[i];
         let (x, y, hx, hy) = (bodies.px[i], bodies.py[i], bodies.hx[i], bodies.hy[i]);
-        (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3])
+        (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3]) & bodies.is_allowed(i)
     }
 }
 
