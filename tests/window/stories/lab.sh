@@ -40,6 +40,6 @@ expect lab-menu-again resembles lab-menu 3
 # Charts that are damaged are told, and those that came with the game are shown.
 mkdir "$data/charts"
 echo nonsense >"$data/charts/setting.csv"
-press Return
+press Down Down Down Down Return
 expect lab-damaged shows "$bad" 10 80 80 10 0.1
 close_game
