@@ -14,12 +14,15 @@ use glam::DVec2;
 /// one grows faster than linearly; a level that a person flies through seldom has more than a dozen.
 pub(super) const CROWD: usize = 64;
 
+/// Forces whose sum is smaller than this part of the largest balance each other if the solver says so. Below 1e-14 rounding would be
+/// listed as a resultant of something at rest.
+const ROUNDING: f64 = 1e-11;
+
 /// The part of a world that only crowds have.
 #[derive(Clone, Debug)]
 pub(super) struct Crowd {
     pile: Pile,
     contacts: Vec<ContactForce>,
-    touched: Vec<bool>,
 }
 
 impl World {
@@ -56,7 +59,7 @@ impl World {
             sleep: true,
         })
         .map_err(|error| DefError(error.0))?;
-        self.crowd = Some(Box::new(Crowd { pile, contacts: Vec::new(), touched: Vec::new() }));
+        self.crowd = Some(Box::new(Crowd { pile, contacts: Vec::new() }));
         Ok(())
     }
 
@@ -94,24 +97,24 @@ impl World {
         }
         crowd.contacts.clear();
         crowd.pile.contact_forces(&mut crowd.contacts);
-        crowd.touched.clear();
-        crowd.touched.resize(self.bodies.len(), false);
         for contact in &crowd.contacts {
             let (normal, friction) = match contact.axis {
                 Axis::Gravity => (DVec2::new(0.0, contact.normal), DVec2::new(contact.friction, 0.0)),
                 Axis::Across => (DVec2::new(contact.normal, 0.0), DVec2::new(0.0, contact.friction)),
             };
             let (a, b) = (contact.a as u32, self.item(contact.b));
-            crowd.touched[contact.a] = true;
-            if let Other::Body(b) = contact.b {
-                crowd.touched[b] = true;
-            }
             self.list_contact_forces(a, b, normal, friction);
             self.list_contact_forces(b, a, -normal, -friction);
         }
         for (i, body) in self.bodies.iter_mut().enumerate() {
-            let mean = crowd.pile.acceleration(i);
-            let resultant = self.forces[i].close(crowd.touched[i].then_some(mean * body.mass));
+            let solved = crowd.pile.acceleration(i);
+            let forces = &mut self.forces[i];
+            let sum = forces.close(None);
+            // Along an axis on which nothing changed the sum may be one rounding off zero.
+            let scale = forces.forces().iter().fold(DVec2::ZERO, |scale, force| scale.max(force.vector.abs()));
+            let settle = |sum: f64, solved: f64, scale: f64| if solved == 0.0 && sum.abs() <= ROUNDING * scale { 0.0 } else { sum };
+            let resultant = DVec2::new(settle(sum.x, solved.x, scale.x), settle(sum.y, solved.y, scale.y));
+            forces.close(Some(resultant));
             body.acceleration = resultant / body.mass;
         }
     }

@@ -4,7 +4,7 @@
 //! and end its first interval with the tick. Only a body that turns its other side to the air on the way needs it.
 
 use super::World;
-use super::flow::flow;
+use super::flow::{flow, has_turned};
 use glam::DVec2;
 
 impl World {
@@ -24,7 +24,7 @@ impl World {
                 return false;
             }
             let pose = flow(&self.media, body, law, dt);
-            if in_air && body.half.x != body.half.y && self.lead(i, pose.1) < 0.0 {
+            if in_air && body.half.x != body.half.y && has_turned(self.across[i], pose.1) {
                 return false;
             }
             self.poses[i] = pose;

@@ -5,7 +5,7 @@
 //! on the motion (Newton's method on gap and closing speed).
 
 use super::contacts::Contact;
-use super::flow::Pose;
+use super::flow::{Pose, time_of_turn};
 use super::impact_time::{Cubic, earliest, time_of_impact};
 use super::interval::Motion;
 use super::tuning::{MAX_CROSSINGS, MIN_SPLIT, SLOP};
@@ -249,40 +249,12 @@ impl World {
             }
             if (self.laws[i].air > 0.0 || self.laws[i].wet)
                 && half.x != half.y
-                && let Some(t) = self.change_of_side(i, first.0)
+                && let Some(t) = time_of_turn(self.across[i], first.0, |t| self.pose(i, t).1)
                 && t < first.0
             {
                 *first = (t, Happening::Kink(i as u32));
             }
         }
-    }
-
-    /// By how much a body's motion leads along the axis whose side it turns to the air, at velocity `v`.
-    pub(super) fn lead(&self, i: usize, v: DVec2) -> f64 {
-        if self.across[i] { v.x.abs() - v.y.abs() } else { v.y.abs() - v.x.abs() }
-    }
-
-    /// When a body begins to move more across than up or down, or the other way round.
-    fn change_of_side(&mut self, i: usize, end: f64) -> Option<f64> {
-        let (mut from, mut to) = (MIN_SPLIT, end);
-        let last = self.pose(i, to).1;
-        if to <= from || self.lead(i, last) >= 0.0 {
-            return None;
-        }
-        let first = self.pose(i, from).1;
-        if self.lead(i, first) < 0.0 {
-            return None;
-        }
-        while to - from > MIN_SPLIT {
-            let middle = 0.5 * (from + to);
-            let v = self.pose(i, middle).1;
-            if self.lead(i, v) >= 0.0 {
-                from = middle;
-            } else {
-                to = middle;
-            }
-        }
-        Some(to)
     }
 }
 

@@ -7,7 +7,8 @@
 //! # How a tick goes
 //!
 //! Groups of bodies in which nothing moves are not looked at (`rest`). Where nothing else is near anything, a tick is one formula for each
-//! body (`flight`). Otherwise it is a chain of **intervals** (`tick`). Within one, every body follows one smooth law; it ends with the first thing that *happens*.
+//! body (`flight`). Otherwise it is a chain of **intervals** (`tick`). Within one, every body follows one smooth law; it ends with the
+//! first thing that *happens*.
 //!
 //! 1. **Laws** (`media`): what acts on each body without touching it: weight, drive, wind, air, liquids.
 //! 2. **Impacts** (`impacts`): whatever touches and approaches is given its impulses, the fastest first; what only has to stop, stops all

@@ -54,7 +54,8 @@ impl Plan {
         let drag = self.air || self.liquids;
         let parts = [
             (!drag, "motion: exact parabolas"),
-            (drag, "motion: RK4, finer for light things"),
+            (drag && !self.crowd, "motion: RK4, finer for light things"),
+            (drag && self.crowd, "motion: Nyström's method for all at once, RK4 for light things"),
             (self.air, "air resistance"),
             (self.streams, "air streams"),
             (self.liquids, "liquids"),

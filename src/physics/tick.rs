@@ -5,7 +5,7 @@ use super::World;
 use super::contacts::Contact;
 use super::happenings::Happening;
 use super::interval::Motion;
-use super::media::Law;
+use super::media::{Law, moves_across};
 use super::tuning::{MAX_INTERVALS, RETRIES, RETRY_PART, SLOP};
 use glam::DVec2;
 
@@ -106,15 +106,9 @@ impl World {
                 self.forces_hold &= *inside == now;
                 *inside = now;
             }
-            // On the border between the two sides (and at rest) it is the force that decides: drag alone leaves the direction as it is.
-            let v = body.velocity;
-            if v.x.abs() == v.y.abs() {
-                let force = self.drives[i] + DVec2::new(0.0, body.mass * self.media.gravity);
-                let turns = |v: f64, force: f64| if v == 0.0 { force.abs() } else { force * v.signum() };
-                let across = turns(v.x, force.x) > turns(v.y, force.y);
-                self.laws_hold &= across == self.across[i];
-                self.across[i] = across;
-            }
+            let across = moves_across(body.velocity, self.drives[i] + DVec2::new(0.0, body.mass * self.media.gravity));
+            self.laws_hold &= across == self.across[i];
+            self.across[i] = across;
         }
     }
 

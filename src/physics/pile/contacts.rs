@@ -67,10 +67,7 @@ impl Contacts {
     pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours, dt: f64) -> bool {
         let n = bodies.len();
         self.sweep(bodies);
-        self.start.clear();
-        self.stacks.clear();
-        self.sides.clear();
-        self.ceilings.clear();
+        self.clear();
         let per_second = 1.0 / dt;
         let (x, y, hx, hy) = (&bodies.x[..], &bodies.y[..], &bodies.hx[..], &bodies.hy[..]);
         for i in 0..n {
@@ -121,7 +118,15 @@ impl Contacts {
         true
     }
 
-    /// The supports of a body.
+    /// Nothing touches anything.
+    pub fn clear(&mut self) {
+        self.start.clear();
+        self.stacks.clear();
+        self.sides.clear();
+        self.ceilings.clear();
+    }
+
+    /// The supports of a body, by their numbers among the stacks; only after contacts were sought.
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
         self.start[i] as usize..self.start[i + 1] as usize
     }
@@ -141,11 +146,12 @@ impl Contacts {
         }
     }
 
-    /// Whether the predicted box of a body lies within what was swept when the contacts were sought.
+    /// Whether the predicted box of a body lies within what was swept when the contacts were sought, and within that in which its
+    /// neighbours were: the margin of the sweep grows with the mean way of all, and with a few very fast bodies reaches beyond.
     pub fn covers(&self, bodies: &Bodies, i: usize) -> bool {
         let s = &self.swept[i];
         let (x, y, hx, hy) = (bodies.px[i], bodies.py[i], bodies.hx[i], bodies.hy[i]);
-        (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3])
+        (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3]) & bodies.is_allowed(i)
     }
 }
 
