@@ -32,6 +32,64 @@ fn overlap(world: &World) -> f64 {
     worst
 }
 
+/// A crowd in which nobody is near anybody has no contacts to list: once a panic in the first tick.
+#[test]
+fn a_crowd_with_wide_gaps_flies_and_feels_nothing_but_weight() {
+    let bodies: Vec<BodyDef> =
+        (0..100).map(|i| BodyDef { position: DVec2::new(30.0 * i as f64, -1000.0), ..BodyDef::default() }).collect();
+    let mut world = world(bodies, Vec::new());
+    world.step(TICK);
+    for i in 0..100 {
+        assert_eq!(world.forces(BodyId(i)).resultant(), DVec2::new(0.0, G));
+    }
+}
+
+#[test]
+fn a_body_of_a_crowd_that_is_driven_against_a_ceiling_is_held_there() {
+    let mut bodies: Vec<BodyDef> = (0..100)
+        .map(|i| BodyDef { position: DVec2::new(20.5 + (i % 20) as f64, -0.5 - (i / 20) as f64), ..BodyDef::default() })
+        .collect();
+    bodies[0] = BodyDef { position: DVec2::new(5.0, -3.0), ..BodyDef::default() };
+    let mut surfaces = pit(60.0);
+    surfaces.push(SurfaceDef { bounds: Aabb::new(DVec2::new(0.0, -6.0), DVec2::new(10.0, -5.0)), material: Material::ASPHALT });
+    let mut world = world(bodies, surfaces);
+    world.set_drive(BodyId(0), DVec2::new(0.0, -25.0));
+    for _ in 0..240 {
+        world.step(TICK);
+    }
+    let forces = world.forces(BodyId(0));
+    assert_eq!(world.body(BodyId(0)).bounds().min.y, -5.0);
+    assert_eq!((world.body(BodyId(0)).velocity, forces.resultant()), (DVec2::ZERO, DVec2::ZERO));
+    assert!((forces.total(ForceKind::Reaction).y - (25.0 - G)).abs() < 1e-9, "{forces:?}");
+}
+
+/// Rebounds in the air were once listed as more than what had acted.
+#[test]
+fn the_resultant_is_the_sum_of_what_is_listed_also_where_many_rebound_at_once() {
+    let restitution = [0.0, 0.2, 0.5, 0.8, 0.9];
+    let bodies: Vec<BodyDef> = (0..100)
+        .map(|i| BodyDef {
+            position: DVec2::new(1.0 + 1.3 * (i % 10) as f64 + 0.03 * (i % 7) as f64, -1.2 - 1.5 * (i / 10) as f64),
+            half: DVec2::new(0.25 + 0.06 * (i % 5) as f64, 0.25 + 0.08 * (i % 4) as f64),
+            restitution: restitution[i * 7 % 5],
+            ..BodyDef::default()
+        })
+        .collect();
+    let mut world = world(bodies, pit(14.5));
+    let mut rebounds = 0;
+    for tick in 0..960 {
+        world.step(TICK);
+        rebounds += world.events().len();
+        for i in 0..100 {
+            let forces = world.forces(BodyId(i));
+            let listed: DVec2 = forces.forces().iter().map(|force| force.vector).sum();
+            let largest = forces.forces().iter().fold(0.0_f64, |largest, force| largest.max(force.vector.length()));
+            assert!((listed - forces.resultant()).length() <= 1e-11 * largest, "tick {tick}, body {i}: {forces:?}");
+        }
+    }
+    assert!(rebounds > 100, "{rebounds}");
+}
+
 #[test]
 fn rain_settles_without_overlap_and_every_resultant_is_exactly_zero() {
     let bodies: Vec<BodyDef> = (0..300)

@@ -17,12 +17,15 @@ pub(super) const CROWD: usize = 64;
 /// Forces on one body for which there is room from the start. Fewer: what is hit from all sides for the first time allocates.
 const FORCES: usize = 32;
 
+/// Forces whose sum is smaller than this part of the largest balance each other if the solver says so. Below 1e-14 rounding would be
+/// listed as a resultant of something at rest.
+const ROUNDING: f64 = 1e-11;
+
 /// The part of a world that only crowds have.
 #[derive(Clone, Debug)]
 pub(super) struct Crowd {
     pile: Pile,
     contacts: Vec<ContactForce>,
-    touched: Vec<bool>,
 }
 
 impl World {
@@ -60,13 +63,12 @@ impl World {
         })
         .map_err(|error| DefError(error.0))?;
         self.forces.iter_mut().for_each(|forces| forces.renew().reserve(FORCES));
-        self.crowd = Some(Box::new(Crowd { pile, contacts: Vec::new(), touched: Vec::new() }));
+        self.crowd = Some(Box::new(Crowd { pile, contacts: Vec::new() }));
         Ok(())
     }
 
     /// One tick of a crowd.
     pub(super) fn step_crowd(&mut self, crowd: &mut Crowd, dt: f64) {
-        self.refresh_laws();
         for (i, body) in self.bodies.iter().enumerate() {
             crowd.pile.set_force(i, self.outer_force(body, &self.laws[i], dt));
         }
@@ -76,7 +78,9 @@ impl World {
             (body.position, body.velocity) = (crowd.pile.position(i), crowd.pile.velocity(i));
         }
         self.report_crowd(crowd);
-        self.still = crowd.pile.is_asleep();
+        if crowd.pile.is_asleep() && self.bodies.iter().zip(&self.previous).all(|(body, previous)| body.position == *previous) {
+            self.awake.clear();
+        }
     }
 
     /// What acts on a body besides weight, air and contacts, N: drive, wind and liquids, as they are at the tick's start.
@@ -92,27 +96,29 @@ impl World {
 
     /// Lists the forces of the last step.
     fn show_crowd(&mut self, crowd: &mut Crowd) {
-        self.list_media_forces();
+        for i in 0..self.bodies.len() {
+            self.list_media_forces(i);
+        }
         crowd.contacts.clear();
         crowd.pile.contact_forces(&mut crowd.contacts);
-        crowd.touched.clear();
-        crowd.touched.resize(self.bodies.len(), false);
         for contact in &crowd.contacts {
             let (normal, friction) = match contact.axis {
                 Axis::Gravity => (DVec2::new(0.0, contact.normal), DVec2::new(contact.friction, 0.0)),
                 Axis::Across => (DVec2::new(contact.normal, 0.0), DVec2::new(0.0, contact.friction)),
             };
             let (a, b) = (contact.a as u32, self.item(contact.b));
-            crowd.touched[contact.a] = true;
-            if let Other::Body(b) = contact.b {
-                crowd.touched[b] = true;
-            }
             self.list_contact_forces(a, b, normal, friction);
             self.list_contact_forces(b, a, -normal, -friction);
         }
         for (i, body) in self.bodies.iter_mut().enumerate() {
-            let mean = crowd.pile.acceleration(i);
-            let resultant = self.forces[i].close(crowd.touched[i].then_some(mean * body.mass));
+            let solved = crowd.pile.acceleration(i);
+            let forces = &mut self.forces[i];
+            let sum = forces.close(None);
+            // Along an axis on which nothing changed the sum may be one rounding off zero.
+            let scale = forces.forces().iter().fold(DVec2::ZERO, |scale, force| scale.max(force.vector.abs()));
+            let settle = |sum: f64, solved: f64, scale: f64| if solved == 0.0 && sum.abs() <= ROUNDING * scale { 0.0 } else { sum };
+            let resultant = DVec2::new(settle(sum.x, solved.x, scale.x), settle(sum.y, solved.y, scale.y));
+            forces.close(Some(resultant));
             body.acceleration = resultant / body.mass;
         }
     }

@@ -8,7 +8,7 @@
 
 use super::Body;
 use super::media::{Law, Media};
-use super::tuning::{EXPONENTIAL_STEPS, RK4_REACH, RK4_STEPS, STIFF_REACH, TERMINAL_TOLERANCE};
+use super::tuning::{EXPONENTIAL_STEPS, MIN_SPLIT, RK4_REACH, RK4_STEPS, STIFF_REACH, TERMINAL_TOLERANCE};
 use glam::DVec2;
 
 /// Place and velocity.
@@ -35,46 +35,89 @@ pub(super) fn rk4((x, v): Pose, h: f64, acceleration: impl Fn(DVec2, DVec2) -> D
 
 /// Where `body` is after `t` seconds under `law`.
 pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
-    let mut pose = (body.position, body.velocity);
-    if law.air == 0.0 && !law.wet {
-        return parabola(pose, law.constant, t);
+    let pose = (body.position, body.velocity);
+    if !law.wet {
+        return fly_through(pose, law.constant, law.air, t);
     }
+    let acceleration = |x, v| media.acceleration(body, law, x, v);
+    let rate = |v| media.rate(body, law, v);
+    let at_rest = rate(DVec2::ZERO);
+    // A splash is fast for as long as its speed is high, and takes a few more steps; what stays fast at any speed is stiff.
+    let stiff = |pose, left| (at_rest * left > STIFF_REACH).then(|| decay(pose, left, acceleration, rate));
+    follow(pose, t, acceleration, rate, stiff)
+}
+
+/// Where something is after `t` seconds of v′ = `a` − `k`·|v|·v: flight through air.
+pub(super) fn fly_through(pose: Pose, a: DVec2, k: f64, t: f64) -> Pose {
+    if k == 0.0 {
+        return parabola(pose, a, t);
+    }
+    let pull = a.length();
+    let slowest = (k * pull).sqrt();
+    let rate = |v: DVec2| k * v.length() + slowest;
+    let terminal = a * (1.0 / (pull * k).sqrt());
+    let settled = |(x, v): Pose, left| {
+        let reached = pull > 0.0 && (v - terminal).length() <= TERMINAL_TOLERANCE * terminal.length();
+        reached.then(|| (x + terminal * left, terminal))
+    };
+    follow(pose, t, |_, v| a - v * (k * v.length()), rate, settled)
+}
+
+/// Runge–Kutta steps for `t` seconds, as many as `rate` asks for; `shortcut` is asked before each and can end the journey at once.
+fn follow(
+    mut pose: Pose,
+    t: f64,
+    acceleration: impl Fn(DVec2, DVec2) -> DVec2,
+    rate: impl Fn(DVec2) -> f64,
+    shortcut: impl Fn(Pose, f64) -> Option<Pose>,
+) -> Pose {
     let mut left = t;
     for _ in 0..RK4_STEPS {
-        let rate = media.rate(body, law, pose.1);
-        // A splash is fast for as long as its speed is high, and takes a few more steps; what stays fast at any speed is stiff.
-        if law.wet && media.rate(body, law, DVec2::ZERO) * left > STIFF_REACH {
-            break;
-        }
+        let rate = rate(pose.1);
         if rate * left <= RK4_REACH {
-            return rk4(pose, left, |x, v| media.acceleration(body, law, x, v));
+            return rk4(pose, left, acceleration);
         }
-        if !law.wet {
-            let a = law.constant.length();
-            if a > 0.0 {
-                let terminal = law.constant * (1.0 / (a * law.air).sqrt());
-                if (pose.1 - terminal).length() <= TERMINAL_TOLERANCE * terminal.length() {
-                    return (pose.0 + terminal * left, terminal);
-                }
-            }
+        if let Some(end) = shortcut(pose, left) {
+            return end;
         }
         let h = RK4_REACH / rate;
-        pose = rk4(pose, h, |x, v| media.acceleration(body, law, x, v));
+        pose = rk4(pose, h, &acceleration);
         left -= h;
     }
-    let h = left / EXPONENTIAL_STEPS;
+    decay(pose, left, acceleration, rate)
+}
+
+/// Exponential steps for `t` seconds: x and v of v′ = a − m·(v − v₀), with s = (1 − e^(−mt))/m.
+fn decay(mut pose: Pose, t: f64, acceleration: impl Fn(DVec2, DVec2) -> DVec2, rate: impl Fn(DVec2) -> f64) -> Pose {
+    let h = t / EXPONENTIAL_STEPS;
     for _ in 0..EXPONENTIAL_STEPS as u32 {
-        pose = exponential(media, body, law, pose, h);
+        let (x, v) = pose;
+        let (a, damping) = (acceleration(x, v), rate(v));
+        let s = -libm::expm1(-damping * h) / damping;
+        pose = (x + v * h + a * ((h - s) / damping), v + a * s);
     }
     pose
 }
 
-fn exponential(media: &Media, body: &Body, law: &Law, (x, v): Pose, t: f64) -> Pose {
-    let a = media.acceleration(body, law, x, v);
-    let damping = media.rate(body, law, v);
-    // x and v of v′ = a − m·(v − v₀): with s = (1 − e^(−mt))/m.
-    let s = -libm::expm1(-damping * t) / damping;
-    (x + v * t + a * ((t - s) / damping), v + a * s)
+/// Whether something that moved more across than up or down (or, not `across`, the other way round) does so no longer at velocity `v`.
+pub(super) fn has_turned(across: bool, v: DVec2) -> bool {
+    let v = v.abs();
+    if across { v.x < v.y } else { v.y < v.x }
+}
+
+/// When something begins to move more across than up or down, or, `across` now, the other way round: the side that meets the air
+/// changes, and with it the law.
+pub(super) fn time_of_turn(across: bool, end: f64, mut velocity: impl FnMut(f64) -> DVec2) -> Option<f64> {
+    let mut turned = |t| has_turned(across, velocity(t));
+    let (mut from, mut to) = (MIN_SPLIT, end);
+    if to <= from || !turned(to) || turned(from) {
+        return None;
+    }
+    while to - from > MIN_SPLIT {
+        let middle = 0.5 * (from + to);
+        if turned(middle) { to = middle } else { from = middle }
+    }
+    Some(to)
 }
 
 #[cfg(test)]

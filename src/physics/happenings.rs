@@ -5,7 +5,7 @@
 //! on the motion (Newton's method on gap and closing speed).
 
 use super::contacts::Contact;
-use super::flow::Pose;
+use super::flow::{Pose, time_of_turn};
 use super::impact_time::{Cubic, earliest, time_of_impact};
 use super::interval::Motion;
 use super::tuning::{MAX_CROSSINGS, MIN_SPLIT, SLOP};
@@ -67,8 +67,8 @@ impl World {
 
     /// Cubics that follow the motions for `end` seconds.
     fn draw_cubics(&mut self, end: f64) {
-        self.cubics.clear();
-        for i in 0..self.bodies.len() {
+        for index in 0..self.awake.len() {
+            let i = self.awake[index] as usize;
             let (x, v) = (self.bodies[i].position, self.bodies[i].velocity);
             let cubic = match self.motions[i] {
                 Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
@@ -79,7 +79,7 @@ impl World {
                 }
                 Motion::Flow | Motion::Coupled => Cubic::parabola(x, v, self.solved[i]),
             };
-            self.cubics.push(cubic);
+            self.cubics[i] = cubic;
         }
     }
 
@@ -102,8 +102,8 @@ impl World {
 
     fn next_hit(&mut self, first: &mut (f64, Happening)) {
         let mut closed = 0;
-        for index in 0..self.candidates.pairs.len() {
-            let pair = self.candidates.pairs[index];
+        for index in 0..self.candidates.live.len() {
+            let pair = self.candidates.live[index];
             while self.contacts.get(closed).is_some_and(|contact| contact.pair < pair) {
                 closed += 1;
             }
@@ -226,7 +226,8 @@ impl World {
 
     /// Borders of zones, and kinks of drag.
     fn next_crossing(&mut self, first: &mut (f64, Happening)) {
-        for i in 0..self.bodies.len() {
+        for index in 0..self.awake.len() {
+            let i = self.awake[index] as usize;
             if self.motions[i] == Motion::Still || self.crossings[i] >= MAX_CROSSINGS {
                 continue;
             }
@@ -248,31 +249,12 @@ impl World {
             }
             if (self.laws[i].air > 0.0 || self.laws[i].wet)
                 && half.x != half.y
-                && let Some(t) = self.change_of_side(i, first.0)
+                && let Some(t) = time_of_turn(self.across[i], first.0, |t| self.pose(i, t).1)
                 && t < first.0
             {
                 *first = (t, Happening::Kink(i as u32));
             }
         }
-    }
-
-    /// When a body begins to move more across than up or down, or the other way round.
-    fn change_of_side(&mut self, i: usize, end: f64) -> Option<f64> {
-        let across = self.across[i];
-        let lead = |v: DVec2| if across { v.x.abs() - v.y.abs() } else { v.y.abs() - v.x.abs() };
-        let (mut from, mut to) = (MIN_SPLIT, end);
-        if to <= from || lead(self.pose(i, to).1) >= 0.0 || lead(self.pose(i, from).1) < 0.0 {
-            return None;
-        }
-        while to - from > MIN_SPLIT {
-            let middle = 0.5 * (from + to);
-            if lead(self.pose(i, middle).1) >= 0.0 {
-                from = middle;
-            } else {
-                to = middle;
-            }
-        }
-        Some(to)
     }
 }
 

@@ -49,6 +49,13 @@ pub(super) fn submerged(position: DVec2, half: DVec2, zone: &Aabb) -> f64 {
     (inside.x * inside.y) / (4.0 * half.x * half.y)
 }
 
+/// Whether something moves more across than up or down: the side that then meets the air is its height. On the border between the two
+/// (and at rest) it is `force` that decides: drag alone leaves the direction as it is.
+pub(super) fn moves_across(v: DVec2, force: DVec2) -> bool {
+    let turns = |v: f64, force: f64| if v == 0.0 { force.abs() } else { force * v.signum() };
+    if v.x.abs() == v.y.abs() { turns(v.x, force.x) > turns(v.y, force.y) } else { v.x.abs() > v.y.abs() }
+}
+
 impl Media {
     /// Acceleration of a body at `x` with velocity `v` under `law`, m/s².
     pub fn acceleration(&self, body: &Body, law: &Law, x: DVec2, v: DVec2) -> DVec2 {

@@ -86,6 +86,11 @@ impl Pi {
         (counter, right)
     }
 
+    /// Whether anything collided in the last frame.
+    pub fn collided(&self) -> bool {
+        self.quiet_for == 0.0
+    }
+
     /// Its buttons.
     pub fn toolbar(&self) -> &Toolbar {
         &self.toolbar

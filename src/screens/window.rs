@@ -4,6 +4,7 @@ use super::{App, Attempt, Flight, Input, Key, Keys, Places, Request, Screen, Spe
 use crate::game::Game;
 use crate::view::canvas::Canvas;
 use crate::view::layout::{DESIGN, Vec2};
+use crate::view::sound::{Cue, Speaker, heard};
 use crate::view::{Art, GameView, Overlays, icon, widgets};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
@@ -90,7 +91,7 @@ pub fn open(places: Places, start: Option<Attempt>) -> Result<(), String> {
 
 async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
     let mut canvas = Canvas::new()?;
-    let mut theatre = Theatre::new();
+    let mut theatre = Theatre::new(Speaker::new().await);
     let mut app = App::new(places);
     if let Some(attempt) = start {
         app.grant(Request::Attempt(attempt), &mut theatre);
@@ -102,6 +103,7 @@ async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
             return Ok(());
         }
         draw(&app, &mut theatre, input.frame_time, &canvas);
+        theatre.speaker.end_frame();
         next_frame().await;
     }
 }
@@ -138,7 +140,12 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
         Screen::Lab(screen) => screen.draw(canvas),
         Screen::TileRun(screen) => screen.draw(canvas),
         Screen::Jumper(screen) => screen.draw(canvas),
-        Screen::Pi(screen) => screen.draw(canvas),
+        Screen::Pi(screen) => {
+            if screen.collided() {
+                theatre.speaker.cue(Cue::Click, 1.0);
+            }
+            screen.draw(canvas);
+        }
     }
     let veil = 1.0 - (app.shown_for() / FADE).min(1.0);
     if veil > 0.0 {
@@ -147,9 +154,10 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
     canvas.end_layer();
 }
 
-/// What watches the attempt that is on the screen: its view, and how long its ticks take.
+/// What watches the attempt that is on the screen: its view, its sounds, and how long its ticks take.
 struct Theatre {
     art: Rc<Art>,
+    speaker: Speaker,
     view: Option<GameView>,
     tick_started: f64,
     /// Running mean of the time that a tick takes, s.
@@ -157,8 +165,8 @@ struct Theatre {
 }
 
 impl Theatre {
-    fn new() -> Self {
-        Self { art: Rc::new(Art::new()), view: None, tick_started: 0.0, tick_cost: 0.0 }
+    fn new(speaker: Speaker) -> Self {
+        Self { art: Rc::new(Art::new()), speaker, view: None, tick_started: 0.0, tick_cost: 0.0 }
     }
 
     /// Lets the view move on by the frame just updated, and draws it.
@@ -167,6 +175,9 @@ impl Theatre {
         let overlays = Overlays { details: flight.details(), hitboxes: flight.hitboxes() };
         let passed = if flight.pause().is_some() { 0.0 } else { frame_time };
         view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
+        if flight.pause().is_none() {
+            self.speaker.engine(view.burning() as f32);
+        }
         let figures = format!("{:>3} fps  tick {:.1} µs", get_fps(), self.tick_cost * 1e6);
         view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
     }
@@ -185,6 +196,9 @@ impl Spectator for Theatre {
     fn after_tick(&mut self, game: &Game) {
         let cost = get_time() - self.tick_started;
         self.tick_cost += (cost - self.tick_cost) * COST_WEIGHT;
+        for (cue, loudness) in game.events().iter().filter_map(heard) {
+            self.speaker.cue(cue, loudness);
+        }
         if let Some(view) = &mut self.view {
             view.after_tick(game);
         }

@@ -90,6 +90,11 @@ impl GameView {
         }
     }
 
+    /// How far the engine's plume has grown, 0 … 1.
+    pub const fn burning(&self) -> f64 {
+        self.emitters.plume().0
+    }
+
     /// Draws the game. `figures` is the line that the hitboxes show: frames a second and cost of a tick.
     pub fn draw(&self, game: &Game, alpha: f64, overlays: Overlays, figures: &str, canvas: &Canvas) {
         let view = self.viewport(game, alpha, canvas.frame());

@@ -86,10 +86,7 @@ impl Contacts {
     /// Finds all contacts among the neighbours. Returns false if two bodies changed their order along gravity, so that they must
     /// be renumbered first.
     pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours, dt: f64) -> bool {
-        self.start.clear();
-        self.stacks.clear();
-        self.sides.clear();
-        self.ceilings.clear();
+        self.clear();
         let per_second = 1.0 / dt;
         for i in 0..bodies.len() {
             self.start.push(self.stacks.len() as u32);
@@ -110,7 +107,15 @@ impl Contacts {
         true
     }
 
-    /// The supports of a body.
+    /// Nothing touches anything.
+    pub fn clear(&mut self) {
+        self.start.clear();
+        self.stacks.clear();
+        self.sides.clear();
+        self.ceilings.clear();
+    }
+
+    /// The supports of a body, by their numbers among the stacks; only after contacts were sought.
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
         self.start[i] as usize..self.start[i + 1] as usize
     }
@@ -138,7 +143,8 @@ impl Contacts {
         *s = [s[0].min(x - wide), s[1].max(x + wide), s[2].min(y - high), s[3].max(y + high)];
     }
 
-    /// Whether all that the body could meet where it is predicted was looked at.
+    /// Whether the predicted box of a body lies within what was swept when the contacts were sought, and within that in which its
+    /// neighbours were: the margin of the sweep grows with the mean way of all, and with a few very fast bodies reaches beyond.
     pub fn covers(&self, bodies: &Bodies, i: usize) -> bool {
         let s = &self.swept[i];
         let (x, y, hx, hy) = (bodies.px[i], bodies.py[i], bodies.hx[i], bodies.hy[i]);

@@ -299,9 +299,10 @@ impl Pile {
     /// With nobody near anybody, free flight is the answer.
     fn fly_on(&mut self) {
         let bodies = &mut self.bodies;
-        bodies.ux.copy_from_slice(&bodies.free_vx);
-        bodies.uy.copy_from_slice(&bodies.free_vy);
+        std::mem::swap(&mut bodies.ux, &mut bodies.free_vx);
+        std::mem::swap(&mut bodies.uy, &mut bodies.free_vy);
         bodies.commit();
+        self.contacts.clear();
     }
 
     /// A hit threw bodies further than was looked for: seeks neighbours and contacts on their new ways.

@@ -4,7 +4,7 @@
 //! each body's momentum lacks, from the loose ends inwards; a row clamped between two surfaces has no loose end, and what holds it
 //! cannot be told apart: it is left out. Nothing here enters the motion.
 
-use super::contacts::TOUCH;
+use super::contacts::{Side, TOUCH};
 use super::{Axis, Other, Pile};
 
 /// What a contact exerted on average during the last step.
@@ -37,7 +37,7 @@ pub(super) struct Scratch {
 impl Pile {
     /// Appends the contact forces of the last step, each pair once.
     pub fn contact_forces(&mut self, into: &mut Vec<ContactForce>) {
-        if self.last_dt > 0.0 {
+        if self.last_dt > 0.0 && !self.contacts.start.is_empty() {
             let mut scratch = std::mem::take(&mut self.report);
             self.stack_forces(&mut scratch, into);
             self.side_forces(&mut scratch, into);
@@ -59,6 +59,9 @@ impl Pile {
         }
         for i in (0..n).rev() {
             let load = loads[i] + b.mass[i] * (b.free_vy[i] - b.vy[i]);
+            if load < 0.0 {
+                self.ceiling_force(i, -load * per_second, into);
+            }
             let touching = |below: u32, reach: f64| (b.y[below as usize] - b.y[i] - reach).abs() <= TOUCH;
             let stacks = self.contacts.stacks.get(self.contacts.under(i)).unwrap_or_default();
             let supports = stacks.iter().filter(|s| s.live && touching(s.below, s.reach));
@@ -73,6 +76,17 @@ impl Pile {
                 let normal = -share * per_second * self.down;
                 into.push(ContactForce { a, b: other, axis: Axis::Gravity, normal, friction: grip * per_second });
             }
+        }
+    }
+
+    /// What holds a body back from rising, N, where it touches a ceiling.
+    fn ceiling_force(&self, i: usize, held: f64, into: &mut Vec<ContactForce>) {
+        let b = &self.bodies;
+        let above =
+            |ceiling: &&Side| ceiling.second as usize == i && (b.y[i] - b.y[ceiling.first as usize] - ceiling.reach).abs() <= TOUCH;
+        if let Some(ceiling) = self.contacts.ceilings.iter().find(above) {
+            let (a, other) = (b.id[i] as usize, self.other(ceiling.first as usize));
+            into.push(ContactForce { a, b: other, axis: Axis::Gravity, normal: held * self.down, friction: 0.0 });
         }
     }
 

@@ -1,0 +1,70 @@
+//! The charts that come with the game, as its authors measured them: the files of `docs/charts`. The game shows them where
+//! `resultant chart` has not been run.
+
+use super::charts::Charts;
+
+macro_rules! kept {
+    ($($name:literal),* $(,)?) => {
+        [$((concat!($name, ".csv"), include_str!(concat!("../../docs/charts/", $name, ".csv")))),*]
+    };
+}
+
+/// Names and texts.
+const FILES: [(&str, &str); 27] = kept![
+    "setting",
+    "scenes",
+    "stress",
+    "fall",
+    "parabola",
+    "fall-with-drag",
+    "rise-with-drag",
+    "drag-alone",
+    "liquid",
+    "projectile",
+    "gust",
+    "slide",
+    "bounce-perfect",
+    "bounce-apexes",
+    "head-on",
+    "cradle",
+    "column",
+    "heavy-on-light",
+    "pushed-row",
+    "thin-wall",
+    "thin-body",
+    "pi",
+    "piles",
+    "flights",
+    "bounce-fourth",
+    "column-100",
+    "wall-10-km-s",
+];
+
+/// Reads them.
+///
+/// # Errors
+/// As [`Charts::read`]: a file that was damaged before the game was built.
+pub fn charts() -> Result<Charts, String> {
+    Charts::read(|name| {
+        let file = FILES.iter().find(|(file, _)| *file == name);
+        file.map(|(_, text)| (*text).to_owned()).ok_or_else(|| format!("{name}: not among the charts that come with the game"))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lab::scenes;
+
+    #[test]
+    fn every_scene_has_its_chart() {
+        let charts = charts().unwrap();
+        let kept: Vec<&str> = charts.diagrams.iter().map(|measured| measured.name.as_str()).collect();
+        let scenes: Vec<&str> = scenes::all().iter().map(|scene| scene.name).collect();
+        // Behind those of the lab stand the scenes that only engines take part in.
+        assert_eq!(kept[..scenes.len()], scenes);
+        let listed: Vec<&str> = FILES[3..].iter().map(|(name, _)| name.trim_end_matches(".csv")).collect();
+        assert_eq!(listed, kept, "docs/charts/scenes.csv names other files than are listed here");
+        assert!(!charts.stress.is_empty());
+    }
+}
