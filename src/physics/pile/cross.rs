@@ -21,18 +21,33 @@ const FLUNG: f64 = 1e-9;
 /// Passes over the side contacts in one merging; each merges whole rows.
 const PASSES: usize = 16;
 
-/// Solves the velocities across gravity. `given` is left with each body's momentum before friction, pushes included; `pushed` and
-/// `before` are scratch.
+/// What one body after the other is given in a step.
+#[derive(Clone, Debug)]
+pub(super) struct Pushes {
+    /// Momenta before friction, pushes included, N·s.
+    given: Vec<f64>,
+    /// Velocities before any push, m/s.
+    before: Vec<f64>,
+    /// Who is pushed.
+    pushed: Vec<bool>,
+}
+
+impl Pushes {
+    pub fn new(count: usize) -> Self {
+        Self { given: vec![0.0; count], before: vec![0.0; count], pushed: vec![false; count] }
+    }
+}
+
+/// Solves the velocities across gravity.
 pub(super) fn solve(
     bodies: &mut Bodies,
     contacts: &Contacts,
     friction: &mut Friction,
     clusters: &mut Clusters,
     impacts: &mut Impacts,
-    given: &mut [f64],
-    before: &mut [f64],
-    pushed: &mut [bool],
+    pushes: &mut Pushes,
 ) {
+    let Pushes { given, before, pushed } = pushes;
     let n = bodies.len();
     bodies.ux.copy_from_slice(&bodies.free_vx);
     for ((given, mass), velocity) in given.iter_mut().zip(&bodies.mass).zip(&bodies.free_vx) {

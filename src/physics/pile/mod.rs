@@ -33,6 +33,7 @@ pub use bounce::Axis;
 use bounce::Impacts;
 use clusters::Clusters;
 use contacts::Contacts;
+use cross::Pushes;
 use friction::Friction;
 use glam::DVec2;
 use neighbours::Neighbours;
@@ -160,11 +161,7 @@ pub struct Pile {
     events: Vec<PileImpact>,
     /// Whether the ground carries a body, in this step; surfaces always.
     anchored: Vec<bool>,
-    /// Momenta across before friction, N·s.
-    given: Vec<f64>,
-    /// Velocities across before pushes, m/s.
-    unpushed: Vec<f64>,
-    pushed: Vec<bool>,
+    pushes: Pushes,
     put_back: Vec<[bool; 2]>,
     /// 1, or −1 if gravity points to smaller y: inside, y grows along gravity.
     down: f64,
@@ -223,9 +220,7 @@ impl Pile {
             report: report::Scratch::default(),
             events: Vec::new(),
             anchored,
-            given: vec![0.0; n],
-            unpushed: vec![0.0; n],
-            pushed: vec![false; n],
+            pushes: Pushes::new(n),
             put_back: vec![[false; 2]; n],
             down,
             gravity,
@@ -325,9 +320,9 @@ impl Pile {
 
     fn solve(&mut self, dt: f64) {
         self.impacts.clear(self.gravity, dt);
-        let Self { bodies, contacts, anchored, clusters, impacts, friction, given, unpushed, pushed, .. } = self;
+        let Self { bodies, contacts, anchored, clusters, impacts, friction, pushes, .. } = self;
         gravity::solve(bodies, contacts, anchored, clusters, impacts);
-        cross::solve(bodies, contacts, friction, clusters, impacts, given, unpushed, pushed);
+        cross::solve(bodies, contacts, friction, clusters, impacts, pushes);
     }
 
     fn report_impacts(&mut self) {
