@@ -1,5 +1,6 @@
 //! The lab: its methods against figures known from elsewhere, its scenes against the shipped engine, and `resultant chart`.
 
+use resultant::lab::charts::Charts;
 use resultant::lab::methods::motion::{Law, Point, Step, follow, rk4, semi_implicit_euler, strang};
 use resultant::lab::stress::TESTS;
 use resultant::lab::{Scene, reference, scenes};
@@ -105,45 +106,74 @@ fn in_every_stress_test_the_shipped_engine_survives_all_that_is_tried() {
     }
 }
 
-/// Runs `resultant chart --quick` without a display: exit status and standard error.
-fn chart(out: &Path) -> (Option<i32>, String) {
+/// Runs `resultant chart --quick` without a display: exit status, standard output and standard error.
+fn chart(out: &Path) -> (Option<i32>, String, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_resultant"));
     let ran = command.env_remove("DISPLAY").args(["chart", "--quick", "--out"]).arg(out).output().unwrap();
-    (ran.status.code(), String::from_utf8(ran.stderr).unwrap())
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (ran.status.code(), text(ran.stdout), text(ran.stderr))
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
 }
 
 #[test]
 fn chart_writes_diagrams_tables_and_a_summary() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("new/charts");
-    let (status, progress) = chart(&out);
+    let (status, told, progress) = chart(&out);
     assert_eq!(status, Some(0), "{progress}");
-    let summary = std::fs::read_to_string(out.join("summary.md")).unwrap();
+    let text = |name: &str| std::fs::read_to_string(out.join(name)).unwrap();
+    let summary = text("summary.md");
     assert!(summary.contains("Machine: ") && summary.contains("Commit: "));
     for scene in scenes::all() {
         assert!(progress.contains(&scene.title), "no progress shown for {}", scene.name);
         assert!(summary.contains(&format!("({}.svg)", scene.name)));
-        let svg = std::fs::read_to_string(out.join(format!("{}.svg", scene.name))).unwrap();
-        assert!(svg.contains(scene.error) && svg.contains(scene.work));
-        let csv = std::fs::read_to_string(out.join(format!("{}.csv", scene.name))).unwrap();
+        let svg = text(&format!("{}.svg", scene.name));
+        assert!(svg.contains(scene.error) && svg.contains(scene.work) && svg.contains("as shipped"));
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{}", scene.name);
+        let csv = text(&format!("{}.csv", scene.name));
         let rows: Vec<_> = csv::Reader::from_reader(csv.as_bytes()).into_records().map(Result::unwrap).collect();
         let lab = rows.iter().filter(|row| &row[1] != "peer").count();
         assert_eq!(lab, scene.methods.len() * scene.steps.len(), "{}", scene.name);
-        for row in rows {
-            assert!(row[3].parse::<f64>().unwrap() > 0.0, "{}: a point without work", scene.name);
-            assert!(row[4].parse::<f64>().is_ok());
-        }
     }
-    let stress = std::fs::read_to_string(out.join("stress.csv")).unwrap();
-    assert!(stress.lines().count() > 60);
+    // What the game reads is what was measured.
+    let charts = Charts::read(|name| Ok(text(name))).unwrap();
+    assert_eq!(charts.diagrams.len(), scenes::all().len() + 1);
+    for (name, written) in charts.files() {
+        assert_eq!(written, text(&name));
+    }
+    for measured in charts.diagrams.iter().filter(|measured| measured.alike) {
+        let (curve, cheapest) = measured.cheapest().unwrap();
+        let shipped = measured.shipped_point().unwrap();
+        assert!(cheapest.error <= measured.tolerance && cheapest.work <= shipped.work, "{}", measured.name);
+        let row = format!("{},{:e},{:e},{:e},", measured.name, shipped.step, shipped.error, shipped.work);
+        assert!(text("shipped.csv").contains(&row), "{row}");
+        assert!(summary.contains(&format!("| {} at ", curve.name)));
+    }
+    // Every file is told of, and nothing else is there.
+    assert_eq!(told.lines().count(), files(&out).len());
+    assert!(told.lines().all(|line| Path::new(line).is_file()));
 }
 
+/// Whatever stands in the way is found before anything is measured, and nothing is left half written.
 #[test]
 fn chart_says_where_it_cannot_write() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("file");
-    std::fs::write(&file, "").unwrap();
-    let (status, problem) = chart(&file);
-    assert_eq!(status, Some(2));
-    assert!(problem.contains(&file.display().to_string()), "{problem}");
+    std::fs::write(&file, "kept").unwrap();
+    let occupied = folder.path().join("occupied");
+    std::fs::create_dir_all(occupied.join("pi.svg")).unwrap();
+    for (out, named) in [(&file, &file), (&file.join("below"), &file.join("below")), (&occupied, &occupied.join("pi.svg"))] {
+        let (status, told, problem) = chart(out);
+        assert_eq!((status, told.as_str()), (Some(2), ""));
+        assert!(problem.contains(&named.display().to_string()), "{problem}");
+        assert!(!problem.contains("stress"), "it was measured all the same: {problem}");
+    }
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
+    assert_eq!(files(&occupied), ["pi.svg"]);
 }

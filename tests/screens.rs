@@ -652,31 +652,6 @@ fn an_empty_board_is_a_board_and_a_damaged_file_is_reported() {
 }
 
 #[test]
-fn in_the_lab_two_methods_run_side_by_side_and_part() {
-    let mut sitting = Sitting::new();
-    sitting.choose(4).wait(30.0);
-    let lab = |sitting: &Sitting| {
-        let Screen::Lab(lab) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
-        let [(left, left_boxes), (right, right_boxes)] = lab.sides();
-        let apart = (left_boxes[0].centre() - right_boxes[0].centre()).length();
-        (lab.exhibit().title, left, right, apart, lab.time())
-    };
-    let (first, left, right, apart, time) = lab(&sitting);
-    assert_eq!((left, right), ("snap to the floor", "shipped engine"));
-    assert!((time - 30.0).abs() < 0.1 && apart > 0.01, "{apart} m after {time} s");
-    sitting.press(Key::Left);
-    let (title, other, _, _, time) = lab(&sitting);
-    assert!(title == first && other != left && time < 0.1, "another method starts from the beginning");
-    sitting.press(Key::Right);
-    assert_ne!(lab(&sitting).2, right);
-    let mut titles = vec![first];
-    while titles.len() < 10 && lab(sitting.press(Key::Down)).0 != first {
-        titles.push(lab(&sitting).0);
-    }
-    assert_eq!(titles.len(), 4, "{titles:?}");
-}
-
-#[test]
 fn esc_goes_back_everywhere() {
     let esc = |sitting: &mut Sitting| sitting.press(Key::Escape).at();
     assert_eq!(esc(&mut Sitting::new()), "menu", "the menu is where Esc ends");

@@ -1,15 +1,20 @@
 //! `resultant chart`: measures every method on every scene of the lab, and writes diagrams, tables and a summary. It is the only
-//! place of the lab with a clock and files.
+//! place of the lab with a clock and files. The clock is the thread's own CPU time, as in `benches/peers`: what else the machine does
+//! counts for little.
 
+use super::files::{NewFile, read_text};
 use super::{Project, Status, Stop};
+use crate::lab::charts::{Charts, Setting};
 use crate::lab::curve::{Curve, Measured, Origin, Point};
-use crate::lab::report::{Setting, add_peers, points_csv, stress_csv, summary};
+use crate::lab::peers::add_peers;
+use crate::lab::report::{shipped_csv, summary};
 use crate::lab::{Method, Scene, diagram, scenes, stress};
+use cpu_time::ThreadTime;
 use std::hint::black_box;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// What `chart` is told.
 #[derive(clap::Args, Debug)]
@@ -17,8 +22,12 @@ use std::time::{Duration, Instant};
     summary.md   machine, commit, tables and all diagrams on one page\n  \
     SCENE.svg    a work–precision diagram a scene\n  \
     SCENE.csv    its points: method,origin,step,work,error\n  \
-    stress.csv   the largest value that each method survives\n\n\
-    Points of other engines are taken from benches/peers/results.csv where that file is there.")]
+    scenes.csv   the diagrams: titles, axes, tolerances\n  \
+    shipped.csv  what the shipped engine costs in each scene, and the cheapest method\n  \
+    stress.csv   the largest value that each method survives\n  \
+    setting.csv  machine, commit, build\n\n\
+    All files are written when everything has been measured, or none. Points of other engines are taken from\n\
+    benches/peers/results.csv where that file is there. The game's Lab shows what is in charts/ of its data folder.")]
 pub struct Args {
     /// Where to write
     #[arg(long, value_name = "DIR", default_value = "charts")]
@@ -32,7 +41,7 @@ pub struct Args {
 const RUNS: usize = 9;
 /// The same with --quick.
 const QUICK_RUNS: usize = 3;
-/// A run is repeated until it takes this long: the clock's own time must not count.
+/// A run is repeated until it takes this long: asking the clock, about 1 µs, must not count.
 const LONG_ENOUGH: Duration = Duration::from_micros(300);
 /// A run that takes this long is not repeated with --quick.
 const TOO_LONG: Duration = Duration::from_millis(60);
@@ -40,24 +49,18 @@ const TOO_LONG: Duration = Duration::from_millis(60);
 /// Measures and writes.
 ///
 /// # Errors
-/// A folder or file cannot be written, or the peers' results cannot be read.
+/// Nothing can be written there, or the peers' results cannot be read; both are found out before anything is measured. Where writing
+/// fails afterwards, no file is left half written.
 pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
-    let unwritable = |path: &Path, error: std::io::Error| Stop::refused(format!("{}: {error}", path.display()));
-    std::fs::create_dir_all(&args.out).map_err(|error| unwritable(&args.out, error))?;
-    let peers = project.root().join("benches/peers/results.csv");
-    let peers_text = match std::fs::read_to_string(&peers) {
-        Ok(text) => Some(text),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => None,
-        Err(error) => return Err(unwritable(&peers, error)),
-    };
-    let bad_peers = |problem| Stop::refused(format!("{}: {problem}", peers.display()));
-    if let Some(text) = &peers_text {
-        // Before minutes are spent.
-        add_peers(text, &mut Vec::new()).map_err(bad_peers)?;
-    }
-
+    let peers = peers(project)?;
     progress("building scenes and their exact answers");
     let scenes = scenes::all();
+    let folder = Folder::open(&args.out)?;
+    for scene in &scenes {
+        folder.begin(&format!("{}.csv", scene.name))?;
+        folder.begin(&format!("{}.svg", scene.name))?;
+    }
+
     let mut diagrams = Vec::new();
     for (index, scene) in scenes.iter().enumerate() {
         progress(&format!("{}/{} {}", index + 1, scenes.len(), scene.title));
@@ -66,29 +69,77 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     let mut survivals = Vec::new();
     for (index, test) in stress::TESTS.iter().enumerate() {
         let rows = test();
-        let name = rows.first().map_or("", |row| row.test);
+        let name = rows.first().map_or("", |row| row.test.as_str());
         progress(&format!("stress {}/{} {name}", index + 1, stress::TESTS.len()));
         survivals.extend(rows);
     }
-    if let Some(text) = &peers_text {
-        add_peers(text, &mut diagrams).map_err(bad_peers)?;
+    if let Some((path, text)) = &peers {
+        add_peers(text, &mut diagrams).map_err(|problem| bad_peers(path, &problem))?;
     }
 
-    let mut write = |name: &str, text: &str| -> Result<(), Stop> {
-        let path = args.out.join(name);
-        std::fs::write(&path, text).map_err(|error| unwritable(&path, error))?;
-        Ok(writeln!(out, "{}", path.display())?)
-    };
-    for measured in &diagrams {
-        let drawn = diagram::svg(measured).map_err(|error| Stop::refused(format!("{}.svg: {error}", measured.name)))?;
-        write(&format!("{}.svg", measured.name), &drawn)?;
-        write(&format!("{}.csv", measured.name), &points_csv(measured))?;
-    }
-    write("stress.csv", &stress_csv(&survivals))?;
-    let profile = if cfg!(debug_assertions) { "debug" } else { "release" };
+    let profile = if cfg!(debug_assertions) { "debug" } else { "release" }.to_owned();
     let setting = Setting { machine: machine(), commit: commit(project.root()), profile, quick: args.quick };
-    write("summary.md", &summary(&setting, &diagrams, &survivals))?;
+    let charts = Charts { setting, diagrams, stress: survivals };
+    let mut files = charts.files();
+    for measured in &charts.diagrams {
+        let drawn = diagram::svg(measured).map_err(|error| Stop::refused(format!("{}.svg: {error}", measured.name)))?;
+        files.push((format!("{}.svg", measured.name), drawn));
+    }
+    files.push(("shipped.csv".to_owned(), shipped_csv(&charts.diagrams)));
+    files.push(("summary.md".to_owned(), summary(&charts)));
+    folder.write(&files)?;
+    for (name, _) in &files {
+        writeln!(out, "{}", args.out.join(name).display())?;
+    }
     Ok(Status::Done)
+}
+
+/// The peers' results, where there are any: the file and its text, found to be sound before minutes are spent.
+fn peers(project: &Project) -> Result<Option<(PathBuf, String)>, Stop> {
+    let path = project.root().join("benches/peers/results.csv");
+    if !path.exists() {
+        return Ok(None);
+    }
+    let text = read_text(&path)?;
+    add_peers(&text, &mut Vec::new()).map_err(|problem| bad_peers(&path, &problem))?;
+    Ok(Some((path, text)))
+}
+
+fn bad_peers(path: &Path, problem: &str) -> Stop {
+    Stop::refused(format!("{}: {problem}", path.display()))
+}
+
+/// Where the files go.
+struct Folder<'a> {
+    path: &'a Path,
+}
+
+impl<'a> Folder<'a> {
+    /// Makes the folder if need be.
+    fn open(path: &'a Path) -> Result<Self, Stop> {
+        if path.exists() && !path.is_dir() {
+            return Err(Stop::refused(format!("{}: not a folder", path.display())));
+        }
+        std::fs::create_dir_all(path).map_err(|error| Stop::refused(format!("{}: {error}", path.display())))?;
+        Ok(Self { path })
+    }
+
+    /// A file in it, begun; nothing is to be seen of it until it is finished.
+    fn begin(&self, name: &str) -> Result<NewFile, Stop> {
+        NewFile::create(&self.path.join(name))
+    }
+
+    /// Writes all of them and puts them in their places once all are written.
+    fn write(&self, files: &[(String, String)]) -> Result<(), Stop> {
+        let written = files.iter().map(|(name, text)| {
+            let failed = |error| Stop::refused(format!("{}: {error}", self.path.join(name).display()));
+            let mut file = self.begin(name)?;
+            file.write_all(text.as_bytes()).and_then(|()| file.flush()).map_err(failed)?;
+            Ok(file)
+        });
+        let written: Vec<NewFile> = written.collect::<Result<_, Stop>>()?;
+        written.into_iter().try_for_each(NewFile::finish)
+    }
 }
 
 fn progress(what: &str) {
@@ -116,7 +167,7 @@ fn measure(scene: &Scene, quick: bool) -> Measured {
 
 /// The median of several runs.
 fn point(scene: &Scene, method: &Method, step: f64, quick: bool) -> Point {
-    let started = Instant::now();
+    let started = ThreadTime::now();
     let error = (method.run)(black_box(step));
     let first = started.elapsed();
     let runs = match (quick, first > TOO_LONG) {
@@ -127,7 +178,7 @@ fn point(scene: &Scene, method: &Method, step: f64, quick: bool) -> Point {
     let repeats = (LONG_ENOUGH.as_secs_f64() / first.as_secs_f64().max(1e-9)).ceil().clamp(1.0, 1e5) as u32;
     let mut times: Vec<f64> = if runs == 1 { vec![first.as_secs_f64()] } else { Vec::new() };
     while times.len() < runs {
-        let started = Instant::now();
+        let started = ThreadTime::now();
         for _ in 0..repeats {
             black_box((method.run)(black_box(step)));
         }

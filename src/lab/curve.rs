@@ -65,20 +65,39 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// The point at which the game ships, if the scene has one.
-    pub fn shipped(&self) -> Option<(&Curve, Point)> {
+    /// The curve of the engine as it is shipped, if the scene has one, and its points at the step at which the game ships.
+    pub fn shipped(&self) -> Option<(&Curve, impl Iterator<Item = Point>)> {
         let curve = self.curves.iter().find(|curve| curve.origin == Origin::Shipped)?;
-        let distance = |point: &&Point| (point.step / self.shipped_step - 1.0).abs();
-        let point = curve.points.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-        Some((curve, *point))
+        let step = self.shipped_step;
+        Some((curve, curve.points.iter().copied().filter(move |point| (point.step / step - 1.0).abs() < SAME_STEP)))
     }
 
-    /// The cheapest point within the tolerance, where all answer the same question.
-    pub fn cheapest(&self) -> Option<(&Curve, Point)> {
+    /// The first of those points.
+    pub fn shipped_point(&self) -> Option<Point> {
+        self.shipped()?.1.next()
+    }
+
+    /// The cheapest point with an error of at most `error`, where all answer the same question.
+    pub fn cheapest_within(&self, error: f64) -> Option<(&Curve, Point)> {
         if !self.alike {
             return None;
         }
         let points = self.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, *point)));
-        points.filter(|(_, point)| point.error <= self.tolerance).min_by(|(_, a), (_, b)| a.work.total_cmp(&b.work))
+        points.filter(|(_, point)| point.error <= error).min_by(|(_, a), (_, b)| a.work.total_cmp(&b.work))
+    }
+
+    /// The cheapest point within the tolerance.
+    pub fn cheapest(&self) -> Option<(&Curve, Point)> {
+        self.cheapest_within(self.tolerance)
+    }
+
+    /// The cheapest point that is as exact as the shipped one.
+    pub fn cheapest_as_exact(&self) -> Option<(&Curve, Point)> {
+        self.cheapest_within(self.shipped_point()?.error.max(EXACT))
     }
 }
+
+/// Relative: steps that differ by less are the same one.
+const SAME_STEP: f64 = 1e-6;
+/// Errors up to this are none but rounding: which of two is smaller says nothing.
+const EXACT: f64 = 1e-9;

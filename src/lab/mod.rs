@@ -6,11 +6,18 @@
 //! - [`stress`]: where methods fail: the largest value that each survives.
 //! - [`side_by_side`]: two methods on a scene, to be watched.
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
-//! - [`curve`]: the numbers behind a diagram. [`diagram`]: work–precision diagrams as SVG; [`report`]: the same as CSV, and the summary.
+//! - [`curve`]: the numbers behind a diagram. [`charts`]: all that one run measured, as CSV and back; [`kept`]: the run that comes with
+//!   the game; [`peers`]: other engines' points.
+//! - [`axes`] and [`look`]: what a diagram is made of, on paper and on the screen. [`diagram`]: as SVG. [`report`]: the summary.
 
+pub mod axes;
+pub mod charts;
 pub mod curve;
 pub mod diagram;
+pub mod kept;
+pub mod look;
 pub mod methods;
+pub mod peers;
 pub mod reference;
 pub mod report;
 mod scene;

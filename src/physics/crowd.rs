@@ -14,8 +14,8 @@ use glam::DVec2;
 /// one grows faster than linearly; a level that a person flies through seldom has more than a dozen.
 pub(super) const CROWD: usize = 64;
 
-/// Listed forces and the solver's resultant that differ by less, relative to the largest force, are the same. Above 1e-9 a difference
-/// would be seen; below 1e-14 rounding would be listed as a resultant of something at rest.
+/// Forces whose sum is smaller than this part of the largest balance each other if the solver says so. Below 1e-14 rounding would be
+/// listed as a resultant of something at rest.
 const ROUNDING: f64 = 1e-11;
 
 /// The part of a world that only crowds have.
@@ -23,7 +23,6 @@ const ROUNDING: f64 = 1e-11;
 pub(super) struct Crowd {
     pile: Pile,
     contacts: Vec<ContactForce>,
-    touched: Vec<bool>,
 }
 
 impl World {
@@ -60,7 +59,7 @@ impl World {
             sleep: true,
         })
         .map_err(|error| DefError(error.0))?;
-        self.crowd = Some(Box::new(Crowd { pile, contacts: Vec::new(), touched: Vec::new() }));
+        self.crowd = Some(Box::new(Crowd { pile, contacts: Vec::new() }));
         Ok(())
     }
 
@@ -95,29 +94,24 @@ impl World {
         self.list_media_forces();
         crowd.contacts.clear();
         crowd.pile.contact_forces(&mut crowd.contacts);
-        crowd.touched.clear();
-        crowd.touched.resize(self.bodies.len(), false);
         for contact in &crowd.contacts {
             let (normal, friction) = match contact.axis {
                 Axis::Gravity => (DVec2::new(0.0, contact.normal), DVec2::new(contact.friction, 0.0)),
                 Axis::Across => (DVec2::new(contact.normal, 0.0), DVec2::new(0.0, contact.friction)),
             };
             let (a, b) = (contact.a as u32, self.item(contact.b));
-            crowd.touched[contact.a] = true;
-            if let Other::Body(b) = contact.b {
-                crowd.touched[b] = true;
-            }
             self.list_contact_forces(a, b, normal, friction);
             self.list_contact_forces(b, a, -normal, -friction);
         }
         for (i, body) in self.bodies.iter_mut().enumerate() {
-            let solved = crowd.pile.acceleration(i) * body.mass;
+            let solved = crowd.pile.acceleration(i);
             let forces = &mut self.forces[i];
             let sum = forces.close(None);
-            // Where several rebounds met in one tick the list can only share them out: then what is listed is the resultant.
-            let scale = forces.forces().iter().fold(0.0_f64, |scale, force| scale.max(force.vector.abs().max_element()));
-            let agrees = (sum - solved).abs().max_element() <= ROUNDING * scale;
-            let resultant = if crowd.touched[i] && agrees { forces.close(Some(solved)) } else { sum };
+            // Along an axis on which nothing changed the sum may be one rounding off zero.
+            let scale = forces.forces().iter().fold(DVec2::ZERO, |scale, force| scale.max(force.vector.abs()));
+            let settle = |sum: f64, solved: f64, scale: f64| if solved == 0.0 && sum.abs() <= ROUNDING * scale { 0.0 } else { sum };
+            let resultant = DVec2::new(settle(sum.x, solved.x, scale.x), settle(sum.y, solved.y, scale.y));
+            forces.close(Some(resultant));
             body.acceleration = resultant / body.mass;
         }
     }

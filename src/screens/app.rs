@@ -5,8 +5,8 @@ use super::leaderboard::subject;
 use super::level_select::Entry;
 use super::library::{Library, Refusal};
 use super::{
-    Attempt, Classic, Classics, Flight, Gain, Input, Jumper, Leaderboard, LevelSelect, Menu, Purpose, Request, SaveScore, Scoring,
-    Screen, Spectator, TileRun,
+    Attempt, Classic, Classics, Flight, Gain, Input, Jumper, Lab, Leaderboard, LevelSelect, Menu, Purpose, Request, SaveScore,
+    Scoring, Screen, Spectator, TileRun,
 };
 use crate::game::{Outcome, RunResult};
 use crate::scores::{Damage, Name, Placement, Saved, Scores};
@@ -117,7 +117,7 @@ impl App {
             },
             Request::Leaderboard(level) => self.leaderboard(&level),
             Request::Classics(left) => Screen::Classics(Classics::new(left, None)),
-            Request::Lab => Screen::Lab(Box::default()),
+            Request::Lab => Screen::Lab(Box::new(Lab::new(self.library.charts()))),
             Request::Classic(classic) => self.classic(classic),
             Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),
             Request::Quit => return,

@@ -1,187 +1,172 @@
-//! The lab in the window: a scene on which two methods run side by side, so that one sees them part.
+//! The lab in the window, on three pages: the charts, what each method survives, and two methods side by side. What `resultant chart`
+//! measures is handed in; nothing is measured here.
 
-use super::{Input, Key, Request, Toolbar};
-use crate::lab::side_by_side::{Exhibit, Motion, STEP, exhibits};
-use crate::physics::Aabb;
+mod charts;
+mod side_by_side;
+mod survival;
 
-/// A hitch counts as at most so long, s.
-const LONGEST_FRAME: f64 = 0.1;
-/// The toolbar's keys: back, restart, another method on the left, one on the right, another scene.
-const KEYS: [Key; 5] = [Key::Escape, Key::R, Key::Left, Key::Right, Key::Down];
+pub use charts::ChartsPage;
+pub use side_by_side::{Half, SideBySide};
+pub use survival::{Line, SurvivalPage};
 
-/// One of the two sides.
-struct Side {
-    method: usize,
-    motion: Motion,
-    boxes: Vec<Aabb>,
+use super::{Buttons, Input, Key, Keys, Request, Toolbar};
+use crate::lab::charts::Charts;
+use crate::view::layout::{Area, Frame, GAP};
+
+/// A run of `resultant chart`, and what is to be said about it.
+#[derive(Clone, Debug, Default)]
+pub struct Shown {
+    /// What it measured; nothing where none could be read.
+    pub charts: Charts,
+    /// Whether it came with the game.
+    pub kept: bool,
+    /// Why it is not the one that the player made.
+    pub problem: Option<String>,
 }
 
-impl std::fmt::Debug for Side {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Side").field("method", &self.method).field("boxes", &self.boxes).finish_non_exhaustive()
-    }
+/// The pages, in the order of their tabs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Page {
+    /// Accuracy against speed.
+    #[default]
+    Charts,
+    /// What each method survives.
+    Survival,
+    /// Two methods at the same time.
+    SideBySide,
 }
 
-impl Side {
-    fn of(exhibit: &Exhibit, method: usize) -> Self {
-        let mut motion = (exhibit.methods[method].1)();
-        let boxes = motion();
-        Self { method, motion, boxes }
-    }
-}
+/// The pages and the words on their tabs.
+pub const PAGES: [(Page, &str); 3] =
+    [(Page::Charts, "Charts"), (Page::Survival, "Stress tests"), (Page::SideBySide, "Side by side")];
+/// Width and height of a tab.
+const TAB: (f32, f32) = (200.0, 40.0);
+/// From the canvas' top to the tabs.
+const TABS_AT: f32 = 16.0;
+/// From the canvas' top to what a page shows.
+const TOP: f32 = 72.0;
+/// From that to the canvas' foot: the toolbar.
+const FOOT: f32 = 88.0;
+/// Between a page and the canvas' sides.
+const MARGIN: f32 = 24.0;
 
-/// A scene, and two methods on it.
+/// The lab.
 #[derive(Debug)]
 pub struct Lab {
-    exhibits: Vec<Exhibit>,
-    exhibit: usize,
-    sides: [Side; 2],
-    /// Since the start, s; and what is left of it for the next step.
-    time: f64,
-    left_over: f64,
-    toolbar: Toolbar,
-}
-
-impl Default for Lab {
-    fn default() -> Self {
-        let exhibits = exhibits();
-        let sides = begin(&exhibits[0]);
-        Self { exhibits, exhibit: 0, sides, time: 0.0, left_over: 0.0, toolbar: Toolbar::default() }
-    }
-}
-
-/// The first method against the shipped engine.
-fn begin(exhibit: &Exhibit) -> [Side; 2] {
-    [Side::of(exhibit, 0), Side::of(exhibit, exhibit.methods.len() - 1)]
+    page: Page,
+    tabs: Buttons,
+    charts: ChartsPage,
+    survival: SurvivalPage,
+    side_by_side: SideBySide,
 }
 
 impl Lab {
+    /// The lab with its first page open.
+    pub fn new(shown: Shown) -> Self {
+        let survival = SurvivalPage::new(&shown.charts.stress);
+        Self {
+            page: Page::default(),
+            tabs: Buttons::default(),
+            charts: ChartsPage::new(shown),
+            survival,
+            side_by_side: SideBySide::default(),
+        }
+    }
+
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
-        match self.toolbar.update(input, &KEYS) {
-            Some(0) => return Some(Request::Menu),
-            Some(1) => self.restart([0, 0]),
-            Some(2) => self.restart([1, 0]),
-            Some(3) => self.restart([0, 1]),
-            Some(4) => {
-                self.exhibit = (self.exhibit + 1) % self.exhibits.len();
-                self.sides = begin(&self.exhibits[self.exhibit]);
-                (self.time, self.left_over) = (0.0, 0.0);
-            }
-            Some(_) | None => {}
+        self.tabs.place(tabs(&input.frame));
+        let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
+        if let Some(tab) = self.tabs.update(&pointer_only) {
+            self.page = PAGES[tab].0;
+        } else if input.pressed(Key::Tab) {
+            let tab = PAGES.iter().position(|(page, _)| *page == self.page).unwrap_or(0);
+            self.page = PAGES[(tab + 1) % PAGES.len()].0;
         }
-        self.left_over += input.frame_time.clamp(0.0, LONGEST_FRAME);
-        while self.left_over >= STEP {
-            self.left_over -= STEP;
-            self.time += STEP;
-            for side in &mut self.sides {
-                side.boxes = (side.motion)();
-            }
-        }
-        None
+        let away = match self.page {
+            Page::Charts => self.charts.update(input),
+            Page::Survival => self.survival.update(input),
+            Page::SideBySide => self.side_by_side.update(input),
+        };
+        away.then_some(Request::Menu)
     }
 
-    /// Starts again, each side so many methods further.
-    fn restart(&mut self, further: [usize; 2]) {
-        let exhibit = &self.exhibits[self.exhibit];
-        let methods = exhibit.methods.len();
-        self.sides = std::array::from_fn(|i| Side::of(exhibit, (self.sides[i].method + further[i]) % methods));
-        (self.time, self.left_over) = (0.0, 0.0);
+    /// What is open.
+    pub fn page(&self) -> Page {
+        self.page
     }
 
-    /// What is shown.
-    pub fn exhibit(&self) -> &Exhibit {
-        &self.exhibits[self.exhibit]
+    /// The tabs: Charts, Stress tests, Side by side.
+    pub fn tabs(&self) -> &Buttons {
+        &self.tabs
     }
 
-    /// The names of the two methods and where their boxes are.
-    pub fn sides(&self) -> [(&'static str, &[Aabb]); 2] {
-        std::array::from_fn(|i| (self.exhibit().methods[self.sides[i].method].0, &self.sides[i].boxes[..]))
+    /// The page with the charts.
+    pub fn charts(&self) -> &ChartsPage {
+        &self.charts
     }
 
-    /// Since the start, s.
-    pub fn time(&self) -> f64 {
-        self.time
+    /// The page with the stress tests.
+    pub fn survival(&self) -> &SurvivalPage {
+        &self.survival
     }
 
-    /// Its buttons.
+    /// The page with two methods.
+    pub fn side_by_side(&self) -> &SideBySide {
+        &self.side_by_side
+    }
+
+    /// The buttons at the foot of the page; the first one is Back.
     pub fn toolbar(&self) -> &Toolbar {
-        &self.toolbar
+        match self.page {
+            Page::Charts => self.charts.toolbar(),
+            Page::Survival => self.survival.toolbar(),
+            Page::SideBySide => self.side_by_side.toolbar(),
+        }
     }
+}
+
+fn tabs(frame: &Frame) -> Vec<Area> {
+    let (width, height) = TAB;
+    let pitch = width + GAP;
+    let left = (frame.size.x - (PAGES.len() as f32 * pitch - GAP)) / 2.0;
+    (0..PAGES.len()).map(|i| Area::new(left + i as f32 * pitch, TABS_AT, width, height)).collect()
+}
+
+/// What a page may fill: all between tabs and toolbar.
+fn body(frame: &Frame) -> Area {
+    Area::new(MARGIN, TOP, frame.size.x - 2.0 * MARGIN, frame.size.y - TOP - FOOT)
 }
 
 #[cfg(feature = "window")]
 mod drawing {
-    use super::Lab;
-    use crate::physics::{Aabb, DVec2};
+    use super::{Lab, PAGES, Page};
     use crate::view::canvas::{Canvas, Style};
-    use crate::view::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
+    use crate::view::layout::{Area, TEXT, Vec2};
     use crate::view::{theme, widgets};
-    use macroquad::color::Color;
-
-    /// From the canvas' top to the two panels, and from their foot to the canvas'.
-    const TOP: f32 = 96.0;
-    const FOOT: f32 = 136.0;
-    /// Between panels and canvas.
-    const MARGIN: f32 = 24.0;
 
     impl Lab {
-        /// Draws both sides and the buttons.
+        /// Draws the page that is open.
         pub fn draw(&self, canvas: &Canvas) {
             widgets::graph_paper(canvas);
-            let size = canvas.size();
-            let heading = Style::new(BUTTON_TEXT, theme::TEXT).centred().middle();
-            canvas.text(self.exhibit().title, Vec2::new(size.x / 2.0, 40.0), heading);
-            let width = (size.x - 3.0 * MARGIN) / 2.0;
-            for (i, (name, boxes)) in self.sides().into_iter().enumerate() {
-                let left = MARGIN + i as f32 * (width + MARGIN);
-                let panel = Area::new(left, TOP, width, size.y - TOP - FOOT);
-                widgets::panel(canvas, panel);
-                let place = Placing::new(&self.exhibit().view, panel.inset(12.0));
-                for solid in &self.exhibit().solid {
-                    place.draw(canvas, solid, theme::SOLID);
+            for (i, (area, (page, label))) in self.tabs.areas().iter().zip(PAGES).enumerate() {
+                let open = page == self.page;
+                widgets::button_box(canvas, *area, self.tabs.hover() == Some(i), false);
+                let colour = if open { theme::ACCENT } else { theme::QUIET };
+                canvas.text(label, area.centre(), Style::new(TEXT, colour).centred().middle());
+                if open {
+                    let line = Area::new(area.min.x + 16.0, area.max().y - 6.0, area.size.x - 32.0, 2.0);
+                    canvas.rounded(line, 1.0, theme::ACCENT);
                 }
-                for body in boxes {
-                    place.draw(canvas, body, if i == 0 { theme::PLAYER_OBJECTIVE } else { theme::ACCENT });
-                }
-                canvas.text(name, Vec2::new(panel.centre().x, TOP - 20.0), Style::new(TEXT, theme::QUIET).centred().middle());
             }
-            let words = format!("60 steps a second    time {:6.2} s", self.time());
-            let at = Vec2::new(size.x / 2.0, size.y - 104.0);
-            canvas.text(&words, at, Style::new(TEXT, theme::QUIET).mono().centred().middle());
-            let labels = [("Back", "Esc"), ("Restart", "R"), ("Left", "←"), ("Right", "→"), ("Scene", "↓")];
-            self.toolbar.draw(canvas, &labels);
-        }
-    }
-
-    /// From metres to a panel, which it fills without stretching.
-    struct Placing {
-        view: Aabb,
-        panel: Area,
-        scale: f32,
-    }
-
-    impl Placing {
-        fn new(view: &Aabb, panel: Area) -> Self {
-            let size = view.size();
-            let scale = (panel.size.x / size.x as f32).min(panel.size.y / size.y as f32);
-            Self { view: *view, panel, scale }
-        }
-
-        fn at(&self, point: DVec2) -> Vec2 {
-            let from_middle = point - self.view.centre();
-            self.panel.centre() + Vec2::new(from_middle.x as f32, from_middle.y as f32) * self.scale
-        }
-
-        /// What sticks out of the panel is cut off.
-        fn draw(&self, canvas: &Canvas, body: &Aabb, colour: Color) {
-            let inside = |point: Vec2| point.clamp(self.panel.min, self.panel.max());
-            let (min, max) = (inside(self.at(body.min)), inside(self.at(body.max)));
-            let size = max - min;
-            if size.x > 0.0 && size.y > 0.0 {
-                let area = Area::new(min.x, min.y, size.x, size.y);
-                canvas.rounded(area, 0.0, theme::faded(colour, 0.35));
-                canvas.rounded_edge(area, 0.0, 2.0, colour);
+            if let Some(last) = self.tabs.areas().last() {
+                let at = Vec2::new(last.max().x + 16.0, last.centre().y);
+                canvas.text("Tab", at, Style::new(TEXT, theme::ACCENT).mono().middle());
+            }
+            match self.page {
+                Page::Charts => self.charts.draw(canvas),
+                Page::Survival => self.survival.draw(canvas),
+                Page::SideBySide => self.side_by_side.draw(canvas),
             }
         }
     }

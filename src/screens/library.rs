@@ -1,12 +1,19 @@
-//! The levels on disk, as the screens list them, and the tile run's map and commands.
+//! The levels on disk, as the screens list them, the tile run's map and commands, and the charts that were measured here.
 
+use super::lab::Shown;
 use crate::classics::tile_run::{Command, InputError, Map};
+use crate::lab::charts::Charts;
+use crate::lab::kept;
 use crate::level::{self, Level};
-use std::path::PathBuf;
+use std::io;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Where the tile run's `map.txt` and `commands.txt` are, from the project's root.
 const TILE_RUN: &str = "assets/tile_run";
+
+/// Where `resultant chart` writes, from the project's root.
+const CHARTS: &str = "charts";
 
 /// Why a level cannot be played: a line a problem.
 pub type Refusal = Vec<String>;
@@ -53,9 +60,31 @@ impl Library {
         let folder = self.root.join(TILE_RUN);
         Ok((read(folder.join("map.txt"), Map::parse)?, read(folder.join("commands.txt"), Command::parse_all)?))
     }
+
+    /// The charts in `charts/`, where the last `resultant chart` wrote them; where there are none, or they cannot be read, those that
+    /// came with the game.
+    pub fn charts(&self) -> Shown {
+        let folder = self.root.join(CHARTS);
+        let problem = match folder.exists().then(|| Charts::read(|file| text(&folder, file))) {
+            Some(Ok(charts)) => return Shown { charts, kept: false, problem: None },
+            Some(Err(problem)) => Some(format!("{CHARTS}/{problem}. These came with the game.")),
+            None => None,
+        };
+        match kept::charts() {
+            Ok(charts) => Shown { charts, kept: true, problem },
+            Err(problem) => Shown { charts: Charts::default(), kept: true, problem: Some(problem) },
+        }
+    }
 }
 
 fn read<T>(path: PathBuf, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, String> {
     let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     parse(&text).map_err(|error| format!("{}:{error}", path.display()))
+}
+
+/// The text of a file in a folder. Nothing but a regular file is read: another one may never end.
+fn text(folder: &Path, file: &str) -> Result<String, String> {
+    let path = folder.join(file);
+    let regular = path.metadata().and_then(|found| if found.is_file() { Ok(()) } else { Err(io::Error::other("no regular file")) });
+    regular.and_then(|()| std::fs::read_to_string(&path)).map_err(|error| format!("{file}: {error}"))
 }

@@ -32,7 +32,7 @@ pub use classics::{Classic, Classics};
 pub use flight::{Attempt, Flight, Spectator};
 pub use input::{Input, Key, Keys};
 pub use jumper::{Jumper, Press as JumperPress};
-pub use lab::Lab;
+pub use lab::{Half, Lab, Line, PAGES, Page, Shown};
 pub use leaderboard::Leaderboard;
 pub use level_select::{Entry, LevelSelect, Purpose};
 pub use library::Library;
@@ -68,7 +68,7 @@ pub enum Screen {
     Leaderboard(Leaderboard),
     /// Which classic.
     Classics(Classics),
-    /// Two methods side by side.
+    /// Charts, stress tests, two methods side by side.
     Lab(Box<Lab>),
     /// A run through a map of tiles, or one that is watched.
     TileRun(Box<TileRun>),
@@ -99,7 +99,7 @@ pub enum Request {
     Leaderboard(String),
     /// The list of classics, with the keyboard on the one that was left.
     Classics(Option<Classic>),
-    /// Two methods side by side.
+    /// Charts, stress tests, two methods side by side.
     Lab,
     /// One of them, from its beginning.
     Classic(Classic),

@@ -15,10 +15,11 @@ pub enum Face {
     Mono,
 }
 
-/// Signs that are set in the monospaced face amid words too: the sans face has no arrows, and its π reads like another letter.
-const IN_MONO: [char; 5] = ['←', '→', '↑', '↓', 'π'];
+/// Signs that are set in the monospaced face amid words too: the sans face has no arrows and no raised minus, and its π reads like another
+/// letter.
+const IN_MONO: [char; 6] = ['←', '→', '↑', '↓', 'π', '⁻'];
 /// Beyond printable ASCII, the signs that the game writes.
-const SIGNS: &str = "−×·°²³±≈≤≥→←↑↓–—…µμρπΔ‘’“”£é";
+const SIGNS: &str = "−×·÷°±≈≤≥∞→←↑↓‹›–—…µμρπΔ‘’“”£é⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
 /// Sizes in physical pixels kept at once; a window dragged through more of them starts a fresh atlas, so that it never grows
 /// without end.
 const MOST_SIZES: usize = 20;

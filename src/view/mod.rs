@@ -1,7 +1,8 @@
 //! Drawing only: reads the game and changes nothing in it. The screens hand over what they hold; what they decide is in
-//! [`crate::screens`]. Only [`layout`], which is plain arithmetic, is there without a window.
+//! [`crate::screens`]. Only [`layout`] and [`plot`], which are plain arithmetic, are there without a window.
 
 pub mod layout;
+pub mod plot;
 
 #[cfg(feature = "window")]
 pub mod arrows;
@@ -15,6 +16,8 @@ pub mod camera;
 pub mod canvas;
 #[cfg(feature = "window")]
 pub mod details;
+#[cfg(feature = "window")]
+pub mod diagram;
 #[cfg(feature = "window")]
 pub mod edges;
 #[cfg(feature = "window")]

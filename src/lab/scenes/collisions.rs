@@ -10,6 +10,14 @@ const SECONDS: f64 = 10.0;
 /// m/s. What the cradle is struck with.
 pub const STRIKE: f64 = 3.0;
 
+/// The hand-written ways.
+pub const METHODS: [(&str, Line); 4] = [
+    ("overlap at tick ends", discrete),
+    ("swept, rest of tick lost", swept),
+    ("all contacts at once", at_once),
+    ("exact times of impact", exact),
+];
+
 /// The pair of the golden numbers, 10 m apart.
 fn pair() -> Vec<Block> {
     vec![Block { x: 0.0, v: 25.7, mass: 75.0, half: 0.5 }, Block { x: 11.0, v: -11.3, mass: 150.0, half: 0.5 }]
@@ -48,9 +56,9 @@ fn worst(found: &[Block], places: &[f64]) -> f64 {
     found.iter().zip(places).map(|(block, x)| (block.x - x).abs()).fold(0.0, f64::max)
 }
 
-fn scene(name: &'static str, title: &str, blocks: Vec<Block>, places: Vec<f64>, methods: &[(&'static str, Line)]) -> Scene {
+fn scene(name: &'static str, title: &str, blocks: Vec<Block>, places: Vec<f64>) -> Scene {
     let mut scene = Scene::new(name, title, SECONDS, blocks.len()).measuring("worst error of a position at the end, m");
-    for &(name, line) in methods {
+    for (name, line) in METHODS {
         let (blocks, places) = (blocks.clone(), places.clone());
         scene = scene.method(name, move |h| worst(&by_hand(line, blocks.clone(), SECONDS, h), &places));
     }
@@ -64,9 +72,7 @@ pub fn head_on() -> Scene {
     let meet = 10.0 / (a.v - b.v);
     let (va, vb) = crate::classics::pi::elastic(a.mass, a.v, b.mass, b.v);
     let places = vec![a.x + a.v * meet + va * (SECONDS - meet), b.x + b.v * meet + vb * (SECONDS - meet)];
-    let methods: [(&str, Line); 3] =
-        [("overlap at tick ends", discrete), ("swept, rest of tick lost", swept), ("exact time of impact", exact)];
-    scene("head-on", "An elastic head-on collision, 10 s", blocks, places, &methods)
+    scene("head-on", "An elastic head-on collision, 10 s", blocks, places)
 }
 
 /// Five equal blocks.
@@ -76,11 +82,5 @@ pub fn cradle() -> Scene {
     let mut places: Vec<f64> = blocks.iter().map(|block| block.x).collect();
     places[0] = 0.0;
     places[4] += STRIKE * (SECONDS - meet);
-    let methods: [(&str, Line); 4] = [
-        ("overlap at tick ends", discrete),
-        ("swept, rest of tick lost", swept),
-        ("all contacts at once", at_once),
-        ("impacts in order of time", exact),
-    ];
-    scene("cradle", "Newton's cradle of five blocks, 10 s", blocks, places, &methods)
+    scene("cradle", "Newton's cradle of five blocks, 10 s", blocks, places)
 }

@@ -1,8 +1,8 @@
 //! Something fast against something thin. Exact: it never gets through.
 
 use crate::lab::Scene;
-use crate::lab::methods::impact::{Block, Line, discrete, exact, swept};
-use crate::lab::scenes::collisions::{by_engine, by_hand};
+use crate::lab::methods::impact::Block;
+use crate::lab::scenes::collisions::{METHODS, by_engine, by_hand};
 
 /// m. Widths of the flying box and of what it meets.
 const BOX: f64 = 0.5;
@@ -10,9 +10,6 @@ const BOX: f64 = 0.5;
 const THIN: f64 = 0.1;
 /// Starting places within one step of travel: some phase of the step is the worst one.
 const PHASES: usize = 16;
-
-const METHODS: [(&str, Line); 3] =
-    [("overlap at tick ends", discrete), ("swept, rest of tick lost", swept), ("exact time of impact", exact)];
 
 /// A box at `speed` (m/s) and something thin of `mass` (kg; infinite: a wall), such that they meet after `delay` s.
 fn flight(speed: f64, mass: f64, delay: f64) -> Vec<Block> {

@@ -2,7 +2,7 @@
 
 use super::{G, Rows, Survival, TICK};
 use crate::lab::methods::chain::sweeps_needed;
-use crate::lab::methods::impact::{Block, Line, at_once, discrete, exact, swept};
+use crate::lab::methods::impact::{Block, Line};
 use crate::lab::scenes::{collisions, stacks, tunnelling};
 use crate::lab::shipped;
 use crate::physics::{BodyId, ForceKind, World};
@@ -18,9 +18,6 @@ const SWEEPS: [u32; 4] = [10, 50, 500, 5000];
 /// s. How long things have to rest.
 const RESTING: f64 = 2.0;
 
-const LINES: [(&str, Line); 3] =
-    [("overlap at tick ends", discrete), ("swept, rest of tick lost", swept), ("exact time of impact", exact)];
-
 /// Whether a box of 0.5 m never gets through something of 0.1 m and `mass` (kg; infinite: a wall) at 60 Hz, by hand.
 pub fn stays_out(line: Line, speed: f64, mass: f64) -> bool {
     tunnelling::holds(&|blocks, seconds, h| collisions::by_hand(line, blocks, seconds, h), speed, mass, TICK)
@@ -34,7 +31,7 @@ pub fn shipped_stays_out(speed: f64, mass: f64) -> bool {
 fn tunnels(test: &'static str, mass: f64) -> Vec<Survival> {
     let range = (1.0, 1e6);
     let mut rows = Rows::of(test, "speed at 60 Hz, m/s");
-    for (name, line) in LINES {
+    for (name, line) in collisions::METHODS {
         rows = rows.method(name, range, |speed| stays_out(line, speed, mass));
     }
     rows.shipped(range, |speed| shipped_stays_out(speed, mass))
@@ -123,10 +120,8 @@ fn last_leaves(velocities: &[f64]) -> bool {
 pub fn simultaneous_impacts() -> Vec<Survival> {
     let range = (2.0, 20.0);
     let count = |n: f64| n.floor() as usize;
-    let methods: [(&str, Line); 3] =
-        [("all contacts at once", at_once), ("overlap at tick ends", discrete), ("impacts in order of time", exact)];
     let mut rows = Rows::of("cradle: the last leaves alone", "blocks");
-    for (name, line) in methods {
+    for (name, line) in collisions::METHODS {
         rows = rows.method(name, range, |n| last_leaves(&cradle_by_hand(line, count(n))));
     }
     let mut rows = rows.shipped(range, |n| last_leaves(&cradle_by_engine(count(n))));

@@ -6,6 +6,8 @@ pub mod contacts;
 pub mod motion;
 pub mod robustness;
 
+use super::axes::number;
+
 /// s. The tick of the figures that physics engines are usually compared at.
 pub const TICK: f64 = 1.0 / 60.0;
 /// N/kg.
@@ -15,9 +17,9 @@ pub const G: f64 = 9.81;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Survival {
     /// The test.
-    pub test: &'static str,
+    pub test: String,
     /// What is made larger, with its unit.
-    pub parameter: &'static str,
+    pub parameter: String,
     /// The method.
     pub method: String,
     /// The largest value that it survives; 0: none of those tried.
@@ -26,6 +28,13 @@ pub struct Survival {
     pub tried: f64,
     /// Whether it is the shipped engine.
     pub shipped: bool,
+}
+
+impl Survival {
+    /// The largest value as people read it: ≥ where nothing larger was tried.
+    pub fn shown(&self) -> String {
+        format!("{}{}", if self.largest >= self.tried { "≥ " } else { "" }, number(self.largest))
+    }
 }
 
 /// A test's rows.
@@ -45,7 +54,8 @@ impl Rows {
     fn method(mut self, name: impl Into<String>, range: (f64, f64), survives: impl Fn(f64) -> bool) -> Self {
         let largest = largest(range, survives);
         let method = name.into();
-        self.rows.push(Survival { test: self.test, parameter: self.parameter, method, largest, tried: range.1, shipped: false });
+        let (test, parameter, tried) = (self.test.to_owned(), self.parameter.to_owned(), range.1);
+        self.rows.push(Survival { test, parameter, method, largest, tried, shipped: false });
         self
     }
 

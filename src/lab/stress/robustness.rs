@@ -164,8 +164,8 @@ pub fn nonsense() -> Vec<Survival> {
     let bodies = nonsense_bodies();
     let all = bodies.len() as f64;
     let row = |method: &str, harmless: usize, shipped: bool| Survival {
-        test: "nonsense does no harm",
-        parameter: "of ten kinds, how many",
+        test: "nonsense does no harm".to_owned(),
+        parameter: "of ten kinds, how many".to_owned(),
         method: method.to_owned(),
         largest: harmless as f64,
         tried: all,

@@ -146,11 +146,12 @@ impl Contacts {
         }
     }
 
-    /// Whether the predicted box of a body lies within what was swept when the contacts were sought.
+    /// Whether the predicted box of a body lies within what was swept when the contacts were sought, and within that in which its
+    /// neighbours were: the margin of the sweep grows with the mean way of all, and with a few very fast bodies reaches beyond.
     pub fn covers(&self, bodies: &Bodies, i: usize) -> bool {
         let s = &self.swept[i];
         let (x, y, hx, hy) = (bodies.px[i], bodies.py[i], bodies.hx[i], bodies.hy[i]);
-        (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3])
+        (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3]) & bodies.is_allowed(i)
     }
 }
 

@@ -1,0 +1,346 @@
+//! All that one run of `resultant chart` found, as CSV and back: `setting.csv` says where it was measured, `scenes.csv` lists the
+//! diagrams, a file of each scene's name holds its points, and `stress.csv` what each method survives. Numbers are in the shortest form
+//! that reads back as the same f64; an error of `inf` or `NaN` is a run that blew up.
+
+use super::curve::{Curve, Measured, Origin, Point};
+use super::stress::Survival;
+use csv::{ReaderBuilder, StringRecord, WriterBuilder};
+
+/// Where and with what it was measured.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Setting {
+    /// Kind of processor and system; no names of machines.
+    pub machine: String,
+    /// Commit that was measured, if it is known.
+    pub commit: Option<String>,
+    /// Build profile.
+    pub profile: String,
+    /// Fewer repetitions.
+    pub quick: bool,
+}
+
+/// A run of `resultant chart`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Charts {
+    /// Where it was made.
+    pub setting: Setting,
+    /// A diagram a scene, in the order in which they are shown.
+    pub diagrams: Vec<Measured>,
+    /// The stress tests, those of one test one after the other.
+    pub stress: Vec<Survival>,
+}
+
+/// Where it was measured.
+pub const SETTING: &str = "setting.csv";
+/// The list of diagrams.
+pub const SCENES: &str = "scenes.csv";
+/// The stress tests.
+pub const STRESS: &str = "stress.csv";
+const SETTING_HEAD: [&str; 4] = ["machine", "commit", "profile", "quick"];
+const SCENES_HEAD: [&str; 7] = ["scene", "title", "error", "work", "tolerance", "shipped_step", "alike"];
+const POINTS_HEAD: [&str; 5] = ["method", "origin", "step", "work", "error"];
+const STRESS_HEAD: [&str; 6] = ["test", "parameter", "method", "largest", "tried", "shipped"];
+
+impl Charts {
+    /// Every file by its name.
+    pub fn files(&self) -> Vec<(String, String)> {
+        let Setting { machine, commit, profile, quick } = &self.setting;
+        let setting = [machine.clone(), commit.clone().unwrap_or_default(), profile.clone(), quick.to_string()];
+        let scenes = self.diagrams.iter().map(|m| {
+            let words = [&m.name, &m.title, &m.error, &m.work].map(String::clone);
+            words.into_iter().chain([shortest(m.tolerance), shortest(m.shipped_step), m.alike.to_string()]).collect()
+        });
+        let stress = self.stress.iter().map(|row| {
+            let words = [&row.test, &row.parameter, &row.method].map(String::clone);
+            words.into_iter().chain([row.largest.to_string(), row.tried.to_string(), row.shipped.to_string()]).collect()
+        });
+        let mut files = vec![
+            (SETTING.to_owned(), table(&SETTING_HEAD, [setting.to_vec()])),
+            (SCENES.to_owned(), table(&SCENES_HEAD, scenes)),
+            (STRESS.to_owned(), table(&STRESS_HEAD, stress)),
+        ];
+        files.extend(self.diagrams.iter().map(|measured| (points_file(&measured.name), points(measured))));
+        files
+    }
+
+    /// Reads them again; `file` gives the text of a file, or says why it cannot.
+    ///
+    /// # Errors
+    /// The first problem, with file and line where it has one.
+    pub fn read(file: impl Fn(&str) -> Result<String, String>) -> Result<Self, String> {
+        let setting = rows(SETTING, &file(SETTING)?, &SETTING_HEAD)?;
+        let Some(row) = setting.first() else { return Err(format!("{SETTING}: expected a row below the head, found none")) };
+        let commit = Some(row.word(1)).filter(|commit| !commit.is_empty());
+        let setting = Setting { machine: row.word(0), commit, profile: row.word(2), quick: row.flag(3)? };
+        let diagrams = rows(SCENES, &file(SCENES)?, &SCENES_HEAD)?;
+        let diagrams = diagrams.iter().map(|row| diagram(row, &file)).collect::<Result<Vec<_>, _>>()?;
+        if diagrams.is_empty() {
+            return Err(format!("{SCENES}: expected a row a scene, found none"));
+        }
+        let stress = rows(STRESS, &file(STRESS)?, &STRESS_HEAD)?;
+        let stress = stress.iter().map(survival).collect::<Result<Vec<_>, _>>()?;
+        Ok(Self { setting, diagrams, stress })
+    }
+}
+
+fn points_file(scene: &str) -> String {
+    format!("{scene}.csv")
+}
+
+fn points(measured: &Measured) -> String {
+    let rows = measured.curves.iter().flat_map(|curve| {
+        let row = |point: &Point| {
+            let numbers = [point.step, point.work, point.error].map(shortest);
+            [curve.name.clone(), origin_word(curve.origin).to_owned()].into_iter().chain(numbers).collect()
+        };
+        curve.points.iter().map(row)
+    });
+    table(&POINTS_HEAD, rows)
+}
+
+fn origin_word(origin: Origin) -> &'static str {
+    match origin {
+        Origin::Lab => "lab",
+        Origin::Shipped => "shipped",
+        Origin::Peer => "peer",
+    }
+}
+
+fn shortest(value: f64) -> String {
+    format!("{value:e}")
+}
+
+/// Rows under a head as CSV.
+pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let mut writer = WriterBuilder::new().from_writer(Vec::new());
+    // Memory takes all that is written to it, and every row has the head's length.
+    let _ = writer.write_record(head);
+    for row in rows {
+        let _ = writer.write_record(row);
+    }
+    writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
+}
+
+/// A row with where it stands.
+struct Row<'a> {
+    file: &'a str,
+    line: usize,
+    head: &'a [&'a str],
+    cells: StringRecord,
+}
+
+impl Row<'_> {
+    fn word(&self, column: usize) -> String {
+        self.cells[column].to_owned()
+    }
+
+    fn number(&self, column: usize, wanted: &str, good: impl Fn(f64) -> bool) -> Result<f64, String> {
+        let number = self.cells[column].parse::<f64>().ok().filter(|value| good(*value));
+        number.ok_or_else(|| self.problem(column, wanted))
+    }
+
+    fn above_zero(&self, column: usize) -> Result<f64, String> {
+        self.number(column, "a number above 0", |value| value.is_finite() && value > 0.0)
+    }
+
+    fn flag(&self, column: usize) -> Result<bool, String> {
+        self.cells[column].parse().map_err(|_| self.problem(column, "true or false"))
+    }
+
+    fn problem(&self, column: usize, wanted: &str) -> String {
+        let (file, line, name, found) = (self.file, self.line, self.head[column], &self.cells[column]);
+        format!("{file}:{line}: column \"{name}\": found \"{found}\", expected {wanted}")
+    }
+}
+
+/// The rows of a file below its head, each as long as that.
+fn rows<'a>(file: &'a str, text: &str, head: &'a [&'a str]) -> Result<Vec<Row<'a>>, String> {
+    let mut rows = Vec::new();
+    let mut reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
+    for (index, cells) in reader.records().enumerate() {
+        let cells = cells.map_err(|error| format!("{file}: {error}"))?;
+        let line = cells.position().map_or(1, |position| line_at(text, position.byte() as usize));
+        if index == 0 {
+            if !cells.iter().eq(head.iter().copied()) {
+                let found = cells.iter().collect::<Vec<_>>().join(",");
+                return Err(format!("{file}:{line}: found \"{found}\", expected the head {}", head.join(",")));
+            }
+            continue;
+        }
+        if cells.len() != head.len() {
+            return Err(format!("{file}:{line}: found {} cells, expected {}: {}", cells.len(), head.len(), head.join(",")));
+        }
+        rows.push(Row { file, line, head, cells });
+    }
+    if text.trim().is_empty() { Err(format!("{file}: found nothing, expected the head {}", head.join(","))) } else { Ok(rows) }
+}
+
+/// The line of a record that begins at that byte, blank lines before it left out.
+fn line_at(text: &str, byte: usize) -> usize {
+    let rest = text.get(byte..).unwrap_or_default();
+    let begins = text.len() - rest.trim_start_matches(['\r', '\n']).len();
+    1 + text.as_bytes()[..begins].iter().filter(|&&byte| byte == b'\n').count()
+}
+
+/// A scene's row and the file of its points.
+fn diagram(row: &Row<'_>, file: &impl Fn(&str) -> Result<String, String>) -> Result<Measured, String> {
+    let name = row.word(0);
+    // It names a file in the same folder, and none elsewhere.
+    if name.is_empty() || !name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-') {
+        return Err(row.problem(0, "a name of letters a to z, digits and -"));
+    }
+    let points_file = points_file(&name);
+    let mut curves: Vec<Curve> = Vec::new();
+    for row in rows(&points_file, &file(&points_file)?, &POINTS_HEAD)? {
+        let origins = [Origin::Lab, Origin::Shipped, Origin::Peer];
+        let origin = origins.into_iter().find(|origin| origin_word(*origin) == &row.cells[1]);
+        let origin = origin.ok_or_else(|| row.problem(1, "lab, shipped or peer"))?;
+        let error = row.number(4, "an error of 0 or more, inf or NaN", |error| error.is_nan() || error >= 0.0)?;
+        let point = Point { step: row.above_zero(2)?, work: row.above_zero(3)?, error };
+        match curves.iter_mut().find(|curve| curve.name == row.cells[0] && curve.origin == origin) {
+            Some(curve) => curve.points.push(point),
+            None => curves.push(Curve { name: row.word(0), origin, points: vec![point] }),
+        }
+    }
+    let (title, error, work) = (row.word(1), row.word(2), row.word(3));
+    let (tolerance, shipped_step) = (row.above_zero(4)?, row.above_zero(5)?);
+    Ok(Measured { name, title, error, work, tolerance, shipped_step, alike: row.flag(6)?, curves })
+}
+
+fn survival(row: &Row<'_>) -> Result<Survival, String> {
+    let number = |column| row.number(column, "a number of 0 or more", |value| value.is_finite() && value >= 0.0);
+    let (test, parameter, method) = (row.word(0), row.word(1), row.word(2));
+    Ok(Survival { test, parameter, method, largest: number(3)?, tried: number(4)?, shipped: row.flag(5)? })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashMap;
+
+    fn some() -> Charts {
+        let point = |step, work, error| Point { step, work, error };
+        let curve = |name: &str, origin, points| Curve { name: name.into(), origin, points };
+        let measured = Measured {
+            name: "a-scene".into(),
+            title: "Ten bounces, \"exact\"".into(),
+            error: "error, m".into(),
+            work: "work, ns".into(),
+            tolerance: 1.0 / 300.0,
+            shipped_step: 1.0 / 120.0,
+            alike: true,
+            curves: vec![
+                curve("Euler, explicit", Origin::Lab, vec![point(0.1, 10.0 / 3.0, f64::INFINITY), point(0.05, 7.0, 0.1 + 0.2)]),
+                curve("shipped engine", Origin::Shipped, vec![point(1.0 / 120.0, 50.0, 0.0)]),
+                curve("Box2D", Origin::Peer, vec![point(1.0 / 60.0, 1e5, 5e-324)]),
+            ],
+        };
+        let survival = |test: &str, largest, shipped| Survival {
+            test: test.into(),
+            parameter: "speed, m/s".into(),
+            method: "swept".into(),
+            largest,
+            tried: 1e6,
+            shipped,
+        };
+        let setting = Setting { machine: "a, b".into(), commit: None, profile: "release".into(), quick: true };
+        let other = Measured { name: "b".into(), curves: Vec::new(), alike: false, ..measured.clone() };
+        Charts { setting, diagrams: vec![measured, other], stress: vec![survival("one", 36.04, false), survival("one", 1e6, true)] }
+    }
+
+    fn read(files: &HashMap<String, String>) -> Result<Charts, String> {
+        Charts::read(|name| files.get(name).cloned().ok_or_else(|| format!("{name}: not found")))
+    }
+
+    #[test]
+    fn what_was_written_reads_back_to_the_last_bit() {
+        let mut charts = some();
+        let files = charts.files().into_iter().collect();
+        assert_eq!(read(&files), Ok(charts.clone()));
+        // NaN is not equal to itself.
+        charts.diagrams[0].curves[0].points[0].error = f64::NAN;
+        let again = read(&charts.files().into_iter().collect()).unwrap();
+        assert!(again.diagrams[0].curves[0].points[0].error.is_nan());
+    }
+
+    #[test]
+    fn damage_is_told_by_file_and_line() {
+        let points = "method,origin,step,work,error\n";
+        for (file, text, problem) in [
+            ("setting.csv", None, "setting.csv: not found"),
+            ("a-scene.csv", None, "a-scene.csv: not found"),
+            ("setting.csv", Some(""), "setting.csv: found nothing, expected the head machine,commit,profile,quick"),
+            ("setting.csv", Some("machine,commit,profile,quick\n"), "setting.csv: expected a row below the head, found none"),
+            (
+                "setting.csv",
+                Some("machine,commit,profile,quick\na,b,c,maybe\n"),
+                "setting.csv:2: column \"quick\": found \"maybe\", expected true or false",
+            ),
+            (
+                "stress.csv",
+                Some("test,method\n"),
+                "stress.csv:1: found \"test,method\", expected the head test,parameter,method,largest,tried,shipped",
+            ),
+            (
+                "scenes.csv",
+                Some("scene,title,error,work,tolerance,shipped_step,alike\n../x,t,e,w,1,1,true\n"),
+                "scenes.csv:2: column \"scene\": found \"../x\", expected a name of letters a to z, digits and -",
+            ),
+            (
+                "scenes.csv",
+                Some("scene,title,error,work,tolerance,shipped_step,alike\n"),
+                "scenes.csv: expected a row a scene, found none",
+            ),
+            (
+                "a-scene.csv",
+                Some(&format!("{points}\r\n\r\na,lab,1,2,0\r\na,lab,1\r\n")),
+                "a-scene.csv:5: found 3 cells, expected 5: method,origin,step,work,error",
+            ),
+            (
+                "a-scene.csv",
+                Some(&format!("{points}a,us,1,2,0\n")),
+                "a-scene.csv:2: column \"origin\": found \"us\", expected lab, shipped or peer",
+            ),
+            (
+                "a-scene.csv",
+                Some(&format!("{points}a,lab,1,NaN,0\n")),
+                "a-scene.csv:2: column \"work\": found \"NaN\", expected a number above 0",
+            ),
+            (
+                "a-scene.csv",
+                Some(&format!("{points}a,lab,0,2,0\n")),
+                "a-scene.csv:2: column \"step\": found \"0\", expected a number above 0",
+            ),
+            (
+                "a-scene.csv",
+                Some(&format!("{points}a,lab,1,2,-1\n")),
+                "a-scene.csv:2: column \"error\": found \"-1\", expected an error of 0 or more, inf or NaN",
+            ),
+        ] {
+            let mut files: HashMap<String, String> = some().files().into_iter().collect();
+            match text {
+                Some(text) => drop(files.insert(file.to_owned(), text.to_owned())),
+                None => drop(files.remove(file)),
+            }
+            assert_eq!(read(&files), Err(problem.to_owned()));
+        }
+    }
+
+    #[test]
+    fn no_text_is_a_fault_of_the_program() {
+        for text in [
+            "\0",
+            "\"",
+            "method,origin,step,work,error\n\"",
+            ",,,,\n,,,,",
+            "method,origin,step,work,error\na,lab,1e-320,1e308,1e308",
+        ] {
+            let mut files: HashMap<String, String> = some().files().into_iter().collect();
+            for name in ["setting.csv", "scenes.csv", "stress.csv", "a-scene.csv"] {
+                let kept = files.insert(name.to_owned(), text.to_owned());
+                let _ = read(&files);
+                files.extend(kept.map(|kept| (name.to_owned(), kept)));
+            }
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! How a curve looks, on paper and on the screen: methods are told apart by colour, dash and marker.
+
+use super::curve::{Curve, Origin};
+
+/// Words, and other engines.
+pub const TEXT: u32 = 0xE6EBF2;
+/// The shipped engine: the game's accent.
+pub const SHIPPED: u32 = 0xFF9F1C;
+/// The tolerance, and the cheapest within it.
+pub const GOOD: u32 = 0x4CC38A;
+/// Told apart by all common kinds of colour vision (M. Okabe, K. Ito, "Color Universal Design", 2008), lightened for a dark ground.
+const COLOURS: [u32; 8] = [0x56B4E9, 0xB79CED, 0xF0E442, 0xD55E00, 0x1FB88F, 0xCC79A7, 0xDCE6F5, 0xA3A847];
+/// Pixels drawn and left out.
+const DASHES: [Option<(u32, u32)>; 4] = [None, Some((8, 4)), Some((3, 3)), Some((14, 5))];
+/// Pixels drawn and left out of the line of the tolerance.
+pub const TOLERANCE_DASH: (u32, u32) = (2, 4);
+/// Pixels. Radius of the ring around the shipped point.
+pub const RING: f32 = 11.0;
+/// Pixels. Half the side of the square around the cheapest one.
+pub const FRAME: f32 = 10.0;
+
+/// Colour, dash and marker of a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Look {
+    /// As 0xRRGGBB.
+    pub colour: u32,
+    /// Pixels drawn and left out; none: a full line.
+    pub dash: Option<(u32, u32)>,
+    /// The shape of its points.
+    pub marker: Marker,
+    /// Pixels.
+    pub width: u32,
+}
+
+impl Look {
+    /// How the curve of that index looks. Other engines are white, ours has the accent's colour.
+    pub fn of(index: usize, curve: &Curve) -> Self {
+        let marker = Marker::ALL[index % Marker::ALL.len()];
+        match curve.origin {
+            Origin::Shipped => Self { colour: SHIPPED, dash: None, marker: Marker::Star, width: 3 },
+            Origin::Lab => Self { colour: COLOURS[index % COLOURS.len()], dash: DASHES[index % DASHES.len()], marker, width: 2 },
+            Origin::Peer => Self { colour: TEXT, dash: DASHES[2], marker, width: 1 },
+        }
+    }
+}
+
+/// The shape of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Marker {
+    /// A square.
+    Square,
+    /// A triangle that points up.
+    Up,
+    /// A square on its corner.
+    Diamond,
+    /// A triangle that points down.
+    Down,
+    /// A bar that lies.
+    Bar,
+    /// A hexagon.
+    Hexagon,
+    /// A bar that stands.
+    Pole,
+    /// A star of five points.
+    Star,
+    /// ×: blew up.
+    Cross,
+}
+
+/// A convex outline around a point, pixels, y down.
+pub type Outline = Vec<(f32, f32)>;
+
+impl Marker {
+    /// Those that curves take in turn.
+    const ALL: [Self; 7] = [Self::Square, Self::Up, Self::Diamond, Self::Down, Self::Hexagon, Self::Bar, Self::Pole];
+
+    /// What it is made of: convex pieces that overlap.
+    pub fn pieces(self) -> Vec<Outline> {
+        match self {
+            Self::Square => vec![vec![(-4.0, -4.0), (4.0, -4.0), (4.0, 4.0), (-4.0, 4.0)]],
+            Self::Up => vec![vec![(0.0, -6.0), (6.0, 4.0), (-6.0, 4.0)]],
+            Self::Down => vec![vec![(0.0, 6.0), (6.0, -4.0), (-6.0, -4.0)]],
+            Self::Diamond => vec![vec![(0.0, -6.0), (6.0, 0.0), (0.0, 6.0), (-6.0, 0.0)]],
+            Self::Bar => vec![vec![(-6.0, -2.0), (6.0, -2.0), (6.0, 2.0), (-6.0, 2.0)]],
+            Self::Pole => vec![vec![(-2.0, -6.0), (2.0, -6.0), (2.0, 6.0), (-2.0, 6.0)]],
+            Self::Hexagon => vec![vec![(-3.0, -5.0), (3.0, -5.0), (6.0, 0.0), (3.0, 5.0), (-3.0, 5.0), (-6.0, 0.0)]],
+            Self::Star => star(8.5),
+            Self::Cross => vec![
+                vec![(-6.0, -4.0), (-4.0, -6.0), (6.0, 4.0), (4.0, 6.0)],
+                vec![(6.0, -4.0), (4.0, -6.0), (-6.0, 4.0), (-4.0, 6.0)],
+            ],
+        }
+    }
+}
+
+/// The pentagram: from each tip, the triangle to the two corners of the inner pentagon that lie across.
+fn star(radius: f32) -> Vec<Outline> {
+    // The inner pentagon's radius over the outer one's: 1/φ².
+    const INNER: f32 = 0.381_966;
+    let at = |fifth: f32, r: f32| {
+        let (sine, cosine) = ((fifth / 5.0 - 0.25) * std::f32::consts::TAU).sin_cos();
+        (r * cosine, r * sine)
+    };
+    let inner = |fifth: f32| at(fifth, radius * INNER);
+    (0..5).map(|i| i as f32).map(|tip| vec![at(tip, radius), inner(tip + 1.5), inner(tip - 1.5)]).collect()
+}

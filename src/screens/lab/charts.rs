@@ -1,0 +1,190 @@
+//! The charts: a work–precision diagram a scene, one after the other. A method can be picked out, and a point looked at.
+
+use super::{Shown, body};
+use crate::lab::axes::{number, step};
+use crate::lab::charts::Charts;
+use crate::lab::curve::Measured;
+use crate::screens::{Input, Key, Toolbar};
+use crate::view::layout::{Area, Frame};
+use crate::view::plot::Plot;
+
+/// The toolbar's keys: back, the scene before, the next one, another method.
+const KEYS: [Key; 4] = [Key::Escape, Key::Left, Key::Right, Key::Down];
+/// From the body's top to the diagram: its title.
+const TITLE: f32 = 40.0;
+/// From the diagram to the body's foot: what it says in words, and where it was measured.
+const WORDS: f32 = 56.0;
+
+/// The page.
+#[derive(Debug)]
+pub struct ChartsPage {
+    shown: Shown,
+    scene: usize,
+    /// The curve that was picked out.
+    picked: Option<usize>,
+    /// The line of the legend under the pointer.
+    pointed: Option<usize>,
+    /// The point under the pointer: its curve and its place in it.
+    point: Option<(usize, usize)>,
+    toolbar: Toolbar,
+}
+
+impl ChartsPage {
+    pub(super) fn new(shown: Shown) -> Self {
+        Self { shown, scene: 0, picked: None, pointed: None, point: None, toolbar: Toolbar::default() }
+    }
+
+    /// One frame; whether the lab is left.
+    pub(super) fn update(&mut self, input: &Input) -> bool {
+        let pressed = self.toolbar.update(input, &KEYS);
+        let scenes = self.shown.charts.diagrams.len();
+        match pressed {
+            Some(0) => return true,
+            Some(1) => self.turn_to(self.scene + scenes.saturating_sub(1)),
+            Some(2) => self.turn_to(self.scene + 1),
+            Some(3) => self.pick(1),
+            Some(_) | None => {}
+        }
+        for (key, scene) in [(Key::Home, 0), (Key::End, scenes.saturating_sub(1))] {
+            if input.pressed(key) {
+                self.turn_to(scene);
+            }
+        }
+        if input.pressed(Key::Up) {
+            self.pick(-1);
+        }
+        (self.pointed, self.point) = (None, None);
+        if let Some((measured, plot)) = self.measured().zip(self.plot(&input.frame)) {
+            let pointed = (0..measured.curves.len()).find(|line| plot.legend(*line).contains(input.pointer));
+            (self.pointed, self.point) = (pointed, plot.point_near(measured, input.pointer));
+        }
+        if input.click && self.pointed.is_some() {
+            self.picked = if self.picked == self.pointed { None } else { self.pointed };
+        }
+        false
+    }
+
+    /// All that was measured.
+    pub fn charts(&self) -> &Charts {
+        &self.shown.charts
+    }
+
+    /// Why these are not the charts that the player made, or why there are none.
+    pub fn problem(&self) -> Option<&str> {
+        self.shown.problem.as_deref()
+    }
+
+    /// The diagram that is shown, if there is any.
+    pub fn measured(&self) -> Option<&Measured> {
+        self.shown.charts.diagrams.get(self.scene)
+    }
+
+    /// Which of the diagrams it is, from 0.
+    pub fn scene(&self) -> usize {
+        self.scene
+    }
+
+    /// The curve that is picked out: the one in whose line the pointer is, or else the chosen one.
+    pub fn picked(&self) -> Option<usize> {
+        self.pointed.or(self.picked)
+    }
+
+    /// The point under the pointer: its curve and its place in it.
+    pub fn point(&self) -> Option<(usize, usize)> {
+        self.point
+    }
+
+    /// Where the diagram is.
+    pub fn plot(&self, frame: &Frame) -> Option<Plot> {
+        Some(Plot::of(panel(frame), self.measured()?))
+    }
+
+    /// What the diagram says, in a line.
+    pub fn verdict(&self) -> Option<String> {
+        let measured = self.measured()?;
+        let shipped = measured.shipped_point()?;
+        let mut words = format!("As shipped: error {}, {} ns.", number(shipped.error), number(shipped.work));
+        if let Some((curve, point)) = measured.cheapest() {
+            let costs = shipped.work / point.work;
+            let cheapest = format!("{} at {}, {} ns", curve.name, step(point.step), number(point.work));
+            words += &format!("  Cheapest within the tolerance: {cheapest}; the shipped point costs {} times that.", number(costs));
+        }
+        Some(words)
+    }
+
+    /// Where it was measured, in a line.
+    pub fn source(&self) -> String {
+        let setting = &self.shown.charts.setting;
+        let commit = setting.commit.as_ref().map_or(String::new(), |commit| format!(", commit {commit}"));
+        let runs = if setting.quick { "few runs a point" } else { "medians" };
+        let whose =
+            if self.shown.kept { "Came with the game; `resultant chart` measures here." } else { "From the folder charts." };
+        format!("Measured on {}{commit}, {} build, {runs}. {whose}", setting.machine, setting.profile)
+    }
+
+    /// Its buttons: Back, Previous, Next, Method.
+    pub fn toolbar(&self) -> &Toolbar {
+        &self.toolbar
+    }
+
+    fn turn_to(&mut self, scene: usize) {
+        self.scene = scene.checked_rem(self.shown.charts.diagrams.len()).unwrap_or(0);
+        self.picked = None;
+    }
+
+    /// Goes through the curves, and through none of them, in either direction.
+    fn pick(&mut self, by: isize) {
+        let curves = self.measured().map_or(0, |measured| measured.curves.len());
+        // None stands before the first and after the last.
+        let places = curves as isize + 1;
+        let place = self.picked.map_or(0, |curve| curve as isize + 1);
+        self.picked = usize::try_from((place + by).rem_euclid(places) - 1).ok();
+    }
+}
+
+/// What the diagram lies on.
+fn panel(frame: &Frame) -> Area {
+    let body = body(frame);
+    Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - WORDS)
+}
+
+#[cfg(feature = "window")]
+mod drawing {
+    use super::{ChartsPage, panel};
+    use crate::view::canvas::{Canvas, Style};
+    use crate::view::diagram::{self, Picked};
+    use crate::view::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
+    use crate::view::{theme, widgets};
+
+    impl ChartsPage {
+        /// Draws the diagram, what it says, and the buttons.
+        pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
+            let panel = panel(canvas.frame());
+            let (middle, widest) = (panel.centre().x, panel.size.x);
+            let scenes = self.charts().diagrams.len();
+            let labels = [("Back", "Esc"), ("Previous", "←"), ("Next", "→"), ("Method", "↓")];
+            self.toolbar.draw(canvas, &labels[..]);
+            let foot = panel.max().y;
+            if let Some(problem) = self.problem() {
+                widgets::fitted(canvas, problem, Vec2::new(middle, foot + 42.0), widest, &[TEXT, DETAILS], theme::BAD);
+            }
+            let (Some(measured), Some(plot)) = (self.measured(), self.plot(canvas.frame())) else {
+                widgets::panel(canvas, panel);
+                canvas.text("There are no charts to show.", panel.centre(), Style::new(TEXT, theme::QUIET).centred().middle());
+                return;
+            };
+            let title = Vec2::new(middle, panel.min.y - 20.0);
+            widgets::fitted(canvas, &measured.title, title, widest - 240.0, &[BUTTON_TEXT, TEXT], theme::TEXT);
+            let count = format!("{} of {scenes}", self.scene + 1);
+            let style = Style::new(TEXT, theme::QUIET).mono().middle();
+            canvas.text(&count, Vec2::new(panel.max().x, title.y), style.right());
+            if let Some(verdict) = self.verdict() {
+                widgets::fitted(canvas, &verdict, Vec2::new(middle, foot + 18.0), widest, &[TEXT, DETAILS], theme::TEXT);
+            }
+            if self.problem().is_none() {
+                widgets::fitted(canvas, &self.source(), Vec2::new(middle, foot + 42.0), widest, &[DETAILS], theme::QUIET);
+            }
+            diagram::draw(canvas, &plot, measured, Picked { curve: self.picked(), point: self.point() });
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! Draws a work–precision diagram: the same picture as `resultant chart` makes, with one curve or point picked out.
+
+use super::canvas::{Canvas, Style};
+use super::layout::{Area, DETAILS, TEXT, Vec2};
+use super::plot::{Plot, dashes};
+use super::{theme, widgets};
+use crate::lab::TOLERANCE;
+use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
+use crate::lab::curve::{Measured, Point};
+use crate::lab::look::{FRAME, Look, Marker, RING, TOLERANCE_DASH};
+use macroquad::color::Color;
+
+/// Powers of ten that an axis names, at most.
+const NAMED: i32 = 9;
+/// How much of its colour a curve keeps while another is picked out.
+const QUIETED: f32 = 0.2;
+/// From a legend line's left end to its words.
+const WORDS: f32 = 52.0;
+/// Length of the sample of a curve in the legend.
+const SAMPLE: f32 = 40.0;
+
+/// What is picked out of a diagram.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Picked {
+    /// A curve.
+    pub curve: Option<usize>,
+    /// A point under the pointer: its curve and its place in it.
+    pub point: Option<(usize, usize)>,
+}
+
+/// Draws all of it.
+pub fn draw(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
+    widgets::panel(canvas, plot.panel);
+    axes(canvas, plot, measured);
+    let tolerance = plot.upwards(plot.axes.error.part(measured.tolerance));
+    let ends = [Vec2::new(plot.area.min.x, tolerance), Vec2::new(plot.area.max().x, tolerance)];
+    dashed(canvas, &ends, TOLERANCE_DASH, 2.0, theme::GOOD);
+    for (index, curve) in measured.curves.iter().enumerate() {
+        let look = Look::of(index, curve);
+        let colour = shade(theme::rgb(look.colour), picked.curve.is_none_or(|picked| picked == index));
+        let line: Vec<Vec2> = curve.points.iter().filter(|point| !point.blew_up()).map(|point| plot.at(point)).collect();
+        stroke(canvas, &line, &look, colour);
+        for point in &curve.points {
+            let shape = if point.blew_up() { Marker::Cross } else { look.marker };
+            marker(canvas, plot.at(point), shape, colour);
+        }
+    }
+    for point in measured.shipped().into_iter().flat_map(|(_, points)| points) {
+        canvas.ring(plot.at(&point), RING + 1.0, 2.0, theme::ACCENT);
+    }
+    if let Some((_, point)) = measured.cheapest() {
+        frame(canvas, plot.at(&point));
+    }
+    legend(canvas, plot, measured, picked);
+    if let Some(point) = picked.point {
+        tip(canvas, plot, measured, point);
+    }
+}
+
+/// A colour, or what is left of it on a panel.
+fn shade(colour: Color, whole: bool) -> Color {
+    let part = if whole { 1.0 } else { QUIETED };
+    let mix = |a: f32, b: f32| a * part + b * (1.0 - part);
+    Color::new(mix(colour.r, theme::PANEL.r), mix(colour.g, theme::PANEL.g), mix(colour.b, theme::PANEL.b), 1.0)
+}
+
+fn axes(canvas: &Canvas, plot: &Plot, measured: &Measured) {
+    let (area, end) = (plot.area, plot.area.max());
+    let quiet = Style::new(DETAILS, theme::QUIET).middle();
+    let upright = |x: f32, colour| canvas.hairline(Vec2::new(x, area.min.y), Vec2::new(x, end.y), colour);
+    let level = |y: f32, colour| canvas.hairline(Vec2::new(area.min.x, y), Vec2::new(end.x, y), colour);
+    let part = |decades: &Decades, exponent: i32| f64::from(exponent - decades.from) / f64::from(decades.to - decades.from);
+    canvas.rounded(area, 0.0, theme::GROUND);
+    let (work, error) = (&plot.axes.work, &plot.axes.error);
+    work.named(NAMED).for_each(|exponent| upright(plot.across(part(work, exponent)), theme::PANEL_EDGE));
+    error.named(NAMED).for_each(|exponent| level(plot.upwards(part(error, exponent)), theme::PANEL_EDGE));
+    for edge in [area.min.x, end.x] {
+        upright(edge, theme::SOLID);
+    }
+    for edge in [area.min.y, end.y] {
+        level(edge, theme::SOLID);
+    }
+    for exponent in work.named(NAMED) {
+        canvas.text(&power(exponent), Vec2::new(plot.across(part(work, exponent)), end.y + 18.0), quiet.centred());
+    }
+    for exponent in error.named(NAMED) {
+        canvas.text(&power(exponent), Vec2::new(area.min.x - 10.0, plot.upwards(part(error, exponent))), quiet.right());
+    }
+    let words = Style::new(TEXT, theme::TEXT).middle();
+    canvas.text(&measured.error, Vec2::new(area.min.x, area.min.y - 22.0), words);
+    canvas.text(&measured.work, Vec2::new(area.centre().x, end.y + 44.0), words.centred());
+}
+
+fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Color) {
+    let width = look.width as f32;
+    match look.dash {
+        None => line.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], width, colour)),
+        Some(dash) => dashed(canvas, line, dash, width, colour),
+    }
+}
+
+fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), width: f32, colour: Color) {
+    for (from, to) in dashes(line, on as f32, off as f32) {
+        canvas.line(from, to, width, colour);
+    }
+}
+
+fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Color) {
+    for piece in shape.pieces() {
+        let corners: Vec<Vec2> = piece.into_iter().map(|corner| at + Vec2::from(corner)).collect();
+        canvas.convex(&corners, colour);
+    }
+}
+
+fn frame(canvas: &Canvas, at: Vec2) {
+    canvas.rounded_edge(Area::around(at, Vec2::splat(2.0 * FRAME + 2.0)), 0.0, 2.0, theme::GOOD);
+}
+
+fn legend(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
+    let places = |line: usize| {
+        let area = plot.legend(line);
+        let y = area.centre().y;
+        (area, Vec2::new(area.min.x + SAMPLE / 2.0, y), Vec2::new(area.min.x + WORDS, y))
+    };
+    for (index, curve) in measured.curves.iter().enumerate() {
+        let (area, middle, words) = places(index);
+        if picked.curve == Some(index) {
+            canvas.rounded(area, 6.0, theme::PANEL_HOVER);
+        }
+        let whole = picked.curve.is_none_or(|picked| picked == index);
+        let look = Look::of(index, curve);
+        let colour = shade(theme::rgb(look.colour), whole);
+        stroke(canvas, &[Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y)], &look, colour);
+        marker(canvas, middle, look.marker, colour);
+        canvas.text(&curve.name, words, Style::new(TEXT, shade(theme::TEXT, whole)).middle());
+    }
+    let quiet = Style::new(TEXT, theme::QUIET).middle();
+    let mut line = measured.curves.len();
+    let mut note = |sample: &dyn Fn(Area, Vec2), text: &str| {
+        let (area, middle, words) = places(line);
+        // Half a line stands between the curves and the notes.
+        let down = Vec2::new(0.0, area.size.y / 2.0);
+        sample(Area { min: area.min + down, ..area }, middle + down);
+        canvas.text(text, words + down, quiet);
+        line += 1;
+    };
+    let tolerance = if measured.tolerance == TOLERANCE {
+        "a tenth of a pixel, 1/300 m".to_owned()
+    } else {
+        format!("tolerance {}", number(measured.tolerance))
+    };
+    let sample = |area: Area, middle: Vec2| {
+        let ends = [Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y)];
+        dashed(canvas, &ends, TOLERANCE_DASH, 2.0, theme::GOOD);
+    };
+    note(&sample, &tolerance);
+    if measured.shipped().is_some() {
+        note(&|_, middle| canvas.ring(middle, RING, 2.0, theme::ACCENT), "as shipped");
+    }
+    if measured.cheapest().is_some() {
+        note(&|_, middle| frame(canvas, middle), "cheapest within the tolerance");
+    }
+    let points = || measured.curves.iter().flat_map(|curve| &curve.points);
+    if points().any(Point::blew_up) {
+        note(&|_, middle| marker(canvas, middle, Marker::Cross, theme::QUIET), "upper edge: blew up");
+    }
+    if points().any(|point| point.error < LEAST_ERROR) {
+        let foot = |area: Area, middle: Vec2| {
+            canvas.line(Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y), 2.0, theme::SOLID)
+        };
+        note(&foot, "lower edge: no error");
+    }
+    let better = |area: Area, middle: Vec2| {
+        let (from, to) = (Vec2::new(area.min.x + 28.0, middle.y - 8.0), Vec2::new(area.min.x + 12.0, middle.y + 8.0));
+        canvas.line(from, to, 2.0, theme::QUIET);
+        canvas.convex(&[to + Vec2::new(-2.0, 2.0), to + Vec2::new(8.0, -1.0), to + Vec2::new(1.0, -8.0)], theme::QUIET);
+    };
+    note(&better, "lower left is better");
+}
+
+/// What a point stands for, beside it and inside the panel, above all else.
+fn tip(canvas: &Canvas, plot: &Plot, measured: &Measured, (curve, index): (usize, usize)) {
+    let Some((curve, point)) = measured.curves.get(curve).and_then(|curve| Some((curve, curve.points.get(index)?))) else { return };
+    let error = if point.blew_up() { "blew up".to_owned() } else { format!("error {}", with_unit(point.error, &measured.error)) };
+    let lines =
+        [format!("{}, step {}", curve.name, step(point.step)), format!("{}, {error}", with_unit(point.work, &measured.work))];
+    let style = Style::new(TEXT, theme::TEXT).middle();
+    let line = canvas.line_height(TEXT);
+    let width = lines.iter().map(|text| canvas.width(text, style)).fold(0.0, f32::max);
+    let size = Vec2::new(width + 32.0, 2.0 * line + 16.0);
+    let at = plot.at(point);
+    let above = Vec2::new(at.x - size.x / 2.0, at.y - size.y - 20.0);
+    let below = Vec2::new(above.x, at.y + 20.0);
+    let inside = plot.panel.inset(8.0);
+    let corner = if above.y < inside.min.y { below } else { above }.clamp(inside.min, (inside.max() - size).max(inside.min));
+    canvas.end_layer();
+    widgets::panel_in(canvas, Area { min: corner, size }, theme::PANEL_HOVER, theme::SOLID_TOP);
+    for (i, text) in lines.iter().enumerate() {
+        canvas.text(text, corner + Vec2::new(16.0, 8.0 + (i as f32 + 0.5) * line), style);
+    }
+}
+
+/// A number with the unit that an axis names last, as in "error of position, m".
+pub fn with_unit(value: f64, axis: &str) -> String {
+    let unit = axis.rsplit_once(", ").and_then(|(_, unit)| unit.split_whitespace().next()).unwrap_or_default();
+    format!("{} {unit}", number(value)).trim_end().to_owned()
+}

@@ -1,0 +1,139 @@
+//! Where a work–precision diagram goes on the canvas: plot, legend, points. Plain arithmetic; [`super::diagram`] draws it.
+
+use super::layout::{Area, Vec2};
+use crate::lab::axes::Axes;
+use crate::lab::curve::{Measured, Point};
+
+/// From the panel's left edge to the plot: the error's powers of ten.
+const LEFT: f32 = 80.0;
+/// From the panel's top to the plot: what the error is.
+const TOP: f32 = 48.0;
+/// From the plot to the panel's foot: the work's powers of ten, and what it is.
+const BOTTOM: f32 = 64.0;
+/// Width of the legend.
+const LEGEND: f32 = 320.0;
+/// Between the plot and the legend.
+const BETWEEN: f32 = 32.0;
+/// From one line of the legend to the next, where there is room.
+const LINE: f32 = 26.0;
+/// Lines of the legend below those of the curves: tolerance, shipped, cheapest, and what the edges mean.
+const NOTES: usize = 6;
+/// The pointer is on a point up to this far from it.
+const NEAR: f32 = 12.0;
+
+/// A diagram's places.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plot {
+    /// What it lies on.
+    pub panel: Area,
+    /// Between the axes.
+    pub area: Area,
+    /// What they say.
+    pub axes: Axes,
+    /// From one line of the legend to the next.
+    pitch: f32,
+}
+
+impl Plot {
+    /// A diagram that fills a panel.
+    pub fn of(panel: Area, measured: &Measured) -> Self {
+        let width = panel.size.x - LEFT - BETWEEN - LEGEND;
+        let area = Area::new(panel.min.x + LEFT, panel.min.y + TOP, width, panel.size.y - TOP - BOTTOM);
+        let lines = (measured.curves.len() + NOTES) as f32;
+        Self { panel, area, axes: Axes::of(measured), pitch: LINE.min((panel.size.y - 32.0) / lines) }
+    }
+
+    /// Where a point is drawn.
+    pub fn at(&self, point: &Point) -> Vec2 {
+        let (right, up) = self.axes.place(point);
+        Vec2::new(self.across(right), self.upwards(up))
+    }
+
+    /// So many parts of the way along the work.
+    pub fn across(&self, part: f64) -> f32 {
+        self.area.min.x + self.area.size.x * part as f32
+    }
+
+    /// So many parts of the way up the error.
+    pub fn upwards(&self, part: f64) -> f32 {
+        self.area.max().y - self.area.size.y * part as f32
+    }
+
+    /// A line of the legend: first those of the curves, then the notes.
+    pub fn legend(&self, line: usize) -> Area {
+        let top = self.panel.min.y + 16.0 + line as f32 * self.pitch;
+        Area::new(self.panel.max().x - LEGEND, top, LEGEND - 16.0, self.pitch)
+    }
+
+    /// The point under the pointer, as its curve and its place in it.
+    pub fn point_near(&self, measured: &Measured, pointer: Vec2) -> Option<(usize, usize)> {
+        let points = measured.curves.iter().enumerate().flat_map(|(curve, measured)| {
+            measured.points.iter().enumerate().map(move |(index, point)| ((curve, index), self.at(point).distance(pointer)))
+        });
+        points.filter(|(_, distance)| *distance <= NEAR).min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(found, _)| found)
+    }
+}
+
+/// The pieces of a dashed way through `corners`: `on` drawn, `off` left out.
+pub fn dashes(corners: &[Vec2], on: f32, off: f32) -> Vec<(Vec2, Vec2)> {
+    let mut pieces = Vec::new();
+    let mut walked = 0.0;
+    for pair in corners.windows(2) {
+        let (from, to) = (pair[0], pair[1]);
+        let length = from.distance(to);
+        let along = |way: f32| from + (to - from) * (way / length);
+        let mut way = 0.0;
+        while way < length {
+            let phase = (walked + way) % (on + off);
+            let left = if phase < on { on - phase } else { on + off - phase };
+            // At least a little, so that rounding cannot hold it up.
+            let end = (way + left.max(0.01)).min(length);
+            if phase < on {
+                pieces.push((along(way), along(end)));
+            }
+            way = end;
+        }
+        walked += length;
+    }
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lab::curve::{Curve, Origin};
+
+    #[test]
+    fn a_point_is_found_where_it_is_drawn() {
+        let point = |work, error| Point { step: 0.1, work, error };
+        let curve =
+            Curve { name: "a".into(), origin: Origin::Lab, points: vec![point(10.0, 1.0), point(1e3, 1e-6), point(1e3, f64::NAN)] };
+        let measured = Measured {
+            name: "n".into(),
+            title: "t".into(),
+            error: "e".into(),
+            work: "w".into(),
+            tolerance: 1e-3,
+            shipped_step: 0.1,
+            alike: true,
+            curves: vec![curve],
+        };
+        let plot = Plot::of(Area::new(24.0, 104.0, 1232.0, 488.0), &measured);
+        for (index, point) in measured.curves[0].points.iter().enumerate() {
+            let at = plot.at(point);
+            assert!(at.cmpge(plot.area.min).all() && at.cmple(plot.area.max()).all());
+            assert_eq!(plot.point_near(&measured, at + 5.0), Some((0, index)));
+        }
+        assert_eq!(plot.point_near(&measured, plot.area.min + 60.0), None);
+        assert!(plot.area.max().x < plot.legend(0).min.x && plot.legend(0).max().x <= plot.panel.max().x);
+        assert!(plot.legend(NOTES).max().y <= plot.panel.max().y);
+    }
+
+    #[test]
+    fn dashes_go_on_round_corners() {
+        let corners = [Vec2::ZERO, Vec2::new(5.0, 0.0), Vec2::new(5.0, 7.0)];
+        let drawn: f32 = dashes(&corners, 4.0, 2.0).iter().map(|(from, to)| from.distance(*to)).sum();
+        assert!((drawn - 8.0).abs() < 0.1, "{drawn}");
+        assert!(dashes(&[Vec2::ONE, Vec2::ONE], 4.0, 2.0).is_empty());
+    }
+}

@@ -1,0 +1,45 @@
+# Menu → Lab: the charts one after the other, the stress tests, two methods side by side; by keyboard and by mouse, in three sizes.
+
+open_game
+expect lab-menu shows "$accent" 0 0 100 45 0.3
+press Down Down Down Down Return
+expect lab-charts differs lab-menu 3
+expect lab-charts drawn
+expect lab-charts shows "$accent" 5 20 70 60 0.1 # the shipped engine's curve
+press Right
+expect lab-next differs lab-charts 0.3
+press Left
+expect lab-charts-again resembles lab-charts 0.3
+press Down
+expect lab-picked differs lab-charts 0.3
+press Tab
+expect lab-stress differs lab-picked 3
+expect lab-stress shows "$good" 60 15 30 70 0.02 # what survives all
+press End
+expect lab-stress-end differs lab-stress 0.3
+press Tab space # side by side, paused
+expect lab-side differs lab-stress-end 3
+expect lab-side shows "$yellow" 5 20 42 55 0.05
+press Down
+sleep 2
+press space
+expect lab-throw differs lab-side 0.3
+click 33 5 # the tab of the charts
+expect lab-charts-by-mouse resembles lab-picked 3
+press Up # no method is picked out any more
+for size in "900 500" "1280 720" "1920 1080"; do
+  read -r width height <<<"$size"
+  resize "$width" "$height"
+  expect "lab-${width}x$height" size "$width" "$height"
+  expect "lab-${width}x$height" shows "$accent" 5 20 70 60 0.05
+done
+resize 1280 720
+press Escape
+expect lab-menu-again resembles lab-menu 3
+
+# Charts that are damaged are told, and those that came with the game are shown.
+mkdir "$data/charts"
+echo nonsense >"$data/charts/setting.csv"
+press Down Down Down Down Return
+expect lab-damaged shows "$bad" 10 80 80 10 0.1
+close_game
