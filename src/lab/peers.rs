@@ -3,8 +3,10 @@
 use super::TOLERANCE;
 use super::curve::{Curve, Measured, Origin, Point};
 
-/// The head of the file that `benches/peers` writes.
+/// The columns that are read of the file that `benches/peers` writes; more may follow.
 pub const PEERS_HEAD: &str = "scene,engine,step,work,error";
+/// How many these are.
+const COLUMNS: usize = 5;
 
 /// Adds the peers' points to the diagrams of their scenes. Piles have no exact answer by hand: they make a diagram of their own.
 ///
@@ -12,14 +14,14 @@ pub const PEERS_HEAD: &str = "scene,engine,step,work,error";
 /// A sentence with the line of the first row that cannot be read.
 pub fn add_peers(text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String> {
     let mut lines = text.lines().enumerate();
-    if lines.next().is_none_or(|(_, head)| head.trim() != PEERS_HEAD) {
+    if lines.next().is_none_or(|(_, head)| !head.split(',').map(str::trim).take(COLUMNS).eq(PEERS_HEAD.split(','))) {
         return Err(format!("line 1: expected {PEERS_HEAD}"));
     }
     let mut piles = piles();
     for (index, line) in lines.filter(|(_, line)| !line.trim().is_empty()) {
         let fields: Vec<&str> = line.split(',').map(str::trim).collect();
         let number = |i: usize| fields.get(i).and_then(|field| field.parse::<f64>().ok());
-        let (Some(step), Some(work), Some(error), 5) = (number(2), number(3), number(4), fields.len()) else {
+        let (Some(step), Some(work), Some(error)) = (number(2), number(3), number(4)) else {
             return Err(format!("line {}: expected a scene, an engine and three numbers, found {line}", index + 1));
         };
         let (scene, engine) = (fields[0], fields[1]);
@@ -72,7 +74,7 @@ mod tests {
     #[test]
     fn peers_are_added_to_their_scenes() {
         let mut diagrams = vec![Measured { name: "fall".into(), ..piles() }];
-        let text = "scene,engine,step,work,error\nfall,other,0.01,100,0.5\nfall,Resultant,0.01,10,0\npile-100,other,0.5,10,0.1\n";
+        let text = "scene,engine,step,work,error,overlap\nfall,other,0.01,100,0.5,0\nfall,Resultant,0.01,10,0\npile-100,other,0.5,10,0.1\n";
         add_peers(text, &mut diagrams).unwrap();
         assert_eq!(diagrams.len(), 2);
         assert_eq!(diagrams[0].curves.len(), 1);
