@@ -16,7 +16,7 @@ pub fn drag_in_two_dimensions(law: &Law, start: Point, seconds: f64) -> Point {
     let steps = (seconds / STEP).ceil().max(1.0);
     let h = seconds / steps;
     (0..steps as u64).fold(start, |point, _| {
-        let rate = law.drag * (point.v - law.wind).length();
+        let rate = law.drag * (point.v - law.wind).length() + law.viscous;
         let parts = (rate * h / LOST).ceil().max(1.0);
         (0..parts as u64).fold(point, |point, _| rk4(law, point, h / parts))
     })
@@ -60,7 +60,7 @@ mod tests {
         for (drag, v) in
             [(0.05, DVec2::new(20.0, -20.0)), (9.81 / 0.0324, DVec2::new(40.0, 0.0)), (9.81 / 0.0324, DVec2::new(-36.0, 0.0))]
         {
-            let law = Law { constant: DVec2::new(0.0, 9.81), drag, wind: DVec2::new(4.0, 0.0) };
+            let law = Law { constant: DVec2::new(0.0, 9.81), drag, wind: DVec2::new(4.0, 0.0), ..Law::default() };
             let start = Point { x: DVec2::ZERO, v };
             let one = drag_in_two_dimensions(&law, start, 0.5);
             let other = by_scalar_equation(&law, start, 0.5, 0.5 * STEP);

@@ -5,6 +5,9 @@ use super::TOLERANCE;
 /// The ladder of steps, s. The game's tick is among them.
 pub(super) const LADDER: [f64; 7] = [1.0 / 15.0, 1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0, 1.0 / 480.0, 1.0 / 960.0];
 
+/// What the work is, where nothing else is said.
+pub(super) const WORK: &str = "CPU time for a simulated second and body, ns";
+
 /// A question with an exact answer.
 pub struct Scene {
     /// Name of its files.
@@ -47,7 +50,7 @@ impl Scene {
             title: title.into(),
             error: "error of position at the end, m",
             tolerance: TOLERANCE,
-            work: "CPU time for a simulated second and body, ns",
+            work: WORK,
             share: seconds * bodies as f64,
             steps: LADDER.to_vec(),
             shipped_step: 1.0 / crate::game::TICK_RATE,

@@ -2,7 +2,7 @@
 
 use super::methods::impact::Block;
 use super::methods::motion::{Law, Point};
-use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
+use crate::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, SurfaceDef, World, WorldDef};
 
 /// Steps a world of such a definition for `seconds` in steps of `h`. A definition that is refused answers nothing.
 pub(super) fn run(def: WorldDef, seconds: f64, h: f64) -> Option<World> {
@@ -33,6 +33,15 @@ pub(super) fn crate_at(x: f64, y: f64, mass: f64) -> BodyDef {
 pub(super) fn in_air(law: &Law, start: Point) -> WorldDef {
     let body = BodyDef { position: start.x, velocity: start.v - law.wind, drag: 2.0 * law.drag, ..BodyDef::default() };
     WorldDef { gravity: law.constant.y, air_density: 1.0, bodies: vec![body], ..WorldDef::default() }
+}
+
+/// A world with one box of 1 m in a liquid of that density (kg/m³), so thick that it slows the box of `mass` kg by `viscous` of its
+/// velocity a second: Stokes' 3π·η·d/m with d = 1 m.
+pub(super) fn in_liquid(viscous: f64, density: f64, mass: f64, gravity: f64, start: Point) -> WorldDef {
+    let zone = Aabb::around(start.x, DVec2::splat(1e4));
+    let fluid = FluidDef { zone, density, viscosity: viscous * mass / (3.0 * std::f64::consts::PI) };
+    let body = BodyDef { position: start.x, velocity: start.v, mass, drag: 0.0, ..BodyDef::default() };
+    WorldDef { gravity, air_density: 0.0, bodies: vec![body], fluids: vec![fluid], ..WorldDef::default() }
 }
 
 /// Where that body is after `seconds`, in the ground's frame.

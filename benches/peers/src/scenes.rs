@@ -216,7 +216,7 @@ fn with_sleep(name: &str) -> &'static str {
         "slide" => "slide-sleep",
         "column" => "column-sleep",
         "column-100" => "column-100-sleep",
-        _ => "heavy-sleep",
+        _ => "heavy-on-light-sleep",
     }
 }
 

@@ -47,6 +47,12 @@ pub fn time_to_floor((y, v): Ball, g: f64) -> f64 {
     if v > 0.0 { (v + root) / g } else { 2.0 * y / (root - v).max(f64::MIN_POSITIVE) }
 }
 
+/// The path is swept: at the first impact the ball bounces where it is, and the rest of the step is lost.
+pub fn swept((y, v): Ball, g: f64, e: f64, h: f64) -> Ball {
+    let t = time_to_floor((y, v), g);
+    if t > h { (y + (v - 0.5 * g * h) * h, v - g * h) } else { (0.0, e * (v - g * t).abs()) }
+}
+
 /// Exact times of impact on the parabola; what is left of a step after some bounces within it is the geometric series: all bounces
 /// from a take-off at w end after 2w/(g·(1−e)).
 pub fn exact((mut y, mut v): Ball, g: f64, e: f64, h: f64) -> Ball {

@@ -4,6 +4,7 @@
 
 pub mod bounce;
 pub mod chain;
+pub mod flow;
 pub mod friction;
 pub mod impact;
 pub mod motion;

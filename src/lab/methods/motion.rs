@@ -1,4 +1,4 @@
-//! Smooth motion: one step of length h of a point under v′ = A − k·|u|·u, u = v − w, by each of the usual integrators.
+//! Smooth motion: one step of length h of a point under v′ = A − (k·|u| + c)·u, u = v − w, by each of the usual integrators.
 //!
 //! Nothing here looks at errors: a step is taken as the textbook has it, also where it fails. Sources: E. Hairer, C. Lubich,
 //! G. Wanner, *Geometric Numerical Integration*, I.1 (Euler's methods, Verlet), II.5 (splitting); E. Hairer, S. Nørsett, G. Wanner,
@@ -13,6 +13,8 @@ pub struct Law {
     pub constant: DVec2,
     /// Drag k = ρ·C_d·A/2m, 1/m.
     pub drag: f64,
+    /// Drag in proportion to the velocity, c, 1/s.
+    pub viscous: f64,
     /// Velocity of the air w, m/s.
     pub wind: DVec2,
 }
@@ -44,7 +46,7 @@ impl Law {
     /// Acceleration at velocity `v`, m/s².
     pub fn acceleration(&self, v: DVec2) -> DVec2 {
         let u = v - self.wind;
-        self.constant - u * (self.drag * u.length())
+        self.constant - u * (self.drag * u.length() + self.viscous)
     }
 }
 
@@ -84,17 +86,18 @@ pub fn rk4(law: &Law, Point { x, v }: Point, h: f64) -> Point {
     Point { x: x + (v + (v2 + v3) * 2.0 + v4) * (h / 6.0), v: v + (a1 + (a2 + a3) * 2.0 + a4) * (h / 6.0) }
 }
 
-/// Drag linearised to −m·u with m = k·|u| of the step's start, taken implicitly. First order; never diverges.
+/// Drag linearised to −m·u with m = k·|u| + c of the step's start, taken implicitly. First order; never diverges.
 pub fn linearised_drag(law: &Law, Point { x, v }: Point, h: f64) -> Point {
-    let m = law.drag * (v - law.wind).length();
+    let m = law.drag * (v - law.wind).length() + law.viscous;
     let v = (v + (law.constant + law.wind * m) * h) / (1.0 + m * h);
     Point { x: x + v * h, v }
 }
 
-/// The exact decay u/(1 + k·|u|·h) of drag alone, in the air's frame.
-fn decay(law: &Law, v: DVec2, h: f64) -> DVec2 {
+/// The exact decay of drag alone, in the air's frame: u·(1 − c·q)/(1 + k·|u|·q) with q = (1 − e^(−c·h))/c, which is h where c = 0.
+pub fn decay(law: &Law, v: DVec2, h: f64) -> DVec2 {
     let u = v - law.wind;
-    law.wind + u / (1.0 + law.drag * u.length() * h)
+    let q = if law.viscous > 0.0 { -libm::expm1(-law.viscous * h) / law.viscous } else { h };
+    law.wind + u * ((1.0 - law.viscous * q) / (1.0 + law.drag * u.length() * q))
 }
 
 /// Constant forces for h, then the exact decay of drag for h (Lie splitting). First order; never diverges.
@@ -137,7 +140,7 @@ mod tests {
     /// Halving the step divides the error by 2^order.
     #[test]
     fn each_method_has_its_order() {
-        let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, wind: DVec2::ZERO };
+        let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..Law::default() };
         let start = Point { x: DVec2::ZERO, v: DVec2::new(0.0, 3.0) };
         let exact = exact_fall(&law, start, 2.0).x.y;
         let methods: [(Step, f64); 7] = [
@@ -158,7 +161,7 @@ mod tests {
 
     #[test]
     fn the_exact_fall_can_be_cut_anywhere() {
-        let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, wind: DVec2::ZERO };
+        let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..Law::default() };
         let whole = exact_fall(&law, Point::default(), 6.0);
         let cut = follow(exact_fall, &law, Point::default(), 6.0, 0.1);
         assert!((whole.x - cut.x).length() < 1e-12 && (whole.v - cut.v).length() < 1e-13);

@@ -1,6 +1,6 @@
 //! Bouncing on a floor from H = 1 m. Exact, with t₀ = √(2H/g): the n-th apex at H·e^(2n), all bounces over at t₀(1+e)/(1−e).
 
-use crate::lab::methods::bounce::{Ball, Bounce, energy, exact, reflect, snap, verlet_snap};
+use crate::lab::methods::bounce::{Ball, Bounce, energy, every_tick, exact, reflect, snap, swept, verlet_snap};
 use crate::lab::{Scene, shipped};
 use crate::physics::{BodyDef, BodyId, World};
 
@@ -22,8 +22,14 @@ const JITTER: f64 = 2.0;
 const REST: f64 = 1e-12;
 
 /// The hand-written ways.
-pub const METHODS: [(&str, Bounce); 4] =
-    [("snap to the floor", snap), ("reflect", reflect), ("Verlet and snap", verlet_snap), ("exact time of impact", exact)];
+pub const METHODS: [(&str, Bounce); 6] = [
+    ("snap to the floor", snap),
+    ("reflect", reflect),
+    ("Verlet and snap", verlet_snap),
+    ("restitution every tick", every_tick),
+    ("swept, rest of tick lost", swept),
+    ("exact time of impact", exact),
+];
 
 /// The times after each step and the ball then.
 pub fn by_hand(bounce: Bounce, e: f64, seconds: f64, h: f64) -> impl Iterator<Item = (f64, Ball)> {

@@ -1,6 +1,6 @@
 //! Free flight without drag. Exact: x = x₀ + v₀·t + g·t²/2.
 
-use crate::lab::methods::motion::{Law, Point, Step, explicit_euler, follow, rk4, semi_implicit_euler, velocity_verlet};
+use crate::lab::methods::motion::{Law, METHODS, Point, follow};
 use crate::lab::{Scene, shipped};
 use crate::physics::DVec2;
 
@@ -23,14 +23,8 @@ fn scene(name: &'static str, title: &str, v: DVec2) -> Scene {
     let law = Law { constant: DVec2::new(0.0, G), ..Law::default() };
     let start = Point { x: DVec2::ZERO, v };
     let exact = v * SECONDS + law.constant * (0.5 * SECONDS * SECONDS);
-    let methods: [(&str, Step); 4] = [
-        ("explicit Euler", explicit_euler),
-        ("semi-implicit Euler", semi_implicit_euler),
-        ("velocity Verlet", velocity_verlet),
-        ("RK4", rk4),
-    ];
     let mut scene = Scene::new(name, title, SECONDS, 1);
-    for (name, step) in methods {
+    for (name, step) in METHODS {
         scene = scene.method(name, move |h| (follow(step, &law, start, SECONDS, h).x - exact).length());
     }
     scene.shipped(move |h| (shipped::flight(&law, start, SECONDS, h).x - exact).length())

@@ -29,7 +29,7 @@ pub enum Fall {
 /// The law of a fall with z = g·h/v_t.
 fn falling(z: f64) -> (Law, f64) {
     let terminal = G * TICK / z;
-    (Law { constant: DVec2::new(0.0, G), drag: G / (terminal * terminal), wind: DVec2::ZERO }, terminal)
+    (Law { constant: DVec2::new(0.0, G), drag: G / (terminal * terminal), ..Law::default() }, terminal)
 }
 
 /// A fall at z = g·h/v_t, by hand, given its start in units of the terminal velocity.
@@ -67,7 +67,7 @@ pub fn terminal_velocity() -> Vec<Survival> {
 
 /// Drag alone on something with a terminal velocity of 2 m/s.
 pub fn gust_law() -> Law {
-    Law { constant: DVec2::ZERO, drag: G / (LIGHT * LIGHT), wind: DVec2::ZERO }
+    Law { constant: DVec2::ZERO, drag: G / (LIGHT * LIGHT), ..Law::default() }
 }
 
 /// The velocities (m/s) after each of a second's ticks, of something hit by air at `speed`.

@@ -141,7 +141,7 @@ pub fn naive_takes(body: &BodyDef) -> bool {
     let law = Law {
         constant: DVec2::new(0.0, G * body.mass / body.mass),
         drag: 0.5 * 1.2041 * body.drag * area / body.mass,
-        wind: DVec2::ZERO,
+        ..Law::default()
     };
     let fastest = FASTER * (body.velocity.length_squared() + 2.0 * G * NONSENSE_HEIGHT).sqrt();
     let mut point = Point { x: body.position, v: body.velocity };

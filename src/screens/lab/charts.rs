@@ -117,8 +117,11 @@ impl ChartsPage {
         let setting = &self.shown.charts.setting;
         let commit = setting.commit.as_ref().map_or(String::new(), |commit| format!(", commit {commit}"));
         let runs = if setting.quick { "few runs a point" } else { "medians" };
-        let whose =
-            if self.shown.kept { "Came with the game; `resultant chart` measures here." } else { "From the folder charts." };
+        let whose = if self.shown.kept {
+            "Came with the game: run “resultant chart” to measure here."
+        } else {
+            "From the last run of “resultant chart” here."
+        };
         format!("Measured on {}{commit}, {} build, {runs}. {whose}", setting.machine, setting.profile)
     }
 

@@ -234,22 +234,25 @@ mod drawing {
                 canvas.text(arrow, arrow_at, Style::new(BUTTON_TEXT, theme::TEXT).centred().middle());
                 canvas.text(key, key_at, Style::new(TEXT, theme::ACCENT).mono().centred().middle());
             }
-            self.draw_words(canvas, Vec2::new(middle, halves[0].max().y + 22.0));
+            let (left, right) = (halves[0], halves[1]);
+            let row = Area::new(left.min.x, left.max().y, right.max().x - left.min.x, super::WORDS);
+            self.draw_words(canvas, row);
             let pause = if self.is_paused() { "Go on" } else { "Pause" };
             self.toolbar
                 .draw(canvas, &[("Back", "Esc"), ("Restart", "R"), (pause, "Space"), ("Scene before", "↑"), ("Next scene", "↓")]);
         }
 
-        fn draw_words(&self, canvas: &Canvas, at: Vec2) {
+        /// Below the halves: what the outline means at the left, the time at the right.
+        fn draw_words(&self, canvas: &Canvas, row: Area) {
             let quiet = Style::new(TEXT, theme::QUIET).middle();
+            let ghost = Area::around(Vec2::new(row.min.x + 8.0, row.centre().y), Vec2::splat(16.0));
+            canvas.rounded_edge(ghost, 0.0, 2.0, theme::GOOD);
+            canvas.text("the exact answer", Vec2::new(ghost.max().x + 10.0, row.centre().y), quiet);
             let speed = self.exhibit().speed;
             let pace = if speed < 1.0 { format!("   {} times slower than real", number(1.0 / speed)) } else { String::new() };
-            let end = if self.is_over() { "   the end: R starts again" } else { "" };
+            let end = if self.is_over() { "   the end" } else { "" };
             let words = format!("time {:6.3} s   60 steps a second{pace}{end}", self.time());
-            canvas.text(&words, at, quiet.mono().centred());
-            let ghost = Area::around(at + Vec2::new(panels(canvas.frame())[0].min.x + 8.0 - at.x, 0.0), Vec2::splat(16.0));
-            canvas.rounded_edge(ghost, 0.0, 2.0, theme::GOOD);
-            canvas.text("the exact answer", Vec2::new(ghost.max().x + 10.0, at.y), quiet);
+            canvas.text(&words, Vec2::new(row.max().x, row.centre().y), quiet.mono().right());
         }
 
         fn draw_half(&self, canvas: &Canvas, half: &Half<'_>, panel: Area, colour: Color) {
