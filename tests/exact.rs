@@ -116,6 +116,28 @@ fn static_friction_holds_below_its_limit_and_gives_way_above() {
     }
 }
 
+/// A wall carries friction as a floor does: what is pressed against it slides down only if μ_s times the press is too little.
+#[test]
+fn what_is_pressed_against_a_wall_is_held_by_friction() {
+    let wall = SurfaceDef { bounds: Aabb::new(DVec2::new(0.0, -100.0), DVec2::new(1.0, 100.0)), material: Material::ASPHALT };
+    for (part, moves) in [(0.99, false), (1.02, true)] {
+        let body = BodyDef { position: DVec2::new(-0.5, 0.0), mass: 10.0, ..BodyDef::default() };
+        let def = WorldDef { air_density: 0.0, bodies: vec![body], surfaces: vec![wall.clone()], ..WorldDef::default() };
+        let mut world = World::new(def).unwrap();
+        let press = 150.0 / (part * 0.9);
+        world.set_drive(BodyId(0), DVec2::new(press, 0.0));
+        run(&mut world, 2.0, TICK);
+        let (body, friction) = (world.body(BodyId(0)), world.forces(BodyId(0)).total(ForceKind::Friction));
+        if moves {
+            let a = G - 0.65 * press / 10.0;
+            assert!((body.acceleration.y - a).abs() < 1e-12 && (body.position.y - a * 2.0).abs() < 1e-9, "{body:?}");
+        } else {
+            assert_eq!((body.position, body.velocity), (DVec2::new(-0.5, 0.0), DVec2::ZERO));
+            assert_eq!(friction, DVec2::new(0.0, -150.0));
+        }
+    }
+}
+
 #[test]
 fn bounces_reach_their_apexes_and_end_when_the_series_does() {
     let (e, height) = (0.9, 1.0);

@@ -4,7 +4,7 @@
 //! looked at more closely, and the list holds until a body is about to leave its box. It is always complete and always in the same
 //! order, so that it changes no bit of any motion.
 
-use super::tuning::SKIN;
+use super::tuning::{SKIN, SLOP};
 use super::{Aabb, World};
 use glam::DVec2;
 
@@ -18,10 +18,13 @@ pub(super) struct Pair {
 /// The list of pairs and the boxes for which it holds.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Candidates {
-    pub pairs: Vec<Pair>,
+    /// Those with something that is awake; the others cannot meet.
+    pub live: Vec<Pair>,
+    pairs: Vec<Pair>,
     allowed: Vec<Aabb>,
     by_left_edge: Vec<u32>,
     near: Vec<bool>,
+    at_border: Vec<bool>,
     fresh: bool,
 }
 
@@ -29,6 +32,11 @@ impl Candidates {
     /// Whether a body is in any pair.
     pub fn has_neighbours(&self, body: usize) -> bool {
         self.near[body]
+    }
+
+    /// Whether a body may meet something or cross the border of a zone.
+    pub fn is_near(&self, body: usize) -> bool {
+        self.near[body] || self.at_border[body]
     }
 
     /// Something was added or moved by hand: the list has to be made anew.
@@ -40,12 +48,17 @@ impl Candidates {
 impl World {
     /// Makes sure that the list holds for the next `dt` seconds.
     pub(super) fn refresh_candidates(&mut self, dt: f64) {
+        // Where there is nothing to meet and no border the list stays empty.
+        let empty = !self.plan.contacts && !self.plan.streams;
         let holds = self.candidates.fresh
-            && self.bodies.iter().zip(&self.candidates.allowed).zip(&self.laws).all(|((body, allowed), law)| {
-                let reach = body.velocity.abs() * dt + law.constant.abs() * (dt * dt);
-                let bounds = body.bounds();
-                allowed.contains(&Aabb::new(bounds.min - reach, bounds.max + reach), 0.0)
-            });
+            && (empty
+                || self.awake.iter().all(|&index| {
+                    let i = index as usize;
+                    let (body, law, allowed) = (&self.bodies[i], &self.laws[i], &self.candidates.allowed[i]);
+                    let reach = body.velocity.abs() * dt + law.constant.abs() * (dt * dt);
+                    let bounds = body.bounds();
+                    allowed.contains(&Aabb::new(bounds.min - reach, bounds.max + reach), 0.0)
+                }));
         if !holds {
             self.rebuild_candidates(dt);
         }
@@ -96,6 +109,22 @@ impl World {
                 *near = true;
             }
         }
+        list.at_border.clear();
+        list.at_border.extend(list.allowed.iter().map(|allowed| {
+            self.media.streams.iter().any(|stream| allowed.touches(&stream.zone, SLOP) && !stream.zone.contains(allowed, 0.0))
+        }));
         list.fresh = true;
+        self.list_live_pairs();
+    }
+
+    /// Lists the pairs of which not both rest.
+    pub(super) fn list_live_pairs(&mut self) {
+        let mut live = std::mem::take(&mut self.candidates.live);
+        live.clear();
+        live.extend(self.candidates.pairs.iter().filter(|pair| {
+            let awake = |item: u32| !self.immovable(item) && !self.rests(item);
+            awake(pair.a) || awake(pair.b)
+        }));
+        self.candidates.live = live;
     }
 }

@@ -20,6 +20,8 @@ pub(super) struct Contact {
     pub closed: bool,
     /// Whether its ends part by mere rounding and count as resting (see `impacts`).
     pub clings: bool,
+    /// How often it has bounced with loss in the present cascade of impacts.
+    pub lossy_hits: u32,
     /// Which way `hi` slides over `lo` along the other axis: −1, 0 (it sticks) or 1.
     pub slides: f64,
     /// Push of `lo` on `hi` along the axis, N, ≥ 0.
@@ -91,27 +93,46 @@ impl World {
             kinetic_friction,
             closed,
             clings: false,
+            lossy_hits: 0,
             slides: 0.0,
             normal: 0.0,
             friction: 0.0,
         }
     }
 
-    /// Lists the closed contacts: touching, and neither parting nor (impacts are over by now) approaching.
-    pub(super) fn find_contacts(&mut self) {
-        let mut contacts = std::mem::take(&mut self.contacts);
-        contacts.clear();
-        for &pair in &self.candidates.pairs {
-            let Some(mut contact) = self.contact(pair, SLOP) else { continue };
-            let relative = self.velocity(contact.hi) - self.velocity(contact.lo);
-            if relative[contact.axis] == 0.0 {
-                let along = 1 - contact.axis;
-                let fastest = self.velocity(contact.hi)[along].abs().max(self.velocity(contact.lo)[along].abs());
-                let sliding = relative[along];
-                contact.slides = if sliding.abs() <= SPEED_ROUNDING * fastest { 0.0 } else { sliding.signum() };
-                contacts.push(contact);
+    /// Finds the closed contacts among what touches: those that neither part nor (impacts are over by now) approach. `met` is the pair
+    /// that has just hit: only its impact was along the axis in which it met.
+    pub(super) fn find_contacts(&mut self, met: Option<Pair>) {
+        let mut found = std::mem::take(&mut self.found);
+        found.clear();
+        for touching in &self.touching {
+            let again = if met == Some(touching.pair) { self.contact(touching.pair, SLOP) } else { None };
+            if met == Some(touching.pair) && again.is_none() {
+                continue;
+            }
+            let &Contact { pair, axis, lo, hi, static_friction, kinetic_friction, .. } = again.as_ref().unwrap_or(touching);
+            let (lo_speed, hi_speed) = (self.velocity(lo), self.velocity(hi));
+            if hi_speed[axis] - lo_speed[axis] == 0.0 {
+                let along = 1 - axis;
+                let fastest = hi_speed[along].abs().max(lo_speed[along].abs());
+                let sliding = hi_speed[along] - lo_speed[along];
+                let slides = if sliding.abs() <= SPEED_ROUNDING * fastest { 0.0 } else { sliding.signum() };
+                found.push(Contact {
+                    pair,
+                    axis,
+                    lo,
+                    hi,
+                    static_friction,
+                    kinetic_friction,
+                    closed: true,
+                    clings: false,
+                    lossy_hits: 0,
+                    slides,
+                    normal: 0.0,
+                    friction: 0.0,
+                });
             }
         }
-        self.contacts = contacts;
+        self.found = found;
     }
 }

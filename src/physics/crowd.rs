@@ -71,7 +71,6 @@ impl World {
 
     /// One tick of a crowd.
     pub(super) fn step_crowd(&mut self, crowd: &mut Crowd, dt: f64) {
-        self.refresh_laws();
         for (i, body) in self.bodies.iter().enumerate() {
             crowd.pile.set_force(i, self.outer_force(body, &self.laws[i], dt));
         }
@@ -84,7 +83,9 @@ impl World {
             (body.position, body.velocity) = (crowd.pile.position(i), crowd.pile.velocity(i));
         }
         self.report_crowd(crowd);
-        self.still = crowd.pile.is_asleep();
+        if crowd.pile.is_asleep() && self.bodies.iter().zip(&self.previous).all(|(body, previous)| body.position == *previous) {
+            self.awake.clear();
+        }
     }
 
     /// Tells bodies where they would get to if no constant force says it: near zones, and where they are held.
@@ -127,7 +128,9 @@ impl World {
 
     /// Lists the forces of the last step.
     fn show_crowd(&mut self, crowd: &mut Crowd) {
-        self.list_media_forces();
+        for i in 0..self.bodies.len() {
+            self.list_media_forces(i);
+        }
         crowd.contacts.clear();
         crowd.pile.contact_forces(&mut crowd.contacts);
         for contact in &crowd.contacts {

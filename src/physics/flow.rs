@@ -99,13 +99,16 @@ fn decay(mut pose: Pose, t: f64, acceleration: impl Fn(DVec2, DVec2) -> DVec2, r
     pose
 }
 
+/// Whether something that moved more across than up or down (or, not `across`, the other way round) does so no longer at velocity `v`.
+pub(super) fn has_turned(across: bool, v: DVec2) -> bool {
+    let v = v.abs();
+    if across { v.x < v.y } else { v.y < v.x }
+}
+
 /// When something begins to move more across than up or down, or, `across` now, the other way round: the side that meets the air
 /// changes, and with it the law.
 pub(super) fn time_of_turn(across: bool, end: f64, mut velocity: impl FnMut(f64) -> DVec2) -> Option<f64> {
-    let mut turned = |t| {
-        let v = velocity(t).abs();
-        if across { v.x < v.y } else { v.y < v.x }
-    };
+    let mut turned = |t| has_turned(across, velocity(t));
     let (mut from, mut to) = (MIN_SPLIT, end);
     if to <= from || !turned(to) || turned(from) {
         return None;

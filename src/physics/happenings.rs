@@ -67,8 +67,8 @@ impl World {
 
     /// Cubics that follow the motions for `end` seconds.
     fn draw_cubics(&mut self, end: f64) {
-        self.cubics.clear();
-        for i in 0..self.bodies.len() {
+        for index in 0..self.awake.len() {
+            let i = self.awake[index] as usize;
             let (x, v) = (self.bodies[i].position, self.bodies[i].velocity);
             let cubic = match self.motions[i] {
                 Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
@@ -79,7 +79,7 @@ impl World {
                 }
                 Motion::Flow | Motion::Coupled => Cubic::parabola(x, v, self.solved[i]),
             };
-            self.cubics.push(cubic);
+            self.cubics[i] = cubic;
         }
     }
 
@@ -102,8 +102,8 @@ impl World {
 
     fn next_hit(&mut self, first: &mut (f64, Happening)) {
         let mut closed = 0;
-        for index in 0..self.candidates.pairs.len() {
-            let pair = self.candidates.pairs[index];
+        for index in 0..self.candidates.live.len() {
+            let pair = self.candidates.live[index];
             while self.contacts.get(closed).is_some_and(|contact| contact.pair < pair) {
                 closed += 1;
             }
@@ -226,7 +226,8 @@ impl World {
 
     /// Borders of zones, and kinks of drag.
     fn next_crossing(&mut self, first: &mut (f64, Happening)) {
-        for i in 0..self.bodies.len() {
+        for index in 0..self.awake.len() {
+            let i = self.awake[index] as usize;
             if self.motions[i] == Motion::Still || self.crossings[i] >= MAX_CROSSINGS {
                 continue;
             }

@@ -68,7 +68,16 @@ impl Polynomial {
 
     /// The first t in (from, end] at which it falls through `level`: from above it to it or below, or back into it from a rise that
     /// ended at it (within [`SLOP`] below: things that parted by a rounding and come back).
+    #[inline]
     pub fn falls_through(&self, level: f64, from: f64, end: f64) -> Option<f64> {
+        let (least, most) = self.bounds(end);
+        if least > level + SLOP || most < level - 3.0 * SLOP {
+            return None;
+        }
+        self.find_fall(level, from, end)
+    }
+
+    fn find_fall(&self, level: f64, from: f64, end: f64) -> Option<f64> {
         let shifted = Self([self.0[0] - level, self.0[1], self.0[2], self.0[3]]);
         let (first, second) = shifted.turning_points();
         let mut begin = from;

@@ -26,14 +26,17 @@ pub(super) struct Resume {
 impl World {
     /// Ends every approach of things that touch. `hit` is the pair whose time of impact this is; others bounce when their gap is ≤ 0 or they
     /// rested on each other. `left` is what remains of the tick, s.
-    pub(super) fn resolve_impacts(&mut self, hit: Option<Contact>, now: f64, left: f64) {
+    /// Returns whether any velocity was changed.
+    pub(super) fn resolve_impacts(&mut self, hit: Option<Contact>, now: f64, left: f64) -> bool {
+        self.wake_what_is_touched(hit);
         self.gather_touching(hit);
-        let cap = CASCADE_HITS * self.touching.len().max(4);
-        let (mut hits, mut lossy) = (0, 0);
-        while let Some((index, speed, e)) = self.next_impact(lossy < cap && hits < MAX_CASCADE) {
+        let mut turned = false;
+        let mut hits = 0;
+        while let Some((index, speed, e)) = self.next_impact(hits < MAX_CASCADE) {
+            turned = true;
             if e > 0.0 {
                 hits += 1;
-                lossy += usize::from(e < 1.0);
+                self.touching[index].lossy_hits += u32::from(e < 1.0);
                 self.bounce(index, speed, e, now, left);
                 continue;
             }
@@ -41,6 +44,7 @@ impl World {
             self.stop_together();
             break;
         }
+        turned
     }
 
     /// The plastic solve of all that touches. Pushing one side of a body can lift it off the other by next to nothing; where it is
@@ -49,7 +53,7 @@ impl World {
         let items = self.bodies.len() + self.blocks.len();
         let mut touching = std::mem::take(&mut self.touching);
         for _ in 0..=touching.len() {
-            self.reactions.collide(&mut touching, &mut self.bodies, items, &mut self.free);
+            self.reactions.collide(&mut touching, &mut self.bodies, items, &mut self.speeds);
             let mut lifted = false;
             for contact in &mut touching {
                 if !contact.clings && self.clings(contact) {
@@ -64,11 +68,12 @@ impl World {
         self.touching = touching;
     }
 
-    fn gather_touching(&mut self, hit: Option<Contact>) {
+    /// Lists what touches.
+    pub(super) fn gather_touching(&mut self, hit: Option<Contact>) {
         let mut touching = std::mem::take(&mut self.touching);
         touching.clear();
         let mut known = self.contacts.iter().peekable();
-        for &pair in &self.candidates.pairs {
+        for &pair in &self.candidates.live {
             while known.peek().is_some_and(|contact| contact.pair < pair) {
                 known.next();
             }
@@ -95,8 +100,11 @@ impl World {
     /// Whether two things part so slowly that they rest on each other, if nothing pulls them apart.
     fn clings(&self, contact: &Contact) -> bool {
         let approach = self.approach(contact);
+        if !(-MICRO_SPEED..0.0).contains(&approach) {
+            return false;
+        }
         let tried = |item: u32| self.clung.get(item as usize).is_some_and(|&clung| clung > MAX_CLINGS);
-        if !(-MICRO_SPEED..0.0).contains(&approach) || tried(contact.lo) || tried(contact.hi) {
+        if tried(contact.lo) || tried(contact.hi) {
             return false;
         }
         let pull = |item: u32| {
@@ -138,7 +146,7 @@ impl World {
         let e = of(contact.lo).max(of(contact.hi));
         let movable = !self.immovable(contact.lo) && !self.immovable(contact.hi);
         let rattles = |item: u32| self.hits.get(item as usize).is_some_and(|&hits| hits > RATTLE_HITS);
-        let rattled = e < 1.0 && movable && rattles(contact.lo) && rattles(contact.hi);
+        let rattled = contact.lossy_hits >= CASCADE_HITS || (e < 1.0 && movable && rattles(contact.lo) && rattles(contact.hi));
         if e * speed < self.rest_speed || rattled || self.overflowing { 0.0 } else { e }
     }
 

@@ -31,19 +31,10 @@ impl World {
     /// Decides how everything moves during the next interval, at most `left` seconds of a `tick`, and returns its greatest length.
     pub(super) fn choose_motions(&mut self, left: f64, tick: f64) -> f64 {
         let mut longest = left;
-        self.motions.clear();
         let (mut coupled, mut fastest) = (false, 0.0f64);
-        self.in_contact.clear();
-        self.in_contact.resize(self.bodies.len(), false);
-        for contact in &self.contacts {
-            for item in [contact.lo, contact.hi] {
-                if let Some(flag) = self.in_contact.get_mut(item as usize) {
-                    *flag = true;
-                }
-            }
-        }
-        for (i, body) in self.bodies.iter().enumerate() {
-            let law = &self.laws[i];
+        for &body in &self.awake {
+            let i = body as usize;
+            let (body, law) = (&self.bodies[i], &self.laws[i]);
             let at_rest = body.velocity == DVec2::ZERO && self.solved[i] == DVec2::ZERO;
             let media = law.air > 0.0 || law.wet;
             let motion = match (at_rest, media, self.in_contact[i]) {
@@ -62,33 +53,39 @@ impl World {
                 }
             }
             coupled |= motion == Motion::Coupled;
-            self.motions.push(motion);
+            self.motions[i] = motion;
         }
         if coupled {
-            self.stage_free.clear();
-            self.stage_free.extend_from_slice(&self.free);
+            self.couple(fastest, longest);
+        }
+        longest
+    }
+
+    /// Prepares for the integration of everything that moves in contact, for `longest` seconds and rates up to `fastest`.
+    fn couple(&mut self, fastest: f64, longest: f64) {
+        self.coupled_bodies.clear();
+        for &body in &self.awake {
+            let i = body as usize;
             // Forces pass from one body in contact to the next: whatever moves in contact moves with them.
-            for (motion, in_contact) in self.motions.iter_mut().zip(&self.in_contact) {
-                if *in_contact && *motion != Motion::Still {
-                    *motion = Motion::Coupled;
-                }
+            if self.in_contact[i] && self.motions[i] != Motion::Still {
+                self.motions[i] = Motion::Coupled;
+                self.coupled_bodies.push(body);
             }
         }
         self.coupled_at = f64::NAN;
         self.coupled_nodes.clear();
         let reach = fastest * longest;
         if reach > COUPLED_REACH {
-            for (i, law) in self.laws.iter_mut().enumerate() {
-                if self.motions[i] == Motion::Coupled {
-                    law.soft =
-                        (COUPLED_REACH / (self.media.rate(&self.bodies[i], law, self.bodies[i].velocity) * longest)).min(1.0);
-                }
+            self.laws_hold = false;
+            for &body in &self.coupled_bodies {
+                let i = body as usize;
+                let (body, law) = (&self.bodies[i], &mut self.laws[i]);
+                law.soft = (COUPLED_REACH / (self.media.rate(body, law, body.velocity) * longest)).min(1.0);
             }
         }
         let steps = (reach.min(COUPLED_REACH) / COUPLED_STEP).ceil().max(1.0);
         self.coupled_steps = steps as usize;
         self.coupled_step = longest / steps;
-        longest
     }
 
     /// Where a body is `t` seconds into the interval.
@@ -110,18 +107,20 @@ impl World {
 
     /// RK4 for all coupled bodies at once. The states after whole steps are kept: the search for events asks for many times.
     fn integrate_coupled(&mut self, t: f64) {
-        let n = self.bodies.len();
+        let n = self.coupled_bodies.len();
         let whole = ((t / self.coupled_step) as usize).min(self.coupled_steps - 1);
         let known = (self.coupled_nodes.len() / n).saturating_sub(1);
-        self.coupled.clear();
         if self.coupled_nodes.is_empty() {
-            self.coupled_nodes.extend(self.bodies.iter().map(|body| (body.position, body.velocity)));
+            let start = self.coupled_bodies.iter().map(|&body| &self.bodies[body as usize]);
+            self.coupled_nodes.extend(start.map(|body| (body.position, body.velocity)));
         }
         let from = known.min(whole);
-        self.coupled.extend_from_slice(&self.coupled_nodes[from * n..(from + 1) * n]);
+        for (&body, &node) in self.coupled_bodies.iter().zip(&self.coupled_nodes[from * n..]) {
+            self.coupled[body as usize] = node;
+        }
         for step in from..whole {
             self.step_coupled(self.coupled_step, step == 0);
-            self.coupled_nodes.extend_from_slice(&self.coupled);
+            self.coupled_nodes.extend(self.coupled_bodies.iter().map(|&body| self.coupled[body as usize]));
         }
         self.step_coupled(t - whole as f64 * self.coupled_step, whole == 0);
     }
@@ -129,21 +128,18 @@ impl World {
     /// One step of all coupled bodies from `self.coupled`; the interval's first begins with the accelerations already solved.
     fn step_coupled(&mut self, h: f64, first: bool) {
         // Stage poses, and the weighted sums of velocities and accelerations.
-        self.stage.clear();
-        self.stage.extend_from_slice(&self.coupled);
-        self.sums.clear();
-        self.sums.resize(self.bodies.len(), (DVec2::ZERO, DVec2::ZERO));
+        for &body in &self.coupled_bodies {
+            let i = body as usize;
+            self.stage[i] = self.coupled[i];
+            self.sums[i] = (DVec2::ZERO, DVec2::ZERO);
+            self.stage_accelerations[i] = self.solved[i];
+        }
         for (index, (weight, reach)) in [(1.0, 0.5), (2.0, 0.5), (2.0, 1.0), (1.0, 0.0)].into_iter().enumerate() {
-            if index == 0 && first {
-                self.stage_accelerations.clear();
-                self.stage_accelerations.extend_from_slice(&self.solved);
-            } else {
+            if index > 0 || !first {
                 self.stage_solve();
             }
-            for i in 0..self.bodies.len() {
-                if self.motions[i] != Motion::Coupled {
-                    continue;
-                }
+            for &body in &self.coupled_bodies {
+                let i = body as usize;
                 let (a, v) = (self.stage_accelerations[i], self.stage[i].1);
                 self.sums[i].0 += v * weight;
                 self.sums[i].1 += a * weight;
@@ -152,29 +148,22 @@ impl World {
             }
         }
         let sixth = h / 6.0;
-        for i in 0..self.bodies.len() {
-            if self.motions[i] == Motion::Coupled {
-                let (x, v) = &mut self.coupled[i];
-                *x += self.sums[i].0 * sixth;
-                *v += self.sums[i].1 * sixth;
-            }
+        for &body in &self.coupled_bodies {
+            let i = body as usize;
+            let (x, v) = &mut self.coupled[i];
+            *x += self.sums[i].0 * sixth;
+            *v += self.sums[i].1 * sixth;
         }
     }
 
     /// Accelerations at the stage poses. The contacts keep their forces of the interval's start: those are what is shown.
     fn stage_solve(&mut self) {
-        self.free.clear();
-        for i in 0..self.bodies.len() {
+        for &body in &self.coupled_bodies {
+            let i = body as usize;
             let (x, v) = self.stage[i];
-            self.free.push(match self.motions[i] {
-                Motion::Coupled => self.media.acceleration(&self.bodies[i], &self.laws[i], x, v),
-                _ => self.stage_free[i],
-            });
+            self.free[i] = self.media.acceleration(&self.bodies[i], &self.laws[i], x, v);
         }
-        self.stage_contacts.clear();
-        self.stage_contacts.extend_from_slice(&self.contacts);
-        self.stage_accelerations.clear();
-        self.stage_accelerations.extend_from_slice(&self.free);
+        self.stage_contacts.clone_from(&self.contacts);
         let items = self.bodies.len() + self.blocks.len();
         self.reactions.accelerate(&mut self.stage_contacts, &self.bodies, items, &self.free, &mut self.stage_accelerations);
     }

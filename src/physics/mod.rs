@@ -6,13 +6,16 @@
 //!
 //! # How a tick goes
 //!
-//! A tick is a chain of **intervals**. Within one, every body follows one smooth law; it ends with the first thing that *happens*.
+//! Groups of bodies in which nothing moves are not looked at (`rest`). Where nothing else is near anything, a tick is one formula for each
+//! body (`flight`). Otherwise it is a chain of **intervals** (`tick`). Within one, every body follows one smooth law; it ends with the
+//! first thing that *happens*.
 //!
 //! 1. **Laws** (`media`): what acts on each body without touching it: weight, drive, wind, air, liquids.
 //! 2. **Impacts** (`impacts`): whatever touches and approaches is given its impulses, the fastest first; what only has to stop, stops all
 //!    at once.
 //! 3. **Contacts** (`candidates`, `contacts`): what touches, along which axis, and whether it slides.
-//! 4. **Accelerations** (`reactions`, `network`): Reaction, Push and Friction follow from the free accelerations.
+//! 4. **Accelerations** (`reactions`, `face`, `network`): Reaction, Push and Friction follow from the free accelerations. While the
+//!    contacts and these stay the same, so does the answer.
 //! 5. **Motion** (`interval`, `flow`): a parabola, a flow through a medium, or rest; and when something next happens (`happenings`,
 //!    `impact_time`): an impact, the end of a slide, an edge, a zone's border.
 //! 6. Everything moves to that instant exactly, and the next interval begins. The last one ends with the tick; its forces are the ones
@@ -33,6 +36,9 @@
 //!   the resultant shown is what the solver found.
 //! - **Impacts go in the order of their times**, then by speed: that makes the cradle. What is plastic is solved at once, with the same
 //!   network on momenta: that makes ten tonnes on a kilogram.
+//! - **What cannot change is not computed anew.** What rests sleeps until something touches it, a pushed row keeps its forces, and small
+//!   contact networks have their answers in closed form. These direct answers are bit for bit those of the general way, which the plan
+//!   can take instead; what happens in one group of bodies never depends on another.
 //! - **Crowds take another path.** Above 64 bodies (`crowd`) the same world is advanced by [`pile`], one step a tick for all: a pass along
 //!   gravity, positions that cannot overlap by construction, sleep. The choice stands in the [`Plan`].
 //!
@@ -47,6 +53,8 @@ mod candidates;
 mod contacts;
 mod crowd;
 mod def;
+mod face;
+mod flight;
 mod flow;
 mod forces;
 mod happenings;
@@ -60,6 +68,7 @@ mod passage;
 pub mod pile;
 mod plan;
 mod reactions;
+mod rest;
 mod show;
 mod tick;
 mod tuning;

@@ -20,12 +20,14 @@ pub struct Plan {
     pub bounces: bool,
     /// So many bodies that they take the general method.
     pub crowd: bool,
+    /// Direct answers: flight past nothing is one formula a tick, and what rests or keeps its contacts is not solved again.
+    pub direct: bool,
 }
 
 impl Plan {
-    /// All parts that a world of few bodies can have.
+    /// All parts that a world of few bodies can have, and no direct answer: everything is computed in every tick.
     pub const EVERYTHING: Self =
-        Self { air: true, streams: true, liquids: true, pairs: true, contacts: true, bounces: true, crowd: false };
+        Self { air: true, streams: true, liquids: true, pairs: true, contacts: true, bounces: true, crowd: false, direct: false };
 
     /// The parts that a definition needs.
     pub fn of(def: &WorldDef) -> Self {
@@ -38,6 +40,7 @@ impl Plan {
             contacts: pairs || !def.surfaces.is_empty() || def.bounds.is_some(),
             bounces: def.bodies.iter().any(|body| body.restitution > 0.0),
             crowd: def.bodies.len() > CROWD,
+            direct: true,
         }
     }
 
@@ -56,6 +59,7 @@ impl Plan {
             (self.air, "air resistance"),
             (self.streams, "air streams"),
             (self.liquids, "liquids"),
+            (self.direct && !self.crowd, "direct answers where nothing changes"),
             (self.contacts && !self.crowd, "contacts: exact times of impact, direct solve"),
             (self.contacts && self.crowd, "contacts: a crowd, solved along gravity in one pass"),
             (self.pairs, "pairs of bodies"),

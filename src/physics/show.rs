@@ -6,7 +6,12 @@ use glam::DVec2;
 impl World {
     /// Lists the forces that act now.
     pub(super) fn show_forces(&mut self) {
-        self.list_media_forces();
+        if self.forces_hold {
+            return self.show_forces_of_air();
+        }
+        for index in 0..self.awake.len() {
+            self.list_media_forces(self.awake[index] as usize);
+        }
         for index in 0..self.contacts.len() {
             let contact = self.contacts[index];
             let (mut normal, mut friction) = (DVec2::ZERO, DVec2::ZERO);
@@ -15,20 +20,31 @@ impl World {
             self.list_contact_forces(contact.lo, contact.hi, -normal, -friction);
             self.list_contact_forces(contact.hi, contact.lo, normal, friction);
         }
-        for (i, body) in self.bodies.iter_mut().enumerate() {
+        self.forces_hold = true;
+        for &index in &self.awake {
+            let i = index as usize;
+            let body = &mut self.bodies[i];
             let solved = self.in_contact[i].then(|| self.solved[i] * body.mass);
             let resultant = self.forces[i].close(solved);
             body.acceleration = if self.in_contact[i] { self.solved[i] + DVec2::ZERO } else { resultant / body.mass };
         }
     }
 
-    /// Begins every list with the forces that need no contact.
-    pub(super) fn list_media_forces(&mut self) {
-        let streams = self.media.streams.len();
-        for (i, forces) in self.forces.iter_mut().enumerate() {
-            let inside = &self.in_stream[i * streams..];
-            self.media.list(&self.bodies[i], &self.laws[i], self.drives[i], |stream| inside[stream], forces.renew());
+    /// Where all else is as it was, only the air's forces on what flies are listed anew.
+    pub(super) fn show_forces_of_air(&mut self) {
+        for index in 0..self.awake.len() {
+            let i = self.awake[index] as usize;
+            if self.laws[i].air > 0.0 {
+                self.list_media_forces(i);
+                self.bodies[i].acceleration = self.forces[i].close(None) / self.bodies[i].mass;
+            }
         }
+    }
+
+    /// Begins a body's list with the forces that need no contact.
+    pub(super) fn list_media_forces(&mut self, i: usize) {
+        let inside = &self.in_stream[i * self.media.streams.len()..];
+        self.media.list(&self.bodies[i], &self.laws[i], self.drives[i], |stream| inside[stream], self.forces[i].renew());
     }
 
     /// Lists what `other` exerts on `item` in a contact, N. What a surface does, and what carries a body from below, is a Reaction; what

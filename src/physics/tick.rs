@@ -9,38 +9,47 @@ use super::{Aabb, Body, World};
 use glam::DVec2;
 
 impl World {
-    /// Advances the world by exactly one tick of `dt` seconds, in intervals between the things that happen within it.
+    /// Advances the world by exactly one tick of `dt` seconds.
     pub fn step(&mut self, dt: f64) {
         self.events.clear();
         self.corners.clear();
-        if !self.settled {
-            self.settled = self.still;
-            self.begin_tick();
-        }
-        if self.still {
+        if self.awake.is_empty() {
             return;
         }
+        self.begin_tick();
         if let Some(mut crowd) = self.crowd.take() {
             self.step_crowd(&mut crowd, dt);
             self.crowd = Some(crowd);
             return;
         }
+        self.refresh_candidates(dt);
+        if !(self.plan.direct && self.fly(dt)) {
+            self.chain_intervals(dt);
+            self.put_to_rest();
+        }
+    }
+
+    /// The general way through a tick: interval by interval between the things that happen within it.
+    fn chain_intervals(&mut self, dt: f64) {
+        self.begin_chain();
         let mut intervals = 0;
         let mut hit = None;
         loop {
             let left = dt - self.now;
-            self.refresh_laws();
-            if intervals == 0 {
-                self.refresh_candidates(left);
+            if intervals > 0 {
+                self.refresh_laws();
             }
             if self.plan.contacts {
-                self.resolve_impacts(hit.take(), self.now, left);
-                if self.plan.media() {
+                let hit = hit.take();
+                let turned = self.resolve_impacts(hit, self.now, left);
+                if turned {
                     // Impacts turn motions, and with them the side that meets the air.
                     self.refresh_laws();
                 }
-                self.refresh_candidates(left);
-                self.find_contacts();
+                if turned || intervals > 0 {
+                    self.refresh_candidates(left);
+                }
+                self.find_contacts(hit.map(|contact| contact.pair));
             }
             self.solve_accelerations();
             let longest = self.choose_motions(left, dt);
@@ -61,49 +70,66 @@ impl World {
             hit = self.apply(happening);
         }
         self.overflows += u64::from(self.overflowing);
-        self.still = self.motions.iter().all(|&motion| motion == Motion::Still);
     }
 
     fn begin_tick(&mut self) {
-        for (previous, body) in self.previous.iter_mut().zip(&self.bodies) {
-            *previous = body.position;
+        for &body in &self.awake {
+            let i = body as usize;
+            self.previous[i] = self.bodies[i].position;
         }
+        if self.plan.media() {
+            self.find_zones();
+        }
+        self.refresh_laws();
+    }
+
+    fn begin_chain(&mut self) {
         self.now = 0.0;
         self.overflowing = false;
         self.resumes.clear();
-        let n = self.bodies.len();
-        self.hits.clear();
-        self.hits.resize(n, 0);
-        self.clung.clear();
-        self.clung.resize(n, 0);
-        self.crossings.clear();
-        self.crossings.resize(n, 0);
-        self.find_zones();
+        for &body in &self.awake {
+            let i = body as usize;
+            (self.hits[i], self.clung[i], self.crossings[i]) = (0, 0, 0);
+        }
     }
 
-    /// Which body feels which stream, from where they are; crossings within the tick keep it true.
+    /// Which body feels which stream, and which side it turns to the air, from where they are; crossings within the tick keep it true.
     fn find_zones(&mut self) {
-        self.in_stream.clear();
-        self.across.clear();
-        for (body, drive) in self.bodies.iter().zip(&self.drives) {
+        let streams = self.media.streams.len();
+        for &index in &self.awake {
+            let i = index as usize;
+            let body = &self.bodies[i];
             let bounds = body.bounds();
-            self.in_stream.extend(self.media.streams.iter().map(|stream| bounds.touches(&stream.zone, SLOP)));
-            let force = *drive + DVec2::new(0.0, body.mass * self.media.gravity);
-            self.across.push(moves_across(body.velocity, force));
+            for (stream, inside) in self.media.streams.iter().zip(&mut self.in_stream[i * streams..]) {
+                let now = bounds.touches(&stream.zone, SLOP);
+                self.forces_hold &= *inside == now;
+                *inside = now;
+            }
+            let across = moves_across(body.velocity, self.drives[i] + DVec2::new(0.0, body.mass * self.media.gravity));
+            self.laws_hold &= across == self.across[i];
+            self.across[i] = across;
         }
     }
 
     /// The law of motion of every body in the coming interval.
     pub(super) fn refresh_laws(&mut self) {
-        self.laws.clear();
-        for (i, body) in self.bodies.iter().enumerate() {
-            let speed = body.velocity.abs();
-            if speed.x != speed.y {
-                self.across[i] = speed.x > speed.y;
-            }
+        if self.laws_hold && !self.plan.media() {
+            return;
         }
-        for (i, body) in self.bodies.iter().enumerate() {
-            self.laws.push(self.law(i, body));
+        let (hold, zones) = (self.laws_hold, self.plan.streams || self.plan.liquids);
+        self.laws_hold = true;
+        for &index in &self.awake {
+            let i = index as usize;
+            let body = &self.bodies[i];
+            let speed = body.velocity.abs();
+            let across = if speed.x == speed.y { self.across[i] } else { speed.x > speed.y };
+            if hold && !zones && across == self.across[i] {
+                continue;
+            }
+            self.across[i] = across;
+            let law = self.law(i, body);
+            self.forces_hold &= !law.wet;
+            self.laws[i] = law;
         }
     }
 
@@ -144,10 +170,9 @@ impl World {
     }
 
     fn find_poses(&mut self, t: f64) {
-        self.poses.clear();
-        for i in 0..self.bodies.len() {
-            let pose = self.pose(i, t);
-            self.poses.push(pose);
+        for index in 0..self.awake.len() {
+            let i = self.awake[index] as usize;
+            self.poses[i] = self.pose(i, t);
         }
     }
 
@@ -155,7 +180,7 @@ impl World {
     fn has_sunk(&self) -> bool {
         let follows = |item: u32| self.motions.get(item as usize).is_some_and(|m| matches!(m, Motion::Flow | Motion::Coupled));
         let after = |item: u32| self.poses.get(item as usize).map_or_else(|| self.place(item), |pose| pose.0);
-        self.candidates.pairs.iter().any(|pair| {
+        self.candidates.live.iter().any(|pair| {
             let reach = self.half(pair.a) + self.half(pair.b);
             let depth = |a: DVec2, b: DVec2| (reach - (b - a).abs()).min_element();
             let now = depth(after(pair.a), after(pair.b));
@@ -165,8 +190,9 @@ impl World {
 
     /// Moves everything to the poses found.
     fn commit(&mut self) {
-        for (body, &(position, velocity)) in self.bodies.iter_mut().zip(&self.poses) {
-            (body.position, body.velocity) = (position, velocity);
+        for &body in &self.awake {
+            let i = body as usize;
+            (self.bodies[i].position, self.bodies[i].velocity) = self.poses[i];
         }
     }
 
@@ -185,12 +211,14 @@ impl World {
             Happening::Stream(body, stream) => {
                 let at = body as usize * self.media.streams.len() + stream as usize;
                 self.in_stream[at] = !self.in_stream[at];
+                self.forces_hold = false;
                 self.crossings[body as usize] += 1;
             }
             Happening::Kink(body) => {
                 let i = body as usize;
                 let v = self.bodies[i].velocity;
                 self.across[i] = v.x.abs() > v.y.abs();
+                self.laws_hold = false;
                 self.crossings[i] += 1;
             }
             Happening::Resume(index) => {
@@ -216,10 +244,11 @@ impl World {
     /// The forces before the first tick.
     pub(super) fn show_start(&mut self) {
         self.begin_tick();
-        self.refresh_laws();
+        self.begin_chain();
         self.refresh_candidates(0.0);
         if self.plan.contacts {
-            self.find_contacts();
+            self.gather_touching(None);
+            self.find_contacts(None);
         }
         self.solve_accelerations();
         self.choose_motions(0.0, 0.0);

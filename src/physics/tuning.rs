@@ -65,8 +65,9 @@ pub(super) const RATTLE_HITS: u32 = 64;
 /// Bounces of a body on something immovable in one tick, after which the rest of the series is summed in closed form.
 pub(super) const ZENO_HITS: u32 = 6;
 
-/// Lossy impacts (e < 1) in one cascade, per contact, after which it is merged by one plastic solve: inelastic collapse would never end.
-pub(super) const CASCADE_HITS: usize = 16;
+/// Lossy impacts (e < 1) of one contact in one cascade, after which it rebounds no more: inelastic collapse would never end. A count for
+/// all contacts together would let what happens here depend on what lies elsewhere.
+pub(super) const CASCADE_HITS: u32 = 32;
 
 /// Impacts in one cascade altogether. Perfectly elastic cascades end by themselves, but a mass ratio of R needs some 3·√R of them.
 pub(super) const MAX_CASCADE: usize = 65_536;

@@ -56,17 +56,27 @@ pub struct World {
     pub(super) events: Vec<Event>,
     pub(super) corners: Vec<(u32, DVec2)>,
     pub(super) overflows: u64,
-    /// Nothing moved or will move until something is changed from outside.
-    pub(super) still: bool,
-    /// Still, and the previous positions say so too.
-    pub(super) settled: bool,
+    /// The bodies that a tick looks at, in ascending order; the others rest (see `rest`).
+    pub(super) awake: Vec<u32>,
+    pub(super) resting: Vec<bool>,
+    /// The contacts within what rests, as they were solved.
+    pub(super) resting_contacts: Vec<Contact>,
+    /// Nothing has changed that the laws of motion depend on where there are no media.
+    pub(super) laws_hold: bool,
+    /// The force managers list what acts now, but for the forces of media.
+    pub(super) forces_hold: bool,
     /// Set where the plan says so: it then advances the bodies.
     pub(super) crowd: Option<Box<Crowd>>,
     // Scratch, kept so that a tick allocates nothing once warm.
     /// Centre and half of every surface, m.
     pub(super) blocks: Vec<(DVec2, DVec2)>,
     pub(super) candidates: Candidates,
+    /// The contacts as they are solved, and as they were before that with the free accelerations: while these stay, so does the answer.
     pub(super) contacts: Vec<Contact>,
+    pub(super) asked: Vec<Contact>,
+    pub(super) asked_free: Vec<DVec2>,
+    pub(super) answer_holds: bool,
+    pub(super) found: Vec<Contact>,
     pub(super) touching: Vec<Contact>,
     pub(super) reactions: Reactions,
     pub(super) laws: Vec<Law>,
@@ -83,13 +93,14 @@ pub struct World {
     pub(super) overflowing: bool,
     pub(super) free: Vec<DVec2>,
     pub(super) solved: Vec<DVec2>,
+    pub(super) coupled_bodies: Vec<u32>,
     pub(super) coupled: Vec<Pose>,
     pub(super) coupled_at: f64,
     pub(super) coupled_nodes: Vec<Pose>,
     pub(super) coupled_step: f64,
     pub(super) coupled_steps: usize,
     pub(super) stage: Vec<Pose>,
-    pub(super) stage_free: Vec<DVec2>,
+    pub(super) speeds: Vec<DVec2>,
     pub(super) stage_accelerations: Vec<DVec2>,
     pub(super) stage_contacts: Vec<Contact>,
     pub(super) sums: Vec<Pose>,
@@ -128,11 +139,18 @@ impl World {
             events: Vec::new(),
             corners: Vec::new(),
             overflows: 0,
-            still: false,
-            settled: false,
+            awake: Vec::new(),
+            resting: Vec::new(),
+            resting_contacts: Vec::new(),
+            laws_hold: false,
+            forces_hold: false,
             crowd: None,
             candidates: Candidates::default(),
             contacts: Vec::new(),
+            asked: Vec::new(),
+            asked_free: Vec::new(),
+            answer_holds: false,
+            found: Vec::new(),
             touching: Vec::new(),
             reactions: Reactions::default(),
             laws: Vec::new(),
@@ -149,18 +167,20 @@ impl World {
             overflowing: false,
             free: Vec::new(),
             solved: Vec::new(),
+            coupled_bodies: Vec::new(),
             coupled: Vec::new(),
             coupled_at: f64::NAN,
             coupled_nodes: Vec::new(),
             coupled_step: 0.0,
             coupled_steps: 1,
             stage: Vec::new(),
-            stage_free: Vec::new(),
+            speeds: Vec::new(),
             stage_accelerations: Vec::new(),
             stage_contacts: Vec::new(),
             sums: Vec::new(),
             poses: Vec::new(),
         };
+        world.make_room();
         world.gather_crowd()?;
         world.show_start();
         Ok(world)
@@ -182,10 +202,7 @@ impl World {
         self.plan.contacts |= self.plan.pairs;
         self.plan.air |= self.media.air_density > 0.0 && def.feels_air && def.drag > 0.0;
         self.plan.bounces |= def.restitution > 0.0;
-        // Contacts and pairs count surfaces on from the number of bodies.
-        self.contacts.clear();
-        self.candidates.spoil();
-        self.wake();
+        self.make_room();
         self.gather_crowd()?;
         Ok(id)
     }
@@ -195,13 +212,42 @@ impl World {
         let force = if force.is_finite() { force } else { DVec2::ZERO };
         if self.drives[body.index()] != force {
             self.drives[body.index()] = force;
-            self.wake();
+            self.laws_hold = false;
+            self.forces_hold = false;
+            self.wake(body.0);
         }
     }
 
-    fn wake(&mut self) {
-        self.still = false;
-        self.settled = false;
+    /// Fits everything that is kept for each body to their number. All of them are awake then, and no contact is known: contacts and
+    /// pairs count surfaces on from the number of bodies.
+    fn make_room(&mut self) {
+        let n = self.bodies.len();
+        self.awake.clear();
+        self.awake.extend(0..n as u32);
+        self.resting.clear();
+        self.resting.resize(n, false);
+        self.contacts.clear();
+        self.answer_holds = false;
+        self.resting_contacts.clear();
+        self.candidates.spoil();
+        self.laws_hold = false;
+        self.forces_hold = false;
+        self.laws.resize(n, Law::default());
+        self.motions.resize(n, Motion::Parabola);
+        self.cubics.resize(n, Cubic::default());
+        self.in_contact.resize(n, false);
+        self.in_stream.clear();
+        self.in_stream.resize(n * self.media.streams.len(), false);
+        for counts in [&mut self.crossings, &mut self.hits, &mut self.clung] {
+            counts.resize(n, 0);
+        }
+        self.across.resize(n, false);
+        for vectors in [&mut self.free, &mut self.solved, &mut self.asked_free, &mut self.stage_accelerations] {
+            vectors.resize(n, DVec2::ZERO);
+        }
+        for poses in [&mut self.coupled, &mut self.stage, &mut self.sums, &mut self.poses] {
+            poses.resize(n, (DVec2::ZERO, DVec2::ZERO));
+        }
     }
 
     /// All bodies, by [`BodyId::index`].

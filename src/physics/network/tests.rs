@@ -4,8 +4,8 @@ use super::*;
 /// Bodies of (mass, force) in a line along the axis, one after the other.
 fn line(bodies: &[(f64, f64)], links: &[(u32, u32, Carries)]) -> Network {
     let mut network = Network::default();
-    for (i, &(mass, force)) in bodies.iter().enumerate() {
-        network.nodes.push(Node { mass, force, at: i as f64, acceleration: f64::NAN });
+    for &(mass, force) in bodies {
+        network.nodes.push(Node { mass, force, acceleration: f64::NAN });
     }
     for &(lo, hi, carries) in links {
         network.link(lo, hi, carries);
@@ -109,5 +109,39 @@ fn random_networks_satisfy_the_conditions_of_the_minimum() {
         for (i, &(mass, _)) in bodies.iter().enumerate() {
             assert!((net[i] - mass * network.nodes[i].acceleration).abs() < 1e-9, "Newton's second law");
         }
+    }
+}
+
+/// The direct answers for small networks are those of the blocks, to the bit.
+#[test]
+fn small_networks_have_the_same_answer_directly_and_by_blocks() {
+    let mut seed = 7u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1u64 << 53) as f64
+    };
+    for round in 0..2000 {
+        let mut direct = Network::default();
+        for _ in 0..if round % 2 == 0 { 2 } else { 4 } {
+            let force = if random() < 0.1 { 0.0 } else { 40.0 * random() - 20.0 };
+            direct.nodes.push(Node { mass: 0.1 + 10.0 * random(), force, acceleration: f64::NAN });
+        }
+        if round % 2 == 0 {
+            direct.link((round / 2) % 2, 1 - (round / 2) % 2, Carries::Push);
+        } else {
+            for _ in 0..5 {
+                let (body, below) = ((4.0 * random()) as u32, random() < 0.5);
+                let (lo, hi) = if below { (body, GROUND) } else { (GROUND, body) };
+                direct.link(lo, hi, Carries::Push);
+            }
+        }
+        let mut blocks = direct.clone();
+        direct.solve();
+        blocks.solve_by_blocks();
+        let bits = |network: &Network| {
+            let flows = network.links.iter().map(|link| (link.flow + 0.0).to_bits());
+            flows.chain(network.nodes.iter().map(|node| node.acceleration.to_bits())).collect::<Vec<_>>()
+        };
+        assert_eq!(bits(&direct), bits(&blocks), "{:?} {:?}", direct, blocks);
     }
 }

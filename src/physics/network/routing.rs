@@ -1,0 +1,185 @@
+//! The general way through a block: a maximum flow from where force is left over to where it is missing, along shortest paths, and a cut
+//! where it gets stuck (Ford and Fulkerson's method in Edmonds and Karp's order).
+
+use super::{Carries, GROUND, Network, Side};
+
+/// How a search reached a node: not at all, or by starting there.
+pub(super) const NOWHERE: u32 = u32::MAX;
+const START: u32 = u32::MAX - 1;
+
+impl Network {
+    /// Routes as much excess as the links allow along shortest paths: first from where it is to where it is missing or into the ground,
+    /// then from the ground to where it is still missing.
+    pub(super) fn route(&mut self, begin: usize, end: usize, grounded: bool, tolerance: f64) {
+        while let Some(goal) = self.search(begin, end, false, grounded, tolerance) {
+            self.augment(goal);
+        }
+        // What the search still reaches from unrouted excess cannot be held back by the rest.
+        for at in begin..end {
+            let i = self.order[at] as usize;
+            self.notes[i].side = if self.notes[i].came_by == NOWHERE { Side::Same } else { Side::Faster };
+        }
+        if grounded {
+            while let Some(goal) = self.search(begin, end, true, grounded, tolerance) {
+                self.augment(goal);
+            }
+        }
+        self.mark_slower(begin, end, tolerance);
+    }
+
+    /// Breadth first from all excess (or from the ground) to the nearest lack; leaves in `came_by` how each node was reached.
+    fn search(&mut self, begin: usize, end: usize, from_ground: bool, grounded: bool, tolerance: f64) -> Option<u32> {
+        let ground = self.nodes.len();
+        for at in begin..end {
+            self.notes[self.order[at] as usize].came_by = NOWHERE;
+        }
+        self.notes[ground].came_by = NOWHERE;
+        self.queue.clear();
+        if from_ground {
+            self.notes[ground].came_by = START;
+            self.queue.push(GROUND);
+        } else {
+            for at in begin..end {
+                let i = self.order[at];
+                if self.notes[i as usize].excess > tolerance {
+                    self.notes[i as usize].came_by = START;
+                    self.queue.push(i);
+                }
+            }
+        }
+        let block = self.notes[self.order[begin] as usize].block;
+        let mut next = 0;
+        while next < self.queue.len() {
+            let node = self.queue[next];
+            next += 1;
+            for slot in self.links_of(node) {
+                let index = self.around[slot];
+                let link = &self.links[index as usize];
+                let other = link.other(node);
+                if link.cut || link.room(node) <= tolerance {
+                    continue;
+                }
+                let place = self.slot(other);
+                if self.notes[place].came_by != NOWHERE {
+                    continue;
+                }
+                if other == GROUND {
+                    if grounded {
+                        self.notes[place].came_by = index;
+                        return Some(GROUND);
+                    }
+                    continue;
+                }
+                if self.notes[place].block != block {
+                    continue;
+                }
+                self.notes[place].came_by = index;
+                if self.notes[place].excess < -tolerance {
+                    return Some(other);
+                }
+                self.queue.push(other);
+            }
+        }
+        None
+    }
+
+    /// Sends as much as fits along the path just found.
+    fn augment(&mut self, goal: u32) {
+        let mut amount = if goal == GROUND { f64::INFINITY } else { -self.notes[goal as usize].excess };
+        let mut node = goal;
+        while self.notes[self.slot(node)].came_by != START {
+            let link = &self.links[self.notes[self.slot(node)].came_by as usize];
+            let from = link.other(node);
+            amount = amount.min(link.room(from));
+            node = from;
+        }
+        if node != GROUND {
+            amount = amount.min(self.notes[node as usize].excess);
+            self.notes[node as usize].excess -= amount;
+        }
+        let mut node = goal;
+        while self.notes[self.slot(node)].came_by != START {
+            let index = self.notes[self.slot(node)].came_by as usize;
+            let from = self.links[index].other(node);
+            self.links[index].flow += if self.links[index].lo == from { amount } else { -amount };
+            node = from;
+        }
+        if goal != GROUND {
+            self.notes[goal as usize].excess += amount;
+        }
+    }
+
+    /// Whatever could still pass force on to an unmet lack shares that lack.
+    fn mark_slower(&mut self, begin: usize, end: usize, tolerance: f64) {
+        let block = self.notes[self.order[begin] as usize].block;
+        self.queue.clear();
+        for at in begin..end {
+            let i = self.order[at];
+            if self.notes[i as usize].excess < -tolerance && self.notes[i as usize].side == Side::Same {
+                self.notes[i as usize].side = Side::Slower;
+                self.queue.push(i);
+            }
+        }
+        let mut next = 0;
+        while next < self.queue.len() {
+            let node = self.queue[next];
+            next += 1;
+            for slot in self.links_of(node) {
+                let link = &self.links[self.around[slot] as usize];
+                let other = link.other(node);
+                let joined = !link.cut && other != GROUND && self.notes[other as usize].block == block;
+                if joined && self.notes[other as usize].side == Side::Same && link.room(other) > tolerance {
+                    self.notes[other as usize].side = Side::Slower;
+                    self.queue.push(other);
+                }
+            }
+        }
+    }
+
+    /// Cuts the block where the routing got stuck: ties across the cut slip at their limits, pushes across it have ended.
+    pub(super) fn split(&mut self, begin: usize, end: usize, grounded: bool) {
+        let first = self.notes[self.order[begin] as usize].side;
+        let whole = (begin..end).all(|at| self.notes[self.order[at] as usize].side == first);
+        if whole && (first == Side::Same || !grounded) {
+            return;
+        }
+        for at in begin..end {
+            let i = self.order[at];
+            for slot in self.links_of(i) {
+                let index = self.around[slot] as usize;
+                let link = self.links[index];
+                let other = link.other(i);
+                let other_side = if other == GROUND { Side::Same } else { self.notes[other as usize].side };
+                if link.cut || other_side == self.notes[i as usize].side {
+                    continue;
+                }
+                self.links[index].cut = true;
+                // Friction is passed on from the faster to the slower side.
+                let i_is_faster = self.notes[i as usize].side > other_side;
+                let flow = match link.carries {
+                    Carries::Push => 0.0,
+                    Carries::UpTo(limit) if (link.lo == i) == i_is_faster => limit,
+                    Carries::UpTo(limit) => -limit,
+                };
+                self.links[index].flow = flow;
+                for (end, sign) in [(link.lo, -1.0), (link.hi, 1.0)] {
+                    if end != GROUND {
+                        self.nodes[end as usize].force += sign * flow;
+                    }
+                }
+            }
+        }
+        let notes = &self.notes;
+        self.order[begin..end].sort_unstable_by_key(|&i| (notes[i as usize].side, i));
+        let mut at = begin;
+        while at < end {
+            let side = self.notes[self.order[at] as usize].side;
+            let from = at;
+            while at < end && self.notes[self.order[at] as usize].side == side {
+                self.notes[self.order[at] as usize].block = self.blocks.len() as u32;
+                at += 1;
+            }
+            self.blocks.push((from as u32, at as u32));
+        }
+    }
+}
