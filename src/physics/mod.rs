@@ -64,6 +64,7 @@ mod interval;
 mod material;
 mod media;
 mod network;
+mod passage;
 pub mod pile;
 mod plan;
 mod reactions;

@@ -4,6 +4,7 @@
 //! linear loop; the immovable surfaces follow after the last movable body and never move. [`Bodies::slot`] and [`Bodies::id`]
 //! translate between this numbering and that of the outside.
 
+use glam::DVec2;
 use std::cmp::Ordering;
 
 /// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
@@ -58,6 +59,8 @@ pub(super) struct Bodies {
     pub allowed_bottom: Vec<f64>,
     /// How far the allowed ranges have moved since they were made, m.
     pub shift: (f64, f64),
+    /// Where some would be at the end of the step, and how fast, if they touched nothing: set from outside, by their numbers there.
+    pub guided: Vec<(u32, DVec2, DVec2)>,
     /// Number outside → number inside.
     pub slot: Vec<u32>,
     /// Number inside → number outside.
@@ -98,6 +101,7 @@ impl Bodies {
             allowed_top: movable(),
             allowed_bottom: movable(),
             shift: (0.0, 0.0),
+            guided: Vec::new(),
             slot: (0..count as u32).collect(),
             id: (0..count as u32).collect(),
             order: (0..count as u32).collect(),

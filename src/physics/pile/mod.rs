@@ -245,8 +245,20 @@ impl Pile {
         }
     }
 
+    /// Sets where a body would be after the next step (m) and how fast (m/s) if it touched nothing, for a motion that no constant force
+    /// describes. Holds for that step; wakes nothing.
+    pub fn guide(&mut self, body: usize, position: DVec2, velocity: DVec2) {
+        let turned = DVec2::new(1.0, self.down);
+        self.bodies.guided.push((body as u32, position * turned, velocity * turned));
+    }
+
     /// Advances the pile by `dt` seconds, > 0.
     pub fn step(&mut self, dt: f64) {
+        self.take_step(dt);
+        self.bodies.guided.clear();
+    }
+
+    fn take_step(&mut self, dt: f64) {
         self.events.clear();
         if self.asleep {
             return;
@@ -351,6 +363,11 @@ impl Pile {
     /// Whether there is no body.
     pub fn is_empty(&self) -> bool {
         self.bodies.len() == 0
+    }
+
+    /// Whether there has been a step.
+    pub fn has_stepped(&self) -> bool {
+        self.last_dt > 0.0
     }
 
     /// Whether all rest and nothing is computed until a force changes.
