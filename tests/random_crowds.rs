@@ -1,0 +1,128 @@
+//! Random crowds, of extreme masses, sizes and speeds together: finite, no energy from nothing, no overlap, the same bits twice.
+
+use proptest::prelude::*;
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
+
+const TICK: f64 = 1.0 / 120.0;
+const G: f64 = 15.0;
+/// m. The bar for every pair at every tick.
+const OVERLAP: f64 = 1e-6;
+/// The room, m.
+const ROOM: Aabb = Aabb::new(DVec2::ZERO, DVec2::new(24.0, 20.0));
+/// Bodies of a row at the start.
+const COLUMNS: usize = 15;
+
+fn materials() -> impl Strategy<Value = Material> {
+    (0..Material::ALL.len()).prop_map(|i| Material::ALL[i])
+}
+
+/// One body a cell of a grid, so that none begins inside another. Most are slow and weigh about the same; some are light as a
+/// feather, some heavy as a car, some as fast as a shot.
+fn bodies() -> impl Strategy<Value = Vec<BodyDef>> {
+    let size = (0.03..0.7f64, 0.03..0.6f64);
+    let mass = prop_oneof![3 => 0.5..50.0f64, 1 => (-2.0..3.0f64).prop_map(|log| 10f64.powf(log))];
+    let velocity = prop_oneof![9 => (-5.0..5.0f64, -5.0..5.0f64), 1 => (-300.0..300.0f64, -300.0..300.0f64)];
+    let restitution = prop_oneof![2 => Just(0.0), 2 => 0.0..1.0f64, 1 => Just(1.0)];
+    prop::collection::vec((size, mass, velocity, restitution, materials()), 65..130).prop_map(|list| {
+        let place = |i: usize| DVec2::new(1.0 + 1.5 * (i % COLUMNS) as f64, 1.0 + 1.3 * (i / COLUMNS) as f64);
+        let body = |(i, ((w, h), mass, (vx, vy), restitution, material))| BodyDef {
+            position: place(i),
+            velocity: DVec2::new(vx, vy),
+            half: DVec2::new(w, h),
+            mass,
+            restitution,
+            material,
+            ..BodyDef::default()
+        };
+        list.into_iter().enumerate().map(body).collect()
+    })
+}
+
+fn surfaces() -> impl Strategy<Value = Vec<SurfaceDef>> {
+    let block = (0.0..20.0f64, 13.0..19.0f64, 0.1..6.0f64, 0.1..3.0f64, materials());
+    prop::collection::vec(block, 0..6).prop_map(|list| {
+        list.into_iter()
+            .map(|(x, y, w, h, material)| SurfaceDef { bounds: Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h)), material })
+            .collect()
+    })
+}
+
+fn worst_overlap(world: &World) -> f64 {
+    let mut boxes: Vec<Aabb> = world.bodies().iter().map(|body| body.bounds()).collect();
+    boxes.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
+    let depth = |a: &Aabb, b: &Aabb| -a.gap(b).max_element();
+    let mut worst = 0.0f64;
+    for (i, a) in boxes.iter().enumerate() {
+        worst = boxes[i + 1..].iter().take_while(|b| b.min.x < a.max.x).map(|b| depth(a, b)).fold(worst, f64::max);
+        worst = world.surfaces().iter().map(|b| depth(a, &b.bounds)).fold(worst, f64::max);
+    }
+    worst
+}
+
+/// J, counted from the floor.
+fn energy(world: &World, gravity: f64) -> f64 {
+    world.bodies().iter().map(|b| b.mass * (0.5 * b.velocity.length_squared() + gravity * (ROOM.max.y - b.position.y))).sum()
+}
+
+fn hash(world: &World) -> Vec<u64> {
+    let mut bits = Vec::new();
+    world.hash_state(&mut |word| bits.push(word));
+    bits
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 16, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_crowd_keeps_every_law(bodies in bodies(), surfaces in surfaces(), air in any::<bool>(), weightless in any::<bool>()) {
+        let gravity = if weightless { 0.0 } else { G };
+        let air_density = if air { 1.2041 } else { 0.0 };
+        let def = WorldDef { gravity, air_density, bounds: Some(ROOM), bodies, surfaces, ..WorldDef::default() };
+        let mut world = World::new(def.clone()).unwrap();
+        let mut twin = World::new(def).unwrap();
+        prop_assert!(world.plan().crowd);
+        let mut before = energy(&world, gravity);
+        for tick in 0..480 {
+            world.step(TICK);
+            twin.step(TICK);
+            let now = energy(&world, gravity);
+            prop_assert!(now.is_finite());
+            prop_assert!(now <= before * (1.0 + 1e-9), "tick {}: energy rose from {} to {}", tick, before, now);
+            let overlap = worst_overlap(&world);
+            prop_assert!(overlap <= OVERLAP, "tick {}: overlap {} m", tick, overlap);
+            prop_assert!(world.bodies().iter().all(|b| ROOM.contains(&b.bounds(), OVERLAP)), "tick {}: out of the room", tick);
+            before = now;
+        }
+        prop_assert_eq!(hash(&world), hash(&twin));
+    }
+
+    #[test]
+    fn a_crowd_in_space_conserves_momentum(bodies in bodies()) {
+        let momentum = |world: &World| world.bodies().iter().map(|b| b.velocity * b.mass).sum::<DVec2>();
+        let scale: f64 = bodies.iter().map(|b| b.mass * b.velocity.length()).sum();
+        let mut world = World::new(WorldDef { gravity: 0.0, air_density: 0.0, bodies, ..WorldDef::default() }).unwrap();
+        let before = momentum(&world);
+        for _ in 0..480 {
+            world.step(TICK);
+        }
+        prop_assert!((momentum(&world) - before).length() <= 1e-11 * scale, "{} {}", momentum(&world), before);
+    }
+
+    #[test]
+    fn a_driven_crowd_stays_finite_apart_and_within(
+        bodies in bodies(),
+        surfaces in surfaces(),
+        force in (-30000.0..30000.0f64, -30000.0..30000.0f64),
+    ) {
+        let mut world = World::new(WorldDef { bounds: Some(ROOM), bodies, surfaces, ..WorldDef::default() }).unwrap();
+        for tick in 0..360 {
+            let push = if tick / 60 % 2 == 0 { 1.0 } else { -0.5 };
+            world.set_drive(BodyId(0), DVec2::new(force.0, force.1) * push);
+            world.step(TICK);
+            prop_assert!(world.bodies().iter().all(|b| b.position.is_finite() && b.velocity.is_finite() && b.acceleration.is_finite()));
+            let overlap = worst_overlap(&world);
+            prop_assert!(overlap <= OVERLAP, "tick {}: overlap {} m", tick, overlap);
+            prop_assert!(world.bodies().iter().all(|b| ROOM.contains(&b.bounds(), OVERLAP)));
+        }
+    }
+}
