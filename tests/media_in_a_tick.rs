@@ -90,6 +90,23 @@ fn a_splash_is_the_same_at_any_tick() {
     }
 }
 
+/// Regression: the steps for stiff motion pumped energy into whatever is far lighter than the liquid that it swims on. A crate of a gram
+/// bobbed on water for ever.
+#[test]
+fn what_is_far_lighter_than_its_liquid_comes_to_rest_at_its_waterline() {
+    for (mass, hz) in [(1e-3, 30.0), (1e-3, 120.0), (1e-3, 240.0), (1e-2, 60.0)] {
+        let pool = FluidDef { zone: Aabb::new(DVec2::new(-100.0, 0.0), DVec2::new(100.0, 30.0)), density: 1000.0, viscosity: 1e-3 };
+        let crate_ = BodyDef { position: DVec2::new(0.0, -1.0), mass, ..BodyDef::default() };
+        let mut world = World::new(WorldDef { fluids: vec![pool], bodies: vec![crate_], ..WorldDef::default() }).unwrap();
+        for _ in 0..(30.0 * hz) as u32 {
+            world.step(1.0 / hz);
+        }
+        let (body, waterline) = (world.body(BodyId(0)), mass / 1000.0 - 0.5);
+        assert!((body.position.y - waterline).abs() < 1e-9, "{mass} kg: at {} m, not {waterline} m", body.position.y);
+        assert!(body.velocity.length() < 1e-9, "{mass} kg: {} m/s", body.velocity);
+    }
+}
+
 /// Regression: a column of light and heavy things falling in air sank 1 cm into itself, because no cubic followed the light ones and their
 /// impact was overlooked until the interval's end. Such an interval is now cut.
 #[test]

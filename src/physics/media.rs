@@ -92,6 +92,17 @@ impl Media {
         linear + quadratic * v.length() + (quadratic * law.constant.length()).sqrt() + stiffness.sqrt()
     }
 
+    /// By how much a body at `x` that floats on a surface is drawn back to it, 1/s²: the change of its buoyancy with its depth.
+    pub fn floats(&self, body: &Body, x: DVec2) -> f64 {
+        let (top, bottom) = (x - body.half, x + body.half);
+        let stiffness = self.fluids.iter().map(|FluidDef { zone, density, .. }| {
+            let width = (bottom.x.min(zone.max.x) - top.x.max(zone.min.x)).max(0.0);
+            let cut = top.y < zone.min.y && bottom.y > zone.min.y && bottom.y < zone.max.y;
+            if cut { density * self.gravity * width } else { 0.0 }
+        });
+        stiffness.sum::<f64>() / body.mass
+    }
+
     fn buoyancy(&self, body: &Body, fluid: &FluidDef, f: f64) -> DVec2 {
         DVec2::new(0.0, -fluid.density * self.gravity * 4.0 * body.half.x * body.half.y * f)
     }
