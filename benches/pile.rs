@@ -11,6 +11,8 @@ use std::hint::black_box;
 const DT: f64 = 1.0 / 60.0;
 /// Ten seconds.
 const RAIN_STEPS: usize = 600;
+/// Forty seconds, after which even the liveliest rest.
+const SETTLED_STEPS: usize = 2400;
 const FLIGHT_STEPS: usize = 300;
 
 /// Boxes of 0.3 to 0.6 m raining into a pit, restitutions from 0 to the one given.
@@ -61,14 +63,19 @@ fn run(criterion: &mut Criterion, name: &str, def: PileDef, steps: usize) {
 }
 
 fn piles(criterion: &mut Criterion) {
+    let (alike, mixed) = (1.0..=1.0, 0.5..=50.0);
     for n in [100, 1000, 5000] {
-        run(criterion, &format!("rain {n}"), rain(n, 1.0..=1.0, 0.0, false), RAIN_STEPS);
-        run(criterion, &format!("rain {n}, mixed masses"), rain(n, 0.5..=50.0, 0.0, false), RAIN_STEPS);
-        run(criterion, &format!("rain {n}, mixed restitutions"), rain(n, 1.0..=1.0, 0.8, false), RAIN_STEPS);
+        run(criterion, &format!("rain {n}"), rain(n, alike.clone(), 0.0, false), RAIN_STEPS);
+        run(criterion, &format!("rain {n}, mixed masses"), rain(n, mixed.clone(), 0.0, false), RAIN_STEPS);
+        run(criterion, &format!("rain {n}, mixed restitutions"), rain(n, alike.clone(), 0.8, false), RAIN_STEPS);
+        run(criterion, &format!("rain {n}, mixed masses and restitutions"), rain(n, mixed.clone(), 0.8, false), RAIN_STEPS);
+        for (name, sleep) in [("asleep", true), ("kept awake", false)] {
+            let mut settled = Pile::new(rain(n, alike.clone(), 0.8, sleep)).expect("the scene is valid");
+            (0..SETTLED_STEPS).for_each(|_| settled.step(DT));
+            let name = format!("settled {n}, mixed restitutions, {name}, one step");
+            criterion.bench_function(&name, |bencher| bencher.iter(|| black_box(&mut settled).step(DT)));
+        }
     }
-    let mut settled = Pile::new(rain(5000, 1.0..=1.0, 0.0, true)).expect("the scene is valid");
-    (0..RAIN_STEPS).for_each(|_| settled.step(DT));
-    criterion.bench_function("settled 5000, one step", |bencher| bencher.iter(|| black_box(&mut settled).step(DT)));
     run(criterion, "flight 10 000", shower(0.0), FLIGHT_STEPS);
     run(criterion, "flight 10 000 with drag", shower(1.2041), FLIGHT_STEPS);
 }

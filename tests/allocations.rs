@@ -32,8 +32,15 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
+/// Whatever bounces.
 #[test]
 fn a_warm_step_allocates_nothing() {
+    for restitution in [0.0, 0.8] {
+        rain(restitution);
+    }
+}
+
+fn rain(restitution: f64) {
     let surface = |left, top, right, bottom| PileSurface {
         bounds: Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom)),
         static_friction: 0.9,
@@ -44,6 +51,7 @@ fn a_warm_step_allocates_nothing() {
             position: DVec2::new(0.5 + f64::from(i % 20), -1.0 - 1.1 * f64::from(i / 20)),
             half: DVec2::splat(0.3 + 0.01 * f64::from(i % 13)),
             velocity: DVec2::new(f64::from(i % 5) - 2.0, 0.0),
+            restitution: restitution * f64::from(i % 4) / 3.0,
             ..PileBody::default()
         })
         .collect();

@@ -4,7 +4,7 @@ mod program;
 
 use program::{Data, Ran, resultant};
 
-const COMMANDS: [&str; 8] = ["play", "check", "run", "tiles", "pi", "jumper", "new", "verify"];
+const COMMANDS: [&str; 9] = ["play", "check", "run", "chart", "tiles", "pi", "jumper", "new", "verify"];
 
 #[test]
 fn help_is_everywhere_and_a_success() {

@@ -182,3 +182,21 @@ fn a_fast_body_of_a_crowd_is_reported_when_it_hits() {
     assert!((speed - (2.0 * G * 20.0f64).sqrt()).abs() < 0.1, "{speed}");
     assert_eq!(normal, DVec2::new(0.0, -1.0));
 }
+
+/// What is held meets no drag: in air too every reaction is the weight above it.
+#[test]
+fn a_column_of_a_crowd_in_air_shows_resultants_of_zero() {
+    let bodies = (0..100).map(|i| BodyDef { position: DVec2::new(5.0, -0.5 - i as f64), ..BodyDef::default() });
+    let def = WorldDef { gravity: G, air_density: 1.2041, bodies: bodies.collect(), surfaces: pit(10.0), ..WorldDef::default() };
+    let mut world = World::new(def).unwrap();
+    for tick in 0..60 {
+        for i in [0, 40, 99] {
+            let id = BodyId(i);
+            let weight = f64::from(100 - i) * G;
+            let reaction = world.forces(id).total(ForceKind::Reaction).y;
+            assert!((reaction / -weight - 1.0).abs() < 1e-12, "tick {tick}, block {i}: {reaction} N, expected {}", -weight);
+            assert_eq!(world.forces(id).resultant(), DVec2::ZERO, "tick {tick}, block {i}");
+        }
+        world.step(TICK);
+    }
+}

@@ -9,12 +9,16 @@ use crate::lab::curve::{Curve, Measured, Origin, Point};
 use crate::lab::peers::add_peers;
 use crate::lab::report::{shipped_csv, summary};
 use crate::lab::{Method, Scene, diagram, scenes, stress};
-use cpu_time::ThreadTime;
 use std::hint::black_box;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
+
+#[cfg(any(unix, windows))]
+use cpu_time::ThreadTime as Clock;
+#[cfg(not(any(unix, windows)))]
+use std::time::Instant as Clock;
 
 /// What `chart` is told.
 #[derive(clap::Args, Debug)]
@@ -167,7 +171,7 @@ fn measure(scene: &Scene, quick: bool) -> Measured {
 
 /// The median of several runs.
 fn point(scene: &Scene, method: &Method, step: f64, quick: bool) -> Point {
-    let started = ThreadTime::now();
+    let started = Clock::now();
     let error = (method.run)(black_box(step));
     let first = started.elapsed();
     let runs = match (quick, first > TOO_LONG) {
@@ -178,7 +182,7 @@ fn point(scene: &Scene, method: &Method, step: f64, quick: bool) -> Point {
     let repeats = (LONG_ENOUGH.as_secs_f64() / first.as_secs_f64().max(1e-9)).ceil().clamp(1.0, 1e5) as u32;
     let mut times: Vec<f64> = if runs == 1 { vec![first.as_secs_f64()] } else { Vec::new() };
     while times.len() < runs {
-        let started = ThreadTime::now();
+        let started = Clock::now();
         for _ in 0..repeats {
             black_box((method.run)(black_box(step)));
         }
@@ -196,9 +200,12 @@ fn machine() -> String {
     model.map_or(system.clone(), |(_, model)| format!("{}, {system}", model.trim()))
 }
 
-/// The commit of the folder, if git knows one.
+/// The commit of the code that is measured, if git knows one: that of the package's folder, or else of the project's.
 fn commit(root: &Path) -> Option<String> {
-    let ran = Command::new("git").arg("-C").arg(root).args(["rev-parse", "--short", "HEAD"]).output().ok()?;
-    let text = String::from_utf8(ran.stdout).ok()?;
-    (ran.status.success() && !text.trim().is_empty()).then(|| text.trim().to_owned())
+    [Path::new(env!("CARGO_MANIFEST_DIR")), root].into_iter().find_map(|folder| {
+        let ran =
+            Command::new("git").arg("-C").arg(folder).args(["describe", "--always", "--dirty", "--exclude=*"]).output().ok()?;
+        let text = String::from_utf8(ran.stdout).ok()?;
+        (ran.status.success() && !text.trim().is_empty()).then(|| text.trim().to_owned())
+    })
 }

@@ -10,7 +10,7 @@ pub const PEERS_HEAD: &str = "scene,engine,step,work,error";
 const COLUMNS: usize = 5;
 /// What `benches/peers` calls this engine.
 pub const OURS: &str = "Resultant";
-/// What its scenes end with in which bodies that rest may sleep, as they always may in ours.
+/// What its scenes end with in which bodies that rest may sleep, as they always may in the lab.
 const SLEEP: &str = "-sleep";
 
 /// A diagram that only engines take part in, and which scenes are in it: those of that name, or of that name and a size.
@@ -97,7 +97,7 @@ pub fn add_peers(text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String>
         };
         let (scene, ours) = (fields[0], fields[1] == OURS);
         let (scene, engine) = match scene.strip_suffix(SLEEP) {
-            // Ours is the same with and without.
+            // Ours with sleep is what the lab measures.
             Some(_) if ours => continue,
             Some(scene) => (scene, format!("{}, with sleep", fields[1])),
             None => (scene, fields[1].to_owned()),

@@ -1,8 +1,12 @@
 //! Worlds of many bodies: the same world, advanced by the general method of [`super::pile`] instead of interval by interval.
 //!
 //! The plan chooses it by the number of bodies alone ([`CROWD`]). Up to there every impact, slide and zone edge is an event of its own and
-//! exact; above, a tick is one step for all: contacts along gravity are still exact at any mass ratio and positions never overlap, but
-//! zones are sampled once a tick, and impacts within one tick have no order.
+//! exact; above, a tick is one step for all: contacts along gravity are still exact at any mass ratio and positions never overlap, and
+//! what flies through air and zones does so as exactly as alone ([`super::passage`]).
+//!
+//! What a crowd does not do: impacts within one tick have no order, and slides do not end within it; upright walls and ceilings rub
+//! nothing; what touches something is in a zone or out of it as its velocity says, and a crossing moves it by the mean force of the tick;
+//! the crowd sleeps as a whole or not at all.
 
 use super::candidates::Pair;
 use super::media::Law;
@@ -14,6 +18,9 @@ use glam::DVec2;
 /// one grows faster than linearly; a level that a person flies through seldom has more than a dozen.
 pub(super) const CROWD: usize = 64;
 
+/// Forces on one body for which there is room from the start. Fewer: what is hit from all sides for the first time allocates.
+const FORCES: usize = 32;
+
 /// Forces whose sum is smaller than this part of the largest balance each other if the solver says so. Below 1e-14 rounding would be
 /// listed as a resultant of something at rest.
 const ROUNDING: f64 = 1e-11;
@@ -23,6 +30,8 @@ const ROUNDING: f64 = 1e-11;
 pub(super) struct Crowd {
     pile: Pile,
     contacts: Vec<ContactForce>,
+    /// What touched something in the last tick.
+    touched: Vec<bool>,
 }
 
 impl World {
@@ -59,7 +68,8 @@ impl World {
             sleep: true,
         })
         .map_err(|error| DefError(error.0))?;
-        self.crowd = Some(Box::new(Crowd { pile, contacts: Vec::new() }));
+        self.forces.iter_mut().for_each(|forces| forces.renew().reserve(FORCES));
+        self.crowd = Some(Box::new(Crowd { pile, contacts: Vec::new(), touched: Vec::new() }));
         Ok(())
     }
 
@@ -67,6 +77,9 @@ impl World {
     pub(super) fn step_crowd(&mut self, crowd: &mut Crowd, dt: f64) {
         for (i, body) in self.bodies.iter().enumerate() {
             crowd.pile.set_force(i, self.outer_force(body, &self.laws[i], dt));
+        }
+        if self.plan.media() {
+            self.guide_crowd(crowd, dt);
         }
         crowd.pile.step(dt);
         self.show_crowd(crowd);
@@ -76,6 +89,33 @@ impl World {
         self.report_crowd(crowd);
         if crowd.pile.is_asleep() && self.bodies.iter().zip(&self.previous).all(|(body, previous)| body.position == *previous) {
             self.awake.clear();
+        }
+    }
+
+    /// Tells bodies where they would get to if no constant force says it: near zones, and where they are held.
+    fn guide_crowd(&mut self, crowd: &mut Crowd, dt: f64) {
+        let Crowd { pile, contacts, touched } = crowd;
+        touched.clear();
+        touched.resize(self.bodies.len(), false);
+        let mut touch = |item: usize| {
+            if let Some(touched) = touched.get_mut(item) {
+                *touched = true;
+            }
+        };
+        for contact in &*contacts {
+            touch(contact.a);
+            touch(self.item(contact.b) as usize);
+        }
+        if !pile.has_stepped() {
+            for contact in &self.contacts {
+                touch(contact.lo as usize);
+                touch(contact.hi as usize);
+            }
+        }
+        for (i, touched) in touched.iter().enumerate() {
+            if let Some((position, velocity)) = self.passage(i, dt, *touched) {
+                pile.guide(i, position, velocity);
+            }
         }
     }
 

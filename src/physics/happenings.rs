@@ -259,7 +259,7 @@ impl World {
 }
 
 /// When a body enters (or, from inside, leaves) a zone.
-fn border(cubic: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f64) -> Option<f64> {
+pub(super) fn border(cubic: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f64) -> Option<f64> {
     let centre = zone.centre();
     let reach = half + zone.size() * 0.5;
     let still = Cubic::parabola(centre, DVec2::ZERO, DVec2::ZERO);
@@ -280,7 +280,7 @@ fn border(cubic: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f64) -> Op
 }
 
 /// When the submerged part of a body begins, ends, or starts or stops to change along an axis.
-fn surface_kink(cubic: &Cubic, half: DVec2, zone: &Aabb, end: f64) -> Option<f64> {
+pub(super) fn surface_kink(cubic: &Cubic, half: DVec2, zone: &Aabb, end: f64) -> Option<f64> {
     let still = Cubic::parabola(zone.centre(), DVec2::ZERO, DVec2::ZERO);
     let motion = still.relative(cubic);
     let zone_half = zone.size() * 0.5;

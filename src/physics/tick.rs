@@ -1,12 +1,11 @@
 //! How a tick goes: the chain of intervals, phase by phase (see the module's head for the ideas).
 
-use super::Aabb;
-use super::World;
 use super::contacts::Contact;
 use super::happenings::Happening;
 use super::interval::Motion;
 use super::media::{Law, moves_across};
 use super::tuning::{MAX_CROSSINGS, MAX_INTERVALS, RETRIES, RETRY_PART, SLOP};
+use super::{Aabb, Body, World};
 use glam::DVec2;
 
 impl World {
@@ -119,7 +118,6 @@ impl World {
         if self.laws_hold && !self.plan.media() {
             return;
         }
-        let streams = self.media.streams.len();
         let (hold, zones) = (self.laws_hold, self.plan.streams || self.plan.liquids);
         self.laws_hold = true;
         for &index in &self.awake {
@@ -131,28 +129,34 @@ impl World {
                 continue;
             }
             self.across[i] = across;
-            let mut force = self.drives[i];
-            for (stream, inside) in self.media.streams.iter().zip(&self.in_stream[i * streams..]) {
-                if *inside {
-                    force += stream.force;
-                }
-            }
-            let mut law = Law { constant: DVec2::new(0.0, self.media.gravity) + force / body.mass, ..Law::default() };
-            law.area = 2.0 * if self.across[i] { body.half.y } else { body.half.x };
-            if self.plan.air && body.feels_air {
-                law.air = 0.5 * self.media.air_density * body.drag * law.area / body.mass;
-            }
-            if self.plan.liquids {
-                let reach = body.half + body.velocity.abs() + DVec2::ONE;
-                let near = Aabb::around(body.position, reach);
-                law.near_liquid = self.media.fluids.iter().any(|fluid| near.touches(&fluid.zone, 0.0));
-                // Beyond the last crossing that is looked for, whatever is near is reckoned with.
-                let counts = || self.media.fluids.iter().any(|fluid| self.media.is_met(body, fluid, self.tick));
-                law.wet = law.near_liquid && (self.crossings[i] >= MAX_CROSSINGS || counts());
-                self.forces_hold &= !law.near_liquid;
-            }
+            let law = self.law(i, body);
+            self.forces_hold &= !law.near_liquid;
             self.laws[i] = law;
         }
+    }
+
+    /// The law of motion of body `i`, being as `body`.
+    pub(super) fn law(&self, i: usize, body: &Body) -> Law {
+        let mut force = self.drives[i];
+        for (stream, inside) in self.media.streams.iter().zip(&self.in_stream[i * self.media.streams.len()..]) {
+            if *inside {
+                force += stream.force;
+            }
+        }
+        let mut law = Law { constant: DVec2::new(0.0, self.media.gravity) + force / body.mass, ..Law::default() };
+        law.area = 2.0 * if self.across[i] { body.half.y } else { body.half.x };
+        if self.plan.air && body.feels_air {
+            law.air = 0.5 * self.media.air_density * body.drag * law.area / body.mass;
+        }
+        if self.plan.liquids {
+            let reach = body.half + body.velocity.abs() + DVec2::ONE;
+            let near = Aabb::around(body.position, reach);
+            law.near_liquid = self.media.fluids.iter().any(|fluid| near.touches(&fluid.zone, 0.0));
+            // Beyond the last crossing that is looked for, whatever is near is reckoned with.
+            let counts = || self.media.fluids.iter().any(|fluid| self.media.is_met(body, fluid, self.tick));
+            law.wet = law.near_liquid && (self.crossings[i] >= MAX_CROSSINGS || counts());
+        }
+        law
     }
 
     /// Finds where everything is after `t` seconds. Where a motion is no cubic, an impact can have been overlooked: if anything has sunk

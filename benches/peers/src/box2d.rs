@@ -20,11 +20,13 @@ impl Box2d {
         let foundation = Foundation::get().map_or_else(Foundation::initialize_default, Ok)?;
         let gravity = Vec2::new(0.0, spec.gravity as f32);
         let mut world = foundation.create_world(WorldBuilder::from(foundation.world_def()).gravity(gravity).build()?)?;
-        world.enable_sleeping(false)?;
-        let material = SurfaceMaterial::default()
-            .with_friction(spec.friction as f32)?
-            .with_restitution(spec.restitution as f32)?;
-        let solid = ShapeDef::builder().density(1.0).material(material).build()?;
+        world.enable_sleeping(spec.sleep)?;
+        let solid = |restitution: f64| -> boxdd::Result<ShapeDef> {
+            let material = SurfaceMaterial::default()
+                .with_friction(spec.friction as f32)?
+                .with_restitution(restitution as f32)?;
+            ShapeDef::builder().density(1.0).material(material).build()
+        };
         let place = |(x, y): V| Position::new(x as f32, y as f32);
         for &(centre, half) in &spec.statics {
             let def = world
@@ -35,7 +37,7 @@ impl Box2d {
             let id = world.create_body(def)?;
             world
                 .body(id)?
-                .create_polygon(&solid, &shapes::box_polygon(half.0 as f32, half.1 as f32)?)?;
+                .create_polygon(&solid(0.0)?, &shapes::box_polygon(half.0 as f32, half.1 as f32)?)?;
         }
         let mut ids = Vec::new();
         for body in &spec.bodies {
@@ -45,11 +47,15 @@ impl Box2d {
                 .position(place(body.position))
                 .linear_velocity(Vec2::new(body.velocity.0 as f32, body.velocity.1 as f32))
                 .motion_locks(MotionLocks::new(false, false, true))
+                .linear_damping((spec.gravity / spec.terminal) as f32)
                 .bullet(spec.swept)
                 .build()?;
             let id = world.create_body(def)?;
             let mut rigid = world.body(id)?;
-            rigid.create_polygon(&solid, &shapes::box_polygon(body.half.0 as f32, body.half.1 as f32)?)?;
+            rigid.create_polygon(
+                &solid(body.restitution)?,
+                &shapes::box_polygon(body.half.0 as f32, body.half.1 as f32)?,
+            )?;
             rigid.set_mass_data(MassData::new(body.mass as f32, Vec2::new(0.0, 0.0), 0.0)?)?;
             ids.push(id);
         }
@@ -70,6 +76,7 @@ impl Box2d {
 
 impl Engine for Box2d {
     const NAME: &'static str = "Box2D";
+    const QUADRATIC: bool = false;
 
     fn new(spec: &Spec) -> Option<Self> {
         Self::build(spec)

@@ -14,6 +14,8 @@ pub struct Box {
     pub half: V,
     /// kg.
     pub mass: f64,
+    /// A pair bounces with the larger of its two; what does not move has none.
+    pub restitution: f64,
     /// A constant force to the right, N.
     pub force: f64,
 }
@@ -25,10 +27,13 @@ pub struct Spec {
     pub gravity: f64,
     /// Coefficient of friction of everything, static and kinetic.
     pub friction: f64,
-    /// Restitution of everything.
-    pub restitution: f64,
+    /// The speed, m/s, at which the air carries everything's weight; infinite without air. Resultant's drag is quadratic; the
+    /// others only know a linear one, which is set to the same terminal speed.
+    pub terminal: f64,
     /// Whether fast bodies are swept where an engine does so only when asked.
     pub swept: bool,
+    /// Whether what rests may sleep.
+    pub sleep: bool,
     /// What moves.
     pub bodies: Vec<Box>,
     /// What does not: centre and half size, m.
@@ -39,6 +44,8 @@ pub struct Spec {
 pub trait Engine: Sized {
     /// For the table.
     const NAME: &'static str;
+    /// Whether its drag grows with the square of the speed.
+    const QUADRATIC: bool;
     /// Builds the scene; `None` if the engine refuses it.
     fn new(spec: &Spec) -> Option<Self>;
     /// One step of so many seconds.

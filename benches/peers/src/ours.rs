@@ -12,11 +12,21 @@ fn rectangle(&(centre, half): &(V, V)) -> Aabb {
     Aabb::around(vector(centre), vector(half))
 }
 
-/// [`World`].
-pub struct Scenes(World);
+/// [`World`]. It skips ticks while nothing moves and nothing is changed; where nothing may sleep, a drive that comes and goes and is
+/// too small to change a bit keeps it awake then, which costs it more than it would to be awake.
+pub struct Scenes {
+    world: World,
+    restless: bool,
+    nudged: bool,
+    force: f64,
+}
+
+/// Downwards, N: far less than the last bit of any weight.
+const NUDGE: f64 = 1e-100;
 
 impl Engine for Scenes {
     const NAME: &'static str = "Resultant";
+    const QUADRATIC: bool = true;
 
     fn new(spec: &Spec) -> Option<Self> {
         let material = Material {
@@ -29,7 +39,7 @@ impl Engine for Scenes {
             velocity: vector(body.velocity),
             half: vector(body.half),
             mass: body.mass,
-            restitution: spec.restitution,
+            restitution: body.restitution,
             material,
             ..BodyDef::default()
         });
@@ -49,19 +59,29 @@ impl Engine for Scenes {
         for (i, body) in spec.bodies.iter().enumerate() {
             world.set_drive(BodyId(i as u32), DVec2::new(body.force, 0.0));
         }
-        Some(Self(world))
+        Some(Self {
+            world,
+            restless: !spec.sleep,
+            nudged: false,
+            force: spec.bodies[0].force,
+        })
     }
 
     fn step(&mut self, dt: f64) {
-        self.0.step(dt);
+        if self.restless && self.world.bodies().iter().all(|body| body.velocity == DVec2::ZERO) {
+            self.nudged = !self.nudged;
+            let nudge = if self.nudged { NUDGE } else { 0.0 };
+            self.world.set_drive(BodyId(0), DVec2::new(self.force, nudge));
+        }
+        self.world.step(dt);
     }
 
     fn position(&mut self, body: usize) -> V {
-        self.0.bodies()[body].position.into()
+        self.world.bodies()[body].position.into()
     }
 
     fn velocity(&mut self, body: usize) -> V {
-        self.0.bodies()[body].velocity.into()
+        self.world.bodies()[body].velocity.into()
     }
 }
 
@@ -70,6 +90,7 @@ pub struct Piles(Pile);
 
 impl Engine for Piles {
     const NAME: &'static str = "Resultant";
+    const QUADRATIC: bool = true;
 
     fn new(spec: &Spec) -> Option<Self> {
         let bodies = spec.bodies.iter().map(|body| PileBody {
@@ -77,9 +98,11 @@ impl Engine for Piles {
             velocity: vector(body.velocity),
             half: vector(body.half),
             mass: body.mass,
-            restitution: spec.restitution,
+            restitution: body.restitution,
             static_friction: spec.friction,
             kinetic_friction: spec.friction,
+            // The air has 1 kg/m³, so that k = ½·(drag area)/m.
+            drag_area: DVec2::splat(2.0 * body.mass * spec.gravity / (spec.terminal * spec.terminal)),
             ..PileBody::default()
         });
         let surfaces = spec.statics.iter().map(|rect| PileSurface {
@@ -91,7 +114,8 @@ impl Engine for Piles {
             gravity: spec.gravity,
             bodies: bodies.collect(),
             surfaces: surfaces.collect(),
-            sleep: false,
+            air_density: if spec.terminal.is_finite() { 1.0 } else { 0.0 },
+            sleep: spec.sleep,
             ..PileDef::default()
         };
         Pile::new(def).ok().map(Self)

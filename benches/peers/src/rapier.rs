@@ -19,26 +19,29 @@ macro_rules! rapier {
 
             impl Engine for Rapier {
                 const NAME: &'static str = $name;
+                const QUADRATIC: bool = false;
 
                 fn new(spec: &Spec) -> Option<Self> {
                     let mut world = PhysicsWorld::new();
                     world.gravity = vector((0.0, spec.gravity));
-                    let solid = |half: V| {
+                    let solid = |half: V, restitution: f64| {
                         ColliderBuilder::cuboid(half.0 as $real, half.1 as $real)
                             .friction(spec.friction as $real)
-                            .restitution(spec.restitution as $real)
+                            .restitution(restitution as $real)
+                            .restitution_combine_rule(CoefficientCombineRule::Max)
                     };
                     for &(centre, half) in &spec.statics {
-                        world.insert_collider(solid(half).translation(vector(centre)), None);
+                        world.insert_collider(solid(half, 0.0).translation(vector(centre)), None);
                     }
                     let handles = spec.bodies.iter().map(|body| {
                         let rigid = RigidBodyBuilder::dynamic()
                             .translation(vector(body.position))
                             .linvel(vector(body.velocity))
                             .lock_rotations()
-                            .can_sleep(false)
+                            .can_sleep(spec.sleep)
+                            .linear_damping((spec.gravity / spec.terminal) as $real)
                             .ccd_enabled(spec.swept);
-                        let (handle, _) = world.insert(rigid, solid(body.half).mass(body.mass as $real));
+                        let (handle, _) = world.insert(rigid, solid(body.half, body.restitution).mass(body.mass as $real));
                         world.bodies[handle].add_force(vector((body.force, 0.0)), true);
                         handle
                     });

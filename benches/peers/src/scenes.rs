@@ -1,8 +1,10 @@
 //! The scenes: those of the lab that every engine can run, under the lab's names, and the piles.
 
-use crate::engine::{Box, Engine, Spec};
+use crate::engine::{Box, Spec};
+use crate::watch::Run;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use std::ops::RangeInclusive;
 
 const STEP: f64 = 1.0 / 60.0;
 const G: f64 = 9.81;
@@ -11,6 +13,7 @@ const FRICTION: f64 = 0.65;
 const FLOOR: f64 = 0.5;
 
 /// A scene.
+#[derive(Clone)]
 pub struct Scene {
     /// As in the lab, where it is one of the lab's.
     pub name: &'static str,
@@ -18,7 +21,9 @@ pub struct Scene {
     pub what: &'static str,
     /// What it consists of.
     pub spec: Spec,
-    /// How long it runs, s.
+    /// How long it runs before anything counts, s.
+    pub settle: f64,
+    /// How long it runs then, s.
     pub seconds: f64,
     /// s.
     pub step: f64,
@@ -31,36 +36,13 @@ pub struct Scene {
 /// See [`Scene::error`].
 type Error = fn(&mut dyn Run, &Spec, usize, f64) -> f64;
 
-/// An [`Engine`] that runs, whichever it is.
-pub trait Run {
-    /// One step.
-    fn step(&mut self, dt: f64);
-    /// x, y of a body's centre, m.
-    fn position(&mut self, body: usize) -> (f64, f64);
-    /// m/s.
-    fn velocity(&mut self, body: usize) -> (f64, f64);
-}
-
-impl<E: Engine> Run for E {
-    fn step(&mut self, dt: f64) {
-        Engine::step(self, dt);
-    }
-
-    fn position(&mut self, body: usize) -> (f64, f64) {
-        Engine::position(self, body)
-    }
-
-    fn velocity(&mut self, body: usize) -> (f64, f64) {
-        Engine::velocity(self, body)
-    }
-}
-
 fn spec(bodies: Vec<Box>) -> Spec {
     Spec {
         gravity: G,
         friction: FRICTION,
-        restitution: 0.0,
+        terminal: f64::INFINITY,
         swept: false,
+        sleep: false,
         bodies,
         statics: vec![((0.0, FLOOR), (1000.0, FLOOR))],
     }
@@ -73,6 +55,7 @@ fn crate_at(x: f64, y: f64, mass: f64) -> Box {
         velocity: (0.0, 0.0),
         half: (0.5, 0.5),
         mass,
+        restitution: 0.0,
         force: 0.0,
     }
 }
@@ -83,6 +66,7 @@ pub fn all() -> Vec<Scene> {
         name,
         what,
         spec,
+        settle: 0.0,
         seconds,
         step: STEP,
         pile: false,
@@ -97,9 +81,11 @@ pub fn all() -> Vec<Scene> {
             ..crate_at(0.0, 0.0, 1.0)
         }])
     };
-    let bounce = |e: f64, height: f64| Spec {
-        restitution: e,
-        ..spec(vec![crate_at(0.0, height, 1.0)])
+    let bounce = |e: f64, height: f64| {
+        spec(vec![Box {
+            restitution: e,
+            ..crate_at(0.0, height, 1.0)
+        }])
     };
     let mut row: Vec<_> = (0..20)
         .map(|i| Box {
@@ -137,6 +123,19 @@ pub fn all() -> Vec<Scene> {
             pile: true,
             ..scene("flight-10000", "position after 5 s of fall, m", 5.0, flight(10_000), fall)
         },
+        Scene {
+            pile: true,
+            ..scene(
+                "flight-drag-10000",
+                "position after 5 s of fall (Resultant: quadratic drag; others: linear), m",
+                5.0,
+                Spec {
+                    terminal: 20.0,
+                    ..flight(10_000)
+                },
+                fall_through_air,
+            )
+        },
         scene("slide", "distance, m", 10.0, slide, slide_error),
         scene(
             "bounce-perfect",
@@ -153,7 +152,10 @@ pub fn all() -> Vec<Scene> {
             fourth_error,
         ),
         scene("column", "largest movement in a column of 20, m", 10.0, column(20), sag),
-        scene("column-100", "largest movement in a column of 100, m", 10.0, column(100), sag),
+        Scene {
+            pile: true,
+            ..scene("column-100", "largest movement in a column of 100, m", 10.0, column(100), sag)
+        },
         scene("heavy-on-light", "largest movement of 10 000 kg on 1 kg, m", 10.0, heavy, sag),
         scene(
             "pushed-row",
@@ -164,13 +166,58 @@ pub fn all() -> Vec<Scene> {
         ),
         scene("wall-10-km-s", "position after 0.5 s, m", 0.5, thin, wall_error),
     ];
+    for name in ["slide", "column", "column-100", "heavy-on-light"] {
+        let awake = scenes.iter().find(|scene| scene.name == name);
+        let asleep = awake.map(|scene| Scene {
+            name: with_sleep(name),
+            spec: Spec {
+                sleep: true,
+                ..scene.spec.clone()
+            },
+            ..scene.clone()
+        });
+        scenes.extend(asleep);
+    }
+    let pile = |name, seconds, spec| Scene {
+        pile: true,
+        ..scene(name, "worst overlap at any step, m", seconds, spec, overlap)
+    };
     for (name, n) in [("pile-100", 100), ("pile-1000", 1000), ("pile-5000", 5000)] {
+        scenes.push(pile(name, 10.0, rain(n, 1.0..=1.0, 0.0)));
+    }
+    for (name, n) in [("masses-300", 300), ("masses-1000", 1000), ("masses-5000", 5000)] {
+        scenes.push(pile(name, 10.0, rain(n, 0.5..=50.0, 0.0)));
+    }
+    for (name, n) in [
+        ("restitutions-100", 100),
+        ("restitutions-1000", 1000),
+        ("restitutions-5000", 5000),
+    ] {
+        scenes.push(pile(name, 10.0, rain(n, 1.0..=1.0, 0.8)));
+    }
+    for (name, n) in [("settled-100", 100), ("settled-1000", 1000), ("settled-5000", 5000)] {
+        let spec = Spec {
+            sleep: true,
+            ..rain(n, 1.0..=1.0, 0.0)
+        };
         scenes.push(Scene {
-            pile: true,
-            ..scene(name, "worst overlap at any step, m", 10.0, rain(n), overlap)
+            settle: 30.0,
+            what: "largest movement in 10 s after 30 s, m",
+            error: movement,
+            ..pile(name, 10.0, spec)
         });
     }
     scenes
+}
+
+/// What a scene is called when what rests may sleep.
+fn with_sleep(name: &str) -> &'static str {
+    match name {
+        "slide" => "slide-sleep",
+        "column" => "column-sleep",
+        "column-100" => "column-100-sleep",
+        _ => "heavy-on-light-sleep",
+    }
 }
 
 /// Bodies far from each other.
@@ -185,8 +232,8 @@ fn flight(n: u32) -> Spec {
     }
 }
 
-/// Boxes of 0.3 to 0.6 m raining into a pit.
-fn rain(n: usize) -> Spec {
+/// Boxes of 0.3 to 0.6 m raining into a pit, with restitutions up to the one given.
+fn rain(n: usize, masses: RangeInclusive<f64>, restitution: f64) -> Spec {
     let mut random = Pcg64Mcg::seed_from_u64(7);
     let columns = (n as f64).sqrt().ceil() as usize;
     let width = columns as f64 * 0.7;
@@ -194,7 +241,8 @@ fn rain(n: usize) -> Spec {
         half: (random.random_range(0.15..0.3), random.random_range(0.15..0.3)),
         position: (0.35 + 0.7 * (i % columns) as f64, -1.0 - 0.8 * (i / columns) as f64),
         velocity: (random.random_range(-2.0..2.0), 0.0),
-        mass: 1.0,
+        mass: random.random_range(masses.clone()),
+        restitution: restitution * random.random_range(0.0..1.0),
         force: 0.0,
     });
     let statics = vec![
@@ -216,6 +264,21 @@ fn fall(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64 {
     run(engine, steps, step);
     let t = steps as f64 * step;
     let fallen = |(i, body): (usize, &Box)| (engine.position(i).1 - body.position.1 - 0.5 * G * t * t).abs();
+    spec.bodies.iter().enumerate().map(fallen).fold(0.0, f64::max)
+}
+
+/// The fall through air, from rest: each against its own law.
+fn fall_through_air(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64 {
+    run(engine, steps, step);
+    // In units of v_t/g, the time in which gravity alone gives the terminal speed.
+    let (unit, t) = (spec.terminal / spec.gravity, steps as f64 * step);
+    let tau = t / unit;
+    let ways = if engine.quadratic() {
+        tau.cosh().ln()
+    } else {
+        tau + (-tau).exp_m1()
+    };
+    let fallen = |(i, body): (usize, &Box)| (engine.position(i).1 - body.position.1 - ways * unit * spec.terminal).abs();
     spec.bodies.iter().enumerate().map(fallen).fold(0.0, f64::max)
 }
 
@@ -279,29 +342,19 @@ fn wall_error(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64
     (engine.position(0).0 - (x - half - spec.bodies[0].half.0)).abs()
 }
 
-/// The deepest overlap of any two things after any step.
-fn overlap(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64 {
-    let mut worst: f64 = 0.0;
-    let mut order: Vec<usize> = (0..spec.bodies.len()).collect();
-    let mut places = vec![(0.0, 0.0); spec.bodies.len()];
-    let depth = |a: f64, b: f64, reach: f64| reach - (a - b).abs();
-    for _ in 0..steps {
-        engine.step(step);
-        for (i, place) in places.iter_mut().enumerate() {
-            *place = engine.position(i);
-        }
-        let left = |i: usize| places[i].0 - spec.bodies[i].half.0;
-        order.sort_by(|&i, &j| left(i).total_cmp(&left(j)));
-        for (at, &i) in order.iter().enumerate() {
-            let ((x, y), (w, h)) = (places[i], spec.bodies[i].half);
-            for &j in order[at + 1..].iter().take_while(|&&j| left(j) < x + w) {
-                let (place, half) = (places[j], spec.bodies[j].half);
-                worst = worst.max(depth(x, place.0, w + half.0).min(depth(y, place.1, h + half.1)));
-            }
-            for &(place, half) in &spec.statics {
-                worst = worst.max(depth(x, place.0, w + half.0).min(depth(y, place.1, h + half.1)));
-            }
-        }
-    }
-    worst
+fn overlap(engine: &mut dyn Run, _: &Spec, steps: usize, step: f64) -> f64 {
+    run(engine, steps, step);
+    engine.overlap()
+}
+
+/// The largest way of any body.
+fn movement(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64 {
+    let bodies = 0..spec.bodies.len();
+    let before: Vec<_> = bodies.clone().map(|i| engine.position(i)).collect();
+    run(engine, steps, step);
+    let way = |i: usize| {
+        let (x, y) = engine.position(i);
+        (x - before[i].0).hypot(y - before[i].1)
+    };
+    bodies.map(way).fold(0.0, f64::max)
 }

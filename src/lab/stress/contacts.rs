@@ -1,7 +1,7 @@
 //! Where contact methods fail: thin things, unequal masses, tall columns, many contacts at one instant.
 
 use super::{G, Rows, Survival, TICK};
-use crate::lab::methods::chain::sweeps_needed;
+use crate::lab::methods::chain::{Chain, Solver, sweeps_needed};
 use crate::lab::methods::impact::{Block, Line};
 use crate::lab::scenes::{collisions, stacks, tunnelling};
 use crate::lab::shipped;
@@ -15,6 +15,12 @@ pub const FORCE: f64 = 1e-9;
 const SWEPT_FORCE: f64 = 0.01;
 /// Sweeps of the solvers in the table.
 const SWEEPS: [u32; 4] = [10, 50, 500, 5000];
+/// Those that have 2 s to find the forces.
+const AT_REST: [(&str, Solver); 3] = [
+    ("impulses, 20 sweeps, warm, after 2 s", Solver::Sweeps { sweeps: 20, warm: true }),
+    ("impulses, 20 substeps, after 2 s", Solver::Substeps(20)),
+    ("direct", Solver::Direct),
+];
 /// s. How long things have to rest.
 const RESTING: f64 = 2.0;
 
@@ -66,6 +72,19 @@ pub fn stands(masses: &[f64]) -> bool {
     })
 }
 
+/// Whether a column of these masses that has rested for a while is carried by the right impulses, to 1 %, solved by hand.
+pub fn carries(masses: &[f64], solver: Solver) -> bool {
+    let mut chain = Chain::new(masses, true);
+    let mut accelerations = vec![-G; masses.len() + 1];
+    accelerations[0] = 0.0;
+    for _ in 0..(RESTING / TICK) as u32 {
+        chain.step(&accelerations, solver, TICK);
+    }
+    let parts = if let Solver::Substeps(parts) = solver { f64::from(parts) } else { 1.0 };
+    let weight = |i: usize| masses[i..].iter().sum::<f64>() * G * TICK / parts;
+    chain.impulses.iter().enumerate().all(|(i, impulse)| (impulse / weight(i) - 1.0).abs() <= SWEPT_FORCE)
+}
+
 /// R times its mass on a block.
 pub fn heavy_on_light() -> Vec<Survival> {
     let mut rows = Rows::of("heavy on light: forces to 1 %", "mass ratio R");
@@ -73,6 +92,9 @@ pub fn heavy_on_light() -> Vec<Survival> {
         rows = rows.method(format!("impulses from cold, {sweeps} sweeps"), (1.0, 1e8), |ratio| {
             sweeps_needed(&[1.0, ratio], SWEPT_FORCE, sweeps).is_some()
         });
+    }
+    for (name, solver) in AT_REST {
+        rows = rows.method(name, (1.0, 1e8), |ratio| carries(&[1.0, ratio], solver));
     }
     rows.shipped((1.0, 1e8), |ratio| stands(&[1.0, ratio]))
 }
@@ -85,6 +107,9 @@ pub fn columns() -> Vec<Survival> {
         rows = rows.method(format!("impulses from cold, {sweeps} sweeps"), (1.0, 200.0), |n| {
             sweeps_needed(&column(n), SWEPT_FORCE, sweeps).is_some()
         });
+    }
+    for (name, solver) in AT_REST {
+        rows = rows.method(name, (1.0, 200.0), |n| carries(&column(n), solver));
     }
     let mut rows = rows.shipped((1.0, 200.0), |n| stands(&column(n)));
     for row in &mut rows {

@@ -4,6 +4,7 @@
 //! linear loop; the immovable surfaces follow after the last movable body and never move. [`Bodies::slot`] and [`Bodies::id`]
 //! translate between this numbering and that of the outside.
 
+use glam::DVec2;
 use std::cmp::Ordering;
 
 /// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
@@ -46,6 +47,8 @@ pub(super) struct Bodies {
     /// Velocities as the solver leaves them (surfaces too).
     pub ux: Vec<f64>,
     pub uy: Vec<f64>,
+    /// Mean velocities along gravity over the step of what touched something, m/s.
+    pub mean_vy: Vec<f64>,
     /// Positions at the end of the step, first predicted, then final (surfaces too).
     pub px: Vec<f64>,
     pub py: Vec<f64>,
@@ -56,6 +59,8 @@ pub(super) struct Bodies {
     pub allowed_bottom: Vec<f64>,
     /// How far the allowed ranges have moved since they were made, m.
     pub shift: (f64, f64),
+    /// Where some would be at the end of the step, and how fast, if they touched nothing: set from outside, by their numbers there.
+    pub guided: Vec<(u32, DVec2, DVec2)>,
     /// Number outside → number inside.
     pub slot: Vec<u32>,
     /// Number inside → number outside.
@@ -88,6 +93,7 @@ impl Bodies {
             free_vy: all(),
             ux: all(),
             uy: all(),
+            mean_vy: movable(),
             px: all(),
             py: all(),
             allowed_left: vec![f64::INFINITY; count],
@@ -95,6 +101,7 @@ impl Bodies {
             allowed_top: movable(),
             allowed_bottom: movable(),
             shift: (0.0, 0.0),
+            guided: Vec::new(),
             slot: (0..count as u32).collect(),
             id: (0..count as u32).collect(),
             order: (0..count as u32).collect(),
@@ -110,6 +117,7 @@ impl Bodies {
     }
 
     /// Whether the predicted centre lies within the body's allowed box.
+    #[inline(always)]
     pub fn is_allowed(&self, i: usize) -> bool {
         let (x, y) = (self.px[i] - self.shift.0, self.py[i] - self.shift.1);
         (x >= self.allowed_left[i]) & (x <= self.allowed_right[i]) & (y >= self.allowed_top[i]) & (y <= self.allowed_bottom[i])

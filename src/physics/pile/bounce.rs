@@ -3,14 +3,19 @@
 //! A contact that had to stop more than [`IMPACT`] steps of gravity is an impact. Its closing speed is that at the moment of
 //! touching, w² = v² + 2·a·gap; the pair leaves with e·w, e the larger restitution of the two, unless that is below the world's
 //! rest speed. On what the ground holds only the upper body turns round; in the air both do, with equal and opposite impulses.
-//! No rebound leaves a pair with more kinetic energy than it had.
+//! One after the other, rebounds can add up to more energy than there was (a body thrown by one neighbour is thrown again by the
+//! next). So bodies that hit each other in the same step form a group, and where its kinetic energy would exceed what its members
+//! brought, all its impulses are made smaller by one factor: momentum is conserved whatever the factor.
 
 use super::bodies::Bodies;
+use super::clusters::Clusters;
 
 /// A contact that stops more than this many steps of gravity is an impact. Below 1: resting contacts bounce for ever.
 const IMPACT: f64 = 2.0;
 /// The smallest impact, m/s, where there is no gravity to compare with.
 const SMALLEST: f64 = 1e-6;
+/// Rounding of the energy of a group, as a part of it.
+const ROUNDING: f64 = 1e-12;
 
 /// The direction of a contact's normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,12 +40,43 @@ pub(super) struct Impact {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Impacts {
     pub all: Vec<Impact>,
+    /// Bodies that were solved together.
+    bonds: Vec<(u32, u32, Axis)>,
     threshold: f64,
+    thrown: Vec<Thrown>,
+    /// For each body: where in `thrown` it is, and one; 0 if it is not.
+    place: Vec<u32>,
+}
+
+/// A body that takes part in a rebound.
+#[derive(Clone, Copy, Debug)]
+struct Thrown {
+    body: u32,
+    /// Another one of its group, itself if it is the first.
+    group: u32,
+    /// Its velocity along the axis before, m/s.
+    before: f64,
+    /// Of the whole group, kept by its first: the energy that was lost, J; what the rebounds give back at a part s of them is
+    /// s·linear + s²·square.
+    lost: f64,
+    linear: f64,
+    square: f64,
 }
 
 impl Impacts {
+    pub fn new(count: usize) -> Self {
+        Self {
+            all: Vec::with_capacity(count),
+            bonds: Vec::with_capacity(4 * count),
+            threshold: 0.0,
+            thrown: Vec::with_capacity(count),
+            place: vec![0; count],
+        }
+    }
+
     pub fn clear(&mut self, gravity: f64, dt: f64) {
         self.all.clear();
+        self.bonds.clear();
         self.threshold = (IMPACT * gravity.abs() * dt).max(SMALLEST);
     }
 
@@ -51,10 +87,20 @@ impl Impacts {
         }
     }
 
+    /// Remembers which bodies were merged along one axis, for they may have given each other energy.
+    pub fn bind(&mut self, clusters: &Clusters, axis: Axis) {
+        let n = self.place.len();
+        for &i in &clusters.joined {
+            let root = clusters.root(i as usize);
+            if (i as usize) < n && root < n {
+                self.bonds.push((i, root as u32, axis));
+            }
+        }
+    }
+
     /// Finds the closing speeds when touching and forgets what did not close.
     pub fn measure(&mut self, bodies: &Bodies, dt: f64) {
-        let n = bodies.len();
-        let threshold = self.threshold;
+        let (n, threshold) = (bodies.len(), self.threshold);
         self.all.retain_mut(|hit| {
             let (a, b) = (hit.a as usize, hit.b as usize);
             let (x, v, free, half) = match hit.axis {
@@ -73,57 +119,113 @@ impl Impacts {
     }
 
     /// Gives every impact its rebound.
-    pub fn rebound(&self, bodies: &mut Bodies, anchored: &[bool], rest_speed: f64) {
-        let n = bodies.len();
-        if self.all.is_empty() {
-            return;
-        }
-        // No more than was taken is given back, in a pair and altogether, by axis.
-        let mut lost = [taken(&bodies.mass, &bodies.free_vx, &bodies.ux), taken(&bodies.mass, &bodies.free_vy, &bodies.uy)];
-        for hit in &self.all {
-            let (a, b) = (hit.a as usize, hit.b as usize);
-            let rebound = hit.speed * bodies.traits[a].restitution.max(bodies.traits[b].restitution);
-            if rebound <= 0.0 || rebound < rest_speed {
-                continue;
-            }
-            let (x, u, free) = match hit.axis {
-                Axis::Across => (&bodies.x, &mut bodies.ux, &bodies.free_vx),
-                Axis::Gravity => (&bodies.y, &mut bodies.uy, &bodies.free_vy),
-            };
-            let side = if x[b] >= x[a] { 1.0 } else { -1.0 };
-            let wanted = rebound + side * (u[a] - u[b]);
-            if wanted <= 0.0 {
-                continue;
-            }
-            let share = |fixed: bool, i: usize| if fixed { 0.0 } else { 1.0 / bodies.mass[i] };
-            let held = |i: usize| i >= n || (hit.axis == Axis::Gravity && anchored[i]);
-            // The upper of two is turned round even if it is anchored: it was, on the other.
-            let upper_is_a = b >= n || x[a] <= x[b];
-            let (of_a, of_b) = match hit.axis {
-                Axis::Gravity if a < n && upper_is_a => (share(false, a), share(held(b), b)),
-                Axis::Gravity if b < n && a >= n => (0.0, share(false, b)),
-                _ => (share(a >= n, a), share(b >= n, b)),
-            };
-            if of_a + of_b <= 0.0 {
-                continue;
-            }
-            let impulse = side * wanted / (of_a + of_b);
-            let (next_a, next_b) = (u[a] - impulse * of_a, u[b] + impulse * of_b);
-            let energy = |v: f64, part: f64| if part > 0.0 { 0.5 * v * v / part } else { 0.0 };
-            let after = energy(next_a, of_a) + energy(next_b, of_b);
-            let gain = after - energy(u[a], of_a) - energy(u[b], of_b);
-            let left = &mut lost[usize::from(hit.axis == Axis::Gravity)];
-            if after <= energy(free[a], of_a) + energy(free[b], of_b) && gain <= *left {
-                (u[a], u[b]) = (next_a, next_b);
-                *left -= gain;
+    pub fn rebound(&mut self, bodies: &mut Bodies, anchored: &[bool], rest_speed: f64, dt: f64) {
+        for axis in [Axis::Across, Axis::Gravity] {
+            self.throw(bodies, anchored, axis, rest_speed);
+            if !self.thrown.is_empty() {
+                self.widen(bodies, axis);
+                self.restrain(bodies, axis, dt);
             }
         }
     }
-}
 
-/// The kinetic energy along one axis that the plastic solve took, J.
-fn taken(mass: &[f64], free: &[f64], solved: &[f64]) -> f64 {
-    mass.iter().zip(free).zip(solved).map(|((m, before), after)| 0.5 * m * (before * before - after * after)).sum()
+    /// Applies the impulses along one axis, one after the other, and groups whom they act on.
+    fn throw(&mut self, bodies: &mut Bodies, anchored: &[bool], axis: Axis, rest_speed: f64) {
+        let n = bodies.len();
+        self.thrown.clear();
+        for k in 0..self.all.len() {
+            let hit = self.all[k];
+            if hit.axis != axis {
+                continue;
+            }
+            let (x, u) = match axis {
+                Axis::Across => (&bodies.x, &mut bodies.ux),
+                Axis::Gravity => (&bodies.y, &mut bodies.uy),
+            };
+            let (a, b) = (hit.a as usize, hit.b as usize);
+            // Of a stack, a is the upper one. What rises is not held, whatever stopped it.
+            let held = axis == Axis::Gravity && b < n && anchored[b] && bodies.free_vy[b] >= 0.0;
+            let of_a = if a < n { 1.0 / bodies.mass[a] } else { 0.0 };
+            let of_b = if b < n && !held { 1.0 / bodies.mass[b] } else { 0.0 };
+            let rebound = hit.speed * bodies.traits[a].restitution.max(bodies.traits[b].restitution);
+            let side = if x[b] >= x[a] { 1.0 } else { -1.0 };
+            let wanted = rebound + side * (u[a] - u[b]);
+            if rebound <= 0.0 || rebound < rest_speed || wanted <= 0.0 {
+                continue;
+            }
+            let (first, second) = (self.enlist(a, of_a, u), self.enlist(b, of_b, u));
+            if let (Some(first), Some(second)) = (first, second) {
+                self.thrown[second].group = first as u32;
+            }
+            let impulse = side * wanted / (of_a + of_b);
+            u[a] -= impulse * of_a;
+            u[b] += impulse * of_b;
+        }
+    }
+
+    /// Lets whoever was solved together with the thrown share their energy.
+    fn widen(&mut self, bodies: &Bodies, axis: Axis) {
+        let u = if axis == Axis::Across { &bodies.ux } else { &bodies.uy };
+        for k in 0..self.bonds.len() {
+            let (i, root, along) = self.bonds[k];
+            if along == axis
+                && let (Some(first), Some(second)) = (self.enlist(i as usize, 1.0, u), self.enlist(root as usize, 1.0, u))
+            {
+                self.thrown[second].group = first as u32;
+            }
+        }
+    }
+
+    /// The first of a body's group; `None` if no impulse moves it.
+    fn enlist(&mut self, body: usize, share: f64, u: &[f64]) -> Option<usize> {
+        if share == 0.0 {
+            return None;
+        }
+        if self.place[body] == 0 {
+            let group = self.thrown.len() as u32;
+            self.thrown.push(Thrown { body: body as u32, group, before: u[body], lost: 0.0, linear: 0.0, square: 0.0 });
+            self.place[body] = group + 1;
+        }
+        Some(self.first(self.place[body] as usize - 1))
+    }
+
+    /// The first of a group.
+    fn first(&mut self, mut at: usize) -> usize {
+        while self.thrown[at].group as usize != at {
+            let next = self.thrown[at].group as usize;
+            self.thrown[at].group = self.thrown[next].group;
+            at = next;
+        }
+        at
+    }
+
+    /// Makes the rebounds of a group smaller if they give back more energy than its members lost in the step.
+    fn restrain(&mut self, bodies: &mut Bodies, axis: Axis, dt: f64) {
+        let (x, px, v, free, u) = match axis {
+            Axis::Across => (&bodies.x, &bodies.px, &bodies.vx, &bodies.free_vx, &mut bodies.ux),
+            Axis::Gravity => (&bodies.y, &bodies.py, &bodies.vy, &bodies.free_vy, &mut bodies.uy),
+        };
+        for k in 0..self.thrown.len() {
+            let (i, before) = (self.thrown[k].body as usize, self.thrown[k].before);
+            let (mass, change) = (bodies.mass[i], u[i] - before);
+            let worked = (free[i] - v[i]) / dt * (px[i] - x[i]);
+            let first = self.first(k);
+            let group = &mut self.thrown[first];
+            group.lost += mass * (0.5 * (v[i] * v[i] - before * before) + worked);
+            group.linear += mass * before * change;
+            group.square += 0.5 * mass * change * change;
+        }
+        for k in 0..self.thrown.len() {
+            let first = self.first(k);
+            let Thrown { lost, linear, square, .. } = self.thrown[first];
+            let Thrown { body, before, .. } = self.thrown[k];
+            self.place[body as usize] = 0;
+            if square > 0.0 && linear + square > lost + ROUNDING * lost.abs() {
+                let part = 0.5 * ((linear * linear + 4.0 * square * lost.max(0.0)).sqrt() - linear) / square;
+                u[body as usize] = before + part.clamp(0.0, 1.0) * (u[body as usize] - before);
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -138,11 +240,11 @@ mod tests {
             (bodies.y[1], bodies.hy[0], bodies.hy[1]) = (1.0, 0.5, 0.5);
             (bodies.vy[0], bodies.free_vy[0], bodies.mass[0]) = (5.0, 5.1, 2.0);
             bodies.traits[0].restitution = 0.5;
-            let mut impacts = Impacts::default();
+            let mut impacts = Impacts::new(1);
             impacts.clear(10.0, 0.01);
             impacts.note(0, 1, Axis::Gravity, 5.1);
             impacts.measure(&bodies, 0.01);
-            impacts.rebound(&mut bodies, &[true, true], rest_speed);
+            impacts.rebound(&mut bodies, &[true, true], rest_speed, 0.01);
             assert_eq!(bodies.uy[0], leaves);
         }
     }

@@ -6,7 +6,9 @@
 //! along for one step although it would have parted, since clusters never split.
 //!
 //! A cluster may lie on immovable ground with friction: with momentum P, mass M and the ground's largest impulses S (static) and
-//! K (kinetic), its velocity is 0 while |P| ≤ S, else (P ∓ K)/M. Pooling stays exact, as the terms K·|v| are convex.
+//! K (kinetic), its velocity is 0 while |P| ≤ S, else (P ∓ K)/M. Pooling stays exact, as the terms K·|v| are convex. Where
+//! members on the ground still close a gap, their velocities differ by it, and each is held or dragged by its own: then the
+//! common velocity is where the momentum's balance, which rises with it, changes sign; found between the members' stops.
 
 use super::gravity::slide;
 
@@ -19,6 +21,23 @@ pub(super) struct Node {
     pub kinetic_limit: f64,
 }
 
+impl Node {
+    fn has_grip(&self) -> bool {
+        self.static_limit > 0.0 || self.kinetic_limit > 0.0
+    }
+}
+
+/// The ground under a cluster.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Ground {
+    #[default]
+    Smooth,
+    /// All members that it holds or drags have this offset.
+    Even(f64),
+    /// Their offsets differ.
+    Uneven,
+}
+
 #[derive(Clone, Copy, Debug, Default)]
 struct Member {
     stamp: u32,
@@ -26,11 +45,15 @@ struct Member {
     next: u32,
     /// Its velocity is the cluster's and this.
     offset: f64,
+    /// Whether nothing changes its velocity.
+    fixed: bool,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Root {
+    /// Of all members, the momentum less what their offsets make of it.
     node: Node,
+    ground: Ground,
     velocity: f64,
     fixed: bool,
     size: u32,
@@ -38,12 +61,16 @@ struct Root {
 }
 
 const NONE: u32 = u32::MAX;
+/// Rounding of a cluster's energy, as a part of it.
+const ROUNDING: f64 = 1e-12;
 
 /// Groups of bodies that move as one along one axis. Only bodies that were merged are in one.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Clusters {
     stamp: u32,
     members: Vec<Member>,
+    /// What each member brought.
+    brought: Vec<Node>,
     roots: Vec<Root>,
     /// All that are in a cluster, in the order of joining.
     pub joined: Vec<u32>,
@@ -51,7 +78,13 @@ pub(super) struct Clusters {
 
 impl Clusters {
     pub fn new(all: usize) -> Self {
-        Self { stamp: 0, members: vec![Member::default(); all], roots: vec![Root::default(); all], joined: Vec::with_capacity(all) }
+        Self {
+            stamp: 0,
+            members: vec![Member::default(); all],
+            brought: vec![Node::default(); all],
+            roots: vec![Root::default(); all],
+            joined: Vec::with_capacity(all),
+        }
     }
 
     /// Forgets all clusters.
@@ -80,9 +113,125 @@ impl Clusters {
         self.members[i].stamp == self.stamp
     }
 
-    /// What the whole cluster of a joined body brings.
-    pub fn total(&self, i: usize) -> Node {
-        self.roots[self.members[i].root as usize].node
+    /// The first body of a joined body's cluster.
+    pub fn root(&self, i: usize) -> usize {
+        self.members[i].root as usize
+    }
+
+    /// The roots of all clusters that are not fixed.
+    pub fn free_roots(&self) -> impl Iterator<Item = usize> {
+        self.joined.iter().map(|i| *i as usize).filter(|i| self.members[*i].root as usize == *i && !self.roots[*i].fixed)
+    }
+
+    /// All that are in the cluster of a root.
+    pub fn of(&self, root: usize) -> impl Iterator<Item = usize> {
+        std::iter::successors(Some(root), |i| Some(self.members[*i].next).filter(|next| *next != NONE).map(|next| next as usize))
+    }
+
+    /// The impulse that the ground takes up in all under those members of a joined body's cluster that stand, and their limits.
+    pub fn held(&self, i: usize) -> (f64, f64) {
+        let root = &self.roots[self.members[i].root as usize];
+        let Node { momentum, mass, static_limit, .. } = root.node;
+        match root.ground {
+            Ground::Smooth => (0.0, 0.0),
+            Ground::Even(offset) => (momentum + mass * offset, static_limit),
+            Ground::Uneven => self.balance(self.members[i].root as usize, root.velocity),
+        }
+    }
+
+    /// Slows clusters that have more kinetic energy than their members brought: those that close a gap drag along others that
+    /// would have parted. Their motion against the centre of mass is made smaller, against what is fixed all motion; nothing
+    /// within a cluster closes faster for that.
+    pub fn calm(&mut self) {
+        for k in 0..self.joined.len() {
+            let root = self.joined[k] as usize;
+            let Root { velocity, fixed, size, .. } = self.roots[root];
+            if self.members[root].root as usize != root || size < 2 {
+                continue;
+            }
+            let (mut mass, mut momentum, mut before, mut after) = (0.0, 0.0, 0.0, 0.0);
+            for i in self.of(root).filter(|i| !self.members[*i].fixed) {
+                let (node, own) = (&self.brought[i], velocity + self.members[i].offset);
+                mass += node.mass;
+                momentum += node.mass * own;
+                before += node.momentum * node.momentum / node.mass;
+                after += node.mass * own * own;
+            }
+            if after <= before * (1.0 + ROUNDING) {
+                continue;
+            }
+            let common = if fixed { 0.0 } else { momentum / mass };
+            let (of_all, within) = (momentum * common, after - momentum * common);
+            let part = if within > 0.0 { ((before - of_all).max(0.0) / within).sqrt().min(1.0) } else { 0.0 };
+            let new = if fixed { velocity } else { common + part * (velocity - common) };
+            self.roots[root].velocity = new;
+            let mut at = root as u32;
+            while at != NONE {
+                let member = &mut self.members[at as usize];
+                if !member.fixed {
+                    member.offset = common + part * (velocity + member.offset - common) - new;
+                }
+                at = member.next;
+            }
+            self.reframe(root);
+        }
+    }
+
+    /// Restores what a root knows of its members after their offsets changed.
+    fn reframe(&mut self, root: usize) {
+        let shifted: f64 = self.of(root).map(|i| self.brought[i].momentum - self.brought[i].mass * self.members[i].offset).sum();
+        self.roots[root].node.momentum = shifted;
+        if self.roots[root].ground != Ground::Smooth {
+            self.roots[root].ground = Ground::Uneven;
+        }
+    }
+
+    /// The velocity of a root that nothing fixes.
+    fn settle(&self, root: usize) -> f64 {
+        let Root { node, ground, .. } = self.roots[root];
+        match ground {
+            Ground::Smooth => node.momentum / node.mass,
+            Ground::Even(offset) => {
+                slide(node.momentum + node.mass * offset, node.mass, node.static_limit, node.kinetic_limit) - offset
+            }
+            Ground::Uneven => {
+                // The least and the greatest velocity that it may have, closing in on the answer stop by stop.
+                let mut range = (f64::NEG_INFINITY, f64::INFINITY);
+                for i in self.of(root) {
+                    let stop = -self.members[i].offset;
+                    if !self.brought[i].has_grip() || stop <= range.0 || stop >= range.1 {
+                        continue;
+                    }
+                    let (lacks, held) = self.balance(root, stop);
+                    if lacks > held {
+                        range.0 = stop;
+                    } else if lacks < -held {
+                        range.1 = stop;
+                    } else {
+                        return stop;
+                    }
+                }
+                // Between two stops nobody stands.
+                let backward = |i: usize| -self.members[i].offset >= range.1;
+                let drag = |i: usize| if backward(i) { -self.brought[i].kinetic_limit } else { self.brought[i].kinetic_limit };
+                let dragged: f64 = self.of(root).map(drag).sum();
+                ((node.momentum - dragged) / node.mass).clamp(range.0, range.1)
+            }
+        }
+    }
+
+    /// Of a root at the velocity `stop`, at which some of its members stand: the impulse that they would have to take up, and their
+    /// limit.
+    fn balance(&self, root: usize, stop: f64) -> (f64, f64) {
+        let node = &self.roots[root].node;
+        let mut balance = (node.momentum - node.mass * stop, 0.0);
+        for i in self.of(root) {
+            match stop + self.members[i].offset {
+                0.0 => balance.1 += self.brought[i].static_limit,
+                velocity => balance.0 -= self.brought[i].kinetic_limit.copysign(velocity),
+            }
+        }
+        balance
     }
 
     /// Lets a body in: `fixed` with a velocity that nothing changes, or free with what it brings. Nothing if it is in already.
@@ -91,8 +240,10 @@ impl Clusters {
             return;
         }
         let velocity = fixed.unwrap_or_else(|| slide(node.momentum, node.mass, node.static_limit, node.kinetic_limit));
-        self.members[i] = Member { stamp: self.stamp, root: i as u32, next: NONE, offset: 0.0 };
-        self.roots[i] = Root { node, velocity, fixed: fixed.is_some(), size: 1, last: i as u32 };
+        let ground = if node.has_grip() { Ground::Even(0.0) } else { Ground::Smooth };
+        self.members[i] = Member { stamp: self.stamp, root: i as u32, next: NONE, offset: 0.0, fixed: fixed.is_some() };
+        self.brought[i] = node;
+        self.roots[i] = Root { node, ground, velocity, fixed: fixed.is_some(), size: 1, last: i as u32 };
         self.joined.push(i as u32);
     }
 
@@ -117,12 +268,11 @@ impl Clusters {
             static_limit: kept.node.static_limit + lost.node.static_limit,
             kinetic_limit: kept.node.kinetic_limit + lost.node.kinetic_limit,
         };
-        let velocity = if kept.fixed {
-            kept.velocity
-        } else if lost.fixed {
-            lost.velocity + shift
-        } else {
-            slide(node.momentum, node.mass, node.static_limit, node.kinetic_limit)
+        let ground = match (kept.ground, lost.ground) {
+            (Ground::Smooth, Ground::Even(offset)) => Ground::Even(offset - shift),
+            (ground, Ground::Smooth) => ground,
+            (Ground::Even(one), Ground::Even(other)) if one == other - shift => kept.ground,
+            _ => Ground::Uneven,
         };
         let mut at = gone;
         while at != NONE {
@@ -133,7 +283,14 @@ impl Clusters {
         }
         self.members[kept.last as usize].next = gone;
         let fixed = kept.fixed || lost.fixed;
-        self.roots[keep as usize] = Root { node, velocity, fixed, size: kept.size + lost.size, last: lost.last };
+        self.roots[keep as usize] = Root { node, ground, velocity: 0.0, fixed, size: kept.size + lost.size, last: lost.last };
+        self.roots[keep as usize].velocity = if kept.fixed {
+            kept.velocity
+        } else if lost.fixed {
+            lost.velocity + shift
+        } else {
+            self.settle(keep as usize)
+        };
         true
     }
 }

@@ -7,7 +7,7 @@
 //! catch.
 
 use super::bodies::Bodies;
-use super::neighbours::{NONE, Neighbours};
+use super::neighbours::Neighbours;
 
 /// Gaps within this many metres of zero are touching. Larger: visible gaps; smaller: rounding turns contacts into overlaps.
 pub(super) const TOUCH: f64 = 1e-9;
@@ -18,6 +18,9 @@ const CATCH: f64 = 1e-4;
 /// mean way across. Larger: more contacts to look at; smaller: more steps in which a hit asks for a second look.
 const MARGIN: f64 = 1e-3;
 const MEAN_WAYS: f64 = 2.0;
+
+/// Contacts a body of either kind for which there is room from the start. Fewer: a rare step allocates.
+const ROOM: usize = 4;
 
 /// The upper body stands over `below`, which has a lower number or is a surface.
 #[derive(Clone, Copy, Debug)]
@@ -51,66 +54,52 @@ pub(super) struct Contacts {
     pub sides: Vec<Side>,
     /// Surfaces above bodies.
     pub ceilings: Vec<Side>,
-    swept: Vec<[f64; 4]>,
+    /// What each body sweeps, and surfaces fill: left, right, top, bottom; and the margin across, m.
+    pub(super) swept: Vec<[f64; 4]>,
+    pad: f64,
 }
 
-/// What a pair is to the step.
+/// What a pair is to the step, and whether it may act on velocities.
 enum Kind {
     Stack(bool),
     Inverted(bool),
     Side(bool),
 }
 
+/// A pair that may touch.
+pub(super) enum Meeting {
+    /// The first stands on the second.
+    Stack(Stack),
+    Side(Side),
+    Ceiling(Side),
+    /// The second body stands on the first, which has the lower number.
+    Inverted,
+}
+
 impl Contacts {
+    /// Room for what `count` bodies usually touch.
+    pub fn new(count: usize) -> Self {
+        let (stacks, sides) = (Vec::with_capacity(ROOM * count), Vec::with_capacity(ROOM * count));
+        Self { start: Vec::with_capacity(count + 1), stacks, sides, ..Self::default() }
+    }
+
     /// Finds all contacts among the neighbours. Returns false if two bodies changed their order along gravity, so that they must
     /// be renumbered first.
     pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours, dt: f64) -> bool {
-        let n = bodies.len();
-        self.sweep(bodies);
         self.clear();
         let per_second = 1.0 / dt;
-        let (x, y, hx, hy) = (&bodies.x[..], &bodies.y[..], &bodies.hx[..], &bodies.hy[..]);
-        for i in 0..n {
+        for i in 0..bodies.len() {
             self.start.push(self.stacks.len() as u32);
             let mine = self.swept[i];
-            let (xi, yi, hxi, hyi) = (x[i], y[i], hx[i], hy[i]);
-            let mut known = neighbours.with[neighbours.start[i] as usize..neighbours.start[i + 1] as usize].iter();
-            let mut at = neighbours.first[i];
-            loop {
-                let other = if let Some(&other) = known.next() {
-                    other
-                } else if at != NONE {
-                    let more = neighbours.more[at as usize];
-                    at = more.next;
-                    more.with
-                } else {
-                    break;
-                };
-                let j = other as usize;
-                let theirs = self.swept[j];
-                if (mine[0] > theirs[1]) | (theirs[0] > mine[1]) | (mine[2] > theirs[3]) | (theirs[2] > mine[3]) {
+            for j in neighbours.of(i) {
+                if apart(&mine, &self.swept[j]) {
                     continue;
                 }
-                let (dx, dy) = (x[j] - xi, y[j] - yi);
-                let (reach_x, reach_y) = (hxi + hx[j], hyi + hy[j]);
-                let (gap_x, gap_y) = (dx.abs() - reach_x, dy.abs() - reach_y);
-                match kind(bodies, i, j, dx, dy, gap_x, gap_y, dt) {
-                    Kind::Stack(live) => {
-                        let bound = if gap_y > TOUCH { gap_y * per_second } else { 0.0 };
-                        self.stacks.push(Stack { below: other, live, bound, reach: reach_y });
-                    }
-                    Kind::Inverted(live) => {
-                        if j < n {
-                            return false;
-                        }
-                        let bound = if gap_y > TOUCH { gap_y * per_second } else { 0.0 };
-                        self.ceilings.push(Side { first: other, second: i as u32, live, bound, reach: reach_y });
-                    }
-                    Kind::Side(live) => {
-                        let bound = if gap_x > TOUCH { gap_x * per_second } else { 0.0 };
-                        let (first, second) = if dx > 0.0 { (i as u32, other) } else { (other, i as u32) };
-                        self.sides.push(Side { first, second, live, bound, reach: reach_x });
-                    }
+                match meeting(bodies, i, j, dt, per_second) {
+                    Meeting::Stack(stack) => self.stacks.push(stack),
+                    Meeting::Side(side) => self.sides.push(side),
+                    Meeting::Ceiling(ceiling) => self.ceilings.push(ceiling),
+                    Meeting::Inverted => return false,
                 }
             }
         }
@@ -131,19 +120,27 @@ impl Contacts {
         self.start[i] as usize..self.start[i + 1] as usize
     }
 
-    /// The boxes that the bodies sweep from where they are to where they are predicted, and a margin.
-    fn sweep(&mut self, bodies: &Bodies) {
+    /// Sets the boxes that the bodies sweep from where they are to where they are predicted, and a margin.
+    pub fn sweep(&mut self, bodies: &Bodies) {
         let all = bodies.x.len();
         self.swept.resize(all, [0.0; 4]);
         let (x, px, hx) = (&bodies.x[..all], &bodies.px[..all], &bodies.hx[..all]);
         let (y, py, hy) = (&bodies.y[..all], &bodies.py[..all], &bodies.hy[..all]);
         let mean = x.iter().zip(px).map(|(x, px)| (x - px).abs()).sum::<f64>() / bodies.len() as f64;
-        let pad = MARGIN + MEAN_WAYS * mean;
+        self.pad = MARGIN + MEAN_WAYS * mean;
         for (i, swept) in self.swept.iter_mut().enumerate() {
             let (left, right) = if x[i] < px[i] { (x[i], px[i]) } else { (px[i], x[i]) };
             let (top, bottom) = if y[i] < py[i] { (y[i], py[i]) } else { (py[i], y[i]) };
-            *swept = [left - hx[i] - pad, right + hx[i] + pad, top - hy[i] - MARGIN, bottom + hy[i] + MARGIN];
+            *swept = [left - hx[i] - self.pad, right + hx[i] + self.pad, top - hy[i] - MARGIN, bottom + hy[i] + MARGIN];
         }
+    }
+
+    /// Widens what a body sweeps to where it is predicted now.
+    pub fn widen(&mut self, bodies: &Bodies, i: usize) {
+        let (x, y) = (bodies.px[i], bodies.py[i]);
+        let (wide, high) = (bodies.hx[i] + self.pad, bodies.hy[i] + MARGIN);
+        let s = &mut self.swept[i];
+        *s = [s[0].min(x - wide), s[1].max(x + wide), s[2].min(y - high), s[3].max(y + high)];
     }
 
     /// Whether the predicted box of a body lies within what was swept when the contacts were sought, and within that in which its
@@ -152,6 +149,31 @@ impl Contacts {
         let s = &self.swept[i];
         let (x, y, hx, hy) = (bodies.px[i], bodies.py[i], bodies.hx[i], bodies.hy[i]);
         (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3]) & bodies.is_allowed(i)
+    }
+}
+
+/// Whether two boxes do not touch.
+pub(super) fn apart(a: &[f64; 4], b: &[f64; 4]) -> bool {
+    (a[0] > b[1]) | (b[0] > a[1]) | (a[2] > b[3]) | (b[2] > a[3])
+}
+
+/// What body i and body or surface j are to each other; a body j has the lower number. `per_second` is 1/dt.
+#[inline(always)]
+pub(super) fn meeting(bodies: &Bodies, i: usize, j: usize, dt: f64, per_second: f64) -> Meeting {
+    let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
+    let (reach_x, reach_y) = (bodies.hx[i] + bodies.hx[j], bodies.hy[i] + bodies.hy[j]);
+    let (gap_x, gap_y) = (dx.abs() - reach_x, dy.abs() - reach_y);
+    let bound = |gap: f64| if gap > TOUCH { gap * per_second } else { 0.0 };
+    match kind(bodies, i, j, dx, dy, gap_x, gap_y, dt) {
+        Kind::Stack(live) => Meeting::Stack(Stack { below: j as u32, live, bound: bound(gap_y), reach: reach_y }),
+        Kind::Inverted(_) if j < bodies.len() => Meeting::Inverted,
+        Kind::Inverted(live) => {
+            Meeting::Ceiling(Side { first: j as u32, second: i as u32, live, bound: bound(gap_y), reach: reach_y })
+        }
+        Kind::Side(live) => {
+            let (first, second) = if dx > 0.0 { (i as u32, j as u32) } else { (j as u32, i as u32) };
+            Meeting::Side(Side { first, second, live, bound: bound(gap_x), reach: reach_x })
+        }
     }
 }
 

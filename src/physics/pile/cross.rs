@@ -15,20 +15,39 @@ use super::gravity::SLACK;
 
 /// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
+/// A pushed body that is faster by this part than it was and than its cluster was pushed against friction that did not come: then
+/// the pushes are dropped. Smaller: rounding drops pushes; larger: bodies are flung.
+const FLUNG: f64 = 1e-9;
 /// Passes over the side contacts in one merging; each merges whole rows.
 const PASSES: usize = 16;
 
-/// Solves the velocities across gravity. `given` is left with each body's momentum before friction, pushes included; `pushed` is
-/// scratch.
+/// What one body after the other is given in a step.
+#[derive(Clone, Debug)]
+pub(super) struct Pushes {
+    /// Momenta before friction, pushes included, N·s.
+    given: Vec<f64>,
+    /// Velocities before any push, m/s.
+    before: Vec<f64>,
+    /// Who is pushed.
+    pushed: Vec<bool>,
+}
+
+impl Pushes {
+    pub fn new(count: usize) -> Self {
+        Self { given: vec![0.0; count], before: vec![0.0; count], pushed: vec![false; count] }
+    }
+}
+
+/// Solves the velocities across gravity.
 pub(super) fn solve(
     bodies: &mut Bodies,
     contacts: &Contacts,
     friction: &mut Friction,
     clusters: &mut Clusters,
     impacts: &mut Impacts,
-    given: &mut [f64],
-    pushed: &mut [bool],
+    pushes: &mut Pushes,
 ) {
+    let Pushes { given, before, pushed } = pushes;
     let n = bodies.len();
     bodies.ux.copy_from_slice(&bodies.free_vx);
     for ((given, mass), velocity) in given.iter_mut().zip(&bodies.mass).zip(&bodies.free_vx) {
@@ -42,6 +61,7 @@ pub(super) fn solve(
     friction.wake(bodies, contacts, given, pushed);
     friction.load(bodies, contacts);
     friction.solve(bodies, given);
+    before.copy_from_slice(&bodies.ux[..n]);
     for _ in 0..ROUNDS {
         if rouse(bodies, contacts, friction, pushed) {
             friction.wake(bodies, contacts, given, pushed);
@@ -51,26 +71,20 @@ pub(super) fn solve(
         if !merge(bodies, contacts, clusters, impacts, |bodies, i| node(bodies, friction, i)) {
             return;
         }
-        for &i in &clusters.joined {
-            let i = i as usize;
-            if let Some(node) = (i < n).then(|| node(bodies, friction, i)).flatten() {
-                given[i] += push(clusters, i, &node);
-                if clusters.velocity(i, 0.0) != 0.0 {
-                    friction.drag(i);
-                }
-            }
+        impacts.bind(clusters, Axis::Across);
+        if hand_over(bodies, friction, clusters, given) {
+            friction.solve(bodies, given);
         }
-        friction.solve(bodies, given);
+        let flung = |i: usize| bodies.ux[i].abs() > before[i].abs().max(clusters.velocity(i, 0.0).abs()) * (1.0 + FLUNG) + SLACK;
+        if clusters.joined.iter().any(|i| (*i as usize) < n && flung(*i as usize)) {
+            bodies.ux[..n].copy_from_slice(before);
+            break;
+        }
     }
     let plain =
         |bodies: &Bodies, i: usize| Some(Node { momentum: bodies.mass[i] * bodies.ux[i], mass: bodies.mass[i], ..Node::default() });
-    // Friction and plastic merging never make anything faster than the fastest was; if grips that did not settle would have,
-    // the step goes without friction.
-    let fastest = |v: &[f64]| v.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-    if fastest(&bodies.ux[..n]) > fastest(&bodies.free_vx[..n]) * (1.0 + SLACK) {
-        bodies.ux.copy_from_slice(&bodies.free_vx);
-    }
     if merge(bodies, contacts, clusters, impacts, plain) {
+        impacts.bind(clusters, Axis::Across);
         for &i in &clusters.joined {
             let i = i as usize;
             if i < n {
@@ -78,6 +92,26 @@ pub(super) fn solve(
             }
         }
     }
+}
+
+/// Gives merged bodies their clusters' velocities, as pushes to those at which something rubs. Returns whether there are any.
+fn hand_over(bodies: &mut Bodies, friction: &mut Friction, clusters: &Clusters, given: &mut [f64]) -> bool {
+    let mut rubs = false;
+    for &i in &clusters.joined {
+        let i = i as usize;
+        let Some(node) = (i < bodies.len()).then(|| node(bodies, friction, i)).flatten() else { continue };
+        given[i] += push(clusters, i, &node);
+        let velocity = clusters.velocity(i, 0.0);
+        if !friction.is_gripped(i) {
+            bodies.ux[i] = velocity;
+            continue;
+        }
+        rubs = true;
+        if velocity != 0.0 {
+            friction.drag(i);
+        }
+    }
+    rubs
 }
 
 /// Wakes what stands and is about to be hit from the side, and what touches it in a row. Returns whether there was any.
@@ -120,6 +154,9 @@ fn node(bodies: &Bodies, friction: &Friction, i: usize) -> Option<Node> {
     if !friction.is_awake(i) {
         return None;
     }
+    if !friction.is_gripped(i) {
+        return Some(Node { momentum: bodies.mass[i] * bodies.ux[i], mass: bodies.mass[i], ..Node::default() });
+    }
     let mut node = friction.riders[i];
     let tight = &friction.tight[friction.under(i)];
     if tight.is_empty() || tight.iter().any(|t| bodies.ux[t.below as usize] != 0.0) {
@@ -144,9 +181,9 @@ fn push(clusters: &Clusters, i: usize, node: &Node) -> f64 {
     if clusters.is_fixed(i) {
         return node.momentum.clamp(-node.static_limit, node.static_limit) - node.momentum;
     }
-    let total = clusters.total(i);
-    let part = if total.static_limit > 0.0 { node.static_limit / total.static_limit } else { 0.0 };
-    total.momentum * part - node.momentum
+    let (impulse, limit) = clusters.held(i);
+    let part = if limit > 0.0 { node.static_limit / limit } else { 0.0 };
+    impulse * part - node.momentum
 }
 
 /// Merges what closes too fast, of those that `node` knows. Returns whether anything did.
@@ -179,6 +216,7 @@ fn merge(
         if !merged {
             break;
         }
+        clusters.calm();
     }
     any
 }

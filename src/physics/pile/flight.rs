@@ -7,7 +7,8 @@
 //! Runge–Kutta, and half its arithmetic. The position follows from both ends, x = ½h(u₀ + u₁) + h²/12·(a₀ − a₁) (Euler–Maclaurin).
 //! Drag alone slows exactly as it should at any speed, a body without drag flies its parabola, and nothing can diverge or turn round.
 //! Errors are those of Runge–Kutta or less, 1e-7 m after seconds, while h·k|u| and h·√(k|A|) stay below [`LIGHT`]. What is lighter, or
-//! turns another side to the air within the step, is done again alone, by the flow of small worlds.
+//! turns another side to the air within the step, is done again alone, by the flow of small worlds. What is guided from outside goes
+//! where it is told.
 
 use super::super::flow::{fly_through, time_of_turn};
 use super::super::media::moves_across;
@@ -32,6 +33,12 @@ pub(super) fn fly(bodies: &mut Bodies, dt: f64, drag: bool) -> bool {
         fly_through_air(bodies, dt);
     } else {
         fly_on_parabolas(bodies, dt);
+    }
+    for g in 0..bodies.guided.len() {
+        let (id, position, velocity) = bodies.guided[g];
+        let i = bodies.slot[id as usize] as usize;
+        (bodies.px[i], bodies.py[i]) = position.into();
+        (bodies.free_vx[i], bodies.free_vy[i]) = velocity.into();
     }
     stays(bodies)
 }

@@ -17,7 +17,9 @@ use super::contacts::Contacts;
 use super::gravity::SLACK;
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 5;
+/// Sweeps of the way out. Fewer: columns shear more.
+const SWEEPS: usize = 4;
 
 /// A limit exceeded by this part still holds: sums of many impulses are rounded.
 const ROUNDING: f64 = 1e-12;
@@ -57,6 +59,9 @@ pub(super) struct Friction {
     /// Who takes part, bottom-up.
     awake: Vec<u32>,
     is_awake: Vec<bool>,
+    /// Who of them stands on something or carries something, bottom-up; nothing rubs at the others.
+    gripped: Vec<u32>,
+    is_gripped: Vec<bool>,
     /// Whether all materials are such that what stands holds what slides on it.
     alike: bool,
 }
@@ -70,6 +75,7 @@ impl Friction {
             riders: vec![Node::default(); all],
             loads: vec![0.0; all],
             is_awake: vec![false; all],
+            is_gripped: vec![false; all],
             start: vec![0; all],
             end: vec![0; all],
             alike,
@@ -86,6 +92,11 @@ impl Friction {
         self.is_awake[i]
     }
 
+    /// Whether a body that takes part stands on something or carries something.
+    pub fn is_gripped(&self, i: usize) -> bool {
+        self.is_gripped[i]
+    }
+
     /// The impulse of friction between a body and one of its supports, N·s, on the upper one.
     pub fn impulse(&self, upper: usize, below: u32) -> f64 {
         let tight = if self.is_awake[upper] { &self.tight[self.under(upper)] } else { &[] };
@@ -95,6 +106,7 @@ impl Friction {
     /// Nothing moves across, so nobody takes part.
     pub fn rest(&mut self) {
         self.awake.clear();
+        self.gripped.clear();
         self.is_awake.fill(false);
     }
 
@@ -120,10 +132,12 @@ impl Friction {
     pub fn load(&mut self, bodies: &Bodies, contacts: &Contacts) {
         let n = bodies.len();
         self.tight.clear();
+        self.gripped.clear();
         for &i in &self.awake {
             let i = i as usize;
             self.start[i] = self.tight.len() as u32;
             self.loads[i] = 0.0;
+            self.is_gripped[i] = false;
             let velocity = bodies.uy[i];
             for stack in &contacts.stacks[contacts.under(i)] {
                 if stack.live && (velocity - bodies.uy[stack.below as usize] - stack.bound).abs() <= SLACK {
@@ -144,9 +158,14 @@ impl Friction {
                 }
             }
             self.end[i] = self.tight.len() as u32;
+            for tight in &self.tight[self.start[i] as usize..] {
+                self.is_gripped[i] = true;
+                self.is_gripped[tight.below as usize] = true;
+            }
         }
-        for k in (0..self.awake.len()).rev() {
-            let i = self.awake[k] as usize;
+        self.gripped.extend(self.awake.iter().filter(|i| self.is_gripped[**i as usize]));
+        for k in (0..self.gripped.len()).rev() {
+            let i = self.gripped[k] as usize;
             let load = self.loads[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
             let under = self.under(i);
             let share = load.max(0.0) / under.len() as f64;
@@ -167,28 +186,74 @@ impl Friction {
         }
     }
 
-    /// Solves the velocities across, from the momenta `given`; leaves in `riders` what each body carries.
+    /// Solves the velocities across of what is gripped, from the momenta `given`; leaves in `riders` what each body carries.
     pub fn solve(&mut self, bodies: &mut Bodies, given: &[f64]) {
         for tight in &mut self.tight {
             tight.grip = Grip::Stick;
         }
-        for round in 0..=ROUNDS {
-            self.gather(bodies, given, round == 0, round == ROUNDS);
-            if !self.spread(bodies, round == ROUNDS) {
+        for round in 0..ROUNDS {
+            self.gather(bodies, given, round == 0);
+            if !self.spread(bodies) {
+                if self.dissipates(bodies, given) {
+                    return;
+                }
                 break;
+            }
+        }
+        self.relax(bodies, given);
+    }
+
+    /// Whether there is no more kinetic energy than before: a body on several supports may have been left with a slip that drives.
+    fn dissipates(&self, bodies: &Bodies, given: &[f64]) -> bool {
+        let (mut before, mut after) = (0.0, 0.0);
+        for &i in &self.gripped {
+            let (mass, i) = (bodies.mass[i as usize], i as usize);
+            before += given[i] * given[i] / mass;
+            after += mass * bodies.ux[i] * bodies.ux[i];
+        }
+        after <= before * (1.0 + ROUNDING)
+    }
+
+    /// The way out where the grips do not settle: contact by contact, friction brings its two bodies together as far as its limit
+    /// allows. Always dissipates, but what sticks high up is stopped only after many steps.
+    fn relax(&mut self, bodies: &mut Bodies, given: &[f64]) {
+        let n = bodies.len();
+        for &i in &self.gripped {
+            let i = i as usize;
+            bodies.ux[i] = given[i] / bodies.mass[i];
+            self.riders[i] = Node { momentum: given[i], mass: bodies.mass[i], ..Node::default() };
+        }
+        for tight in &mut self.tight {
+            (tight.grip, tight.impulse) = (Grip::Stick, 0.0);
+        }
+        for _ in 0..SWEEPS {
+            for k in 0..self.gripped.len() {
+                let i = self.gripped[k] as usize;
+                for c in self.under(i) {
+                    let tight = &mut self.tight[c];
+                    let below = tight.below as usize;
+                    let share = |i: usize, moves: bool| if moves { 1.0 / bodies.mass[i] } else { 0.0 };
+                    let (mine, other) = (share(i, true), share(below, below < n && self.is_awake[below]));
+                    let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below]) / (mine + other);
+                    let more = wanted.clamp(-tight.held, tight.held) - tight.impulse;
+                    tight.impulse += more;
+                    bodies.ux[i] += more * mine;
+                    bodies.ux[below] -= more * other;
+                    self.riders[below].momentum -= more;
+                }
             }
         }
     }
 
     /// Top-down: mass and momentum of all that sticks to a body, and what slides on it gives.
-    fn gather(&mut self, bodies: &Bodies, given: &[f64], guess: bool, last: bool) {
+    fn gather(&mut self, bodies: &Bodies, given: &[f64], guess: bool) {
         let n = bodies.len();
-        for &i in &self.awake {
+        for &i in &self.gripped {
             let i = i as usize;
             self.riders[i] = Node { momentum: given[i], mass: bodies.mass[i], ..Node::default() };
         }
-        for k in (0..self.awake.len()).rev() {
-            let i = self.awake[k] as usize;
+        for k in (0..self.gripped.len()).rev() {
+            let i = self.gripped[k] as usize;
             let under = self.under(i);
             let mut mine = self.riders[i];
             if under.is_empty() {
@@ -205,12 +270,6 @@ impl Friction {
                 match tight.grip {
                     Grip::Slip(sign) => {
                         tight.impulse = sign * tight.dragged;
-                        if last {
-                            // Not more than stops it, in case that the grips did not settle.
-                            let rider = &self.riders[i];
-                            let stop = rider.mass * bodies.ux[tight.below as usize] - rider.momentum;
-                            tight.impulse = sign * (stop * sign).clamp(0.0, tight.dragged);
-                        }
                         self.riders[i].momentum += tight.impulse;
                         if (tight.below as usize) < n {
                             self.riders[tight.below as usize].momentum -= tight.impulse;
@@ -234,11 +293,11 @@ impl Friction {
         }
     }
 
-    /// Bottom-up: the velocities. Returns whether some contact has to change its grip; with `last`, none does any more.
-    fn spread(&mut self, bodies: &mut Bodies, last: bool) -> bool {
+    /// Bottom-up: the velocities. Returns whether some contact had to change its grip.
+    fn spread(&mut self, bodies: &mut Bodies) -> bool {
         let mut changed = false;
-        for k in 0..self.awake.len() {
-            let i = self.awake[k] as usize;
+        for k in 0..self.gripped.len() {
+            let i = self.gripped[k] as usize;
             let under = self.under(i);
             let mine = self.riders[i];
             let mut velocity = mine.momentum / mine.mass;
@@ -265,9 +324,7 @@ impl Friction {
                         continue;
                     }
                     tight.impulse = impulse * (tight.held / held);
-                    if last {
-                        velocity += (other - target) * (tight.held / held);
-                    } else if other != target {
+                    if other != target {
                         tight.grip = Grip::Slip((other - target).signum());
                         changed = true;
                     } else if impulse.abs() > held * (1.0 + ROUNDING) {
@@ -279,14 +336,14 @@ impl Friction {
             for c in under {
                 if let Grip::Slip(sign) = self.tight[c].grip {
                     let slip = velocity - bodies.ux[self.tight[c].below as usize];
-                    if best.is_none() && slip * sign > 0.0 && !last {
-                        self.tight[c].grip = Grip::Stick;
+                    if best.is_none() && slip * sign > 0.0 {
+                        self.tight[c].grip = if best.is_none() { Grip::Stick } else { Grip::Slip(-sign) };
                         changed = true;
                     }
                 }
             }
             bodies.ux[i] = velocity;
         }
-        changed && !last
+        changed
     }
 }

@@ -55,6 +55,7 @@ pub(super) fn solve(
         if anchored[i] {
             impacts.note(i, support, Axis::Gravity, velocity - bound);
             velocity = bound;
+            bodies.mean_vy[i] = bound;
         }
         loose |= velocity > over + SLACK;
         bodies.uy[i] = velocity;
@@ -103,13 +104,22 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchored: &mut [bool], cluste
         if !merged {
             break;
         }
+        clusters.calm();
     }
     for &i in &clusters.joined {
         let i = i as usize;
         if i < n {
             bodies.uy[i] = clusters.velocity(i, 0.0);
+            bodies.mean_vy[i] = bodies.uy[i];
             anchored[i] |= clusters.is_fixed(i);
         }
+    }
+    impacts.bind(clusters, Axis::Gravity);
+    // What meets in the air meets at the start of the step, and then falls on as one.
+    for root in clusters.free_roots() {
+        let of = |i: usize| (bodies.mass[i], 0.5 * bodies.mass[i] * (bodies.free_vy[i] - bodies.vy[i]));
+        let (mass, gained) = clusters.of(root).map(of).fold((0.0, 0.0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
+        clusters.of(root).for_each(|i| bodies.mean_vy[i] -= gained / mass);
     }
 }
 

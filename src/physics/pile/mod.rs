@@ -25,6 +25,7 @@ mod gravity;
 mod neighbours;
 mod place;
 mod report;
+mod second_look;
 
 use super::Aabb;
 use bodies::{Bodies, Traits};
@@ -32,10 +33,12 @@ pub use bounce::Axis;
 use bounce::Impacts;
 use clusters::Clusters;
 use contacts::Contacts;
+use cross::Pushes;
 use friction::Friction;
 use glam::DVec2;
 use neighbours::Neighbours;
 pub use report::ContactForce;
+use second_look::SecondLook;
 
 /// How often contacts are sought again in one step because a hit threw a body further than was looked for.
 const SECOND_LOOKS: usize = 3;
@@ -153,13 +156,12 @@ pub struct Pile {
     friction: Friction,
     clusters: Clusters,
     impacts: Impacts,
+    second_look: SecondLook,
     report: report::Scratch,
     events: Vec<PileImpact>,
     /// Whether the ground carries a body, in this step; surfaces always.
     anchored: Vec<bool>,
-    /// Momenta across before friction, N·s.
-    given: Vec<f64>,
-    pushed: Vec<bool>,
+    pushes: Pushes,
     put_back: Vec<[bool; 2]>,
     /// 1, or −1 if gravity points to smaller y: inside, y grows along gravity.
     down: f64,
@@ -210,15 +212,15 @@ impl Pile {
         anchored.resize(n + s, true);
         Ok(Self {
             neighbours: Neighbours::new(&bodies),
-            contacts: Contacts::default(),
+            contacts: Contacts::new(n),
             friction: Friction::new(&bodies),
             clusters: Clusters::new(n + s),
-            impacts: Impacts::default(),
+            impacts: Impacts::new(n),
+            second_look: SecondLook::new(n + s),
             report: report::Scratch::default(),
             events: Vec::new(),
             anchored,
-            given: vec![0.0; n],
-            pushed: vec![false; n],
+            pushes: Pushes::new(n),
             put_back: vec![[false; 2]; n],
             down,
             gravity,
@@ -243,8 +245,20 @@ impl Pile {
         }
     }
 
+    /// Sets where a body would be after the next step (m) and how fast (m/s) if it touched nothing, for a motion that no constant force
+    /// describes. Holds for that step; wakes nothing.
+    pub fn guide(&mut self, body: usize, position: DVec2, velocity: DVec2) {
+        let turned = DVec2::new(1.0, self.down);
+        self.bodies.guided.push((body as u32, position * turned, velocity * turned));
+    }
+
     /// Advances the pile by `dt` seconds, > 0.
     pub fn step(&mut self, dt: f64) {
+        self.take_step(dt);
+        self.bodies.guided.clear();
+    }
+
+    fn take_step(&mut self, dt: f64) {
         self.events.clear();
         if self.asleep {
             return;
@@ -266,14 +280,14 @@ impl Pile {
                 self.look_again(dt);
             }
             self.solve(dt);
-            inside = place::move_all(&mut self.bodies, &self.contacts, self.gravity, dt, look == 0);
+            inside = place::move_all(&mut self.bodies, &self.contacts, self.gravity, dt);
             if inside {
                 break;
             }
         }
-        place::part(&mut self.bodies, &self.contacts, &mut self.clusters, &mut self.put_back, inside);
+        place::part(&mut self.bodies, &self.contacts, &mut self.clusters, &mut self.put_back, dt, inside);
         self.impacts.measure(&self.bodies, dt);
-        self.impacts.rebound(&mut self.bodies, &self.anchored, self.rest_speed);
+        self.impacts.rebound(&mut self.bodies, &self.anchored, self.rest_speed, dt);
         self.report_impacts();
         self.bodies.commit();
         self.fall_asleep();
@@ -281,8 +295,10 @@ impl Pile {
 
     fn find_contacts(&mut self, dt: f64) {
         let Self { bodies, neighbours, contacts, .. } = self;
+        contacts.sweep(bodies);
         if !contacts.find(bodies, neighbours, dt) {
             neighbours.search(bodies, dt);
+            contacts.sweep(bodies);
             contacts.find(bodies, neighbours, dt);
         }
     }
@@ -296,20 +312,29 @@ impl Pile {
         self.contacts.clear();
     }
 
-    /// A hit threw a body further than was looked for: seeks neighbours and contacts on its new way.
+    /// A hit threw bodies further than was looked for: seeks neighbours and contacts on their new ways.
     fn look_again(&mut self, dt: f64) {
-        if !flight::stays(&self.bodies) {
-            self.neighbours.update(&mut self.bodies, dt);
+        let Self { bodies, neighbours, contacts, second_look, .. } = self;
+        second_look.collect(bodies, contacts);
+        let renumbered = !flight::stays(bodies) && neighbours.update(bodies, dt);
+        if !renumbered && second_look.add(bodies, neighbours, contacts, dt) {
+            flight::fly(bodies, dt, self.drag);
+            return;
         }
-        self.find_contacts(dt);
-        flight::fly(&mut self.bodies, dt, self.drag);
+        if !renumbered {
+            neighbours.search(bodies, dt);
+        }
+        contacts.sweep(bodies);
+        flight::fly(bodies, dt, self.drag);
+        (0..bodies.len()).for_each(|i| contacts.widen(bodies, i));
+        contacts.find(bodies, neighbours, dt);
     }
 
     fn solve(&mut self, dt: f64) {
         self.impacts.clear(self.gravity, dt);
-        let Self { bodies, contacts, anchored, clusters, impacts, friction, given, pushed, .. } = self;
+        let Self { bodies, contacts, anchored, clusters, impacts, friction, pushes, .. } = self;
         gravity::solve(bodies, contacts, anchored, clusters, impacts);
-        cross::solve(bodies, contacts, friction, clusters, impacts, given, pushed);
+        cross::solve(bodies, contacts, friction, clusters, impacts, pushes);
     }
 
     fn report_impacts(&mut self) {
@@ -338,6 +363,11 @@ impl Pile {
     /// Whether there is no body.
     pub fn is_empty(&self) -> bool {
         self.bodies.len() == 0
+    }
+
+    /// Whether there has been a step.
+    pub fn has_stepped(&self) -> bool {
+        self.last_dt > 0.0
     }
 
     /// Whether all rest and nothing is computed until a force changes.

@@ -87,7 +87,7 @@ pub(super) struct More {
 }
 
 /// No neighbour follows.
-pub(super) const NONE: u32 = u32::MAX;
+const NONE: u32 = u32::MAX;
 
 /// The pairs that may meet, and what it takes to find them again.
 #[derive(Clone, Debug, Default)]
@@ -161,13 +161,28 @@ impl Neighbours {
         }
     }
 
+    /// The neighbours of body i, each a lower number or a surface.
+    #[inline(always)]
+    pub fn of(&self, i: usize) -> impl Iterator<Item = usize> {
+        let mut known = self.with[self.start[i] as usize..self.start[i + 1] as usize].iter();
+        let mut at = self.first[i];
+        std::iter::from_fn(move || {
+            if let Some(&other) = known.next() {
+                return Some(other as usize);
+            }
+            let more = self.more.get(at as usize)?;
+            at = more.next;
+            Some(more.with as usize)
+        })
+    }
+
     /// Whether nobody has any neighbour.
     pub fn is_empty(&self) -> bool {
         self.with.is_empty() && self.more.is_empty()
     }
 
-    /// Makes sure that all pairs that can touch on the predicted ways are known.
-    pub fn update(&mut self, bodies: &mut Bodies, dt: f64) {
+    /// Makes sure that all pairs that can touch on the predicted ways are known. Returns whether the bodies were renumbered.
+    pub fn update(&mut self, bodies: &mut Bodies, dt: f64) -> bool {
         let n = bodies.len();
         let most = (n as f64 * LEFT) as usize;
         if self.edges.len() == n {
@@ -182,9 +197,11 @@ impl Neighbours {
                 self.add(bodies, i, dt);
             }
         }
-        if self.left > most || self.edges.len() != n {
+        let all = self.left > most || self.edges.len() != n;
+        if all {
             self.search(bodies, dt);
         }
+        all
     }
 
     /// Moves the allowed boxes along for a step of `dt` seconds.

@@ -9,7 +9,7 @@
 
 use super::bodies::Bodies;
 use super::clusters::{Clusters, Node};
-use super::contacts::Contacts;
+use super::contacts::{Contacts, TOUCH};
 
 /// Overlaps below this are left alone, m, so that what rests is not moved by rounding.
 const HAIR: f64 = 1e-12;
@@ -18,14 +18,13 @@ const SMOOTH: f64 = 2.0;
 /// Passes of merging across before bodies are put back.
 const PASSES: usize = 16;
 
-/// Moves all bodies by their solved velocities. Returns whether all stay within what was swept; at a first look, which swept the
-/// predicted ways, only those need asking that something touched.
-pub(super) fn move_all(bodies: &mut Bodies, contacts: &Contacts, gravity: f64, dt: f64, first_look: bool) -> bool {
+/// Moves all bodies by their solved velocities. Returns whether all stay within what was swept; as that holds the ways of free
+/// flight, only those need asking that something touched.
+pub(super) fn move_all(bodies: &mut Bodies, contacts: &Contacts, gravity: f64, dt: f64) -> bool {
     let mut inside = true;
     for i in 0..bodies.len() {
         let (x, y) = (bodies.ux[i] == bodies.free_vx[i], bodies.uy[i] == bodies.free_vy[i]);
         if x && y {
-            inside &= first_look || contacts.covers(bodies, i);
             continue;
         }
         let pull = SMOOTH * dt * (gravity.abs() + bodies.ax[i].abs() + bodies.ay[i].abs());
@@ -33,9 +32,10 @@ pub(super) fn move_all(bodies: &mut Bodies, contacts: &Contacts, gravity: f64, d
             bodies.px[i] = bodies.x[i] + dt * travel(bodies.vx[i], bodies.ux[i], pull);
         }
         if !y {
-            bodies.py[i] = bodies.y[i] + dt * travel(bodies.vy[i], bodies.uy[i], pull);
+            bodies.py[i] = bodies.y[i] + dt * bodies.mean_vy[i];
         }
-        inside &= contacts.covers(bodies, i);
+        let rests = (bodies.px[i] == bodies.x[i]) & (bodies.py[i] == bodies.y[i]);
+        inside &= rests || contacts.covers(bodies, i);
     }
     inside
 }
@@ -45,24 +45,53 @@ fn travel(before: f64, after: f64, pull: f64) -> f64 {
 }
 
 /// Mends the predicted positions until nothing overlaps. `back` is scratch.
-pub(super) fn part(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters, back: &mut [[bool; 2]], inside: bool) {
-    let mut doubt = lift(bodies, contacts) || !inside;
+pub(super) fn part(
+    bodies: &mut Bodies,
+    contacts: &Contacts,
+    clusters: &mut Clusters,
+    back: &mut [[bool; 2]],
+    dt: f64,
+    inside: bool,
+) {
+    hold_down(bodies, contacts, dt);
+    let mut doubt = lift(bodies, contacts, dt) || !inside;
     doubt |= spread(bodies, contacts, clusters);
     if doubt {
         take_back(bodies, contacts, back);
     }
 }
 
-/// Along gravity, bottom-up. Returns whether something has to be looked at again: a body passed a corner, or hit a ceiling.
-fn lift(bodies: &mut Bodies, contacts: &Contacts) -> bool {
+/// Along gravity, top-down: what rises stops under what does not make way.
+fn hold_down(bodies: &mut Bodies, contacts: &Contacts, dt: f64) {
+    let n = bodies.len();
+    let rises = bodies.py[..n].iter().zip(&bodies.y[..n]).fold(false, |any, (py, y)| any | (py < y));
+    if !rises {
+        return;
+    }
+    for i in (0..n).rev() {
+        for stack in contacts.stacks[contacts.under(i)].iter().filter(|stack| stack.live) {
+            let j = stack.below as usize;
+            let (rise, top) = (bodies.py[j], bodies.py[i] + stack.reach);
+            if rise < top - HAIR && rise < bodies.y[j] {
+                bodies.py[j] = top.min(bodies.y[j]);
+                if bodies.py[j] - rise > TOUCH {
+                    bodies.uy[j] = bodies.uy[j].max((bodies.py[j] - bodies.y[j]) / dt);
+                }
+            }
+        }
+    }
+}
+
+/// Along gravity, bottom-up: what falls stops on what carries it. Returns whether something has to be looked at again: a body
+/// passed a corner, or hit a ceiling.
+fn lift(bodies: &mut Bodies, contacts: &Contacts, dt: f64) -> bool {
     let mut doubt = false;
     for i in 0..bodies.len() {
         let (predicted, mut y) = (bodies.py[i], bodies.py[i]);
         for stack in &contacts.stacks[contacts.under(i)] {
-            let j = stack.below as usize;
-            let limit = bodies.py[j] - stack.reach;
+            let limit = bodies.py[stack.below as usize] - stack.reach;
             if y > limit + HAIR {
-                if stack.live || overlap_across(bodies, i, j) {
+                if stack.live {
                     y = limit;
                 } else {
                     doubt = true;
@@ -71,6 +100,9 @@ fn lift(bodies: &mut Bodies, contacts: &Contacts) -> bool {
         }
         if y != predicted {
             bodies.py[i] = y;
+            if predicted - y > TOUCH {
+                bodies.uy[i] = bodies.uy[i].min((y - bodies.y[i]).max(0.0) / dt);
+            }
             doubt |= !contacts.covers(bodies, i);
         }
     }
@@ -82,10 +114,6 @@ fn lift(bodies: &mut Bodies, contacts: &Contacts) -> bool {
         }
     }
     doubt
-}
-
-fn overlap_across(bodies: &Bodies, i: usize, j: usize) -> bool {
-    (bodies.px[i] - bodies.px[j]).abs() < bodies.hx[i] + bodies.hx[j]
 }
 
 fn overlap_along(bodies: &Bodies, i: usize, j: usize) -> bool {

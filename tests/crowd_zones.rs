@@ -1,0 +1,141 @@
+//! Streams and liquids in crowds: what crosses their borders within a tick does so as it would alone.
+
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, ForceKind, Material, StreamDef, SurfaceDef, World, WorldDef};
+
+const G: f64 = 9.81;
+
+fn area(left: f64, top: f64, right: f64, bottom: f64) -> Aabb {
+    Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
+}
+
+fn wind(zone: Aabb, x: f64, y: f64) -> StreamDef {
+    StreamDef { zone, force: DVec2::new(x, y) }
+}
+
+/// The largest distance between `body` alone and as one of a hundred of which the others are far away, over some seconds, m.
+fn apart(body: BodyDef, streams: Vec<StreamDef>, fluids: Vec<FluidDef>, surfaces: Vec<SurfaceDef>, rate: f64, seconds: f64) -> f64 {
+    let def = WorldDef { gravity: G, air_density: 1.2, streams, fluids, surfaces, bodies: vec![body], ..WorldDef::default() };
+    let mut many = def.clone();
+    many.bodies.extend((0..100).map(|i| BodyDef { position: DVec2::new(1e4 + 10.0 * f64::from(i), 0.0), ..BodyDef::default() }));
+    let (mut alone, mut crowd) = (World::new(def).unwrap(), World::new(many).unwrap());
+    assert!(crowd.plan().crowd && !alone.plan().crowd);
+    let mut worst = 0.0f64;
+    for _ in 0..(seconds * rate) as u32 {
+        alone.step(1.0 / rate);
+        crowd.step(1.0 / rate);
+        worst = worst.max(alone.body(BodyId(0)).position.distance(crowd.body(BodyId(0)).position));
+    }
+    worst
+}
+
+#[test]
+fn the_border_of_a_stream_is_crossed_when_it_is_reached() {
+    let streams = || vec![wind(area(-5.0, 2.0, 5.0, 3.0), 300.0, 0.0), wind(area(0.5, 5.0, 50.0, 5.2), -100.0, -400.0)];
+    for rate in [60.0, 120.0, 240.0] {
+        for velocity in [DVec2::ZERO, DVec2::new(3.0, 10.0), DVec2::new(-8.0, 55.0)] {
+            let body = BodyDef { velocity, mass: 10.0, drag: 1.1, ..BodyDef::default() };
+            let apart = apart(body, streams(), Vec::new(), Vec::new(), rate, 3.0);
+            assert!(apart < 1e-6, "{rate} Hz, {velocity} m/s: {apart} m");
+        }
+    }
+}
+
+#[test]
+fn a_splash_and_what_floats_are_as_alone() {
+    let pool = || vec![FluidDef { zone: area(-50.0, 4.0, 50.0, 30.0), density: 1000.0, viscosity: 0.001 }];
+    for rate in [60.0, 120.0] {
+        for (mass, half, velocity) in [
+            (400.0, DVec2::splat(0.5), DVec2::new(0.0, 2.0)),
+            (400.0, DVec2::new(0.9, 0.3), DVec2::new(6.0, -2.0)),
+            (5000.0, DVec2::splat(0.5), DVec2::new(1.0, 20.0)),
+        ] {
+            let body = BodyDef { mass, half, velocity, ..BodyDef::default() };
+            let apart = apart(body, Vec::new(), pool(), Vec::new(), rate, 4.0);
+            assert!(apart < 1e-6, "{rate} Hz, {mass} kg: {apart} m");
+        }
+    }
+}
+
+/// What touches is not sought on its very way, and a slide's end is not an event: millimetres, where sampling costs centimetres.
+#[test]
+fn a_slide_through_a_stream_is_much_as_alone() {
+    let floor = SurfaceDef { bounds: area(-100.0, 0.0, 100.0, 1.0), material: Material::ASPHALT };
+    let streams = vec![wind(area(1.0, -2.0, 3.0, -0.2), 500.0, 0.0)];
+    let body = BodyDef {
+        position: DVec2::new(0.0, -0.5),
+        velocity: DVec2::new(9.0, 0.0),
+        mass: 10.0,
+        feels_air: false,
+        ..BodyDef::default()
+    };
+    let apart = apart(body, streams, Vec::new(), vec![floor], 120.0, 4.0);
+    assert!(apart < 5e-3, "{apart} m");
+}
+
+/// A stream right below the floor is never reached by what the floor carries.
+#[test]
+fn what_rests_crosses_nothing() {
+    let floor = SurfaceDef { bounds: area(-1000.0, 0.0, 1000.0, 1e-4), material: Material::ASPHALT };
+    let bodies = (0..100).map(|i| BodyDef { position: DVec2::new(2.0 * f64::from(i), -0.5), ..BodyDef::default() });
+    let streams = vec![wind(area(-1000.0, 1e-4, 1000.0, 5.0), 5000.0, -5000.0)];
+    let def = WorldDef { gravity: G, bodies: bodies.collect(), surfaces: vec![floor], streams, ..WorldDef::default() };
+    let mut world = World::new(def).unwrap();
+    for _ in 0..240 {
+        world.step(1.0 / 120.0);
+        assert_eq!(world.body(BodyId(7)).velocity, DVec2::ZERO);
+        assert_eq!(world.forces(BodyId(7)).total(ForceKind::Wind), DVec2::ZERO);
+    }
+}
+
+/// Wood on water, three boxes deep: nothing overlaps, nothing gains speed, and the heap calms down.
+#[test]
+fn a_raft_calms_down() {
+    let wall = |bounds| SurfaceDef { bounds, material: Material::ASPHALT };
+    let surfaces =
+        vec![wall(area(-1.0, 10.0, 31.0, 11.0)), wall(area(-1.0, -20.0, 0.0, 10.0)), wall(area(30.0, -20.0, 31.0, 10.0))];
+    let bodies: Vec<BodyDef> = (0..90)
+        .map(|i| BodyDef {
+            position: DVec2::new(0.6 + f64::from(i % 28) * 1.02, 0.4 - 1.02 * f64::from(i / 28)),
+            mass: 300.0 + f64::from(i % 9) * 30.0,
+            ..BodyDef::default()
+        })
+        .collect();
+    let fluids = vec![FluidDef { zone: area(0.0, 1.0, 30.0, 10.0), density: 1000.0, viscosity: 0.001 }];
+    let mut world = World::new(WorldDef { gravity: G, air_density: 1.2, bodies, surfaces, fluids, ..WorldDef::default() }).unwrap();
+    for tick in 0..3600 {
+        world.step(1.0 / 120.0);
+        for (i, a) in world.bodies().iter().enumerate() {
+            assert!(a.velocity.length() < 10.0, "tick {tick}, body {i}: {} m/s", a.velocity);
+            for b in &world.bodies()[i + 1..] {
+                let depth = -a.bounds().gap(&b.bounds()).max_element();
+                assert!(depth <= 1e-6, "tick {tick}, body {i}: overlaps by {depth} m");
+            }
+        }
+    }
+    let fastest = world.bodies().iter().map(|body| body.velocity.length()).fold(0.0, f64::max);
+    // What bobs under quadratic drag slows down as 1/t.
+    assert!(fastest < 0.2, "{fastest} m/s");
+}
+
+/// Boxes heavier than water sink, pile up on the bottom and come to rest exactly.
+#[test]
+fn a_heap_under_water_comes_to_rest() {
+    let wall = |bounds| SurfaceDef { bounds, material: Material::ASPHALT };
+    let surfaces =
+        vec![wall(area(-1.0, 10.0, 13.0, 11.0)), wall(area(-1.0, -20.0, 0.0, 10.0)), wall(area(12.0, -20.0, 13.0, 10.0))];
+    let bodies: Vec<BodyDef> = (0..100)
+        .map(|i| BodyDef {
+            position: DVec2::new(0.7 + 1.1 * f64::from(i % 10) + 0.03 * f64::from(i % 7), -0.6 - 1.1 * f64::from(i / 10)),
+            half: DVec2::new(0.3 + 0.02 * f64::from(i % 5), 0.3 + 0.02 * f64::from(i % 4)),
+            mass: 1500.0 + 10.0 * f64::from(i % 9),
+            ..BodyDef::default()
+        })
+        .collect();
+    let fluids = vec![FluidDef { zone: area(0.0, 2.0, 12.0, 10.0), density: 1000.0, viscosity: 0.001 }];
+    let mut world = World::new(WorldDef { gravity: G, air_density: 1.2, bodies, surfaces, fluids, ..WorldDef::default() }).unwrap();
+    (0..2400).for_each(|_| world.step(1.0 / 120.0));
+    for i in 0..100 {
+        assert_eq!(world.body(BodyId(i)).velocity, DVec2::ZERO, "body {i}");
+        assert_eq!(world.forces(BodyId(i)).resultant(), DVec2::ZERO, "body {i}");
+    }
+}
