@@ -87,6 +87,36 @@ fn what_rests_crosses_nothing() {
     }
 }
 
+/// Wood on water, three boxes deep: nothing overlaps, nothing gains speed, and the heap calms down.
+#[test]
+fn a_raft_calms_down() {
+    let wall = |bounds| SurfaceDef { bounds, material: Material::ASPHALT };
+    let surfaces =
+        vec![wall(area(-1.0, 10.0, 31.0, 11.0)), wall(area(-1.0, -20.0, 0.0, 10.0)), wall(area(30.0, -20.0, 31.0, 10.0))];
+    let bodies: Vec<BodyDef> = (0..90)
+        .map(|i| BodyDef {
+            position: DVec2::new(0.6 + f64::from(i % 28) * 1.02, 0.4 - 1.02 * f64::from(i / 28)),
+            mass: 300.0 + f64::from(i % 9) * 30.0,
+            ..BodyDef::default()
+        })
+        .collect();
+    let fluids = vec![FluidDef { zone: area(0.0, 1.0, 30.0, 10.0), density: 1000.0, viscosity: 0.001 }];
+    let mut world = World::new(WorldDef { gravity: G, air_density: 1.2, bodies, surfaces, fluids, ..WorldDef::default() }).unwrap();
+    for tick in 0..3600 {
+        world.step(1.0 / 120.0);
+        for (i, a) in world.bodies().iter().enumerate() {
+            assert!(a.velocity.length() < 10.0, "tick {tick}, body {i}: {} m/s", a.velocity);
+            for b in &world.bodies()[i + 1..] {
+                let depth = -a.bounds().gap(&b.bounds()).max_element();
+                assert!(depth <= 1e-6, "tick {tick}, body {i}: overlaps by {depth} m");
+            }
+        }
+    }
+    let fastest = world.bodies().iter().map(|body| body.velocity.length()).fold(0.0, f64::max);
+    // What bobs under quadratic drag slows down as 1/t.
+    assert!(fastest < 0.2, "{fastest} m/s");
+}
+
 /// Boxes heavier than water sink, pile up on the bottom and come to rest exactly.
 #[test]
 fn a_heap_under_water_comes_to_rest() {

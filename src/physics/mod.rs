@@ -40,7 +40,8 @@
 //!   contact networks have their answers in closed form. These direct answers are bit for bit those of the general way, which the plan
 //!   can take instead; what happens in one group of bodies never depends on another.
 //! - **Crowds take another path.** Above 64 bodies (`crowd`) the same world is advanced by [`pile`], one step a tick for all: a pass along
-//!   gravity, positions that cannot overlap by construction, sleep. The choice stands in the [`Plan`].
+//!   gravity, positions that cannot overlap by construction, sleep; only what flies through zones parts its tick (`passage`). The
+//!   choice stands in the [`Plan`].
 //!
 //! What is not modelled: rotation (boxes keep their orientation, so contacts exert no torque), round collision shapes (a ball's contact is
 //! that of its box), the compression of air or liquids, and moving liquids.

@@ -13,7 +13,7 @@ fn rectangle(&(centre, half): &(V, V)) -> Aabb {
 }
 
 /// [`World`]. It skips ticks while nothing moves and nothing is changed; where nothing may sleep, a drive that comes and goes and is
-/// too small to change a bit keeps it awake.
+/// too small to change a bit keeps it awake then, which costs it more than it would to be awake.
 pub struct Scenes {
     world: World,
     restless: bool,
@@ -68,7 +68,7 @@ impl Engine for Scenes {
     }
 
     fn step(&mut self, dt: f64) {
-        if self.restless {
+        if self.restless && self.world.bodies().iter().all(|body| body.velocity == DVec2::ZERO) {
             self.nudged = !self.nudged;
             let nudge = if self.nudged { NUDGE } else { 0.0 };
             self.world.set_drive(BodyId(0), DVec2::new(self.force, nudge));
