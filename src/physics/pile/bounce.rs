@@ -4,8 +4,8 @@
 //! touching, w² = v² + 2·a·gap; the pair leaves with e·w, e the larger restitution of the two, unless that is below the world's
 //! rest speed. On what the ground holds only the upper body turns round; in the air both do, with equal and opposite impulses.
 //! One after the other, rebounds can add up to more energy than there was (a body thrown by one neighbour is thrown again by the
-//! next). So bodies that hit each other in the same step form a group, and where its kinetic energy would exceed what its members
-//! brought, all its impulses are made smaller by one factor: momentum is conserved whatever the factor.
+//! next). So bodies that hit each other or were merged in the same step form a group, and where it would get back more energy than
+//! its members lost, all its rebounds are made smaller by one factor: momentum is conserved whatever the factor.
 
 use super::bodies::Bodies;
 use super::clusters::Clusters;

@@ -3,7 +3,8 @@
 //! Two bodies that close faster than their gap allows become a cluster that moves as one: momentum is exactly conserved, energy
 //! never grows, and after at most n − 1 merges nothing is violated. On a row or a column this is isotonic regression by pooling
 //! adjacent violators (Ayer et al. 1955), the exact answer of the plastic impact; on branching groups a member may be carried
-//! along for one step although it would have parted, since clusters never split.
+//! along for one step although it would have parted, since clusters never split; where that would create energy, the cluster is
+//! calmed.
 //!
 //! A cluster may lie on immovable ground with friction: with momentum P, mass M and the ground's largest impulses S (static) and
 //! K (kinetic), its velocity is 0 while |P| ≤ S, else (P ∓ K)/M. Pooling stays exact, as the terms K·|v| are convex. Where

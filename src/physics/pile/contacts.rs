@@ -16,7 +16,7 @@ pub(super) const TOUCH: f64 = 1e-9;
 const CATCH: f64 = 1e-4;
 /// How much further than predicted a body may get before its contacts are sought anew: m, and across that and so many times the
 /// mean way across. Larger: more contacts to look at; smaller: more steps in which a hit asks for a second look.
-const MARGIN: f64 = 1e-3;
+const MARGIN: f64 = 1e-2;
 const MEAN_WAYS: f64 = 2.0;
 
 /// Contacts a body of either kind for which there is room from the start. Fewer: a rare step allocates.

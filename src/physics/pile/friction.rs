@@ -5,7 +5,8 @@
 //! with its riders to its support's velocity if the limit allows, and lets it slide otherwise. A contact that slides hands down
 //! its limit instead of its riders, so the passes are done again with what they found (an active set over the tree of supports;
 //! it ends after two or three rounds), and every impulse is applied to both, so momentum is exact also where it slips.
-//! Exact on trees; a body on several supports that move differently sticks to the strongest and slides on the others.
+//! Where they do not settle, or a body on several supports would be driven, the contacts are relaxed one by one instead, which
+//! always dissipates. Exact on trees; a body on several supports that move differently sticks to the strongest and slides on the others.
 //!
 //! Only what moves, is pushed, or stands on such takes part. What stands and is not pushed holds whatever slides on it, since its
 //! own limit is at least theirs together, provided that no surface is more slippery than the bodies and all bodies are alike;

@@ -3,7 +3,8 @@
 //! Bodies are numbered bottom-up, so one linear pass answers all that stands on the ground, at any mass ratio: a body's bound is
 //! the smallest over its *anchored* supports of their velocity + gap/dt; one that would fall faster takes the bound and is
 //! anchored itself, for pressing harder on what the ground holds does not move it. What is left are collisions in the air and
-//! what is lifted from below: those are merged ([`super::clusters`]) until nothing closes too fast.
+//! what is lifted from below: those are merged ([`super::clusters`]) until nothing closes too fast. The way that belongs to a
+//! velocity is told by a mean velocity: of what the ground carries its velocity, of what merged that of a common fall.
 
 use super::bodies::Bodies;
 use super::bounce::{Axis, Impacts};

@@ -7,21 +7,35 @@
 //! 2. `neighbours`: who may meet whom, sought anew only when a body leaves the box in which its neighbours were sought;
 //! 3. `contacts`: which of these touch in this step, along which axis, and how fast they may close;
 //! 4. `gravity`: velocities along gravity, one pass bottom-up; `cross`: those across it, with the `friction` of the stacks;
-//!    what is neither carried nor held merges in `clusters`;
+//!    what is neither carried nor held merges in `clusters`; where a hit threw a body further than was looked for, a
+//!    `second_look` adds the contacts on its way, and the step is solved again;
 //! 5. `place`: positions that cannot overlap, by construction;
 //! 6. `bounce`: restitution, after the move.
 //!
 //! Nothing iterates towards an answer except where bodies hang together in the air, so what comes to rest has velocity zero
 //! exactly, after which a step changes no bit and the whole pile sleeps until something outside changes.
+//!
+//! Without forces from outside, kinetic and potential energy together never rise: whatever merges moves from a common start,
+//! friction that would drive is relaxed instead, and rebounds give back no more than was lost. So a pile rests when its last ball
+//! has bounced out. Those that fall on the heap when the others lie still bounce alone, for up to √(2H/g)·(1 + e)/(1 − e): 20 s
+//! from 27 m at e = 0.8, and longer where a heavy body throws a light one. That is no fault of the method, and no method that keeps
+//! restitution can rest earlier.
+//!
+//! What it costs, 5000 bodies with restitutions up to 0.8 for 10 s, by samples: the passes along and across with merging and moving
+//! a third, the narrow phase 22 %, the search 18 %, friction 16 %. Most of it goes into the first three seconds, in which many boxes
+//! hit each other in the air: there a step is solved two or three times over, and columns and rows that close gaps are merged one
+//! contact at a time, in several passes over all contacts.
 
 mod bodies;
 mod bounce;
 mod clusters;
 mod contacts;
 mod cross;
+mod def;
 mod flight;
 mod friction;
 mod gravity;
+mod grid;
 mod neighbours;
 mod place;
 mod report;
@@ -34,6 +48,8 @@ use bounce::Impacts;
 use clusters::Clusters;
 use contacts::Contacts;
 use cross::Pushes;
+use def::check;
+pub use def::{PileBody, PileDef, PileError, PileSurface};
 use friction::Friction;
 use glam::DVec2;
 use neighbours::Neighbours;
@@ -42,88 +58,6 @@ use second_look::SecondLook;
 
 /// How often contacts are sought again in one step because a hit threw a body further than was looked for.
 const SECOND_LOOKS: usize = 3;
-
-/// A body as it starts.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PileBody {
-    /// Centre, m.
-    pub position: DVec2,
-    /// Half the width and half the height, m, both > 0.
-    pub half: DVec2,
-    /// m/s.
-    pub velocity: DVec2,
-    /// kg, > 0.
-    pub mass: f64,
-    /// Coefficient of restitution, 0 … 1; a pair uses the larger.
-    pub restitution: f64,
-    /// Coefficient of static friction μ_s; a pair uses the smaller, on a surface the surface's counts.
-    pub static_friction: f64,
-    /// Coefficient of kinetic friction μ_k, likewise.
-    pub kinetic_friction: f64,
-    /// Drag coefficient times area, m²: `x` with the width (for motion mostly up and down), `y` with the height.
-    pub drag_area: DVec2,
-}
-
-impl Default for PileBody {
-    fn default() -> Self {
-        Self {
-            position: DVec2::ZERO,
-            half: DVec2::splat(0.5),
-            velocity: DVec2::ZERO,
-            mass: 1.0,
-            restitution: 0.0,
-            static_friction: 0.9,
-            kinetic_friction: 0.65,
-            drag_area: DVec2::ZERO,
-        }
-    }
-}
-
-/// Something that never moves.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PileSurface {
-    /// Where it is, m.
-    pub bounds: Aabb,
-    /// Coefficient of static friction of what stands on it.
-    pub static_friction: f64,
-    /// Coefficient of kinetic friction of what slides on it.
-    pub kinetic_friction: f64,
-}
-
-/// How a pile starts.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PileDef {
-    /// What moves, at least 0 and fewer than 2³¹.
-    pub bodies: Vec<PileBody>,
-    /// What does not.
-    pub surfaces: Vec<PileSurface>,
-    /// Gravitational field strength towards larger y, N/kg; negative: towards smaller y.
-    pub gravity: f64,
-    /// kg/m³, ≥ 0.
-    pub air_density: f64,
-    /// A rebound slower than this, m/s, is none.
-    pub rest_speed: f64,
-    /// Whether a pile that rests stops computing. Changes no bit.
-    pub sleep: bool,
-}
-
-impl Default for PileDef {
-    fn default() -> Self {
-        Self { bodies: Vec::new(), surfaces: Vec::new(), gravity: 9.81, air_density: 0.0, rest_speed: 1.0, sleep: true }
-    }
-}
-
-/// Why a definition was refused: what is wrong, and of which body or surface.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PileError(pub String);
-
-impl std::fmt::Display for PileError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for PileError {}
 
 /// What a body touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -279,8 +213,11 @@ impl Pile {
             if look > 0 {
                 self.look_again(dt);
             }
-            self.solve(dt);
-            inside = place::move_all(&mut self.bodies, &self.contacts, self.gravity, dt);
+            inside = self.solve_along(dt);
+            if !inside && look < SECOND_LOOKS {
+                continue;
+            }
+            inside &= self.solve_across(dt);
             if inside {
                 break;
             }
@@ -330,11 +267,19 @@ impl Pile {
         contacts.find(bodies, neighbours, dt);
     }
 
-    fn solve(&mut self, dt: f64) {
+    /// Velocities and positions along gravity. Returns whether nobody was thrown further than was looked for.
+    fn solve_along(&mut self, dt: f64) -> bool {
         self.impacts.clear(self.gravity, dt);
-        let Self { bodies, contacts, anchored, clusters, impacts, friction, pushes, .. } = self;
+        let Self { bodies, contacts, anchored, clusters, impacts, .. } = self;
         gravity::solve(bodies, contacts, anchored, clusters, impacts);
+        place::move_along(bodies, contacts, dt)
+    }
+
+    /// The same across.
+    fn solve_across(&mut self, dt: f64) -> bool {
+        let Self { bodies, contacts, clusters, impacts, friction, pushes, .. } = self;
         cross::solve(bodies, contacts, friction, clusters, impacts, pushes);
+        place::move_across(bodies, contacts, self.gravity, dt)
     }
 
     fn report_impacts(&mut self) {
@@ -406,32 +351,4 @@ impl Pile {
     pub fn impacts(&self) -> &[PileImpact] {
         &self.events
     }
-}
-
-fn check(def: &PileDef) -> Result<(), PileError> {
-    let wrong = |what: String| Err(PileError(what));
-    for (name, value, least) in
-        [("gravity", def.gravity, f64::MIN), ("air density", def.air_density, 0.0), ("rest speed", def.rest_speed, 0.0)]
-    {
-        if !value.is_finite() || value < least {
-            return wrong(format!("{name}: {value} is not a number in range"));
-        }
-    }
-    for (i, b) in def.bodies.iter().enumerate() {
-        let finite = b.position.is_finite() && b.half.is_finite() && b.velocity.is_finite() && b.drag_area.is_finite();
-        let coefficients = [b.restitution, b.static_friction, b.kinetic_friction, b.drag_area.x, b.drag_area.y];
-        if !finite || coefficients.iter().any(|c| !c.is_finite() || *c < 0.0) || b.restitution > 1.0 {
-            return wrong(format!("body {i}: a number is not finite or out of range"));
-        }
-        if b.half.min_element() <= 0.0 || !b.mass.is_finite() || b.mass <= 0.0 {
-            return wrong(format!("body {i}: size and mass must be positive"));
-        }
-    }
-    for (i, s) in def.surfaces.iter().enumerate() {
-        let finite = s.bounds.min.is_finite() && s.bounds.max.is_finite();
-        if !finite || s.bounds.size().min_element() < 0.0 || !(s.static_friction >= 0.0 && s.kinetic_friction >= 0.0) {
-            return wrong(format!("surface {i}: a number is not finite or out of range"));
-        }
-    }
-    Ok(())
 }

@@ -8,6 +8,7 @@
 //! of their own. Without surfaces the boxes move along with the mean motion, so that a shower is sought seldom.
 
 use super::bodies::Bodies;
+use super::grid::{Edges, Grid, overlap};
 
 /// Skin as a part of the mean half extent. Larger: more pairs to look at; smaller: more searches.
 const SKIN: f64 = 0.3;
@@ -24,60 +25,6 @@ const PAIRS: (f64, f64) = (0.25, 4.0);
 const FEW_SURFACES: usize = 8;
 /// The most cells of the surfaces' grid.
 const MOST_CELLS: f64 = 65_536.0;
-
-/// A box as left, right, top, bottom.
-type Edges = [f64; 4];
-
-fn overlap(a: &Edges, b: &Edges) -> bool {
-    (a[0] <= b[1]) & (b[0] <= a[1]) & (a[2] <= b[3]) & (b[2] <= a[3])
-}
-
-/// A uniform grid over a rectangle; what lies outside counts to the cells of its edge.
-#[derive(Clone, Debug, Default)]
-struct Grid {
-    left: f64,
-    top: f64,
-    per_metre: f64,
-    columns: usize,
-    rows: usize,
-    start: Vec<u32>,
-    items: Vec<u32>,
-}
-
-impl Grid {
-    fn lay(&mut self, area: Edges, cell: f64, most: f64) {
-        let (width, height) = (area[1] - area[0], area[3] - area[2]);
-        let mut cell = cell.max(1e-6).max(width / most).max(height / most);
-        while (width / cell + 1.0) * (height / cell + 1.0) > most {
-            cell *= 1.5;
-        }
-        (self.left, self.top, self.per_metre) = (area[0], area[2], 1.0 / cell);
-        self.columns = (width / cell) as usize + 1;
-        self.rows = (height / cell) as usize + 1;
-        self.start.clear();
-        self.start.resize(self.columns * self.rows + 1, 0);
-    }
-
-    /// Float to integer saturates, so whatever lies beyond an edge lands in the edge's cells.
-    fn column(&self, x: f64) -> usize {
-        (((x - self.left) * self.per_metre) as usize).min(self.columns - 1)
-    }
-
-    fn row(&self, y: f64) -> usize {
-        (((y - self.top) * self.per_metre) as usize).min(self.rows - 1)
-    }
-
-    /// Turns counts a cell into the start of each cell's range.
-    fn sum_up(&mut self) {
-        let mut sum = 0;
-        for count in &mut self.start {
-            sum += *count;
-            *count = sum;
-        }
-        self.items.clear();
-        self.items.resize(sum as usize, 0);
-    }
-}
 
 /// A neighbour that was added after the last search.
 #[derive(Clone, Copy, Debug)]

@@ -1,11 +1,16 @@
 //! Positions: moved by the solved velocities, and apart by construction.
 //!
-//! A body that nothing touched is where free flight puts it. One whose velocity changed smoothly (by no more than forces do in
-//! a step) moves by the mean of its two velocities, exact for constant accelerations; one that hit something by the new velocity,
-//! which the bounds of the contacts were made for. What rounding and simplification leave is mended here without touching
-//! velocities: along gravity one pass bottom-up lifts a body to the top of its supports, across what overlaps is merged as
-//! velocities are ([`super::clusters`]), the centre of mass unmoved; and where that is not enough, bodies in conflict are put back
-//! to where they were along the contact's axis, for no motion is always allowed.
+//! A body that nothing touched is where free flight puts it. Along gravity, one that the ground carries goes as far as its
+//! velocity says, so that it lands exactly when its gap is closed; those that merged in the air met at the start of the step and fall
+//! on together. Both lose energy, never gain it; moving by the mean of the velocities before and after would lift what hops by
+//! less than a step. Across, one whose velocity changed smoothly (by no more than forces do in a step) moves by the mean of its two
+//! velocities, exact for constant accelerations; one that hit something by the new velocity, which the bounds of the contacts were
+//! made for.
+//!
+//! What rounding and simplification leave is mended here: along gravity what rises stops under what does not make way, top-down,
+//! and what falls stops on what carries it, bottom-up, and neither keeps a speed for a way that it did not go; across what overlaps
+//! is merged as velocities are ([`super::clusters`]), the centre of mass unmoved; and where that is not enough, bodies in conflict
+//! are put back to where they were along the contact's axis, for no motion is always allowed.
 
 use super::bodies::Bodies;
 use super::clusters::{Clusters, Node};
@@ -18,24 +23,28 @@ const SMOOTH: f64 = 2.0;
 /// Passes of merging across before bodies are put back.
 const PASSES: usize = 16;
 
-/// Moves all bodies by their solved velocities. Returns whether all stay within what was swept; as that holds the ways of free
-/// flight, only those need asking that something touched.
-pub(super) fn move_all(bodies: &mut Bodies, contacts: &Contacts, gravity: f64, dt: f64) -> bool {
+/// Moves all bodies along gravity, by their mean velocities. Returns whether all stay within what was swept; as that holds the
+/// ways of free flight, only those need asking that something touched.
+pub(super) fn move_along(bodies: &mut Bodies, contacts: &Contacts, dt: f64) -> bool {
     let mut inside = true;
     for i in 0..bodies.len() {
-        let (x, y) = (bodies.ux[i] == bodies.free_vx[i], bodies.uy[i] == bodies.free_vy[i]);
-        if x && y {
-            continue;
-        }
-        let pull = SMOOTH * dt * (gravity.abs() + bodies.ax[i].abs() + bodies.ay[i].abs());
-        if !x {
-            bodies.px[i] = bodies.x[i] + dt * travel(bodies.vx[i], bodies.ux[i], pull);
-        }
-        if !y {
+        if bodies.uy[i] != bodies.free_vy[i] {
             bodies.py[i] = bodies.y[i] + dt * bodies.mean_vy[i];
+            inside &= bodies.py[i] == bodies.y[i] || contacts.covers(bodies, i);
         }
-        let rests = (bodies.px[i] == bodies.x[i]) & (bodies.py[i] == bodies.y[i]);
-        inside &= rests || contacts.covers(bodies, i);
+    }
+    inside
+}
+
+/// The same across, by their solved velocities.
+pub(super) fn move_across(bodies: &mut Bodies, contacts: &Contacts, gravity: f64, dt: f64) -> bool {
+    let mut inside = true;
+    for i in 0..bodies.len() {
+        if bodies.ux[i] != bodies.free_vx[i] {
+            let pull = SMOOTH * dt * (gravity.abs() + bodies.ax[i].abs() + bodies.ay[i].abs());
+            bodies.px[i] = bodies.x[i] + dt * travel(bodies.vx[i], bodies.ux[i], pull);
+            inside &= bodies.px[i] == bodies.x[i] || contacts.covers(bodies, i);
+        }
     }
     inside
 }
