@@ -253,8 +253,9 @@ impl Pile {
     fn look_again(&mut self, dt: f64) {
         let Self { bodies, neighbours, contacts, second_look, .. } = self;
         second_look.collect(bodies, contacts);
+        let known = neighbours.added();
         let renumbered = !flight::stays(bodies) && neighbours.update(bodies, dt);
-        if !renumbered && second_look.add(bodies, neighbours, contacts, dt) {
+        if !renumbered && second_look.add(bodies, neighbours, known, contacts, dt) {
             flight::fly(bodies, dt, self.drag);
             return;
         }

@@ -123,6 +123,25 @@ impl Neighbours {
         })
     }
 
+    /// How many neighbours were added since all was sought.
+    pub fn added(&self) -> usize {
+        self.more.len()
+    }
+
+    /// Whether `other` is a neighbour of body i that was added when there were `before` of them, or later.
+    pub fn is_new(&self, i: usize, other: usize, before: usize) -> bool {
+        // The last one added comes first.
+        let mut at = self.first[i] as usize;
+        while at >= before {
+            let Some(more) = self.more.get(at) else { return false };
+            if more.with as usize == other {
+                return true;
+            }
+            at = more.next as usize;
+        }
+        false
+    }
+
     /// Whether nobody has any neighbour.
     pub fn is_empty(&self) -> bool {
         self.with.is_empty() && self.more.is_empty()

@@ -8,8 +8,9 @@
 //! made for.
 //!
 //! What rounding and simplification leave is mended here: along gravity what rises stops under what does not make way, top-down,
-//! and what falls stops on what carries it, bottom-up, and neither keeps a speed for a way that it did not go; across what overlaps
-//! is merged as velocities are ([`super::clusters`]), the centre of mass unmoved; and where that is not enough, bodies in conflict
+//! and what falls stops on what carries it, bottom-up, and neither keeps a speed that it gained for a way that it did not go (what
+//! nothing pulls gained none, and its momentum stays); across what overlaps is merged as velocities are ([`super::clusters`]), the
+//! centre of mass unmoved; and where that is not enough, bodies in conflict
 //! are put back to where they were along the contact's axis, for no motion is always allowed.
 
 use super::bodies::Bodies;
@@ -83,7 +84,7 @@ fn hold_down(bodies: &mut Bodies, contacts: &Contacts, dt: f64) {
             let (rise, top) = (bodies.py[j], bodies.py[i] + stack.reach);
             if rise < top - HAIR && rise < bodies.y[j] {
                 bodies.py[j] = top.min(bodies.y[j]);
-                if bodies.py[j] - rise > TOUCH {
+                if bodies.py[j] - rise > TOUCH && bodies.ay[j] != 0.0 {
                     bodies.uy[j] = bodies.uy[j].max((bodies.py[j] - bodies.y[j]) / dt);
                 }
             }
@@ -109,7 +110,7 @@ fn lift(bodies: &mut Bodies, contacts: &Contacts, dt: f64) -> bool {
         }
         if y != predicted {
             bodies.py[i] = y;
-            if predicted - y > TOUCH {
+            if predicted - y > TOUCH && bodies.ay[i] != 0.0 {
                 bodies.uy[i] = bodies.uy[i].min((y - bodies.y[i]).max(0.0) / dt);
             }
             doubt |= !contacts.covers(bodies, i);
@@ -236,7 +237,7 @@ fn put_back(bodies: &mut Bodies, back: &mut [[bool; 2]], i: usize, axis: usize) 
         bodies.px[i] = bodies.x[i];
     } else {
         bodies.py[i] = bodies.y[i];
-        if bodies.uy[i].abs() > bodies.vy[i].abs() {
+        if bodies.uy[i].abs() > bodies.vy[i].abs() && bodies.ay[i] != 0.0 {
             bodies.uy[i] = bodies.vy[i];
         }
     }

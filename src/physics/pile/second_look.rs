@@ -36,13 +36,14 @@ impl SecondLook {
         !self.thrown.is_empty()
     }
 
-    /// Adds the contacts of the thrown bodies on their new ways. Returns false if bodies must be renumbered first.
-    pub fn add(&mut self, bodies: &Bodies, neighbours: &Neighbours, contacts: &mut Contacts, dt: f64) -> bool {
+    /// Adds the contacts of the thrown bodies on their new ways; `known` is how many neighbours had been added when contacts were
+    /// sought before. Returns false if bodies must be renumbered first.
+    pub fn add(&mut self, bodies: &Bodies, neighbours: &Neighbours, known: usize, contacts: &mut Contacts, dt: f64) -> bool {
         for (k, (i, _)) in self.thrown.iter().enumerate() {
             contacts.widen(bodies, *i as usize);
             self.which[*i as usize] = k as u32 + 1;
         }
-        let in_order = self.meet(bodies, neighbours, contacts, dt);
+        let in_order = self.meet(bodies, neighbours, known, contacts, dt);
         for (i, _) in &self.thrown {
             self.which[*i as usize] = 0;
         }
@@ -52,7 +53,7 @@ impl SecondLook {
         in_order
     }
 
-    fn meet(&mut self, bodies: &Bodies, neighbours: &Neighbours, contacts: &mut Contacts, dt: f64) -> bool {
+    fn meet(&mut self, bodies: &Bodies, neighbours: &Neighbours, known: usize, contacts: &mut Contacts, dt: f64) -> bool {
         let Self { thrown, which, stacks } = self;
         stacks.clear();
         let before = |contacts: &Contacts, i: usize| match which[i] {
@@ -64,8 +65,9 @@ impl SecondLook {
                 if which[i] == 0 && which[j] == 0 || apart(&contacts.swept[i], &contacts.swept[j]) {
                     continue;
                 }
-                if !apart(&before(contacts, i), &before(contacts, j)) {
-                    continue; // known
+                // What was swept may have met before the two were neighbours.
+                if !apart(&before(contacts, i), &before(contacts, j)) && !neighbours.is_new(i, j, known) {
+                    continue;
                 }
                 match meeting(bodies, i, j, dt, 1.0 / dt) {
                     Meeting::Stack(stack) => stacks.push((i as u32, stack)),
