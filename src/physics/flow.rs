@@ -57,8 +57,8 @@ pub(super) fn fly_through(pose: Pose, a: DVec2, k: f64, t: f64) -> Pose {
     let pull = a.length();
     let slowest = (k * pull).sqrt();
     let rate = |v: DVec2| k * v.length() + slowest;
-    let terminal = a * (1.0 / (pull * k).sqrt());
     let settled = |(x, v): Pose, left| {
+        let terminal = a * (1.0 / slowest);
         let reached = pull > 0.0 && (v - terminal).length() <= TERMINAL_TOLERANCE * terminal.length();
         reached.then(|| (x + terminal * left, terminal))
     };
