@@ -90,6 +90,47 @@ fn a_splash_is_the_same_at_any_tick() {
     }
 }
 
+/// Regression: a plank that flew far and met the water within one tick was integrated across its surface in one step, and thrown off by
+/// kilometres. Liquids now act on what they touch only, and meeting the surface is an event.
+#[test]
+fn a_fast_plank_is_not_thrown_off_the_water() {
+    let end = |hz: u32, half: DVec2, v: DVec2| {
+        let pool = FluidDef { zone: Aabb::new(DVec2::new(-100.0, 0.0), DVec2::new(100.0, 30.0)), density: 800.0, viscosity: 5.0 };
+        let mass = 0.2 * 800.0 * 4.0 * half.x * half.y;
+        let plank = BodyDef { position: DVec2::new(0.0, -1.25), velocity: v, half, mass, drag: 0.5, ..BodyDef::default() };
+        let mut world = World::new(WorldDef { fluids: vec![pool], bodies: vec![plank], ..WorldDef::default() }).unwrap();
+        for _ in 0..hz {
+            world.step(1.0 / f64::from(hz));
+        }
+        world.body(BodyId(0)).position
+    };
+    for (half, v) in [((0.5, 0.02), (0.0, 60.0)), ((2.0, 0.1), (10.0, 60.0)), ((0.02, 0.1), (0.0, 60.0))] {
+        let (half, v) = (DVec2::from(half), DVec2::from(v));
+        let fine = end(3840, half, v);
+        for hz in [30, 60, 120, 240] {
+            let error = end(hz, half, v).distance(fine);
+            assert!(error < 2e-5, "{half} at {hz} Hz: {error} m off");
+        }
+    }
+}
+
+/// Regression: the steps for stiff motion pumped energy into whatever is far lighter than the liquid that it swims on. A crate of a gram
+/// bobbed on water for ever.
+#[test]
+fn what_is_far_lighter_than_its_liquid_comes_to_rest_at_its_waterline() {
+    for (mass, hz) in [(1e-3, 30.0), (1e-3, 120.0), (1e-3, 240.0), (1e-2, 60.0)] {
+        let pool = FluidDef { zone: Aabb::new(DVec2::new(-100.0, 0.0), DVec2::new(100.0, 30.0)), density: 1000.0, viscosity: 1e-3 };
+        let crate_ = BodyDef { position: DVec2::new(0.0, -1.0), mass, ..BodyDef::default() };
+        let mut world = World::new(WorldDef { fluids: vec![pool], bodies: vec![crate_], ..WorldDef::default() }).unwrap();
+        for _ in 0..(30.0 * hz) as u32 {
+            world.step(1.0 / hz);
+        }
+        let (body, waterline) = (world.body(BodyId(0)), mass / 1000.0 - 0.5);
+        assert!((body.position.y - waterline).abs() < 1e-9, "{mass} kg: at {} m, not {waterline} m", body.position.y);
+        assert!(body.velocity.length() < 1e-9, "{mass} kg: {} m/s", body.velocity);
+    }
+}
+
 /// Regression: a column of light and heavy things falling in air sank 1 cm into itself, because no cubic followed the light ones and their
 /// impact was overlooked until the interval's end. Such an interval is now cut.
 #[test]

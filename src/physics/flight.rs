@@ -15,7 +15,7 @@ impl World {
         }
         for &body in &self.awake {
             let i = body as usize;
-            if self.candidates.is_near(i) || self.laws[i].wet {
+            if self.candidates.is_near(i) || self.laws[i].near_liquid {
                 return false;
             }
             let (body, law) = (&self.bodies[i], &self.laws[i]);

@@ -4,7 +4,8 @@
 //! many steps as keep rate × time below [`RK4_REACH`]; one for ordinary things at a hundred ticks a second (error 1e-9 m after
 //! seconds), many for feathers and gusts, where a fixed step diverges. A feather that has reached its terminal velocity
 //! `√(A/k)` along A stays on it, which bounds the work for things of any lightness. In a liquid, motion that settles many times within
-//! a tick (a grain in treacle) takes exponential steps, `v → v∞ + (v − v∞)·e^(−mt)` with the damping m frozen, stable at any rate.
+//! a tick (a grain in treacle) takes exponential steps, `v → v∞ + (v − v∞)·e^(−mt)` with the damping m frozen, stable at any rate;
+//! something so light that it would bob many times within a tick is damped down to its waterline instead.
 
 use super::Body;
 use super::media::{Law, Media};
@@ -43,7 +44,8 @@ pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
     let rate = |v| media.rate(body, law, v);
     let at_rest = rate(DVec2::ZERO);
     // A splash is fast for as long as its speed is high, and takes a few more steps; what stays fast at any speed is stiff.
-    let stiff = |pose, left| (at_rest * left > STIFF_REACH).then(|| decay(pose, left, acceleration, rate));
+    let stiff =
+        |pose, left| (at_rest * left > STIFF_REACH).then(|| decay(pose, left, acceleration, rate, |x| media.floats(body, x)));
     follow(pose, t, acceleration, rate, stiff)
 }
 
@@ -55,8 +57,8 @@ pub(super) fn fly_through(pose: Pose, a: DVec2, k: f64, t: f64) -> Pose {
     let pull = a.length();
     let slowest = (k * pull).sqrt();
     let rate = |v: DVec2| k * v.length() + slowest;
-    let terminal = a * (1.0 / (pull * k).sqrt());
     let settled = |(x, v): Pose, left| {
+        let terminal = a * (1.0 / slowest);
         let reached = pull > 0.0 && (v - terminal).length() <= TERMINAL_TOLERANCE * terminal.length();
         reached.then(|| (x + terminal * left, terminal))
     };
@@ -84,17 +86,30 @@ fn follow(
         pose = rk4(pose, h, &acceleration);
         left -= h;
     }
-    decay(pose, left, acceleration, rate)
+    decay(pose, left, acceleration, rate, |_| 0.0)
 }
 
-/// Exponential steps for `t` seconds: x and v of v′ = a − m·(v − v₀), with s = (1 − e^(−mt))/m.
-fn decay(mut pose: Pose, t: f64, acceleration: impl Fn(DVec2, DVec2) -> DVec2, rate: impl Fn(DVec2) -> f64) -> Pose {
+/// Exponential steps for `t` seconds: x and v of v′ = a − m·(v − v₀), with s = (1 − e^(−mt))/m. Up and down something that `floats` with
+/// stiffness K (1/s²) is also drawn to its waterline, v′ = a − K·(y − y₀): taken at the step's end (backward Euler), which is stable at any
+/// K and lets what is far lighter than its liquid come to rest there instead of bobbing for ever.
+fn decay(
+    mut pose: Pose,
+    t: f64,
+    acceleration: impl Fn(DVec2, DVec2) -> DVec2,
+    rate: impl Fn(DVec2) -> f64,
+    floats: impl Fn(DVec2) -> f64,
+) -> Pose {
     let h = t / EXPONENTIAL_STEPS;
     for _ in 0..EXPONENTIAL_STEPS as u32 {
         let (x, v) = pose;
         let (a, damping) = (acceleration(x, v), rate(v));
         let s = -libm::expm1(-damping * h) / damping;
         pose = (x + v * h + a * ((h - s) / damping), v + a * s);
+        let stiffness = floats(x);
+        if stiffness > 0.0 {
+            pose.1.y = v.y + (a.y - stiffness * h * v.y) / (1.0 + stiffness * h * s) * s;
+            pose.0.y = x.y + pose.1.y * h;
+        }
     }
     pose
 }

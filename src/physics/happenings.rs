@@ -239,7 +239,7 @@ impl World {
                     *first = (t, Happening::Stream(i as u32, s as u32));
                 }
             }
-            if self.laws[i].wet {
+            if self.laws[i].near_liquid {
                 for f in 0..self.media.fluids.len() {
                     let zone = self.media.fluids[f].zone;
                     if let Some(t) = surface_kink(&cubic, half, &zone, first.0) {

@@ -6,7 +6,7 @@
 
 use super::World;
 use super::flow::{Pose, flow, parabola};
-use super::tuning::{COUPLED_REACH, COUPLED_STEP};
+use super::tuning::{COUPLED_REACH, COUPLED_STEP, STIFF_REACH};
 use glam::DVec2;
 
 /// How a body moves during an interval.
@@ -48,7 +48,8 @@ impl World {
                 if motion == Motion::Coupled {
                     fastest = rate.max(fastest);
                 }
-                if rate * left > CUBIC_REACH && self.candidates.has_neighbours(i) {
+                let splashes = || law.wet && self.media.rate(body, law, DVec2::ZERO) * left <= STIFF_REACH && self.media.cuts(body);
+                if rate * left > CUBIC_REACH && (self.candidates.has_neighbours(i) || splashes()) {
                     longest = longest.min((CUBIC_REACH / rate).max(tick * SHORTEST));
                 }
             }

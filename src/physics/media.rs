@@ -4,9 +4,12 @@
 //! otherwise. In a liquid the submerged fraction f of the box displaces ρ·g·V (Archimedes) and feels the same quadratic drag with the
 //! liquid's density, plus Stokes' 3π·η·d·u with d the mean of width and height as a representative diameter; air acts on the rest.
 
+use super::tuning::{STIFF_REACH, WET};
 use super::{Aabb, Body, FluidDef, Force, ForceKind, Source, StreamDef};
 use glam::DVec2;
 
+/// m. From here on a liquid counts for the steps of a motion towards it.
+const NEAR: f64 = 1.0;
 /// Stokes' law: 3π per diameter.
 const STOKES: f64 = 3.0 * std::f64::consts::PI;
 
@@ -30,7 +33,9 @@ pub(super) struct Law {
     pub air: f64,
     /// Exposed area, m²: what the liquids act on.
     pub area: f64,
-    /// Whether it is near a liquid.
+    /// Whether it may come to a liquid soon.
+    pub near_liquid: bool,
+    /// Whether a liquid acts on it: one that it touches. Until then it flies as if there were none, and meeting the surface is an event.
     pub wet: bool,
     /// Scale of all forces of the media, 1 but for things in contact that are so light that they follow the media within a tick.
     pub soft: f64,
@@ -38,7 +43,7 @@ pub(super) struct Law {
 
 impl Default for Law {
     fn default() -> Self {
-        Self { constant: DVec2::ZERO, air: 0.0, area: 0.0, wet: false, soft: 1.0 }
+        Self { constant: DVec2::ZERO, air: 0.0, area: 0.0, near_liquid: false, wet: false, soft: 1.0 }
     }
 }
 
@@ -82,7 +87,7 @@ impl Media {
         let (mut quadratic, mut linear, mut stiffness) = (law.air, 0.0, 0.0);
         if law.wet {
             for fluid in &self.fluids {
-                if submerged(body.position, body.half + DVec2::ONE, &fluid.zone) > 0.0 {
+                if submerged(body.position, body.half + NEAR, &fluid.zone) > 0.0 {
                     quadratic += 0.5 * fluid.density * body.drag * law.area / body.mass;
                     linear += STOKES * fluid.viscosity * (body.half.x + body.half.y) / body.mass;
                     stiffness += fluid.density * self.gravity.abs() * 2.0 * body.half.x.max(body.half.y) / body.mass;
@@ -90,6 +95,30 @@ impl Media {
             }
         }
         linear + quadratic * v.length() + (quadratic * law.constant.length()).sqrt() + stiffness.sqrt()
+    }
+
+    /// Whether a liquid acts on a body now: it touches it. What is so light that it would bob there many times within a `tick` (s) is
+    /// within the liquid's reach already when it is near.
+    pub fn is_met(&self, body: &Body, fluid: &FluidDef, tick: f64) -> bool {
+        let stiffness = fluid.density * self.gravity.abs() * 2.0 * body.half.x / body.mass;
+        let reach = if stiffness.sqrt() * tick > STIFF_REACH { NEAR } else { WET };
+        body.bounds().touches(&fluid.zone, reach)
+    }
+
+    /// Whether the surface of a liquid cuts a body.
+    pub fn cuts(&self, body: &Body) -> bool {
+        self.fluids.iter().map(|fluid| submerged(body.position, body.half, &fluid.zone)).any(|f| f > 0.0 && f < 1.0)
+    }
+
+    /// By how much a body at `x` that floats on a surface is drawn back to it, 1/s²: the change of its buoyancy with its depth.
+    pub fn floats(&self, body: &Body, x: DVec2) -> f64 {
+        let (top, bottom) = (x - body.half, x + body.half);
+        let stiffness = self.fluids.iter().map(|FluidDef { zone, density, .. }| {
+            let width = (bottom.x.min(zone.max.x) - top.x.max(zone.min.x)).max(0.0);
+            let cut = top.y < zone.min.y && bottom.y > zone.min.y && bottom.y < zone.max.y;
+            if cut { density * self.gravity * width } else { 0.0 }
+        });
+        stiffness.sum::<f64>() / body.mass
     }
 
     fn buoyancy(&self, body: &Body, fluid: &FluidDef, f: f64) -> DVec2 {

@@ -27,7 +27,7 @@ impl World {
             let a = self.media.acceleration(&body, &self.laws[i], body.position, DVec2::ZERO);
             return Some(parabola((body.position, DVec2::ZERO), a, tick));
         }
-        if !(self.laws[i].wet || self.is_near_border(i, tick)) {
+        if !(self.laws[i].near_liquid || self.is_near_border(i, tick)) {
             return None;
         }
         let streams = self.media.streams.len();
@@ -46,7 +46,7 @@ impl World {
                     (first, crossed) = (t, Some(s));
                 }
             }
-            if law.wet {
+            if law.near_liquid {
                 for fluid in &self.media.fluids {
                     if let Some(t) = surface_kink(&path, body.half, &fluid.zone, first) {
                         (first, crossed) = (t, None);

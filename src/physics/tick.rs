@@ -4,7 +4,7 @@ use super::contacts::Contact;
 use super::happenings::Happening;
 use super::interval::Motion;
 use super::media::{Law, moves_across};
-use super::tuning::{MAX_INTERVALS, RETRIES, RETRY_PART, SLOP};
+use super::tuning::{MAX_CROSSINGS, MAX_INTERVALS, RETRIES, RETRY_PART, SLOP};
 use super::{Aabb, Body, World};
 use glam::DVec2;
 
@@ -16,6 +16,7 @@ impl World {
         if self.awake.is_empty() {
             return;
         }
+        self.tick = dt;
         self.begin_tick();
         if let Some(mut crowd) = self.crowd.take() {
             self.step_crowd(&mut crowd, dt);
@@ -105,6 +106,7 @@ impl World {
                 self.forces_hold &= *inside == now;
                 *inside = now;
             }
+            self.crossings[i] = 0;
             let across = moves_across(body.velocity, self.drives[i] + DVec2::new(0.0, body.mass * self.media.gravity));
             self.laws_hold &= across == self.across[i];
             self.across[i] = across;
@@ -128,7 +130,7 @@ impl World {
             }
             self.across[i] = across;
             let law = self.law(i, body);
-            self.forces_hold &= !law.wet;
+            self.forces_hold &= !law.near_liquid;
             self.laws[i] = law;
         }
     }
@@ -149,7 +151,10 @@ impl World {
         if self.plan.liquids {
             let reach = body.half + body.velocity.abs() + DVec2::ONE;
             let near = Aabb::around(body.position, reach);
-            law.wet = self.media.fluids.iter().any(|fluid| near.touches(&fluid.zone, 0.0));
+            law.near_liquid = self.media.fluids.iter().any(|fluid| near.touches(&fluid.zone, 0.0));
+            // Beyond the last crossing that is looked for, whatever is near is reckoned with.
+            let counts = || self.media.fluids.iter().any(|fluid| self.media.is_met(body, fluid, self.tick));
+            law.wet = law.near_liquid && (self.crossings[i] >= MAX_CROSSINGS || counts());
         }
         law
     }

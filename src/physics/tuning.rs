@@ -72,6 +72,10 @@ pub(super) const CASCADE_HITS: u32 = 32;
 /// Impacts in one cascade altogether. Perfectly elastic cascades end by themselves, but a mass ratio of R needs some 3·√R of them.
 pub(super) const MAX_CASCADE: usize = 65_536;
 
+/// m. A liquid acts on what is nearer to it than this. It covers the error of the time at which a surface is met; larger, and a fast thing
+/// meets the liquid in the middle of a Runge–Kutta step that knows nothing of it.
+pub(super) const WET: f64 = 1e-6;
+
 /// Zone edges crossed by one body in one tick, at most: a body balanced on the edge of a stream would cross without end.
 pub(super) const MAX_CROSSINGS: u32 = 8;
 
