@@ -110,7 +110,7 @@ fn main() -> std::io::Result<()> {
     let mut csv = "scene,engine,step,work,error,overlap,speed,times\n".to_owned();
     let mut short = String::new();
     println!(
-        "{:<18} {:<11} {:>12} {:>12} {:>8} {:>9} {:>11} {:>9}  error is",
+        "{:<21} {:<11} {:>12} {:>12} {:>8} {:>9} {:>11} {:>9}  error is",
         "scene", "engine", "ns/body/step", "ns/step", "× ours", "error", "overlap, m", "end, m/s"
     );
     for scene in scenes::all() {
@@ -123,7 +123,7 @@ fn main() -> std::io::Result<()> {
             let times = row.work / rows[0].work;
             let step = row.work * scene.step;
             println!(
-                "{:<18} {:<11} {:>12.1} {:>12.0} {:>8.1} {:>9.1e} {:>11.1e} {:>9.1e}  {}",
+                "{:<21} {:<11} {:>12.1} {:>12.0} {:>8.1} {:>9.1e} {:>11.1e} {:>9.1e}  {}",
                 scene.name,
                 row.engine,
                 step,
