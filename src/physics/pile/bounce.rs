@@ -5,10 +5,12 @@
 //! rest speed. On what the ground holds only the upper body turns round; in the air both do, with equal and opposite impulses.
 //! One after the other, rebounds can add up to more energy than there was (a body thrown by one neighbour is thrown again by the
 //! next). So bodies that hit each other or were merged in the same step form a group, and where it would get back more energy than
-//! its members lost, all its rebounds are made smaller by one factor: momentum is conserved whatever the factor.
+//! its members lost, all its rebounds are made smaller by one factor: momentum is conserved whatever the factor. In the end the same is
+//! asked of all bodies together.
 
 use super::bodies::Bodies;
 use super::clusters::Clusters;
+use super::energy;
 
 /// A contact that stops more than this many steps of gravity is an impact. Below 1: resting contacts bounce for ever.
 const IMPACT: f64 = 2.0;
@@ -125,6 +127,7 @@ impl Impacts {
             if !self.thrown.is_empty() {
                 self.widen(bodies, axis);
                 self.restrain(bodies, axis, dt);
+                self.balance(bodies, axis, dt);
             }
         }
     }
@@ -201,31 +204,61 @@ impl Impacts {
 
     /// Makes the rebounds of a group smaller if they give back more energy than its members lost in the step.
     fn restrain(&mut self, bodies: &mut Bodies, axis: Axis, dt: f64) {
-        let (x, px, v, free, u) = match axis {
-            Axis::Across => (&bodies.x, &bodies.px, &bodies.vx, &bodies.free_vx, &mut bodies.ux),
-            Axis::Gravity => (&bodies.y, &bodies.py, &bodies.vy, &bodies.free_vy, &mut bodies.uy),
+        let work = |i: usize| energy::work(bodies, axis, dt, i);
+        let (v, u) = match axis {
+            Axis::Across => (&bodies.vx, &bodies.ux),
+            Axis::Gravity => (&bodies.vy, &bodies.uy),
         };
         for k in 0..self.thrown.len() {
             let (i, before) = (self.thrown[k].body as usize, self.thrown[k].before);
             let (mass, change) = (bodies.mass[i], u[i] - before);
-            let worked = (free[i] - v[i]) / dt * (px[i] - x[i]);
             let first = self.first(k);
             let group = &mut self.thrown[first];
-            group.lost += mass * (0.5 * (v[i] * v[i] - before * before) + worked);
+            group.lost += 0.5 * mass * (v[i] * v[i] - before * before) + work(i);
             group.linear += mass * before * change;
             group.square += 0.5 * mass * change * change;
         }
+        let u = solved(bodies, axis);
         for k in 0..self.thrown.len() {
             let first = self.first(k);
             let Thrown { lost, linear, square, .. } = self.thrown[first];
             let Thrown { body, before, .. } = self.thrown[k];
             self.place[body as usize] = 0;
             if square > 0.0 && linear + square > lost + ROUNDING * lost.abs() {
-                let part = 0.5 * ((linear * linear + 4.0 * square * lost.max(0.0)).sqrt() - linear) / square;
-                u[body as usize] = before + part.clamp(0.0, 1.0) * (u[body as usize] - before);
+                u[body as usize] = before + part(linear, square, lost.max(0.0)) * (u[body as usize] - before);
             }
         }
     }
+
+    /// Makes all rebounds smaller if they give back more energy than all bodies lost in the step: friction may have handed what a
+    /// group lost to somebody outside of it.
+    fn balance(&self, bodies: &mut Bodies, axis: Axis, dt: f64) {
+        let Some(gained) = energy::gained(bodies, axis, dt) else { return };
+        let (mut linear, mut square) = (0.0, 0.0);
+        for thrown in &self.thrown {
+            let i = thrown.body as usize;
+            let (mass, change) = (bodies.mass[i], solved(bodies, axis)[i] - thrown.before);
+            linear += mass * thrown.before * change;
+            square += 0.5 * mass * change * change;
+        }
+        if square > 0.0 {
+            let part = part(linear, square, (linear + square - gained).max(0.0));
+            let u = solved(bodies, axis);
+            for thrown in &self.thrown {
+                u[thrown.body as usize] = thrown.before + part * (u[thrown.body as usize] - thrown.before);
+            }
+        }
+    }
+}
+
+/// The solved velocities along an axis, m/s.
+fn solved(bodies: &mut Bodies, axis: Axis) -> &mut Vec<f64> {
+    if axis == Axis::Across { &mut bodies.ux } else { &mut bodies.uy }
+}
+
+/// The part s, 0 … 1, of rebounds that gives back an energy of s·linear + s²·square = `energy`.
+fn part(linear: f64, square: f64, energy: f64) -> f64 {
+    (0.5 * ((linear * linear + 4.0 * square * energy).sqrt() - linear) / square).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 //! Friction of the stacks first ([`super::friction`]); then bodies that close too fast sideways are merged with what rides on
 //! them and with the friction of the ground under them ([`super::clusters`]), which moves a pushed row at (F − friction)/Σm and
 //! holds it below its common limit. What the merging did is handed to the friction pass as a push, until nothing closes any more;
-//! the few contacts left after [`ROUNDS`] are merged without friction.
+//! the few contacts left after [`ROUNDS`], and steps in which all that together drives instead of dissipating, are merged without
+//! friction.
 //! Faces that stand upright have no friction of their own.
 
 use super::bodies::Bodies;
@@ -18,6 +19,8 @@ const ROUNDS: usize = 3;
 /// A pushed body that is faster by this part than it was and than its cluster was pushed against friction that did not come: then
 /// the pushes are dropped. Smaller: rounding drops pushes; larger: bodies are flung.
 const FLUNG: f64 = 1e-9;
+/// Kinetic energy gained that is no more than rounding, as a part of all.
+const ROUNDING: f64 = 1e-12;
 /// Passes over the side contacts in one merging; each merges whole rows.
 const PASSES: usize = 16;
 
@@ -47,39 +50,22 @@ pub(super) fn solve(
     impacts: &mut Impacts,
     pushes: &mut Pushes,
 ) {
-    let Pushes { given, before, pushed } = pushes;
     let n = bodies.len();
     bodies.ux.copy_from_slice(&bodies.free_vx);
-    for ((given, mass), velocity) in given.iter_mut().zip(&bodies.mass).zip(&bodies.free_vx) {
+    for ((given, mass), velocity) in pushes.given.iter_mut().zip(&bodies.mass).zip(&bodies.free_vx) {
         *given = mass * velocity;
     }
-    if given.iter().fold(true, |still, p| still & (*p == 0.0)) {
+    if pushes.given.iter().fold(true, |still, p| still & (*p == 0.0)) {
         friction.rest();
         return;
     }
-    pushed.fill(false);
-    friction.wake(bodies, contacts, given, pushed);
-    friction.load(bodies, contacts);
-    friction.solve(bodies, given);
-    before.copy_from_slice(&bodies.ux[..n]);
-    for _ in 0..ROUNDS {
-        if rouse(bodies, contacts, friction, pushed) {
-            friction.wake(bodies, contacts, given, pushed);
-            friction.load(bodies, contacts);
-            friction.solve(bodies, given);
-        }
-        if !merge(bodies, contacts, clusters, impacts, |bodies, i| node(bodies, friction, i)) {
-            return;
-        }
-        impacts.bind(clusters, Axis::Across);
-        if hand_over(bodies, friction, clusters, given) {
-            friction.solve(bodies, given);
-        }
-        let flung = |i: usize| bodies.ux[i].abs() > before[i].abs().max(clusters.velocity(i, 0.0).abs()) * (1.0 + FLUNG) + SLACK;
-        if clusters.joined.iter().any(|i| (*i as usize) < n && flung(*i as usize)) {
-            bodies.ux[..n].copy_from_slice(before);
-            break;
-        }
+    let settled = rub_and_push(bodies, contacts, friction, clusters, impacts, pushes);
+    let gained = gains(bodies);
+    if settled && !gained {
+        return;
+    }
+    if gained {
+        bodies.ux[..n].copy_from_slice(&pushes.before);
     }
     let plain =
         |bodies: &Bodies, i: usize| Some(Node { momentum: bodies.mass[i] * bodies.ux[i], mass: bodies.mass[i], ..Node::default() });
@@ -92,6 +78,54 @@ pub(super) fn solve(
             }
         }
     }
+}
+
+/// Whether there is more kinetic energy than before: friction and pushes that answer each other round by round may drive.
+fn gains(bodies: &Bodies) -> bool {
+    let (mut before, mut after) = (0.0, 0.0);
+    for ((mass, free), velocity) in bodies.mass.iter().zip(&bodies.free_vx).zip(&bodies.ux) {
+        before += mass * free * free;
+        after += mass * velocity * velocity;
+    }
+    after > before * (1.0 + ROUNDING)
+}
+
+/// Friction, and merging with friction, in turns. Returns whether nothing closes too fast any more.
+fn rub_and_push(
+    bodies: &mut Bodies,
+    contacts: &Contacts,
+    friction: &mut Friction,
+    clusters: &mut Clusters,
+    impacts: &mut Impacts,
+    pushes: &mut Pushes,
+) -> bool {
+    let Pushes { given, before, pushed } = pushes;
+    let n = bodies.len();
+    pushed.fill(false);
+    friction.wake(bodies, contacts, given, pushed);
+    friction.load(bodies, contacts);
+    friction.solve(bodies, given);
+    before.copy_from_slice(&bodies.ux[..n]);
+    for _ in 0..ROUNDS {
+        if rouse(bodies, contacts, friction, pushed) {
+            friction.wake(bodies, contacts, given, pushed);
+            friction.load(bodies, contacts);
+            friction.solve(bodies, given);
+        }
+        if !merge(bodies, contacts, clusters, impacts, |bodies, i| node(bodies, friction, i)) {
+            return true;
+        }
+        impacts.bind(clusters, Axis::Across);
+        if hand_over(bodies, friction, clusters, given) {
+            friction.solve(bodies, given);
+        }
+        let flung = |i: usize| bodies.ux[i].abs() > before[i].abs().max(clusters.velocity(i, 0.0).abs()) * (1.0 + FLUNG) + SLACK;
+        if clusters.joined.iter().any(|i| (*i as usize) < n && flung(*i as usize)) {
+            bodies.ux[..n].copy_from_slice(before);
+            return false;
+        }
+    }
+    false
 }
 
 /// Gives merged bodies their clusters' velocities, as pushes to those at which something rubs. Returns whether there are any.

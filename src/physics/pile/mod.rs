@@ -10,7 +10,7 @@
 //!    what is neither carried nor held merges in `clusters`; where a hit threw a body further than was looked for, a
 //!    `second_look` adds the contacts on its way, and the step is solved again;
 //! 5. `place`: positions that cannot overlap, by construction;
-//! 6. `bounce`: restitution, after the move.
+//! 6. `bounce`: restitution, after the move; `energy`: never more than there was.
 //!
 //! Nothing iterates towards an answer except where bodies hang together in the air, so what comes to rest has velocity zero
 //! exactly, after which a step changes no bit and the whole pile sleeps until something outside changes.
@@ -32,6 +32,7 @@ mod clusters;
 mod contacts;
 mod cross;
 mod def;
+mod energy;
 mod flight;
 mod friction;
 mod gravity;
@@ -225,6 +226,7 @@ impl Pile {
         place::part(&mut self.bodies, &self.contacts, &mut self.clusters, &mut self.put_back, dt, inside);
         self.impacts.measure(&self.bodies, dt);
         self.impacts.rebound(&mut self.bodies, &self.anchored, self.rest_speed, dt);
+        energy::restrain(&mut self.bodies, dt);
         self.report_impacts();
         self.bodies.commit();
         self.fall_asleep();
