@@ -10,7 +10,7 @@ macro_rules! kept {
 }
 
 /// Names and texts.
-const FILES: [(&str, &str); 27] = kept![
+const FILES: [(&str, &str); 31] = kept![
     "setting",
     "scenes",
     "stress",
@@ -34,7 +34,11 @@ const FILES: [(&str, &str); 27] = kept![
     "thin-body",
     "pi",
     "piles",
+    "piles-of-masses",
+    "piles-that-bounce",
+    "settled",
     "flights",
+    "flights-with-drag",
     "bounce-fourth",
     "column-100",
     "wall-10-km-s",
