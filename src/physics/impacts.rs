@@ -10,7 +10,7 @@
 //! is passed over in closed form (rest after 2w/(g(1 − e))), during which the mean reaction is that of a body at rest.
 
 use super::contacts::Contact;
-use super::tuning::{CASCADE_HITS, MAX_CASCADE, MAX_CLINGS, MICRO_SPEED, RATTLE_HITS, REPORT_SPEED, SLOP, ZENO_HITS};
+use super::tuning::{CALM_REACH, CASCADE_HITS, MAX_CASCADE, MAX_CLINGS, MICRO_SPEED, RATTLE_HITS, REPORT_SPEED, SLOP, ZENO_HITS};
 use super::{BodyId, Event, Obstacle, World};
 use glam::DVec2;
 
@@ -196,13 +196,13 @@ impl World {
         if self.hits[i] < ZENO_HITS {
             return;
         }
-        let body = &self.bodies[i];
-        let pull = -away * self.media.acceleration(body, &self.laws[i], body.position, body.velocity)[contact.axis];
+        let (body, law) = (&self.bodies[i], &self.laws[i]);
+        let pull = -away * self.media.acceleration(body, law, body.position, DVec2::ZERO)[contact.axis];
         if pull <= 0.0 {
             return;
         }
         let first = 2.0 * speed / pull;
-        if first >= left {
+        if first >= left || self.media.rate(body, law, body.velocity) * first > CALM_REACH {
             return;
         }
         let (count, time) = if e >= 1.0 {

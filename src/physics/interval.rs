@@ -44,8 +44,11 @@ impl World {
                 (_, true, true) => Motion::Coupled,
             };
             if matches!(motion, Motion::Flow | Motion::Coupled) {
-                let rate = self.media.rate(body, law, body.velocity);
+                let mut rate = self.media.rate(body, law, body.velocity);
                 if motion == Motion::Coupled {
+                    // Friction or a push may throw something light so fast that the medium answers within the interval: √(k·a).
+                    let thrown = self.media.rate(body, law, body.velocity + self.solved[i] * left) - rate;
+                    rate = rate.max((thrown.max(0.0) / left).sqrt());
                     fastest = rate.max(fastest);
                 }
                 let splashes = || law.wet && self.media.rate(body, law, DVec2::ZERO) * left <= STIFF_REACH && self.media.cuts(body);

@@ -228,7 +228,11 @@ impl World {
             }
             Happening::Resume(index) => {
                 let resume = self.resumes.swap_remove(index as usize);
-                self.bodies[resume.body as usize].velocity[resume.axis] += resume.speed;
+                let speed = &mut self.bodies[resume.body as usize].velocity[resume.axis];
+                // Whatever was hit meanwhile bounces no more as it did.
+                if *speed == 0.0 {
+                    *speed = resume.speed;
+                }
             }
         }
         None

@@ -65,6 +65,10 @@ pub(super) const RATTLE_HITS: u32 = 64;
 /// Bounces of a body on something immovable in one tick, after which the rest of the series is summed in closed form.
 pub(super) const ZENO_HITS: u32 = 6;
 
+/// Rate × time up to which a medium leaves a bounce a parabola, so that bounces can be passed over in closed form. Larger: drag passes
+/// for gravity, and what is light is given back speed that it has lost.
+pub(super) const CALM_REACH: f64 = 0.01;
+
 /// Lossy impacts (e < 1) of one contact in one cascade, after which it rebounds no more: inelastic collapse would never end. A count for
 /// all contacts together would let what happens here depend on what lies elsewhere.
 pub(super) const CASCADE_HITS: u32 = 32;
