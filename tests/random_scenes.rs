@@ -1,4 +1,4 @@
-//! Random scenes that run for long: finite, no energy from nothing, no overlap, the same bits twice.
+//! Random scenes: finite, no energy from nothing, no overlap, the same bits twice.
 
 use proptest::prelude::*;
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, StreamDef, SurfaceDef, World, WorldDef};

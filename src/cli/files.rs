@@ -71,7 +71,9 @@ impl Place {
             // As for any new file; tempfile's own would be for the user's eyes only.
             builder.permissions(std::fs::Permissions::from_mode(0o666));
         }
-        Ok(Self::Beside(builder.tempfile_in(folder)?, target))
+        // The kind alone: the user knows nothing of the temporary file's name.
+        let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
+        Ok(Self::Beside(file, target))
     }
 }
 

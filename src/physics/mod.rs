@@ -37,8 +37,9 @@
 //! - **Impacts go in the order of their times**, then by speed: that makes the cradle. What is plastic is solved at once, with the same
 //!   network on momenta: that makes ten tonnes on a kilogram.
 //! - **What cannot change is not computed anew.** What rests sleeps until something touches it, a pushed row keeps its forces, and small
-//!   contact networks have their answers in closed form. These direct answers are bit for bit those of the general way, which the plan
-//!   can take instead; what happens in one group of bodies never depends on another.
+//!   contact networks have their answers in closed form. What rests, flies past nothing or keeps its contacts can be computed in full
+//!   instead (`Plan::direct`), and gives the same bits. Contact forces in one group of bodies never depend on another; but an event
+//!   anywhere ends the interval of all, so what moves through a medium elsewhere may differ in its last digits.
 //! - **Crowds take another path.** Above 64 bodies (`crowd`) the same world is advanced by [`pile`], one step a tick for all: a pass along
 //!   gravity, positions that cannot overlap by construction, sleep; only what flies through zones parts its tick (`passage`). The
 //!   choice stands in the [`Plan`].
@@ -46,7 +47,7 @@
 //! What is not modelled: rotation (boxes keep their orientation, so contacts exert no torque), round collision shapes (a ball's contact is
 //! that of its box), the compression of air or liquids, and moving liquids.
 //!
-//! Tolerances stand together in `tuning`, each with what breaks when it changes.
+//! Tolerances that several files share stand in `tuning`, the others beside what they serve, each with what breaks when it changes.
 
 mod aabb;
 mod body;

@@ -19,7 +19,8 @@ use super::tuning::MAX_CROSSINGS;
 use glam::DVec2;
 
 impl World {
-    /// Where body `i` would be after a tick if it touched nothing. None where a constant force and the air describe that. Leaves the law, and the streams it is in, as they are at the end.
+    /// Where body `i` would be after a tick if it touched nothing. None where a constant force and the air describe that. Leaves the law,
+    /// and the streams it is in, as they are at the end.
     pub(super) fn passage(&mut self, i: usize, tick: f64, touched: bool) -> Option<Pose> {
         let mut body = self.bodies[i].clone();
         let at_rest = body.velocity == DVec2::ZERO;
@@ -32,7 +33,8 @@ impl World {
         }
         let streams = self.media.streams.len();
         let mut left = tick;
-        for part in 0..=MAX_CROSSINGS {
+        let mut crossings = 0;
+        loop {
             let law = self.laws[i];
             let end = flow(&self.media, &body, &law, left);
             let path = if touched || at_rest {
@@ -60,9 +62,10 @@ impl World {
             {
                 (first, crossed) = (t, None);
             }
-            if first == left || part == MAX_CROSSINGS {
+            if first == left || crossings == MAX_CROSSINGS {
                 return Some(end);
             }
+            crossings += 1;
             (body.position, body.velocity) = flow(&self.media, &body, &law, first);
             left -= first;
             if let Some(s) = crossed {
@@ -75,7 +78,6 @@ impl World {
             }
             self.laws[i] = self.law(i, &body);
         }
-        None
     }
 
     /// Whether a body may cross the border of a stream within `t` seconds.

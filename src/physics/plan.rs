@@ -1,4 +1,5 @@
-//! The plan: which parts of the model a world needs, decided once from what is in it. What it leaves out could not change a bit.
+//! The plan: which parts of the model a world needs, decided once from what is in it. What it leaves out could not change a bit. Only
+//! `crowd` is no such part: it chooses the method, and with it the bits.
 
 use super::WorldDef;
 use super::crowd::CROWD;
@@ -59,9 +60,10 @@ impl Plan {
             (self.air, "air resistance"),
             (self.streams, "air streams"),
             (self.liquids, "liquids"),
-            (self.direct && !self.crowd, "direct answers where nothing changes"),
+            (self.direct && !self.crowd, "sleep, and direct answers where nothing changes"),
             (self.contacts && !self.crowd, "contacts: exact times of impact, direct solve"),
             (self.contacts && self.crowd, "contacts: a crowd, solved along gravity in one pass"),
+            (self.crowd, "sleep of the whole crowd"),
             (self.pairs, "pairs of bodies"),
             (self.bounces, "restitution"),
         ];

@@ -3,6 +3,7 @@
 //! A group is what contacts join. It goes to rest after a tick in which none of its bodies moved, and wakes when the drive of one of them
 //! changes or when something that is awake touches one of them: before that instant nothing that happens can reach it, because its
 //! acceleration is zero and forces pass through contacts only. What surrounds a body (surfaces, streams, liquids) never changes.
+//! A crowd, and a world without direct answers, wakes as a whole.
 
 use super::World;
 use super::contacts::Contact;

@@ -1,4 +1,4 @@
-//! Every tolerance of the engine, with its unit and what breaks when it changes.
+//! The tolerances that several files of the engine share, each with its unit and what breaks when it changes.
 
 /// m. How much two boxes must share along the *other* axis before a contact counts. Smaller: things catch on the seams of tiles that
 /// rounding left proud; larger: the corners of boxes become visibly round. It is also the largest gap of a contact at rest; a *hit*
@@ -54,8 +54,8 @@ pub(super) const TERMINAL_TOLERANCE: f64 = 1e-14;
 /// m. How far a body may move beyond its predicted path before the list of its neighbours is made anew. Larger: fewer, longer lists.
 pub(super) const SKIN: f64 = 0.25;
 
-/// Intervals in one tick, at most. Perfectly elastic cascades between unequal masses need hundreds; beyond the cap impacts of the
-/// tick become plastic, and `World::overflows` counts it.
+/// Intervals in one tick, at most. Perfectly elastic cascades between unequal masses need hundreds; beyond half of them impacts of the
+/// tick become plastic, and `World::overflows` counts it; beyond all of them the rest of the tick is left out.
 pub(super) const MAX_INTERVALS: u32 = 4096;
 
 /// Hits of one pair in one tick after which an imperfect bounce (e < 1) between two moving bodies ends: it has become a rattle whose

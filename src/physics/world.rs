@@ -56,6 +56,7 @@ pub struct World {
     pub(super) events: Vec<Event>,
     pub(super) corners: Vec<(u32, DVec2)>,
     pub(super) overflows: u64,
+    // What is known from the last tick, so that it need not be found again.
     /// The bodies that a tick looks at, in ascending order; the others rest (see `rest`).
     pub(super) awake: Vec<u32>,
     pub(super) resting: Vec<bool>,

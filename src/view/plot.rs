@@ -1,4 +1,4 @@
-//! Where a work–precision diagram goes on the canvas: plot, legend, points. Plain arithmetic; [`super::diagram`] draws it.
+//! Where a work–precision diagram goes on the canvas: plot, legend, points. Plain arithmetic; `diagram` draws it.
 
 use super::layout::{Area, Vec2};
 use crate::lab::axes::Axes;

@@ -164,7 +164,7 @@ pub(super) fn meeting(bodies: &Bodies, i: usize, j: usize, dt: f64, per_second: 
     let (reach_x, reach_y) = (bodies.hx[i] + bodies.hx[j], bodies.hy[i] + bodies.hy[j]);
     let (gap_x, gap_y) = (dx.abs() - reach_x, dy.abs() - reach_y);
     let bound = |gap: f64| if gap > TOUCH { gap * per_second } else { 0.0 };
-    match kind(bodies, i, j, dx, dy, gap_x, gap_y, dt) {
+    match kind(bodies, i, j, [dx, dy], [gap_x, gap_y], dt) {
         Kind::Stack(live) => Meeting::Stack(Stack { below: j as u32, live, bound: bound(gap_y), reach: reach_y }),
         Kind::Inverted(_) if j < bodies.len() => Meeting::Inverted,
         Kind::Inverted(live) => {
@@ -177,9 +177,8 @@ pub(super) fn meeting(bodies: &Bodies, i: usize, j: usize, dt: f64, per_second: 
     }
 }
 
-#[allow(clippy::too_many_arguments)]
 #[inline(always)]
-fn kind(bodies: &Bodies, i: usize, j: usize, dx: f64, dy: f64, gap_x: f64, gap_y: f64, dt: f64) -> Kind {
+fn kind(bodies: &Bodies, i: usize, j: usize, [dx, dy]: [f64; 2], [gap_x, gap_y]: [f64; 2], dt: f64) -> Kind {
     let stack = |live| if dy >= 0.0 { Kind::Stack(live) } else { Kind::Inverted(live) };
     // Most pairs rest on each other or stand side by side.
     if gap_x < -TOUCH && gap_y < TOUCH {

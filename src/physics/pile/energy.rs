@@ -3,16 +3,16 @@
 //! The passes before are made to dissipate each by itself. But a body in a wild crowd that is merged with what goes another way, or
 //! parted from it, may end higher than its velocity allows for; then all that was touched in the step is slowed down by one factor,
 //! so that kinetic and potential energy together do not grow. It seldom acts: the tests of random crowds fail without it once in some
-//! thousand scenes.
+//! thousand scenes. Its limit: the factor does not conserve momentum, which gravity and the ground take part in anyway.
 
 use super::bodies::Bodies;
 use super::bounce::Axis;
 
-/// Energy gained that is no more than rounding, as a part of the kinetic energy.
+/// Energy gained that is no more than rounding, as a part of the kinetic energy. Smaller: rounding slows what it should not.
 const ROUNDING: f64 = 1e-12;
 
-/// The kinetic energy along one axis that a step has left less what was there and what forces from outside did, J; negative where it was
-/// lost. 0 of what nothing touched. `None` where it is no more than rounding.
+/// The kinetic energy along one axis that a step has left beyond what was there and what forces from outside did, J. What nothing
+/// touched does not count. `None` where none was gained, or no more than rounding.
 pub(super) fn gained(bodies: &Bodies, axis: Axis, dt: f64) -> Option<f64> {
     let (v, free, u) = velocities(bodies, axis);
     let (mut gained, mut brought) = (0.0, 0.0);

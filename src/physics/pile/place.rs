@@ -10,8 +10,8 @@
 //! What rounding and simplification leave is mended here: along gravity what rises stops under what does not make way, top-down,
 //! and what falls stops on what carries it, bottom-up, and neither keeps a speed that it gained for a way that it did not go (what
 //! nothing pulls gained none, and its momentum stays); across what overlaps is merged as velocities are ([`super::clusters`]), the
-//! centre of mass unmoved; and where that is not enough, bodies in conflict
-//! are put back to where they were along the contact's axis, for no motion is always allowed.
+//! centre of mass unmoved; and where that is not enough, bodies in conflict are put back to where they were along the contact's axis,
+//! for no motion is always allowed.
 
 use super::bodies::Bodies;
 use super::clusters::{Clusters, Node};
@@ -24,7 +24,7 @@ const SMOOTH: f64 = 2.0;
 /// Passes of merging across before bodies are put back.
 const PASSES: usize = 16;
 
-/// Moves all bodies along gravity, by their mean velocities. Returns whether all stay within what was swept; as that holds the
+/// Moves what something touched along gravity, by the way that [`super::gravity`] gave it. Returns whether all stay within what was swept; as that holds the
 /// ways of free flight, only those need asking that something touched.
 pub(super) fn move_along(bodies: &mut Bodies, contacts: &Contacts, dt: f64) -> bool {
     let mut inside = true;

@@ -25,15 +25,14 @@ impl SecondLook {
         Self { thrown: Vec::with_capacity(all), which: vec![0; all], stacks: Vec::with_capacity(all) }
     }
 
-    /// Collects whom the contacts do not cover where it is predicted. Returns whether there is any.
-    pub fn collect(&mut self, bodies: &Bodies, contacts: &Contacts) -> bool {
+    /// Collects whom the contacts do not cover where it is predicted.
+    pub fn collect(&mut self, bodies: &Bodies, contacts: &Contacts) {
         self.thrown.clear();
         for i in 0..bodies.len() {
             if !contacts.covers(bodies, i) {
                 self.thrown.push((i as u32, contacts.swept[i]));
             }
         }
-        !self.thrown.is_empty()
     }
 
     /// Adds the contacts of the thrown bodies on their new ways; `known` is how many neighbours had been added when contacts were
