@@ -1,5 +1,9 @@
 //! Worlds of many bodies: the general method behind the same world, forces and events as the exact one.
 
+#[path = "worlds/overlap.rs"]
+mod overlap;
+
+use overlap::worst_overlap;
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, ForceKind, Material, SurfaceDef, World, WorldDef};
 
 const TICK: f64 = 1.0 / 120.0;
@@ -15,21 +19,6 @@ fn pit(width: f64) -> Vec<SurfaceDef> {
 
 fn world(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>) -> World {
     World::new(WorldDef { gravity: G, air_density: 0.0, bodies, surfaces, ..WorldDef::default() }).unwrap()
-}
-
-fn overlap(world: &World) -> f64 {
-    let mut boxes: Vec<Aabb> = world.bodies().iter().map(|body| body.bounds()).collect();
-    boxes.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
-    let mut worst = 0.0f64;
-    for (i, a) in boxes.iter().enumerate() {
-        for b in boxes[i + 1..].iter().take_while(|b| b.min.x < a.max.x) {
-            worst = worst.max(-a.gap(b).max_element());
-        }
-        for surface in world.surfaces() {
-            worst = worst.max(-a.gap(&surface.bounds).max_element());
-        }
-    }
-    worst
 }
 
 /// A crowd in which nobody is near anybody has no contacts to list: once a panic in the first tick.
@@ -104,7 +93,7 @@ fn rain_settles_without_overlap_and_every_resultant_is_exactly_zero() {
     assert!(world.plan().crowd);
     for tick in 0..1800 {
         world.step(TICK);
-        let overlap = overlap(&world);
+        let overlap = worst_overlap(&world);
         assert!(overlap <= 1e-6, "tick {tick}: {overlap} m");
     }
     for i in 0..300 {

@@ -1,17 +1,16 @@
 //! Random scenes: finite, no energy from nothing, no overlap, the same bits twice.
 
+mod worlds;
+
 use proptest::prelude::*;
-use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, StreamDef, SurfaceDef, World, WorldDef};
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, StreamDef, SurfaceDef, World, WorldDef};
+use worlds::{bits, materials, worst_overlap};
 
 const TICK: f64 = 1.0 / 120.0;
 /// m. The bar for every pair at every tick.
 const OVERLAP: f64 = 1e-6;
 /// The room, m.
 const ROOM: Aabb = Aabb::new(DVec2::ZERO, DVec2::new(20.0, 16.0));
-
-fn materials() -> impl Strategy<Value = Material> {
-    (0..Material::ALL.len()).prop_map(|i| Material::ALL[i])
-}
 
 /// One body a cell of a grid, so that none begins inside another.
 fn bodies(most: usize) -> impl Strategy<Value = Vec<BodyDef>> {
@@ -52,26 +51,8 @@ fn scene(most: usize) -> impl Strategy<Value = WorldDef> {
     })
 }
 
-fn worst_overlap(world: &World) -> f64 {
-    let bodies = world.bodies();
-    let depth = |a: &Aabb, b: &Aabb| -a.gap(b).max_element();
-    let mut worst = 0.0f64;
-    for (i, a) in bodies.iter().enumerate() {
-        let a = a.bounds();
-        worst = bodies[i + 1..].iter().map(|b| depth(&a, &b.bounds())).fold(worst, f64::max);
-        worst = world.surfaces().iter().map(|b| depth(&a, &b.bounds)).fold(worst, f64::max);
-    }
-    worst
-}
-
 fn energy(world: &World) -> f64 {
     world.bodies().iter().map(|b| b.mass * (0.5 * b.velocity.length_squared() - 15.0 * b.position.y)).sum()
-}
-
-fn hash(world: &World) -> Vec<u64> {
-    let mut bits = Vec::new();
-    world.hash_state(&mut |word| bits.push(word));
-    bits
 }
 
 proptest! {
@@ -92,7 +73,7 @@ proptest! {
             prop_assert!(overlap <= OVERLAP, "tick {}: overlap {} m", tick, overlap);
             before = now;
         }
-        prop_assert_eq!(hash(&world), hash(&twin));
+        prop_assert_eq!(bits(&world), bits(&twin));
         prop_assert_eq!(world.overflows(), 0);
     }
 

@@ -1,8 +1,11 @@
 //! Random scenes of extreme masses, sizes and speeds together, from a few bodies to a crowd: finite, no energy from nothing, no overlap,
 //! the same bits twice. Each of these laws was once broken in some scene of this kind.
 
+mod worlds;
+
 use proptest::prelude::*;
-use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, SurfaceDef, World, WorldDef};
+use worlds::{bits, materials, worst_overlap};
 
 const TICK: f64 = 1.0 / 120.0;
 const G: f64 = 15.0;
@@ -12,10 +15,6 @@ const OVERLAP: f64 = 1e-6;
 const ROOM: Aabb = Aabb::new(DVec2::ZERO, DVec2::new(24.0, 20.0));
 /// Bodies of a row at the start.
 const COLUMNS: usize = 15;
-
-fn materials() -> impl Strategy<Value = Material> + Clone {
-    (0..Material::ALL.len()).prop_map(|i| Material::ALL[i])
-}
 
 /// Few enough for the exact method, or so many that they are a crowd. One body a cell of a grid, so that none begins inside another.
 /// Most are slow and weigh about the same; some are light as a feather, some heavy as a car, some as fast as a shot.
@@ -50,27 +49,9 @@ fn surfaces() -> impl Strategy<Value = Vec<SurfaceDef>> {
     })
 }
 
-fn worst_overlap(world: &World) -> f64 {
-    let mut boxes: Vec<Aabb> = world.bodies().iter().map(|body| body.bounds()).collect();
-    boxes.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
-    let depth = |a: &Aabb, b: &Aabb| -a.gap(b).max_element();
-    let mut worst = 0.0f64;
-    for (i, a) in boxes.iter().enumerate() {
-        worst = boxes[i + 1..].iter().take_while(|b| b.min.x < a.max.x).map(|b| depth(a, b)).fold(worst, f64::max);
-        worst = world.surfaces().iter().map(|b| depth(a, &b.bounds)).fold(worst, f64::max);
-    }
-    worst
-}
-
 /// J, counted from the floor.
 fn energy(world: &World, gravity: f64) -> f64 {
     world.bodies().iter().map(|b| b.mass * (0.5 * b.velocity.length_squared() + gravity * (ROOM.max.y - b.position.y))).sum()
-}
-
-fn hash(world: &World) -> Vec<u64> {
-    let mut bits = Vec::new();
-    world.hash_state(&mut |word| bits.push(word));
-    bits
 }
 
 proptest! {
@@ -95,7 +76,7 @@ proptest! {
             prop_assert!(world.bodies().iter().all(|b| ROOM.contains(&b.bounds(), OVERLAP)), "tick {}: out of the room", tick);
             before = now;
         }
-        prop_assert_eq!(hash(&world), hash(&twin));
+        prop_assert_eq!(bits(&world), bits(&twin));
     }
 
     #[test]

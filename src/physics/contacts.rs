@@ -110,27 +110,15 @@ impl World {
             if met == Some(touching.pair) && again.is_none() {
                 continue;
             }
-            let &Contact { pair, axis, lo, hi, static_friction, kinetic_friction, .. } = again.as_ref().unwrap_or(touching);
-            let (lo_speed, hi_speed) = (self.velocity(lo), self.velocity(hi));
+            let contact = again.as_ref().unwrap_or(touching);
+            let axis = contact.axis;
+            let (lo_speed, hi_speed) = (self.velocity(contact.lo), self.velocity(contact.hi));
             if hi_speed[axis] - lo_speed[axis] == 0.0 {
                 let along = 1 - axis;
                 let fastest = hi_speed[along].abs().max(lo_speed[along].abs());
                 let sliding = hi_speed[along] - lo_speed[along];
                 let slides = if sliding.abs() <= SPEED_ROUNDING * fastest { 0.0 } else { sliding.signum() };
-                found.push(Contact {
-                    pair,
-                    axis,
-                    lo,
-                    hi,
-                    static_friction,
-                    kinetic_friction,
-                    closed: true,
-                    clings: false,
-                    lossy_hits: 0,
-                    slides,
-                    normal: 0.0,
-                    friction: 0.0,
-                });
+                found.push(Contact { closed: true, clings: false, lossy_hits: 0, slides, normal: 0.0, friction: 0.0, ..*contact });
             }
         }
         self.found = found;
