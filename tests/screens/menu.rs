@@ -1,0 +1,106 @@
+//! The menu: its buttons, its balls, and what Play opens.
+
+use crate::sitting::{Sitting, board, enter};
+use resultant::screens::{Input, Key, Screen};
+use resultant::view::layout::{Frame, Vec2};
+use std::fs;
+use std::path::Path;
+
+#[test]
+fn every_button_of_the_menu_leads_where_it_says_by_mouse_and_by_keyboard() {
+    for (index, screen) in [(0, "flight"), (1, "level select"), (2, "leaderboards"), (3, "classics"), (4, "lab")] {
+        assert_eq!(Sitting::new().click(index).at(), screen);
+        assert_eq!(Sitting::new().choose(index).at(), screen);
+    }
+    let mut sitting = Sitting::new();
+    let quit = sitting.rest().buttons().areas()[5].centre();
+    assert!(!sitting.give(Input { pointer: quit, click: true, ..Input::default() }).open);
+    let mut sitting = Sitting::new();
+    sitting.press_all(&[Key::Down; 9]);
+    assert_eq!(sitting.buttons().focus(), 5, "the arrows stop at the last button");
+    assert!(!sitting.give(enter()).open);
+}
+
+#[test]
+fn one_press_is_one_action_however_long_it_is_held() {
+    let mut sitting = Sitting::new();
+    sitting.press(Key::Down).give(enter());
+    for _ in 0..60 {
+        sitting.give(Input { held: [Key::Enter].into_iter().collect(), ..Input::default() });
+    }
+    assert_eq!(sitting.at(), "level select", "Enter held does not choose a level as well");
+
+    let mut sitting = Sitting::new();
+    sitting.rest();
+    let pointer = sitting.buttons().areas()[1].centre();
+    sitting.give(Input { pointer, click: true, holding: true, ..Input::default() });
+    for _ in 0..60 {
+        sitting.give(Input { pointer, holding: true, ..Input::default() });
+    }
+    assert_eq!(sitting.at(), "level select");
+
+    let mut sitting = Sitting::new();
+    sitting.rest().give(Input { held: [Key::Down].into_iter().collect(), ..Input::default() }).wait(1.0);
+    assert_eq!(sitting.buttons().focus(), 0, "no press edge, no movement");
+}
+
+#[test]
+fn hover_and_focus_are_told_apart() {
+    let mut sitting = Sitting::new();
+    sitting.rest();
+    let third = sitting.buttons().areas()[2].centre();
+    sitting.press(Key::Down).point_at(third);
+    assert_eq!((sitting.buttons().hover(), sitting.buttons().focus()), (Some(2), 1));
+    assert_eq!(sitting.at(), "menu");
+}
+
+#[test]
+fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
+    let mut sitting = Sitting::new();
+    let drop_at = |sitting: &mut Sitting, pointer: Vec2| {
+        sitting.give(Input { pointer, right_click: true, ..Input::default() });
+        let Screen::Menu(menu) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+        menu.balls().len()
+    };
+    assert_eq!(drop_at(&mut sitting, Vec2::new(100.0, 100.0)), 1);
+    assert_eq!(drop_at(&mut sitting, Vec2::new(100.0, 100.0)), 2, "beside the first one");
+    let button = sitting.buttons().areas()[0].centre();
+    assert_eq!(drop_at(&mut sitting, button), 3, "beside the button");
+    assert_eq!(drop_at(&mut sitting, Vec2::new(-50.0, 9000.0)), 4, "at the window's edge");
+    for _ in 0..100 {
+        drop_at(&mut sitting, Vec2::new(200.0, 300.0));
+    }
+    for size in [Vec2::new(1280.0, 720.0), Vec2::new(900.0, 500.0), Vec2::new(500.0, 700.0)] {
+        sitting.frame = Frame::of_window(size);
+        sitting.wait(1.0);
+        let (areas, frame) = (sitting.buttons().areas().to_vec(), sitting.frame);
+        let Screen::Menu(menu) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+        let balls = menu.balls();
+        assert!(balls.len() > 10, "{} balls", balls.len());
+        for (i, ball) in balls.iter().enumerate() {
+            let inside = ball.min.cmpge(Vec2::splat(-0.1)).all() && ball.max().cmple(frame.size + 0.1).all();
+            assert!(inside, "{ball:?} has left {frame:?}");
+            for other in areas.iter().chain(&balls[i + 1..]) {
+                let overlap = ball.max().min(other.max()) - ball.min.max(other.min);
+                assert!(overlap.min_element() < 0.1, "{ball:?} lies in {other:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn play_opens_the_first_level_not_yet_completed() {
+    let mut sitting = Sitting::new();
+    assert_eq!(sitting.choose(0).flight().game().level().name, "1");
+    sitting.wait(1.5).press(Key::Escape);
+    assert_eq!(sitting.at(), "menu");
+    assert_eq!(sitting.choose(0).flight().game().level().name, "2", "1 was completed in this sitting");
+
+    let scored = |root: &Path| {
+        fs::create_dir(root.join("scores")).unwrap();
+        for level in ["1", "2", "3"] {
+            fs::write(root.join(format!("scores/{level}.csv")), board(1)).unwrap();
+        }
+    };
+    assert_eq!(Sitting::with(scored).choose(0).flight().game().level().name, "10", "the others have scores");
+}
