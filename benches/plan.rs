@@ -45,8 +45,7 @@ fn block(x: f64, y: f64) -> BodyDef {
 }
 
 fn world(bodies: Vec<BodyDef>, floor: bool) -> WorldDef {
-    let floor =
-        floor.then(|| SurfaceDef { bounds: Aabb::new(DVec2::new(-1e3, 0.0), DVec2::new(1e3, 1.0)), material: Material::ICE });
+    let floor = floor.then(|| SurfaceDef::fixed(Aabb::new(DVec2::new(-1e3, 0.0), DVec2::new(1e3, 1.0)), Material::ICE));
     WorldDef { air_density: 0.0, bodies, surfaces: floor.into_iter().collect(), ..WorldDef::default() }
 }
 

@@ -78,7 +78,7 @@ fn a_warm_tick_of_a_world_allocates_nothing() {
         let zone = |x: f64, y: f64, w: f64, h: f64| Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h));
         let mut world = World::new(WorldDef {
             bounds: Some(zone(0.0, 0.0, 16.0, 30.0)),
-            surfaces: vec![SurfaceDef { bounds: zone(2.0, 20.0, 5.0, 1.0), material: Material::ICE }],
+            surfaces: vec![SurfaceDef::fixed(zone(2.0, 20.0, 5.0, 1.0), Material::ICE)],
             streams: vec![StreamDef { zone: zone(8.0, 10.0, 4.0, 20.0), force: DVec2::new(0.0, -900.0) }],
             fluids: vec![FluidDef { zone: zone(0.0, 25.0, 8.0, 5.0), density: 900.0, viscosity: 0.1 }],
             bodies: (0..bodies).map(body).collect(),

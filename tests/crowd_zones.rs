@@ -59,7 +59,7 @@ fn a_splash_and_what_floats_are_as_alone() {
 /// What touches is not sought on its very way, and a slide's end is not an event: millimetres, where sampling costs centimetres.
 #[test]
 fn a_slide_through_a_stream_is_much_as_alone() {
-    let floor = SurfaceDef { bounds: area(-100.0, 0.0, 100.0, 1.0), material: Material::ASPHALT };
+    let floor = SurfaceDef::fixed(area(-100.0, 0.0, 100.0, 1.0), Material::ASPHALT);
     let streams = vec![wind(area(1.0, -2.0, 3.0, -0.2), 500.0, 0.0)];
     let body = BodyDef {
         position: DVec2::new(0.0, -0.5),
@@ -75,7 +75,7 @@ fn a_slide_through_a_stream_is_much_as_alone() {
 /// A stream right below the floor is never reached by what the floor carries.
 #[test]
 fn what_rests_crosses_nothing() {
-    let floor = SurfaceDef { bounds: area(-1000.0, 0.0, 1000.0, 1e-4), material: Material::ASPHALT };
+    let floor = SurfaceDef::fixed(area(-1000.0, 0.0, 1000.0, 1e-4), Material::ASPHALT);
     let bodies = (0..100).map(|i| BodyDef { position: DVec2::new(2.0 * f64::from(i), -0.5), ..BodyDef::default() });
     let streams = vec![wind(area(-1000.0, 1e-4, 1000.0, 5.0), 5000.0, -5000.0)];
     let def = WorldDef { gravity: G, bodies: bodies.collect(), surfaces: vec![floor], streams, ..WorldDef::default() };
@@ -90,7 +90,7 @@ fn what_rests_crosses_nothing() {
 /// Wood on water, three boxes deep: nothing overlaps, nothing gains speed, and the heap calms down.
 #[test]
 fn a_raft_calms_down() {
-    let wall = |bounds| SurfaceDef { bounds, material: Material::ASPHALT };
+    let wall = |bounds| SurfaceDef::fixed(bounds, Material::ASPHALT);
     let surfaces =
         vec![wall(area(-1.0, 10.0, 31.0, 11.0)), wall(area(-1.0, -20.0, 0.0, 10.0)), wall(area(30.0, -20.0, 31.0, 10.0))];
     let bodies: Vec<BodyDef> = (0..90)
@@ -120,7 +120,7 @@ fn a_raft_calms_down() {
 /// Boxes heavier than water sink, pile up on the bottom and come to rest exactly.
 #[test]
 fn a_heap_under_water_comes_to_rest() {
-    let wall = |bounds| SurfaceDef { bounds, material: Material::ASPHALT };
+    let wall = |bounds| SurfaceDef::fixed(bounds, Material::ASPHALT);
     let surfaces =
         vec![wall(area(-1.0, 10.0, 13.0, 11.0)), wall(area(-1.0, -20.0, 0.0, 10.0)), wall(area(12.0, -20.0, 13.0, 10.0))];
     let bodies: Vec<BodyDef> = (0..100)

@@ -10,9 +10,8 @@ const TICK: f64 = 1.0 / 120.0;
 const G: f64 = 9.81;
 
 fn pit(width: f64) -> Vec<SurfaceDef> {
-    let wall = |x0: f64, y0: f64, x1: f64, y1: f64| SurfaceDef {
-        bounds: Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)),
-        material: Material::ASPHALT,
+    let wall = |x0: f64, y0: f64, x1: f64, y1: f64| {
+        SurfaceDef::fixed(Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), Material::ASPHALT)
     };
     vec![wall(-1.0, 0.0, width + 1.0, 1.0), wall(-1.0, -200.0, 0.0, 0.0), wall(width, -200.0, width + 1.0, 0.0)]
 }
@@ -40,7 +39,7 @@ fn a_body_of_a_crowd_that_is_driven_against_a_ceiling_is_held_there() {
         .collect();
     bodies[0] = BodyDef { position: DVec2::new(5.0, -3.0), ..BodyDef::default() };
     let mut surfaces = pit(60.0);
-    surfaces.push(SurfaceDef { bounds: Aabb::new(DVec2::new(0.0, -6.0), DVec2::new(10.0, -5.0)), material: Material::ASPHALT });
+    surfaces.push(SurfaceDef::fixed(Aabb::new(DVec2::new(0.0, -6.0), DVec2::new(10.0, -5.0)), Material::ASPHALT));
     let mut world = world(bodies, surfaces);
     world.set_drive(BodyId(0), DVec2::new(0.0, -25.0));
     for _ in 0..240 {

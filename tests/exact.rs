@@ -6,7 +6,7 @@ const TICK: f64 = 1.0 / 120.0;
 const G: f64 = 15.0;
 
 fn floor() -> SurfaceDef {
-    SurfaceDef { bounds: Aabb::new(DVec2::new(-1000.0, 0.0), DVec2::new(1000.0, 1.0)), material: Material::ASPHALT }
+    SurfaceDef::fixed(Aabb::new(DVec2::new(-1000.0, 0.0), DVec2::new(1000.0, 1.0)), Material::ASPHALT)
 }
 
 fn block(x: f64, mass: f64) -> BodyDef {
@@ -120,7 +120,7 @@ fn static_friction_holds_below_its_limit_and_gives_way_above() {
 /// A wall carries friction as a floor does: what is pressed against it slides down only if μ_s times the press is too little.
 #[test]
 fn what_is_pressed_against_a_wall_is_held_by_friction() {
-    let wall = SurfaceDef { bounds: Aabb::new(DVec2::new(0.0, -100.0), DVec2::new(1.0, 100.0)), material: Material::ASPHALT };
+    let wall = SurfaceDef::fixed(Aabb::new(DVec2::new(0.0, -100.0), DVec2::new(1.0, 100.0)), Material::ASPHALT);
     for (part, moves) in [(0.99, false), (1.02, true)] {
         let body = BodyDef { position: DVec2::new(-0.5, 0.0), mass: 10.0, ..BodyDef::default() };
         let def = WorldDef { air_density: 0.0, bodies: vec![body], surfaces: vec![wall.clone()], ..WorldDef::default() };
@@ -269,7 +269,7 @@ fn nothing_tunnels_at_any_speed() {
     for v in [10.0, 36.0, 400.0, 8_333.0, 1e6] {
         // Against a wall of 5 cm, and body against body of 5 cm.
         let thin = DVec2::new(0.025, 0.5);
-        let wall = SurfaceDef { bounds: Aabb::new(DVec2::new(10.0, -5.0), DVec2::new(10.05, 5.0)), material: Material::STEEL };
+        let wall = SurfaceDef::fixed(Aabb::new(DVec2::new(10.0, -5.0), DVec2::new(10.05, 5.0)), Material::STEEL);
         let dart = BodyDef { velocity: DVec2::new(v, 0.0), half: DVec2::splat(0.025), ..BodyDef::default() };
         let def =
             WorldDef { gravity: 0.0, air_density: 0.0, surfaces: vec![wall], bodies: vec![dart.clone()], ..WorldDef::default() };

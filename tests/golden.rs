@@ -6,7 +6,7 @@ const TICK: f64 = 1.0 / 120.0;
 const BODY: BodyId = BodyId(0);
 
 fn floor(width: f64) -> SurfaceDef {
-    SurfaceDef { bounds: Aabb::new(DVec2::new(-width / 2.0, 0.0), DVec2::new(width / 2.0, 1.0)), material: Material::ASPHALT }
+    SurfaceDef::fixed(Aabb::new(DVec2::new(-width / 2.0, 0.0), DVec2::new(width / 2.0, 1.0)), Material::ASPHALT)
 }
 
 /// A body of 1 m × 1 m standing on the floor at y = 0.

@@ -3,7 +3,7 @@
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, ForceKind, Material, SurfaceDef, World, WorldDef};
 
 fn floor(material: Material) -> SurfaceDef {
-    SurfaceDef { bounds: Aabb::new(DVec2::new(-100.0, 0.0), DVec2::new(100.0, 1.0)), material }
+    SurfaceDef::fixed(Aabb::new(DVec2::new(-100.0, 0.0), DVec2::new(100.0, 1.0)), material)
 }
 
 fn named_forces(world: &World, body: BodyId) -> DVec2 {

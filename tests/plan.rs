@@ -78,7 +78,7 @@ proptest! {
         let def = WorldDef {
             air_density: if air { 1.2041 } else { 0.0 },
             bounds: edge.then(|| zone(0.0, 0.0, 16.0, 9.0)),
-            surfaces: surfaces.then(|| SurfaceDef { bounds: zone(3.0, 6.0, 8.0, 0.5), material: Material::STEEL }).into_iter().collect(),
+            surfaces: surfaces.then(|| SurfaceDef::fixed(zone(3.0, 6.0, 8.0, 0.5), Material::STEEL)).into_iter().collect(),
             streams: streams.then(|| StreamDef { zone: zone(1.0, 3.0, 5.0, 3.0), force: DVec2::new(300.0, -200.0) }).into_iter().collect(),
             fluids: liquids.then(|| FluidDef { zone: zone(0.0, 7.0, 16.0, 2.0), density: 900.0, viscosity: 0.5 }).into_iter().collect(),
             bodies,

@@ -36,7 +36,7 @@ fn surfaces() -> impl Strategy<Value = Vec<SurfaceDef>> {
     let block = (0.0..17.0f64, 9.0..15.0f64, 0.2..4.0f64, 0.1..1.0f64, materials());
     prop::collection::vec(block, 0..6).prop_map(|list| {
         list.into_iter()
-            .map(|(x, y, w, h, material)| SurfaceDef { bounds: Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h)), material })
+            .map(|(x, y, w, h, material)| SurfaceDef::fixed(Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h)), material))
             .collect()
     })
 }

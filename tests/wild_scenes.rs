@@ -44,7 +44,7 @@ fn surfaces() -> impl Strategy<Value = Vec<SurfaceDef>> {
     let block = (0.0..20.0f64, 13.0..19.0f64, 0.1..6.0f64, 0.1..3.0f64, materials());
     prop::collection::vec(block, 0..6).prop_map(|list| {
         list.into_iter()
-            .map(|(x, y, w, h, material)| SurfaceDef { bounds: Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h)), material })
+            .map(|(x, y, w, h, material)| SurfaceDef::fixed(Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h)), material))
             .collect()
     })
 }

@@ -15,7 +15,7 @@ pub(super) fn run(def: WorldDef, seconds: f64, h: f64) -> Option<World> {
 
 /// A floor whose top is at y = 0.
 pub(super) fn floor() -> SurfaceDef {
-    SurfaceDef { bounds: Aabb::new(DVec2::new(-1e4, 0.0), DVec2::new(1e4, 1.0)), material: Material::ASPHALT }
+    SurfaceDef::fixed(Aabb::new(DVec2::new(-1e4, 0.0), DVec2::new(1e4, 1.0)), Material::ASPHALT)
 }
 
 /// Bodies above that floor, without air.
@@ -64,9 +64,7 @@ pub(super) fn line(blocks: &[Block], e: f64) -> WorldDef {
         ..BodyDef::default()
     });
     let walls = blocks.iter().filter(|block| block.mass.is_infinite());
-    let surfaces = walls.map(|block| SurfaceDef {
-        bounds: Aabb::around(DVec2::new(block.x, 0.0), DVec2::new(block.half, 100.0)),
-        material: Material::STEEL,
-    });
+    let surfaces = walls
+        .map(|block| SurfaceDef::fixed(Aabb::around(DVec2::new(block.x, 0.0), DVec2::new(block.half, 100.0)), Material::STEEL));
     WorldDef { gravity: 0.0, air_density: 0.0, bodies: bodies.collect(), surfaces: surfaces.collect(), ..WorldDef::default() }
 }

@@ -31,8 +31,8 @@ impl Level {
             restitution: object.restitution,
             ..BodyDef::default()
         });
-        let world = self.world.iter().map(|solid| SurfaceDef { bounds: solid.bounds, material: solid.material });
-        let sources = self.streams.iter().map(|stream| SurfaceDef { bounds: stream.source, material: Material::ASPHALT });
+        let world = self.world.iter().map(|solid| SurfaceDef::fixed(solid.bounds, solid.material));
+        let sources = self.streams.iter().map(|stream| SurfaceDef::fixed(stream.source, Material::ASPHALT));
         WorldDef {
             gravity: self.gravity,
             air_density: self.air_density,

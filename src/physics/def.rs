@@ -1,16 +1,7 @@
 //! How a world begins, and what is refused at the door: nothing that is accepted may ever become non-finite.
 
-use super::{Aabb, BodyDef, Material};
+use super::{Aabb, BodyDef, Material, SurfaceDef};
 use glam::DVec2;
-
-/// Something solid that never moves.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SurfaceDef {
-    /// Where it is, m.
-    pub bounds: Aabb,
-    /// What slides on it.
-    pub material: Material,
-}
 
 /// A zone that exerts a constant force named "Wind" on every body that touches it.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,7 +72,7 @@ impl std::fmt::Display for DefError {
 impl std::error::Error for DefError {}
 
 /// The largest magnitude of any accepted number: squares, products of three and sums of these stay far from overflow.
-const LARGEST: f64 = 1e12;
+pub(super) const LARGEST: f64 = 1e12;
 /// The smallest accepted mass (kg) and size (m), for the same reason.
 const SMALLEST: f64 = 1e-12;
 
@@ -96,8 +87,7 @@ impl WorldDef {
             rectangle("the level's edge", bounds)?;
         }
         for surface in &self.surfaces {
-            rectangle("a surface", &surface.bounds)?;
-            material(&surface.material)?;
+            surface.check()?;
         }
         for stream in &self.streams {
             rectangle("a stream", &stream.zone)?;
@@ -130,18 +120,18 @@ impl BodyDef {
     }
 }
 
-fn number(what: &str, value: f64, least: f64) -> Result<(), DefError> {
+pub(super) fn number(what: &str, value: f64, least: f64) -> Result<(), DefError> {
     if value.is_finite() && value >= least && value.abs() <= LARGEST {
         return Ok(());
     }
     Err(DefError(format!("{what} is {value}, expected a number from {least} to {LARGEST}")))
 }
 
-fn vector(what: &str, value: DVec2) -> Result<(), DefError> {
+pub(super) fn vector(what: &str, value: DVec2) -> Result<(), DefError> {
     number(what, value.x, -LARGEST).and_then(|()| number(what, value.y, -LARGEST))
 }
 
-fn rectangle(what: &str, bounds: &Aabb) -> Result<(), DefError> {
+pub(super) fn rectangle(what: &str, bounds: &Aabb) -> Result<(), DefError> {
     vector(what, bounds.min)?;
     vector(what, bounds.max)?;
     if bounds.min.cmplt(bounds.max).all() {
@@ -150,7 +140,7 @@ fn rectangle(what: &str, bounds: &Aabb) -> Result<(), DefError> {
     Err(DefError(format!("{what} is {} m wide and {} m high, expected more than 0", bounds.size().x, bounds.size().y)))
 }
 
-fn material(material: &Material) -> Result<(), DefError> {
+pub(super) fn material(material: &Material) -> Result<(), DefError> {
     number("a static friction", material.static_friction, 0.0)?;
     number("a kinetic friction", material.kinetic_friction, 0.0)?;
     if material.kinetic_friction <= material.static_friction {

@@ -72,15 +72,17 @@ mod plan;
 mod reactions;
 mod rest;
 mod show;
+mod surface;
 mod tick;
 mod tuning;
 mod world;
 
 pub use aabb::Aabb;
 pub use body::{Body, BodyDef, BodyId};
-pub use def::{DefError, FluidDef, StreamDef, SurfaceDef, WorldDef};
+pub use def::{DefError, FluidDef, StreamDef, WorldDef};
 pub use forces::{Force, ForceKind, ForceManager, Source};
 pub use glam::DVec2;
 pub use material::Material;
 pub use plan::Plan;
+pub use surface::{Leg, Path, PathPoint, Sides, SurfaceDef};
 pub use world::{Event, Obstacle, World};

@@ -313,8 +313,7 @@ impl World {
 fn edges(bounds: &Aabb) -> [SurfaceDef; 4] {
     let (min, max) = (bounds.min, bounds.max);
     let t = EDGE_THICKNESS;
-    let edge =
-        |x0, y0, x1, y1| SurfaceDef { bounds: Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), material: Material::ASPHALT };
+    let edge = |x0, y0, x1, y1| SurfaceDef::fixed(Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), Material::ASPHALT);
     [
         edge(min.x - t, min.y - t, min.x, max.y + t),
         edge(max.x, min.y - t, max.x + t, max.y + t),

@@ -88,7 +88,7 @@ impl Balls {
     /// A world of the window as it is now, with all balls but the `without` oldest ones.
     fn rebuild(&mut self, without: usize) {
         let kept: Vec<_> = self.world.iter().flat_map(|w| w.bodies()).skip(without).map(|b| (b.position, b.velocity)).collect();
-        let solid = |area: &Area| SurfaceDef { bounds: in_metres(area), material: Material::STEEL };
+        let solid = |area: &Area| SurfaceDef::fixed(in_metres(area), Material::STEEL);
         let def = WorldDef {
             gravity: GRAVITY,
             air_density: 0.0,

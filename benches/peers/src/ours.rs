@@ -43,10 +43,7 @@ impl Engine for Scenes {
             material,
             ..BodyDef::default()
         });
-        let surfaces = spec.statics.iter().map(|rect| SurfaceDef {
-            bounds: rectangle(rect),
-            material,
-        });
+        let surfaces = spec.statics.iter().map(|rect| SurfaceDef::fixed(rectangle(rect), material));
         let def = WorldDef {
             gravity: spec.gravity,
             air_density: 0.0,

@@ -77,7 +77,7 @@ pub fn ticks_without_cap(frame: f64) -> Hitch {
 fn box_over_floor() -> WorldDef {
     let mut def = shipped::on_floor(G, 1.0, vec![shipped::crate_at(0.0, DROP, 1.0)]);
     let bounds = Aabb::new(DVec2::new(-10.0, 0.0), DVec2::new(10.0, FLOOR));
-    def.surfaces = vec![SurfaceDef { bounds, material: Material::ASPHALT }];
+    def.surfaces = vec![SurfaceDef::fixed(bounds, Material::ASPHALT)];
     def
 }
 
