@@ -64,7 +64,7 @@ impl Reactions {
                 let (lo, hi) = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
                 if contact.axis == axis {
                     let both_ways = friction == Friction::Impulse && contact.clings;
-                    self.network.link(lo, hi, if both_ways { Carries::UpTo(f64::INFINITY) } else { Carries::Push });
+                    self.network.link(lo, hi, if both_ways { Carries::UpTo(f64::INFINITY) } else { Carries::Push }, 0.0);
                     self.contact_of.push(index as u32);
                     continue;
                 }
@@ -82,7 +82,7 @@ impl Reactions {
                     }
                 } else {
                     let limit = if friction == Friction::Coulomb { contact.static_friction * contact.normal } else { kinetic };
-                    self.network.link(lo, hi, Carries::UpTo(limit));
+                    self.network.link(lo, hi, Carries::UpTo(limit), 0.0);
                     self.contact_of.push(index as u32);
                 }
             }
@@ -232,7 +232,7 @@ impl Reactions {
             let alike = (speed(contact.hi) - speed(contact.lo)).abs() <= SPEED_TOLERANCE;
             if alike || contact.pair == stopped.pair {
                 let ends = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
-                self.network.link(ends.0, ends.1, Carries::UpTo(f64::INFINITY));
+                self.network.link(ends.0, ends.1, Carries::UpTo(f64::INFINITY), 0.0);
             }
         }
         self.network.solve();

@@ -11,6 +11,11 @@
 //!
 //! Most blocks settle in one pass of loads along the axis (`passes`); the rest by maximum flow (`routing`).
 //!
+//! Ground may move: a link to it knows its acceleration (or, when impulses are solved for, its velocity). Where all ground of a network
+//! moves alike, the network is solved in its frame. Otherwise a block is held against one of its grounds at a time: seen from there,
+//! ties to the others drag with their limits, and what others push is pushed by more than all else together can hold. A block between two
+//! grounds that close on it can follow neither, and says so (`squeezed`).
+//!
 //! No iteration towards a limit, no dependence on mass ratio; a block with the ground has a = 0 bit for bit. Where several supports
 //! could carry a load (statically indeterminate), they share it equally if no tie is needed. Cost: one linear pass for a pile at rest
 //! or a pushed row; otherwise O(nodes · links) a block, meant for up to a few hundred bodies.
@@ -42,6 +47,8 @@ pub(super) struct Link {
     pub hi: u32,
     /// What it can carry.
     pub carries: Carries,
+    /// What the ground does, if one of the ends is it, m/s².
+    pub ground: f64,
     /// The force passed on from `lo` to `hi`, N: `hi` feels it along the axis, `lo` against it.
     pub flow: f64,
     /// Cut: its ends move apart (a tie then slips at its limit).
@@ -61,6 +68,10 @@ impl Link {
     fn other(&self, end: u32) -> u32 {
         if self.lo == end { self.hi } else { self.lo }
     }
+
+    fn is_grounded(&self) -> bool {
+        self.lo == GROUND || self.hi == GROUND
+    }
 }
 
 /// A body along one axis.
@@ -79,6 +90,8 @@ pub(super) struct Node {
 pub(super) struct Network {
     pub nodes: Vec<Node>,
     pub links: Vec<Link>,
+    /// Whether some block cannot follow the grounds that close on it.
+    pub squeezed: bool,
     /// Links of node i: `around[first[i]..first[i + 1]]`; the last node is the ground.
     first: Vec<u32>,
     around: Vec<u32>,
@@ -88,7 +101,13 @@ pub(super) struct Network {
     /// What is noted about each node; the last one is the ground.
     notes: Vec<Note>,
     queue: Vec<u32>,
+    /// Links of the present block to ground that moves otherwise than that it is held against.
+    aside: Vec<u32>,
 }
+
+/// What a ground pushes with that moves otherwise than the one a block is held against, by the sum of all that acts in the block. It
+/// has to exceed what all else can hold.
+const OVERWHELMING: f64 = 4.0;
 
 /// What a solve notes about a node.
 #[derive(Clone, Copy, Debug)]
@@ -119,11 +138,12 @@ impl Network {
     pub fn clear(&mut self) {
         self.nodes.clear();
         self.links.clear();
+        self.squeezed = false;
     }
 
-    /// Adds a link.
-    pub fn link(&mut self, lo: u32, hi: u32, carries: Carries) {
-        self.links.push(Link { lo, hi, carries, flow: 0.0, cut: false });
+    /// Adds a link; `ground` is what the ground does (m/s²) if one of the ends is it.
+    pub fn link(&mut self, lo: u32, hi: u32, carries: Carries, ground: f64) {
+        self.links.push(Link { lo, hi, carries, ground, flow: 0.0, cut: false });
     }
 
     /// Finds every node's acceleration and every link's flow.
@@ -134,8 +154,31 @@ impl Network {
             }
             return;
         }
+        let frame = self.common_frame();
+        self.enter_frame(frame);
         if !self.lies_on_ground() && !self.is_pair() {
             self.solve_by_blocks();
+        }
+        self.leave_frame(frame);
+    }
+
+    /// The acceleration of all ground, if it moves alike; else 0.
+    fn common_frame(&self) -> f64 {
+        let mut grounds = self.links.iter().filter(|link| link.is_grounded()).map(|link| link.ground);
+        let first = grounds.next().unwrap_or(0.0);
+        if grounds.all(|ground| ground == first) { first } else { 0.0 }
+    }
+
+    fn enter_frame(&mut self, frame: f64) {
+        if frame != 0.0 {
+            self.nodes.iter_mut().for_each(|node| node.force -= node.mass * frame);
+            self.links.iter_mut().for_each(|link| link.ground = 0.0);
+        }
+    }
+
+    fn leave_frame(&mut self, frame: f64) {
+        if frame != 0.0 {
+            self.nodes.iter_mut().for_each(|node| node.acceleration += frame);
         }
     }
 
@@ -217,32 +260,78 @@ impl Network {
     /// Gives the block one acceleration if its links can make it move as one; otherwise cuts it into parts, which come later.
     fn settle_block(&mut self, block: usize) {
         let (begin, end) = (self.blocks[block].0 as usize, self.blocks[block].1 as usize);
-        let (mut mass, mut force, mut largest, mut grounded) = (0.0, 0.0, 0.0f64, false);
+        let (mut mass, mut force, mut largest, mut ground) = (0.0, 0.0, 0.0f64, None);
         for at in begin..end {
             let i = self.order[at];
             let node = self.nodes[i as usize];
             mass += node.mass;
             force += node.force;
             largest = largest.max(node.force.abs());
-            grounded |= self.links_of(i).any(|slot| {
-                let link = &self.links[self.around[slot] as usize];
-                !link.cut && link.other(i) == GROUND
-            });
+            let grounds = self.links_of(i).map(|slot| &self.links[self.around[slot] as usize]);
+            ground = ground.or_else(|| grounds.filter(|link| !link.cut && link.other(i) == GROUND).map(|link| link.ground).next());
         }
-        let acceleration = if grounded { 0.0 } else { force / mass };
+        let acceleration = ground.unwrap_or(force / mass);
         for at in begin..end {
             self.nodes[self.order[at] as usize].acceleration = acceleration;
         }
-        if end - begin == 1 && !grounded {
+        if end - begin == 1 && ground.is_none() {
             return;
         }
+        let elsewhere = ground.is_some_and(|ground| self.part_with_other_grounds(begin, end, ground));
         let tolerance = largest * FORCE_TOLERANCE;
-        if self.passes(begin, end, true, tolerance) || self.passes(begin, end, false, tolerance) {
+        if !elsewhere && (self.passes(begin, end, true, tolerance) || self.passes(begin, end, false, tolerance)) {
             return;
         }
         self.reset_flows(begin, end);
-        self.route(begin, end, grounded, tolerance);
-        self.split(begin, end, grounded);
+        if elsewhere {
+            self.pull_by_other_grounds(begin, end, acceleration);
+        }
+        self.route(begin, end, ground.is_some(), tolerance);
+        self.split(begin, end, ground);
+    }
+
+    /// Sets those links aside (`cut`) that lead to ground which moves otherwise than `ground`. Returns whether there are any.
+    fn part_with_other_grounds(&mut self, begin: usize, end: usize, ground: f64) -> bool {
+        let mut any = false;
+        for at in begin..end {
+            let i = self.order[at];
+            for slot in self.links_of(i) {
+                let link = &mut self.links[self.around[slot] as usize];
+                if !link.cut && link.other(i) == GROUND && link.ground != ground {
+                    (link.cut, any) = (true, true);
+                    self.aside.push(self.around[slot]);
+                }
+            }
+        }
+        any
+    }
+
+    /// Adds to the excess of the nodes what the grounds set aside do to them while they move with the acceleration `held`: ties drag with
+    /// their limit, and what is pushed is pushed by more than everything else in the block together.
+    fn pull_by_other_grounds(&mut self, begin: usize, end: usize, held: f64) {
+        let mut all = 0.0;
+        for at in begin..end {
+            let i = self.order[at];
+            all += self.notes[i as usize].excess.abs();
+            for slot in self.links_of(i) {
+                if let Carries::UpTo(limit) = self.links[self.around[slot] as usize].carries {
+                    all += if limit.is_finite() { limit } else { 0.0 };
+                }
+            }
+        }
+        for k in 0..self.aside.len() {
+            let link = &mut self.links[self.aside[k] as usize];
+            let node = if link.lo == GROUND { link.hi } else { link.lo };
+            let ahead = (link.ground - held).signum();
+            let side = if link.lo == GROUND { 1.0 } else { -1.0 };
+            let drag = match link.carries {
+                Carries::UpTo(limit) if limit.is_finite() => limit,
+                Carries::Push if ahead != side => 0.0,
+                Carries::Push | Carries::UpTo(_) => OVERWHELMING * all,
+            };
+            link.flow = side * ahead * drag;
+            self.notes[node as usize].excess += ahead * drag;
+        }
     }
 
     fn reset_flows(&mut self, begin: usize, end: usize) {

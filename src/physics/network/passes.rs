@@ -10,7 +10,8 @@ impl Network {
     /// The direct answer where nothing but the ground is pressed against: what presses lies, each support with an equal share, and what does
     /// not is free. It is what the blocks come to. False, and nothing done, if there is more to it.
     pub(super) fn lies_on_ground(&mut self) -> bool {
-        if !self.links.iter().all(|link| link.carries == Carries::Push && (link.lo == GROUND) != (link.hi == GROUND)) {
+        let lies = |link: &Link| link.carries == Carries::Push && (link.lo == GROUND) != (link.hi == GROUND) && link.ground == 0.0;
+        if !self.links.iter().all(lies) {
             return false;
         }
         self.notes.clear();

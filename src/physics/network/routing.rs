@@ -136,11 +136,13 @@ impl Network {
         }
     }
 
-    /// Cuts the block where the routing got stuck: ties across the cut slip at their limits, pushes across it have ended.
-    pub(super) fn split(&mut self, begin: usize, end: usize, grounded: bool) {
+    /// Cuts the block where the routing got stuck: ties across the cut slip at their limits, pushes across it have ended. `ground` is the
+    /// acceleration of the ground that it was held against.
+    pub(super) fn split(&mut self, begin: usize, end: usize, ground: Option<f64>) {
         let first = self.notes[self.order[begin] as usize].side;
         let whole = (begin..end).all(|at| self.notes[self.order[at] as usize].side == first);
-        if whole && (first == Side::Same || !grounded) {
+        self.settle_other_grounds(ground.unwrap_or(0.0));
+        if whole && (first == Side::Same || ground.is_none()) {
             return;
         }
         for at in begin..end {
@@ -149,7 +151,11 @@ impl Network {
                 let index = self.around[slot] as usize;
                 let link = self.links[index];
                 let other = link.other(i);
-                let other_side = if other == GROUND { Side::Same } else { self.notes[other as usize].side };
+                let other_side = match (other, ground) {
+                    (GROUND, Some(ground)) => side_of(link.ground, ground),
+                    (GROUND, None) => Side::Same,
+                    (other, _) => self.notes[other as usize].side,
+                };
                 if link.cut || other_side == self.notes[i as usize].side {
                     continue;
                 }
@@ -161,12 +167,7 @@ impl Network {
                     Carries::UpTo(limit) if (link.lo == i) == i_is_faster => limit,
                     Carries::UpTo(limit) => -limit,
                 };
-                self.links[index].flow = flow;
-                for (end, sign) in [(link.lo, -1.0), (link.hi, 1.0)] {
-                    if end != GROUND {
-                        self.nodes[end as usize].force += sign * flow;
-                    }
-                }
+                self.pass_on(index, flow);
             }
         }
         let notes = &self.notes;
@@ -181,5 +182,50 @@ impl Network {
             }
             self.blocks.push((from as u32, at as u32));
         }
+    }
+
+    /// Lets a link that has been cut pass on a force that stays.
+    fn pass_on(&mut self, index: usize, flow: f64) {
+        let link = &mut self.links[index];
+        link.flow = flow;
+        for (end, sign) in [(link.lo, -1.0), (link.hi, 1.0)] {
+            if end != GROUND {
+                self.nodes[end as usize].force += sign * flow;
+            }
+        }
+    }
+
+    /// Of the grounds set aside, those on whose side a node ended up may still hold it; the others drag or have let go for good. What
+    /// stayed although it is pushed by more than all else together is squeezed between two of them.
+    fn settle_other_grounds(&mut self, held: f64) {
+        for k in 0..self.aside.len() {
+            let index = self.aside[k] as usize;
+            let link = self.links[index];
+            let node = if link.lo == GROUND { link.hi } else { link.lo };
+            let (mine, its) = (self.notes[node as usize].side, side_of(link.ground, held));
+            if mine == its {
+                (self.links[index].cut, self.links[index].flow) = (false, 0.0);
+                continue;
+            }
+            match link.carries {
+                Carries::UpTo(limit) if limit.is_finite() => self.pass_on(index, link.flow),
+                Carries::Push | Carries::UpTo(_) => {
+                    self.squeezed |= link.flow != 0.0;
+                    self.links[index].flow = 0.0;
+                }
+            }
+        }
+        self.aside.clear();
+    }
+}
+
+/// On which side of a block that is held at `held` a ground moves.
+fn side_of(ground: f64, held: f64) -> Side {
+    if ground > held {
+        Side::Faster
+    } else if ground < held {
+        Side::Slower
+    } else {
+        Side::Same
     }
 }

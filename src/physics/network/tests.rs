@@ -3,12 +3,18 @@ use super::*;
 
 /// Bodies of (mass, force) in a line along the axis, one after the other.
 fn line(bodies: &[(f64, f64)], links: &[(u32, u32, Carries)]) -> Network {
+    let still: Vec<_> = links.iter().map(|&(lo, hi, carries)| (lo, hi, carries, 0.0)).collect();
+    on_moving_ground(bodies, &still)
+}
+
+/// The same where each link to the ground knows how that moves.
+fn on_moving_ground(bodies: &[(f64, f64)], links: &[(u32, u32, Carries, f64)]) -> Network {
     let mut network = Network::default();
     for &(mass, force) in bodies {
         network.nodes.push(Node { mass, force, acceleration: f64::NAN });
     }
-    for &(lo, hi, carries) in links {
-        network.link(lo, hi, carries);
+    for &(lo, hi, carries, ground) in links {
+        network.link(lo, hi, carries, ground);
     }
     network.solve();
     network
@@ -71,24 +77,35 @@ fn random_networks_satisfy_the_conditions_of_the_minimum() {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 11) as f64 / (1u64 << 53) as f64
     };
-    for _ in 0..300 {
+    let mut squeezed = 0;
+    for round in 0..3000 {
         let n = 2 + (random() * 10.0) as u32;
         let bodies: Vec<_> = (0..n).map(|_| (0.1 + 10.0 * random(), 40.0 * random() - 20.0)).collect();
         let mut links = Vec::new();
         for i in 0..n {
             for j in i + 1..n {
                 if random() < 0.3 {
-                    links.push((i, j, if random() < 0.6 { Carries::Push } else { Carries::UpTo(8.0 * random()) }));
+                    links.push((i, j, if random() < 0.6 { Carries::Push } else { Carries::UpTo(8.0 * random()) }, 0.0));
                 }
             }
-            if random() < 0.2 {
-                links.push((i, GROUND, Carries::Push));
+            // In turns: ground that stands still, that moves, and several that move.
+            let grounds = [0.0, 3.0, -2.0 + (4.0 * random()).floor()][round % 3];
+            let grip = if random() < 0.6 { Carries::Push } else { Carries::UpTo(8.0 * random()) };
+            match (random() * 10.0) as u32 {
+                0 | 1 => links.push((i, GROUND, grip, grounds)),
+                2 => links.push((GROUND, i, grip, grounds)),
+                _ => {}
             }
         }
-        let network = line(&bodies, &links);
+        let network = on_moving_ground(&bodies, &links);
+        squeezed += u32::from(network.squeezed);
+        if network.squeezed {
+            assert_eq!(round % 3, 2, "only grounds that move differently can squeeze");
+            continue;
+        }
         let mut net: Vec<f64> = bodies.iter().map(|body| body.1).collect();
-        let a = |i: u32| if i == GROUND { 0.0 } else { network.nodes[i as usize].acceleration };
-        for link in &network.links {
+        for (link, &(.., ground)) in network.links.iter().zip(&links) {
+            let a = |i: u32| if i == GROUND { ground } else { network.nodes[i as usize].acceleration };
             for (end, sign) in [(link.lo, -1.0), (link.hi, 1.0)] {
                 if end != GROUND {
                     net[end as usize] += sign * link.flow;
@@ -110,6 +127,32 @@ fn random_networks_satisfy_the_conditions_of_the_minimum() {
             assert!((net[i] - mass * network.nodes[i].acceleration).abs() < 1e-9, "Newton's second law");
         }
     }
+    assert!((10..500).contains(&squeezed), "{squeezed}");
+}
+
+#[test]
+fn a_column_on_a_lift_weighs_more() {
+    let bodies = [(2.0, 20.0), (3.0, 30.0)];
+    let network = on_moving_ground(&bodies, &[(0, 1, Carries::Push, 0.0), (1, GROUND, Carries::Push, -2.0)]);
+    assert_eq!(accelerations(&network), [-2.0, -2.0]);
+    assert_eq!((network.links[0].flow, network.links[1].flow), (24.0, 60.0));
+}
+
+/// A wall speeds up and pushes a block along a floor that holds it with 8 N.
+#[test]
+fn a_pushed_block_follows_the_wall_and_slips_on_the_floor() {
+    let network = on_moving_ground(&[(2.0, 0.0)], &[(0, GROUND, Carries::UpTo(8.0), 0.0), (GROUND, 0, Carries::Push, 3.0)]);
+    assert_eq!((accelerations(&network)[0], network.links[0].flow, network.links[1].flow), (3.0, 8.0, 14.0));
+    assert!(!network.squeezed);
+    // The other way round the wall leaves it.
+    let network = on_moving_ground(&[(2.0, 0.0)], &[(0, GROUND, Carries::UpTo(8.0), 0.0), (GROUND, 0, Carries::Push, -3.0)]);
+    assert_eq!((accelerations(&network)[0], network.links[1].flow), (0.0, 0.0));
+}
+
+#[test]
+fn what_is_between_grounds_that_close_is_squeezed() {
+    let links = [(GROUND, 0, Carries::Push, 1.0), (0, 1, Carries::Push, 0.0), (1, GROUND, Carries::Push, -1.0)];
+    assert!(on_moving_ground(&[(1.0, 0.0), (2.0, 5.0)], &links).squeezed);
 }
 
 /// The direct answers for small networks are those of the blocks, to the bit.
@@ -127,12 +170,12 @@ fn small_networks_have_the_same_answer_directly_and_by_blocks() {
             direct.nodes.push(Node { mass: 0.1 + 10.0 * random(), force, acceleration: f64::NAN });
         }
         if round % 2 == 0 {
-            direct.link((round / 2) % 2, 1 - (round / 2) % 2, Carries::Push);
+            direct.link((round / 2) % 2, 1 - (round / 2) % 2, Carries::Push, 0.0);
         } else {
             for _ in 0..5 {
                 let (body, below) = ((4.0 * random()) as u32, random() < 0.5);
                 let (lo, hi) = if below { (body, GROUND) } else { (GROUND, body) };
-                direct.link(lo, hi, Carries::Push);
+                direct.link(lo, hi, Carries::Push, 0.0);
             }
         }
         let mut blocks = direct.clone();
