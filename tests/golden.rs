@@ -152,7 +152,7 @@ fn a_ball_at_5_m_per_s_and_restitution_a_half_leaves_at_2_5() {
         let before = world.body(BODY).velocity.y;
         world.step(TICK);
         if hit.is_none() && world.body(BODY).velocity.y < 0.0 {
-            let resultant::physics::Event::Impact { speed, .. } = world.events()[0];
+            let resultant::physics::Event::Impact { speed, .. } = world.events()[0] else { panic!("{:?}", world.events()) };
             let fallen = (5.0 - before) / 15.0;
             hit = Some((speed, world.body(BODY).velocity.y - 15.0 * (TICK - fallen)));
         }

@@ -74,7 +74,7 @@ proptest! {
             before = now;
         }
         prop_assert_eq!(bits(&world), bits(&twin));
-        prop_assert_eq!(world.overflows(), 0);
+        prop_assert_eq!(world.guards().budgets_used_up, 0);
     }
 
     #[test]
@@ -114,7 +114,7 @@ proptest! {
             prop_assert!(world.bodies().iter().all(|b| b.position.is_finite() && b.velocity.is_finite() && b.acceleration.is_finite()));
             let overlap = worst_overlap(&world);
             prop_assert!(overlap <= OVERLAP, "tick {}: overlap {} m", tick, overlap);
-            prop_assert_eq!(world.overflows(), 0, "tick {}", tick);
+            prop_assert_eq!(world.guards().budgets_used_up, 0, "tick {}", tick);
             prop_assert!(world.bodies().iter().all(|b| ROOM.contains(&b.bounds(), OVERLAP)));
         }
     }

@@ -191,7 +191,8 @@ impl Game {
 
     /// Passes the engine's impacts on and counts the ship's damaging hits.
     fn note_impacts(&mut self) {
-        for &Event::Impact { point, speed, normal, .. } in self.world.events() {
+        for event in self.world.events() {
+            let &Event::Impact { point, speed, normal, .. } = event else { continue };
             if speed >= DUST_SPEED {
                 self.events.push(GameEvent::Impact { point, speed, normal });
             }
@@ -344,7 +345,8 @@ impl Game {
 /// once counts once. Contact that rests or slides is no impact and costs nothing. What flies into the ship hits it as hard as if
 /// the ship had flown: the speed is that of the two towards each other.
 fn damaging_hit(events: &[Event]) -> Option<(DVec2, f64)> {
-    let hits = events.iter().filter_map(|&Event::Impact { a, b, point, speed, .. }| {
+    let hits = events.iter().filter_map(|event| {
+        let &Event::Impact { a, b, point, speed, .. } = event else { return None };
         ((a == SHIP || b == Obstacle::Body(SHIP)) && speed >= DAMAGING_SPEED - SPEED_ROUNDING).then_some((point, speed))
     });
     hits.max_by(|(_, a), (_, b)| a.total_cmp(b))

@@ -84,6 +84,8 @@ pub struct Force {
     pub source: Source,
     /// Its vector, N.
     pub vector: DVec2,
+    /// Where it acts, m: the middle of the contact, or the centre of the body.
+    pub point: DVec2,
 }
 
 /// The forces that act on one body and their resultant.

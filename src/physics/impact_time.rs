@@ -5,6 +5,7 @@
 //! sum of their halves while they overlap along the other. Crossings are bracketed on the cubic's monotone pieces and found by Newton's
 //! method kept inside the bracket, so none is missed at any speed: a box that jumps over a wall in one interval still crosses its face.
 
+use super::Sides;
 use super::tuning::SLOP;
 use glam::DVec2;
 
@@ -24,6 +25,15 @@ impl Cubic {
     pub fn hermite(x0: DVec2, v0: DVec2, x1: DVec2, v1: DVec2, t: f64) -> Self {
         let mean = (x1 - x0) / t;
         Self { c: [x0, v0, (3.0 * mean - 2.0 * v0 - v1) / t, (v0 + v1 - 2.0 * mean) / (t * t)] }
+    }
+
+    /// The same motion from `t` seconds later on.
+    pub fn from(&self, t: f64) -> Self {
+        if t == 0.0 {
+            return *self;
+        }
+        let [x, v, a, j] = self.c;
+        Self { c: [x + (v + (a + j * t) * t) * t, v + (2.0 * a + 3.0 * j * t) * t, a + 3.0 * j * t, j] }
     }
 
     /// The motion of `other` as seen from this one.
@@ -134,9 +144,10 @@ impl Polynomial {
     }
 }
 
-/// The first time in (0, end] at which boxes whose halves sum to `reach` meet, and along which axis; `motion` is that of one centre
-/// relative to the other. Boxes that touch already meet again only after they have parted.
-pub(super) fn time_of_impact(motion: &Cubic, reach: DVec2, end: f64) -> Option<(f64, usize)> {
+/// The first time in (0, end] at which boxes whose halves sum to `reach` meet, and along which axis; `motion` is that of the second's centre
+/// relative to the first's, and `sides` are those from which the second is solid. Boxes that touch already meet again only after they have
+/// parted.
+pub(super) fn time_of_impact(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<(f64, usize)> {
     let paths = [motion.axis(0), motion.axis(1)];
     for axis in 0..2 {
         let (least, most) = paths[axis].bounds(end);
@@ -151,7 +162,9 @@ pub(super) fn time_of_impact(motion: &Cubic, reach: DVec2, end: f64) -> Option<(
             let (path, other) = (&paths[axis], &paths[1 - axis]);
             let level = reach[axis] - depth;
             let mut from = 0.0;
-            while let Some(t) = earliest(path.falls_through(level, from, end), path.rises_through(-level, from, end)) {
+            let fall = |from: f64| if sides.face(axis, false) { path.falls_through(level, from, end) } else { None };
+            let rise = |from: f64| if sides.face(axis, true) { path.rises_through(-level, from, end) } else { None };
+            while let Some(t) = earliest(fall(from), rise(from)) {
                 if first.is_some_and(|(best, _)| best <= t) {
                     break;
                 }
@@ -192,34 +205,34 @@ mod tests {
     #[test]
     fn a_falling_box_meets_the_floor_when_the_quadratic_says_so() {
         let motion = Cubic::parabola(DVec2::new(0.0, -5.0), DVec2::ZERO, DVec2::new(0.0, 10.0));
-        let (t, axis) = time_of_impact(&motion, DVec2::splat(1.0), 2.0).unwrap();
+        let (t, axis) = time_of_impact(&motion, DVec2::splat(1.0), 2.0, Sides::ALL).unwrap();
         assert_eq!(axis, 1);
         assert!((t - 0.8f64.sqrt()).abs() < 1e-15);
     }
 
     #[test]
     fn nothing_jumps_over_a_thin_wall() {
-        let hit = time_of_impact(&straight(DVec2::new(-50.0, 0.0), DVec2::new(8333.0, 0.0)), DVec2::new(0.11, 1.0), 1.0 / 60.0);
+        let hit = time_of_impact(&straight(DVec2::new(-50.0, 0.0), DVec2::new(8333.0, 0.0)), DVec2::new(0.11, 1.0), 1.0 / 60.0, Sides::ALL);
         assert!(matches!(hit, Some((_, 0))));
     }
 
     #[test]
     fn passing_by_is_no_hit_and_touching_along_the_other_axis_is_none() {
         let reach = DVec2::splat(1.0);
-        assert_eq!(time_of_impact(&straight(DVec2::new(-5.0, 1.5), DVec2::new(10.0, 0.0)), reach, 2.0), None);
-        assert_eq!(time_of_impact(&straight(DVec2::new(-5.0, 1.0), DVec2::new(10.0, 0.0)), reach, 2.0), None);
+        assert_eq!(time_of_impact(&straight(DVec2::new(-5.0, 1.5), DVec2::new(10.0, 0.0)), reach, 2.0, Sides::ALL), None);
+        assert_eq!(time_of_impact(&straight(DVec2::new(-5.0, 1.0), DVec2::new(10.0, 0.0)), reach, 2.0, Sides::ALL), None);
     }
 
     #[test]
     fn a_corner_met_exactly_is_a_hit() {
-        let hit = time_of_impact(&straight(DVec2::new(-2.0, -2.0), DVec2::new(1.0, 1.0)), DVec2::splat(1.0), 2.0);
+        let hit = time_of_impact(&straight(DVec2::new(-2.0, -2.0), DVec2::new(1.0, 1.0)), DVec2::splat(1.0), 2.0, Sides::ALL);
         assert!((hit.unwrap().0 - 1.0).abs() < 1e-8);
     }
 
     #[test]
     fn boxes_that_part_and_come_back_meet_again() {
         let motion = Cubic::parabola(DVec2::new(0.0, -1.0), DVec2::new(0.0, -1.0), DVec2::new(0.0, 2.0));
-        let (t, _) = time_of_impact(&motion, DVec2::splat(1.0), 2.0).unwrap();
+        let (t, _) = time_of_impact(&motion, DVec2::splat(1.0), 2.0, Sides::ALL).unwrap();
         assert!((t - 1.0).abs() < 1e-15);
     }
 }

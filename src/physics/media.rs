@@ -61,7 +61,27 @@ pub(super) fn moves_across(v: DVec2, force: DVec2) -> bool {
     if v.x.abs() == v.y.abs() { turns(v.x, force.x) > turns(v.y, force.y) } else { v.x.abs() > v.y.abs() }
 }
 
+impl Law {
+    /// Whether nothing acts that depends on place or velocity.
+    pub fn is_constant(&self) -> bool {
+        self.air == 0.0 && !self.wet
+    }
+}
+
 impl Media {
+    /// The law of a body that gets no further than `searched` in a tick; without the streams that it feels.
+    pub fn law(&self, body: &Body, drive: DVec2, searched: &Aabb) -> Law {
+        let area = 2.0 * if body.velocity.x.abs() > body.velocity.y.abs() { body.half.y } else { body.half.x };
+        let air = if body.feels_air { 0.5 * self.air_density * body.drag * area / body.mass } else { 0.0 };
+        let wet = self.fluids.iter().any(|fluid| searched.touches(&fluid.zone, 0.0));
+        Law { constant: DVec2::new(0.0, self.gravity) + drive / body.mass, air, area, near_liquid: wet, wet, soft: 1.0 }
+    }
+
+    /// How the acceleration of a body answers to its own motion: −∂a/∂v (1/s) and −∂a/∂x (1/s²) along each axis.
+    pub fn stiffness(&self, body: &Body, law: &Law, x: DVec2, v: DVec2) -> (DVec2, DVec2) {
+        (DVec2::splat(self.rate(body, law, v)), DVec2::new(0.0, self.floats(body, x)))
+    }
+
     /// Acceleration of a body at `x` with velocity `v` under `law`, m/s².
     pub fn acceleration(&self, body: &Body, law: &Law, x: DVec2, v: DVec2) -> DVec2 {
         let mut a = law.constant;
@@ -126,10 +146,11 @@ impl Media {
     }
 
     /// Lists the named forces on a body as it moves now, the engine's drive (N) included.
-    pub fn list(&self, body: &Body, law: &Law, drive: DVec2, in_stream: impl Fn(usize) -> bool, out: &mut Vec<Force>) {
+    pub fn list(&self, body: &Body, drive: DVec2, in_stream: impl Fn(usize) -> bool, out: &mut Vec<Force>) {
+        let law = &self.law(body, drive, &body.bounds());
         let mut add = |kind, source, vector: DVec2| {
             if vector != DVec2::ZERO {
-                out.push(Force { kind, source, vector });
+                out.push(Force { kind, source, vector, point: body.position });
             }
         };
         add(ForceKind::Weight, Source::Gravity, DVec2::new(0.0, body.mass * self.gravity));

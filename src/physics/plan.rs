@@ -1,8 +1,6 @@
-//! The plan: which parts of the model a world needs, decided once from what is in it. What it leaves out could not change a bit. Only
-//! `crowd` is no such part: it chooses the method, and with it the bits.
+//! The plan: which parts of the model a world needs, decided once from what is in it. What it leaves out could not change a bit.
 
 use super::WorldDef;
-use super::crowd::CROWD;
 
 /// The parts of the model that a world uses.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -19,8 +17,6 @@ pub struct Plan {
     pub contacts: bool,
     /// Some body bounces.
     pub bounces: bool,
-    /// So many bodies that they take the general method.
-    pub crowd: bool,
     /// Direct answers: flight past nothing is one formula a tick, and what rests or keeps its contacts is not solved again.
     pub direct: bool,
 }
@@ -28,7 +24,7 @@ pub struct Plan {
 impl Plan {
     /// All parts that a world of few bodies can have, and no direct answer: everything is computed in every tick.
     pub const EVERYTHING: Self =
-        Self { air: true, streams: true, liquids: true, pairs: true, contacts: true, bounces: true, crowd: false, direct: false };
+        Self { air: true, streams: true, liquids: true, pairs: true, contacts: true, bounces: true, direct: false };
 
     /// The parts that a definition needs.
     pub fn of(def: &WorldDef) -> Self {
@@ -40,7 +36,6 @@ impl Plan {
             pairs,
             contacts: pairs || !def.surfaces.is_empty() || def.bounds.is_some(),
             bounces: def.bodies.iter().any(|body| body.restitution > 0.0),
-            crowd: def.bodies.len() > CROWD,
             direct: true,
         }
     }
@@ -55,15 +50,12 @@ impl Plan {
         let drag = self.air || self.liquids;
         let parts = [
             (!drag, "motion: exact parabolas"),
-            (drag && !self.crowd, "motion: RK4, finer for light things"),
-            (drag && self.crowd, "motion: Nyström's method for all at once, RK4 for light things"),
+            (drag, "motion: RK4, finer for light things"),
             (self.air, "air resistance"),
             (self.streams, "air streams"),
             (self.liquids, "liquids"),
-            (self.direct && !self.crowd, "sleep, and direct answers where nothing changes"),
-            (self.contacts && !self.crowd, "contacts: exact times of impact, direct solve"),
-            (self.contacts && self.crowd, "contacts: a crowd, solved along gravity in one pass"),
-            (self.crowd, "sleep of the whole crowd"),
+            (self.direct, "sleep, and direct answers where nothing changes"),
+            (self.contacts, "contacts: islands, event by event within a budget, else in one dense step"),
             (self.pairs, "pairs of bodies"),
             (self.bounces, "restitution"),
         ];

@@ -203,6 +203,94 @@ impl SurfaceDef {
     }
 }
 
+/// A surface of a world, as it is now.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    /// Where it is, m.
+    pub bounds: Aabb,
+    /// How fast it moves, m/s; without the speed of its belt.
+    pub velocity: DVec2,
+    /// What slides on it.
+    pub material: Material,
+    /// Whether it is there: what is absent touches nothing.
+    pub present: bool,
+    pub(super) def: SurfaceDef,
+    /// How long it has been on its way, s.
+    pub(super) clock: f64,
+    /// Whether its path goes on.
+    pub(super) runs: bool,
+    /// Whether it shall be there as soon as nothing is in its way.
+    pub(super) wanted: bool,
+}
+
+impl Surface {
+    pub(super) fn new(def: SurfaceDef) -> Self {
+        let mut surface = Self {
+            bounds: def.bounds,
+            velocity: DVec2::ZERO,
+            material: def.material,
+            present: def.present,
+            wanted: def.present,
+            clock: 0.0,
+            runs: true,
+            def,
+        };
+        surface.go_on(0.0);
+        surface
+    }
+
+    /// Where its centre is (in place of the offset) `t` seconds from now.
+    pub(super) fn at(&self, t: f64) -> PathPoint {
+        let centre = self.def.bounds.centre();
+        let moves = self.runs && !self.def.path.is_still();
+        let point = self.def.path.at(self.clock + if moves { t } else { 0.0 });
+        let offset = centre + point.offset;
+        if moves { PathPoint { offset, ..point } } else { PathPoint { offset, lasts: f64::INFINITY, ..PathPoint::default() } }
+    }
+
+    /// Lets `t` seconds pass on its path.
+    pub(super) fn go_on(&mut self, t: f64) {
+        if self.def.path.is_still() {
+            return;
+        }
+        if self.runs {
+            self.clock += t;
+        }
+        let point = self.at(0.0);
+        self.bounds = Aabb::around(point.offset, self.def.bounds.size() * 0.5);
+        self.velocity = point.velocity;
+    }
+
+    /// Whether it moves, or will within `t` seconds.
+    pub(super) fn moves_within(&self, t: f64) -> bool {
+        let point = self.at(0.0);
+        self.present && (point.velocity != DVec2::ZERO || point.acceleration != DVec2::ZERO || point.lasts <= t)
+    }
+
+    /// What it sweeps within the next `t` seconds, m.
+    pub(super) fn swept(&self, t: f64) -> Aabb {
+        let mut swept = self.bounds;
+        if !self.moves_within(t) {
+            return swept;
+        }
+        let half = self.bounds.size() * 0.5;
+        let mut from = 0.0;
+        while from <= t {
+            let point = self.at(from);
+            let leg = point.lasts.min(t - from);
+            // Both ends, and as far beyond them as a turn within the leg can lead.
+            let turn = point.acceleration.abs() * (0.5 * leg * leg);
+            let end = point.offset + (point.velocity + point.acceleration * (0.5 * leg)) * leg;
+            swept = swept.union(&Aabb::around(point.offset, half + turn)).union(&Aabb::around(end, half + turn));
+            if point.lasts >= t - from {
+                break;
+            }
+            from += leg;
+        }
+        swept
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

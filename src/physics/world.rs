@@ -1,16 +1,13 @@
-//! The world: what is in it, and what can be asked of it. How a tick goes is in `tick`.
+//! The world: what is in it, and what can be asked of it. How a tick goes is in `step`.
 
-use super::candidates::Candidates;
-use super::contacts::Contact;
-use super::crowd::{CROWD, Crowd};
-use super::flow::Pose;
-use super::impact_time::Cubic;
-use super::impacts::Resume;
-use super::interval::Motion;
-use super::media::{Law, Media};
-use super::reactions::Reactions;
+use super::contact::Contact;
+use super::guards::Guards;
+use super::impulse::Impulse;
+use super::media::Media;
+use super::scratch::Scratch;
+use super::surface::Surface;
 use super::tuning::EDGE_THICKNESS;
-use super::{Aabb, Body, BodyDef, BodyId, DefError, ForceManager, Material, Plan, SurfaceDef, WorldDef};
+use super::{Aabb, Body, BodyDef, BodyId, DefError, Force, ForceKind, ForceManager, Material, Plan, Source, SurfaceDef, WorldDef, zones};
 use glam::DVec2;
 
 /// What a body can run into.
@@ -38,75 +35,58 @@ pub enum Event {
         /// Closing speed along the normal just before, m/s, > 0.
         speed: f64,
     },
+    /// A body is squeezed by a surface against something that cannot make way. The surface waits for the rest of the tick.
+    Crushed {
+        /// The body.
+        body: BodyId,
+        /// The surface.
+        by: u32,
+        /// The mean force that would have been needed to give the body the speed of the surface within the tick, N.
+        force: f64,
+    },
 }
 
 /// Bodies, surfaces, zones, and the state of their motion. Two worlds that began alike and were stepped alike are alike to the bit.
 #[derive(Clone, Debug)]
 pub struct World {
-    // The state: this and nothing else decides what happens next.
-    pub(super) bodies: Vec<Body>,
-    pub(super) drives: Vec<DVec2>,
-    pub(super) surfaces: Vec<SurfaceDef>,
-    pub(super) media: Media,
-    pub(super) rest_speed: f64,
+    /// This and nothing else decides what happens next.
+    pub(super) state: State,
+    /// What the last tick leaves to be read.
+    pub(super) records: Records,
+    /// Buffers, kept so that a tick allocates nothing once warm.
+    pub(super) scratch: Box<Scratch>,
     pub(super) plan: Plan,
-    // What the last tick leaves to be read.
-    pub(super) previous: Vec<DVec2>,
-    pub(super) forces: Vec<ForceManager>,
-    pub(super) events: Vec<Event>,
-    pub(super) corners: Vec<(u32, DVec2)>,
-    pub(super) overflows: u64,
-    // What is known from the last tick, so that it need not be found again.
-    /// The bodies that a tick looks at, in ascending order; the others rest (see `rest`).
-    pub(super) awake: Vec<u32>,
-    pub(super) resting: Vec<bool>,
-    /// The contacts within what rests, as they were solved.
-    pub(super) resting_contacts: Vec<Contact>,
-    /// Nothing has changed that the laws of motion depend on where there are no media.
-    pub(super) laws_hold: bool,
-    /// The force managers list what acts now, but for the forces of media.
-    pub(super) forces_hold: bool,
-    /// Set where the plan says so: it then advances the bodies.
-    pub(super) crowd: Option<Box<Crowd>>,
-    // Scratch, kept so that a tick allocates nothing once warm.
-    /// Centre and half of every surface, m.
-    pub(super) blocks: Vec<(DVec2, DVec2)>,
-    pub(super) candidates: Candidates,
-    /// The contacts as they are solved, and as they were before that with the free accelerations: while these stay, so does the answer.
-    pub(super) contacts: Vec<Contact>,
-    pub(super) asked: Vec<Contact>,
-    pub(super) asked_free: Vec<DVec2>,
-    pub(super) answer_holds: bool,
-    pub(super) found: Vec<Contact>,
-    pub(super) touching: Vec<Contact>,
-    pub(super) reactions: Reactions,
-    pub(super) laws: Vec<Law>,
-    pub(super) motions: Vec<Motion>,
-    pub(super) cubics: Vec<Cubic>,
-    pub(super) in_contact: Vec<bool>,
-    pub(super) in_stream: Vec<bool>,
-    pub(super) across: Vec<bool>,
-    pub(super) crossings: Vec<u32>,
-    pub(super) hits: Vec<u32>,
-    pub(super) clung: Vec<u32>,
-    pub(super) resumes: Vec<Resume>,
-    pub(super) now: f64,
-    pub(super) tick: f64,
-    pub(super) overflowing: bool,
-    pub(super) free: Vec<DVec2>,
-    pub(super) solved: Vec<DVec2>,
-    pub(super) coupled_bodies: Vec<u32>,
-    pub(super) coupled: Vec<Pose>,
-    pub(super) coupled_at: f64,
-    pub(super) coupled_nodes: Vec<Pose>,
-    pub(super) coupled_step: f64,
-    pub(super) coupled_steps: usize,
-    pub(super) stage: Vec<Pose>,
-    pub(super) speeds: Vec<DVec2>,
-    pub(super) stage_accelerations: Vec<DVec2>,
-    pub(super) stage_contacts: Vec<Contact>,
-    pub(super) sums: Vec<Pose>,
-    pub(super) poses: Vec<Pose>,
+}
+
+/// The state of a world.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    pub bodies: Vec<Body>,
+    /// The force of each body's engine, N.
+    pub drives: Vec<DVec2>,
+    pub surfaces: Vec<Surface>,
+    pub media: Media,
+    pub rest_speed: f64,
+    /// Contacts at the end of the last tick. Items are bodies, and surfaces from the number of bodies on.
+    pub contacts: Vec<Contact>,
+    /// Whether contacts and acceleration of a body are those of now.
+    pub known: Vec<bool>,
+    /// Whether a body rests, and is not looked at until something touches it.
+    pub resting: Vec<bool>,
+    /// For how many ticks more the island of a body is taken in one step, and for how many next time.
+    pub dense: Vec<(u16, u16)>,
+}
+
+/// What a tick leaves to be read.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Records {
+    /// Where bodies were one tick ago, m.
+    pub previous: Vec<DVec2>,
+    pub events: Vec<Event>,
+    pub impulses: Vec<Impulse>,
+    /// The corners of the ways of bodies, in the order of their times.
+    pub corners: Vec<(u32, f64, DVec2)>,
+    pub guards: Guards,
 }
 
 impl World {
@@ -128,64 +108,21 @@ impl World {
         def.check()?;
         def.surfaces.extend(def.bounds.iter().flat_map(edges));
         let n = def.bodies.len();
-        let mut world = Self {
+        let state = State {
             bodies: def.bodies.iter().map(Body::new).collect(),
             drives: vec![DVec2::ZERO; n],
-            blocks: def.surfaces.iter().map(|surface| (surface.bounds.centre(), surface.bounds.size() * 0.5)).collect(),
-            surfaces: def.surfaces,
+            surfaces: def.surfaces.into_iter().map(Surface::new).collect(),
             media: Media { gravity: def.gravity, air_density: def.air_density, streams: def.streams, fluids: def.fluids },
             rest_speed: def.rest_speed,
-            plan,
-            previous: def.bodies.iter().map(|body| body.position).collect(),
-            forces: vec![ForceManager::default(); n],
-            events: Vec::new(),
-            corners: Vec::new(),
-            overflows: 0,
-            awake: Vec::new(),
-            resting: Vec::new(),
-            resting_contacts: Vec::new(),
-            laws_hold: false,
-            forces_hold: false,
-            crowd: None,
-            candidates: Candidates::default(),
             contacts: Vec::new(),
-            asked: Vec::new(),
-            asked_free: Vec::new(),
-            answer_holds: false,
-            found: Vec::new(),
-            touching: Vec::new(),
-            reactions: Reactions::default(),
-            laws: Vec::new(),
-            motions: Vec::new(),
-            cubics: Vec::new(),
-            in_contact: Vec::new(),
-            in_stream: Vec::new(),
-            across: Vec::new(),
-            crossings: Vec::new(),
-            hits: Vec::new(),
-            clung: Vec::new(),
-            resumes: Vec::new(),
-            now: 0.0,
-            tick: 0.0,
-            overflowing: false,
-            free: Vec::new(),
-            solved: Vec::new(),
-            coupled_bodies: Vec::new(),
-            coupled: Vec::new(),
-            coupled_at: f64::NAN,
-            coupled_nodes: Vec::new(),
-            coupled_step: 0.0,
-            coupled_steps: 1,
-            stage: Vec::new(),
-            speeds: Vec::new(),
-            stage_accelerations: Vec::new(),
-            stage_contacts: Vec::new(),
-            sums: Vec::new(),
-            poses: Vec::new(),
+            known: vec![false; n],
+            resting: vec![false; n],
+            dense: vec![(0, 0); n],
         };
-        world.make_room();
-        world.gather_crowd()?;
-        world.show_start();
+        let previous = state.bodies.iter().map(|body| body.position).collect();
+        let records = Records { previous, ..Records::default() };
+        let mut world = Self { scratch: Box::default(), state, records, plan };
+        world.begin();
         Ok(world)
     }
 
@@ -195,98 +132,86 @@ impl World {
     /// As [`World::new`].
     pub fn add_body(&mut self, def: BodyDef) -> Result<BodyId, DefError> {
         def.check()?;
-        let id = BodyId(self.bodies.len() as u32);
-        self.bodies.push(Body::new(&def));
-        self.drives.push(DVec2::ZERO);
-        self.previous.push(def.position);
-        self.forces.push(ForceManager::default());
-        self.plan.pairs |= self.bodies.len() > 1;
-        self.plan.crowd |= self.bodies.len() > CROWD;
+        let State { bodies, drives, contacts, known, resting, dense, media, .. } = &mut self.state;
+        let n = bodies.len() as u32;
+        bodies.push(Body::new(&def));
+        drives.push(DVec2::ZERO);
+        known.push(false);
+        resting.push(false);
+        dense.push((0, 0));
+        self.records.previous.push(def.position);
+        // Contacts count surfaces on from the number of bodies.
+        for contact in contacts {
+            contact.lo += u32::from(contact.lo >= n);
+            contact.hi += u32::from(contact.hi >= n);
+        }
+        self.plan.pairs |= n > 0;
         self.plan.contacts |= self.plan.pairs;
-        self.plan.air |= self.media.air_density > 0.0 && def.feels_air && def.drag > 0.0;
+        self.plan.air |= media.air_density > 0.0 && def.feels_air && def.drag > 0.0;
         self.plan.bounces |= def.restitution > 0.0;
-        self.make_room();
-        self.gather_crowd()?;
-        Ok(id)
+        Ok(BodyId(n))
     }
 
     /// Sets the force of a body's engine (N) from the next tick on. A force that is not finite is none.
     pub fn set_drive(&mut self, body: BodyId, force: DVec2) {
         let force = if force.is_finite() { force } else { DVec2::ZERO };
-        if self.drives[body.index()] != force {
-            self.drives[body.index()] = force;
-            self.laws_hold = false;
-            self.forces_hold = false;
-            self.wake(body.0);
+        if self.state.drives[body.index()] != force {
+            self.state.drives[body.index()] = force;
+            self.disturb(body.0);
         }
     }
 
-    /// Fits everything that is kept for each body to their number. All of them are awake then, and no contact is known: contacts and
-    /// pairs count surfaces on from the number of bodies.
-    fn make_room(&mut self) {
-        let n = self.bodies.len();
-        self.awake.clear();
-        self.awake.extend(0..n as u32);
-        self.resting.clear();
-        self.resting.resize(n, false);
-        self.contacts.clear();
-        self.answer_holds = false;
-        self.resting_contacts.clear();
-        self.candidates.spoil();
-        self.laws_hold = false;
-        self.forces_hold = false;
-        self.laws.resize(n, Law::default());
-        self.motions.resize(n, Motion::Parabola);
-        self.cubics.resize(n, Cubic::default());
-        self.in_contact.resize(n, false);
-        self.in_stream.clear();
-        self.in_stream.resize(n * self.media.streams.len(), false);
-        for counts in [&mut self.crossings, &mut self.hits, &mut self.clung] {
-            counts.resize(n, 0);
+    /// Lets a surface go on along its path, or wait where it is.
+    pub fn set_running(&mut self, surface: usize, runs: bool) {
+        if self.state.surfaces[surface].runs != runs {
+            self.state.surfaces[surface].runs = runs;
+            self.disturb_around(surface);
         }
-        self.across.resize(n, false);
-        for vectors in [&mut self.free, &mut self.solved, &mut self.asked_free, &mut self.stage_accelerations] {
-            vectors.resize(n, DVec2::ZERO);
-        }
-        for poses in [&mut self.coupled, &mut self.stage, &mut self.sums, &mut self.poses] {
-            poses.resize(n, (DVec2::ZERO, DVec2::ZERO));
+    }
+
+    /// Takes a surface away, or brings it back as soon as no body is in its way.
+    pub fn set_present(&mut self, surface: usize, present: bool) {
+        self.state.surfaces[surface].wanted = present;
+        if !present && self.state.surfaces[surface].present {
+            self.state.surfaces[surface].present = false;
+            self.disturb_around(surface);
         }
     }
 
     /// All bodies, by [`BodyId::index`].
     pub fn bodies(&self) -> &[Body] {
-        &self.bodies
+        &self.state.bodies
     }
 
     /// One body.
     pub fn body(&self, id: BodyId) -> &Body {
-        &self.bodies[id.index()]
+        &self.state.bodies[id.index()]
     }
 
     /// Where a body's centre was one tick ago, m: the view interpolates from here.
     pub fn previous_position(&self, id: BodyId) -> DVec2 {
-        self.previous[id.index()]
+        self.records.previous[id.index()]
     }
 
-    /// The forces on a body: those that acted last during the last tick; before the first tick those at the start.
-    pub fn forces(&self, id: BodyId) -> &ForceManager {
-        &self.forces[id.index()]
-    }
-
-    /// The immovable surfaces: those of the definition, then the four edges (left, right, top, bottom) where there are any.
-    pub fn surfaces(&self) -> &[SurfaceDef] {
-        &self.surfaces
+    /// The surfaces: those of the definition, then the four edges (left, right, top, bottom) where there are any.
+    pub fn surfaces(&self) -> &[Surface] {
+        &self.state.surfaces
     }
 
     /// What happened during the last tick.
     pub fn events(&self) -> &[Event] {
-        &self.events
+        &self.records.events
+    }
+
+    /// All that impacts passed on during the last tick, in the order of their times.
+    pub fn impulses(&self) -> &[Impulse] {
+        &self.records.impulses
     }
 
     /// The corners of the path of a body's centre during the last tick, from where it was to where it is.
     pub fn path(&self, id: BodyId) -> impl Iterator<Item = DVec2> + '_ {
-        let corners = self.corners.iter().filter(move |(body, _)| *body == id.0).map(|(_, at)| *at);
-        std::iter::once(self.previous[id.index()]).chain(corners).chain(std::iter::once(self.bodies[id.index()].position))
+        let corners = self.records.corners.iter().filter(move |(body, ..)| *body == id.0).map(|(.., at)| *at);
+        std::iter::once(self.records.previous[id.index()]).chain(corners).chain(std::iter::once(self.body(id).position))
     }
 
     /// The parts of the model that this world uses.
@@ -294,17 +219,84 @@ impl World {
         &self.plan
     }
 
-    /// Ticks so far in which so much happened that the rest of their impacts became plastic.
-    pub fn overflows(&self) -> u64 {
-        self.overflows
+    /// How often each guard of the engine has acted so far.
+    pub fn guards(&self) -> &Guards {
+        &self.records.guards
     }
 
-    /// Feeds every bit of the state to `write`, for the state's hash.
+    /// The forces on a body as it is now, each with its source; what its contacts carry is what the last tick ended with.
+    pub fn forces(&self, id: BodyId) -> ForceManager {
+        let (i, body) = (id.index(), self.body(id));
+        let state = &self.state;
+        let mut forces = ForceManager::default();
+        let in_stream = |stream: usize| zones::feels(&state.media.streams[stream].zone, body, (body.position, body.velocity));
+        state.media.list(body, state.drives[i], in_stream, forces.renew());
+        let mut held = false;
+        for contact in state.contacts.iter().filter(|contact| contact.lo == id.0 || contact.hi == id.0) {
+            held = true;
+            self.list_contact(contact, id, &mut forces);
+        }
+        // At rest it is exactly zero, where a sum in another order could be one rounding off.
+        forces.close(held.then(|| body.acceleration * body.mass));
+        forces
+    }
+
+    /// Lists what the other end of a contact exerts on a body, N. What a surface does, and what carries a body from below, is a Reaction; what
+    /// another object does to it from above or from the side is a Push.
+    fn list_contact(&self, contact: &Contact, id: BodyId, forces: &mut ForceManager) {
+        let sign = if contact.hi == id.0 { 1.0 } else { -1.0 };
+        let (mut normal, mut friction) = (DVec2::ZERO, DVec2::ZERO);
+        normal[contact.axis] = sign * contact.normal;
+        friction[1 - contact.axis] = sign * contact.friction;
+        let other = contact.other(id.0);
+        let surface = (other as usize).checked_sub(self.state.bodies.len());
+        let source = surface.map_or(Source::Body(BodyId(other)), |surface| Source::Surface(surface as u32));
+        let kind = if surface.is_some() || contact.axis == 1 { ForceKind::Reaction } else { ForceKind::Push };
+        let point = self.point_of(contact);
+        for (kind, vector) in [(kind, normal), (ForceKind::Friction, friction)] {
+            if vector != DVec2::ZERO {
+                forces.add(Force { kind, source, vector: vector + DVec2::ZERO, point });
+            }
+        }
+    }
+
+    /// The middle of the edge that the two ends of a contact share, m.
+    pub(super) fn point_of(&self, contact: &Contact) -> DVec2 {
+        let (a, b) = (self.bounds_of(contact.lo), self.bounds_of(contact.hi));
+        (a.min.max(b.min) + a.max.min(b.max)) * 0.5
+    }
+
+    /// The box of a body or surface.
+    pub(super) fn bounds_of(&self, item: u32) -> Aabb {
+        match self.state.bodies.get(item as usize) {
+            Some(body) => body.bounds(),
+            None => self.state.surfaces[item as usize - self.state.bodies.len()].bounds,
+        }
+    }
+
+    /// Feeds every bit of what decides about the future to `write`, for the state's hash.
     pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
-        for body in &self.bodies {
-            for value in [body.position.x, body.position.y, body.velocity.x, body.velocity.y] {
+        let State { bodies, drives, surfaces, contacts, resting, known, dense, .. } = &self.state;
+        for body in bodies {
+            for vector in [body.position, body.velocity, body.acceleration] {
+                write(vector.x.to_bits());
+                write(vector.y.to_bits());
+            }
+        }
+        drives.iter().for_each(|drive| drive.to_array().into_iter().for_each(|value| write(value.to_bits())));
+        for surface in surfaces {
+            write(surface.clock.to_bits());
+            write(u64::from(surface.runs) | u64::from(surface.present) << 1 | u64::from(surface.wanted) << 2);
+        }
+        for contact in contacts {
+            write(u64::from(contact.lo) << 32 | u64::from(contact.hi));
+            write(contact.axis as u64);
+            for value in [contact.slides, contact.normal, contact.friction] {
                 write(value.to_bits());
             }
+        }
+        for i in 0..bodies.len() {
+            write(u64::from(resting[i]) | u64::from(known[i]) << 1 | u64::from(dense[i].0) << 16 | u64::from(dense[i].1) << 32);
         }
     }
 }
@@ -313,7 +305,8 @@ impl World {
 fn edges(bounds: &Aabb) -> [SurfaceDef; 4] {
     let (min, max) = (bounds.min, bounds.max);
     let t = EDGE_THICKNESS;
-    let edge = |x0, y0, x1, y1| SurfaceDef::fixed(Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), Material::ASPHALT);
+    let edge =
+        |x0, y0, x1, y1| SurfaceDef::fixed(Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), Material::ASPHALT);
     [
         edge(min.x - t, min.y - t, min.x, max.y + t),
         edge(max.x, min.y - t, max.x + t, max.y + t),

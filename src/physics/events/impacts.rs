@@ -1,0 +1,260 @@
+//! Impacts: what collisions do to velocities.
+//!
+//! Pairs that touch and approach are dealt with one after the other, the fastest first, until nothing approaches any more: impulses in
+//! this order carry one block's motion through a row to the last (Newton's cradle), where solving them all at once would not. A pair's
+//! impulse is (1 + e)·w split by mass fractions, which leaves exactly zero for equal masses. Restitution is the larger of the two; what
+//! only has to stop stops all at once in a plastic solve of the contact network, exact at any mass ratio. Friction acts during an impact
+//! too, up to μ_k times the normal impulse, and never reverses the sliding.
+//!
+//! A bounce series on something immovable has a sum: after some bounces within one tick the rest of it, or as many whole bounces as fit,
+//! is passed over in closed form (rest after 2w/(g(1 − e))), during which the mean reaction is that of a body at rest.
+
+use super::item::Resume;
+use super::{Events, Scene, WORK_OF_A_CONTACT};
+use crate::physics::contact::Contact;
+use crate::physics::reactions::Parts;
+use crate::physics::tuning::{CALM_REACH, CASCADE_HITS, MAX_CLINGS, MICRO_SPEED, RATTLE_HITS, SPEED_ROUNDING, ZENO_HITS};
+use glam::DVec2;
+
+/// What a contact passed on at one instant.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::physics) struct Hit {
+    /// The items, as in a contact, and the axis.
+    pub lo: u32,
+    pub hi: u32,
+    pub axis: usize,
+    /// On `hi`, N·s.
+    pub impulse: DVec2,
+    /// Closing speed just before, m/s; 0 where what had bounced goes on.
+    pub speed: f64,
+    /// The middle of the shared edge, m.
+    pub point: DVec2,
+    /// Where `lo` and `hi` were, m.
+    pub places: [DVec2; 2],
+    /// s, from the tick's start.
+    pub at: f64,
+}
+
+impl Events {
+    /// Ends every approach of things that touch.
+    pub(super) fn resolve_impacts(&mut self, scene: &Scene) {
+        let mut left = scene.most_impacts(self.touching.len());
+        while let Some((index, speed, e)) = self.next_impact(scene, left > 0) {
+            if e > 0.0 {
+                left -= 1;
+                self.work += WORK_OF_A_CONTACT;
+                self.guards.impacts_made_plastic += u64::from(left == 0);
+                self.touching[index].lossy_hits += u32::from(e < 1.0);
+                self.bounce(scene, index, speed, e);
+                continue;
+            }
+            if self.stop_together(scene) {
+                return;
+            }
+            // A surface that would have squeezed something stands now; what it pushed may approach others.
+        }
+    }
+
+    /// The plastic solve of all that touches. Pushing one side of a body can lift it off the other by next to nothing; where it is
+    /// pulled back at once, it stays, or the two sides would take turns for ever. Returns false if a surface had to be stopped.
+    fn stop_together(&mut self, scene: &Scene) -> bool {
+        let mut touching = std::mem::take(&mut self.touching);
+        let mut done = true;
+        for _ in 0..=touching.len() {
+            self.before.clone_from(&self.speeds);
+            self.work += WORK_OF_A_CONTACT * touching.len() as u64;
+            let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
+            if let Some(axis) = self.reactions.collide(&mut touching, &parts, &mut self.speeds) {
+                self.speeds.clone_from(&self.before);
+                done = !self.stop_surfaces(&touching, axis);
+                break;
+            }
+            let mut lifted = false;
+            for contact in &mut touching {
+                self.note_plastic(contact);
+                if !contact.clings && self.clings(scene, contact) {
+                    contact.clings = true;
+                    lifted = true;
+                }
+            }
+            if !lifted {
+                break;
+            }
+        }
+        self.touching = touching;
+        done
+    }
+
+    /// Stops the surfaces that would squeeze something along an axis, for the rest of the tick. Returns whether there are any.
+    fn stop_surfaces(&mut self, touching: &[Contact], axis: usize) -> bool {
+        let mut any = false;
+        for contact in touching.iter().filter(|contact| contact.axis == axis) {
+            let (body, surface) = contact.ends();
+            if self.is_body(surface) {
+                continue;
+            }
+            let closing = self.speed(surface)[axis] * if surface == contact.lo { 1.0 } else { -1.0 };
+            if closing > 0.0 {
+                any = true;
+                self.squeezed.push((body, surface, closing));
+                self.halt(surface);
+            }
+        }
+        any
+    }
+
+    /// Whether two things part so slowly that they rest on each other, if nothing pulls them apart.
+    pub(super) fn clings(&self, scene: &Scene, contact: &Contact) -> bool {
+        let approach = self.approach(contact);
+        if !(-MICRO_SPEED..0.0).contains(&approach) {
+            return false;
+        }
+        let tried = |item: u32| self.items[item as usize].clung > MAX_CLINGS;
+        if tried(contact.lo) || tried(contact.hi) {
+            return false;
+        }
+        (self.pull(scene, contact.lo) - self.pull(scene, contact.hi))[contact.axis] >= 0.0
+    }
+
+    /// What acts on an item without contacts now, m/s².
+    fn pull(&self, scene: &Scene, item: u32) -> DVec2 {
+        let of = &self.items[item as usize];
+        if self.is_body(item) {
+            scene.media.acceleration(&of.body, &of.law, self.places[item as usize], self.speeds[item as usize])
+        } else {
+            self.ground_pulls[item as usize - self.movable]
+        }
+    }
+
+    pub(super) fn approach(&self, contact: &Contact) -> f64 {
+        (self.speed(contact.lo) - self.speed(contact.hi))[contact.axis]
+    }
+
+    /// The next pair of the sequence: its index, its closing speed and its restitution. Bouncing pairs first, the fastest of them.
+    fn next_impact(&self, scene: &Scene, bounces_left: bool) -> Option<(usize, f64, f64)> {
+        let mut best: Option<(usize, f64, f64)> = None;
+        for (index, contact) in self.touching.iter().enumerate() {
+            let speed = self.approach(contact);
+            let rounding = SPEED_ROUNDING * (self.speed(contact.lo).abs() + self.speed(contact.hi).abs())[contact.axis];
+            if speed <= 0.0 && !contact.clings || speed > 0.0 && speed <= rounding && contact.closed && contact.lasts {
+                continue;
+            }
+            let e = if bounces_left && scene.bounces { self.restitution(scene, contact, speed) } else { 0.0 };
+            // A bounce needs a closed gap, or it would lose energy; what only comes to rest may do so within the slop.
+            if e > 0.0 && !contact.closed {
+                continue;
+            }
+            let better = best.is_none_or(|(_, fastest, of)| (e > 0.0, speed) > (of > 0.0, fastest));
+            if better {
+                best = Some((index, speed, e));
+            }
+        }
+        best
+    }
+
+    /// Restitution of a pair at a closing speed: zero where the bounce ends.
+    fn restitution(&self, scene: &Scene, contact: &Contact, speed: f64) -> f64 {
+        let (lo, hi) = (&self.items[contact.lo as usize], &self.items[contact.hi as usize]);
+        let e = lo.body.restitution.max(hi.body.restitution);
+        if e >= 1.0 {
+            return 1.0;
+        }
+        let movable = self.is_body(contact.lo) && self.is_body(contact.hi);
+        let rattles = movable && lo.hits > RATTLE_HITS && hi.hits > RATTLE_HITS;
+        let slow = e * speed < scene.rest_speed || speed <= MICRO_SPEED;
+        if slow || contact.lossy_hits >= CASCADE_HITS || rattles { 0.0 } else { e }
+    }
+
+    /// One pair's impulse.
+    fn bounce(&mut self, scene: &Scene, index: usize, speed: f64, e: f64) {
+        let contact = self.touching[index];
+        let axis = contact.axis;
+        for item in [contact.lo, contact.hi] {
+            self.items[item as usize].hits += 1;
+        }
+        let mass = |item: u32| self.is_body(item).then(|| self.items[item as usize].body.mass);
+        // The share of the velocity change that each side takes: the other's fraction of the mass.
+        let (lo_share, hi_share, reduced) = match (mass(contact.lo), mass(contact.hi)) {
+            (Some(lo), Some(hi)) => (hi / (lo + hi), lo / (lo + hi), lo / (lo + hi) * hi),
+            (Some(lo), None) => (1.0, 0.0, lo),
+            (None, Some(hi)) => (0.0, 1.0, hi),
+            (None, None) => return,
+        };
+        let change = (1.0 + e) * speed;
+        let relative = self.sliding(&contact);
+        // Friction changes the sliding by at most μ_k times the change along the normal, and stops it at most.
+        let rub = -relative.signum() * (contact.kinetic_friction * change).min(relative.abs());
+        let mut impulse = DVec2::ZERO;
+        (impulse[axis], impulse[1 - axis]) = (reduced * change, if relative == 0.0 { 0.0 } else { reduced * rub });
+        self.note(&contact, impulse, speed);
+        let surface = [contact.lo, contact.hi].into_iter().find(|&item| !self.is_body(item));
+        for (item, share, sign) in [(contact.lo, lo_share, -1.0), (contact.hi, hi_share, 1.0)] {
+            if !self.is_body(item) {
+                continue;
+            }
+            let ground = surface.map(|surface| self.speed(surface)[axis]);
+            let velocity = &mut self.speeds[item as usize];
+            match ground {
+                // Exactly −e times the speed it came with, and exactly zero where friction stops it.
+                Some(ground) => velocity[axis] = ground + sign * e * speed,
+                None => velocity[axis] += sign * share * change,
+            }
+            if relative != 0.0 {
+                velocity[1 - axis] += sign * share * rub;
+            }
+        }
+        if surface.is_some_and(|surface| self.stands(surface)) {
+            self.pass_over_bounces(scene, &contact, e * speed, e);
+        }
+    }
+
+    /// Passes over the rest of a bounce series on a surface that stands still, or over whole bounces of it, where they come thick and fast.
+    fn pass_over_bounces(&mut self, scene: &Scene, contact: &Contact, speed: f64, e: f64) {
+        let (item, away) = if self.is_body(contact.hi) { (contact.hi, 1.0) } else { (contact.lo, -1.0) };
+        let left = scene.tick - self.now;
+        let of = &self.items[item as usize];
+        let pull = -away * scene.media.acceleration(&of.body, &of.law, self.places[item as usize], DVec2::ZERO)[contact.axis];
+        let first = 2.0 * speed / pull;
+        let thick = of.hits >= ZENO_HITS && pull > 0.0 && first * f64::from(ZENO_HITS) < left;
+        if !thick || scene.media.rate(&of.body, &of.law, self.speeds[item as usize]) * first > CALM_REACH {
+            return;
+        }
+        let (count, time) = if e >= 1.0 {
+            let count = (left / first).floor();
+            (count, (count * first).min(left))
+        } else {
+            // n bounces take first·(1 − eⁿ)/(1 − e).
+            let part = left * (1.0 - e) / first;
+            let count = if part >= 1.0 { f64::INFINITY } else { (libm::log1p(-part) / libm::log(e)).floor() };
+            (count, (first * (1.0 - libm::pow(e, count)) / (1.0 - e)).min(left))
+        };
+        let axis = contact.axis;
+        let mut held = DVec2::ZERO;
+        held[axis] = -self.items[item as usize].body.mass * self.speeds[item as usize][axis];
+        self.note(contact, if item == contact.hi { held } else { -held }, 0.0);
+        self.speeds[item as usize][axis] = 0.0;
+        if count.is_finite() {
+            let speed = away * speed * libm::pow(e, count);
+            self.items[item as usize].resume = Some(Resume { at: self.now + time, axis, speed });
+        }
+    }
+
+    /// Lists what a plastic impact passed on in a contact.
+    fn note_plastic(&mut self, contact: &Contact) {
+        if contact.normal > 0.0 || contact.friction != 0.0 {
+            let mut impulse = DVec2::ZERO;
+            (impulse[contact.axis], impulse[1 - contact.axis]) = (contact.normal, contact.friction);
+            let speed = |item: u32| if self.is_body(item) { self.before[item as usize] } else { self.speed(item) };
+            let closing = (speed(contact.lo) - speed(contact.hi))[contact.axis].max(0.0);
+            self.note(contact, impulse, closing);
+        }
+    }
+
+    /// Lists an impulse (N·s, on `hi`) for rules, view and sound.
+    pub(super) fn note(&mut self, contact: &Contact, impulse: DVec2, speed: f64) {
+        let point = self.point_of(contact);
+        let (lo, hi) = (contact.lo, contact.hi);
+        let places = [self.places[lo as usize], self.places[hi as usize]];
+        self.hits.push(Hit { lo, hi, axis: contact.axis, impulse, speed, point, places, at: self.now });
+    }
+}

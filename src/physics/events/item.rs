@@ -1,0 +1,232 @@
+//! What takes part in an island: bodies, and the surfaces near them, each on a path of its own with a time at which it began.
+
+use crate::physics::flow::{Pose, flow, parabola, rk4};
+use crate::physics::impact_time::Cubic;
+use crate::physics::media::{Law, Media};
+use crate::physics::tuning::RK4_REACH;
+use crate::physics::surface::Surface;
+use crate::physics::{Aabb, Body, BodyDef, Sides};
+use glam::DVec2;
+
+/// Runge–Kutta steps of one slide between two events, at most: its way is foreseen for half a time constant, which takes 25.
+const MOST_STEPS: f64 = 64.0;
+
+/// How something moves from one event to its next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::physics) enum Motion {
+    /// Not at all.
+    Still,
+    /// With constant acceleration.
+    Parabola,
+    /// By its own flow through the media.
+    Flow,
+    /// Over a surface, through the media.
+    Slide,
+}
+
+/// The slide of a body over one surface.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::physics) struct Slide {
+    /// Of the contact.
+    pub axis: usize,
+    /// On which side of the surface the body is: 1 or −1.
+    pub away: f64,
+    /// μ_k with the sign of the slide: the part of the normal force that acts against it.
+    pub friction: f64,
+}
+
+impl Slide {
+    /// Acceleration of the body from the one that it would have without the contact, m/s².
+    fn hold(&self, free: DVec2) -> DVec2 {
+        let normal = (-self.away * free[self.axis]).max(0.0);
+        let mut a = DVec2::ZERO;
+        a[1 - self.axis] = free[1 - self.axis] - self.friction * normal;
+        a
+    }
+}
+
+/// What ends the motion of an item.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Kind {
+    /// Nothing before the end of the tick.
+    Nothing,
+    /// It meets another item along an axis; `ascending` if that has the larger coordinate.
+    Hit { other: u32, axis: usize, ascending: bool },
+    /// Its slide over another item ends.
+    Stop { other: u32 },
+    /// Its contact with another item ends, because they no longer face each other.
+    Edge,
+    /// It enters or leaves an air stream.
+    Border,
+    /// Its motion has been foreseen up to here only.
+    Renew,
+    /// It leaves the surface on which it has bounced more often than need be told.
+    Resume,
+}
+
+/// The next event of an item.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Next {
+    /// s, from the tick's start.
+    pub at: f64,
+    pub kind: Kind,
+}
+
+impl Next {
+    pub const NEVER: Self = Self { at: f64::INFINITY, kind: Kind::Nothing };
+
+    /// Takes the other one if that is earlier.
+    pub fn or_earlier(&mut self, at: f64, kind: Kind) {
+        if at < self.at {
+            *self = Self { at, kind };
+        }
+    }
+
+    /// Whether it depends on that item.
+    pub fn is_with(&self, item: u32) -> bool {
+        matches!(self.kind, Kind::Hit { other, .. } | Kind::Stop { other } if other == item)
+    }
+}
+
+/// A body that passes over whole bounces leaves the surface at that time, with `speed` (m/s) along `axis`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Resume {
+    pub at: f64,
+    pub axis: usize,
+    pub speed: f64,
+}
+
+/// A body or a surface in an island.
+#[derive(Clone, Debug)]
+pub(in crate::physics) struct Item {
+    /// The body's or the surface's number in the world, and which of the two it is.
+    pub id: u32,
+    pub surface: bool,
+    /// As it was at `since`; of a surface only place, half and velocity count.
+    pub body: Body,
+    /// The force of its engine, N.
+    pub drive: DVec2,
+    /// s, from the tick's start.
+    pub since: f64,
+    /// Its motion is foreseen up to here, s from the tick's start.
+    pub until: f64,
+    pub law: Law,
+    pub motion: Motion,
+    /// Acceleration with all contacts at `since`, m/s².
+    pub solved: DVec2,
+    /// Of its parabola, m/s²: where media act on what is in contact, the mean one.
+    pub mean: DVec2,
+    pub slide: Option<Slide>,
+    /// The way from `since` on.
+    pub way: Cubic,
+    /// What it sweeps from `since` to `until`, m.
+    pub swept: Aabb,
+    /// Where others were looked for, m.
+    pub searched: Aabb,
+    pub(super) next: Next,
+    pub(super) resume: Option<Resume>,
+    /// Impacts in this tick.
+    pub hits: u32,
+    /// How often in this tick it was taken to stay where it parted by a rounding.
+    pub clung: u32,
+    /// Whether the world knows the contacts and accelerations with which the tick begins.
+    pub known: bool,
+    /// Whether something of it changed since the tick's start.
+    pub disturbed: bool,
+    /// Of a surface: from which sides it is solid, and the speed of its belt.
+    pub sides: Sides,
+    pub belt: f64,
+    /// Of a surface: when it was stopped by what it would have squeezed, s.
+    pub stopped_at: Option<f64>,
+}
+
+impl Item {
+    /// A body as a tick begins.
+    pub fn body(id: u32, body: &Body, drive: DVec2, law: Law, searched: Aabb, known: bool) -> Self {
+        Self {
+            id,
+            surface: false,
+            body: body.clone(),
+            drive,
+            since: 0.0,
+            until: 0.0,
+            law,
+            motion: Motion::Still,
+            solved: body.acceleration,
+            mean: body.acceleration,
+            slide: None,
+            way: Cubic::parabola(body.position, DVec2::ZERO, DVec2::ZERO),
+            swept: body.bounds(),
+            searched,
+            next: Next::NEVER,
+            resume: None,
+            hits: 0,
+            clung: 0,
+            known,
+            disturbed: false,
+            sides: Sides::ALL,
+            belt: 0.0,
+            stopped_at: None,
+        }
+    }
+
+    /// A surface; its path says how it begins.
+    pub fn surface(id: u32, surface: &Surface) -> Self {
+        let bounds = &surface.bounds;
+        let stand_in = Body::new(&BodyDef {
+            position: bounds.centre(),
+            half: bounds.size() * 0.5,
+            restitution: 0.0,
+            material: surface.material,
+            ..BodyDef::default()
+        });
+        let (sides, belt) = (surface.def.sides, surface.def.belt);
+        Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, Law::default(), *bounds, true) }
+    }
+
+    /// Where it is at a time (s from the tick's start, not before `since`).
+    pub fn pose(&self, media: &Media, at: f64) -> Pose {
+        let t = at - self.since;
+        let start = (self.body.position, self.body.velocity);
+        match self.motion {
+            _ if t == 0.0 => start,
+            Motion::Still => start,
+            Motion::Parabola => parabola(start, self.mean, t),
+            Motion::Flow => flow(media, &self.body, &self.law, t),
+            Motion::Slide => self.slide_on(media, t),
+        }
+    }
+
+    /// Runge–Kutta steps of a slide, as many as its rate asks for.
+    fn slide_on(&self, media: &Media, t: f64) -> Pose {
+        let mut pose = (self.body.position, self.body.velocity);
+        let Some(slide) = self.slide else { return parabola(pose, self.mean, t) };
+        let reach = media.rate(&self.body, &self.law, self.body.velocity) * t;
+        let steps = (reach / RK4_REACH).ceil().clamp(1.0, MOST_STEPS);
+        for _ in 0..steps as u32 {
+            pose = rk4(pose, t / steps, |x, v| slide.hold(media.acceleration(&self.body, &self.law, x, v)));
+        }
+        pose
+    }
+
+    /// Foresees the way, from `since` to `until`.
+    pub fn foresee(&mut self, media: &Media) {
+        let (x, v) = (self.body.position, self.body.velocity);
+        let t = self.until - self.since;
+        self.way = match self.motion {
+            Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
+            Motion::Flow | Motion::Slide if t > 0.0 => {
+                let (end_x, end_v) = self.pose(media, self.until);
+                Cubic::hermite(x, v, end_x, end_v, t)
+            }
+            Motion::Parabola | Motion::Flow | Motion::Slide => Cubic::parabola(x, v, self.mean),
+        };
+        let (x, y) = (self.way.axis(0).bounds(t), self.way.axis(1).bounds(t));
+        self.swept = Aabb::new(DVec2::new(x.0, y.0) - self.body.half, DVec2::new(x.1, y.1) + self.body.half);
+    }
+
+    /// The way from a later time on.
+    pub fn way_from(&self, at: f64) -> Cubic {
+        self.way.from(at - self.since)
+    }
+}

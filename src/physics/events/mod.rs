@@ -1,0 +1,381 @@
+//! The event-driven method: an island, from one thing that happens to the next.
+//!
+//! Every item of an island (bodies, and the surfaces near them) has a way of its own, with its own beginning and its own next event; an event
+//! ends the ways of what it touches, and of nothing else. So a tick costs what happens in it: flight is one formula, an impact concerns two
+//! bodies and what they are in contact with, and everything else goes on as foreseen (event-driven dynamics with local clocks, after
+//! Alder and Wainwright 1959).
+//!
+//! At an event the items concerned are brought to its instant (`collect`), impacts are resolved (`impacts`), contacts and accelerations
+//! follow (`motions`), and the next events are sought (`predict`). What it costs is counted, by what is done and not by the clock: an
+//! island that has used up its budget ([`Scene::budget`]) is handed over at that instant, and the rest of its tick is taken in one step
+//! of the dense method. So no time is lost, and no tick lasts longer than its budget and one such step.
+//!
+//! Forces at the end of the tick are those of that instant: contacts are solved there once more where media act on them. The next tick
+//! begins with them, if nothing has changed meanwhile.
+
+mod impacts;
+mod item;
+mod motions;
+mod predict;
+
+use super::contact::Contact;
+use super::guards::Guards;
+use super::media::Media;
+use super::reactions::Reactions;
+use super::surface::Surface;
+use super::tuning::SLOP;
+pub(super) use impacts::Hit;
+pub(super) use item::{Item, Motion};
+use item::{Kind, Next};
+use glam::DVec2;
+
+/// What the work of an island is counted in: about a nanosecond.
+const WORK_OF_A_ROOT: u64 = 60;
+const WORK_OF_AN_ITEM: u64 = 150;
+const WORK_OF_A_CONTACT: u64 = 120;
+/// The budget of an island, and what each of its bodies adds to it. Larger: the worst tick lasts longer; smaller: exactness is given up
+/// where fewer impacts fall into one tick.
+const BUDGET: u64 = 100_000;
+const BUDGET_OF_A_BODY: u64 = 3_000;
+
+/// What all islands of a tick share.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scene<'a> {
+    pub media: &'a Media,
+    pub rest_speed: f64,
+    /// Whether anything bounces.
+    pub bounces: bool,
+    /// Whether what did not change is known from the last tick.
+    pub direct: bool,
+    /// All surfaces of the world.
+    pub surfaces: &'a [Surface],
+    /// Length of the tick, s.
+    pub tick: f64,
+}
+
+impl Scene<'_> {
+    /// How many bounces a sequence of impacts among so many contacts may have before what is left becomes plastic.
+    fn most_impacts(&self, contacts: usize) -> u64 {
+        64 + 64 * contacts as u64
+    }
+
+    /// Puts a surface where its path leads it `at` seconds from the tick's start.
+    pub fn set_on_path(&self, item: &mut Item, at: f64) {
+        let point = self.surfaces[item.id as usize].at(at);
+        item.since = at;
+        item.until = (at + point.lasts).min(self.tick);
+        (item.body.position, item.body.velocity) = (point.offset, point.velocity);
+        (item.solved, item.mean) = (point.acceleration, point.acceleration);
+        let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;
+        item.motion = if still { Motion::Still } else { Motion::Parabola };
+    }
+
+    /// What an island of so many bodies may use up in a tick.
+    fn budget(&self, bodies: usize) -> u64 {
+        BUDGET + BUDGET_OF_A_BODY * bodies as u64
+    }
+}
+
+/// How an island ended its tick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Outcome {
+    /// All of it is at the end of the tick.
+    Done,
+    /// A body may go beyond where others were looked for.
+    Grown,
+    /// The budget is used up: all of it is at that time (s from the tick's start).
+    Busy(f64),
+}
+
+/// An island, and the buffers of the method.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Events {
+    /// The bodies in ascending order, then the surfaces.
+    pub items: Vec<Item>,
+    /// How many of the items are bodies.
+    pub movable: usize,
+    pub contacts: Vec<Contact>,
+    /// The air streams near the island.
+    pub streams: Vec<u32>,
+    /// What happened.
+    pub hits: Vec<Hit>,
+    /// Bodies squeezed by surfaces, and how fast these closed, m/s.
+    pub squeezed: Vec<(u32, u32, f64)>,
+    pub guards: Guards,
+    now: f64,
+    work: u64,
+    grown: bool,
+    touching: Vec<Contact>,
+    reactions: Reactions,
+    /// Of each body: its mass along each axis, what would accelerate it without contacts, and what does.
+    masses: Vec<DVec2>,
+    free: Vec<DVec2>,
+    solved: Vec<DVec2>,
+    /// Of each item: where it is now; of each body: how fast.
+    places: Vec<DVec2>,
+    speeds: Vec<DVec2>,
+    before: Vec<DVec2>,
+    /// Of each surface: velocity and acceleration now.
+    ground_speeds: Vec<DVec2>,
+    ground_pulls: Vec<DVec2>,
+    /// What the present event concerns, and whether an item belongs to it; whether its pose now is known.
+    concerned: Vec<u32>,
+    is_concerned: Vec<bool>,
+    is_placed: Vec<bool>,
+    /// Contacts of what is concerned, and copies of them that can be asked what else they would carry.
+    trial: Vec<Contact>,
+    asked: Vec<Contact>,
+    /// For the implicit step of what is in contact: of each item concerned, and the mean accelerations of all.
+    implicit: Vec<Implicit>,
+    means: Vec<DVec2>,
+}
+
+/// How the forces of media on a body answer to its own motion within an implicit step.
+#[derive(Clone, Copy, Debug)]
+struct Implicit {
+    /// How far into the step the forces are taken, along each axis.
+    theta: DVec2,
+    /// θ·h·D + θ²·h²·K.
+    response: DVec2,
+}
+
+impl Events {
+    /// Empties the island.
+    pub fn clear(&mut self) {
+        self.items.clear();
+        self.contacts.clear();
+        self.streams.clear();
+        self.hits.clear();
+        self.squeezed.clear();
+        self.movable = 0;
+    }
+
+    /// Advances the island by a tick.
+    pub fn advance(&mut self, scene: &Scene) -> Outcome {
+        self.begin(scene);
+        let budget = scene.budget(self.movable);
+        while let Some((i, next)) = self.next_event(scene) {
+            if self.grown {
+                return Outcome::Grown;
+            }
+            self.now = next.at;
+            if self.work > budget {
+                self.stop_here(scene);
+                return Outcome::Busy(self.now);
+            }
+            self.happen(scene, i, next.kind);
+        }
+        if self.grown {
+            return Outcome::Grown;
+        }
+        self.now = scene.tick;
+        self.stop_here(scene);
+        self.settle(scene);
+        Outcome::Done
+    }
+
+    /// The first event of all, if it falls into the tick.
+    fn next_event(&self, scene: &Scene) -> Option<(usize, Next)> {
+        let mut first = (0, Next::NEVER);
+        for (i, item) in self.items.iter().enumerate() {
+            if item.next.at < first.1.at {
+                first = (i, item.next);
+            }
+        }
+        (first.1.at <= scene.tick).then_some(first)
+    }
+
+    /// Prepares the buffers, and how everything moves at the start of the tick.
+    fn begin(&mut self, scene: &Scene) {
+        let (all, bodies) = (self.items.len(), self.movable);
+        (self.now, self.work, self.grown) = (0.0, 0, false);
+        for vectors in [&mut self.masses, &mut self.free, &mut self.solved, &mut self.speeds, &mut self.means] {
+            vectors.clear();
+            vectors.resize(bodies, DVec2::ZERO);
+        }
+        for vectors in [&mut self.ground_speeds, &mut self.ground_pulls] {
+            vectors.clear();
+            vectors.resize(all - bodies, DVec2::ZERO);
+        }
+        self.places.clear();
+        self.places.resize(all, DVec2::ZERO);
+        for flags in [&mut self.is_concerned, &mut self.is_placed] {
+            flags.clear();
+            flags.resize(all, false);
+        }
+        for i in 0..bodies {
+            self.masses[i] = DVec2::splat(self.items[i].body.mass);
+            self.solved[i] = self.items[i].solved;
+        }
+        for i in bodies..all {
+            self.items[i].foresee(scene.media);
+        }
+        self.start(scene);
+    }
+
+    /// What happened last tick goes on where nothing changed; everything else is looked at as if something had happened to it.
+    fn start(&mut self, scene: &Scene) {
+        for i in 0..self.movable {
+            if !self.items[i].known {
+                self.concern(i as u32);
+            }
+        }
+        if !self.concerned.is_empty() {
+            self.look(scene, None);
+        }
+        self.release();
+        for i in 0..self.movable {
+            if self.items[i].known && !self.items[i].disturbed {
+                self.concern(i as u32);
+                (self.places[i], self.speeds[i]) = (self.items[i].body.position, self.items[i].body.velocity);
+                self.is_placed[i] = true;
+            }
+        }
+        self.go_on(scene);
+        self.release();
+    }
+
+    /// Does what an event says.
+    fn happen(&mut self, scene: &Scene, i: usize, kind: Kind) {
+        self.concern(i as u32);
+        let mut hit = None;
+        match kind {
+            Kind::Nothing | Kind::Edge | Kind::Border => {}
+            Kind::Renew if i >= self.movable => {
+                self.turn(scene, i);
+                return self.release();
+            }
+            Kind::Renew if self.items[i].motion == Motion::Flow => {
+                self.renew(scene, i);
+                return self.release();
+            }
+            Kind::Renew => {}
+            Kind::Hit { other, axis, ascending } => {
+                self.concern(other);
+                let (lo, hi) = if ascending { (i as u32, other) } else { (other, i as u32) };
+                let contact = self.contact_along(lo, hi, axis);
+                self.put_against(scene, &contact);
+                hit = Some(contact);
+            }
+            Kind::Stop { other } => {
+                self.concern(other);
+                self.stop_slide(scene, i as u32, other);
+            }
+            Kind::Resume => self.resume(scene, i),
+        }
+        self.look(scene, hit);
+        self.release();
+    }
+
+    /// Brings everything to the present instant.
+    fn stop_here(&mut self, scene: &Scene) {
+        for i in 0..self.items.len() {
+            let (position, velocity) = self.items[i].pose(scene.media, self.now);
+            let item = &mut self.items[i];
+            (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
+        }
+    }
+
+    /// Counts an item to what the present event concerns.
+    fn concern(&mut self, item: u32) {
+        if self.is_body(item) && !self.is_concerned[item as usize] {
+            self.is_concerned[item as usize] = true;
+            self.concerned.push(item);
+        }
+    }
+
+    /// Ends an event.
+    fn release(&mut self) {
+        for &item in &self.concerned {
+            self.is_concerned[item as usize] = false;
+        }
+        self.concerned.clear();
+        self.is_placed.fill(false);
+    }
+
+    pub(super) fn is_body(&self, item: u32) -> bool {
+        (item as usize) < self.movable
+    }
+
+    /// Velocity now, m/s.
+    fn speed(&self, item: u32) -> DVec2 {
+        let i = item as usize;
+        if i < self.movable { self.speeds[i] } else { self.ground_speeds[i - self.movable] }
+    }
+
+    /// Whether a surface stands still.
+    fn stands(&self, surface: u32) -> bool {
+        let i = surface as usize - self.movable;
+        self.ground_speeds[i] == DVec2::ZERO && self.ground_pulls[i] == DVec2::ZERO
+    }
+
+    /// What a belt adds to the velocity of `hi` relative to `lo` along a contact's face, m/s.
+    fn skin_of(&self, contact: &Contact) -> f64 {
+        if self.is_body(contact.hi) { -contact.skin } else { contact.skin }
+    }
+
+    /// How fast `hi` slides over `lo`, m/s.
+    fn sliding(&self, contact: &Contact) -> f64 {
+        (self.speed(contact.hi) - self.speed(contact.lo))[1 - contact.axis] + self.skin_of(contact)
+    }
+
+    /// The contact of two items along an axis.
+    fn contact_along(&self, lo: u32, hi: u32, axis: usize) -> Contact {
+        let (first, second) = (&self.items[lo.min(hi) as usize], &self.items[lo.max(hi) as usize]);
+        let (a, b) = (first.body.material, second.body.material);
+        let mut contact = Contact::between(lo, hi, axis);
+        if self.is_body(lo.max(hi)) {
+            contact.static_friction = a.static_friction.min(b.static_friction);
+            contact.kinetic_friction = a.kinetic_friction.min(b.kinetic_friction);
+        } else {
+            (contact.static_friction, contact.kinetic_friction) = (b.static_friction, b.kinetic_friction);
+            // Clockwise: the top runs to the right, the right side down.
+            let above_or_right = (axis == 1) == (lo < hi);
+            contact.skin = if above_or_right { second.belt } else { -second.belt };
+        }
+        contact
+    }
+
+    /// The middle of the edge that two items share now, m.
+    fn point_of(&self, contact: &Contact) -> DVec2 {
+        let (a, b) = (contact.lo as usize, contact.hi as usize);
+        let (a_half, b_half) = (self.items[a].body.half, self.items[b].body.half);
+        let low = (self.places[a] - a_half).max(self.places[b] - b_half);
+        let high = (self.places[a] + a_half).min(self.places[b] + b_half);
+        (low + high) * 0.5
+    }
+
+    /// Where an item is now, found once an event.
+    fn locate(&mut self, scene: &Scene, item: usize) -> DVec2 {
+        if !self.is_placed[item] {
+            let (place, speed) = self.items[item].pose(scene.media, self.now);
+            self.is_placed[item] = true;
+            self.places[item] = place;
+            if item < self.movable {
+                self.speeds[item] = speed;
+            } else {
+                let ground = item - self.movable;
+                (self.ground_speeds[ground], self.ground_pulls[ground]) = (speed, self.items[item].solved);
+            }
+        }
+        self.places[item]
+    }
+
+    /// The contact of two items whose gap along an axis is at most the slop while they overlap along the other. Boxes that overlap along both
+    /// touch along the axis along which they overlap less; a surface is touched on its solid sides only, and from outside.
+    fn contact_now(&mut self, scene: &Scene, a: u32, b: u32) -> Option<Contact> {
+        let (a, b) = (a.min(b), a.max(b));
+        let apart = self.locate(scene, b as usize) - self.locate(scene, a as usize);
+        let gap = apart.abs() - (self.items[a as usize].body.half + self.items[b as usize].body.half);
+        let axis = usize::from(gap.x <= gap.y);
+        if gap[axis] > SLOP || gap[1 - axis] >= -SLOP {
+            return None;
+        }
+        let sides = self.items[b as usize].sides;
+        if sides != super::Sides::ALL && (!sides.face(axis, apart[axis] <= 0.0) || gap[axis] < -SLOP) {
+            return None;
+        }
+        let (lo, hi) = if apart[axis] > 0.0 { (a, b) } else { (b, a) };
+        Some(Contact { closed: gap[axis] <= 0.0, ..self.contact_along(lo, hi, axis) })
+    }
+}

@@ -1,0 +1,409 @@
+//! What an event leaves behind: contacts, accelerations, and how everything concerned moves on.
+//!
+//! What flies follows its own flow. What is in contact moves with the accelerations that its contacts allow; these are constant unless media
+//! act. Where they do, one body that slides on one surface follows the exact law of its slide; a group takes the mean acceleration of an
+//! implicit midpoint step, which is stable at any rate: in `v′ = f − D·v − K·x` the step is one contact solve with the masses
+//! M·(1 + ½hD + ¼h²K). So a group in a medium needs one more solve than one without, and its ways are parabolas as well.
+
+use super::item::{Kind, Motion, Next, Slide};
+use super::{Events, Implicit, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
+use crate::physics::contact::Contact;
+use crate::physics::impact_time::Cubic;
+use crate::physics::reactions::Parts;
+use crate::physics::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING};
+use crate::physics::{Aabb, zones};
+use glam::DVec2;
+
+/// The rate × time up to which a cubic follows a flow. Larger: impacts in the midst of it are found off the way.
+const CUBIC_REACH: f64 = 0.5;
+/// The shortest part of a tick for which the way of something light is foreseen at once.
+const SHORTEST: f64 = 1.0 / 64.0;
+
+impl Events {
+    /// Looks at everything concerned anew: what touches it, its impacts, contacts, accelerations and motion.
+    pub(super) fn look(&mut self, scene: &Scene, hit: Option<Contact>) {
+        self.collect(scene, hit);
+        self.resolve_impacts(scene);
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let (place, speed) = (self.places[i], self.speeds[i]);
+            let item = &mut self.items[i];
+            (item.body.position, item.body.velocity, item.since) = (place, speed, self.now);
+            item.disturbed = true;
+            if item.resume.is_some_and(|resume| resume.at <= self.now || speed[resume.axis] != 0.0) {
+                item.resume = None;
+            }
+            self.renew_law(scene, i);
+        }
+        self.find_contacts(scene, hit);
+        self.solve_concerned(scene);
+        self.go_on(scene);
+    }
+
+    /// Lists what touches anything concerned, and counts to that whatever is joined to it by touching.
+    fn collect(&mut self, scene: &Scene, hit: Option<Contact>) {
+        self.touching.clear();
+        let mut next = 0;
+        while next < self.concerned.len() {
+            let i = self.concerned[next];
+            next += 1;
+            self.locate(scene, i as usize);
+            let bounds = Aabb::around(self.places[i as usize], self.items[i as usize].body.half);
+            for j in 0..self.items.len() as u32 {
+                let looked_at = || self.concerned[..next].contains(&j);
+                if j == i || !bounds.touches(&self.items[j as usize].swept, SLOP) || looked_at() {
+                    continue;
+                }
+                let met = hit.filter(|contact| contact.is_of(i, j));
+                if let Some(contact) = met.or_else(|| self.contact_now(scene, i, j)) {
+                    self.concern(j);
+                    self.locate(scene, j as usize);
+                    let contact = self.touch(scene, contact, met.is_some());
+                    self.touching.push(contact);
+                }
+            }
+        }
+        self.concerned.sort_unstable();
+        self.touching.sort_unstable_by_key(Contact::ends);
+        self.work += WORK_OF_AN_ITEM * self.concerned.len() as u64;
+    }
+
+    /// What is known of two things that touch now.
+    fn touch(&mut self, scene: &Scene, mut contact: Contact, met: bool) -> Contact {
+        contact.lasts = self.contacts.iter().any(|known| known.is_of(contact.lo, contact.hi));
+        contact.closed |= contact.lasts || met;
+        // What has just come together by a hair's breadth has done so, whatever pulls at it alone.
+        let grazes = met && (-MICRO_SPEED..=0.0).contains(&self.approach(&contact));
+        contact.clings = grazes || self.clings(scene, &contact);
+        if contact.clings {
+            for item in [contact.lo, contact.hi] {
+                self.items[item as usize].clung += 1;
+                self.guards.clinging_given_up += u64::from(self.items[item as usize].clung == MAX_CLINGS + 1);
+            }
+        }
+        contact
+    }
+
+    /// The law of a body's motion from now on.
+    fn renew_law(&mut self, scene: &Scene, i: usize) {
+        let item = &mut self.items[i];
+        let mut force = item.drive;
+        for &stream in &self.streams {
+            let stream = &scene.media.streams[stream as usize];
+            if zones::feels(&stream.zone, &item.body, (item.body.position, item.body.velocity)) {
+                force += stream.force;
+            }
+        }
+        item.law.constant = DVec2::new(0.0, scene.media.gravity) + force / item.body.mass;
+    }
+
+    /// Keeps those of the touching pairs as contacts that neither part nor (impacts are over by now) approach. Of the pair that has just
+    /// `met` only the impact was along the axis in which it met.
+    fn find_contacts(&mut self, scene: &Scene, met: Option<Contact>) {
+        let is_concerned = &self.is_concerned;
+        self.contacts.retain(|contact| {
+            let concerned = |item: u32| is_concerned[item as usize];
+            !(concerned(contact.lo) || concerned(contact.hi))
+        });
+        let kept = self.contacts.len();
+        for index in 0..self.touching.len() {
+            let mut contact = self.touching[index];
+            if met.is_some_and(|met| met.is_of(contact.lo, contact.hi)) {
+                match self.contact_now(scene, contact.lo, contact.hi) {
+                    Some(again) => contact = again,
+                    None => continue,
+                }
+            }
+            let (axis, along) = (contact.axis, 1 - contact.axis);
+            let fastest = self.speed(contact.lo).abs().max(self.speed(contact.hi).abs());
+            if self.approach(&contact).abs() <= SPEED_ROUNDING * fastest[axis] {
+                let sliding = self.sliding(&contact);
+                let slides = if sliding.abs() <= SPEED_ROUNDING * (fastest[along] + contact.skin.abs()) { 0.0 } else { sliding.signum() };
+                let fresh = Contact { closed: true, lasts: true, clings: false, lossy_hits: 0, ..contact };
+                self.contacts.push(Contact { slides, normal: 0.0, friction: 0.0, ..fresh });
+            }
+        }
+        self.work += WORK_OF_A_CONTACT * (self.contacts.len() - kept) as u64;
+    }
+
+    /// The accelerations of what is concerned, and what its contacts carry.
+    fn solve_concerned(&mut self, scene: &Scene) {
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let item = &self.items[i];
+            self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
+            self.solved[i] = self.free[i];
+        }
+        self.take_contacts_of_concerned();
+        let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
+        self.reactions.accelerate(&mut self.trial, &parts, &mut self.solved);
+        self.contacts.append(&mut self.trial);
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            self.items[i].solved = self.solved[i];
+        }
+    }
+
+    /// Moves the contacts of what is concerned into `trial`.
+    fn take_contacts_of_concerned(&mut self) {
+        self.trial.clear();
+        let (is_concerned, trial) = (&self.is_concerned, &mut self.trial);
+        self.contacts.retain(|contact| {
+            let concerned = is_concerned[contact.lo as usize] || is_concerned[contact.hi as usize];
+            if concerned {
+                trial.push(*contact);
+            }
+            !concerned
+        });
+    }
+
+    /// Sets everything concerned on its way, and seeks what happens to it next.
+    pub(super) fn go_on(&mut self, scene: &Scene) {
+        self.choose_motions(scene);
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let item = &mut self.items[i];
+            item.foresee(scene.media);
+            if !item.searched.contains(&item.swept, 0.0) {
+                self.grown = true;
+            }
+        }
+        for i in 0..self.items.len() {
+            let stale = match self.items[i].next.kind {
+                Kind::Hit { other, .. } | Kind::Stop { other } => self.is_concerned[other as usize],
+                Kind::Edge => true,
+                _ => false,
+            };
+            if stale || self.is_concerned[i] {
+                self.predict(scene, i);
+            }
+        }
+    }
+
+    /// How everything concerned moves from now on.
+    fn choose_motions(&mut self, scene: &Scene) {
+        let left = scene.tick - self.now;
+        self.take_contacts_of_concerned();
+        let mut coupled = false;
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let in_media = !self.items[i].law.is_constant();
+            let mut touching = self.trial.iter().filter(|contact| contact.lo as usize == i || contact.hi as usize == i);
+            let (first, more) = (touching.next().copied(), touching.next().is_some());
+            let at_rest = self.speeds[i] == DVec2::ZERO && self.solved[i] == DVec2::ZERO;
+            let slide = first.filter(|_| in_media && !more && !at_rest).and_then(|contact| self.slide_of(i, &contact));
+            let item = &mut self.items[i];
+            (item.mean, item.until, item.slide) = (self.solved[i], scene.tick, slide);
+            item.motion = match first {
+                _ if at_rest => Motion::Still,
+                Some(_) if slide.is_some() => Motion::Slide,
+                None if in_media => Motion::Flow,
+                Some(_) | None => Motion::Parabola,
+            };
+            coupled |= first.is_some() && in_media && item.motion == Motion::Parabola;
+            if matches!(item.motion, Motion::Flow | Motion::Slide) {
+                let rate = scene.media.rate(&item.body, &item.law, item.body.velocity);
+                if rate * left > CUBIC_REACH {
+                    item.until = (self.now + (CUBIC_REACH / rate).max(scene.tick * SHORTEST)).min(scene.tick);
+                }
+            }
+        }
+        if coupled && left > 0.0 {
+            self.take_mean_accelerations(scene, left);
+        }
+        self.contacts.append(&mut self.trial);
+    }
+
+    /// The slide of a body that touches nothing but one surface which does not speed up, if it is one.
+    fn slide_of(&self, i: usize, contact: &Contact) -> Option<Slide> {
+        let surface = contact.other(i as u32);
+        if self.is_body(surface) || self.ground_pulls[surface as usize - self.movable] != DVec2::ZERO {
+            return None;
+        }
+        let away = if contact.hi as usize == i { 1.0 } else { -1.0 };
+        let slides = contact.normal > 0.0 && contact.slides != 0.0;
+        slides.then_some(Slide { axis: contact.axis, away, friction: away * contact.slides * contact.kinetic_friction })
+    }
+
+    /// The mean accelerations of what is in contact in media, for the next `h` seconds: an implicit midpoint step, with linearised forces and
+    /// then once more with those at the midpoint found, which makes it second order whatever the linearisation neglects. Where a rate is so
+    /// high that the midpoint would be passed by far, the point moves towards the end (the θ-method), so that nothing rings.
+    fn take_mean_accelerations(&mut self, scene: &Scene, h: f64) {
+        self.implicit.clear();
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let item = &self.items[i];
+            let (drag, stiffness) = scene.media.stiffness(&item.body, &item.law, item.body.position, item.body.velocity);
+            let rate = drag * h + stiffness * (h * h);
+            let theta = DVec2::new(theta(rate.x), theta(rate.y));
+            let response = theta * drag * h + theta * theta * stiffness * (h * h);
+            self.implicit.push(Implicit { theta, response });
+            let eased = response + 1.0;
+            self.masses[i] = eased * item.body.mass;
+            self.free[i] = (self.free[i] - stiffness * theta * h * item.body.velocity) / eased;
+        }
+        self.solve_means();
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let (item, Implicit { theta, response }) = (&self.items[i], self.implicit[k]);
+            let (x, v, a, t) = (item.body.position, item.body.velocity, self.means[i], theta * h);
+            let forced = scene.media.acceleration(&item.body, &item.law, x + t * v + t * t * a, v + t * a);
+            self.free[i] = (forced + response * a) / (response + 1.0);
+        }
+        self.solve_means();
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let item = &mut self.items[i];
+            self.masses[i] = DVec2::splat(item.body.mass);
+            if item.motion == Motion::Parabola {
+                item.mean = self.means[i];
+            }
+        }
+    }
+
+    fn solve_means(&mut self) {
+        self.means.clone_from(&self.free);
+        self.asked.clone_from(&self.trial);
+        let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
+        self.reactions.accelerate(&mut self.asked, &parts, &mut self.means);
+        self.work += WORK_OF_A_CONTACT * self.trial.len() as u64;
+    }
+
+    /// Goes on with a flow that was foreseen up to now only, or with the next leg of a surface's path.
+    pub(super) fn renew(&mut self, scene: &Scene, i: usize) {
+        let (position, velocity) = self.items[i].pose(scene.media, self.now);
+        let item = &mut self.items[i];
+        (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
+        if i < self.movable {
+            let rate = scene.media.rate(&item.body, &item.law, velocity);
+            item.until = (self.now + (CUBIC_REACH / rate).max(scene.tick * SHORTEST)).min(scene.tick);
+        }
+        item.foresee(scene.media);
+        self.grown |= i < self.movable && !self.items[i].searched.contains(&self.items[i].swept, 0.0);
+        self.work += WORK_OF_AN_ITEM;
+        self.predict(scene, i);
+    }
+
+    /// Begins the next leg of a surface's path: whatever touches it is concerned.
+    pub(super) fn turn(&mut self, scene: &Scene, i: usize) {
+        scene.set_on_path(&mut self.items[i], self.now);
+        self.items[i].foresee(scene.media);
+        let ground = i - self.movable;
+        (self.ground_speeds[ground], self.ground_pulls[ground]) = (self.items[i].body.velocity, self.items[i].solved);
+        for index in 0..self.contacts.len() {
+            let contact = self.contacts[index];
+            if contact.lo as usize == i || contact.hi as usize == i {
+                self.concern(contact.other(i as u32));
+            }
+        }
+        self.predict(scene, i);
+        if !self.concerned.is_empty() {
+            self.look(scene, None);
+        }
+    }
+
+    /// Stops a surface for the rest of the tick.
+    pub(super) fn halt(&mut self, surface: u32) {
+        let i = surface as usize;
+        let ground = i - self.movable;
+        let item = &mut self.items[i];
+        (item.body.position, item.body.velocity, item.solved, item.mean) = (self.places[i], DVec2::ZERO, DVec2::ZERO, DVec2::ZERO);
+        (item.since, item.until, item.motion) = (self.now, f64::INFINITY, Motion::Still);
+        item.stopped_at = Some(self.now);
+        item.next = Next::NEVER;
+        item.way = Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO);
+        item.swept = item.body.bounds();
+        (self.ground_speeds[ground], self.ground_pulls[ground]) = (DVec2::ZERO, DVec2::ZERO);
+    }
+
+    /// Sets a body exactly against the surface that it met: no rounding of the time of impact is left.
+    pub(super) fn put_against(&mut self, scene: &Scene, contact: &Contact) {
+        let (body, other) = contact.ends();
+        self.locate(scene, body as usize);
+        let ground = self.locate(scene, other as usize);
+        if !self.is_body(other) {
+            let axis = contact.axis;
+            let side = if other == contact.hi { -1.0 } else { 1.0 };
+            let reach = self.items[other as usize].body.half[axis] + self.items[body as usize].body.half[axis];
+            self.places[body as usize][axis] = ground[axis] + side * reach;
+        }
+    }
+
+    /// Ends a slide: what stops and whatever moves with it has one speed along the face from now on.
+    pub(super) fn stop_slide(&mut self, scene: &Scene, a: u32, b: u32) {
+        let Some(stopped) = self.contacts.iter().find(|contact| contact.is_of(a, b)).copied() else { return };
+        let mut next = 0;
+        while next < self.concerned.len() {
+            let item = self.concerned[next];
+            self.locate(scene, item as usize);
+            next += 1;
+            for index in 0..self.contacts.len() {
+                let contact = self.contacts[index];
+                if contact.lo == item || contact.hi == item {
+                    self.concern(contact.other(item));
+                    self.locate(scene, contact.other(item) as usize);
+                }
+            }
+        }
+        self.take_contacts_of_concerned();
+        self.before.clone_from(&self.speeds);
+        let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
+        self.reactions.merge_speeds(&stopped, &self.trial, &parts, &mut self.speeds);
+        self.contacts.append(&mut self.trial);
+    }
+
+    /// Lets a body leave the surface on which it has bounced.
+    pub(super) fn resume(&mut self, scene: &Scene, i: usize) {
+        self.locate(scene, i);
+        let Some(resume) = self.items[i].resume.take() else { return };
+        if self.speeds[i][resume.axis] != 0.0 {
+            return;
+        }
+        self.speeds[i][resume.axis] = resume.speed;
+        let mut impulse = DVec2::ZERO;
+        impulse[resume.axis] = self.items[i].body.mass * resume.speed;
+        let held = |contact: &&Contact| contact.axis == resume.axis && (contact.lo as usize == i || contact.hi as usize == i);
+        if let Some(contact) = self.contacts.iter().find(held).copied() {
+            self.locate(scene, contact.other(i as u32) as usize);
+            self.note(&contact, if contact.hi as usize == i { impulse } else { -impulse }, 0.0);
+        }
+    }
+
+    /// The contacts and accelerations of the instant at which the tick ends, where media make them others than when the last way began.
+    pub(super) fn settle(&mut self, scene: &Scene) {
+        self.is_placed.fill(false);
+        for i in 0..self.items.len() {
+            self.locate(scene, i);
+        }
+        for i in 0..self.movable {
+            let item = &mut self.items[i];
+            if !item.law.is_constant() && item.motion != Motion::Still {
+                self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
+                (item.solved, self.solved[i]) = (self.free[i], self.free[i]);
+            }
+        }
+        if self.contacts.iter().any(|contact| self.changes(contact.lo) || self.changes(contact.hi)) {
+            for i in 0..self.movable {
+                if !self.changes(i as u32) {
+                    self.free[i] = scene.media.acceleration(&self.items[i].body, &self.items[i].law, self.places[i], self.speeds[i]);
+                }
+            }
+            let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
+            self.reactions.accelerate(&mut self.contacts, &parts, &mut self.solved);
+            for i in 0..self.movable {
+                self.items[i].solved = self.solved[i];
+            }
+        }
+    }
+
+    /// Whether what acts on an item changes while it moves.
+    fn changes(&self, item: u32) -> bool {
+        let item = &self.items[item as usize];
+        !item.law.is_constant() && item.motion != Motion::Still
+    }
+}
+
+/// How far into an implicit step of so much rate × time its forces are taken.
+fn theta(rate: f64) -> f64 {
+    if rate > 2.0 { 1.0 - 1.0 / rate } else { 0.5 }
+}

@@ -1,0 +1,166 @@
+//! What happens next: the first event of an item, found on the ways that have been foreseen.
+//!
+//! Ways are cubics: exactly the parabola without drag, the Hermite interpolant of the flow with it. Whatever meets along them does so at a
+//! root of a polynomial; the pose at that time is then taken from the motion itself.
+
+use super::item::{Kind, Motion, Next};
+use super::{Events, Scene, WORK_OF_A_ROOT};
+use crate::physics::contact::Contact;
+use crate::physics::impact_time::{Cubic, Polynomial, earliest, time_of_impact};
+use crate::physics::tuning::SLOP;
+use crate::physics::{Aabb, zones};
+use glam::DVec2;
+
+/// m/s and m/s². Where things meet more gently than this it is the rounding of their places that meets: they would sink into each other
+/// by less than 1e-11 m within a tick.
+const GRAZING_SPEED: f64 = 1e-11;
+const GRAZING_ACCELERATION: f64 = 1e-6;
+
+impl Events {
+    /// Finds the next event of an item, against all others.
+    pub(super) fn predict(&mut self, scene: &Scene, i: usize) {
+        let item = &self.items[i];
+        let mut next = Next::NEVER;
+        if item.until < scene.tick {
+            next.or_earlier(item.until, Kind::Renew);
+        }
+        if let Some(resume) = item.resume {
+            next.or_earlier(resume.at, Kind::Resume);
+        }
+        if i < self.movable {
+            self.next_border(scene, i, &mut next);
+        }
+        for index in 0..self.contacts.len() {
+            let contact = self.contacts[index];
+            if contact.lo as usize == i || contact.hi as usize == i {
+                self.next_contact_change(i as u32, &contact, &mut next);
+            }
+        }
+        for other in 0..self.items.len() {
+            if other != i {
+                self.next_hit(i, other, &mut next);
+            }
+        }
+        self.items[i].next = next;
+    }
+
+    /// When two items meet. The search begins where the later of the two ways does.
+    fn next_hit(&mut self, i: usize, j: usize, next: &mut Next) {
+        // Seen from the one of the lower number, so that both come to the same bits.
+        let (a, b) = (&self.items[i.min(j)], &self.items[i.max(j)]);
+        if (a.motion == Motion::Still && b.motion == Motion::Still) || !a.swept.touches(&b.swept, SLOP) {
+            return;
+        }
+        let now = self.now;
+        let end = a.until.min(b.until).min(next.at) - now;
+        if end <= 0.0 {
+            return;
+        }
+        self.work += WORK_OF_A_ROOT;
+        let motion = a.way_from(now).relative(&b.way_from(now));
+        let Some((t, axis)) = time_of_impact(&motion, a.body.half + b.body.half, end, b.sides) else { return };
+        let path = motion.axis(axis);
+        let side = path.at(t).signum();
+        let gentle = -side * path.slope(t) <= GRAZING_SPEED && -side * path.curvature(t) <= GRAZING_ACCELERATION;
+        if gentle || self.contacts.iter().any(|contact| contact.normal > 0.0 && contact.is_of(i as u32, j as u32)) {
+            return;
+        }
+        next.or_earlier(now + t, Kind::Hit { other: j as u32, axis, ascending: (side > 0.0) == (i < j) });
+    }
+
+    /// The end of a slide, and something sliding off an edge.
+    fn next_contact_change(&self, i: u32, contact: &Contact, next: &mut Next) {
+        let (lo, hi) = (&self.items[contact.lo as usize], &self.items[contact.hi as usize]);
+        if lo.motion == Motion::Still && hi.motion == Motion::Still {
+            return;
+        }
+        let end = lo.until.min(hi.until) - self.now;
+        let along = 1 - contact.axis;
+        let motion = lo.way_from(self.now).relative(&hi.way_from(self.now)).axis(along);
+        if contact.slides != 0.0
+            && let Some(t) = end_of_slide(&motion, contact.slides, self.skin_of(contact), end)
+        {
+            next.or_earlier(self.now + t, Kind::Stop { other: contact.other(i) });
+        }
+        // Half the slop: a contact needs all of it, so that this one is over then, however the time is rounded.
+        let level = lo.body.half[along] + hi.body.half[along] - 0.5 * SLOP;
+        if let Some(t) = earliest(motion.rises_through(level, 0.0, end), motion.falls_through(-level, 0.0, end)) {
+            next.or_earlier(self.now + t, Kind::Edge);
+        }
+    }
+
+    /// When an item enters or leaves an air stream.
+    fn next_border(&self, scene: &Scene, i: usize, next: &mut Next) {
+        let item = &self.items[i];
+        if item.motion == Motion::Still {
+            return;
+        }
+        let end = item.until - self.now;
+        for &stream in &self.streams {
+            let zone = scene.media.streams[stream as usize].zone;
+            if item.swept.touches(&zone, SLOP) {
+                let way = item.way_from(self.now);
+                let inside = zones::feels(&zone, &item.body, item.pose(scene.media, self.now));
+                if let Some(t) = border(&way, item.body.half, &zone, inside, end) {
+                    next.or_earlier(self.now + t, Kind::Border);
+                }
+            }
+        }
+    }
+}
+
+/// When a slide of `hi` over `lo` in the direction `slides` ends: when the speed of `motion`, that of `hi` relative to `lo`, less the `skin` of
+/// a belt, comes to zero.
+fn end_of_slide(motion: &Polynomial, slides: f64, skin: f64, end: f64) -> Option<f64> {
+    let [_, v, a, j] = motion.0;
+    let (speed, braking) = (slides * (v + skin), -slides * 2.0 * a);
+    if speed <= 0.0 {
+        return None;
+    }
+    let t = if j == 0.0 {
+        speed / braking
+    } else {
+        // speed − braking·t + q·t² = 0, by the form that subtracts no like numbers.
+        let q = 3.0 * slides * j;
+        let discriminant = braking * braking - 4.0 * q * speed;
+        if discriminant < 0.0 {
+            return None;
+        }
+        2.0 * speed / (braking + discriminant.sqrt())
+    };
+    (t > 0.0 && t < end).then_some(t)
+}
+
+/// When a body on a way enters a zone or, from `inside`, leaves it.
+fn border(way: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f64) -> Option<f64> {
+    let reach = half + zone.size() * 0.5;
+    let motion = Cubic::parabola(zone.centre(), DVec2::ZERO, DVec2::ZERO).relative(way);
+    let mut first: Option<f64> = None;
+    for axis in 0..2 {
+        let (path, other, level) = (motion.axis(axis), motion.axis(1 - axis), reach[axis]);
+        let t = if inside {
+            earliest(path.rises_through(level, 0.0, end), path.falls_through(-level, 0.0, end))
+        } else {
+            earliest(path.falls_through(level, 0.0, end), path.rises_through(-level, 0.0, end))
+                .filter(|&t| other.at(t).abs() <= reach[1 - axis])
+        };
+        first = earliest(first, t.filter(|&t| t < end));
+    }
+    first
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slide_ends_when_its_speed_does() {
+        assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, -1.5, 0.0]), 1.0, 0.0, 3.0), Some(2.0));
+        assert_eq!(end_of_slide(&Polynomial([0.0, -6.0, 1.5, 0.0]), -1.0, 0.0, 3.0), Some(2.0));
+        assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, 1.5, 0.0]), 1.0, 0.0, 3.0), None);
+        // On a belt that runs along with 2 m/s it ends there.
+        assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, -1.5, 0.0]), 1.0, -2.0, 3.0), Some(4.0 / 3.0));
+        // 4 − 5t + t² has its first root at 1.
+        assert!((end_of_slide(&Polynomial([0.0, 4.0, -2.5, 1.0 / 3.0]), 1.0, 0.0, 3.0).unwrap() - 1.0).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,40 @@
+//! How often the engine had to give something up: a sequence cut short, a search repeated, a tick taken in one step. Nothing of that is silent.
+
+macro_rules! guards {
+    ($($(#[$doc:meta])* $name:ident),* $(,)?) => {
+        /// How often each guard of the engine acted, since the world began. In ordinary scenes all but the first three are zero.
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub struct Guards {
+            $($(#[$doc])* pub $name: u64,)*
+        }
+
+        impl Guards {
+            /// Every guard by its name, in the order in which they stand here.
+            pub fn all(&self) -> impl Iterator<Item = (&'static str, u64)> {
+                [$((stringify!($name), self.$name)),*].into_iter()
+            }
+
+            /// Adds what another count holds.
+            pub(super) fn add(&mut self, other: &Self) {
+                $(self.$name += other.$name;)*
+            }
+        }
+    };
+}
+
+guards! {
+    /// Ticks of islands that were taken in one step of the dense method from the start.
+    dense_ticks,
+    /// Ticks of islands whose rest was, because their budget was used up.
+    budgets_used_up,
+    /// Searches for neighbours that were repeated, because a body went further than foreseen.
+    islands_grown,
+    /// Sequences of bounces at one instant that were cut short: the rest of their impacts were plastic.
+    impacts_made_plastic,
+    /// Contacts that bounced with loss so often at one instant that they bounce no more (inelastic collapse).
+    collapses,
+    /// Bodies that parted by a rounding from what they rest on so often in a tick that they were let go.
+    clinging_given_up,
+    /// Surfaces stopped because they would have squeezed something.
+    surfaces_stopped,
+}
