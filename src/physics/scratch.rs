@@ -12,6 +12,8 @@ use glam::DVec2;
 pub(super) struct Scratch {
     /// Where each body may get to in this tick, m.
     pub searched: Vec<Aabb>,
+    /// Whether it rests, and nothing can reach it that does not.
+    pub resting: Vec<bool>,
     pub islands: Islands,
     pub events: Events,
     /// How each body ends the tick.

@@ -117,11 +117,13 @@ impl World {
         scratch.searched.extend((0..bodies.len()).map(|i| {
             let body = &bodies[i];
             if resting[i] {
-                return grow(&body.bounds(), DVec2::splat(MARGIN));
+                // What rests near it is not looked at until it moves at all.
+                return body.bounds();
             }
             let pull = (drives[i] / body.mass).abs() + DVec2::new(0.0, media.gravity.abs()) + body.acceleration.abs();
             grow(&body.bounds(), body.velocity.abs() * dt + pull * (dt * dt) + MARGIN)
         }));
+        scratch.resting.clone_from(resting);
         scratch.islands.find(&scratch.searched, resting, contacts);
         let pushing = surfaces.iter().map(|surface| surface.velocity.abs()).fold(DVec2::ZERO, DVec2::max);
         let mut members = scratch.islands.members.as_slice();
@@ -136,9 +138,10 @@ impl World {
                 let i = member.1 as usize;
                 let reach = grow(&bodies[i].bounds(), 2.0 * fastest * dt + MARGIN);
                 scratch.searched[i] = scratch.searched[i].union(&reach);
+                scratch.resting[i] = false;
             }
         }
-        scratch.islands.find(&scratch.searched, resting, contacts);
+        scratch.islands.find(&scratch.searched, &scratch.resting, contacts);
     }
 
     /// Advances island by island. Where a body may go further than others were looked for, the islands are sought again, and those advanced
@@ -163,7 +166,7 @@ impl World {
             }
             self.widen(scratch, &members, search, dt);
             scratch.islands.members = members;
-            scratch.islands.find(&scratch.searched, &self.state.resting, &self.state.contacts);
+            scratch.islands.find(&scratch.searched, &scratch.resting, &self.state.contacts);
         }
     }
 
@@ -173,6 +176,7 @@ impl World {
         for &(_, body) in members {
             let i = body as usize;
             if scratch.after[i].members == 0 {
+                scratch.resting[i] = false;
                 self.records.guards.islands_grown += 1;
                 let reach = scratch.searched[i].size() + (self.state.bodies[i].velocity.abs() * dt);
                 scratch.searched[i] =
@@ -201,7 +205,7 @@ impl World {
         if let Outcome::Busy(_) = outcome {
             records.guards.budgets_used_up += 1;
         }
-        scatter(state, scratch, island);
+        scatter(state, scratch, island, outcome == Outcome::Done);
         true
     }
 
@@ -311,7 +315,7 @@ fn gather(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], scene: &S
 }
 
 /// Takes over what the island came to.
-fn scatter(state: &State, scratch: &mut Scratch, island: &[(u32, u32)]) {
+fn scatter(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], known: bool) {
     let n = state.bodies.len() as u32;
     let leader = island[0].0;
     let Scratch { events, after, contacts, happened, stopped, crushed, .. } = scratch;
@@ -323,7 +327,7 @@ fn scatter(state: &State, scratch: &mut Scratch, island: &[(u32, u32)]) {
             velocity: item.body.velocity,
             acceleration: item.solved + DVec2::ZERO,
             still: item.motion == Motion::Still,
-            known: true,
+            known,
             members: island.len() as u32,
         };
     }

@@ -215,7 +215,13 @@ impl Item {
         let t = self.until - self.since;
         self.way = match self.motion {
             Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
-            Motion::Flow | Motion::Slide if t > 0.0 => {
+            // Right at once, so that things that bounce on each other thousands of times a second meet when they should; and where it ends.
+            Motion::Flow if t > 0.0 => {
+                let a = media.acceleration(&self.body, &self.law, x, v);
+                let end = self.pose(media, self.until).0;
+                Cubic { c: [x, v, a * 0.5, (end - x - (v + a * (0.5 * t)) * t) / (t * t * t)] }
+            }
+            Motion::Slide if t > 0.0 => {
                 let (end_x, end_v) = self.pose(media, self.until);
                 Cubic::hermite(x, v, end_x, end_v, t)
             }

@@ -16,6 +16,10 @@ use glam::DVec2;
 
 /// The rate × time up to which a cubic follows a flow. Larger: impacts in the midst of it are found off the way.
 const CUBIC_REACH: f64 = 0.5;
+/// Steps of Newton's method for the time at which two motions meet.
+const POLISH: u32 = 4;
+/// m. A gap of bodies that have met is left if it is smaller than this.
+const CLOSED: f64 = 1e-12;
 /// The shortest part of a tick for which the way of something light is foreseen at once.
 const SHORTEST: f64 = 1.0 / 64.0;
 
@@ -23,7 +27,9 @@ impl Events {
     /// Looks at everything concerned anew: what touches it, its impacts, contacts, accelerations and motion.
     pub(super) fn look(&mut self, scene: &Scene, hit: Option<Contact>) {
         self.collect(scene, hit);
+        if std::env::var("DBG").is_ok() { eprintln!("  touching {:?} speeds {:?}", self.touching, self.speeds); }
         self.resolve_impacts(scene);
+        if std::env::var("DBG").is_ok() { eprintln!("  after speeds {:?}", self.speeds); }
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
             let (place, speed) = (self.places[i], self.speeds[i]);
@@ -48,6 +54,13 @@ impl Events {
             let i = self.concerned[next];
             next += 1;
             self.locate(scene, i as usize);
+            // What it was in contact with until now has to know even if that is over.
+            for index in 0..self.contacts.len() {
+                let contact = self.contacts[index];
+                if contact.lo == i || contact.hi == i {
+                    self.concern(contact.other(i));
+                }
+            }
             let bounds = Aabb::around(self.places[i as usize], self.items[i as usize].body.half);
             for j in 0..self.items.len() as u32 {
                 let looked_at = || self.concerned[..next].contains(&j);
@@ -85,7 +98,7 @@ impl Events {
     }
 
     /// The law of a body's motion from now on.
-    fn renew_law(&mut self, scene: &Scene, i: usize) {
+    pub(super) fn renew_law(&mut self, scene: &Scene, i: usize) {
         let item = &mut self.items[i];
         let mut force = item.drive;
         for &stream in &self.streams {
@@ -240,7 +253,8 @@ impl Events {
             self.implicit.push(Implicit { theta, response });
             let eased = response + 1.0;
             self.masses[i] = eased * item.body.mass;
-            self.free[i] = (self.free[i] - stiffness * theta * h * item.body.velocity) / eased;
+            let now = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
+            self.free[i] = (now - stiffness * theta * h * item.body.velocity) / eased;
         }
         self.solve_means();
         for k in 0..self.concerned.len() {
@@ -316,16 +330,36 @@ impl Events {
         (self.ground_speeds[ground], self.ground_pulls[ground]) = (DVec2::ZERO, DVec2::ZERO);
     }
 
-    /// Sets a body exactly against the surface that it met: no rounding of the time of impact is left.
-    pub(super) fn put_against(&mut self, scene: &Scene, contact: &Contact) {
-        let (body, other) = contact.ends();
-        self.locate(scene, body as usize);
-        let ground = self.locate(scene, other as usize);
-        if !self.is_body(other) {
-            let axis = contact.axis;
-            let side = if other == contact.hi { -1.0 } else { 1.0 };
-            let reach = self.items[other as usize].body.half[axis] + self.items[body as usize].body.half[axis];
-            self.places[body as usize][axis] = ground[axis] + side * reach;
+    /// Brings two things to the instant at which they meet, and exactly together: a way foreseen as a cubic may be off by a hair, so Newton's
+    /// method ends on the motions themselves. What is left of the gap is shared as their masses say; a surface gives way to nothing.
+    pub(super) fn put_together(&mut self, scene: &Scene, contact: &Contact) {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        let reach = self.items[lo].body.half[axis] + self.items[hi].body.half[axis];
+        let exact = |item: &super::Item| matches!(item.motion, Motion::Still | Motion::Parabola);
+        if !(exact(&self.items[lo]) && exact(&self.items[hi])) {
+            let begin = self.items[lo].since.max(self.items[hi].since);
+            let end = self.items[lo].until.min(self.items[hi].until).min(scene.tick);
+            for _ in 0..POLISH {
+                let (a, b) = (self.items[lo].pose(scene.media, self.now), self.items[hi].pose(scene.media, self.now));
+                let (gap, closing) = (b.0[axis] - a.0[axis] - reach, a.1[axis] - b.1[axis]);
+                let next = self.now + gap / closing;
+                // Where they only graze, Newton's method would run off to the moment at which they parted.
+                if closing <= 0.0 || !(begin..=end).contains(&next) || next == self.now {
+                    break;
+                }
+                self.now = next;
+            }
+        }
+        let gap = self.locate(scene, hi)[axis] - self.locate(scene, lo)[axis] - reach;
+        if gap.abs() > 1e-9 { eprintln!("GAP {gap:e} {:?} {:?}", self.items[lo].motion, self.items[hi].motion); }
+        let weight = |item: usize| if item < self.movable { 1.0 / self.items[item].body.mass } else { 0.0 };
+        let (of_lo, of_hi) = (weight(lo), weight(hi));
+        if of_lo == 0.0 || of_hi == 0.0 {
+            let (body, ground, side) = if of_lo == 0.0 { (hi, lo, 1.0) } else { (lo, hi, -1.0) };
+            self.places[body][axis] = self.places[ground][axis] + side * reach;
+        } else if gap.abs() > CLOSED {
+            self.places[lo][axis] += gap * (of_lo / (of_lo + of_hi));
+            self.places[hi][axis] -= gap * (of_hi / (of_lo + of_hi));
         }
     }
 

@@ -8,7 +8,7 @@ use super::{Events, Scene, WORK_OF_A_ROOT};
 use crate::physics::contact::Contact;
 use crate::physics::impact_time::{Cubic, Polynomial, earliest, time_of_impact};
 use crate::physics::tuning::SLOP;
-use crate::physics::{Aabb, zones};
+use crate::physics::{Aabb, Sides, zones};
 use glam::DVec2;
 
 /// m/s and m/s². Where things meet more gently than this it is the rounding of their places that meets: they would sink into each other
@@ -58,7 +58,9 @@ impl Events {
         }
         self.work += WORK_OF_A_ROOT;
         let motion = a.way_from(now).relative(&b.way_from(now));
-        let Some((t, axis)) = time_of_impact(&motion, a.body.half + b.body.half, end, b.sides) else { return };
+        let reach = a.body.half + b.body.half;
+        let found = meets_at_once(&motion, reach, b.sides).map(|axis| (0.0, axis)).or_else(|| time_of_impact(&motion, reach, end, b.sides));
+        let Some((t, axis)) = found else { return };
         let path = motion.axis(axis);
         let side = path.at(t).signum();
         let gentle = -side * path.slope(t) <= GRAZING_SPEED && -side * path.curvature(t) <= GRAZING_ACCELERATION;
@@ -107,6 +109,16 @@ impl Events {
             }
         }
     }
+}
+
+/// Along which axis two boxes that touch already, or are in each other by the rounding with which a way was foreseen, approach at this very
+/// instant. After an impact they do not.
+fn meets_at_once(motion: &Cubic, reach: DVec2, sides: Sides) -> Option<usize> {
+    let apart = motion.c[0];
+    let gap = apart.abs() - reach;
+    let axis = usize::from(gap.x <= gap.y);
+    let meets = gap[axis] <= 0.0 && gap[1 - axis] < -SLOP && -apart[axis].signum() * motion.c[1][axis] > GRAZING_SPEED;
+    (meets && sides.face(axis, apart[axis] <= 0.0) && (sides == Sides::ALL || gap[axis] >= -SLOP)).then_some(axis)
 }
 
 /// When a slide of `hi` over `lo` in the direction `slides` ends: when the speed of `motion`, that of `hi` relative to `lo`, less the `skin` of
