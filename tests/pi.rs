@@ -127,7 +127,9 @@ fn stepping_is_right_with_small_steps_and_wrong_with_large_ones() {
 
 #[test]
 fn steps_that_make_no_sense_are_refused() {
-    for (dt, substeps) in [(0.0, 1), (-0.1, 1), (f64::NAN, 1), (f64::INFINITY, 1), (1e-300, 1), (1.0, 0), (5e-324, 2)] {
+    for (dt, substeps) in
+        [(0.0, 1), (-0.1, 1), (f64::NAN, 1), (f64::INFINITY, 1), (1e-300, 1), (1e-9, 1), (1e-3, u32::MAX), (1.0, 0), (5e-324, 2)]
+    {
         assert!(step_through(0, dt, substeps).is_err(), "{dt} {substeps}");
     }
     assert!(step_through(0, f64::MAX, 1).is_ok());

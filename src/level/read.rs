@@ -11,7 +11,8 @@ use crate::physics::{Aabb, DVec2};
 use std::io;
 use std::path::PathBuf;
 
-const BACKGROUND: &str = "background.png";
+/// The picture behind a level, in its folder.
+pub(super) const BACKGROUND: &str = "background.png";
 
 /// Where the loader gets bytes from.
 pub trait Files {
