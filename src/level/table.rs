@@ -57,12 +57,12 @@ pub(super) struct Record {
 /// row would name all of them.
 const MOST_COLUMNS: usize = 200;
 
-/// How many problems with the cells of one file are told: whoever has so many looks at the first.
-const MOST_PROBLEMS: usize = 1000;
+/// How many problems of a level are told: whoever has so many looks at the first.
+pub(super) const MOST_PROBLEMS: usize = 1000;
 
 /// What stands in place of all further problems.
-fn too_many(layout: Layout, row: &Row) -> Problem {
-    layout.problem(row.line, "more problems from here on", format!("at most {MOST_PROBLEMS} in a file"))
+pub(super) fn too_many(file: &str, line: usize) -> Problem {
+    Problem::new(file, line, "all", "more problems from here on", format!("at most {MOST_PROBLEMS} in a level"))
 }
 
 /// What a file holds.
@@ -96,7 +96,7 @@ pub(super) fn read(layout: Layout, bytes: &[u8], problems: &mut Vec<Problem>) ->
     for row in rows {
         table.lines.push(row.line);
         if problems.len() >= enough {
-            problems.push(too_many(layout, row));
+            problems.push(too_many(layout.file, row.line));
             break;
         }
         if let Some(problem) = wrong_separator(layout, row) {
@@ -124,7 +124,7 @@ pub(super) fn read_by_kind(
     for row in rows.iter().skip_while(|row| is_cell(row, 1, "x") && is_cell(row, 2, "y")) {
         table.lines.push(row.line);
         if problems.len() >= enough {
-            problems.push(too_many(kinds, row));
+            problems.push(too_many(kinds.file, row.line));
             break;
         }
         if let Some(problem) = wrong_separator(kinds, row) {
