@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use resultant::classics::jumper::engine::{Dynamic, Face, Hit};
-use resultant::classics::jumper::scene::{Keys, PLAYER_SIZE, Scene, VISIBLE};
+use resultant::classics::jumper::scene::{Keys, LEADERBOARD, PLAYER_SIZE, Scene, VISIBLE};
 use resultant::game::TICK_RATE;
 
 const NOTHING: Keys = Keys { left: false, right: false, jump: false };
