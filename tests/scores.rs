@@ -248,6 +248,15 @@ fn a_folder_that_is_shared_has_locks_that_are_shared() {
         fixture.scores().save("1", &name("bob"), 40).unwrap();
         assert_eq!(mode(&fixture.file(".1.csv.lock")), lock, "in a folder of mode {folder:o}");
     }
+    // The first board of a user who shares nothing by default, in a folder that is shared.
+    let fixture = Fixture::with("");
+    fs::remove_file(fixture.file("1.csv")).unwrap();
+    fs::set_permissions(fixture.folder(), fs::Permissions::from_mode(0o775)).unwrap();
+    let mut shell = Command::new("sh");
+    shell.args(["-c", "umask 077; exec \"$0\" --exact saving_process"]).arg(std::env::current_exe().unwrap());
+    shell.env(WORKER_FOLDER, fixture.folder()).env(WORKER_PREFIX, "a").env(WORKER_SAVES, "1").stdout(Stdio::null());
+    assert!(shell.status().unwrap().success());
+    assert_eq!((mode(&fixture.file("1.csv")), mode(&fixture.file(".1.csv.lock"))), (0o660, 0o660));
 }
 
 /// Where the lock file is another user's and may only be read.

@@ -207,7 +207,8 @@ pub fn step_through(n: u32, dt: f64, substeps: u32) -> Result<Stepped, String> {
     let h = dt / f64::from(substeps);
     let most = (STEPPED_DURATION / h).ceil();
     if most > MAX_STEPS {
-        return Err(format!("dt: {dt} s in {substeps} substeps makes {most:e} steps, expected at most {MAX_STEPS:e}"));
+        let found = format!("{dt:e} s in {substeps} {}", if substeps == 1 { "step" } else { "substeps" });
+        return Err(format!("dt: found {found}, which makes {most:.0e} steps, expected at most {MAX_STEPS:e}"));
     }
     let heavy_mass = mass_ratio(n);
     let (mut light, mut heavy) = (LIGHT_START, HEAVY_START);

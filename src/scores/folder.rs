@@ -187,7 +187,7 @@ fn lock(folder: &Path, path: &Path, patience: Duration) -> Result<File, ScoresEr
 fn open_lock(folder: &Path, path: &Path) -> io::Result<File> {
     match File::create_new(path) {
         Ok(file) => {
-            share(folder, &file)?;
+            share(folder, &file, true)?;
             return Ok(file);
         }
         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
@@ -200,16 +200,18 @@ fn open_lock(folder: &Path, path: &Path) -> io::Result<File> {
     OpenOptions::new().write(true).open(path).or_else(|_| File::open(path))
 }
 
-/// Lets all who may write in the folder write to the file, whatever the process' umask says.
+/// Lets all who may write in the folder read the file and write to it, whatever the process' umask says. Whether others may do what they
+/// could do is as it was, or, for a file that is nobody else's business, no.
 #[cfg(unix)]
-fn share(folder: &Path, file: &File) -> io::Result<()> {
+fn share(folder: &Path, file: &File, private: bool) -> io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
     let may_write = fs::metadata(folder)?.permissions().mode() & 0o022;
-    file.set_permissions(fs::Permissions::from_mode(0o600 | may_write | may_write << 1))
+    let least = if private { 0o600 } else { file.metadata()?.permissions().mode() & 0o777 };
+    file.set_permissions(fs::Permissions::from_mode(least | may_write | may_write << 1))
 }
 
 #[cfg(not(unix))]
-fn share(_: &Path, _: &File) -> io::Result<()> {
+fn share(_: &Path, _: &File, _: bool) -> io::Result<()> {
     Ok(())
 }
 
@@ -251,7 +253,8 @@ impl Staged {
         let staged = Self { path };
         let written = file.write_all(bytes).and_then(|()| file.sync_all()).and_then(|()| match permissions {
             Some(permissions) if file.metadata()?.permissions() != permissions => file.set_permissions(permissions),
-            _ => Ok(()),
+            Some(_) => Ok(()),
+            None => share(target.parent().unwrap_or(target), &file, false),
         });
         written.map_err(ScoresError::file("write the new scores", &staged.path))?;
         Ok(staged)
