@@ -11,8 +11,9 @@ use std::io;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Each took seconds before: room for a slow machine that does other things as well.
-const QUICK: Duration = Duration::from_millis(1500);
+/// Room for a slow machine that does other things as well: all of it takes a few tenths of a second, and what grew with the square took
+/// many of this.
+const QUICK: Duration = Duration::from_secs(3);
 
 /// What `read` answers, and that it was quick about it.
 fn quick<T>(what: &str, read: impl FnOnce() -> T) -> T {

@@ -89,7 +89,7 @@ impl Replay {
     /// As [`Inputs::parse`]; a `# name: value` line that is missing or unreadable.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
         let mut problems = Vec::new();
-        let notes = Notes { file, text };
+        let notes = Notes::of(file, text);
         let program = notes.find_any("program", "a program's name and version", &mut problems);
         let level = notes.find("level", "a level's name", &mut problems);
         let level_hash = notes.find_any("level_hash", "16 hex digits", &mut problems);
@@ -150,17 +150,23 @@ impl fmt::Display for Replay {
 /// The comments of a replay file.
 struct Notes<'a> {
     file: &'a str,
-    text: &'a str,
+    /// Number, name and value of each line `# name: value`.
+    lines: Vec<(usize, (&'a str, &'a str))>,
 }
 
-impl Notes<'_> {
+impl<'a> Notes<'a> {
+    fn of(file: &'a str, text: &'a str) -> Self {
+        let note = |line: &'a str| {
+            let (key, value) = line.trim().trim_start_matches('\u{feff}').strip_prefix('#')?.split_once(':')?;
+            Some((key.trim(), value.trim()))
+        };
+        let lines = (1..).zip(text.lines()).filter_map(|(number, line)| Some((number, note(line)?)));
+        Self { file, lines: lines.collect() }
+    }
+
     /// The first line `# name: value`, and its number.
     fn line(&self, name: &str) -> Option<(usize, &str)> {
-        let note = |line| {
-            let (key, value) = str::trim(line).trim_start_matches('\u{feff}').strip_prefix('#')?.split_once(':')?;
-            (key.trim() == name).then(|| value.trim())
-        };
-        (1..).zip(self.text.lines()).find_map(|(number, line)| Some((number, note(line)?)))
+        self.lines.iter().find(|(_, (key, _))| *key == name).map(|&(number, (_, value))| (number, value))
     }
 
     /// The value of a line that has to be there.

@@ -123,8 +123,11 @@ fn a_board_that_another_program_holds_is_waited_for_without_holding_up_a_frame()
     };
     let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
     let held = hold(&sitting);
+    sitting.reach_save_score().write("ann");
     let begun = std::time::Instant::now();
-    sitting.reach_save_score().write("ann").press(Key::Enter).wait(1.0);
+    sitting.press(Key::Enter).rest();
+    assert!(begun.elapsed() < resultant::scores::PATIENCE / 2, "a frame was spent on waiting");
+    sitting.wait(1.0);
     assert!(sitting.save_score().error().is_some_and(|error| error.contains("waiting")), "{:?}", sitting.save_score().error());
     drop(held);
     assert_eq!(sitting.rest().at(), "leaderboard", "saved as soon as it can be");
@@ -136,7 +139,6 @@ fn a_board_that_another_program_holds_is_waited_for_without_holding_up_a_frame()
     drop(held);
     assert_eq!(sitting.wait(1.0).at(), "save score", "given up");
     assert_eq!(sitting.press(Key::Enter).at(), "leaderboard", "tried again");
-    assert!(begun.elapsed().as_secs_f64() < 2.0, "frames were spent on waiting");
 
     let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
     let held = hold(&sitting);
