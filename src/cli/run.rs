@@ -18,9 +18,10 @@ const WHOLE_TICK: f64 = 1e-6;
 /// What to play, and how.
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "Prints key=value: outcome (completed, failed, running), time (s), score, objectives (met/all), \
-    collisions (damaging), fuel (fraction left), ticks, hash (of the whole state), x and y (where the ship's centre ended, m from the \
-    level's top left corner) and, when it failed, killed_by (obstacle N: the Nth row of obstacles.csv).\n\nAn inputs file is a CSV with the header \
-    ticks,thrust,reverse,left,right; each row holds its keys (0 or 1) for that many ticks. After the last row nothing is pressed.")]
+    collisions (damaging), fuel (fraction left), ticks, hash (of the whole state), x and y (where the ship's centre ended, m \
+    from the level's top left corner) and, when it failed, killed_by (obstacle N: the Nth row of obstacles.csv).\n\n\
+    An inputs file is a CSV with the header ticks,thrust,reverse,left,right; each row holds its keys (0 or 1) for that many \
+    ticks. After the last row nothing is pressed.")]
 pub struct Args {
     /// A name under levels/, or a level's folder
     level: String,
