@@ -13,9 +13,11 @@
 //! - [`screens`]: the screens as a state machine, one file a screen; it is tested without a window.
 //! - [`view`]: drawing only: it reads the game and changes nothing in it.
 //! - [`cli`]: one file a subcommand.
+//! - [`files`]: how large each kind of file may be, and reading no more than that.
 
 pub mod classics;
 pub mod cli;
+pub mod files;
 pub mod game;
 pub mod lab;
 pub mod level;

@@ -188,8 +188,8 @@ fn the_commands_are_watched_paused_and_stepped() {
         assert_eq!(screen.frame(), paused_at + step, "one press, one frame");
     }
     frames(&mut screen, &press(&[Key::Space]), 1);
-    frames(&mut screen, &hold(&[]), 400);
-    assert_eq!((screen.frame(), screen.runner().tile()), (154, (58, 2)));
+    frames(&mut screen, &hold(&[]), 600);
+    assert_eq!((screen.frame(), screen.runner().tile()), (245, (58, 2)));
     frames(&mut screen, &press(&[Key::Tab]), 1);
     assert!(!screen.watching() && screen.runner().tile() == (58, 18));
 }

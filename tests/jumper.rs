@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use resultant::classics::jumper::engine::{Dynamic, Face, Hit};
-use resultant::classics::jumper::scene::{Keys, PLAYER_SIZE, Scene, VISIBLE};
+use resultant::classics::jumper::scene::{Keys, LEADERBOARD, PLAYER_SIZE, Scene, VISIBLE};
 use resultant::game::TICK_RATE;
 
 const NOTHING: Keys = Keys { left: false, right: false, jump: false };
@@ -14,6 +14,13 @@ const RIGHT_JUMP: Keys = Keys { jump: true, ..RIGHT };
 const FALL: f64 = 10.0 / TICK_RATE;
 /// A tower without a platform right above the first player's start, where jumps are not cut short by landing.
 const SEED: u64 = 1;
+
+#[test]
+fn no_level_can_have_the_name_of_the_climbs_leaderboard() {
+    for name in [LEADERBOARD.to_owned(), LEADERBOARD.to_uppercase()] {
+        assert!(matches!(resultant::level::judge_name(&name), Err(resultant::level::NameFault::Board(_))), "{name}");
+    }
+}
 
 fn alone() -> Scene {
     Scene::new(SEED, false)

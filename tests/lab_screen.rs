@@ -325,7 +325,7 @@ fn damaged_charts_are_told_and_the_shipped_ones_shown() {
         write(root, &charts, Some(("pi.csv", None)));
         fs::create_dir(root.join("charts/pi.csv")).unwrap();
     });
-    assert!(sitting.lab().charts().problem().unwrap().starts_with("charts/pi.csv: no regular file"));
+    assert!(sitting.lab().charts().problem().unwrap().starts_with("charts/pi.csv: found a folder"));
 }
 
 #[test]

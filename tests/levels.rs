@@ -246,6 +246,173 @@ fn new_makes_a_level_that_loads_and_touches_no_other() {
     assert_eq!(level::list(&project.path().join("levels")), ["my-level"]);
 }
 
+#[test]
+fn new_refuses_names_that_are_taken_by_something_else() {
+    let project = tempfile::tempdir().unwrap();
+    for (names, why) in [
+        (&["jumper", "Jumper"][..], "the leaderboard of that name is that of the Jumper"),
+        (&["CON", "aux", "NUL", "COM1", "lpt9", "Prn"], "Windows takes that one for a device"),
+    ] {
+        for name in names {
+            let (code, out, err) = texts(&resultant(project.path(), &["new", name]));
+            assert_eq!((code, out.as_str()), (2, ""), "{name}");
+            assert_eq!(err, format!("a level cannot be named {name:?}: expected another name, as {why}\n"));
+        }
+    }
+    assert!(!project.path().join("levels").exists());
+}
+
+#[test]
+fn new_makes_a_folder_whole_or_not_at_all() {
+    let project = tempfile::tempdir().unwrap();
+    let levels = project.path().join("levels");
+    std::fs::create_dir(&levels).unwrap();
+    // Whatever has the name already stays, an empty folder too.
+    std::fs::create_dir(levels.join("empty")).unwrap();
+    std::fs::write(levels.join("file"), "kept").unwrap();
+    for name in ["empty", "file"] {
+        let (code, _, err) = texts(&resultant(project.path(), &["new", name]));
+        assert_eq!(code, 2, "{name}");
+        assert!(err.contains("cannot make "), "{err}");
+    }
+    assert_eq!(std::fs::read_dir(levels.join("empty")).unwrap().count(), 0);
+    let mut names: Vec<_> = std::fs::read_dir(&levels).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(names, ["empty", "file"], "nothing is left of what was begun");
+    // What a kill in the middle leaves is hidden and is no level.
+    std::fs::create_dir(levels.join(".new-Ab3dE")).unwrap();
+    assert_eq!(level::list(&levels), ["empty"]);
+    assert_eq!(texts(&resultant(project.path(), &["new", "whole"])).0, 0);
+    assert_eq!(std::fs::read_dir(levels.join("whole")).unwrap().count(), 9);
+}
+
+/// While `new` makes one folder after the other, none is ever seen that is not whole.
+#[test]
+fn no_half_folder_is_ever_seen() {
+    let project = tempfile::tempdir().unwrap();
+    let root = project.path().to_owned();
+    let maker = std::thread::spawn(move || (0..20).all(|i| texts(&resultant(&root, &["new", &format!("l{i}")])).0 == 0));
+    while !maker.is_finished() {
+        for name in level::list(&project.path().join("levels")) {
+            let files = std::fs::read_dir(project.path().join("levels").join(&name)).unwrap().count();
+            assert_eq!(files, 9, "{name}");
+        }
+    }
+    assert!(maker.join().unwrap());
+}
+
+#[test]
+fn a_folder_with_the_name_of_another_leaderboard_is_refused_and_a_device_warned_about() {
+    let project = tempfile::tempdir().unwrap();
+    for name in ["one", "two"] {
+        assert_eq!(texts(&resultant(project.path(), &["new", name])).0, 0);
+    }
+    let levels = project.path().join("levels");
+    std::fs::rename(levels.join("one"), levels.join("Jumper")).unwrap();
+    std::fs::rename(levels.join("two"), levels.join("aux")).unwrap();
+    let (code, out, err) = texts(&resultant(project.path(), &["check"]));
+    assert_eq!(code, 1);
+    assert!(out.starts_with("aux: ok\n"), "{out}");
+    let jumper = "folder:1: column \"name\": found a level folder named \"Jumper\", expected another name, as the leaderboard of that \
+                  name is that of the Jumper\n";
+    assert!(err.contains(&format!("Jumper: refused, 1 problem\n{jumper}")), "{err}");
+    let aux = "aux: warning: folder:1: column \"name\": found a level folder named \"aux\", expected another name, as Windows takes \
+               that one for a device\n";
+    assert!(err.contains(aux), "{err}");
+    let (code, out, err) = texts(&resultant(project.path(), &["run", "Jumper"]));
+    assert_eq!((code, out.as_str(), err.as_str()), (2, "", jumper));
+}
+
+#[cfg(unix)]
+#[test]
+fn check_leaves_the_terminal_as_it_is() {
+    let project = tempfile::tempdir().unwrap();
+    assert_eq!(texts(&resultant(project.path(), &["new", "good"])).0, 0);
+    let levels = project.path().join("levels");
+    std::fs::rename(levels.join("good"), levels.join("\u{1b}[2Jgood\n1: ok\r\u{9b}31m")).unwrap();
+    std::fs::create_dir(levels.join("\u{1b}]0;bad\u{7}")).unwrap();
+    let (code, out, err) = texts(&resultant(project.path(), &["check"]));
+    assert_eq!(code, 1);
+    assert!(out.starts_with("\\u{1b}[2Jgood\\n1: ok\\r\\u{9b}31m: ok\n"), "{out}");
+    assert!(err.contains("\\u{1b}]0;bad\\u{7}: refused, "), "{err}");
+    let (_, _, lost) = texts(&resultant(project.path(), &["check", "\u{1b}[2Jlost"]));
+    for text in [out, err, lost] {
+        assert!(!text.chars().any(|c| c.is_control() && c != '\n'), "{text:?}");
+    }
+}
+
+// Sizes.
+
+/// A PNG of that size by its head, in a few bytes.
+fn png_of(width: u32, height: u32) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.write_header().unwrap().write_image_data(&[0]).unwrap();
+    // Behind the signature: length, "IHDR", width, height, five bytes, checksum.
+    bytes[16..20].copy_from_slice(&width.to_be_bytes());
+    bytes[20..24].copy_from_slice(&height.to_be_bytes());
+    let sum = bytes[12..29]
+        .iter()
+        .fold(u32::MAX, |sum, byte| (0..8).fold(sum ^ u32::from(*byte), |sum, _| (sum >> 1) ^ (0xedb8_8320 * (sum & 1))));
+    bytes[29..33].copy_from_slice(&(!sum).to_be_bytes());
+    bytes
+}
+
+#[test]
+fn a_picture_is_judged_by_what_it_unfolds_to() {
+    let project = tempfile::tempdir().unwrap();
+    assert_eq!(texts(&resultant(project.path(), &["new", "l"])).0, 0);
+    let folder = project.path().join("levels/l");
+    let object = |bytes: &[u8]| {
+        std::fs::write(project.path().join("a.png"), bytes).unwrap();
+        std::fs::write(folder.join("objects.csv"), "600,300,a.png,50,1,FALSE,0\n").unwrap();
+        level::load(&folder, project.path()).map(|_| ()).map_err(|problems| lines(&problems))
+    };
+    assert_eq!(object(&png_of(20, 20)), Ok(()));
+    for (width, height) in [(30_000, 20_000), (16_385, 1), (8192, 4097), (u32::MAX >> 1, u32::MAX >> 1)] {
+        let refused = object(&png_of(width, height)).unwrap_err();
+        let found = format!("found \"a.png\" of {width} × {height} pixels, expected a PNG image of at most 33554432 pixels");
+        assert!(refused.contains(&found), "{refused}");
+    }
+    let bomb = png_of(23_170, 23_170);
+    std::fs::write(folder.join("background.png"), &bomb).unwrap();
+    assert!(
+        object(&png_of(20, 20)).unwrap_err().starts_with("background.png:1: column \"image\": found \"background.png\" of 23170")
+    );
+    assert!(level::read_picture(&folder.join("background.png")).is_err(), "nor is it unpacked to be drawn");
+    std::fs::remove_file(folder.join("background.png")).unwrap();
+
+    // Each is small enough, and all of them are not.
+    let each = png_of(16_384, 2048);
+    let rows = (0..5).map(|i| {
+        std::fs::write(project.path().join(format!("{i}.png")), &each).unwrap();
+        format!("600,300,{i}.png,50,1,FALSE,0\n")
+    });
+    std::fs::write(folder.join("objects.csv"), rows.collect::<String>()).unwrap();
+    std::fs::write(folder.join("constants.csv"), "width,30000\nheight,30000\n").unwrap();
+    let refused = lines(&level::load(&folder, project.path()).unwrap_err());
+    assert!(
+        refused.contains("objects.csv:5: column \"image\": found \"4.png\", with which the level's pictures have 167772160 pixels")
+    );
+}
+
+#[test]
+fn a_table_or_a_picture_that_is_too_large_is_not_read() {
+    let project = tempfile::tempdir().unwrap();
+    assert_eq!(texts(&resultant(project.path(), &["new", "l"])).0, 0);
+    let folder = project.path().join("levels/l");
+    std::fs::File::create(folder.join("world.csv")).unwrap().set_len(2 << 30).unwrap();
+    std::fs::File::create(folder.join("background.png")).unwrap().set_len(2 << 30).unwrap();
+    let refused = lines(&level::load(&folder, project.path()).unwrap_err());
+    for told in [
+        "world.csv:1: column \"x\": found a file that cannot be read (found 2147483648 bytes, expected at most 262144 bytes)",
+        "at most 16777216 bytes",
+    ] {
+        assert!(refused.contains(told), "{refused}");
+    }
+}
+
 // Whatever is in the files.
 
 /// A level's files in memory; every image is the ball.

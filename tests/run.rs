@@ -60,7 +60,7 @@ fn prints_what_the_run_came_to() {
     let ran = data().resultant(&["run", "goal"]);
     assert_eq!((ran.status, ran.err.as_str()), (0, ""));
     let keys: Vec<&str> = ran.out.lines().map(|line| line.split_once('=').unwrap().0).collect();
-    assert_eq!(keys, ["outcome", "time", "score", "objectives", "collisions", "fuel", "ticks", "hash"]);
+    assert_eq!(keys, ["outcome", "time", "score", "objectives", "collisions", "fuel", "ticks", "hash", "x", "y"]);
     assert_eq!(ran.value("outcome"), "completed");
     assert_eq!((ran.value("ticks"), ran.value("time")), ("2", "0.016666666666666666"));
     assert_eq!((ran.value("objectives"), ran.value("collisions"), ran.value("fuel")), ("1/1", "0", "1"));
@@ -75,6 +75,24 @@ fn a_failed_run_is_done_with_nothing() {
     let ran = data().resultant(&["run", "death"]);
     assert_eq!((ran.status, ran.value("outcome"), ran.value("score"), ran.value("objectives")), (0, "failed", "0", "0/1"));
     assert_eq!(ran.value("ticks"), "2");
+}
+
+#[test]
+fn tells_where_the_ship_ended_and_what_killed_it() {
+    let data = data();
+    let ran = data.resultant(&["run", "flight", "--seconds", "1"]);
+    // 7.5 m of free fall in the first second.
+    assert_eq!(ran.value("x"), "50");
+    assert!((ran.value("y").parse::<f64>().unwrap() - 57.5).abs() < 1e-12, "{}", ran.out);
+    assert!(!ran.out.contains("killed_by"), "{}", ran.out);
+    assert!(!data.resultant(&["run", "goal"]).out.contains("killed_by"));
+
+    let ran = data.resultant(&["run", "death"]);
+    assert_eq!((ran.value("outcome"), ran.value("killed_by")), ("failed", "obstacle 1"));
+    assert_eq!(ran.out.lines().last(), Some("killed_by=obstacle 1"), "behind all other keys");
+    // The first row is far away, the second and the third are touched in the same tick.
+    data.write("levels/death/obstacles.csv", "x,y,width,height\n10,10,20,20\n1400,1450,74,100\n1390,1450,84,100\n");
+    assert_eq!(data.resultant(&["run", "death"]).value("killed_by"), "obstacle 2");
 }
 
 #[test]
@@ -184,6 +202,126 @@ fn what_is_refused_runs_nothing_and_writes_nothing() {
     assert_eq!(left.len(), 3, "levels, in.csv, bad.csv: {left:?}");
 }
 
+// Files that are written
+
+/// The names in the data folder.
+fn names(data: &Data) -> Vec<String> {
+    let mut names: Vec<String> =
+        std::fs::read_dir(data.path(".")).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_file_that_is_read_only_or_needed_otherwise_is_not_written_to() {
+    let data = data();
+    let inputs = data.write("in.csv", &format!("{HEADER}\n3,1,0,0,0\n"));
+    let kept = data.write("kept.csv", "kept");
+    let mut permissions = std::fs::metadata(&kept).unwrap().permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&kept, permissions).unwrap();
+    let (out, level) = (data.path("out.csv"), data.path("levels/flight/objects.csv"));
+    let [out, level] = [&out, &level].map(|path| path.to_str().unwrap());
+    for (args, message) in [
+        (["--telemetry", &kept, "--record", out], "kept.csv: the file is read-only"),
+        (["--record", out, "--telemetry", &kept], "kept.csv: the file is read-only"),
+        (["--telemetry", out, "--record", out], "--record "),
+        (["--telemetry", out, "--record", &inputs], "in.csv: this file is read by the same command"),
+        (["--telemetry", level, "--record", out], "objects.csv: this file is read by the same command"),
+    ] {
+        let ran = data.resultant(&[&["run", "flight", "--inputs", &inputs], &args[..]].concat());
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{args:?}");
+        assert!(ran.err.contains(message), "{args:?}: {}", ran.err);
+        assert_eq!(names(&data), ["in.csv", "kept.csv", "levels"], "{args:?}");
+    }
+    assert_eq!(read(&data, "kept.csv"), "kept");
+    assert_eq!(read(&data, "in.csv"), format!("{HEADER}\n3,1,0,0,0\n"));
+    assert!(read(&data, "levels/flight/objects.csv").starts_with("900,100,"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_that_is_written_over_keeps_its_mode_and_its_links() {
+    use std::os::unix::fs::PermissionsExt;
+    let data = data();
+    let secret = data.write("secret.csv", "old");
+    std::fs::set_permissions(&secret, std::fs::Permissions::from_mode(0o600)).unwrap();
+    std::fs::hard_link(&secret, data.path("same.csv")).unwrap();
+    std::os::unix::fs::symlink("secret.csv", data.path("link.csv")).unwrap();
+    let link = data.path("link.csv");
+    assert_eq!(data.resultant(&["run", "goal", "--telemetry", link.to_str().unwrap()]).status, 0);
+    assert_eq!(std::fs::metadata(&secret).unwrap().permissions().mode() & 0o777, 0o600);
+    assert!(std::fs::symlink_metadata(link).unwrap().is_symlink());
+    assert!(read(&data, "secret.csv").starts_with(COLUMNS));
+    assert_eq!(read(&data, "same.csv"), read(&data, "secret.csv"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_signal_leaves_nothing_behind() {
+    let data = data();
+    let old = data.write("old.csv", "old");
+    let new = data.path("new.csv");
+    for signal in ["-TERM", "-INT", "-KILL"] {
+        let mut child = resultant();
+        child.arg("--data").arg(data.path(".")).args(["run", "flight", "--seconds", "100000", "--telemetry", &old, "--record"]);
+        let mut child = child.arg(&new).stdout(Stdio::null()).spawn().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        assert!(child.try_wait().unwrap().is_none(), "it is over already");
+        assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
+        child.wait().unwrap();
+        assert_eq!((names(&data), read(&data, "old.csv").as_str()), (vec!["levels".into(), "old.csv".into()], "old"), "{signal}");
+    }
+}
+
+/// Standard output as a file, and the telemetry in the same: neither writes over the other.
+#[cfg(unix)]
+#[test]
+fn telemetry_and_results_can_go_to_the_same_output() {
+    let data = data();
+    let all = std::fs::File::create(data.path("all.txt")).unwrap();
+    let mut child = resultant();
+    child.arg("--data").arg(data.path(".")).args(["run", "goal", "--telemetry", "/dev/stdout"]).stdout(all);
+    assert!(child.status().unwrap().success());
+    let text = read(&data, "all.txt");
+    assert!(text.starts_with(COLUMNS), "{text}");
+    assert_eq!(text.lines().filter(|line| line.starts_with("outcome=completed")).count(), 1, "{text}");
+    assert_eq!(text.lines().count(), 4 + 10, "{text}");
+}
+
+// Files that are read
+
+#[cfg(unix)]
+#[test]
+fn what_never_ends_or_is_too_large_is_refused_at_once() {
+    let data = data();
+    let pipe = data.path("pipe");
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let sparse = data.path("sparse.csv");
+    std::fs::File::create(&sparse).unwrap().set_len(2 << 30).unwrap();
+    let [pipe, sparse] = [&pipe, &sparse].map(|path| path.to_str().unwrap());
+    for (file, message) in [
+        (pipe, "found a pipe or a device, expected a regular file"),
+        ("/dev/zero", "found a pipe or a device, expected a regular file"),
+        (sparse, "found 2147483648 bytes, expected at most 16777216 bytes"),
+    ] {
+        for args in [&["run", "flight", "--inputs", file][..], &["verify", file], &["jumper", "--inputs", file]] {
+            let ran = data.resultant(args);
+            assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{args:?}");
+            assert!(ran.err.contains(message), "{args:?}: {}", ran.err);
+        }
+        let ran = data.resultant(&["tiles", file, file]);
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{file}: {}", ran.err);
+    }
+    // What is passed on open may be a pipe.
+    let mut child = resultant();
+    child.arg("--data").arg(data.path(".")).args(["run", "flight", "--inputs", "/dev/stdin"]);
+    let mut child = child.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    std::io::Write::write_all(&mut child.stdin.take().unwrap(), format!("{HEADER}\n7,0,0,0,0\n").as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert!(String::from_utf8(output.stdout).unwrap().contains("ticks=7\n"));
+}
+
 #[test]
 fn a_level_can_be_any_folder() {
     let data = data();
@@ -226,6 +364,120 @@ fn a_run_that_was_tampered_with_is_found_out() {
         assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{to}");
         assert!(ran.err.contains("run.csv: recorded score 2098"), "{to}: {}", ran.err);
     }
+}
+
+#[test]
+fn a_record_tells_what_recorded_it_and_in_which_level() {
+    let data = data();
+    let path = data.path("run.csv");
+    let path = path.to_str().unwrap();
+    data.resultant(&["run", "goal", "--record", path]);
+    let good = read(&data, "run.csv");
+    assert!(
+        good.starts_with(concat!("# program: resultant ", env!("CARGO_PKG_VERSION"), "\n# level: goal\n# level_hash: ")),
+        "{good}"
+    );
+
+    // How the level's files are written, its words and its looks do not matter.
+    let constants = read(&data, "levels/goal/constants.csv");
+    data.write("levels/goal/constants.csv", &(constants.replace('\n', "\r\n") + "title,A goal\r\n"));
+    data.write("levels/goal/texts.csv", "10,10,20,Fly!\n");
+    assert_eq!(data.resultant(&["verify", path]).status, 0);
+    data.write("levels/goal/constants.csv", &constants);
+
+    // Another level of that name: nothing in it is near the ship, so that the flight itself is the same.
+    for (file, text) in
+        [("world.csv", "10,2000,100,10\n"), ("obstacles.csv", "10,2000,100,10\n"), ("fluids.csv", "10,2000,9,9,1,1\n")]
+    {
+        let file = format!("levels/goal/{file}");
+        data.write(&file, text);
+        let ran = data.resultant(&["verify", path]);
+        assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{file}");
+        assert!(ran.err.contains("run.csv: recorded in a level with the hash "), "{}", ran.err);
+        std::fs::remove_file(data.path(&file)).unwrap();
+    }
+    assert_eq!(data.resultant(&["verify", path]).status, 0);
+
+    // What another version has recorded is flown all the same, and named where it leads elsewhere.
+    let hash = good.lines().find(|line| line.starts_with("# level_hash: ")).unwrap();
+    let older = good.replace(concat!("resultant ", env!("CARGO_PKG_VERSION")), "resultant 0.0.1");
+    data.write("run.csv", &older);
+    assert_eq!(data.resultant(&["verify", path]).status, 0);
+    data.write("run.csv", &older.replace("score: 20983", "score: 1"));
+    assert!(data.resultant(&["verify", path]).err.contains("; recorded by resultant 0.0.1, this is resultant "));
+
+    // A record from before there were hashes.
+    data.write("run.csv", &good.replace(&format!("{hash}\n"), ""));
+    let ran = data.resultant(&["verify", path]);
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    assert!(ran.out.ends_with("; the record does not say which level of that name\n"), "{}", ran.out);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_name_with_a_line_break_writes_no_header_of_its_own() {
+    let data = data();
+    let name = "goal\n# score: 99999\n# hash: 0123456789abcdef";
+    std::fs::rename(data.path("levels/goal"), data.path("levels").join(name)).unwrap();
+    let path = data.path("run.csv");
+    let path = path.to_str().unwrap();
+    assert_eq!(data.resultant(&["run", name, "--record", path]).status, 0);
+    let ran = data.resultant(&["verify", path]);
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    assert!(ran.out.contains("ok, score 20983, "), "{}", ran.out);
+}
+
+/// A pipe whose reader has gone: of what is told nothing arrives, but how it ended does.
+#[test]
+fn a_mismatch_is_one_whoever_listens() {
+    let data = data();
+    let path = data.path("run.csv");
+    let path = path.to_str().unwrap();
+    data.resultant(&["run", "goal", "--record", path]);
+    data.write("wrong.csv", &read(&data, "run.csv").replace("score: 20983", "score: 20984"));
+    data.write("levels/broken/player.csv", "1,2,3\n");
+    let wrong = data.path("wrong.csv");
+    let wrong = wrong.to_str().unwrap();
+    for (args, status) in [
+        (&["verify", path, wrong][..], 1),
+        (&["verify", wrong, path], 1),
+        (&["check"], 1),
+        (&["check", "broken", "goal"], 1),
+        (&["check", "goal"], 0),
+        (&["verify", path, path], 0),
+    ] {
+        for (out_gone, err_gone) in [(true, false), (false, true), (true, true)] {
+            let stdio = |gone: bool| if gone { Stdio::from(gone_pipe()) } else { Stdio::null() };
+            let mut child = resultant();
+            child.arg("--data").arg(data.path(".")).args(args).stdout(stdio(out_gone)).stderr(stdio(err_gone));
+            assert_eq!(child.status().unwrap().code(), Some(status), "{args:?}, gone: {out_gone} {err_gone}");
+        }
+    }
+}
+
+/// The writing end of a pipe that nobody reads any more.
+fn gone_pipe() -> std::io::PipeWriter {
+    std::io::pipe().unwrap().1
+}
+
+#[test]
+fn a_long_record_tells_how_far_it_has_come() {
+    let data = data();
+    let path = data.path("run.csv");
+    let path = path.to_str().unwrap();
+    data.resultant(&["run", "goal", "--record", path]);
+    // Three months, of which the first seconds are watched.
+    let text = read(&data, "run.csv").replace("goal", "flight").replace("2,0,0,0,0", "1000000000,0,0,0,0");
+    let text: String = text.lines().filter(|line| !line.contains("level_hash")).map(|line| format!("{line}\n")).collect();
+    data.write("run.csv", &text);
+    let mut child = resultant();
+    child.arg("--data").arg(data.path(".")).args(["verify", path]).stdout(Stdio::null()).stderr(Stdio::piped());
+    let mut child = child.spawn().unwrap();
+    let mut line = String::new();
+    std::io::BufRead::read_line(&mut std::io::BufReader::new(child.stderr.take().unwrap()), &mut line).unwrap();
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(line.contains("run.csv: ") && line.ends_with(" of 1000000000 ticks flown\n"), "{line}");
 }
 
 #[test]

@@ -2,13 +2,14 @@
 //! one is killed in the middle.
 
 use std::collections::BTreeSet;
-use std::fs;
+use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use resultant::scores::{Name, Placement, Scores, ScoresError};
+use resultant::files;
+use resultant::scores::{Name, PATIENCE, Placement, Scores, ScoresError};
 
 /// A scores folder of its own for a test, removed with it.
 struct Fixture {
@@ -64,7 +65,7 @@ fn the_first_save_makes_the_folder_and_the_file() {
     let saved = fixture.scores().save("1", &name("ann"), 10_000).unwrap();
     assert_eq!((saved.placement, saved.rescue), (Placement::New { rank: 1 }, None));
     assert_eq!(fixture.text("1.csv"), "name,score\nann,10000\n");
-    assert_eq!(fixture.names(), ["1.csv", "1.csv.lock"]);
+    assert_eq!(fixture.names(), [".1.csv.lock", "1.csv"]);
     assert_eq!(fixture.scores().load("1").unwrap().board, saved.board);
 }
 
@@ -193,13 +194,13 @@ fn a_read_only_file_is_left_alone() {
     let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
     assert_eq!(error.to_string(), format!("{}: the file is read-only, expected one that may be replaced", path.display()));
     assert_eq!(fixture.text("1.csv"), text);
-    assert_eq!(fixture.names(), ["1.csv", "1.csv.lock"]);
+    assert_eq!(fixture.names(), [".1.csv.lock", "1.csv"]);
 }
 
 #[test]
 fn whatever_the_system_refuses_is_an_error_with_its_place_and_leaves_the_old_file_whole() {
     let text = "name,score\nann,30\nbroken\n";
-    for (blocked, attempt) in [("1.csv.new", "write the new scores"), ("1.csv.lock", "open the lock file")] {
+    for (blocked, attempt) in [(".1.csv.new", "write the new scores"), (".1.csv.lock", "open the lock file")] {
         let fixture = Fixture::with(text);
         fs::create_dir(fixture.file(blocked)).unwrap();
         let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
@@ -226,13 +227,136 @@ fn whatever_the_system_refuses_is_an_error_with_its_place_and_leaves_the_old_fil
 fn a_full_disk_loses_nothing_and_leaves_no_litter() {
     let text = "name,score\nann,30\nbroken\n";
     let fixture = Fixture::with(text);
-    std::os::unix::fs::symlink("/dev/full", fixture.file("1.csv.new")).unwrap();
+    std::os::unix::fs::symlink("/dev/full", fixture.file(".1.csv.new")).unwrap();
     let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
     assert!(error.to_string().contains("1.csv.new: cannot write the new scores: No space left"), "{error}");
     assert_eq!(fixture.text("1.csv"), text);
-    assert_eq!(fixture.names(), ["1.csv", "1.csv.lock"]);
+    assert_eq!(fixture.names(), [".1.csv.lock", "1.csv"]);
     fixture.scores().save("1", &name("bob"), 40).unwrap();
     assert_eq!(fixture.text("1.csv"), "name,score\nbob,40\nann,30\n");
+}
+
+/// Whoever may write in the folder may save, whatever the umask of the first who did: a test of modes, as another user cannot be had here.
+#[cfg(unix)]
+#[test]
+fn a_folder_that_is_shared_has_locks_that_are_shared() {
+    use std::os::unix::fs::PermissionsExt;
+    let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+    for (folder, lock) in [(0o777, 0o666), (0o775, 0o660), (0o770, 0o660), (0o755, 0o600)] {
+        let fixture = Fixture::with("name,score\nann,30\n");
+        fs::set_permissions(fixture.folder(), fs::Permissions::from_mode(folder)).unwrap();
+        fixture.scores().save("1", &name("bob"), 40).unwrap();
+        assert_eq!(mode(&fixture.file(".1.csv.lock")), lock, "in a folder of mode {folder:o}");
+    }
+    // The first board of a user who shares nothing by default, in a folder that is shared.
+    let fixture = Fixture::with("");
+    fs::remove_file(fixture.file("1.csv")).unwrap();
+    fs::set_permissions(fixture.folder(), fs::Permissions::from_mode(0o775)).unwrap();
+    let mut shell = Command::new("sh");
+    shell.args(["-c", "umask 077; exec \"$0\" --exact saving_process"]).arg(std::env::current_exe().unwrap());
+    shell.env(WORKER_FOLDER, fixture.folder()).env(WORKER_PREFIX, "a").env(WORKER_SAVES, "1").stdout(Stdio::null());
+    assert!(shell.status().unwrap().success());
+    assert_eq!((mode(&fixture.file("1.csv")), mode(&fixture.file(".1.csv.lock"))), (0o660, 0o660));
+}
+
+/// Where the lock file is another user's and may only be read.
+#[cfg(unix)]
+#[test]
+fn a_lock_file_that_may_only_be_read_locks_as_well() {
+    use std::os::unix::fs::PermissionsExt;
+    let fixture = Fixture::with("name,score\nann,30\n");
+    fs::write(fixture.file(".1.csv.lock"), "").unwrap();
+    fs::set_permissions(fixture.file(".1.csv.lock"), fs::Permissions::from_mode(0o444)).unwrap();
+    fixture.scores().save("1", &name("bob"), 40).unwrap();
+    assert_eq!(fixture.text("1.csv"), "name,score\nbob,40\nann,30\n");
+}
+
+#[test]
+fn a_lock_that_is_held_is_waited_for_and_then_told() {
+    let fixture = Fixture::with("name,score\nann,30\n");
+    let held = File::create(fixture.file(".1.csv.lock")).unwrap();
+    held.lock().unwrap();
+
+    let begun = Instant::now();
+    let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
+    let waited = begun.elapsed();
+    assert!((PATIENCE..PATIENCE + Duration::from_secs(2)).contains(&waited), "{waited:?}");
+    assert!(matches!(error, ScoresError::Busy(_)));
+    let place = fixture.file(".1.csv.lock");
+    let told = "another program is saving there and does not come to an end; nothing was saved, try again";
+    assert_eq!(error.to_string(), format!("{}: {told}", place.display()));
+    assert_eq!(fixture.text("1.csv"), "name,score\nann,30\n");
+    let begun = Instant::now();
+    assert!(matches!(fixture.scores().save_within(Duration::ZERO, "1", &name("bob"), 40), Err(ScoresError::Busy(_))));
+    assert!(begun.elapsed() < Duration::from_millis(500));
+
+    // It is let go while the next save waits.
+    let released = std::thread::spawn(move || {
+        std::thread::sleep(Duration::from_millis(200));
+        drop(held);
+    });
+    fixture.scores().save("1", &name("bob"), 40).unwrap();
+    released.join().unwrap();
+    assert_eq!(fixture.text("1.csv"), "name,score\nbob,40\nann,30\n");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_board_that_is_a_link_is_followed_and_stays_one() {
+    let fixture = Fixture::with("name,score\nann,30\n");
+    let elsewhere = fixture.root.path().join("elsewhere");
+    fs::create_dir(&elsewhere).unwrap();
+    fs::rename(fixture.file("1.csv"), elsewhere.join("shared.csv")).unwrap();
+    std::os::unix::fs::symlink("../elsewhere/shared.csv", fixture.file("1.csv")).unwrap();
+    fixture.scores().save("1", &name("bob"), 40).unwrap();
+    assert!(fs::symlink_metadata(fixture.file("1.csv")).unwrap().is_symlink());
+    assert_eq!(fs::read_to_string(elsewhere.join("shared.csv")).unwrap(), "name,score\nbob,40\nann,30\n");
+    assert_eq!(fixture.names(), ["1.csv"], "the lock is beside the file");
+    assert!(elsewhere.join(".shared.csv.lock").is_file());
+
+    std::os::unix::fs::symlink("nowhere.csv", fixture.file("2.csv")).unwrap();
+    let error = fixture.scores().save("2", &name("bob"), 40).unwrap_err();
+    assert!(error.to_string().contains("2.csv: cannot follow the link to the scores: "), "{error}");
+}
+
+#[cfg(unix)]
+#[test]
+fn what_is_no_file_is_refused_at_once() {
+    let fixture = Fixture::with("");
+    for (level, pipe) in [("2", "2.csv"), ("3", ".3.csv.lock")] {
+        assert!(Command::new("mkfifo").arg(fixture.file(pipe)).status().unwrap().success());
+        let error = fixture.scores().save(level, &name("bob"), 40).unwrap_err();
+        assert!(error.to_string().contains("expected a regular file"), "{error}");
+    }
+    assert!(fixture.scores().load("2").unwrap_err().to_string().contains("2.csv: cannot read the scores: found a pipe"));
+    std::os::unix::fs::symlink("/dev/zero", fixture.file("4.csv")).unwrap();
+    assert!(fixture.scores().load("4").unwrap_err().to_string().contains("expected a regular file"));
+}
+
+#[test]
+fn a_board_that_is_too_large_is_neither_read_nor_written() {
+    let row = |i: usize| format!("user{i},{}\n", 1_000_000_000 - i);
+    let rows: String = (0..30_000)
+        .map(row)
+        .take_while({
+            let mut bytes = "name,score\n".len();
+            move |row| {
+                bytes += row.len();
+                bytes <= files::SCORES as usize
+            }
+        })
+        .collect();
+    let full = format!("name,score\n{rows}");
+    let fixture = Fixture::with(&full);
+    assert!(full.len() > files::SCORES as usize - 30);
+    assert!(fixture.scores().load("1").is_ok());
+    let error = fixture.scores().save("1", &name("one-row-too-man"), 1_000_000_000_000).unwrap_err();
+    assert!(matches!(error, ScoresError::Full(_)), "{error}");
+    assert_eq!(fixture.text("1.csv"), full);
+
+    fs::write(fixture.file("2.csv"), full + &" ".repeat(100)).unwrap();
+    let error = fixture.scores().load("2").unwrap_err();
+    assert!(error.to_string().ends_with("bytes, expected at most 524288 bytes"), "{error}");
 }
 
 #[cfg(unix)]
@@ -241,19 +365,23 @@ fn a_file_shared_with_a_group_stays_shared() {
     use std::os::unix::fs::PermissionsExt;
     let fixture = Fixture::with("name,score\nann,30\n");
     fs::set_permissions(fixture.file("1.csv"), fs::Permissions::from_mode(0o664)).unwrap();
+    // Only the administrator may give a file to a group that is not the own one.
+    let given = std::os::unix::fs::chown(fixture.file("1.csv"), None, Some(12_345)).is_ok();
     fixture.scores().save("1", &name("bob"), 40).unwrap();
-    assert_eq!(fs::metadata(fixture.file("1.csv")).unwrap().permissions().mode() & 0o777, 0o664);
+    let found = fs::metadata(fixture.file("1.csv")).unwrap();
+    assert_eq!(found.permissions().mode() & 0o777, 0o664);
+    assert!(!given || std::os::unix::fs::MetadataExt::gid(&found) == 12_345);
 }
 
 /// What a killed process can leave behind is written over, and its lock is gone with it.
 #[test]
 fn leftovers_of_a_killed_process_are_no_obstacle() {
     let fixture = Fixture::with("name,score\nann,30\n");
-    fs::write(fixture.file("1.csv.new"), "name,sco").unwrap();
-    fs::write(fixture.file("1.csv.lock"), "").unwrap();
+    fs::write(fixture.file(".1.csv.new"), "name,sco").unwrap();
+    fs::write(fixture.file(".1.csv.lock"), "").unwrap();
     fixture.scores().save("1", &name("bob"), 40).unwrap();
     assert_eq!(fixture.text("1.csv"), "name,score\nbob,40\nann,30\n");
-    assert_eq!(fixture.names(), ["1.csv", "1.csv.lock"]);
+    assert_eq!(fixture.names(), [".1.csv.lock", "1.csv"]);
 }
 
 /// The scores folder a worker saves to; set only in the processes that [`worker`] starts.
@@ -316,7 +444,7 @@ fn processes_that_save_at_once_lose_nothing() {
     let expected =
         (0..PROCESSES).flat_map(|process| (1..=SAVES).map(move |number| (format!("p{process}-{number}"), i64::from(number))));
     assert_eq!(there, expected.collect());
-    assert_eq!(fixture.names(), ["1.csv", "1.csv.lock"]);
+    assert_eq!(fixture.names(), [".1.csv.lock", "1.csv"]);
 }
 
 #[test]
@@ -341,5 +469,5 @@ fn a_kill_at_any_moment_leaves_a_whole_file_with_every_confirmed_score() {
         known = there;
     }
     fixture.scores().save("1", &name("last"), 1).unwrap();
-    assert_eq!(fixture.names(), ["1.csv", "1.csv.lock"]);
+    assert_eq!(fixture.names(), [".1.csv.lock", "1.csv"]);
 }

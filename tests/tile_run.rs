@@ -29,6 +29,9 @@ fn described(map: &str, commands: &[(&str, f64)]) -> Vec<Frame> {
             vx += value;
         } else if name == "JUMP" && ground {
             vy -= value;
+            if vy < -0.6 {
+                vy = -0.6;
+            }
         }
         vy += 0.06;
         vx *= 0.80;
@@ -106,13 +109,31 @@ fn a_start_in_a_corner_of_the_map_is_pushed_off_every_edge() {
 fn a_jump_needs_ground_and_stops_below_a_ceiling() {
     let air = run("s\n.\n.", &[("JUMP", 0.6)]);
     assert_eq!(air, [(0.0, 0.06, 0.0, 0.06, false)]);
-    // 0.06 + … + 0.30 + 0.36 = 1.26 ≥ 1: landed after the sixth frame; the jump is clamped to −0.6 and meets the map's top edge.
+    // 0.06 + … + 0.30 + 0.36 = 1.26 ≥ 1: landed after the sixth frame; the jump is kept at −0.6, of which gravity takes 0.06, and its
+    // second frame meets the map's top edge.
     let mut commands = vec![("WAIT", 0.0); 6];
     commands.extend([("JUMP", 2.0), ("WAIT", 0.0)]);
     let frames = run("s", &commands);
+    let rise = -0.6 + 0.06;
     assert_eq!(frames[5], (0.0, 1.0 - 1e-6, 0.0, 0.0, true));
-    assert_eq!(frames[6], (0.0, 1.0 - 1e-6 - 0.6, 0.0, -0.6, false));
+    assert_eq!(frames[6], (0.0, 1.0 - 1e-6 + rise, 0.0, rise, false));
     assert_eq!(frames[7], (0.0, 1e-6, 0.0, 0.0, false));
+}
+
+#[test]
+fn a_jump_is_kept_from_going_below_its_limit_before_gravity_acts() {
+    let jump = |value| {
+        run(
+            ".\n.\ns\n#",
+            &[("WAIT", 0.0), ("WAIT", 0.0), ("WAIT", 0.0), ("WAIT", 0.0), ("WAIT", 0.0), ("WAIT", 0.0), ("JUMP", value)],
+        )[6]
+        .3
+    };
+    assert_eq!(jump(0.6), -0.6 + 0.06);
+    assert_eq!(jump(0.66), -0.6 + 0.06, "not −0.66 + 0.06 = −0.6");
+    assert_eq!(jump(1e300), -0.6 + 0.06);
+    assert_eq!(jump(0.5), -0.5 + 0.06);
+    assert_eq!(jump(-0.5), 0.0, "pushed into the ground");
 }
 
 #[test]
@@ -169,6 +190,7 @@ proptest! {
 
 #[test]
 fn the_projects_map_ends_where_it_should() {
+    // They jump by 0.66 nine times: without the limit on the jump itself the run ends elsewhere.
     let map = Map::parse(&std::fs::read_to_string(data("map.txt")).unwrap()).unwrap();
     assert_eq!(map.start(), (58, 18));
     let output = tiles(&data("map.txt"), &data("commands.txt"), &[]);

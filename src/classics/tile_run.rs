@@ -112,7 +112,7 @@ pub enum Command {
     Left(f64),
     /// Add to vx.
     Right(f64),
-    /// Subtract from vy, when on the ground.
+    /// Subtract from vy, when on the ground, down to -0.6 and no further.
     Jump(f64),
     /// Do nothing.
     Wait,
@@ -190,7 +190,8 @@ impl Runner {
         match command {
             Command::Left(value) => self.vx -= value,
             Command::Right(value) => self.vx += value,
-            Command::Jump(value) if self.on_ground => self.vy -= value,
+            // Kept from rising faster here and not only below: gravity then takes its part of what was kept.
+            Command::Jump(value) if self.on_ground => self.vy = (self.vy - value).max(MAX_RISE),
             Command::Jump(_) | Command::Wait => {}
         }
     }

@@ -4,6 +4,7 @@
 
 use super::files::{NewFile, read_text};
 use super::{Project, Status, Stop};
+use crate::files::CHART;
 use crate::lab::charts::{Charts, Setting};
 use crate::lab::curve::{Curve, Measured, Origin, Point};
 use crate::lab::peers::add_peers;
@@ -56,6 +57,12 @@ const TOO_LONG: Duration = Duration::from_millis(60);
 /// Nothing can be written there, or the peers' results cannot be read; both are found out before anything is measured. Where writing
 /// fails afterwards, no file is left half written.
 pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+    if args.out.exists() && !args.out.is_dir() {
+        return Err(Stop::Refused(format!(
+            "--out {}: found a file, expected a folder or the name of a new one",
+            args.out.display()
+        )));
+    }
     let peers = peers(project)?;
     progress("building scenes and their exact answers");
     let scenes = scenes::all();
@@ -104,7 +111,7 @@ fn peers(project: &Project) -> Result<Option<(PathBuf, String)>, Stop> {
     if !path.exists() {
         return Ok(None);
     }
-    let text = read_text(&path)?;
+    let text = read_text(&path, CHART)?;
     add_peers(&text, &mut Vec::new()).map_err(|problem| bad_peers(&path, &problem))?;
     Ok(Some((path, text)))
 }
@@ -121,9 +128,6 @@ struct Folder<'a> {
 impl<'a> Folder<'a> {
     /// Makes the folder if need be.
     fn open(path: &'a Path) -> Result<Self, Stop> {
-        if path.exists() && !path.is_dir() {
-            return Err(Stop::refused(format!("{}: not a folder", path.display())));
-        }
         std::fs::create_dir_all(path).map_err(|error| Stop::refused(format!("{}: {error}", path.display())))?;
         Ok(Self { path })
     }

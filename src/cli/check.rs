@@ -1,6 +1,6 @@
 //! `resultant check [LEVEL…]`: loads levels, and says what is in them or everything that is wrong with them.
 
-use super::{Project, Status, Stop};
+use super::{Project, Readers, Status, Stop, shown};
 use crate::level::{self, Level, Loaded, ObjectiveKind};
 use crate::physics::World;
 use std::io::{self, Write};
@@ -19,7 +19,7 @@ pub struct Args {
 /// # Errors
 /// A level that does not exist, or no level at all; nothing is checked then.
 pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
-    check(args, project, out, &mut io::stderr().lock())
+    check(args, project, out, &mut Readers::of(io::stderr().lock()))
 }
 
 fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Write) -> Result<Status, Stop> {
@@ -30,11 +30,11 @@ fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Writ
     }
     let folders = names.iter().map(|name| project.level_folder(name)).collect::<Result<Vec<PathBuf>, Stop>>()?;
     let mut status = Status::Done;
-    for (name, folder) in names.iter().zip(folders) {
+    for (name, folder) in names.iter().map(shown).zip(folders) {
         let problems = match level::load(&folder, project.root()) {
             Ok(loaded) => match World::new(loaded.level.world_def()) {
                 Ok(world) => {
-                    describe(name, &loaded, &world, out, err)?;
+                    describe(&name, &loaded, &world, out, err)?;
                     continue;
                 }
                 Err(refusal) => vec![refusal.to_string()],

@@ -1,16 +1,21 @@
 //! Text files that a subcommand is told to read, and files that it is told to write.
+//!
+//! What is written is collected first, in a file without a name, and copied into its target when all of it is there: until then an
+//! older file stays as it is, whatever stops the program leaves nothing behind, and a disk that is full is noticed before the target
+//! is touched. The target keeps its mode, its owner and its links, as with `cp`.
 
 use super::Stop;
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use crate::files;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// The text of a file.
+/// The text of a file of at most so many bytes (one of the sizes in [`crate::files`]).
 ///
 /// # Errors
-/// It cannot be read, or is no UTF-8.
-pub fn read_text(path: &Path) -> Result<String, Stop> {
-    let bytes = std::fs::read(path).map_err(|error| refused(path, &error))?;
+/// It cannot be read, is no regular file or too large, or is no UTF-8.
+pub fn read_text(path: &Path, at_most: u64) -> Result<String, Stop> {
+    let bytes = files::read(path, at_most).map_err(|error| refused(path, &error))?;
     String::from_utf8(bytes).map_err(|error| {
         let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + good.iter().filter(|&&byte| byte == b'\n').count();
@@ -18,15 +23,15 @@ pub fn read_text(path: &Path) -> Result<String, Stop> {
     })
 }
 
-/// A file to be written that appears whole or not at all: until it is finished, an older one stays as it is. What is no ordinary
-/// file (a pipe, /dev/stdout) is written to as it is.
+/// A file to be written. What is no ordinary file (a pipe, /dev/stdout) is written to as it is.
 pub struct NewFile {
     path: PathBuf,
     writer: BufWriter<Place>,
 }
 
 enum Place {
-    Beside(tempfile::NamedTempFile, PathBuf),
+    /// Without a name, to be copied into that target.
+    Collected(File, PathBuf),
     Itself(File),
 }
 
@@ -34,19 +39,46 @@ impl NewFile {
     /// Begins the file.
     ///
     /// # Errors
-    /// Nothing can be written there; nothing has been written then.
+    /// Nothing can be written there, or what is there is read-only; nothing has been written then.
     pub fn create(path: &Path) -> Result<Self, Stop> {
         let place = Place::find(path).map_err(|error| refused(path, &error))?;
         Ok(Self { path: path.to_path_buf(), writer: BufWriter::new(place) })
     }
 
-    /// Puts the file in its place.
+    /// Begins those of a subcommand's output files that are asked for, each by the name of its argument. `inputs` are the files that
+    /// the subcommand reads.
+    ///
+    /// # Errors
+    /// As [`NewFile::create`]; two outputs are one file, or an output is an input. Nothing has been written then.
+    pub fn create_all<const N: usize>(outputs: [(&str, Option<&Path>); N], inputs: &[PathBuf]) -> Result<[Option<Self>; N], Stop> {
+        let read: Vec<Identity> = inputs.iter().filter_map(|path| Identity::of(path)).collect();
+        let mut written: Vec<(Identity, &str)> = Vec::new();
+        for (argument, path) in outputs.iter().filter_map(|(argument, path)| Some((argument, (*path)?))) {
+            let Some(identity) = Identity::of(path) else { continue };
+            if read.contains(&identity) {
+                let path = path.display();
+                return Err(Stop::Refused(format!("{argument} {path}: this file is read by the same command, expected another")));
+            }
+            if let Some((_, other)) = written.iter().find(|(other, _)| *other == identity) {
+                let path = path.display();
+                return Err(Stop::Refused(format!("{argument} {path}: {other} is written to this file, expected another")));
+            }
+            written.push((identity, argument));
+        }
+        let mut files = [const { None }; N];
+        for (file, (_, path)) in files.iter_mut().zip(outputs) {
+            *file = path.map(Self::create).transpose()?;
+        }
+        Ok(files)
+    }
+
+    /// Copies what was written into the target.
     ///
     /// # Errors
     /// The disk is full or gone.
     pub fn finish(self) -> Result<(), Stop> {
         let finished = self.writer.into_inner().map_err(io::IntoInnerError::into_error).and_then(|place| match place {
-            Place::Beside(file, target) => file.persist(target).map(drop).map_err(|error| error.error),
+            Place::Collected(mut file, target) => pour(&mut file, &target),
             Place::Itself(_) => Ok(()),
         });
         finished.map_err(|error| Stop::Output(io::Error::new(error.kind(), format!("{}: {error}", self.path.display()))))
@@ -55,40 +87,113 @@ impl NewFile {
 
 impl Place {
     fn find(path: &Path) -> io::Result<Self> {
-        // The file behind a link is what is meant.
-        let target = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
-        if target.is_dir() {
-            return Err(io::ErrorKind::IsADirectory.into());
+        if let Some(output) = standard_output(path)? {
+            return Ok(Self::Itself(output));
         }
-        if target.exists() && !target.is_file() {
-            return Ok(Self::Itself(File::create(target)?));
-        }
+        let target = match fs::metadata(path) {
+            Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+            Ok(found) if !found.is_file() => return Ok(Self::Itself(OpenOptions::new().write(true).open(path)?)),
+            Ok(found) => {
+                // The system lets its administrator write to read-only files, too.
+                if found.permissions().readonly() {
+                    return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
+                }
+                OpenOptions::new().write(true).open(path)?;
+                path.canonicalize()?
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                if fs::symlink_metadata(path).is_ok() {
+                    return Err(io::Error::new(io::ErrorKind::NotFound, "a link that leads to no file"));
+                }
+                // Whether it can be made is not to be found out when the work is done.
+                drop(File::create_new(path)?);
+                fs::remove_file(path)?;
+                path.to_path_buf()
+            }
+            Err(error) => return Err(error),
+        };
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let mut builder = tempfile::Builder::new();
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::PermissionsExt;
-            // As for any new file; tempfile's own would be for the user's eyes only.
-            builder.permissions(std::fs::Permissions::from_mode(0o666));
+        // A file may be written to in a folder that is closed to new ones.
+        let collected = tempfile::tempfile_in(folder).or_else(|_| tempfile::tempfile())?;
+        Ok(Self::Collected(collected, target))
+    }
+}
+
+/// This program's standard output, if that is the file that the path leads to: two that write to one file from its beginning would
+/// write over each other.
+#[cfg(unix)]
+fn standard_output(path: &Path) -> io::Result<Option<File>> {
+    use std::os::fd::AsFd;
+    let output = File::from(io::stdout().as_fd().try_clone_to_owned()?);
+    let same = Identity::of_file(&output.metadata()?).is_some_and(|output| Identity::of(path) == Some(output));
+    Ok(same.then_some(output))
+}
+
+#[cfg(not(unix))]
+fn standard_output(_: &Path) -> io::Result<Option<File>> {
+    Ok(None)
+}
+
+/// Makes `target` hold what was collected. What it has to grow by is written first: where the disk is full, that is cut off again, and
+/// the old content is as it was.
+fn pour(collected: &mut File, target: &Path) -> io::Result<()> {
+    let is_new = !target.exists();
+    let mut file = OpenOptions::new().write(true).create(true).truncate(false).open(target)?;
+    let (old, new) = (file.metadata()?.len(), collected.metadata()?.len());
+    let mut copy = |from: u64, to: u64| {
+        collected.seek(SeekFrom::Start(from))?;
+        file.seek(SeekFrom::Start(from))?;
+        io::copy(&mut Read::by_ref(collected).take(to.saturating_sub(from)), &mut file).map(drop)
+    };
+    if let Err(error) = copy(old, new) {
+        // The first error is the one to tell.
+        let _ = if is_new { fs::remove_file(target) } else { file.set_len(old) };
+        return Err(error);
+    }
+    copy(0, old.min(new))?;
+    file.set_len(new)
+}
+
+/// Which regular file a path leads to, or would lead to if it were made.
+#[derive(PartialEq)]
+enum Identity {
+    #[cfg(unix)]
+    Node(u64, u64),
+    Path(PathBuf),
+}
+
+impl Identity {
+    /// `None` for what is no regular file, or cannot be reached.
+    fn of(path: &Path) -> Option<Self> {
+        match fs::metadata(path) {
+            #[cfg(unix)]
+            Ok(found) => Self::of_file(&found),
+            #[cfg(not(unix))]
+            Ok(found) => found.is_file().then(|| path.canonicalize().ok().map(Self::Path)).flatten(),
+            Err(_) => {
+                let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+                Some(Self::Path(folder.canonicalize().ok()?.join(path.file_name()?)))
+            }
         }
-        // The kind alone: the user knows nothing of the temporary file's name.
-        let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
-        Ok(Self::Beside(file, target))
+    }
+
+    #[cfg(unix)]
+    fn of_file(found: &fs::Metadata) -> Option<Self> {
+        use std::os::unix::fs::MetadataExt;
+        found.is_file().then(|| Self::Node(found.dev(), found.ino()))
     }
 }
 
 impl Write for Place {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
-            Self::Beside(file, _) => file.write(bytes),
-            Self::Itself(file) => file.write(bytes),
+            Self::Collected(file, _) | Self::Itself(file) => file.write(bytes),
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
         match self {
-            Self::Beside(file, _) => file.flush(),
-            Self::Itself(file) => file.flush(),
+            Self::Collected(file, _) | Self::Itself(file) => file.flush(),
         }
     }
 }
@@ -111,38 +216,136 @@ fn refused(path: &Path, error: &io::Error) -> Stop {
 mod tests {
     use super::*;
 
+    fn write(path: &Path, text: &str) {
+        let mut file = NewFile::create(path).unwrap();
+        file.write_all(text.as_bytes()).unwrap();
+        file.finish().unwrap();
+    }
+
+    fn names(folder: &Path) -> usize {
+        fs::read_dir(folder).unwrap().count()
+    }
+
     #[test]
     fn a_file_appears_whole_when_it_is_finished() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("out.csv");
-        std::fs::write(&path, "old").unwrap();
+        let unfinished = || {
+            let mut file = NewFile::create(&path).unwrap();
+            file.write_all(b"half").unwrap();
+            file.flush().unwrap();
+            file
+        };
+        let begun = unfinished();
+        assert_eq!(names(folder.path()), 0, "whatever stops the program now leaves nothing behind");
+        drop(begun);
+        fs::write(&path, "old").unwrap();
+        let begun = unfinished();
+        assert_eq!((fs::read_to_string(&path).unwrap().as_str(), names(folder.path())), ("old", 1));
+        drop(begun);
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        for text in ["new and longer", "shorter", ""] {
+            write(&path, text);
+            assert_eq!((fs::read_to_string(&path).unwrap().as_str(), names(folder.path())), (text, 1));
+        }
+    }
 
-        let mut dropped = NewFile::create(&path).unwrap();
-        dropped.write_all(b"half").unwrap();
-        dropped.flush().unwrap();
-        drop(dropped);
-        assert_eq!(std::fs::read_to_string(&path).unwrap(), "old");
-
-        let mut file = NewFile::create(&path).unwrap();
-        file.write_all(b"new").unwrap();
-        file.finish().unwrap();
-        assert_eq!(std::fs::read_to_string(&path).unwrap(), "new");
-        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "nothing is left beside it");
+    #[cfg(unix)]
+    #[test]
+    fn modes_and_links_are_kept() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::write(path("out.csv"), "old").unwrap();
+        fs::set_permissions(path("out.csv"), fs::Permissions::from_mode(0o600)).unwrap();
+        fs::hard_link(path("out.csv"), path("hard")).unwrap();
+        symlink("out.csv", path("soft")).unwrap();
+        write(&path("soft"), "new");
+        for name in ["out.csv", "hard", "soft"] {
+            assert_eq!(fs::read_to_string(path(name)).unwrap(), "new", "{name}");
+        }
+        assert!(fs::symlink_metadata(path("soft")).unwrap().is_symlink());
+        assert_eq!(fs::metadata(path("out.csv")).unwrap().permissions().mode() & 0o777, 0o600);
+        assert_eq!(names(folder.path()), 3);
     }
 
     #[test]
     fn where_nothing_can_be_written_is_refused() {
         let folder = tempfile::tempdir().unwrap();
-        for path in [folder.path().to_path_buf(), folder.path().join("missing/out.csv")] {
+        let read_only = folder.path().join("read-only");
+        fs::write(&read_only, "kept").unwrap();
+        let mut permissions = fs::metadata(&read_only).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&read_only, permissions).unwrap();
+        let too_long = folder.path().join("x".repeat(300));
+        for path in [folder.path().to_path_buf(), folder.path().join("missing/out.csv"), too_long, read_only.clone()] {
             assert!(matches!(NewFile::create(&path), Err(Stop::Refused(_))), "{}", path.display());
         }
+        assert_eq!(fs::read_to_string(read_only).unwrap(), "kept");
+        assert_eq!(names(folder.path()), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_nothing_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let link = folder.path().join("link");
+        std::os::unix::fs::symlink("nowhere", &link).unwrap();
+        let Err(Stop::Refused(problem)) = NewFile::create(&link) else { panic!("begun") };
+        assert!(problem.contains("a link that leads to no file"), "{problem}");
+    }
+
+    /// `/dev/full` behaves like a disk without space, but has no length: this is what [`pour`] does when its first part fails.
+    #[test]
+    fn what_cannot_be_copied_leaves_the_old_content() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("out.csv");
+        fs::write(&path, "old").unwrap();
+        // Reading from a file that was opened for writing only fails.
+        let mut unreadable = OpenOptions::new().write(true).create(true).truncate(true).open(folder.path().join("other")).unwrap();
+        unreadable.write_all(b"longer than old").unwrap();
+        assert!(pour(&mut unreadable, &path).is_err());
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        assert!(pour(&mut unreadable, &folder.path().join("new")).is_err());
+        assert!(!folder.path().join("new").exists());
+    }
+
+    #[test]
+    fn outputs_that_are_one_file_or_an_input_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::create_dir(path("below")).unwrap();
+        fs::write(path("in"), "read").unwrap();
+        fs::hard_link(path("in"), path("in-too")).unwrap();
+        let refusal = |a: &str, b: &str| {
+            let (a, b) = (path(a), path(b));
+            let created = NewFile::create_all([("--a", Some(a.as_path())), ("--b", Some(&b)), ("--c", None)], &[path("in")]);
+            created.map(|files| files.map(|file| file.is_some())).map_err(|stop| match stop {
+                Stop::Refused(problem) => problem,
+                Stop::Output(error) => panic!("{error}"),
+            })
+        };
+        assert_eq!(refusal("one", "two"), Ok([true, true, false]));
+        for same in ["one", "./one", "below/../one"] {
+            let problem = refusal("one", same).unwrap_err();
+            assert!(
+                problem.starts_with("--b ") && problem.ends_with(": --a is written to this file, expected another"),
+                "{problem}"
+            );
+        }
+        for input in ["in", "in-too"] {
+            assert!(refusal("one", input).unwrap_err().ends_with("this file is read by the same command, expected another"));
+        }
+        assert_eq!(fs::read_to_string(path("in")).unwrap(), "read");
+        assert!(!path("one").exists());
     }
 
     #[test]
     fn text_that_is_none_is_refused_with_its_line() {
         let file = tempfile::NamedTempFile::new().unwrap();
         std::fs::write(file.path(), b"a\nb\n\xff\n").unwrap();
-        let Err(Stop::Refused(problem)) = read_text(file.path()) else { panic!("read") };
+        let Err(Stop::Refused(problem)) = read_text(file.path(), 100) else { panic!("read") };
         assert!(problem.contains(":3: found letters that are not UTF-8"), "{problem}");
+        assert!(read_text(file.path(), 5).is_err(), "six bytes");
     }
 }

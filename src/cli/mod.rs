@@ -70,7 +70,7 @@ enum Command {
 pub enum Status {
     /// It did what was asked.
     Done = 0,
-    /// A check or verification found something wrong.
+    /// A check or verification found something wrong, also when nobody reads what.
     Wrong = 1,
     /// The input was refused: nothing was run, nothing written.
     Refused = 2,
@@ -99,10 +99,44 @@ impl From<io::Error> for Stop {
     }
 }
 
+/// A stream that someone reads, for as long as they do: a reader that has gone away has seen enough, as `head` does. What is written
+/// after that goes nowhere, and changes neither what is done nor how it ends.
+struct Readers<W> {
+    stream: W,
+    gone: bool,
+}
+
+impl<W: Write> Readers<W> {
+    const fn of(stream: W) -> Self {
+        Self { stream, gone: false }
+    }
+
+    /// `done`, unless nobody reads: then it is as if `otherwise` had been done.
+    fn unless_gone<T>(&mut self, done: impl FnOnce(&mut W) -> io::Result<T>, otherwise: T) -> io::Result<T> {
+        if self.gone {
+            return Ok(otherwise);
+        }
+        done(&mut self.stream).or_else(|error| {
+            self.gone = error.kind() == io::ErrorKind::BrokenPipe;
+            if self.gone { Ok(otherwise) } else { Err(error) }
+        })
+    }
+}
+
+impl<W: Write> Write for Readers<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.unless_gone(|stream| stream.write(bytes), bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.unless_gone(Write::flush, ())
+    }
+}
+
 /// Parses the command line, runs what it asks for and says how that ended.
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
-    let mut out = io::BufWriter::new(io::stdout().lock());
+    let mut out = io::BufWriter::new(Readers::of(io::stdout().lock()));
     let ended = dispatch(&cli, &mut out).and_then(|status| Ok(out.flush().map(|()| status)?));
     let status = match ended {
         Ok(status) => status,
@@ -111,7 +145,7 @@ pub fn main() -> ExitCode {
             let _ = writeln!(io::stderr(), "{}", problem.trim_end());
             Status::Refused
         }
-        // Whoever reads has seen enough, as `head` does.
+        // A file of results that is a pipe: whoever reads has seen enough.
         Err(Stop::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Status::Done,
         Err(Stop::Output(error)) => {
             let _ = writeln!(io::stderr(), "cannot write the results: {error}");
@@ -149,10 +183,38 @@ fn load_level(project: &Project, name: &str) -> Result<Arc<Level>, Stop> {
     Ok(Arc::new(loaded.level))
 }
 
+/// A name or a path as it is shown: what would move a terminal's cursor or change its colours is written out.
+fn shown(name: impl Display) -> String {
+    let visible = |c: char| if c == '"' || c == '\'' || c == '\\' { vec![c] } else { c.escape_debug().collect() };
+    name.to_string().chars().flat_map(visible).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use clap::CommandFactory;
+
+    #[test]
+    fn what_is_shown_leaves_the_terminal_as_it_is() {
+        assert_eq!(shown("höhle-2 \"a\\b\" '→'"), "höhle-2 \"a\\b\" '→'");
+        assert_eq!(shown("a\u{1b}[31m\r\n\u{9b}2J\u{202e}\u{7f}"), "a\\u{1b}[31m\\r\\n\\u{9b}2J\\u{202e}\\u{7f}");
+    }
+
+    #[test]
+    fn a_reader_that_has_gone_away_changes_nothing_and_a_full_disk_does() {
+        struct Failing(io::ErrorKind);
+        impl Write for Failing {
+            fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+                Err(self.0.into())
+            }
+            fn flush(&mut self) -> io::Result<()> {
+                Err(self.0.into())
+            }
+        }
+        let mut gone = Readers::of(Failing(io::ErrorKind::BrokenPipe));
+        assert!(gone.flush().is_ok() && gone.write_all(b"told to no one").is_ok());
+        assert!(Readers::of(Failing(io::ErrorKind::StorageFull)).write_all(b"results").is_err());
+    }
 
     #[test]
     fn the_definition_is_consistent() {

@@ -13,6 +13,9 @@ pub struct Args {
     pub name: String,
 }
 
+/// What the name of a level's folder begins with until it is whole.
+const HIDDEN: &str = ".new-";
+
 /// The files of a new level: a room of 1280 × 720 pixels with a floor, a ledge and an objective on it.
 const FILES: [(&str, &str); 9] = [
     (
@@ -65,24 +68,36 @@ const FILES: [(&str, &str); 9] = [
 /// The name is none for a level, there is such a folder already, or the disk refuses; nothing is left behind.
 pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let Args { name } = args;
-    if !level::is_level_name(name) {
-        let expected = "up to 40 letters, digits, - and _, the first a letter or digit";
-        return Err(Stop::Refused(format!("a level cannot be named {name:?}: expected {expected}")));
+    if let Err(fault) = level::judge_name(name) {
+        return Err(Stop::Refused(format!("a level cannot be named {name:?}: expected {}", fault.expected())));
     }
-    let folder = project.levels().join(name);
-    let refused = |error: io::Error| Stop::Refused(format!("cannot make {}: {error}", folder.display()));
-    fs::create_dir_all(project.levels()).map_err(refused)?;
-    // Fails where there is anything of that name, so nobody's level is ever touched.
-    fs::create_dir(&folder).map_err(refused)?;
-    if let Err(error) = write_files(&folder, name) {
-        // The first error is the one to tell.
-        let _ = fs::remove_dir_all(&folder);
-        return Err(refused(error));
-    }
+    let levels = project.levels();
+    let folder = levels.join(name);
+    make(&levels, &folder, name).map_err(|error| Stop::Refused(format!("cannot make {}: {error}", folder.display())))?;
     writeln!(out, "{}", folder.display())?;
     Ok(Status::Done)
 }
 
-fn write_files(folder: &Path, name: &str) -> io::Result<()> {
-    FILES.iter().try_for_each(|(file, text)| fs::write(folder.join(file), text.replace("{name}", name)))
+/// Makes the folder under a hidden name, which no list of levels shows, and gives it its own when it is whole.
+fn make(levels: &Path, folder: &Path, name: &str) -> io::Result<()> {
+    fs::create_dir_all(levels)?;
+    // Nobody's level is ever touched. A rename would fail, too, but not where there is an empty folder.
+    if fs::symlink_metadata(folder).is_ok() {
+        return Err(io::ErrorKind::AlreadyExists.into());
+    }
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // As for any new folder; tempfile's own would be for the user's eyes only.
+        builder.permissions(fs::Permissions::from_mode(0o777));
+    }
+    let begun = builder.prefix(HIDDEN).tempdir_in(levels)?;
+    for (file, text) in FILES {
+        fs::write(begun.path().join(file), text.replace("{name}", name))?;
+    }
+    fs::rename(begun.path(), folder)?;
+    // There is nothing left to remove.
+    drop(begun.keep());
+    Ok(())
 }

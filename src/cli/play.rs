@@ -3,6 +3,8 @@
 use super::{Project, Status, Stop};
 #[cfg(feature = "window")]
 use crate::{
+    cli::{files::read_text, shown},
+    files::INPUTS,
     game::Inputs,
     level,
     screens::{Attempt, Places, open},
@@ -46,12 +48,8 @@ pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Statu
 #[cfg(feature = "window")]
 fn attempt(level: &str, inputs: Option<&Path>, project: &Project) -> Result<Attempt, Stop> {
     let loaded = level::load(&project.level_folder(level)?, project.root())
-        .map_err(|problems| Stop::Refused(problems.iter().map(|problem| format!("{level}/{problem}\n")).collect()))?;
-    let inputs = inputs.map(|file| {
-        let refused = |why: String| Stop::Refused(format!("{}: {why}", file.display()));
-        let text = std::fs::read_to_string(file).map_err(|error| refused(format!("the inputs cannot be read: {error}")))?;
-        Inputs::parse(&file.display().to_string(), &text).map_err(|bad| Stop::Refused(bad.to_string()))
-    });
+        .map_err(|problems| Stop::Refused(problems.iter().map(|problem| format!("{}/{problem}\n", shown(level))).collect()))?;
+    let inputs = inputs.map(|file| Inputs::parse(&file.display().to_string(), &read_text(file, INPUTS)?).map_err(Stop::refused));
     Ok(Attempt { level: Arc::new(loaded.level), inputs: inputs.transpose()?.map(Arc::new) })
 }
 

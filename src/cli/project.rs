@@ -1,6 +1,6 @@
 //! Where the game's folders are.
 
-use super::Stop;
+use super::{Stop, shown};
 use std::path::{Path, PathBuf};
 
 /// The folder that holds `assets/`, `levels/` and `scores/`.
@@ -66,7 +66,7 @@ impl Project {
         if folder.is_dir() {
             return Ok(folder);
         }
-        Err(Stop::Refused(format!("no level {level:?}: neither {} nor {level:?} is a folder", listed.display())))
+        Err(Stop::Refused(format!("no level {level:?}: neither {} nor {level:?} is a folder", shown(listed.display()))))
     }
 }
 

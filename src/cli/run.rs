@@ -3,7 +3,9 @@
 use super::files::{NewFile, read_text};
 use super::number::Shortest;
 use super::{Project, Status, Stop, load_level, telemetry};
-use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Replay, TICK_RATE, TICK_RATES};
+use crate::files::INPUTS;
+use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Replay, SHIP, TICK_RATE, TICK_RATES};
+use crate::level::{Level, Look};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -16,8 +18,10 @@ const WHOLE_TICK: f64 = 1e-6;
 /// What to play, and how.
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "Prints key=value: outcome (completed, failed, running), time (s), score, objectives (met/all), \
-    collisions (damaging), fuel (fraction left), ticks, hash (of the whole state).\n\nAn inputs file is a CSV with the header \
-    ticks,thrust,reverse,left,right; each row holds its keys (0 or 1) for that many ticks. After the last row nothing is pressed.")]
+    collisions (damaging), fuel (fraction left), ticks, hash (of the whole state), x and y (where the ship's centre ended, m \
+    from the level's top left corner) and, when it failed, killed_by (obstacle N: the Nth row of obstacles.csv).\n\n\
+    An inputs file is a CSV with the header ticks,thrust,reverse,left,right; each row holds its keys (0 or 1) for that many \
+    ticks. After the last row nothing is pressed.")]
 pub struct Args {
     /// A name under levels/, or a level's folder
     level: String,
@@ -51,17 +55,20 @@ fn parse_tick_rate(text: &str) -> Result<f64, String> {
 /// Plays the level until it is completed or failed, or the time is up, and prints what that came to.
 ///
 /// # Errors
-/// A level or inputs that are refused, a run of more than [`MOST_TICKS`], a file that cannot be written; nothing was run then.
+/// A level or inputs that are refused, a run of more than [`MOST_TICKS`], a file that cannot be written or is needed for something
+/// else; nothing was run then.
 pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let level = load_level(project, &args.level)?;
     let inputs = match &args.inputs {
-        Some(path) => Some(Inputs::parse(&path.display().to_string(), &read_text(path)?).map_err(Stop::refused)?),
+        Some(path) => Some(Inputs::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(Stop::refused)?),
         None => None,
     };
     let last = last_tick(args, inputs.as_ref())?;
+    let mut read = level_files(project, &args.level, &level)?;
+    read.extend(args.inputs.clone());
     let mut game = Game::with_tick_rate(level, args.tick).map_err(Stop::refused)?;
-    let mut telemetry = args.telemetry.as_deref().map(NewFile::create).transpose()?;
-    let record = args.record.as_deref().map(NewFile::create).transpose()?;
+    let outputs = [("--telemetry", args.telemetry.as_deref()), ("--record", args.record.as_deref())];
+    let [mut telemetry, record] = NewFile::create_all(outputs, &read)?;
 
     let flown = fly(&mut game, inputs.unwrap_or_default(), last, telemetry.as_mut())?;
     if let Some(file) = telemetry {
@@ -73,6 +80,16 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     }
     print(&game, out)?;
     Ok(Status::Done)
+}
+
+/// What the level is made of: all that lies in its folder, and the pictures of its objects.
+fn level_files(project: &Project, name: &str, level: &Level) -> Result<Vec<PathBuf>, Stop> {
+    let folder = std::fs::read_dir(project.level_folder(name)?).into_iter().flatten().flatten().map(|entry| entry.path());
+    let pictures = level.objects.iter().filter_map(|object| match &object.look {
+        Look::Image(path) => Some(path.clone()),
+        Look::Box | Look::Ball => None,
+    });
+    Ok(folder.chain(pictures).collect())
 }
 
 /// The tick after which the time is up.
@@ -118,5 +135,11 @@ fn print(game: &Game, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "collisions={}", result.collisions)?;
     writeln!(out, "fuel={}", Shortest(result.fuel))?;
     writeln!(out, "ticks={}", game.ticks())?;
-    writeln!(out, "hash={:016x}", game.hash())
+    writeln!(out, "hash={:016x}", game.hash())?;
+    let place = game.world().body(SHIP).position;
+    writeln!(out, "x={}\ny={}", Shortest(place.x), Shortest(place.y))?;
+    match game.killed_by() {
+        Some(index) => writeln!(out, "killed_by=obstacle {}", index + 1),
+        None => Ok(()),
+    }
 }

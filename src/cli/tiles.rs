@@ -4,6 +4,7 @@ use super::files::read_text;
 use super::number::Shortest;
 use super::{Project, Status, Stop};
 use crate::classics::tile_run::{Command, InputError, Map, Runner};
+use crate::files::{TILE_COMMANDS, TILE_MAP};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -28,8 +29,8 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read or is refused, with file and line; nothing was run then.
 pub fn run(args: &Args, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
-    let map = read(&args.map, Map::parse)?;
-    let commands = read(&args.commands, Command::parse_all)?;
+    let map = read(&args.map, TILE_MAP, Map::parse)?;
+    let commands = read(&args.commands, TILE_COMMANDS, Command::parse_all)?;
     let mut runner = Runner::new(&map);
     for (frame, &command) in commands.iter().enumerate() {
         runner.frame(&map, command);
@@ -42,8 +43,8 @@ pub fn run(args: &Args, _: &Project, out: &mut dyn Write) -> Result<Status, Stop
     Ok(Status::Done)
 }
 
-fn read<T>(path: &Path, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, Stop> {
-    parse(&read_text(path)?).map_err(|error| Stop::Refused(format!("{}:{error}", path.display())))
+fn read<T>(path: &Path, at_most: u64, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, Stop> {
+    parse(&read_text(path, at_most)?).map_err(|error| Stop::Refused(format!("{}:{error}", path.display())))
 }
 
 fn write_frame(out: &mut dyn Write, frame: usize, runner: &Runner) -> io::Result<()> {

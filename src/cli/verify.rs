@@ -1,12 +1,19 @@
 //! `resultant verify`: flies recorded runs again and compares where they lead.
 
 use super::files::read_text;
-use super::{Project, Status, Stop, load_level};
-use crate::game::Replay;
+use super::{Project, Readers, Status, Stop, load_level, shown};
+use crate::files::INPUTS;
+use crate::game::{Mismatch, PROGRAM, Replay};
 use crate::level::Level;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// How long a record is flown without a word, and how long from one word to the next.
+const SILENCE: Duration = Duration::from_secs(2);
+/// How often the clock is asked, ticks: asking it must not count.
+const TICKS_A_LOOK: u64 = 4096;
 
 /// What to verify.
 #[derive(clap::Args, Debug)]
@@ -16,14 +23,15 @@ pub struct Args {
     replays: Vec<PathBuf>,
 }
 
-/// Verifies the replays: a line for each that holds goes to `out`, for each that does not to standard error.
+/// Verifies the replays: a line for each that holds goes to `out`, for each that does not to standard error, and so does how far a long
+/// one has come.
 ///
 /// # Errors
 /// A replay that cannot be read, or whose level is refused; none is flown then.
 pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let (mut replays, mut problems) = (Vec::new(), Vec::new());
     for path in &args.replays {
-        let name = path.display().to_string();
+        let name = shown(path.display());
         match read(project, path) {
             Ok((replay, level)) => replays.push((name, replay, level)),
             Err(Stop::Refused(problem)) => problems.push(problem),
@@ -35,11 +43,17 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     }
 
     let mut status = Status::Done;
+    let mut err = Readers::of(io::stderr().lock());
     for (name, replay, level) in replays {
-        match replay.verify(level).map_err(|error| Stop::Refused(format!("{name}: {error}")))? {
-            Ok(()) => writeln!(out, "{name}: ok, score {}, hash {:016x}", replay.score, replay.hash)?,
+        match fly(&name, &replay, level, &mut err)? {
+            Ok(()) => {
+                let whose = if replay.level_hash.is_some() { "" } else { "; the record does not say which level of that name" };
+                writeln!(out, "{name}: ok, score {}, hash {:016x}{whose}", replay.score, replay.hash)?;
+            }
             Err(mismatch) => {
-                writeln!(io::stderr(), "{name}: {mismatch}")?;
+                let by = replay.program.filter(|program| program != PROGRAM);
+                let by = by.map(|program| format!("; recorded by {}, this is {PROGRAM}", shown(program))).unwrap_or_default();
+                writeln!(err, "{name}: {mismatch}{by}")?;
                 status = Status::Wrong;
             }
         }
@@ -47,8 +61,21 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     Ok(status)
 }
 
+/// Flies one of them and says from time to time how far it is.
+fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> Result<Result<(), Mismatch>, Stop> {
+    let (ticks, mut last) = (replay.inputs.ticks(), Instant::now());
+    let flown = replay.verify(level, |game| {
+        if game.ticks().is_multiple_of(TICKS_A_LOOK) && last.elapsed() >= SILENCE {
+            last = Instant::now();
+            // Whoever does not read this wants to know how it ends all the same.
+            let _ = writeln!(err, "{name}: {} of {ticks} ticks flown", game.ticks());
+        }
+    });
+    flown.map_err(|error| Stop::Refused(format!("{name}: {error}")))
+}
+
 fn read(project: &Project, path: &std::path::Path) -> Result<(Replay, Arc<Level>), Stop> {
-    let replay = Replay::parse(&path.display().to_string(), &read_text(path)?).map_err(Stop::refused)?;
+    let replay = Replay::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(Stop::refused)?;
     let level = load_level(project, &replay.level)?;
     Ok((replay, level))
 }

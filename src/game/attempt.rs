@@ -239,6 +239,13 @@ impl Game {
         }
     }
 
+    /// Which of the level's death boxes ended the attempt, by its index: the first in the level's order of those touched in the last
+    /// tick; `None` where none did.
+    pub fn killed_by(&self) -> Option<usize> {
+        let failed = self.outcome == Outcome::Failed;
+        failed.then(|| self.level.obstacles.iter().position(|deadly| self.has_touched(deadly))).flatten()
+    }
+
     /// Whether the ship touched a box at any moment of the last tick, however fast it went.
     fn has_touched(&self, deadly: &Aabb) -> bool {
         let mut from = self.world.previous_position(SHIP);

@@ -4,6 +4,10 @@
 /// ever longer frames; fewer, and the game slows down sooner.
 pub const TICKS_A_FRAME: u32 = 8;
 
+/// What is this little short of a tick is one, ticks: 24 frames of 1/144 s are 20 ticks but for rounding. Were it left out, such a tick
+/// would come a frame late and take the keys of that frame; far above rounding, and far below what a clock of frames can tell.
+const ROUNDING: f64 = 1e-6;
+
 /// Collects frame times and hands out ticks.
 #[derive(Clone, Debug)]
 pub struct Clock {
@@ -27,7 +31,7 @@ impl Clock {
             return;
         }
         self.pending += ticks;
-        let (whole, most) = (self.pending.floor(), f64::from(TICKS_A_FRAME));
+        let (whole, most) = ((self.pending + ROUNDING).floor(), f64::from(TICKS_A_FRAME));
         if whole > most {
             self.pending = most + (self.pending - whole);
             self.dropped += whole - most;
@@ -36,7 +40,7 @@ impl Clock {
 
     /// Whether a tick is due; takes it.
     pub fn tick(&mut self) -> bool {
-        let due = self.pending >= 1.0;
+        let due = self.pending >= 1.0 - ROUNDING;
         if due {
             self.pending -= 1.0;
         }
@@ -71,6 +75,20 @@ mod tests {
             assert!((1199..=1200).contains(&total), "{total} ticks in 10 s at {frame_rate} frames a second");
             assert_eq!(clock.dropped(), 0.0);
         }
+    }
+
+    #[test]
+    fn frames_that_are_whole_ticks_together_get_them_with_the_last() {
+        for (frames, frame_rate) in [(24, 144.0), (4, 24.0), (5, 30.0), (40, 240.0), (160, 960.0)] {
+            let mut clock = Clock::new(120.0);
+            for slot in 0..1000 {
+                let handed_out: u32 = (0..frames).map(|_| ticks(&mut clock, 1.0 / frame_rate)).sum();
+                assert_eq!(handed_out, 20, "{frame_rate} frames a second, slot {slot}");
+            }
+        }
+        // Neither does it make a ninth tick of eight and nearly one.
+        let mut clock = Clock::new(1.0);
+        assert_eq!((ticks(&mut clock, 9.0_f64.next_down()), clock.dropped()), (8, 1.0));
     }
 
     #[test]

@@ -17,6 +17,9 @@ pub const HEADER: &str = "ticks,thrust,reverse,left,right";
 /// The most ticks that a file can hold: three months at the game's rate. More is a slip of the pen.
 pub const MOST_TICKS: u64 = 1_000_000_000;
 
+/// How many problems of a file are told.
+const MOST_PROBLEMS: usize = 1000;
+
 /// A file that was refused: every problem in it, each on a line `file:line: column "name": what was found, what is expected`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BadFile(pub Vec<String>);
@@ -67,6 +70,10 @@ impl Inputs {
         let (mut inputs, mut problems) = (Self::default(), Vec::new());
         let mut total: u64 = 0;
         for line in lines {
+            if problems.len() >= MOST_PROBLEMS {
+                problems.push(line.problem("ticks", "more problems from here on", &format!("at most {MOST_PROBLEMS} in a file")));
+                break;
+            }
             let Some(row) = line.row(&names, &mut problems) else { continue };
             total += row.ticks;
             if total > MOST_TICKS {
@@ -227,6 +234,14 @@ mod tests {
             problems(""),
             [r#"in.csv:1: column "ticks": found nothing, expected the header ticks,thrust,reverse,left,right"#]
         );
+    }
+
+    #[test]
+    fn no_more_problems_are_told_than_anyone_reads() {
+        let found = problems(&format!("{HEADER}\n{}", "x\n".repeat(2 * MOST_PROBLEMS)));
+        assert_eq!(found.len(), MOST_PROBLEMS + 1);
+        let last = r#"in.csv:1002: column "ticks": found more problems from here on, expected at most 1000 in a file"#;
+        assert_eq!(found[MOST_PROBLEMS], last);
     }
 
     #[test]

@@ -10,6 +10,7 @@
 
 mod attempt;
 mod clock;
+mod fingerprint;
 mod hash;
 mod inputs;
 mod latch;
@@ -20,9 +21,10 @@ mod touch;
 
 pub use attempt::{DAMAGING_SPEED, DUST_SPEED, Game, GameError, GameEvent, Outcome, SHIP, TICK_RATE, TICK_RATES};
 pub use clock::{Clock, TICKS_A_FRAME};
+pub use fingerprint::level_hash;
 pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
 pub use latch::Latch;
-pub use replay::{Mismatch, Replay};
+pub use replay::{Mismatch, PROGRAM, Replay};
 pub use score::{RunResult, ScoreParts};
 pub use ship::{BURN_RATE, ROTATION_RATE, Ship, nose};
 pub use touch::{TOUCH, sweep_touches};

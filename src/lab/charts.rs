@@ -2,7 +2,8 @@
 //! diagrams, a file of each scene's name holds its points, and `stress.csv` what each method survives. Numbers are in the shortest form
 //! that reads back as the same f64; an error of `inf` or `NaN` is a run that blew up.
 
-use super::curve::{Curve, Measured, Origin, Point};
+use super::curve::{Curve, MOST_CURVES, Measured, NUMBERS, Origin, Point};
+use super::report::PI;
 use super::stress::Survival;
 use csv::{ReaderBuilder, StringRecord, WriterBuilder};
 
@@ -36,6 +37,10 @@ pub const SETTING: &str = "setting.csv";
 pub const SCENES: &str = "scenes.csv";
 /// The stress tests.
 pub const STRESS: &str = "stress.csv";
+/// The most rows of a file below its head. With more points a diagram takes longer to draw than a frame lasts.
+const MOST_ROWS: usize = 2000;
+/// The most diagrams.
+const MOST_SCENES: usize = 64;
 const SETTING_HEAD: [&str; 4] = ["machine", "commit", "profile", "quick"];
 const SCENES_HEAD: [&str; 7] = ["scene", "title", "error", "work", "tolerance", "shipped_step", "alike"];
 const POINTS_HEAD: [&str; 5] = ["method", "origin", "step", "work", "error"];
@@ -73,6 +78,9 @@ impl Charts {
         let commit = Some(row.word(1)).filter(|commit| !commit.is_empty());
         let setting = Setting { machine: row.word(0), commit, profile: row.word(2), quick: row.flag(3)? };
         let diagrams = rows(SCENES, &file(SCENES)?, &SCENES_HEAD)?;
+        if let Some(row) = diagrams.get(MOST_SCENES) {
+            return Err(format!("{SCENES}:{}: found a scene more, expected at most {MOST_SCENES}", row.line));
+        }
         let diagrams = diagrams.iter().map(|row| diagram(row, &file)).collect::<Result<Vec<_>, _>>()?;
         if diagrams.is_empty() {
             return Err(format!("{SCENES}: expected a row a scene, found none"));
@@ -140,7 +148,9 @@ impl Row<'_> {
     }
 
     fn above_zero(&self, column: usize) -> Result<f64, String> {
-        self.number(column, "a number above 0", |value| value.is_finite() && value > 0.0)
+        let (least, most) = (NUMBERS.start(), NUMBERS.end());
+        let wanted = format!("a number above 0, from {least:e} to {most:e}");
+        self.number(column, &wanted, |value| NUMBERS.contains(&value))
     }
 
     fn flag(&self, column: usize) -> Result<bool, String> {
@@ -157,9 +167,16 @@ impl Row<'_> {
 fn rows<'a>(file: &'a str, text: &str, head: &'a [&'a str]) -> Result<Vec<Row<'a>>, String> {
     let mut rows = Vec::new();
     let mut reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
+    // Where the last record began, and on which line.
+    let (mut at, mut line) = (0, 1);
     for (index, cells) in reader.records().enumerate() {
         let cells = cells.map_err(|error| format!("{file}: {error}"))?;
-        let line = cells.position().map_or(1, |position| line_at(text, position.byte() as usize));
+        let begins = begin_of(text, cells.position().map_or(0, |position| position.byte() as usize));
+        line += text.as_bytes()[at..begins.max(at)].iter().filter(|&&byte| byte == b'\n').count();
+        at = begins.max(at);
+        if index > MOST_ROWS {
+            return Err(format!("{file}:{line}: found a row more, expected at most {MOST_ROWS} below the head"));
+        }
         if index == 0 {
             if !cells.iter().eq(head.iter().copied()) {
                 let found = cells.iter().collect::<Vec<_>>().join(",");
@@ -175,11 +192,10 @@ fn rows<'a>(file: &'a str, text: &str, head: &'a [&'a str]) -> Result<Vec<Row<'a
     if text.trim().is_empty() { Err(format!("{file}: found nothing, expected the head {}", head.join(","))) } else { Ok(rows) }
 }
 
-/// The line of a record that begins at that byte, blank lines before it left out.
-fn line_at(text: &str, byte: usize) -> usize {
+/// The first byte of a record that begins at that byte, blank lines before it left out.
+fn begin_of(text: &str, byte: usize) -> usize {
     let rest = text.get(byte..).unwrap_or_default();
-    let begins = text.len() - rest.trim_start_matches(['\r', '\n']).len();
-    1 + text.as_bytes()[..begins].iter().filter(|&&byte| byte == b'\n').count()
+    text.len() - rest.trim_start_matches(['\r', '\n']).len()
 }
 
 /// A scene's row and the file of its points.
@@ -197,14 +213,30 @@ fn diagram(row: &Row<'_>, file: &impl Fn(&str) -> Result<String, String>) -> Res
         let origin = origin.ok_or_else(|| row.problem(1, "lab, shipped or peer"))?;
         let error = row.number(4, "an error of 0 or more, inf or NaN", |error| error.is_nan() || error >= 0.0)?;
         let point = Point { step: row.above_zero(2)?, work: row.above_zero(3)?, error };
-        match curves.iter_mut().find(|curve| curve.name == row.cells[0] && curve.origin == origin) {
-            Some(curve) => curve.points.push(point),
+        let known = curves.iter().position(|curve| curve.name == row.cells[0] && curve.origin == origin);
+        match known {
+            Some(index) => curves[index].points.push(point),
+            None if curves.len() == MOST_CURVES => return Err(row.problem(0, &format!("at most {MOST_CURVES} methods"))),
             None => curves.push(Curve { name: row.word(0), origin, points: vec![point] }),
         }
+    }
+    if name == PI {
+        check_steps(&points_file, &curves)?;
     }
     let (title, error, work) = (row.word(1), row.word(2), row.word(3));
     let (tolerance, shipped_step) = (row.above_zero(4)?, row.above_zero(5)?);
     Ok(Measured { name, title, error, work, tolerance, shipped_step, alike: row.flag(6)?, curves })
+}
+
+/// The methods by hand of the scene π are the values of N, which stand in one table: a row a step.
+fn check_steps(file: &str, curves: &[Curve]) -> Result<(), String> {
+    let mut by_hand = curves.iter().filter(|curve| curve.origin == Origin::Lab);
+    let steps = |curve: &Curve| curve.points.iter().map(|point| point.step).collect::<Vec<_>>();
+    let Some(first) = by_hand.next() else { return Ok(()) };
+    match by_hand.find(|curve| steps(curve) != steps(first)) {
+        Some(other) => Err(format!("{file}: found other steps at {:?} than at {:?}, expected the same", other.name, first.name)),
+        None => Ok(()),
+    }
 }
 
 fn survival(row: &Row<'_>) -> Result<Survival, String> {
@@ -304,12 +336,12 @@ mod tests {
             (
                 "a-scene.csv",
                 Some(&format!("{points}a,lab,1,NaN,0\n")),
-                "a-scene.csv:2: column \"work\": found \"NaN\", expected a number above 0",
+                "a-scene.csv:2: column \"work\": found \"NaN\", expected a number above 0, from 1e-100 to 1e100",
             ),
             (
                 "a-scene.csv",
                 Some(&format!("{points}a,lab,0,2,0\n")),
-                "a-scene.csv:2: column \"step\": found \"0\", expected a number above 0",
+                "a-scene.csv:2: column \"step\": found \"0\", expected a number above 0, from 1e-100 to 1e100",
             ),
             (
                 "a-scene.csv",

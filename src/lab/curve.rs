@@ -21,6 +21,11 @@ impl Point {
 /// Errors beyond this are no answer any more, whatever their unit.
 const BLOWN_UP: f64 = 1e4;
 
+/// Steps, work and tolerances: outside, a number is a slip, and logarithmic axes to it would have no end.
+pub const NUMBERS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
+/// The most curves of a diagram: more could neither be told apart nor named in its legend.
+pub const MOST_CURVES: usize = 64;
+
 /// Who answered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {

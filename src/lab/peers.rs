@@ -2,12 +2,14 @@
 //! the lab gets their points into its diagram; the others, which no method by hand could run, make diagrams of their own.
 
 use super::TOLERANCE;
-use super::curve::{Curve, Measured, Origin, Point};
+use super::curve::{Curve, MOST_CURVES, Measured, NUMBERS, Origin, Point};
 
 /// The columns that are read of the file that `benches/peers` writes; more may follow.
 pub const PEERS_HEAD: &str = "scene,engine,step,work,error";
 /// How many these are.
 const COLUMNS: usize = 5;
+/// How many letters of a line that cannot be read are shown.
+const MOST_SHOWN: usize = 120;
 /// What `benches/peers` calls this engine.
 pub const OURS: &str = "Resultant";
 /// What its scenes end with in which bodies that rest may sleep, as they always may in the lab.
@@ -90,11 +92,17 @@ pub fn add_peers(text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String>
     for (index, line) in lines.filter(|(_, line)| !line.trim().is_empty()) {
         let fields: Vec<&str> = line.split(',').map(str::trim).collect();
         let number = |i: usize| fields.get(i).and_then(|field| field.parse::<f64>().ok());
-        let above_zero = |i: usize| number(i).filter(|value| value.is_finite() && *value > 0.0);
+        let above_zero = |i: usize| number(i).filter(|value| NUMBERS.contains(value));
         let error = number(4).filter(|error| error.is_nan() || *error >= 0.0);
         let (Some(step), Some(work), Some(error)) = (above_zero(2), above_zero(3), error) else {
-            return Err(format!("line {}: expected a scene, an engine and three numbers, found {line}", index + 1));
+            let (least, most) = (NUMBERS.start(), NUMBERS.end());
+            return Err(format!(
+                "line {}: expected a scene, an engine, step and work from {least:e} to {most:e} and an error of 0 or more, found {}",
+                index + 1,
+                line.chars().take(MOST_SHOWN).collect::<String>()
+            ));
         };
+        let too_many = |()| format!("line {}: found another engine, expected at most {MOST_CURVES} curves in a diagram", index + 1);
         let (scene, ours) = (fields[0], fields[1] == OURS);
         let (scene, engine) = match scene.strip_suffix(SLEEP) {
             // Ours with sleep is what the lab measures.
@@ -105,23 +113,30 @@ pub fn add_peers(text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String>
         if let Some(measured) = diagrams.iter_mut().find(|measured| measured.name == scene) {
             // In the scenes of the lab the shipped engine is measured here and now.
             if !ours {
-                add(measured, &engine, Origin::Peer, Point { step, work, error });
+                add(measured, &engine, Origin::Peer, Point { step, work, error }).map_err(too_many)?;
             }
         } else if let Some((family, measured)) = families.iter_mut().find(|(family, _)| family.has(scene)) {
-            let work = if family.sizes { work * step } else { work };
+            let work = if family.sizes { (work * step).clamp(*NUMBERS.start(), *NUMBERS.end()) } else { work };
             let origin = if ours { Origin::Shipped } else { Origin::Peer };
-            add(measured.get_or_insert_with(|| family.diagram(step)), &engine, origin, Point { step, work, error });
+            add(measured.get_or_insert_with(|| family.diagram(step)), &engine, origin, Point { step, work, error })
+                .map_err(too_many)?;
         }
     }
     diagrams.extend(families.into_iter().filter_map(|(_, measured)| measured));
     Ok(())
 }
 
-fn add(measured: &mut Measured, name: &str, origin: Origin, point: Point) {
-    match measured.curves.iter_mut().find(|curve| curve.name == name) {
-        Some(curve) => curve.points.push(point),
+/// Adds a point to a curve of that name.
+///
+/// # Errors
+/// There are [`MOST_CURVES`] others.
+fn add(measured: &mut Measured, name: &str, origin: Origin, point: Point) -> Result<(), ()> {
+    match measured.curves.iter().position(|curve| curve.name == name) {
+        Some(index) => measured.curves[index].points.push(point),
+        None if measured.curves.len() >= MOST_CURVES => return Err(()),
         None => measured.curves.push(Curve { name: name.to_owned(), origin, points: vec![point] }),
     }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -150,15 +165,30 @@ mod tests {
     #[test]
     fn a_bad_row_is_named() {
         let problem = add_peers("scene,engine,step,work,error\nfall,other,0.01,many,0\n", &mut Vec::new()).unwrap_err();
-        assert_eq!(problem, "line 2: expected a scene, an engine and three numbers, found fall,other,0.01,many,0");
+        assert_eq!(
+            problem,
+            "line 2: expected a scene, an engine, step and work from 1e-100 to 1e100 and an error of 0 or more, found fall,other,0.01,many,0"
+        );
         assert_eq!(add_peers("", &mut Vec::new()).unwrap_err(), "line 1: expected scene,engine,step,work,error");
     }
 
     #[test]
     fn numbers_that_cannot_be_are_refused() {
-        for row in ["fall,other,0,1,0", "fall,other,0.1,NaN,0", "fall,other,0.1,1,-1", "fall,other,0.1,inf,0", "fall,other"] {
+        for row in [
+            "fall,other,0,1,0",
+            "fall,other,0.1,1.8e308,0",
+            "fall,other,0.1,NaN,0",
+            "fall,other,0.1,1,-1",
+            "fall,other,0.1,inf,0",
+            "fall,other",
+        ] {
             let problem = add_peers(&format!("{PEERS_HEAD}\n{row}\n"), &mut Vec::new()).unwrap_err();
-            assert_eq!(problem, format!("line 2: expected a scene, an engine and three numbers, found {row}"));
+            assert_eq!(
+                problem,
+                format!(
+                    "line 2: expected a scene, an engine, step and work from 1e-100 to 1e100 and an error of 0 or more, found {row}"
+                )
+            );
         }
     }
 }

@@ -136,10 +136,11 @@ fn pi_table(text: &mut String, measured: &Measured) {
     let by_hand: Vec<&Curve> = measured.curves.iter().filter(|curve| curve.origin == Origin::Lab).collect();
     let steps = by_hand.first().map_or(0, |curve| curve.points.len());
     for index in 0..steps {
-        let right = by_hand.iter().take_while(|curve| curve.points[index].error == 0.0).count();
-        let step = step(by_hand[0].points[index].step);
-        let _ = match right.checked_sub(1) {
-            Some(n) => writeln!(text, "| {step} | {n} | {} |", number(by_hand[n].points[index].work)),
+        let mut points = by_hand.iter().map_while(|curve| curve.points.get(index));
+        let Some(step) = points.clone().next().map(|point| step(point.step)) else { break };
+        let last_right = points.by_ref().take_while(|point| point.error == 0.0).enumerate().last();
+        let _ = match last_right {
+            Some((n, point)) => writeln!(text, "| {step} | {n} | {} |", number(point.work)),
             None => writeln!(text, "| {step} | none | – |"),
         };
     }

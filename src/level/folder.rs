@@ -1,21 +1,21 @@
 //! The only part of the loader that knows the disk.
 
+use super::name::{self, NameFault};
 use super::problem::{Problem, quoted};
-use super::read::{Files, Loaded, read};
+use super::read::{BACKGROUND, Files, Loaded, read};
 use super::rows;
+use super::table::Layout;
 use super::types::Look;
+use crate::files;
 use std::cmp::Ordering;
 use std::io;
 use std::path::Path;
-
-/// Longest name of a level: it is also the name of its scores file.
-const MAX_NAME: usize = 40;
 
 /// Loads the level in `folder`; images are looked up under `project`, the folder that holds `assets/` and `levels/`. The paths in
 /// the level can be opened as they are.
 ///
 /// # Errors
-/// Every problem in every file; a folder that is none is one problem.
+/// Every problem in every file; a folder that is none is one problem, and so is one with the name of another leaderboard.
 pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     // `.` and `..` have a name only once they are resolved.
     let resolved = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
@@ -23,7 +23,14 @@ pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     if !folder.is_dir() {
         return Err(vec![rows::PLAYER.problem(1, format!("no folder {}", quoted(&name)), "a level folder")]);
     }
+    let found = || format!("a level folder named {}", quoted(&name));
+    let fault = name::judge_taken(&name).err().map(|fault| (fault, NAME.problem(1, found(), fault.expected())));
+    if let Some((NameFault::Board(_), problem)) = fault {
+        return Err(vec![problem]);
+    }
     let mut loaded = read(&name, &Disk { folder, project })?;
+    // It can be played here, but the folder cannot be handed on to everyone.
+    loaded.warnings.extend(fault.map(|(_, problem)| problem));
     let level = &mut loaded.level;
     level.background = level.background.take().map(|path| folder.join(path));
     for object in &mut level.objects {
@@ -34,6 +41,9 @@ pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     Ok(loaded)
 }
 
+/// What a problem with the folder itself names in place of a file and a column.
+const NAME: Layout = Layout { file: "folder", columns: "name" };
+
 struct Disk<'a> {
     folder: &'a Path,
     project: &'a Path,
@@ -41,21 +51,12 @@ struct Disk<'a> {
 
 impl Files for Disk<'_> {
     fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
-        read_regular(&self.folder.join(name))
+        files::read(&self.folder.join(name), if name == BACKGROUND { files::PICTURE } else { files::LEVEL_TABLE })
     }
 
     fn project_file(&self, path: &str) -> io::Result<Vec<u8>> {
-        read_regular(&self.project.join(path))
+        files::read(&self.project.join(path), files::PICTURE)
     }
-}
-
-/// Reads a file, unless it is something else that would keep a reader waiting for ever (a pipe, a device).
-fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
-    let kind = std::fs::metadata(path)?.file_type();
-    if kind.is_file() || kind.is_dir() {
-        return std::fs::read(path);
-    }
-    Err(io::Error::new(io::ErrorKind::InvalidInput, "not a regular file"))
 }
 
 /// The names of the level folders in `levels`: those named by a number first and in numeric order (2 before 10), the others after,
@@ -69,13 +70,6 @@ pub fn list(levels: &Path) -> Vec<String> {
         .collect();
     names.sort_by(|a, b| by_number_then_name(a, b));
     names
-}
-
-/// Whether a new level may have that name: a word of at most 40 letters, digits, `-` and `_` that begins with a letter or digit.
-pub fn is_level_name(name: &str) -> bool {
-    name.chars().count() <= MAX_NAME
-        && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))
-        && name.chars().next().is_some_and(char::is_alphanumeric)
 }
 
 /// Numbers before words, numbers by value (however long they are), everything else by name.
@@ -102,15 +96,5 @@ mod tests {
         let mut names = ["tower", "10", "2", "Alpha", "02", "1b", "0", "99999999999999999999999", "1"];
         names.sort_by(|a, b| by_number_then_name(a, b));
         assert_eq!(names, ["0", "1", "02", "2", "10", "99999999999999999999999", "1b", "Alpha", "tower"]);
-    }
-
-    #[test]
-    fn level_names_are_words() {
-        for name in ["1", "tower", "höhle-2", "a_b", &"x".repeat(40)] {
-            assert!(is_level_name(name), "{name}");
-        }
-        for name in ["", "-a", "_a", "a b", "a/b", "..", "a.b", "C:", "a\\b", &"x".repeat(41)] {
-            assert!(!is_level_name(name), "{name}");
-        }
     }
 }

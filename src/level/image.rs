@@ -4,9 +4,17 @@ use super::problem::quoted;
 use super::quantity::Scale;
 use super::read::Files;
 use super::types::Look;
+use crate::files;
 use std::collections::BTreeMap;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+
+/// The longest side of a picture, pixels: what graphics cards draw.
+const MOST_SIDE: u32 = 16_384;
+/// The most pixels of a picture: 128 MiB when it is unpacked. A PNG of a few kilobytes can unfold to gigabytes.
+const MOST_PIXELS: u64 = 1 << 25;
+/// The most pixels of all the pictures of a level's objects together: 512 MiB.
+const MOST_PIXELS_IN_ALL: u64 = 1 << 27;
 
 /// What was found and what is expected.
 pub(super) type Refusal = (String, String);
@@ -18,11 +26,13 @@ pub(super) type Shape = (Look, f64, f64);
 pub(super) struct Images<'a> {
     files: &'a dyn Files,
     known: BTreeMap<String, Result<(f64, f64), Refusal>>,
+    /// Of all known images together.
+    pixels: u64,
 }
 
 impl<'a> Images<'a> {
     pub fn new(files: &'a dyn Files) -> Self {
-        Self { files, known: BTreeMap::new() }
+        Self { files, known: BTreeMap::new(), pixels: 0 }
     }
 
     /// What an `image` cell means: `box:40x40`, `ball:40x40`, or a PNG's path from the project root.
@@ -36,9 +46,17 @@ impl<'a> Images<'a> {
             }
         }
         let path = project_path(cell)?;
-        let files = self.files;
-        let (width, height) =
-            self.known.entry(path.clone()).or_insert_with(|| png_size(files.project_file(&path), cell)).clone()?;
+        let (files, pixels) = (self.files, &mut self.pixels);
+        let read = || {
+            let size = png_size(files.project_file(&path), cell)?;
+            *pixels += (size.0 * size.1) as u64;
+            if *pixels > MOST_PIXELS_IN_ALL {
+                let found = format!("{}, with which the level's pictures have {pixels} pixels", quoted(cell));
+                return Err((found, format!("pictures of at most {MOST_PIXELS_IN_ALL} pixels in all")));
+            }
+            Ok(size)
+        };
+        let (width, height) = self.known.entry(path.clone()).or_insert_with(read).clone()?;
         for side in [width, height] {
             scale.size().parse(&side.to_string()).map_err(|expected| (format!("an image side of {side} pixels"), expected))?;
         }
@@ -67,22 +85,39 @@ fn project_path(cell: &str) -> Result<String, Refusal> {
 /// Width and height of a PNG in pixels, both > 0. `name` is how the author wrote it.
 ///
 /// # Errors
-/// There is no such file, it cannot be read, or it is no PNG.
-pub(super) fn png_size(bytes: io::Result<Vec<u8>>, name: &str) -> Result<(f64, f64), Refusal> {
+/// There is no such file, it cannot be read, it is no PNG, or it would unfold to too many pixels.
+pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Result<(f64, f64), Refusal> {
     let expected = || "a PNG image".to_owned();
     let bytes = bytes.map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => (format!("no file {}", quoted(name)), expected()),
         _ => (format!("{}, which cannot be read ({error})", quoted(name)), expected()),
     })?;
-    read_png_size(&bytes).map_err(|_| (format!("{}, which is no PNG or is damaged", quoted(name)), expected()))
+    let damaged = |_| (format!("{}, which is no PNG or is damaged", quoted(name)), expected());
+    let mut decoder = png::Decoder::new(io::Cursor::new(bytes.as_ref()));
+    // What is written beside the picture could unfold to anything.
+    decoder.set_ignore_text_chunk(true);
+    decoder.set_ignore_iccp_chunk(true);
+    let head = decoder.read_header_info().map_err(damaged)?;
+    let (width, height) = (head.width, head.height);
+    if width.max(height) > MOST_SIDE || u64::from(width) * u64::from(height) > MOST_PIXELS {
+        let found = format!("{} of {width} × {height} pixels", quoted(name));
+        return Err((found, format!("a PNG image of at most {MOST_PIXELS} pixels, none of its sides above {MOST_SIDE}")));
+    }
+    // Walks over all chunks and their checksums, without unpacking the picture: a file that was cut short is found here, not when it
+    // is drawn.
+    decoder.read_info().and_then(|mut reader| reader.finish()).map_err(damaged)?;
+    Ok((f64::from(width), f64::from(height)))
 }
 
-/// Walks over all chunks and their checksums, without unpacking the picture: a file that was cut short is found here, not when it
-/// is drawn.
-fn read_png_size(bytes: &[u8]) -> Result<(f64, f64), png::DecodingError> {
-    let mut reader = png::Decoder::new(io::Cursor::new(bytes)).read_info()?;
-    reader.finish()?;
-    Ok((f64::from(reader.info().width), f64::from(reader.info().height)))
+/// The bytes of a picture that is to be unpacked, judged anew: the file may be another one than when its level was loaded.
+///
+/// # Errors
+/// It cannot be read, is no PNG, or would unfold to too many pixels.
+pub fn read_picture(path: &Path) -> io::Result<Vec<u8>> {
+    let bytes = files::read(path, files::PICTURE)?;
+    let refused = |(found, expected)| io::Error::new(io::ErrorKind::InvalidData, format!("found {found}, expected {expected}"));
+    png_size(Ok(&bytes), &path.display().to_string()).map_err(refused)?;
+    Ok(bytes)
 }
 
 #[cfg(test)]

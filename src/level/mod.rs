@@ -9,6 +9,7 @@
 mod cells;
 mod folder;
 mod image;
+mod name;
 mod placement;
 mod problem;
 mod quantity;
@@ -19,7 +20,9 @@ mod table;
 mod types;
 mod world_def;
 
-pub use folder::{is_level_name, list, load};
+pub use folder::{list, load};
+pub use image::read_picture;
+pub use name::{NameFault, judge_name};
 pub use problem::Problem;
 pub use read::{Files, Loaded, read};
 pub use types::{

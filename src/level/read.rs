@@ -11,7 +11,8 @@ use crate::physics::{Aabb, DVec2};
 use std::io;
 use std::path::PathBuf;
 
-const BACKGROUND: &str = "background.png";
+/// The picture behind a level, in its folder.
+pub(super) const BACKGROUND: &str = "background.png";
 
 /// Where the loader gets bytes from.
 pub trait Files {
@@ -72,6 +73,10 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     // A level without a readable player or size has a problem already.
     let (Some(player), Some(size), true) = (&draft.player, draft.size, problems.is_empty()) else {
         problems.sort_by_key(|problem| (file_order(&problem.file), problem.line));
+        if problems.len() > table::MOST_PROBLEMS {
+            problems.truncate(table::MOST_PROBLEMS);
+            problems.extend(problems.last().map(|last| table::too_many(&last.file, last.line)));
+        }
         return Err(problems);
     };
     warnings.extend(placement::warn(&draft, &player.item, size / draft.scale.metre));

@@ -53,6 +53,18 @@ pub(super) struct Record {
     cells: Vec<(&'static str, Cell)>,
 }
 
+/// The most cells that a header may have. No file has a tenth as many columns; with as many as a file can hold, every message about a
+/// row would name all of them.
+const MOST_COLUMNS: usize = 200;
+
+/// How many problems of a level are told: whoever has so many looks at the first.
+pub(super) const MOST_PROBLEMS: usize = 1000;
+
+/// What stands in place of all further problems.
+pub(super) fn too_many(file: &str, line: usize) -> Problem {
+    Problem::new(file, line, "all", "more problems from here on", format!("at most {MOST_PROBLEMS} in a level"))
+}
+
 /// What a file holds.
 #[derive(Debug, Default)]
 pub(super) struct Table {
@@ -70,12 +82,23 @@ pub(super) fn read(layout: Layout, bytes: &[u8], problems: &mut Vec<Problem>) ->
     if let Some((first, rest)) = rows.split_first()
         && is_header(layout, first)
     {
+        let used = first.cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1);
+        if used > MOST_COLUMNS {
+            let found = format!("{used} cells in the header");
+            problems.push(layout.problem(first.line, found, format!("the columns {}", layout.columns)));
+            return Table { records: Vec::new(), lines: rest.iter().map(|row| row.line).collect() };
+        }
         columns = header(layout, first, problems);
         rows = rest;
     }
     let mut table = Table::default();
+    let enough = problems.len() + MOST_PROBLEMS;
     for row in rows {
         table.lines.push(row.line);
+        if problems.len() >= enough {
+            problems.push(too_many(layout.file, row.line));
+            break;
+        }
         if let Some(problem) = wrong_separator(layout, row) {
             problems.push(problem);
             break; // The rest of the file is like this row.
@@ -97,8 +120,13 @@ pub(super) fn read_by_kind(
         |row: &Row, i: usize, name: &str| row.cells.get(i).is_some_and(|cell| cell.text.trim().eq_ignore_ascii_case(name));
     let rows = cells::rows(bytes);
     let mut table = Table::default();
+    let enough = problems.len() + MOST_PROBLEMS;
     for row in rows.iter().skip_while(|row| is_cell(row, 1, "x") && is_cell(row, 2, "y")) {
         table.lines.push(row.line);
+        if problems.len() >= enough {
+            problems.push(too_many(kinds.file, row.line));
+            break;
+        }
         if let Some(problem) = wrong_separator(kinds, row) {
             problems.push(problem);
             break;

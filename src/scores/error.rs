@@ -39,6 +39,10 @@ pub enum ScoresError {
     LevelName(String),
     /// The scores file is marked read-only: whoever did that wants it left alone.
     ReadOnly(PathBuf),
+    /// Another process holds the lock of the board and does not let go: with the lock file. It may be tried again.
+    Busy(PathBuf),
+    /// With one row more the board would be larger than it may be.
+    Full(PathBuf),
     /// The system refused something.
     File {
         /// What was attempted, as in "cannot …".
@@ -68,6 +72,13 @@ impl fmt::Display for ScoresError {
                 )
             }
             Self::ReadOnly(path) => write!(f, "{}: the file is read-only, expected one that may be replaced", path.display()),
+            Self::Busy(path) => {
+                let path = path.display();
+                write!(f, "{path}: another program is saving there and does not come to an end; nothing was saved, try again")
+            }
+            Self::Full(path) => {
+                write!(f, "{}: the board is full, expected one that stays below {} bytes", path.display(), crate::files::SCORES)
+            }
             Self::File { attempt, path, source } => write!(f, "{}: cannot {attempt}: {source}", path.display()),
         }
     }
@@ -76,7 +87,7 @@ impl fmt::Display for ScoresError {
 impl std::error::Error for ScoresError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            Self::NoScore | Self::LevelName(_) | Self::ReadOnly(_) => None,
+            Self::NoScore | Self::LevelName(_) | Self::ReadOnly(_) | Self::Busy(_) | Self::Full(_) => None,
             Self::File { source, .. } => Some(source),
         }
     }

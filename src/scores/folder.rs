@@ -1,20 +1,32 @@
 //! The folder that holds the scores files, one a level: reading, locking and replacing them.
 //!
-//! A save holds the lock on `<level>.csv.lock` while it reads the file, adds the score, writes `<level>.csv.new` and renames that
+//! A save holds the lock on `.<level>.csv.lock` while it reads the file, adds the score, writes `.<level>.csv.new` and renames that
 //! over the file. So no save of another process is lost, and whoever reads sees the old file or the new one, whole, whatever
 //! happens in between. The system frees a lock when its process ends, however it ends. The lock file itself stays: were it
-//! deleted, two processes could hold the locks of two different files of that name.
+//! deleted, two processes could hold the locks of two different files of that name. Both names begin with a full stop, which keeps
+//! them out of sight.
+//!
+//! A folder may be shared: whoever may write in it may also lock what is in it, and a board keeps its mode and its group whoever saves.
+//! Where a board is a link, the file that it leads to is the board, and everything happens beside that.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use super::{Board, Damage, Name, Placement, ScoresError, table};
+use crate::files;
+
+/// How long a save waits for another process that saves there. A save takes milliseconds; whoever holds a lock for longer hangs.
+pub const PATIENCE: Duration = Duration::from_secs(2);
+/// The pause between two looks at a lock that is held. Where many processes save without end, each gets its turn by luck: with longer
+/// pauses some would not get one in time.
+const LOCK_PAUSE: Duration = Duration::from_millis(1);
 
 /// How often a rename is tried. Windows refuses it while a virus scanner or a spreadsheet has the target open.
 const RENAME_TRIES: u32 = if cfg!(windows) { 50 } else { 1 };
 /// The pause between two tries. With fewer or shorter ones a save fails that would have succeeded.
-const RENAME_PAUSE: std::time::Duration = std::time::Duration::from_millis(20);
+const RENAME_PAUSE: Duration = Duration::from_millis(20);
 
 /// The folder of all leaderboards.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,23 +81,37 @@ impl Scores {
 
     /// Saves a score in a level's leaderboard; the file is on disk, whole, when this returns.
     ///
-    /// Waits while another process saves there. A damaged file is kept aside as `<level>.csv.damaged-N` before it is replaced.
+    /// Waits up to [`PATIENCE`] while another process saves there. A damaged file is kept aside as `<level>.csv.damaged-N` before it is
+    /// replaced.
     ///
     /// # Errors
-    /// A score below 1; a level name that cannot name a file; a read-only file; whatever the system refuses. The old file is
-    /// untouched then.
+    /// A score below 1; a level name that cannot name a file; a read-only file; a board that is too large; another process that does
+    /// not come to an end ([`ScoresError::Busy`]: it may be tried again); whatever the system refuses. The old file is untouched then.
     pub fn save(&self, level: &str, name: &Name, score: i64) -> Result<Saved, ScoresError> {
+        self.save_within(PATIENCE, level, name, score)
+    }
+
+    /// As [`Scores::save`], with that much patience; without any it returns at once.
+    ///
+    /// # Errors
+    /// As [`Scores::save`].
+    pub fn save_within(&self, patience: Duration, level: &str, name: &Name, score: i64) -> Result<Saved, ScoresError> {
         let path = self.path(level)?;
         if score < 1 {
             return Err(ScoresError::NoScore);
         }
         fs::create_dir_all(&self.folder).map_err(ScoresError::file("create the scores folder", &self.folder))?;
-        let _lock = lock(&beside(&path, "lock"))?;
+        let path = behind_links(path)?;
+        let folder = path.parent().unwrap_or(&self.folder);
+        let _lock = lock(folder, &hidden(&path, "lock"), patience)?;
 
         let old = read_if_there(&path)?;
         let (mut board, damage) = table::read(&path, old.as_deref().unwrap_or_default());
         let placement = board.place(name, score)?;
         let new = table::write(&board).map_err(ScoresError::file("write the new scores", &path))?;
+        if new.len() as u64 > files::SCORES {
+            return Err(ScoresError::Full(path));
+        }
 
         let mut rescue = None;
         if old.as_ref() != Some(&new) {
@@ -97,7 +123,7 @@ impl Scores {
                 // The damaged file is still in its place, so the copy is one too many.
                 rescue.iter().for_each(|rescue| drop(fs::remove_file(&rescue.kept)));
             })?;
-            sync_folder(&self.folder);
+            sync_folder(folder);
         }
         Ok(Saved { board, placement, rescue })
     }
@@ -112,7 +138,15 @@ impl Scores {
     }
 }
 
-/// The path of a companion of a scores file: `1.csv` and `lock` make `1.csv.lock`. No level's own file ends like that.
+/// The file that a board is: the one that its links lead to.
+fn behind_links(path: PathBuf) -> Result<PathBuf, ScoresError> {
+    if fs::symlink_metadata(&path).is_ok_and(|found| found.is_symlink()) {
+        return path.canonicalize().map_err(ScoresError::file("follow the link to the scores", &path));
+    }
+    Ok(path)
+}
+
+/// The path of a companion of a scores file: `1.csv` and `damaged-1` make `1.csv.damaged-1`. No level's own file ends like that.
 fn beside(path: &Path, ending: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".");
@@ -120,8 +154,15 @@ fn beside(path: &Path, ending: &str) -> PathBuf {
     PathBuf::from(name)
 }
 
+/// The path of a companion that is nobody's business: `1.csv` and `lock` make `.1.csv.lock`.
+fn hidden(path: &Path, ending: &str) -> PathBuf {
+    let mut name = std::ffi::OsString::from(".");
+    name.push(path.file_name().unwrap_or_default());
+    beside(&path.with_file_name(name), ending)
+}
+
 fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, ScoresError> {
-    match fs::read(path) {
+    match files::read(path, files::SCORES) {
         Ok(bytes) => Ok(Some(bytes)),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
         Err(error) => Err(ScoresError::file("read the scores", path)(error)),
@@ -129,12 +170,63 @@ fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, ScoresError> {
 }
 
 /// Waits for the lock; it lasts until the returned file is dropped.
-fn lock(path: &Path) -> Result<File, ScoresError> {
-    let file = OpenOptions::new().create(true).truncate(false).write(true).open(path);
-    let file = file.map_err(ScoresError::file("open the lock file", path))?;
-    file.lock().map_err(ScoresError::file("lock the scores", path))?;
-    Ok(file)
+fn lock(folder: &Path, path: &Path, patience: Duration) -> Result<File, ScoresError> {
+    let file = open_lock(folder, path).map_err(ScoresError::file("open the lock file", path))?;
+    let begun = Instant::now();
+    loop {
+        match file.try_lock() {
+            Ok(()) => return Ok(file),
+            Err(TryLockError::WouldBlock) if begun.elapsed() < patience => std::thread::sleep(LOCK_PAUSE),
+            Err(TryLockError::WouldBlock) => return Err(ScoresError::Busy(path.to_owned())),
+            Err(TryLockError::Error(error)) => return Err(ScoresError::file("lock the scores", path)(error)),
+        }
+    }
 }
+
+/// Opens the lock file; makes it where there is none, for all who may write in the folder.
+fn open_lock(folder: &Path, path: &Path) -> io::Result<File> {
+    match File::create_new(path) {
+        Ok(file) => {
+            share(folder, &file, true)?;
+            return Ok(file);
+        }
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+        Err(error) => return Err(error),
+    }
+    if !fs::metadata(path)?.is_file() {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "found something else, expected a regular file"));
+    }
+    // To hold a lock is all that it is for: where another user made it and only reading is allowed, that will do.
+    OpenOptions::new().write(true).open(path).or_else(|_| File::open(path))
+}
+
+/// Lets all who may write in the folder read the file and write to it, whatever the process' umask says. Whether others may do what they
+/// could do is as it was, or, for a file that is nobody else's business, no.
+#[cfg(unix)]
+fn share(folder: &Path, file: &File, private: bool) -> io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    let may_write = fs::metadata(folder)?.permissions().mode() & 0o022;
+    let least = if private { 0o600 } else { file.metadata()?.permissions().mode() & 0o777 };
+    file.set_permissions(fs::Permissions::from_mode(least | may_write | may_write << 1))
+}
+
+#[cfg(not(unix))]
+fn share(_: &Path, _: &File, _: bool) -> io::Result<()> {
+    Ok(())
+}
+
+/// Gives a file the group of what it is going to replace, where that is allowed: who shared the one shares the other.
+#[cfg(unix)]
+fn keep_group(file: &File, target: &fs::Metadata) {
+    use std::os::unix::fs::{MetadataExt, fchown};
+    if file.metadata().is_ok_and(|own| own.gid() != target.gid()) {
+        // The folder may be shared in another way than by a group.
+        let _ = fchown(file, None, Some(target.gid()));
+    }
+}
+
+#[cfg(not(unix))]
+fn keep_group(_: &File, _: &fs::Metadata) {}
 
 /// The new content of a scores file, complete and on disk under a name of its own; gone with this value unless it took the file's
 /// place. The lock makes the fixed name safe; what a killed process left there is written over.
@@ -144,16 +236,25 @@ struct Staged {
 
 impl Staged {
     fn write(target: &Path, bytes: &[u8]) -> Result<Self, ScoresError> {
-        let permissions = fs::metadata(target).ok().map(|metadata| metadata.permissions());
+        let metadata = fs::metadata(target).ok();
+        let permissions = metadata.as_ref().map(fs::Metadata::permissions);
         if permissions.as_ref().is_some_and(fs::Permissions::readonly) {
             return Err(ScoresError::ReadOnly(target.to_owned()));
         }
-        let path = beside(target, "new");
+        let path = hidden(target, "new");
+        // What a process that was killed left there may be another user's: it can be removed but not written to.
+        if fs::symlink_metadata(&path).is_ok_and(|found| found.is_file()) {
+            fs::remove_file(&path).map_err(ScoresError::file("write the new scores", &path))?;
+        }
         let mut file = File::create(&path).map_err(ScoresError::file("write the new scores", &path))?;
+        if let Some(metadata) = &metadata {
+            keep_group(&file, metadata);
+        }
         let staged = Self { path };
         let written = file.write_all(bytes).and_then(|()| file.sync_all()).and_then(|()| match permissions {
             Some(permissions) if file.metadata()?.permissions() != permissions => file.set_permissions(permissions),
-            _ => Ok(()),
+            Some(_) => Ok(()),
+            None => share(target.parent().unwrap_or(target), &file, false),
         });
         written.map_err(ScoresError::file("write the new scores", &staged.path))?;
         Ok(staged)

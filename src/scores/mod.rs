@@ -12,5 +12,5 @@ pub mod table;
 
 pub use board::{Board, Placement, Row};
 pub use error::{Damage, ScoresError};
-pub use folder::{Loaded, Rescue, Saved, Scores};
+pub use folder::{Loaded, PATIENCE, Rescue, Saved, Scores};
 pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};

@@ -14,14 +14,16 @@ use super::{Board, Damage, Name, Row};
 const COLUMNS: [&str; 2] = ["name", "score"];
 /// What some editors put in front of UTF-8.
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+/// How many places that cannot be read are told; of a file that is something else altogether more would say no more.
+const MOST_DAMAGE: usize = 1000;
 
 /// The board that stands in `bytes`, and every place that could not be read. `path` is only named in those.
 pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<Damage>) {
     let mut reading = Reading { path, more_columns: Vec::new(), rows: Vec::new(), lines: HashMap::new(), damage: Vec::new() };
     let mut rest = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
-    let (mut line, mut first) = (1, true);
+    let (mut line, mut first, mut unclosed) = (1, true, false);
     while !rest.is_empty() {
-        let end = match record_end(rest) {
+        let end = match record_end(rest, unclosed) {
             Some(end) => {
                 if !rest[..end].trim_ascii().is_empty() {
                     reading.record(line, &rest[..end], first);
@@ -37,7 +39,7 @@ pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<Damage>) {
                     "a quotation mark that is never closed",
                     "expected a second one at the end of its cell",
                 );
-                first = false;
+                (first, unclosed) = (false, true);
                 line_end(rest)
             }
         };
@@ -73,16 +75,23 @@ struct Reading<'a> {
 
 impl Reading<'_> {
     fn damaged(&mut self, line: usize, column: Option<&'static str>, found: impl Into<String>, expected: impl Into<String>) {
-        self.damage.push(Damage { path: self.path.to_owned(), line, column, found: found.into(), expected: expected.into() });
+        let damage = |column, found, expected| Damage { path: self.path.to_owned(), line, column, found, expected };
+        match self.damage.len() {
+            0..MOST_DAMAGE => self.damage.push(damage(column, found.into(), expected.into())),
+            MOST_DAMAGE => {
+                let expected = format!("expected at most {MOST_DAMAGE} in a file; from here on they are not listed");
+                self.damage.push(damage(None, "one more place that cannot be read".to_owned(), expected));
+            }
+            _ => {}
+        }
     }
 
     /// Takes in one record, which starts at `line`; the `first` one may be the header.
     fn record(&mut self, line: usize, bytes: &[u8], first: bool) {
-        let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes);
-        let cells = match reader.records().next() {
-            Some(Ok(record)) => record.iter().map(str::to_owned).collect::<Vec<_>>(),
-            Some(Err(_)) | None => return self.damaged(line, None, "bytes that are no text", "expected UTF-8"),
+        let Ok(text) = str::from_utf8(bytes) else {
+            return self.damaged(line, None, "bytes that are no text", "expected UTF-8");
         };
+        let cells = cells(text.trim_matches(['\r', '\n']));
         let [name, score, more @ ..] = cells.as_slice() else {
             return self.damaged(line, None, "1 cell", "expected at least 2: name,score");
         };
@@ -127,17 +136,49 @@ fn points(cell: &str) -> Option<i64> {
     cell.parse().ok().filter(|&score: &i64| digits && score >= 1)
 }
 
+/// The cells of a record without its line end. The csv crate would say the same, but a reader of it for each record takes longer than
+/// all the rest.
+fn cells(record: &str) -> Vec<String> {
+    let mut cells = vec![String::new()];
+    let mut rest = record.chars().peekable();
+    let mut quoted = rest.next_if_eq(&'"').is_some();
+    while let Some(c) = rest.next() {
+        let cell = cells.len() - 1;
+        match c {
+            '"' if quoted && rest.next_if_eq(&'"').is_some() => cells[cell].push('"'),
+            '"' if quoted => {
+                quoted = false;
+                // What stands behind a closing mark belongs to the cell as it is.
+                while let Some(plain) = rest.next_if(|&c| c != ',') {
+                    cells[cell].push(plain);
+                }
+            }
+            ',' if !quoted => {
+                cells.push(String::new());
+                quoted = rest.next_if_eq(&'"').is_some();
+            }
+            plain => cells[cell].push(plain),
+        }
+    }
+    cells
+}
+
 /// Where the first record of `bytes` ends, its line end included; `None` when a quotation mark in it is never closed.
 ///
 /// This, and not the CSV reader's position, keeps the line numbers right and one stray quotation mark from swallowing all rows
 /// that follow it.
-fn record_end(bytes: &[u8]) -> Option<usize> {
+///
+/// `unclosed` says that an earlier record was of that kind. That one is within quotes at each line end up to the file's end, and
+/// whatever is within quotes at one of them goes on like it: no record need be followed beyond its line, and reading takes time in
+/// proportion to the file's length.
+fn record_end(bytes: &[u8], unclosed: bool) -> Option<usize> {
     let (mut quoted, mut may_open) = (false, true);
     let mut index = 0;
     while index < bytes.len() {
         match bytes[index] {
             b'"' if quoted => (quoted, may_open) = (false, true), // one right behind it opens again: a doubled mark is one mark
             b'"' if may_open => quoted = true,
+            b'\r' | b'\n' if quoted && unclosed => return None,
             b'\r' | b'\n' if !quoted => return Some(index + line_end(&bytes[index..])),
             byte => may_open = byte == b',',
         }
@@ -274,6 +315,38 @@ mod tests {
         let (rows, damage) = reading(b"ann,30\nb\xFFb,20\ncid,10\n\0\0\0\0");
         assert_eq!(rows, ["ann,30", "cid,10"]);
         assert_eq!(damage, ["1.csv:2: bytes that are no text, expected UTF-8", "1.csv:4: 1 cell, expected at least 2: name,score"]);
+    }
+
+    #[test]
+    fn a_record_behind_an_unclosed_quotation_mark_may_not_span_lines_either() {
+        // Each of these lines is within quotes at its end, whether it begins so or not.
+        let (rows, damage) = reading("\"\"x\",\"\n\"\"x\",\"\nann,30\nbob,20\n");
+        assert_eq!(rows, ["ann,30", "bob,20"]);
+        assert_eq!(damage.len(), 2, "{damage:?}");
+        assert!(damage.iter().all(|damage| damage.contains("never closed")), "{damage:?}");
+    }
+
+    #[test]
+    fn no_more_damage_is_told_than_anyone_reads() {
+        let (rows, damage) = reading("ann\n".repeat(2 * MOST_DAMAGE) + "bob,20\n");
+        assert_eq!((rows, damage.len()), (vec!["bob,20".to_owned()], MOST_DAMAGE + 1));
+        assert_eq!(
+            damage[MOST_DAMAGE],
+            "1.csv:1001: one more place that cannot be read, expected at most 1000 in a file; from here on they are not listed"
+        );
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn cells_are_those_of_the_csv_crate(record in "([a\", ]|\"\"){0,12}", from in 0_usize..2) {
+            let record = format!("x{record}");
+            let record = &record[from..];
+            let whole = record_end(record.as_bytes(), false).is_some() && !record.trim().is_empty();
+            let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(record.as_bytes());
+            if let Some(read) = reader.records().next().filter(|_| whole) {
+                proptest::prop_assert!(cells(record).iter().map(String::as_str).eq(read.unwrap().iter()), "{record:?}");
+            }
+        }
     }
 
     #[test]

@@ -9,9 +9,13 @@ use super::{
     Scoring, Screen, Spectator, TileRun,
 };
 use crate::game::{Outcome, RunResult};
-use crate::scores::{Damage, Name, Placement, Saved, Scores};
+use crate::scores::{Damage, Name, PATIENCE, Placement, Saved, Scores, ScoresError};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
+use std::time::Duration;
+
+/// What is shown while another program is saving.
+const WAITING: &str = "Another game is saving there: waiting for it …";
 
 /// Where the game's files are.
 #[derive(Clone, Debug)]
@@ -40,6 +44,17 @@ pub struct App {
     completed: BTreeSet<String>,
     /// How many menus there have been: each has other balls.
     menus: u64,
+    /// A score that another program keeps from being saved.
+    waiting: Option<Waiting>,
+}
+
+/// A score to be saved as soon as another program lets go of the board.
+#[derive(Debug)]
+struct Waiting {
+    gain: Gain,
+    name: Name,
+    /// s.
+    since: f64,
 }
 
 impl App {
@@ -54,6 +69,7 @@ impl App {
             last_level: None,
             completed: BTreeSet::new(),
             menus: 0,
+            waiting: None,
         };
         app.screen = app.menu();
         app
@@ -65,7 +81,7 @@ impl App {
         match self.update_screen(input, spectator) {
             Some(Request::Quit) => return false,
             Some(request) => self.grant(request, spectator),
-            None => {}
+            None => self.save_what_waits(input.frame_time),
         }
         // Whatever has just opened knows its places, and what is under the pointer, before it is drawn.
         let nothing_more = self.update_screen(&input.without_edges(), spectator);
@@ -111,7 +127,7 @@ impl App {
             Request::Attempt(attempt) => self.flight(attempt, spectator),
             Request::Score(attempt, result) => self.scoring(attempt, result),
             Request::SaveScore(gain) => Screen::SaveScore(Box::new(SaveScore::new(gain, self.user.as_ref()))),
-            Request::Submit(gain, name) => match self.save(&gain, name) {
+            Request::Submit(gain, name) => match self.save(Waiting { gain, name, since: 0.0 }) {
                 Some(screen) => screen,
                 None => return,
             },
@@ -184,9 +200,21 @@ impl App {
         }
     }
 
-    /// Saves a score; `None` when that failed, which the screen for the name then says.
-    fn save(&mut self, gain: &Gain, name: Name) -> Option<Screen> {
-        match self.scores.save(&gain.board, &name, gain.points) {
+    /// Tries again to save the score that waits, if the player still does; no frame is spent on waiting.
+    fn save_what_waits(&mut self, frame_time: f64) {
+        let still = |waiting: &Waiting| matches!(&self.screen, Screen::SaveScore(screen) if screen.text() == waiting.name.as_str());
+        let Some(mut waiting) = self.waiting.take().filter(still) else { return };
+        waiting.since += frame_time;
+        if let Some(screen) = self.save(waiting) {
+            self.screen = screen;
+            self.shown_for = 0.0;
+        }
+    }
+
+    /// Saves a score; `None` when that failed or has to wait, which the screen for the name then says.
+    fn save(&mut self, waiting: Waiting) -> Option<Screen> {
+        let Waiting { gain, name, since } = waiting;
+        match self.scores.save_within(Duration::ZERO, &gain.board, &name, gain.points) {
             Ok(Saved { board, placement, rescue }) => {
                 let damage = rescue.map(|rescue| {
                     format!("{} The damaged file was kept as {}.", damage_text(&rescue.damage), rescue.kept.display())
@@ -200,8 +228,15 @@ impl App {
                 Some(Screen::Leaderboard(screen))
             }
             Err(error) => {
+                let error = match error {
+                    ScoresError::Busy(_) if since < PATIENCE.as_secs_f64() => {
+                        self.waiting = Some(Waiting { gain, name, since });
+                        WAITING.to_owned()
+                    }
+                    error => error.to_string(),
+                };
                 if let Screen::SaveScore(screen) = &mut self.screen {
-                    screen.refuse(error.to_string());
+                    screen.refuse(error);
                 }
                 None
             }

@@ -2,10 +2,10 @@
 
 use super::lab::Shown;
 use crate::classics::tile_run::{Command, InputError, Map};
+use crate::files::{CHART, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::lab::charts::Charts;
 use crate::lab::kept;
 use crate::level::{self, Level};
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -58,7 +58,10 @@ impl Library {
     /// The first problem, with file and line.
     pub fn tile_run(&self) -> Result<(Map, Vec<Command>), String> {
         let folder = self.root.join(TILE_RUN);
-        Ok((read(folder.join("map.txt"), Map::parse)?, read(folder.join("commands.txt"), Command::parse_all)?))
+        Ok((
+            read(folder.join("map.txt"), TILE_MAP, Map::parse)?,
+            read(folder.join("commands.txt"), TILE_COMMANDS, Command::parse_all)?,
+        ))
     }
 
     /// The charts in `charts/`, where the last `resultant chart` wrote them; where there are none, or they cannot be read, those that
@@ -77,14 +80,12 @@ impl Library {
     }
 }
 
-fn read<T>(path: PathBuf, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, String> {
-    let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+fn read<T>(path: PathBuf, at_most: u64, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, String> {
+    let text = read_text(&path, at_most).map_err(|error| format!("{}: {error}", path.display()))?;
     parse(&text).map_err(|error| format!("{}:{error}", path.display()))
 }
 
-/// The text of a file in a folder. Nothing but a regular file is read: another one may never end.
+/// The text of one file of charts in a folder.
 fn text(folder: &Path, file: &str) -> Result<String, String> {
-    let path = folder.join(file);
-    let regular = path.metadata().and_then(|found| if found.is_file() { Ok(()) } else { Err(io::Error::other("no regular file")) });
-    regular.and_then(|()| std::fs::read_to_string(&path)).map_err(|error| format!("{file}: {error}"))
+    read_text(&folder.join(file), CHART).map_err(|error| format!("{file}: {error}"))
 }

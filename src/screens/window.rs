@@ -2,6 +2,7 @@
 
 use super::{App, Attempt, Flight, Input, Key, Keys, Places, Request, Screen, Spectator};
 use crate::game::Game;
+use crate::level;
 use crate::view::canvas::Canvas;
 use crate::view::layout::{DESIGN, Vec2};
 use crate::view::sound::{Cue, Speaker, heard};
@@ -185,7 +186,7 @@ impl Theatre {
 
 impl Spectator for Theatre {
     fn begins(&mut self, game: &Game) {
-        self.view = Some(GameView::new(game, self.art.clone(), &|path| std::fs::read(path).ok()));
+        self.view = Some(GameView::new(game, self.art.clone(), &|path| level::read_picture(path).ok()));
         self.tick_cost = 0.0;
     }
 

@@ -115,6 +115,39 @@ fn a_score_that_cannot_be_saved_says_why_and_stays() {
 }
 
 #[test]
+fn a_board_that_another_program_holds_is_waited_for_without_holding_up_a_frame() {
+    let hold = |sitting: &Sitting| {
+        let held = fs::File::create(sitting.folder.path().join("scores/.1.csv.lock")).unwrap();
+        held.lock().unwrap();
+        held
+    };
+    let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
+    let held = hold(&sitting);
+    sitting.reach_save_score().write("ann");
+    let begun = std::time::Instant::now();
+    sitting.press(Key::Enter).rest();
+    assert!(begun.elapsed() < resultant::scores::PATIENCE / 2, "a frame was spent on waiting");
+    sitting.wait(1.0);
+    assert!(sitting.save_score().error().is_some_and(|error| error.contains("waiting")), "{:?}", sitting.save_score().error());
+    drop(held);
+    assert_eq!(sitting.rest().at(), "leaderboard", "saved as soon as it can be");
+
+    let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
+    let held = hold(&sitting);
+    sitting.reach_save_score().write("ann").press(Key::Enter).wait(2.1);
+    assert!(sitting.save_score().error().is_some_and(|error| error.contains("try again")), "{:?}", sitting.save_score().error());
+    drop(held);
+    assert_eq!(sitting.wait(1.0).at(), "save score", "given up");
+    assert_eq!(sitting.press(Key::Enter).at(), "leaderboard", "tried again");
+
+    let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
+    let held = hold(&sitting);
+    sitting.reach_save_score().write("ann").press(Key::Enter).write("a");
+    drop(held);
+    assert_eq!(sitting.wait(0.5).at(), "save score", "another name was being typed");
+}
+
+#[test]
 fn the_row_just_saved_is_in_view_and_highlighted() {
     let mut sitting = Sitting::with(|root| {
         fs::create_dir(root.join("scores")).unwrap();

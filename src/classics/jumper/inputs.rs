@@ -10,11 +10,12 @@
 //! lines are skipped.
 
 use super::scene::Keys;
+use crate::game::TICK_RATE;
 
 /// The columns of the file, which are its first row.
 const HEADER: [&str; 7] = ["ticks", "left1", "right1", "jump1", "left2", "right2", "jump2"];
-/// The most ticks a row can hold: three months. More is a slip of the pen.
-const MOST_TICKS: u64 = 1_000_000_000;
+/// The most ticks that a file can hold: a day. More is a slip of the pen, and would be climbed for minutes without a word.
+const MOST_TICKS: u64 = 24 * 3600 * TICK_RATE as u64;
 
 /// What both players hold for a number of ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +30,7 @@ pub struct Row {
 ///
 /// # Errors
 /// The first problem as `LINE: MESSAGE`, to be put behind `FILE:`: another header, a wrong number of cells, ticks that are no whole
-/// number from 1, a key that is neither 0 nor 1.
+/// number from 1 or more than a day's in all, a key that is neither 0 nor 1.
 pub fn parse(text: &str) -> Result<Vec<Row>, String> {
     let lines = (1..).zip(text.strip_prefix('\u{feff}').unwrap_or(text).lines()).filter(|(_, line)| !line.trim().is_empty());
     let mut lines = lines.map(|(number, line)| (number, line.split(',').map(str::trim).collect::<Vec<_>>()));
@@ -38,7 +39,16 @@ pub fn parse(text: &str) -> Result<Vec<Row>, String> {
     if header != HEADER && header != HEADER[..4] {
         return Err(format!("{number}: found {:?}, expected the header {expected}", header.join(",")));
     }
-    lines.map(|(number, cells)| row(&cells, header.len()).map_err(|problem| format!("{number}: {problem}"))).collect()
+    let mut total = 0;
+    let read = lines.map(|(number, cells)| {
+        let row = row(&cells, header.len()).map_err(|problem| format!("{number}: {problem}"))?;
+        total += row.ticks;
+        if total > MOST_TICKS {
+            return Err(format!("{number}: found {total} ticks up to here, expected at most {MOST_TICKS} in all"));
+        }
+        Ok(row)
+    });
+    read.collect()
 }
 
 fn row(cells: &[&str], columns: usize) -> Result<Row, String> {
@@ -76,8 +86,9 @@ mod tests {
         for (rows, problem) in [
             ("", "1: found \"\", expected the header ticks,left1,right1,jump1,left2,right2,jump2"),
             ("5,0,1,0", "1: found \"5,0,1,0\", expected the header ticks,left1,right1,jump1,left2,right2,jump2"),
-            ("+0,0,0,0", "2: column \"ticks\": found \"0\", expected a whole number from 1 to 1000000000"),
+            ("+0,0,0,0", "2: column \"ticks\": found \"0\", expected a whole number from 1 to 10368000"),
             ("+5,0,0", "2: found 3 cells, expected 4"),
+            ("+10368000,0,0,0\n1,0,0,0", "3: found 10368001 ticks up to here, expected at most 10368000 in all"),
             ("+\n5,0,0,2", "3: column \"jump1\": found \"2\", expected 0 or 1"),
         ] {
             let text = rows.strip_prefix('+').map_or(rows.to_owned(), |rows| format!("{GOOD}\n{rows}"));

@@ -1,0 +1,118 @@
+//! Reading what others have put on the disk: only regular files, and none larger than its kind may be. A pipe or a device may never
+//! end, and a file of gigabytes would fill the memory before anyone could say what is wrong with it. Here are the sizes; each leaves
+//! room for a hundred times what the kind is known to need. What is in a file is not judged here.
+
+use std::fs::{self, File, Metadata};
+use std::io::{self, Read};
+use std::path::Path;
+
+/// One CSV file of a level: some 8000 objects or 20 000 solids. Whether each object is clear of each solid is looked at for all pairs:
+/// with files four times as large that would take seconds.
+pub const LEVEL_TABLE: u64 = 256 << 10;
+/// One picture, packed; how far it may unfold is said where it is unpacked.
+pub const PICTURE: u64 = 16 << 20;
+/// One leaderboard: some 20 000 users. A larger one would be read and sorted for longer than a frame lasts.
+pub const SCORES: u64 = 512 << 10;
+/// One file of charts, or the other engines' results.
+pub const CHART: u64 = 128 << 10;
+/// Recorded or written inputs: a flight of 3 hours with other keys at every tick.
+pub const INPUTS: u64 = 16 << 20;
+/// The map of a tile run.
+pub const TILE_MAP: u64 = 1 << 20;
+/// The commands of a tile run: some 100 000.
+pub const TILE_COMMANDS: u64 = 1 << 20;
+
+/// The bytes of a file, of which there may be at most so many.
+///
+/// What the caller of the program has opened already and passed on by number (`/dev/stdin`, `/dev/fd/3`) may be of any kind: it is
+/// read as far as the limit.
+///
+/// # Errors
+/// What is there is no regular file or is larger; whatever the system says.
+pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
+    if !is_passed_on(path) {
+        judge(&fs::metadata(path)?, at_most)?;
+    }
+    let file = File::open(path)?;
+    let mut bytes = Vec::new();
+    // It may have grown since, and what has no size in advance shows it only now.
+    file.take(at_most + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > at_most { Err(too_large(None, at_most)) } else { Ok(bytes) }
+}
+
+/// The text of a file, as [`read`].
+///
+/// # Errors
+/// As [`read`]; the bytes are no UTF-8.
+pub fn read_text(path: &Path, at_most: u64) -> io::Result<String> {
+    let no_text =
+        |_| io::Error::new(io::ErrorKind::InvalidData, "found letters that are not UTF-8, expected a file saved as UTF-8");
+    String::from_utf8(read(path, at_most)?).map_err(no_text)
+}
+
+/// Whether the path leads to what this process was given open.
+fn is_passed_on(path: &Path) -> bool {
+    path == Path::new("/dev/stdin") || path.starts_with("/dev/fd") || path.starts_with("/proc/self/fd")
+}
+
+fn judge(found: &Metadata, at_most: u64) -> io::Result<()> {
+    if found.is_dir() {
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, "found a folder, expected a file"));
+    }
+    if !found.is_file() {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "found a pipe or a device, expected a regular file"));
+    }
+    if found.len() > at_most { Err(too_large(Some(found.len()), at_most)) } else { Ok(()) }
+}
+
+fn too_large(bytes: Option<u64>, at_most: u64) -> io::Error {
+    let found = bytes.map_or("more".to_owned(), |bytes| format!("{bytes} bytes"));
+    io::Error::new(io::ErrorKind::FileTooLarge, format!("found {found}, expected at most {at_most} bytes"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_read_up_to_its_limit() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("file");
+        fs::write(&path, "12345").unwrap();
+        assert_eq!(read(&path, 5).unwrap(), b"12345");
+        let error = read(&path, 4).unwrap_err();
+        assert_eq!(
+            (error.kind(), error.to_string().as_str()),
+            (io::ErrorKind::FileTooLarge, "found 5 bytes, expected at most 4 bytes")
+        );
+        assert_eq!(read(&folder.path().join("none"), 5).unwrap_err().kind(), io::ErrorKind::NotFound);
+        assert_eq!(read(folder.path(), 5).unwrap_err().to_string(), "found a folder, expected a file");
+        fs::write(&path, b"\xff").unwrap();
+        assert!(read_text(&path, 5).unwrap_err().to_string().contains("UTF-8"));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_never_ends_is_not_begun() {
+        let folder = tempfile::tempdir().unwrap();
+        let pipe = folder.path().join("pipe");
+        assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        let link = folder.path().join("link");
+        std::os::unix::fs::symlink("/dev/zero", &link).unwrap();
+        for path in [pipe.as_path(), &link, Path::new("/dev/zero"), Path::new("/dev/null")] {
+            let error = read(path, 1 << 30).unwrap_err();
+            assert_eq!(error.to_string(), "found a pipe or a device, expected a regular file", "{}", path.display());
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_was_passed_on_open_is_read_to_the_limit_whatever_it_is() {
+        use std::os::fd::AsRawFd;
+        let zeros = File::open("/dev/zero").unwrap();
+        let path = format!("/proc/self/fd/{}", zeros.as_raw_fd());
+        assert_eq!(read(Path::new(&path), 1000).unwrap_err().to_string(), "found more, expected at most 1000 bytes");
+        let nothing = File::open("/dev/null").unwrap();
+        assert_eq!(read(Path::new(&format!("/dev/fd/{}", nothing.as_raw_fd())), 0).unwrap(), b"");
+    }
+}

@@ -1,0 +1,87 @@
+//! What a level may be called: its folder's name is also the name of its leaderboard's file.
+
+/// Longest name of a new level, characters.
+const MAX_NAME: usize = 40;
+/// Leaderboards that are no level's, each with whose it is. A level of that name would share it.
+const OTHER_BOARDS: [(&str, &str); 1] = [("jumper", "the Jumper")];
+/// What Windows takes for a device, whatever follows behind a full stop: no folder there, and no file of scores, can have that name.
+const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "conin$", "conout$"];
+/// Devices that a digit follows.
+const NUMBERED_DEVICES: [&str; 2] = ["com", "lpt"];
+
+/// Why a name is no good for a level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NameFault {
+    /// It is no word.
+    NoWord,
+    /// The leaderboard of that name is another's: this one's.
+    Board(&'static str),
+    /// Windows takes it for a device.
+    Device,
+}
+
+impl NameFault {
+    /// What is expected instead.
+    pub fn expected(self) -> String {
+        match self {
+            Self::NoWord => format!("up to {MAX_NAME} letters, digits, - and _, the first a letter or digit"),
+            Self::Board(whose) => format!("another name, as the leaderboard of that name is that of {whose}"),
+            Self::Device => "another name, as Windows takes that one for a device".to_owned(),
+        }
+    }
+}
+
+/// Judges the name of a new level: a word of at most 40 letters, digits, `-` and `_` that begins with a letter or digit and is not taken
+/// in any case.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn judge_name(name: &str) -> Result<(), NameFault> {
+    let word = name.chars().count() <= MAX_NAME
+        && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))
+        && name.chars().next().is_some_and(char::is_alphanumeric);
+    if word { judge_taken(name) } else { Err(NameFault::NoWord) }
+}
+
+/// Judges whether a name is taken by something else, in any case.
+pub(super) fn judge_taken(name: &str) -> Result<(), NameFault> {
+    let lower = name.to_lowercase();
+    if let Some((_, whose)) = OTHER_BOARDS.into_iter().find(|(board, _)| *board == lower) {
+        return Err(NameFault::Board(whose));
+    }
+    let stem = lower.split('.').next().unwrap_or_default().trim_end();
+    let numbered = NUMBERED_DEVICES.iter().filter_map(|device| stem.strip_prefix(device)).any(|rest| {
+        let mut rest = rest.chars();
+        rest.next().is_some_and(|c| c.is_ascii_digit() || matches!(c, '¹' | '²' | '³')) && rest.next().is_none()
+    });
+    if numbered || DEVICES.contains(&stem) { Err(NameFault::Device) } else { Ok(()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn level_names_are_words() {
+        for name in ["1", "tower", "höhle-2", "a_b", &"x".repeat(40)] {
+            assert_eq!(judge_name(name), Ok(()), "{name}");
+        }
+        for name in ["", "-a", "_a", "a b", "a/b", "..", "a.b", "C:", "a\\b", &"x".repeat(41)] {
+            assert_eq!(judge_name(name), Err(NameFault::NoWord), "{name}");
+        }
+    }
+
+    #[test]
+    fn names_that_are_taken_are_none_in_any_case() {
+        for name in ["jumper", "Jumper", "JUMPER"] {
+            assert_eq!(judge_name(name), Err(NameFault::Board("the Jumper")), "{name}");
+        }
+        for name in ["CON", "aux", "NUL", "prn", "COM1", "com0", "Lpt9", "com¹"] {
+            assert_eq!(judge_name(name), Err(NameFault::Device), "{name}");
+        }
+        assert_eq!(judge_taken("aux.2"), Err(NameFault::Device));
+        for name in ["jumper2", "the-jumper", "icon", "console", "com", "com10", "lpt-1", "auxiliary", "nul1"] {
+            assert_eq!(judge_name(name), Ok(()), "{name}");
+        }
+    }
+}

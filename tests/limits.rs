@@ -1,0 +1,160 @@
+//! However a file is made, as long as it is no larger than its kind may be, reading it takes time in proportion to its length: what it
+//! takes here is far from what it would take if it grew with the square, as it did before there were limits.
+
+use resultant::lab::charts::Charts;
+use resultant::lab::{diagram, kept, peers, report};
+use resultant::level::{self, Files};
+use resultant::scores::table;
+use resultant::{files, game};
+use std::collections::BTreeMap;
+use std::io;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// Room for a slow machine that does other things as well: all of it takes a few tenths of a second, and what grew with the square took
+/// many of this.
+const QUICK: Duration = Duration::from_secs(3);
+
+/// What `read` answers, and that it was quick about it.
+fn quick<T>(what: &str, read: impl FnOnce() -> T) -> T {
+    let begun = Instant::now();
+    let answer = read();
+    assert!(begun.elapsed() < QUICK, "{what} took {:?}", begun.elapsed());
+    answer
+}
+
+/// The row over and over, as often as it fits.
+fn filled(row: &str, bytes: u64) -> String {
+    row.repeat(bytes as usize / row.len())
+}
+
+#[test]
+fn scores() {
+    // The last one is within quotes at the end of each line, whether it begins so or not.
+    for row in ["\"", "\"\n", "\"\"\"\n", ",\"", "a\n", "a,1\n", "\n", ",", "\"\",", "\"\r", "\"a\"b\"\n", "\"\"x\",\"\n"] {
+        let text = filled(row, files::SCORES);
+        quick(&format!("{row:?}"), || table::read(Path::new("1.csv"), text.as_bytes()));
+    }
+    let users: String = (0..25_000).map(|i| format!("user{i},{}\n", i + 1)).collect();
+    let (board, damage) = quick("users", || table::read(Path::new("1.csv"), users.as_bytes()));
+    assert_eq!((board.rows().len(), damage.len()), (25_000, 0));
+}
+
+/// A level's tables in memory.
+struct Memory(BTreeMap<&'static str, String>);
+
+impl Files for Memory {
+    fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
+        self.0.get(name).map(|text| text.clone().into_bytes()).ok_or_else(|| io::ErrorKind::NotFound.into())
+    }
+
+    fn project_file(&self, _: &str) -> io::Result<Vec<u8>> {
+        Err(io::ErrorKind::NotFound.into())
+    }
+}
+
+#[test]
+fn level_tables() {
+    let size = files::LEVEL_TABLE;
+    let half = size / 2;
+    let wide = |columns: &str, row: &str| format!("x,y,width,height{}\n{}", filled(columns, half), filled(row, half));
+    let tables = [
+        ("world.csv", filled("0,0,1,1\n", size)),
+        ("world.csv", filled("x\n", size)),
+        ("world.csv", filled(",1", size)),
+        ("world.csv", filled(";", size)),
+        ("world.csv", wide(",a", "1,1,1,1\n")),
+        ("world.csv", wide(",a,x", "1,1\n")),
+        ("world.csv", format!("x,y,width,height{}\n{}", ",a".repeat(190), filled("1\n", half))),
+        ("texts.csv", filled("\"", size)),
+        ("texts.csv", filled("\"\"x\",\"\n", size)),
+        ("objectives.csv", filled("PLAYER,1,1,1,1\n", size)),
+        ("objects.csv", filled("100,100,box:9x9,1,1,TRUE,0\n", size)),
+        ("objects.csv", filled("100,100,a.png,1,1,TRUE,0\n", size)),
+        ("constants.csv", filled("gravity,1\n", size)),
+        ("hazards.csv", filled("0,0,1,1,1,0,1,1\n", size)),
+    ];
+    for (file, text) in tables {
+        let mut all = BTreeMap::from([
+            ("constants.csv", "width,3000\nheight,3000\n".to_owned()),
+            ("player.csv", "1500,1500,100,500,3000\n".to_owned()),
+            ("objectives.csv", "PLAYER,10,10,20,20\n".to_owned()),
+        ]);
+        let begins: String = text.lines().next().unwrap_or_default().chars().take(40).collect();
+        all.insert(file, text);
+        let problems = quick(&begins, || level::read("l", &Memory(all))).map_or_else(|problems| problems.len(), |_| 0);
+        assert!(problems <= 1001, "{begins}: {problems} problems");
+    }
+}
+
+#[test]
+fn inputs() {
+    for row in ["x\n", "1,0,0,0,0\n", ",", "#\n", "\n"] {
+        let text = format!("{}\n{}", game::HEADER, filled(row, files::INPUTS / 8));
+        let _ = quick(row, || game::Inputs::parse("in.csv", &text));
+        let _ = quick(row, || game::Replay::parse("in.csv", &text));
+    }
+}
+
+/// The charts that come with the game, one file of them replaced.
+fn charts(name: &str, text: &str) -> Result<Charts, String> {
+    let kept = kept::charts().unwrap().files();
+    Charts::read(|file| {
+        let (_, kept) = kept.iter().find(|(kept, _)| kept == file).ok_or_else(|| format!("{file}: not found"))?;
+        Ok(if file == name { text.to_owned() } else { kept.clone() })
+    })
+}
+
+#[test]
+fn chart_files() {
+    const POINTS: &str = "method,origin,step,work,error\n";
+    let methods: String = (0..1000).map(|i| format!("m{i},lab,0.1,5,0.1\n")).collect();
+    for (rows, told) in [
+        (filled("m,lab,0.1,5,0.1\n", files::CHART), "fall.csv:2002: found a row more, expected at most 2000 below the head"),
+        (methods, "fall.csv:66: column \"method\": found \"m64\", expected at most 64 methods"),
+    ] {
+        assert_eq!(quick(told, || charts("fall.csv", &format!("{POINTS}{rows}"))).unwrap_err(), told);
+    }
+    assert!(quick("lines", || charts("fall.csv", &format!("{POINTS}{}", filled("\n", files::CHART)))).is_ok());
+    let scenes: String = (0..100).map(|_| "fall,t,e,w,1,1,true\n").collect();
+    let told = charts("scenes.csv", &format!("scene,title,error,work,tolerance,shipped_step,alike\n{scenes}")).unwrap_err();
+    assert_eq!(told, "scenes.csv:66: found a scene more, expected at most 64");
+}
+
+#[test]
+fn numbers_beyond_all_axes_are_refused() {
+    for row in ["a,lab,0.1,1.7e308,0.1", "a,lab,1e-320,1,0.1", "a,lab,1.7e308,1,1e308"] {
+        let told = charts("fall.csv", &format!("method,origin,step,work,error\n{row}\n")).unwrap_err();
+        assert!(told.ends_with("expected a number above 0, from 1e-100 to 1e100"), "{told}");
+    }
+    let told = peers::add_peers(&format!("{}\nfall,other,0.1,1.8e308,0.1\n", peers::PEERS_HEAD), &mut Vec::new()).unwrap_err();
+    assert!(told.contains("work from 1e-100 to 1e100"), "{told}");
+    // At the ends of what is accepted everything is drawn, and soon.
+    let mut diagrams = Vec::new();
+    let far = "pile-100,other,1e-100,1e-100,0.1\npile-100,another,1e100,1e100,1e308\npile-100,third,1,1,1e-308\n";
+    peers::add_peers(&format!("{}\n{far}", peers::PEERS_HEAD), &mut diagrams).unwrap();
+    let charts = Charts { diagrams, ..Charts::default() };
+    quick("the widest diagram", || {
+        assert!(diagram::svg(&charts.diagrams[0]).is_ok_and(|svg| !svg.contains("NaN") && !svg.contains("inf")));
+        report::summary(&charts)
+    });
+}
+
+#[test]
+fn the_table_of_pi_wants_a_row_a_step() {
+    let head = "method,origin,step,work,error\n";
+    let ragged = "N = 0,lab,0.1,1,0\nN = 0,lab,0.01,1,0\nN = 1,lab,0.1,1,0\n";
+    let told = charts("pi.csv", &format!("{head}{ragged}")).unwrap_err();
+    assert_eq!(told, "pi.csv: found other steps at \"N = 1\" than at \"N = 0\", expected the same");
+    let other_steps = "N = 0,lab,0.1,1,0\nN = 1,lab,0.2,1,0\n";
+    assert!(charts("pi.csv", &format!("{head}{other_steps}")).is_err());
+    let even = charts("pi.csv", &format!("{head}N = 0,lab,0.1,1,0\nN = 1,lab,0.1,2,1\n")).unwrap();
+    assert!(report::summary(&even).contains("| 1/10 s | 0 | 1 |"));
+    // Also where charts do not come from files.
+    let mut ragged = even;
+    let pi = ragged.diagrams.iter_mut().find(|measured| measured.name == report::PI).unwrap();
+    pi.curves[1].points.clear();
+    assert!(report::summary(&ragged).contains("| 1/10 s | 0 | 1 |"));
+    let text = filled("N = 0,lab,0.1,1,0\n", 100);
+    assert!(charts("pi.csv", &format!("{head}{text}")).is_ok());
+}

@@ -1,0 +1,91 @@
+//! The hash by which a record knows its level: it tells levels apart that are flown differently, and no others.
+
+mod common;
+
+use common::{area, crate_at, objective, room};
+use resultant::game::level_hash;
+use resultant::level::{Fluid, Level, Look, ObjectiveKind, Solid, Stream, Text};
+use resultant::physics::{DVec2, Material};
+
+/// A level with one of everything.
+fn full() -> Level {
+    let zone = area(1.0, 2.0, 3.0, 4.0);
+    Level {
+        world: vec![Solid { bounds: zone, material: Material::ASPHALT }],
+        objects: vec![crate_at(DVec2::new(9.0, 9.0), DVec2::ZERO, None)],
+        obstacles: vec![zone],
+        streams: vec![Stream { source: zone, zone, force: DVec2::X }],
+        fluids: vec![Fluid { zone, density: 900.0, viscosity: 1.0, colour: [1, 2, 3] }],
+        texts: vec![Text { position: DVec2::ZERO, size: 1.0, text: "Up!".into() }],
+        ..room()
+    }
+}
+
+/// The hash of the level once it is changed.
+fn changed(change: impl FnOnce(&mut Level)) -> u64 {
+    let mut level = full();
+    change(&mut level);
+    level_hash(&level)
+}
+
+#[test]
+fn whatever_a_flight_or_its_score_depends_on_changes_the_hash() {
+    let mut hashes = vec![
+        level_hash(&full()),
+        changed(|level| level.size.x += 1.0),
+        changed(|level| level.gravity += 1.0),
+        changed(|level| level.air_density += 1.0),
+        changed(|level| level.optimal_time += 1.0),
+        changed(|level| level.rest_speed += 1.0),
+        changed(|level| level.player.position.x += 1.0),
+        changed(|level| level.player.velocity.y += 1.0),
+        changed(|level| level.player.angle += 1.0),
+        changed(|level| level.player.mass += 1.0),
+        changed(|level| level.player.fuel += 1.0),
+        changed(|level| level.player.thrust = level.player.thrust.next_up()),
+        changed(|level| level.player.feels_air = false),
+        changed(|level| level.world.clear()),
+        changed(|level| level.world[0].material = Material::ICE),
+        changed(|level| level.world[0].bounds.max.x += 1.0),
+        changed(|level| level.objects[0].position.x += 1.0),
+        changed(|level| level.objects[0].velocity.x += 1.0),
+        changed(|level| level.objects[0].size.x += 1.0),
+        changed(|level| level.objects[0].mass += 1.0),
+        changed(|level| level.objects[0].drag += 1.0),
+        changed(|level| level.objects[0].restitution += 0.5),
+        changed(|level| level.objects[0].circular = true),
+        changed(|level| level.objects[0].key = Some([0; 3])),
+        changed(|level| level.objects.push(level.objects[0].clone())),
+        changed(|level| level.objectives[0].kind = ObjectiveKind::Physics),
+        changed(|level| level.objectives[0].bounds.min.x += 0.5),
+        changed(|level| level.objectives.push(objective(ObjectiveKind::Player, area(0.0, 0.0, 1.0, 1.0)))),
+        changed(|level| level.obstacles[0].min.y += 1.0),
+        changed(|level| level.streams[0].source.min.y += 1.0),
+        changed(|level| level.streams[0].zone.min.y += 1.0),
+        changed(|level| level.streams[0].force.y += 1.0),
+        changed(|level| level.fluids[0].zone.min.y += 1.0),
+        changed(|level| level.fluids[0].density += 1.0),
+        changed(|level| level.fluids[0].viscosity += 1.0),
+    ];
+    let count = hashes.len();
+    hashes.sort_unstable();
+    hashes.dedup();
+    assert_eq!(hashes.len(), count, "two of these levels have the same hash");
+}
+
+#[test]
+fn names_words_and_looks_do_not() {
+    for hash in [
+        changed(|level| level.name = "other".into()),
+        changed(|level| level.title = "Other".into()),
+        changed(|level| level.metre = 60.0),
+        changed(|level| level.texts.clear()),
+        changed(|level| level.background = Some("background.png".into())),
+        changed(|level| level.objects[0].look = Look::Ball),
+        changed(|level| level.fluids[0].colour = [0; 3]),
+    ] {
+        assert_eq!(hash, level_hash(&full()));
+    }
+    let colour = |colour| changed(|level| level.objects[0].key = Some(colour));
+    assert_eq!(colour([0; 3]), colour([255; 3]));
+}
