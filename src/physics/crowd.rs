@@ -8,6 +8,7 @@
 //! nothing; what touches something is in a zone or out of it as its velocity says, and a crossing moves it by the mean force of the tick;
 //! the crowd sleeps as a whole or not at all.
 
+use super::air::Drag;
 use super::candidates::Pair;
 use super::media::Law;
 use super::pile::{Axis, ContactForce, Other, Pile, PileBody, PileDef, PileSurface};
@@ -44,6 +45,7 @@ impl World {
         if !self.plan.crowd {
             return Ok(());
         }
+        let area = |body: &Body, side: f64| if body.feels_air { body.drag * side } else { 0.0 };
         let body = |body: &Body| PileBody {
             position: body.position,
             half: body.half,
@@ -52,7 +54,12 @@ impl World {
             restitution: body.restitution,
             static_friction: body.material.static_friction,
             kinetic_friction: body.material.kinetic_friction,
-            drag_area: if body.feels_air { body.half * (2.0 * body.drag) } else { DVec2::ZERO },
+            drag_area: if body.round {
+                DVec2::ZERO
+            } else {
+                DVec2::new(area(body, 2.0 * body.half.x), area(body, 2.0 * body.half.y))
+            },
+            drag_round: if body.round { area(body, body.half.x + body.half.y) } else { 0.0 },
         };
         let surfaces = self.surfaces.iter().map(|surface| PileSurface {
             bounds: surface.bounds,
@@ -121,8 +128,8 @@ impl World {
 
     /// What acts on a body besides weight, air and contacts, N: drive, wind and liquids, as they are at the tick's start.
     fn outer_force(&self, body: &Body, law: &Law, dt: f64) -> DVec2 {
-        let mut law = Law { air: 0.0, ..*law };
-        if law.wet {
+        let mut law = Law { air: Drag::default(), ..*law };
+        if law.is_near_liquid() {
             // A force held for a whole tick must not turn a motion round.
             law.soft = (1.0 / (self.media.rate(body, &law, body.velocity) * dt)).min(1.0);
         }

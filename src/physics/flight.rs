@@ -1,10 +1,10 @@
 //! Flight past nothing, the direct answer: where no awake body is near anything, a tick is one formula for each.
 //!
 //! The general chain of intervals (`tick`) comes to the same bits by the same formulas: it would find no contact, no hit and no border,
-//! and end its first interval with the tick. Only a body that turns its other side to the air on the way needs it.
+//! and end its first interval with the tick.
 
 use super::World;
-use super::flow::{flow, has_turned};
+use super::flow::flow;
 use glam::DVec2;
 
 impl World {
@@ -15,25 +15,20 @@ impl World {
         }
         for &body in &self.awake {
             let i = body as usize;
-            if self.candidates.is_near(i) || self.laws[i].near_liquid {
+            if self.candidates.is_near(i) || self.laws[i].is_near_liquid() {
                 return false;
             }
             let (body, law) = (&self.bodies[i], &self.laws[i]);
-            let in_air = law.air > 0.0;
-            if !in_air && body.velocity == DVec2::ZERO && law.constant == DVec2::ZERO {
+            if law.air.is_none() && body.velocity == DVec2::ZERO && law.constant == DVec2::ZERO {
                 return false;
             }
-            let pose = flow(&self.media, body, law, dt);
-            if in_air && body.half.x != body.half.y && has_turned(self.across[i], pose.1) {
-                return false;
-            }
-            self.poses[i] = pose;
+            self.poses[i] = flow(&self.media, body, law, dt);
         }
         let holds = self.forces_hold;
         self.forces_hold = true;
         for index in 0..self.awake.len() {
             let i = self.awake[index] as usize;
-            if !holds || self.laws[i].air > 0.0 {
+            if !holds || !self.laws[i].air.is_none() {
                 self.list_media_forces(i);
                 let body = &mut self.bodies[i];
                 body.acceleration = self.forces[i].close(None) / body.mass;

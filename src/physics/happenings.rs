@@ -4,12 +4,13 @@
 //! drag's law has a kink. All are sought on cubics that follow the motions; where a cubic is not the motion itself, the time is polished
 //! on the motion (Newton's method on gap and closing speed).
 
+use super::World;
 use super::contacts::Contact;
-use super::flow::{Pose, time_of_turn};
+use super::crossing::{border, surface_kink};
+use super::flow::Pose;
 use super::impact_time::{Cubic, earliest, time_of_impact};
 use super::interval::Motion;
-use super::tuning::{MAX_CROSSINGS, MIN_SPLIT, SLOP};
-use super::{Aabb, World};
+use super::tuning::{MAX_CROSSINGS, SLOP};
 use glam::DVec2;
 
 /// What ends an interval.
@@ -27,7 +28,7 @@ pub(super) enum Happening {
     Look,
     /// A body enters or leaves an air stream.
     Stream(u32, u32),
-    /// The law of motion has a kink: a liquid's surface, or the exposed side of a body changes.
+    /// The law of motion has a kink: a liquid's surface.
     Kink(u32),
     /// A body leaves the surface on which it bounced.
     Resume(u32),
@@ -224,7 +225,7 @@ impl World {
         Some(t)
     }
 
-    /// Borders of zones, and kinks of drag.
+    /// Borders of zones.
     fn next_crossing(&mut self, first: &mut (f64, Happening)) {
         for index in 0..self.awake.len() {
             let i = self.awake[index] as usize;
@@ -239,7 +240,7 @@ impl World {
                     *first = (t, Happening::Stream(i as u32, s as u32));
                 }
             }
-            if self.laws[i].near_liquid {
+            if self.laws[i].is_near_liquid() {
                 for f in 0..self.media.fluids.len() {
                     let zone = self.media.fluids[f].zone;
                     if let Some(t) = surface_kink(&cubic, half, &zone, first.0) {
@@ -247,53 +248,6 @@ impl World {
                     }
                 }
             }
-            if (self.laws[i].air > 0.0 || self.laws[i].wet)
-                && half.x != half.y
-                && let Some(t) = time_of_turn(self.across[i], first.0, |t| self.pose(i, t).1)
-                && t < first.0
-            {
-                *first = (t, Happening::Kink(i as u32));
-            }
         }
     }
-}
-
-/// When a body enters (or, from inside, leaves) a zone.
-pub(super) fn border(cubic: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f64) -> Option<f64> {
-    let centre = zone.centre();
-    let reach = half + zone.size() * 0.5;
-    let still = Cubic::parabola(centre, DVec2::ZERO, DVec2::ZERO);
-    let motion = still.relative(cubic);
-    let mut best: Option<f64> = None;
-    for axis in 0..2 {
-        let (path, other) = (motion.axis(axis), motion.axis(1 - axis));
-        let level = reach[axis];
-        let t = if inside {
-            earliest(path.rises_through(level, 0.0, end), path.falls_through(-level, 0.0, end))
-        } else {
-            earliest(path.falls_through(level, 0.0, end), path.rises_through(-level, 0.0, end))
-                .filter(|&t| other.at(t).abs() <= reach[1 - axis])
-        };
-        best = earliest(best, t.filter(|&t| t < end));
-    }
-    best
-}
-
-/// When the submerged part of a body begins, ends, or starts or stops to change along an axis.
-pub(super) fn surface_kink(cubic: &Cubic, half: DVec2, zone: &Aabb, end: f64) -> Option<f64> {
-    let still = Cubic::parabola(zone.centre(), DVec2::ZERO, DVec2::ZERO);
-    let motion = still.relative(cubic);
-    let zone_half = zone.size() * 0.5;
-    let mut best: Option<f64> = None;
-    for axis in 0..2 {
-        let (path, other) = (motion.axis(axis), motion.axis(1 - axis));
-        for level in [zone_half[axis] + half[axis], (zone_half[axis] - half[axis]).abs()] {
-            for level in [level, -level] {
-                let t = earliest(path.falls_through(level, MIN_SPLIT, end), path.rises_through(level, MIN_SPLIT, end));
-                let meets = |t: &f64| *t < end && other.at(*t).abs() <= zone_half[1 - axis] + half[1 - axis];
-                best = earliest(best, t.filter(meets));
-            }
-        }
-    }
-    best
 }

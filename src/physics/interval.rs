@@ -36,7 +36,7 @@ impl World {
             let i = body as usize;
             let (body, law) = (&self.bodies[i], &self.laws[i]);
             let at_rest = body.velocity == DVec2::ZERO && self.solved[i] == DVec2::ZERO;
-            let media = law.air > 0.0 || law.wet;
+            let media = !law.is_constant();
             let motion = match (at_rest, media, self.in_contact[i]) {
                 (true, _, true) | (true, false, false) => Motion::Still,
                 (_, false, _) => Motion::Parabola,
@@ -51,7 +51,11 @@ impl World {
                     rate = rate.max((thrown.max(0.0) / left).sqrt());
                     fastest = rate.max(fastest);
                 }
-                let splashes = || law.wet && self.media.rate(body, law, DVec2::ZERO) * left <= STIFF_REACH && self.media.cuts(body);
+                let splashes = || {
+                    law.is_near_liquid()
+                        && self.media.rate(body, law, DVec2::ZERO) * left <= STIFF_REACH
+                        && self.media.cuts(body, law)
+                };
                 if rate * left > CUBIC_REACH && (self.candidates.has_neighbours(i) || splashes()) {
                     longest = longest.min((CUBIC_REACH / rate).max(tick * SHORTEST));
                 }

@@ -50,9 +50,11 @@
 //! Tolerances that several files share stand in `tuning`, the others beside what they serve, each with what breaks when it changes.
 
 mod aabb;
+mod air;
 mod body;
 mod candidates;
 mod contacts;
+mod crossing;
 mod crowd;
 mod def;
 mod face;
@@ -63,6 +65,7 @@ mod happenings;
 mod impact_time;
 mod impacts;
 mod interval;
+mod liquid;
 mod material;
 mod media;
 mod network;
@@ -72,6 +75,7 @@ mod plan;
 mod reactions;
 mod rest;
 mod show;
+mod spring;
 mod surface;
 mod tick;
 mod tuning;

@@ -12,8 +12,8 @@
 //! millimetres off.
 
 use super::World;
-use super::flow::{Pose, flow, parabola, time_of_turn};
-use super::happenings::{border, surface_kink};
+use super::crossing::{border, surface_kink};
+use super::flow::{Pose, flow, parabola};
 use super::impact_time::Cubic;
 use super::tuning::MAX_CROSSINGS;
 use glam::DVec2;
@@ -28,7 +28,7 @@ impl World {
             let a = self.media.acceleration(&body, &self.laws[i], body.position, DVec2::ZERO);
             return Some(parabola((body.position, DVec2::ZERO), a, tick));
         }
-        if !(self.laws[i].near_liquid || self.is_near_border(i, tick)) {
+        if !(self.laws[i].is_near_liquid() || self.is_near_border(i, tick)) {
             return None;
         }
         let streams = self.media.streams.len();
@@ -48,19 +48,12 @@ impl World {
                     (first, crossed) = (t, Some(s));
                 }
             }
-            if law.near_liquid {
+            if law.is_near_liquid() {
                 for fluid in &self.media.fluids {
                     if let Some(t) = surface_kink(&path, body.half, &fluid.zone, first) {
                         (first, crossed) = (t, None);
                     }
                 }
-            }
-            if (law.air > 0.0 || law.wet)
-                && body.half.x != body.half.y
-                && let Some(t) = time_of_turn(self.across[i], first, |t| flow(&self.media, &body, &law, t).1)
-                && t < first
-            {
-                (first, crossed) = (t, None);
             }
             if first == left || crossings == MAX_CROSSINGS {
                 return Some(end);
@@ -71,10 +64,6 @@ impl World {
             if let Some(s) = crossed {
                 let inside = &mut self.in_stream[i * streams + s];
                 *inside = !*inside;
-            }
-            let speed = body.velocity.abs();
-            if speed.x != speed.y {
-                self.across[i] = speed.x > speed.y;
             }
             self.laws[i] = self.law(i, &body);
         }

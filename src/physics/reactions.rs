@@ -289,7 +289,7 @@ impl World {
             let i = body as usize;
             if !self.in_contact[i] {
                 self.solved[i] = self.free[i];
-            } else if self.laws[i].air > 0.0 {
+            } else if !self.laws[i].air.is_none() {
                 self.forces_hold = false;
             }
         }

@@ -34,7 +34,7 @@ impl World {
     pub(super) fn show_forces_of_air(&mut self) {
         for index in 0..self.awake.len() {
             let i = self.awake[index] as usize;
-            if self.laws[i].air > 0.0 {
+            if !self.laws[i].air.is_none() {
                 self.list_media_forces(i);
                 self.bodies[i].acceleration = self.forces[i].close(None) / self.bodies[i].mass;
             }

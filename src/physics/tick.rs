@@ -3,9 +3,9 @@
 use super::contacts::Contact;
 use super::happenings::Happening;
 use super::interval::Motion;
-use super::media::{Law, moves_across};
-use super::tuning::{MAX_CROSSINGS, MAX_INTERVALS, RETRIES, RETRY_PART, SLOP};
-use super::{Aabb, Body, World};
+use super::media::Law;
+use super::tuning::{MAX_INTERVALS, RETRIES, RETRY_PART, SLOP};
+use super::{Body, World};
 use glam::DVec2;
 
 impl World {
@@ -44,7 +44,7 @@ impl World {
                 let hit = hit.take();
                 let turned = self.resolve_impacts(hit, self.now, left);
                 if turned {
-                    // Impacts turn motions, and with them the side that meets the air.
+                    // Impacts turn motions, and with them what they may meet.
                     self.refresh_laws();
                 }
                 if turned || intervals > 0 {
@@ -94,7 +94,7 @@ impl World {
         }
     }
 
-    /// Which body feels which stream, and which side it turns to the air, from where they are; crossings within the tick keep it true.
+    /// Which body feels which stream, from where they are; crossings within the tick keep it true.
     fn find_zones(&mut self) {
         let streams = self.media.streams.len();
         for &index in &self.awake {
@@ -107,9 +107,6 @@ impl World {
                 *inside = now;
             }
             self.crossings[i] = 0;
-            let across = moves_across(body.velocity, self.drives[i] + DVec2::new(0.0, body.mass * self.media.gravity));
-            self.laws_hold &= across == self.across[i];
-            self.across[i] = across;
         }
     }
 
@@ -123,14 +120,11 @@ impl World {
         for &index in &self.awake {
             let i = index as usize;
             let body = &self.bodies[i];
-            let speed = body.velocity.abs();
-            let across = if speed.x == speed.y { self.across[i] } else { speed.x > speed.y };
-            if hold && !zones && across == self.across[i] {
+            if hold && !zones {
                 continue;
             }
-            self.across[i] = across;
             let law = self.law(i, body);
-            self.forces_hold &= !law.near_liquid;
+            self.forces_hold &= !law.is_near_liquid();
             self.laws[i] = law;
         }
     }
@@ -144,17 +138,11 @@ impl World {
             }
         }
         let mut law = Law { constant: DVec2::new(0.0, self.media.gravity) + force / body.mass, ..Law::default() };
-        law.area = 2.0 * if self.across[i] { body.half.y } else { body.half.x };
-        if self.plan.air && body.feels_air {
-            law.air = 0.5 * self.media.air_density * body.drag * law.area / body.mass;
+        if self.plan.air {
+            law.air = self.media.air(body);
         }
         if self.plan.liquids {
-            let reach = body.half + body.velocity.abs() + DVec2::ONE;
-            let near = Aabb::around(body.position, reach);
-            law.near_liquid = self.media.fluids.iter().any(|fluid| near.touches(&fluid.zone, 0.0));
-            // Beyond the last crossing that is looked for, whatever is near is reckoned with.
-            let counts = || self.media.fluids.iter().any(|fluid| self.media.is_met(body, fluid, self.tick));
-            law.wet = law.near_liquid && (self.crossings[i] >= MAX_CROSSINGS || counts());
+            law.liquids = self.media.liquids_near(body, law.constant, self.tick);
         }
         law
     }
@@ -221,8 +209,6 @@ impl World {
             }
             Happening::Kink(body) => {
                 let i = body as usize;
-                let v = self.bodies[i].velocity;
-                self.across[i] = v.x.abs() > v.y.abs();
                 self.laws_hold = false;
                 self.crossings[i] += 1;
             }

@@ -85,7 +85,6 @@ pub struct World {
     pub(super) cubics: Vec<Cubic>,
     pub(super) in_contact: Vec<bool>,
     pub(super) in_stream: Vec<bool>,
-    pub(super) across: Vec<bool>,
     pub(super) crossings: Vec<u32>,
     pub(super) hits: Vec<u32>,
     pub(super) clung: Vec<u32>,
@@ -160,7 +159,6 @@ impl World {
             cubics: Vec::new(),
             in_contact: Vec::new(),
             in_stream: Vec::new(),
-            across: Vec::new(),
             crossings: Vec::new(),
             hits: Vec::new(),
             clung: Vec::new(),
@@ -244,7 +242,6 @@ impl World {
         for counts in [&mut self.crossings, &mut self.hits, &mut self.clung] {
             counts.resize(n, 0);
         }
-        self.across.resize(n, false);
         for vectors in [&mut self.free, &mut self.solved, &mut self.asked_free, &mut self.stage_accelerations] {
             vectors.resize(n, DVec2::ZERO);
         }
