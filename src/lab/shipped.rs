@@ -28,10 +28,10 @@ pub(super) fn crate_at(x: f64, y: f64, mass: f64) -> BodyDef {
     BodyDef { position: DVec2::new(x, -0.5 - y), mass, ..BodyDef::default() }
 }
 
-/// A world with one body that obeys `law`, which pulls downwards only. Air that blows everywhere alike is another frame of reference:
+/// A world with one body that obeys `law`, which pulls downwards only: round, for the law's drag does not ask for the direction. Air that blows everywhere alike is another frame of reference:
 /// in it the air stands still.
 pub(super) fn in_air(law: &Law, start: Point) -> WorldDef {
-    let body = BodyDef { position: start.x, velocity: start.v - law.wind, drag: 2.0 * law.drag, ..BodyDef::default() };
+    let body = BodyDef { position: start.x, velocity: start.v - law.wind, drag: 2.0 * law.drag, round: true, ..BodyDef::default() };
     WorldDef { gravity: law.constant.y, air_density: 1.0, bodies: vec![body], ..WorldDef::default() }
 }
 

@@ -27,6 +27,8 @@ pub struct BodyDef {
     pub mass: f64,
     /// Drag coefficient C_d, ≥ 0.
     pub drag: f64,
+    /// Whether a medium meets it as a ball with the mean of width and height as diameter; contacts are those of its box in any case.
+    pub round: bool,
     /// Coefficient of restitution, 0 … 1.
     pub restitution: f64,
     /// What it is made of; a pair of bodies slides with the smaller coefficients of the two.
@@ -43,6 +45,7 @@ impl Default for BodyDef {
             half: DVec2::splat(0.5),
             mass: 1.0,
             drag: 1.0,
+            round: false,
             restitution: 0.0,
             material: Material::ASPHALT,
             feels_air: true,
@@ -65,6 +68,8 @@ pub struct Body {
     pub mass: f64,
     /// Drag coefficient C_d.
     pub drag: f64,
+    /// Whether a medium meets it as a ball.
+    pub round: bool,
     /// Coefficient of restitution.
     pub restitution: f64,
     /// What it is made of.
@@ -82,6 +87,7 @@ impl Body {
             half: def.half,
             mass: def.mass,
             drag: def.drag,
+            round: def.round,
             restitution: def.restitution,
             material: def.material,
             feels_air: def.feels_air,

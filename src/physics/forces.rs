@@ -14,13 +14,13 @@ pub enum ForceKind {
     Reaction,
     /// Against sliding along a contact.
     Friction,
-    /// ½·ρ·C_d·A·|u|², against the motion relative to the air.
+    /// ½·ρ·C_d·(w·|u_y| + h·|u_x|)·u for boxes, ½·ρ·C_d·d·|u|·u for round things, against the motion u relative to the air.
     AirResistance,
     /// An air stream's constant force.
     Wind,
     /// ρ·g·V of the displaced liquid, upwards.
     Buoyancy,
-    /// The drag of a liquid, quadratic and viscous part together.
+    /// The drag of a liquid: quadratic, viscous, and the waves that a body makes which its surface cuts.
     ViscousDrag,
     /// What another object presses with.
     Push,

@@ -212,7 +212,12 @@ mod tests {
 
     #[test]
     fn nothing_jumps_over_a_thin_wall() {
-        let hit = time_of_impact(&straight(DVec2::new(-50.0, 0.0), DVec2::new(8333.0, 0.0)), DVec2::new(0.11, 1.0), 1.0 / 60.0, Sides::ALL);
+        let hit = time_of_impact(
+            &straight(DVec2::new(-50.0, 0.0), DVec2::new(8333.0, 0.0)),
+            DVec2::new(0.11, 1.0),
+            1.0 / 60.0,
+            Sides::ALL,
+        );
         assert!(matches!(hit, Some((_, 0))));
     }
 

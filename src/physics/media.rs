@@ -1,17 +1,33 @@
 //! What acts on a body without touching it: gravity, its engine, air, streams and liquids.
 //!
-//! Air Resistance is ½·ρ·C_d·A·|u|·u with the depth of every body 1 m: A = height when it moves more across than up or down, width
-//! otherwise. In a liquid the submerged fraction f of the box displaces ρ·g·V (Archimedes) and feels the same quadratic drag with the
-//! liquid's density, plus Stokes' 3π·η·d·u with d the mean of width and height as a representative diameter; air acts on the rest.
+//! Air Resistance is that of [`super::air`]. In a liquid of density ρ and viscosity η a body of which the fraction f is inside feels
+//!
+//! - **Buoyancy** ρ·g·V·f (Archimedes), V its box, 1 m deep;
+//! - **Viscous Drag** of three parts: the quadratic drag of the air's formula with the liquid's density, times f; Stokes' 3π·η·d·u, times
+//!   f, with the mean of width and height as diameter d; and, up and down, the waves that a body makes which the surface cuts.
+//!
+//! **Waves.** A floating body is a spring of stiffness K = ρ·g·b, b its width in the liquid, and quadratic drag alone lets it bob with an
+//! amplitude that falls as 1/t only. What really stills it is that it radiates waves: a damping in proportion to its velocity (J. N. Newman,
+//! *Marine Hydrodynamics*, 6.17; damping ratios in heave of 0.1 to 0.2 for box-shaped hulls, DNV-RP-C205, 7.4). Here −2·ζ·C_d·√(K·m)·φ·u_y,
+//! so that a box of C_d = 1 that floats bobs with the damping ratio [`WAVES`], and one of C_d = 0 bobs for ever with ω = √(K/m). The factor
+//! φ = 2r/(1 + r)·(1 − (1 − e)⁸), r the displaced mass over the body's and e the part of its height above the surface, is 1 for what
+//! floats at its waterline, falls to 0 in proportion to the depth of what only just gets wet, and fades over the last tenths of what goes
+//! under (waves are made near the surface): no force jumps with the depth.
+//!
+//! Air acts on the part outside. Where buoyancy and the constant forces balance to rounding, what has no velocity has no acceleration, and
+//! the buoyancy listed is what makes the resultant exactly zero.
 
-use super::tuning::{STIFF_REACH, WET};
+use super::air::Drag;
 use super::{Aabb, Body, FluidDef, Force, ForceKind, Source, StreamDef};
 use glam::DVec2;
 
-/// m. From here on a liquid counts for the steps of a motion towards it.
-const NEAR: f64 = 1.0;
 /// Stokes' law: 3π per diameter.
 const STOKES: f64 = 3.0 * std::f64::consts::PI;
+/// Damping ratio of what floats at its waterline, per unit of C_d. Smaller: 300 kg on water are not at rest after a minute; larger: a
+/// splash calms down within one bob.
+const WAVES: f64 = 0.15;
+/// Relative: what rounding leaves of a balance of forces. Smaller: what floats never comes to rest; larger: it rests beside its waterline.
+const BALANCE: f64 = 4e-14;
 
 /// The media of a world.
 #[derive(Clone, Debug)]
@@ -25,135 +41,198 @@ pub(super) struct Media {
 }
 
 /// The law by which one body moves during one interval, contacts left out.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Law {
     /// All that is constant: gravity, drive, wind, m/s².
     pub constant: DVec2,
-    /// Drag of the air, ½·ρ·C_d·A/m, 1/m.
-    pub air: f64,
-    /// Exposed area, m²: what the liquids act on.
-    pub area: f64,
-    /// Whether it may come to a liquid soon.
-    pub near_liquid: bool,
-    /// Whether a liquid acts on it: one that it touches. Until then it flies as if there were none, and meeting the surface is an event.
-    pub wet: bool,
-    /// Scale of all forces of the media, 1 but for things in contact that are so light that they follow the media within a tick.
-    pub soft: f64,
-}
-
-impl Default for Law {
-    fn default() -> Self {
-        Self { constant: DVec2::ZERO, air: 0.0, area: 0.0, near_liquid: false, wet: false, soft: 1.0 }
-    }
-}
-
-/// The fraction of a body's box that lies inside a zone, 0 … 1.
-pub(super) fn submerged(position: DVec2, half: DVec2, zone: &Aabb) -> f64 {
-    let inside = (position + half).min(zone.max) - (position - half).max(zone.min);
-    let inside = inside.max(DVec2::ZERO);
-    (inside.x * inside.y) / (4.0 * half.x * half.y)
-}
-
-/// Whether something moves more across than up or down: the side that then meets the air is its height. On the border between the two
-/// (and at rest) it is `force` that decides: drag alone leaves the direction as it is.
-pub(super) fn moves_across(v: DVec2, force: DVec2) -> bool {
-    let turns = |v: f64, force: f64| if v == 0.0 { force.abs() } else { force * v.signum() };
-    if v.x.abs() == v.y.abs() { turns(v.x, force.x) > turns(v.y, force.y) } else { v.x.abs() > v.y.abs() }
+    /// Drag of the air.
+    pub air: Drag,
+    /// The liquids that it may meet, by their indices: from the first of them to the last. It flies as if there were no others.
+    pub liquids: (u32, u32),
 }
 
 impl Law {
+    /// Whether some liquid is so near that it may be met.
+    pub fn is_near_liquid(&self) -> bool {
+        self.liquids.0 < self.liquids.1
+    }
+
     /// Whether nothing acts that depends on place or velocity.
     pub fn is_constant(&self) -> bool {
-        self.air == 0.0 && !self.wet
+        self.air.is_none() && !self.is_near_liquid()
+    }
+}
+
+/// How the acceleration by the media answers to small changes of a state: what an implicit step needs.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Stiffness {
+    /// −∂a/∂v along either axis, 1/s, ≥ 0.
+    pub drag: DVec2,
+    /// −∂a_y/∂y by buoyancy, 1/s², ≥ 0.
+    pub lift: f64,
+}
+
+/// What a liquid, or all media together, do to a body at a place, per mass.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Bath {
+    /// The fraction of the body that is inside.
+    pub fraction: f64,
+    pub drag: Drag,
+    /// Stokes' drag, 1/s.
+    pub linear: f64,
+    /// Damping by waves, up and down, 1/s.
+    pub waves: f64,
+    /// Buoyancy upwards, m/s².
+    pub lift: f64,
+    /// K/m, 1/s².
+    pub stiffness: f64,
+    /// Whether the bath is the same a little to each side, and everywhere around.
+    pub same_across: bool,
+    pub same_around: bool,
+}
+
+impl Bath {
+    /// Acceleration at velocity `v` if no medium did more than this and `constant` did the rest, m/s².
+    pub fn acceleration(&self, constant: DVec2, v: DVec2) -> DVec2 {
+        let drag = self.drag.rate(v) + self.linear;
+        DVec2::new(constant.x - v.x * drag, (constant.y - self.lift) - v.y * (drag + self.waves))
+    }
+
+    /// Its linearisation at velocity `v`.
+    pub fn answer(&self, v: DVec2) -> Stiffness {
+        Stiffness { drag: self.drag.stiffness(v) + self.linear + DVec2::new(0.0, self.waves), lift: self.stiffness }
+    }
+
+    /// m/s²: what is left of a balance along the vertical at `y` if it is nothing but rounding.
+    pub fn rounding(&self, constant: DVec2, body: &Body, y: f64) -> f64 {
+        BALANCE * (constant.y.abs() + self.lift.abs() + self.stiffness * (y.abs() + body.half.y))
     }
 }
 
 impl Media {
-    /// The law of a body that gets no further than `searched` in a tick; without the streams that it feels.
-    pub fn law(&self, body: &Body, drive: DVec2, searched: &Aabb) -> Law {
-        let area = 2.0 * if body.velocity.x.abs() > body.velocity.y.abs() { body.half.y } else { body.half.x };
-        let air = if body.feels_air { 0.5 * self.air_density * body.drag * area / body.mass } else { 0.0 };
-        let wet = self.fluids.iter().any(|fluid| searched.touches(&fluid.zone, 0.0));
-        Law { constant: DVec2::new(0.0, self.gravity) + drive / body.mass, air, area, near_liquid: wet, wet, soft: 1.0 }
+    /// The drag of the air on a body.
+    pub fn air(&self, body: &Body) -> Drag {
+        if body.feels_air { Drag::of(body, self.air_density) } else { Drag::default() }
     }
 
-    /// How the acceleration of a body answers to its own motion: −∂a/∂v (1/s) and −∂a/∂x (1/s²) along each axis.
-    pub fn stiffness(&self, body: &Body, law: &Law, x: DVec2, v: DVec2) -> (DVec2, DVec2) {
-        (DVec2::splat(self.rate(body, law, v)), DVec2::new(0.0, self.floats(body, x)))
+    /// The law of a body that gets no further than `searched` in a tick; without the streams that it feels.
+    pub fn law(&self, body: &Body, drive: DVec2, searched: &Aabb) -> Law {
+        let met = |fluid: &FluidDef| searched.touches(&fluid.zone, 0.0);
+        let first = self.fluids.iter().position(met).map_or(0, |i| i as u32);
+        let last = self.fluids.iter().rposition(met).map_or(0, |i| i as u32 + 1);
+        let constant = DVec2::new(0.0, self.gravity) + drive / body.mass;
+        Law { constant, air: self.air(body), liquids: (first, last) }
+    }
+
+    /// The liquids of a law, with their indices.
+    pub fn liquids(&self, law: &Law) -> impl Iterator<Item = (u32, &FluidDef)> {
+        (law.liquids.0..law.liquids.1).zip(&self.fluids[law.liquids.0 as usize..law.liquids.1 as usize])
+    }
+
+    /// What one liquid does to a body at `x`; none where it does not reach.
+    #[inline]
+    fn part(&self, body: &Body, fluid: &FluidDef, x: DVec2) -> Option<Bath> {
+        let (zone, half) = (&fluid.zone, body.half);
+        let (top_left, bottom_right) = (x - half, x + half);
+        let inside = bottom_right.min(zone.max) - top_left.max(zone.min);
+        if inside.x <= 0.0 || inside.y <= 0.0 {
+            return None;
+        }
+        let (width, height) = (2.0 * half.x, 2.0 * half.y);
+        let fraction = (inside.x * inside.y) / (width * height);
+        let (displaced, per_mass) = (fluid.density * (inside.x * inside.y), 1.0 / body.mass);
+        let contained = top_left.cmpge(zone.min) & bottom_right.cmple(zone.max);
+        let mut bath = Bath {
+            fraction,
+            drag: Drag::of(body, fluid.density).scaled(fraction),
+            linear: STOKES * fluid.viscosity * (half.x + half.y) * fraction * per_mass,
+            lift: displaced * self.gravity * per_mass,
+            same_across: contained.x,
+            same_around: contained.all(),
+            ..Bath::default()
+        };
+        // The surface is the side that buoyancy points to.
+        let down = self.gravity >= 0.0;
+        let emerged = if down { zone.min.y - top_left.y } else { bottom_right.y - zone.max.y };
+        if emerged > 0.0 {
+            let stiffness = fluid.density * self.gravity.abs() * inside.x * per_mass;
+            let sunk = if down { bottom_right.y <= zone.max.y } else { top_left.y >= zone.min.y };
+            bath.stiffness = if sunk { stiffness } else { 0.0 };
+            let ratio = displaced * per_mass;
+            let under = (1.0 - emerged / height).max(0.0);
+            let fourth = (under * under) * (under * under);
+            let fades = 1.0 - fourth * fourth;
+            bath.waves = 2.0 * WAVES * body.drag * stiffness.sqrt() * (2.0 * ratio / (1.0 + ratio)) * fades;
+        }
+        Some(bath)
+    }
+
+    /// What all media do to a body at `x`.
+    pub fn bath(&self, body: &Body, law: &Law, x: DVec2) -> Bath {
+        let mut all = Bath { same_across: true, same_around: true, ..Bath::default() };
+        for (_, fluid) in self.liquids(law) {
+            let Some(part) = self.part(body, fluid, x) else { continue };
+            all.fraction += part.fraction;
+            all.drag = all.drag.plus(&part.drag);
+            all.linear += part.linear;
+            all.waves += part.waves;
+            all.lift += part.lift;
+            all.stiffness += part.stiffness;
+            all.same_across &= part.same_across;
+            all.same_around &= part.same_around;
+        }
+        if !law.air.is_none() {
+            all.drag = all.drag.plus(&law.air.scaled((1.0 - all.fraction).max(0.0)));
+        }
+        all
     }
 
     /// Acceleration of a body at `x` with velocity `v` under `law`, m/s².
     pub fn acceleration(&self, body: &Body, law: &Law, x: DVec2, v: DVec2) -> DVec2 {
-        let mut a = law.constant;
-        let mut dry = 1.0;
-        if law.wet {
-            for fluid in &self.fluids {
-                let f = submerged(x, body.half, &fluid.zone);
-                if f > 0.0 {
-                    dry -= f;
-                    a += (self.buoyancy(body, fluid, f) + viscous_drag(body, fluid, law.area, f, v)) * (law.soft / body.mass);
-                }
-            }
-            dry = f64::max(dry, 0.0);
+        if !law.is_near_liquid() {
+            return law.constant - v * law.air.rate(v);
         }
-        if law.air > 0.0 {
-            a -= v * (law.air * law.soft * dry * v.length());
+        let bath = self.bath(body, law, x);
+        let mut a = bath.acceleration(law.constant, v);
+        if balances(&bath, law, body, x, v, a) {
+            a.y = 0.0;
         }
         a
     }
 
-    /// How fast the body's own motion changes its acceleration at velocity `v`, 1/s: what a Runge–Kutta step has to resolve.
-    pub fn rate(&self, body: &Body, law: &Law, v: DVec2) -> f64 {
-        let (mut quadratic, mut linear, mut stiffness) = (law.air, 0.0, 0.0);
-        if law.wet {
-            for fluid in &self.fluids {
-                if submerged(body.position, body.half + NEAR, &fluid.zone) > 0.0 {
-                    quadratic += 0.5 * fluid.density * body.drag * law.area / body.mass;
-                    linear += STOKES * fluid.viscosity * (body.half.x + body.half.y) / body.mass;
-                    stiffness += fluid.density * self.gravity.abs() * 2.0 * body.half.x.max(body.half.y) / body.mass;
-                }
-            }
+    /// The linearisation of [`Media::acceleration`].
+    pub fn stiffness(&self, body: &Body, law: &Law, x: DVec2, v: DVec2) -> Stiffness {
+        if !law.is_near_liquid() {
+            return Stiffness { drag: law.air.stiffness(v), lift: 0.0 };
         }
-        linear + quadratic * v.length() + (quadratic * law.constant.length()).sqrt() + stiffness.sqrt()
+        self.bath(body, law, x).answer(v)
     }
 
-    /// Whether a liquid acts on a body now: it touches it. What is so light that it would bob there many times within a `tick` (s) is
-    /// within the liquid's reach already when it is near.
-    pub fn is_met(&self, body: &Body, fluid: &FluidDef, tick: f64) -> bool {
-        let stiffness = fluid.density * self.gravity.abs() * 2.0 * body.half.x / body.mass;
-        let reach = if stiffness.sqrt() * tick > STIFF_REACH { NEAR } else { WET };
-        body.bounds().touches(&fluid.zone, reach)
-    }
-
-    /// Whether the surface of a liquid cuts a body.
-    pub fn cuts(&self, body: &Body) -> bool {
-        self.fluids.iter().map(|fluid| submerged(body.position, body.half, &fluid.zone)).any(|f| f > 0.0 && f < 1.0)
-    }
-
-    /// By how much a body at `x` that floats on a surface is drawn back to it, 1/s²: the change of its buoyancy with its depth.
-    pub fn floats(&self, body: &Body, x: DVec2) -> f64 {
-        let (top, bottom) = (x - body.half, x + body.half);
-        let stiffness = self.fluids.iter().map(|FluidDef { zone, density, .. }| {
-            let width = (bottom.x.min(zone.max.x) - top.x.max(zone.min.x)).max(0.0);
-            let cut = top.y < zone.min.y && bottom.y > zone.min.y && bottom.y < zone.max.y;
-            if cut { density * self.gravity * width } else { 0.0 }
-        });
-        stiffness.sum::<f64>() / body.mass
-    }
-
-    fn buoyancy(&self, body: &Body, fluid: &FluidDef, f: f64) -> DVec2 {
-        DVec2::new(0.0, -fluid.density * self.gravity * 4.0 * body.half.x * body.half.y * f)
+    /// How fast the body's own motion changes its acceleration at velocity `v`, 1/s: what an explicit step has to resolve.
+    pub fn rate(&self, body: &Body, law: &Law, v: DVec2) -> f64 {
+        let (mut drag, mut linear, mut stiffness) = (law.air, 0.0, 0.0);
+        for (_, fluid) in self.liquids(law) {
+            drag = drag.plus(&Drag::of(body, fluid.density));
+            linear += STOKES * fluid.viscosity * (body.half.x + body.half.y) / body.mass;
+            stiffness += fluid.density * self.gravity.abs() * 2.0 * body.half.x / body.mass;
+        }
+        linear + drag.rate(v) + drag.rate(law.constant).sqrt() + (1.0 + 2.0 * WAVES * body.drag) * stiffness.sqrt()
     }
 
     /// Lists the named forces on a body as it moves now, the engine's drive (N) included.
-    pub fn list(&self, body: &Body, drive: DVec2, in_stream: impl Fn(usize) -> bool, out: &mut Vec<Force>) {
-        let law = &self.law(body, drive, &body.bounds());
+    pub fn list(&self, body: &Body, law: &Law, drive: DVec2, in_stream: impl Fn(usize) -> bool, out: &mut Vec<Force>) {
+        let (x, v, mass) = (body.position, body.velocity, body.mass);
+        let (mut sum, mut last) = (DVec2::ZERO, None);
         let mut add = |kind, source, vector: DVec2| {
             if vector != DVec2::ZERO {
-                out.push(Force { kind, source, vector, point: body.position });
+                if kind == ForceKind::Buoyancy {
+                    last = Some((out.len(), sum));
+                }
+                sum += vector;
+                out.push(Force { kind, source, vector, point: x });
             }
         };
-        add(ForceKind::Weight, Source::Gravity, DVec2::new(0.0, body.mass * self.gravity));
+        add(ForceKind::Weight, Source::Gravity, DVec2::new(0.0, mass * self.gravity));
         add(ForceKind::Drive, Source::Engine, drive);
         for (i, stream) in self.streams.iter().enumerate() {
             if in_stream(i) {
@@ -161,27 +240,92 @@ impl Media {
             }
         }
         let mut dry = 1.0;
-        if law.wet {
-            for (i, fluid) in self.fluids.iter().enumerate() {
-                let f = submerged(body.position, body.half, &fluid.zone);
-                if f > 0.0 {
-                    dry -= f;
-                    add(ForceKind::Buoyancy, Source::Fluid(i as u32), self.buoyancy(body, fluid, f));
-                    add(ForceKind::ViscousDrag, Source::Fluid(i as u32), viscous_drag(body, fluid, law.area, f, body.velocity));
-                }
-            }
-            dry = f64::max(dry, 0.0);
+        for (i, fluid) in self.liquids(law) {
+            let Some(part) = self.part(body, fluid, x) else { continue };
+            dry -= part.fraction;
+            let drag = part.drag.rate(v) + part.linear;
+            let drag = -v * DVec2::new(drag, drag + part.waves) * mass;
+            add(ForceKind::ViscousDrag, Source::Fluid(i), drag);
+            add(ForceKind::Buoyancy, Source::Fluid(i), DVec2::new(0.0, -mass * part.lift));
         }
-        if law.air > 0.0 {
-            let v = body.velocity;
-            let k = 0.5 * self.air_density * body.drag * law.area;
-            add(ForceKind::AirResistance, Source::Air, -v * (k * dry * v.length()));
+        if !law.air.is_none() {
+            add(ForceKind::AirResistance, Source::Air, -v * (law.air.rate(v) * f64::max(dry, 0.0) * mass));
+        }
+        if let Some((index, before)) = last
+            && v.y == 0.0
+        {
+            // With v_y = 0 no drag acts up or down, so that the last buoyancy is the last of the vertical forces.
+            let bath = self.bath(body, law, x);
+            if balances(&bath, law, body, x, v, bath.acceleration(law.constant, v)) {
+                out[index].vector.y = -before.y;
+            }
         }
     }
 }
 
-fn viscous_drag(body: &Body, fluid: &FluidDef, area: f64, f: f64, v: DVec2) -> DVec2 {
-    let quadratic = 0.5 * fluid.density * body.drag * area * v.length();
-    let viscous = STOKES * fluid.viscosity * (body.half.x + body.half.y);
-    -v * (f * (quadratic + viscous))
+/// Whether the vertical forces on what has no vertical velocity balance but for rounding.
+fn balances(bath: &Bath, law: &Law, body: &Body, x: DVec2, v: DVec2, a: DVec2) -> bool {
+    v.y == 0.0 && bath.fraction > 0.0 && a.y.abs() <= bath.rounding(law.constant, body, x.y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::{BodyDef, WorldDef};
+
+    fn pool(density: f64, viscosity: f64) -> Media {
+        let zone = Aabb::new(DVec2::new(-10.0, 0.0), DVec2::new(10.0, 20.0));
+        let def = WorldDef { fluids: vec![FluidDef { zone, density, viscosity }], ..WorldDef::default() };
+        Media { gravity: 15.0, air_density: 1.2, streams: def.streams, fluids: def.fluids }
+    }
+
+    fn law(media: &Media, body: &Body) -> Law {
+        Law {
+            constant: DVec2::new(0.0, media.gravity),
+            air: media.air(body),
+            liquids: (0, media.fluids.len() as u32),
+            ..Law::default()
+        }
+    }
+
+    #[test]
+    fn the_linearisation_is_that_of_the_acceleration() {
+        let media = pool(900.0, 3.0);
+        for round in [false, true] {
+            for depth in [-1.0, 0.2, 3.0] {
+                let position = DVec2::new(0.0, depth);
+                let body = Body::new(&BodyDef { position, mass: 200.0, half: DVec2::new(0.4, 0.7), round, ..BodyDef::default() });
+                let (law, v) = (law(&media, &body), DVec2::new(3.0, -2.0));
+                let at = |x: DVec2, v: DVec2| media.acceleration(&body, &law, position + x, v);
+                let found = media.stiffness(&body, &law, position, v);
+                let step = 1e-6;
+                let (across, down) = (DVec2::new(step, 0.0), DVec2::new(0.0, step));
+                let drag = DVec2::new(
+                    (at(DVec2::ZERO, v - across) - at(DVec2::ZERO, v + across)).x,
+                    (at(DVec2::ZERO, v - down) - at(DVec2::ZERO, v + down)).y,
+                );
+                assert!((found.drag - drag / (2.0 * step)).length() < 1e-6, "{depth} m: {found:?}, not {drag}");
+                // At rest nothing but buoyancy changes with the depth.
+                let lift = (at(-down, DVec2::ZERO) - at(down, DVec2::ZERO)).y / (2.0 * step);
+                assert!((found.lift - lift).abs() < 1e-6, "{depth} m: {found:?}, not {lift}");
+            }
+        }
+    }
+
+    /// Getting wet, going under: a step of a nanometre changes no force by more than that.
+    #[test]
+    fn no_force_jumps_with_the_depth() {
+        let media = pool(1000.0, 1.0);
+        for mass in [0.05, 30.0, 300.0, 900.0] {
+            let body = Body::new(&BodyDef { mass, ..BodyDef::default() });
+            let law = law(&media, &body);
+            for v in [DVec2::new(2.0, 3.0), DVec2::new(0.0, -5.0)] {
+                for depth in [-0.5, 0.5, 19.5, 20.5] {
+                    let at = |y: f64| media.acceleration(&body, &law, DVec2::new(0.0, y), v) * body.mass;
+                    let jump = (at(depth + 1e-9) - at(depth - 1e-9)).length();
+                    assert!(jump < 1e-2, "{mass} kg at {depth} m, {v}: {jump} N");
+                }
+            }
+        }
+    }
 }

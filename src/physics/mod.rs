@@ -50,6 +50,7 @@
 //! Tolerances that several files share stand in `tuning`, the others beside what they serve, each with what breaks when it changes.
 
 mod aabb;
+mod air;
 mod body;
 mod contact;
 mod def;
@@ -61,6 +62,7 @@ mod guards;
 mod impact_time;
 mod impulse;
 mod islands;
+mod liquid;
 mod material;
 mod media;
 mod network;
@@ -68,6 +70,7 @@ pub mod pile;
 mod plan;
 mod reactions;
 mod scratch;
+mod spring;
 mod step;
 mod surface;
 mod tuning;
@@ -77,10 +80,10 @@ mod zones;
 pub use aabb::Aabb;
 pub use body::{Body, BodyDef, BodyId};
 pub use def::{DefError, FluidDef, StreamDef, WorldDef};
-pub use guards::Guards;
-pub use impulse::Impulse;
 pub use forces::{Force, ForceKind, ForceManager, Source};
 pub use glam::DVec2;
+pub use guards::Guards;
+pub use impulse::Impulse;
 pub use material::Material;
 pub use plan::Plan;
 pub use surface::{Leg, Path, PathPoint, Sides, Surface, SurfaceDef};

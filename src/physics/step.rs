@@ -1,11 +1,11 @@
 //! How a tick goes, phase by phase.
 
+use super::contact::Contact;
 use super::events::{Events, Item, Motion, Outcome, Scene};
 use super::impulse::Impulse;
 use super::scratch::{After, Happened, Scratch};
 use super::tuning::REPORT_SPEED;
 use super::world::{Event, Obstacle, State, World};
-use super::contact::Contact;
 use super::{Aabb, Body, BodyId};
 use glam::DVec2;
 
@@ -179,8 +179,7 @@ impl World {
                 scratch.resting[i] = false;
                 self.records.guards.islands_grown += 1;
                 let reach = scratch.searched[i].size() + (self.state.bodies[i].velocity.abs() * dt);
-                scratch.searched[i] =
-                    if search + 1 >= MOST_SEARCHES { everywhere } else { grow(&scratch.searched[i], reach) };
+                scratch.searched[i] = if search + 1 >= MOST_SEARCHES { everywhere } else { grow(&scratch.searched[i], reach) };
             }
         }
     }
@@ -293,7 +292,9 @@ fn gather(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], scene: &S
         events.items.push(Item::body(body, &state.bodies[i], state.drives[i], law, searched[i], known));
     }
     events.movable = island.len();
-    let near = |bounds: &Aabb| everything.touches(bounds, 0.0) && island.iter().any(|member| searched[member.1 as usize].touches(bounds, 0.0));
+    let near = |bounds: &Aabb| {
+        everything.touches(bounds, 0.0) && island.iter().any(|member| searched[member.1 as usize].touches(bounds, 0.0))
+    };
     for (s, surface) in state.surfaces.iter().enumerate() {
         if surface.present && near(&surface.swept(scene.tick)) {
             local[n + s] = events.items.len() as u32;
@@ -341,8 +342,7 @@ fn scatter(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], known: b
         normal[hit.axis] = sign;
         let other = &items[b as usize];
         let b = if other.surface { Obstacle::Surface(other.id) } else { Obstacle::Body(BodyId(other.id)) };
-        let impulse =
-            Impulse { a: BodyId(items[a as usize].id), b, vector: hit.impulse * sign, point: hit.point, at: hit.at };
+        let impulse = Impulse { a: BodyId(items[a as usize].id), b, vector: hit.impulse * sign, point: hit.point, at: hit.at };
         let places = if first_is_lo { hit.places } else { [hit.places[1], hit.places[0]] };
         happened.push(Happened { island: leader, order: happened.len() as u32, impulse, normal, speed: hit.speed, places });
     }

@@ -26,37 +26,8 @@ pub(super) const SPEED_ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// rounding can no longer resolve, and come back after a tenth of a microsecond, again and again.
 pub(super) const MICRO_SPEED: f64 = 2e-6;
 
-/// Rate × time of one Runge–Kutta step, at most. The error of a motion of some metres grows with its fourth power: 1e-9 m at 0.02, 1e-7 m
-/// at 0.06; from about 2 on the method diverges.
-pub(super) const RK4_REACH: f64 = 0.02;
-
-/// Runge–Kutta steps of one free body in one interval, at most. A feather in a gust of a hundred times its terminal speed takes 300.
-pub(super) const RK4_STEPS: u32 = 4096;
-
-/// Rate × time at rest from which on motion in a liquid takes exponential steps: stable at any rate, right at the end, and the way there (a
-/// millisecond) only roughly.
-pub(super) const STIFF_REACH: f64 = 4.0;
-
-/// Exponential steps of one interval.
-pub(super) const EXPONENTIAL_STEPS: f64 = 32.0;
-
-/// Rate × time of one Runge–Kutta step of bodies in contact, which all have to take the same and solve their contacts four times in each:
-/// 1e-7 m on a slide of ten metres.
-pub(super) const COUPLED_STEP: f64 = 0.1;
-
-/// Rate × time of one interval up to which bodies in contact feel the full force of the media. Beyond it all forces of the media are
-/// scaled down to this: such a body follows them within the tick anyway, and explicit steps would diverge.
-pub(super) const COUPLED_REACH: f64 = 4.0;
-
 /// Relative distance from the terminal velocity at which a body counts as having reached it: no further steps are needed then.
-pub(super) const TERMINAL_TOLERANCE: f64 = 1e-14;
-
-/// m. How far a body may move beyond its predicted path before the list of its neighbours is made anew. Larger: fewer, longer lists.
-pub(super) const SKIN: f64 = 0.25;
-
-/// Intervals in one tick, at most. Perfectly elastic cascades between unequal masses need hundreds; beyond half of them impacts of the
-/// tick become plastic, and `World::overflows` counts it; beyond all of them the rest of the tick is left out.
-pub(super) const MAX_INTERVALS: u32 = 4096;
+pub(super) const TERMINAL_TOLERANCE: f64 = 1e-13;
 
 /// Hits of one pair in one tick after which an imperfect bounce (e < 1) between two moving bodies ends: it has become a rattle whose
 /// remaining energy is a fraction e^128 of the first hit's.
@@ -73,19 +44,6 @@ pub(super) const CALM_REACH: f64 = 0.01;
 /// all contacts together would let what happens here depend on what lies elsewhere.
 pub(super) const CASCADE_HITS: u32 = 32;
 
-/// Impacts in one cascade altogether. Perfectly elastic cascades end by themselves, but a mass ratio of R needs some 3·√R of them.
-pub(super) const MAX_CASCADE: usize = 65_536;
-
-/// m. A liquid acts on what is nearer to it than this. It covers the error of the time at which a surface is met; larger, and a fast thing
-/// meets the liquid in the middle of a Runge–Kutta step that knows nothing of it.
-pub(super) const WET: f64 = 1e-6;
-
-/// Zone edges crossed by one body in one tick, at most: a body balanced on the edge of a stream would cross without end.
-pub(super) const MAX_CROSSINGS: u32 = 8;
-
-/// s. Kinks of the law of motion nearer than this to the interval's start are taken as passed: they are the kink it began at.
-pub(super) const MIN_SPLIT: f64 = 1e-10;
-
 /// m/s. Slower hits are not reported as events.
 pub(super) const REPORT_SPEED: f64 = 0.01;
 
@@ -94,8 +52,3 @@ pub(super) const FRICTION_ROUNDS: u32 = 12;
 
 /// m. Thickness of the level's edges. No speed gets through: impacts are found along the whole path.
 pub(super) const EDGE_THICKNESS: f64 = 100.0;
-
-/// How often an interval in which something sank into something is cut, and to what part of it. A tick cut so often is 1 µs long.
-pub(super) const RETRIES: u32 = 7;
-/// See [`RETRIES`].
-pub(super) const RETRY_PART: f64 = 0.25;

@@ -7,7 +7,9 @@ use super::media::Media;
 use super::scratch::Scratch;
 use super::surface::Surface;
 use super::tuning::EDGE_THICKNESS;
-use super::{Aabb, Body, BodyDef, BodyId, DefError, Force, ForceKind, ForceManager, Material, Plan, Source, SurfaceDef, WorldDef, zones};
+use super::{
+    Aabb, Body, BodyDef, BodyId, DefError, Force, ForceKind, ForceManager, Material, Plan, Source, SurfaceDef, WorldDef, zones,
+};
 use glam::DVec2;
 
 /// What a body can run into.
@@ -230,7 +232,8 @@ impl World {
         let state = &self.state;
         let mut forces = ForceManager::default();
         let in_stream = |stream: usize| zones::feels(&state.media.streams[stream].zone, body, (body.position, body.velocity));
-        state.media.list(body, state.drives[i], in_stream, forces.renew());
+        let law = state.media.law(body, state.drives[i], &body.bounds());
+        state.media.list(body, &law, state.drives[i], in_stream, forces.renew());
         let mut held = false;
         for contact in state.contacts.iter().filter(|contact| contact.lo == id.0 || contact.hi == id.0) {
             held = true;
@@ -304,8 +307,7 @@ impl World {
 fn edges(bounds: &Aabb) -> [SurfaceDef; 4] {
     let (min, max) = (bounds.min, bounds.max);
     let t = EDGE_THICKNESS;
-    let edge =
-        |x0, y0, x1, y1| SurfaceDef::fixed(Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), Material::ASPHALT);
+    let edge = |x0, y0, x1, y1| SurfaceDef::fixed(Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), Material::ASPHALT);
     [
         edge(min.x - t, min.y - t, min.x, max.y + t),
         edge(max.x, min.y - t, max.x + t, max.y + t),

@@ -1,8 +1,10 @@
-//! Whether a body is in an air stream.
+//! Whether a body is in a zone, and when it crosses the border of one.
 
 use super::flow::Pose;
+use super::impact_time::{Cubic, earliest};
 use super::tuning::SLOP;
 use super::{Aabb, Body};
+use glam::DVec2;
 
 /// Whether a body in a pose feels a stream that blows in a zone: touching suffices, but what leaves it has left it. So what a tick finds does
 /// not depend on how the time of a crossing was rounded.
@@ -10,6 +12,24 @@ pub(super) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> boo
     let apart = position - zone.centre();
     let gap = apart.abs() - body.half - zone.size() * 0.5;
     (0..2).all(|axis| gap[axis] < -SLOP || (gap[axis] <= SLOP && velocity[axis] * apart[axis].signum() <= 0.0))
+}
+
+/// When a body on a way enters a zone or, from `inside`, leaves it.
+pub(super) fn border(way: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f64) -> Option<f64> {
+    let reach = half + zone.size() * 0.5;
+    let motion = Cubic::parabola(zone.centre(), DVec2::ZERO, DVec2::ZERO).relative(way);
+    let mut first: Option<f64> = None;
+    for axis in 0..2 {
+        let (path, other, level) = (motion.axis(axis), motion.axis(1 - axis), reach[axis]);
+        let t = if inside {
+            earliest(path.rises_through(level, 0.0, end), path.falls_through(-level, 0.0, end))
+        } else {
+            earliest(path.falls_through(level, 0.0, end), path.rises_through(-level, 0.0, end))
+                .filter(|&t| other.at(t).abs() <= reach[1 - axis])
+        };
+        first = earliest(first, t.filter(|&t| t < end));
+    }
+    first
 }
 
 #[cfg(test)]

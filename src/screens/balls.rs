@@ -111,6 +111,7 @@ impl Balls {
             half: DVec2::splat(RADIUS),
             mass: MASS,
             drag: 0.0,
+            round: true,
             restitution: BOUNCE,
             material: Material::STEEL,
             feels_air: false,

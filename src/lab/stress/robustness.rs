@@ -137,7 +137,7 @@ const FASTER: f64 = 1.05;
 /// Whether a nonsense body does no harm by hand: its numbers are taken as they are, and for ten seconds over a floor they stay
 /// finite and it is never faster than its fall can make it.
 pub fn naive_takes(body: &BodyDef) -> bool {
-    let area = 2.0 * body.half.y;
+    let area = 2.0 * body.half.x;
     let law = Law {
         constant: DVec2::new(0.0, G * body.mass / body.mass),
         drag: 0.5 * 1.2041 * body.drag * area / body.mass,

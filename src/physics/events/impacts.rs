@@ -253,7 +253,6 @@ impl Events {
     /// Lists an impulse (N·s, on `hi`) for rules, view and sound.
     pub(super) fn note(&mut self, contact: &Contact, impulse: DVec2, speed: f64) {
         let point = self.point_of(contact);
-        if std::env::var("DBG").is_ok() { eprintln!("   hit {}-{} axis {} J {impulse:?} speed {speed} speeds {:?}", contact.lo, contact.hi, contact.axis, self.speeds); }
         let (lo, hi) = (contact.lo, contact.hi);
         let places = [self.places[lo as usize], self.places[hi as usize]];
         self.hits.push(Hit { lo, hi, axis: contact.axis, impulse, speed, point, places, at: self.now });

@@ -1,13 +1,14 @@
 //! What takes part in an island: bodies, and the surfaces near them, each on a path of its own with a time at which it began.
 
-use crate::physics::flow::{Pose, flow, parabola, rk4};
+use crate::physics::flow::{Pose, flow, parabola};
 use crate::physics::impact_time::Cubic;
 use crate::physics::media::{Law, Media};
-use crate::physics::tuning::RK4_REACH;
 use crate::physics::surface::Surface;
 use crate::physics::{Aabb, Body, BodyDef, Sides};
 use glam::DVec2;
 
+/// Rate × time of one Runge–Kutta step of a slide: 1e-9 m after some metres.
+const RK4_REACH: f64 = 0.02;
 /// Runge–Kutta steps of one slide between two events, at most: its way is foreseen for half a time constant, which takes 25.
 const MOST_STEPS: f64 = 64.0;
 
@@ -80,11 +81,6 @@ impl Next {
         if at < self.at {
             *self = Self { at, kind };
         }
-    }
-
-    /// Whether it depends on that item.
-    pub fn is_with(&self, item: u32) -> bool {
-        matches!(self.kind, Kind::Hit { other, .. } | Kind::Stop { other } if other == item)
     }
 }
 
@@ -235,4 +231,18 @@ impl Item {
     pub fn way_from(&self, at: f64) -> Cubic {
         self.way.from(at - self.since)
     }
+}
+
+/// One step of the classical Runge–Kutta method.
+fn rk4((x, v): Pose, h: f64, acceleration: impl Fn(DVec2, DVec2) -> DVec2) -> Pose {
+    let half = 0.5 * h;
+    let a1 = acceleration(x, v);
+    let v2 = v + a1 * half;
+    let a2 = acceleration(x + v * half, v2);
+    let v3 = v + a2 * half;
+    let a3 = acceleration(x + v2 * half, v3);
+    let v4 = v + a3 * h;
+    let a4 = acceleration(x + v3 * h, v4);
+    let sixth = h / 6.0;
+    (x + (v + 2.0 * (v2 + v3) + v4) * sixth, v + (a1 + 2.0 * (a2 + a3) + a4) * sixth)
 }

@@ -24,10 +24,10 @@ use super::media::Media;
 use super::reactions::Reactions;
 use super::surface::Surface;
 use super::tuning::SLOP;
+use glam::DVec2;
 pub(super) use impacts::Hit;
 pub(super) use item::{Item, Motion};
 use item::{Kind, Next};
-use glam::DVec2;
 
 /// What the work of an island is counted in: about a nanosecond.
 const WORK_OF_A_ROOT: u64 = 60;
@@ -163,19 +163,11 @@ impl Events {
                 self.stop_here(scene);
                 return Outcome::Busy(self.now);
             }
-            let dbg = std::env::var("DBG").is_ok();
-            let en = |s: &Self| -> f64 { s.items[..s.movable].iter().map(|it| { let (x,v)=it.pose(scene.media, s.now); it.body.mass*(0.5*v.length_squared()-scene.media.gravity*x.y) }).sum() };
-            let e0 = if dbg { en(self) } else { 0.0 };
-            if dbg { eprintln!("  ev {} id {} {:?} at {}", i, self.items[i].id, next.kind, next.at); }
             self.happen(scene, i, next.kind);
-            if dbg { let e1 = en(self); if e1 > e0 + 1e-9 * e0.abs() { eprintln!("  GAIN {}", e1 - e0); } else { eprintln!("  ok {}", e1-e0); } }
         }
         if self.grown {
             return Outcome::Grown;
         }
-        let dbg = std::env::var("DBG").is_ok();
-        let en = |s: &Self, i: usize, now: f64| -> f64 { let it=&s.items[i]; let (x,v)=it.pose(scene.media, now); it.body.mass*(0.5*v.length_squared()-scene.media.gravity*x.y) };
-        if dbg { let mut tot=0.0; for i in 0..self.movable { let d=en(self,i,scene.tick)-en(self,i,self.items[i].since); tot+=d; if d.abs()>1e-7 { eprintln!("   body {} dE {d} {:?} v {:?} mean {:?} contacts {:?}", self.items[i].id, self.items[i].motion, self.items[i].body.velocity, self.items[i].mean, self.contacts.iter().filter(|c|c.lo as usize==i||c.hi as usize==i).map(|c|(self.items[c.lo as usize].id,self.items[c.hi as usize].id,c.axis,c.normal,c.friction,c.slides)).collect::<Vec<_>>()); } } if tot>1e-7 {eprintln!("  FLIGHT GAIN {tot}");} }
         self.now = scene.tick;
         self.stop_here(scene);
         self.settle(scene);

@@ -27,9 +27,7 @@ impl Events {
     /// Looks at everything concerned anew: what touches it, its impacts, contacts, accelerations and motion.
     pub(super) fn look(&mut self, scene: &Scene, hit: Option<Contact>) {
         self.collect(scene, hit);
-        if std::env::var("DBG").is_ok() { eprintln!("  touching {:?} speeds {:?}", self.touching, self.speeds); }
         self.resolve_impacts(scene);
-        if std::env::var("DBG").is_ok() { eprintln!("  after speeds {:?}", self.speeds); }
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
             let (place, speed) = (self.places[i], self.speeds[i]);
@@ -131,7 +129,8 @@ impl Events {
             let fastest = self.speed(contact.lo).abs().max(self.speed(contact.hi).abs());
             if self.approach(&contact).abs() <= SPEED_ROUNDING * fastest[axis] {
                 let sliding = self.sliding(&contact);
-                let slides = if sliding.abs() <= SPEED_ROUNDING * (fastest[along] + contact.skin.abs()) { 0.0 } else { sliding.signum() };
+                let slides =
+                    if sliding.abs() <= SPEED_ROUNDING * (fastest[along] + contact.skin.abs()) { 0.0 } else { sliding.signum() };
                 let fresh = Contact { closed: true, lasts: true, clings: false, lossy_hits: 0, ..contact };
                 self.contacts.push(Contact { slides, normal: 0.0, friction: 0.0, ..fresh });
             }
@@ -246,7 +245,8 @@ impl Events {
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
             let item = &self.items[i];
-            let (drag, stiffness) = scene.media.stiffness(&item.body, &item.law, item.body.position, item.body.velocity);
+            let answer = scene.media.stiffness(&item.body, &item.law, item.body.position, item.body.velocity);
+            let (drag, stiffness) = (answer.drag, DVec2::new(0.0, answer.lift));
             let rate = drag * h + stiffness * (h * h);
             let theta = DVec2::new(theta(rate.x), theta(rate.y));
             let response = theta * drag * h + theta * theta * stiffness * (h * h);
@@ -351,7 +351,6 @@ impl Events {
             }
         }
         let gap = self.locate(scene, hi)[axis] - self.locate(scene, lo)[axis] - reach;
-        if gap.abs() > 1e-9 { eprintln!("GAP {gap:e} {:?} {:?}", self.items[lo].motion, self.items[hi].motion); }
         let weight = |item: usize| if item < self.movable { 1.0 / self.items[item].body.mass } else { 0.0 };
         let (of_lo, of_hi) = (weight(lo), weight(hi));
         if of_lo == 0.0 || of_hi == 0.0 {
@@ -419,7 +418,8 @@ impl Events {
         if self.contacts.iter().any(|contact| self.changes(contact.lo) || self.changes(contact.hi)) {
             for i in 0..self.movable {
                 if !self.changes(i as u32) {
-                    self.free[i] = scene.media.acceleration(&self.items[i].body, &self.items[i].law, self.places[i], self.speeds[i]);
+                    self.free[i] =
+                        scene.media.acceleration(&self.items[i].body, &self.items[i].law, self.places[i], self.speeds[i]);
                 }
             }
             let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };

@@ -8,7 +8,7 @@ use super::{Events, Scene, WORK_OF_A_ROOT};
 use crate::physics::contact::Contact;
 use crate::physics::impact_time::{Cubic, Polynomial, earliest, time_of_impact};
 use crate::physics::tuning::SLOP;
-use crate::physics::{Aabb, Sides, zones};
+use crate::physics::{Sides, zones};
 use glam::DVec2;
 
 /// m/s and m/s². Where things meet more gently than this it is the rounding of their places that meets: they would sink into each other
@@ -59,7 +59,8 @@ impl Events {
         self.work += WORK_OF_A_ROOT;
         let motion = a.way_from(now).relative(&b.way_from(now));
         let reach = a.body.half + b.body.half;
-        let found = meets_at_once(&motion, reach, b.sides).map(|axis| (0.0, axis)).or_else(|| time_of_impact(&motion, reach, end, b.sides));
+        let found =
+            meets_at_once(&motion, reach, b.sides).map(|axis| (0.0, axis)).or_else(|| time_of_impact(&motion, reach, end, b.sides));
         let Some((t, axis)) = found else { return };
         let path = motion.axis(axis);
         let side = path.at(t).signum();
@@ -103,7 +104,7 @@ impl Events {
             if item.swept.touches(&zone, SLOP) {
                 let way = item.way_from(self.now);
                 let inside = zones::feels(&zone, &item.body, item.pose(scene.media, self.now));
-                if let Some(t) = border(&way, item.body.half, &zone, inside, end) {
+                if let Some(t) = zones::border(&way, item.body.half, &zone, inside, end) {
                     next.or_earlier(self.now + t, Kind::Border);
                 }
             }
@@ -141,24 +142,6 @@ fn end_of_slide(motion: &Polynomial, slides: f64, skin: f64, end: f64) -> Option
         2.0 * speed / (braking + discriminant.sqrt())
     };
     (t > 0.0 && t < end).then_some(t)
-}
-
-/// When a body on a way enters a zone or, from `inside`, leaves it.
-fn border(way: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f64) -> Option<f64> {
-    let reach = half + zone.size() * 0.5;
-    let motion = Cubic::parabola(zone.centre(), DVec2::ZERO, DVec2::ZERO).relative(way);
-    let mut first: Option<f64> = None;
-    for axis in 0..2 {
-        let (path, other, level) = (motion.axis(axis), motion.axis(1 - axis), reach[axis]);
-        let t = if inside {
-            earliest(path.rises_through(level, 0.0, end), path.falls_through(-level, 0.0, end))
-        } else {
-            earliest(path.falls_through(level, 0.0, end), path.rises_through(-level, 0.0, end))
-                .filter(|&t| other.at(t).abs() <= reach[1 - axis])
-        };
-        first = earliest(first, t.filter(|&t| t < end));
-    }
-    first
 }
 
 #[cfg(test)]

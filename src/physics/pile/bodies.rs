@@ -36,9 +36,10 @@ pub(super) struct Bodies {
     pub ay: Vec<f64>,
     /// kg.
     pub mass: Vec<f64>,
-    /// ½ρ·C_d·A/m with A of the width and of the height, 1/m.
+    /// ½ρ·C_d·side/m with the width, the height and, of round things alone, the diameter as side, 1/m.
     pub drag_wide: Vec<f64>,
     pub drag_tall: Vec<f64>,
+    pub drag_round: Vec<f64>,
     /// Surfaces too.
     pub traits: Vec<Traits>,
     /// Velocities at the end of the step if nothing were touched (surfaces too).
@@ -88,6 +89,7 @@ impl Bodies {
             mass: movable(),
             drag_wide: movable(),
             drag_tall: movable(),
+            drag_round: movable(),
             traits: vec![Traits::default(); count + surfaces],
             free_vx: all(),
             free_vy: all(),
@@ -171,6 +173,7 @@ impl Bodies {
             &mut self.mass,
             &mut self.drag_wide,
             &mut self.drag_tall,
+            &mut self.drag_round,
             &mut self.free_vx,
             &mut self.free_vy,
             &mut self.px,

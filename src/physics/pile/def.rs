@@ -20,8 +20,11 @@ pub struct PileBody {
     pub static_friction: f64,
     /// Coefficient of kinetic friction μ_k, likewise.
     pub kinetic_friction: f64,
-    /// Drag coefficient times area, m²: `x` with the width (for motion mostly up and down), `y` with the height.
+    /// Drag coefficient times the area of a side, m²: `x` with the width (met by motion up and down), `y` with the height (by motion
+    /// across).
     pub drag_area: DVec2,
+    /// The same of a round thing, with its diameter; `drag_area` is 0 then.
+    pub drag_round: f64,
 }
 
 impl Default for PileBody {
@@ -35,6 +38,7 @@ impl Default for PileBody {
             static_friction: 0.9,
             kinetic_friction: 0.65,
             drag_area: DVec2::ZERO,
+            drag_round: 0.0,
         }
     }
 }
@@ -97,7 +101,7 @@ pub(super) fn check(def: &PileDef) -> Result<(), PileError> {
     }
     for (i, b) in def.bodies.iter().enumerate() {
         let finite = b.position.is_finite() && b.half.is_finite() && b.velocity.is_finite() && b.drag_area.is_finite();
-        let coefficients = [b.restitution, b.static_friction, b.kinetic_friction, b.drag_area.x, b.drag_area.y];
+        let coefficients = [b.restitution, b.static_friction, b.kinetic_friction, b.drag_area.x, b.drag_area.y, b.drag_round];
         if !finite || coefficients.iter().any(|c| !c.is_finite() || *c < 0.0) || b.restitution > 1.0 {
             return wrong(format!("body {i}: a number is not finite or out of range"));
         }

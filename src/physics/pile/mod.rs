@@ -127,8 +127,9 @@ impl Pile {
             (bodies.vx[i], bodies.vy[i]) = (body.velocity.x, body.velocity.y * down);
             bodies.ay[i] = gravity;
             bodies.mass[i] = body.mass;
-            let rate = 0.5 * def.air_density / body.mass;
-            (bodies.drag_wide[i], bodies.drag_tall[i]) = (rate * body.drag_area.x, rate * body.drag_area.y);
+            let per_mass = |area: f64| 0.5 * def.air_density * area / body.mass;
+            (bodies.drag_wide[i], bodies.drag_tall[i]) = (per_mass(body.drag_area.x), per_mass(body.drag_area.y));
+            bodies.drag_round[i] = per_mass(body.drag_round);
             bodies.traits[i] = Traits {
                 restitution: body.restitution,
                 static_friction: body.static_friction,
@@ -159,7 +160,7 @@ impl Pile {
             put_back: vec![[false; 2]; n],
             down,
             gravity,
-            drag: def.air_density > 0.0 && def.bodies.iter().any(|body| body.drag_area != DVec2::ZERO),
+            drag: def.air_density > 0.0 && def.bodies.iter().any(|body| body.drag_area != DVec2::ZERO || body.drag_round > 0.0),
             rest_speed: def.rest_speed,
             may_sleep: def.sleep,
             asleep: n == 0,
