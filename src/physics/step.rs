@@ -328,7 +328,7 @@ fn scatter(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], known: b
             velocity: item.body.velocity,
             acceleration: item.solved + DVec2::ZERO,
             still: item.motion == Motion::Still,
-            known,
+            known: known && item.known,
             members: island.len() as u32,
         };
     }

@@ -125,7 +125,7 @@ pub(in crate::physics) struct Item {
     pub hits: u32,
     /// How often in this tick it was taken to stay where it parted by a rounding.
     pub clung: u32,
-    /// Whether the world knows the contacts and accelerations with which the tick begins.
+    /// Whether contacts and accelerations are known with which the tick begins, and after it, those with which the next one does.
     pub known: bool,
     /// Whether something of it changed since the tick's start.
     pub disturbed: bool,

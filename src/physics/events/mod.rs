@@ -170,6 +170,7 @@ impl Events {
         }
         self.now = scene.tick;
         self.stop_here(scene);
+        self.items.iter_mut().for_each(|item| item.known = true);
         self.settle(scene);
         Outcome::Done
     }

@@ -10,7 +10,7 @@ use super::{Events, Implicit, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
 use crate::physics::contact::Contact;
 use crate::physics::impact_time::Cubic;
 use crate::physics::reactions::Parts;
-use crate::physics::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING};
+use crate::physics::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
 use crate::physics::{Aabb, zones};
 use glam::DVec2;
 
@@ -20,6 +20,8 @@ const CUBIC_REACH: f64 = 0.5;
 const POLISH: u32 = 4;
 /// m. A gap of bodies that have met is left if it is smaller than this.
 const CLOSED: f64 = 1e-12;
+/// m. What is deeper in something than this did not get there by rounding.
+const DEEP: f64 = 1e-5;
 /// The shortest part of a tick for which the way of something light is foreseen at once.
 const SHORTEST: f64 = 1.0 / 64.0;
 
@@ -125,17 +127,33 @@ impl Events {
                     None => continue,
                 }
             }
-            let (axis, along) = (contact.axis, 1 - contact.axis);
-            let fastest = self.speed(contact.lo).abs().max(self.speed(contact.hi).abs());
-            if self.approach(&contact).abs() <= SPEED_ROUNDING * fastest[axis] {
-                let sliding = self.sliding(&contact);
-                let slides =
-                    if sliding.abs() <= SPEED_ROUNDING * (fastest[along] + contact.skin.abs()) { 0.0 } else { sliding.signum() };
+            if self.stays(&contact) {
+                let slides = self.slides(&contact);
                 let fresh = Contact { closed: true, lasts: true, clings: false, lossy_hits: 0, ..contact };
                 self.contacts.push(Contact { slides, normal: 0.0, friction: 0.0, ..fresh });
             }
         }
         self.work += WORK_OF_A_CONTACT * (self.contacts.len() - kept) as u64;
+    }
+
+    /// Whether the ends of a contact neither part nor approach, but for rounding.
+    fn stays(&self, contact: &Contact) -> bool {
+        let fastest = self.speed(contact.lo).abs().max(self.speed(contact.hi).abs())[contact.axis];
+        self.approach(contact).abs() <= SPEED_ROUNDING * fastest
+    }
+
+    /// Whether a contact presses on a surface that moves: the sums of many ticks leave them some roundings apart.
+    fn rides(&self, contact: &Contact) -> bool {
+        let surface = contact.lo.max(contact.hi);
+        contact.normal > 0.0 && !self.is_body(surface) && !self.stands(surface) && self.approach(contact).abs() <= SPEED_TOLERANCE
+    }
+
+    /// Which way a contact slides now: a speed that is nothing but rounding is none.
+    fn slides(&self, contact: &Contact) -> f64 {
+        let along = 1 - contact.axis;
+        let fastest = self.speed(contact.lo).abs().max(self.speed(contact.hi).abs())[along];
+        let sliding = self.sliding(contact);
+        if sliding.abs() <= SPEED_ROUNDING * (fastest + contact.skin.abs()) { 0.0 } else { sliding.signum() }
     }
 
     /// The accelerations of what is concerned, and what its contacts carry.
@@ -353,7 +371,9 @@ impl Events {
         let gap = self.locate(scene, hi)[axis] - self.locate(scene, lo)[axis] - reach;
         let weight = |item: usize| if item < self.movable { 1.0 / self.items[item].body.mass } else { 0.0 };
         let (of_lo, of_hi) = (weight(lo), weight(hi));
-        if of_lo == 0.0 || of_hi == 0.0 {
+        if gap < -DEEP {
+            // They began in each other: nothing is put right at a stroke.
+        } else if of_lo == 0.0 || of_hi == 0.0 {
             let (body, ground, side) = if of_lo == 0.0 { (hi, lo, 1.0) } else { (lo, hi, -1.0) };
             self.places[body][axis] = self.places[ground][axis] + side * reach;
         } else if gap.abs() > CLOSED {
@@ -407,6 +427,21 @@ impl Events {
         self.is_placed.fill(false);
         for i in 0..self.items.len() {
             self.locate(scene, i);
+        }
+        // Media may have parted what pressed when it set out, and what slides may do so since.
+        for index in (0..self.contacts.len()).rev() {
+            let contact = self.contacts[index];
+            if !(self.stays(&contact) || self.rides(&contact)) {
+                self.contacts.remove(index);
+                self.items[contact.lo as usize].known = false;
+                self.items[contact.hi as usize].known = false;
+            }
+        }
+        for index in 0..self.contacts.len() {
+            let slides = self.slides(&self.contacts[index]);
+            if slides != 0.0 {
+                self.contacts[index].slides = slides;
+            }
         }
         for i in 0..self.movable {
             let item = &mut self.items[i];
