@@ -55,8 +55,7 @@ impl Plan {
         let drag = self.air || self.liquids;
         let parts = [
             (!drag, "motion: exact parabolas"),
-            (drag && !self.crowd, "motion: RK4, finer for light things"),
-            (drag && self.crowd, "motion: Nyström's method for all at once, RK4 for light things"),
+            (drag, "motion: one exact step through air, finer ones for light things and in liquids"),
             (self.air, "air resistance"),
             (self.streams, "air streams"),
             (self.liquids, "liquids"),
