@@ -105,6 +105,27 @@ fn the_original_proof_comes_out() {
     assert!((world.body(BODY).acceleration.x - 9.22).abs() < 0.005);
 }
 
+/// The area that a box really shows: along an axis the textbook's, and nothing jumps between; round things by their diameter.
+#[test]
+fn air_resistance_is_that_of_the_area_shown() {
+    let listed = |half: DVec2, velocity: DVec2, round: bool| {
+        let body = BodyDef { half, velocity, round, drag: 1.15, ..BodyDef::default() };
+        let world = World::new(WorldDef { bodies: vec![body], ..WorldDef::default() }).unwrap();
+        world.forces(BODY).total(ForceKind::AirResistance)
+    };
+    let (half, k) = (DVec2::new(1.0, 0.25), 0.5 * 1.2041 * 1.15);
+    let near = |found: DVec2, x: f64, y: f64| {
+        let expected = DVec2::new(x, y) * k;
+        assert!((found - expected).length() < 1e-12 * expected.length(), "{found}, not {expected}");
+    };
+    near(listed(half, DVec2::new(8.0, 0.0), false), -0.5 * 64.0, 0.0);
+    near(listed(half, DVec2::new(0.0, -8.0), false), 0.0, 2.0 * 64.0);
+    near(listed(half, DVec2::new(3.0, -4.0), false), -3.0 * (2.0 * 4.0 + 0.5 * 3.0), 4.0 * (2.0 * 4.0 + 0.5 * 3.0));
+    near(listed(half, DVec2::new(3.0, -4.0), true), -3.0 * 5.0 * 1.25, 4.0 * 5.0 * 1.25);
+    let jump = listed(half, DVec2::new(3.0, 3.0 + 1e-9), false) - listed(half, DVec2::new(3.0 + 1e-9, 3.0), false);
+    assert!(jump.length() < 1e-6, "{jump}");
+}
+
 #[test]
 fn a_stream_gives_everything_the_same_wind() {
     let stream = StreamDef { zone: Aabb::new(DVec2::splat(-5.0), DVec2::splat(5.0)), force: DVec2::new(1200.0, 0.0) };

@@ -4,6 +4,7 @@
 
 use glam::{BVec3, DVec3};
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 use resultant::classics::jumper::engine::{Cuboid, Dynamic, Face, Hit, Kind, Static, step};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -393,6 +394,8 @@ fn coarse(range: std::ops::Range<i32>) -> impl Strategy<Value = DVec3> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
+
     #[test]
     fn the_engine_is_the_faultless_one(
         bodies in prop::collection::vec((coarse(-4..8), coarse(1..5), coarse(-8..8), 1..4_i32), 0..4),

@@ -4,6 +4,7 @@
 //! with exactly these lines, otherwise it loads, with exactly the lines of `warnings.txt` as its warnings (none without that file).
 
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 use resultant::level::{self, Files, Level, Look, ObjectiveKind, Problem};
 use resultant::physics::{Aabb, BodyId, DVec2, Material, World};
 use std::collections::BTreeMap;
@@ -75,7 +76,7 @@ fn a_folder_written_for_the_original_loads_unchanged() {
     let level = good("good_original");
     assert_eq!((level.name.as_str(), level.title.as_str()), ("good_original", "good_original"));
     assert_eq!((level.metre, level.size), (30.0, DVec2::new(1000.0, 600.0) / 30.0));
-    assert_eq!((level.gravity, level.air_density, level.optimal_time, level.rest_speed), (15.0, 1.2041, 60.0, 1.0));
+    assert_eq!((level.gravity, level.air_density, level.optimal_time, level.rest_speed), (15.0, 1.2041, 60.0, 0.0));
     assert_eq!(level.background, Some(fixtures().join("levels/good_original/background.png")));
 
     let ship = &level.player;
@@ -114,6 +115,8 @@ fn columns_come_in_any_order_and_may_be_left_out_or_empty() {
     assert_eq!([level.world[0].material, level.world[1].material], [Material::ICE, Material::ASPHALT]);
     let ball = &level.objects[0];
     assert_eq!((&ball.look, ball.velocity, ball.size), (&Look::Ball, DVec2::new(-3.0, 4.0), DVec2::splat(0.8)));
+    assert_eq!([ship.material, level.objects[0].material], [Material::RUBBER, Material::WOOD]);
+    assert_eq!([level.objects[1].material, level.objects[2].material], [Material::ASPHALT, Material::STEEL]);
     assert_eq!((level.fluids[0].density, level.fluids[0].viscosity, level.fluids[0].colour), (900.0, 0.5, [1, 2, 3]));
     assert_ne!(level.fluids[1].colour, [1, 2, 3]);
     let zone = |i: usize| (level.streams[i].zone, level.streams[i].force);
@@ -143,7 +146,11 @@ fn the_world_holds_the_ship_then_the_objects_and_the_source_blocks_behind_the_wo
     let surfaces: Vec<Aabb> = def.surfaces.iter().map(|surface| surface.bounds).collect();
     assert_eq!(surfaces, [level.world[0].bounds, level.streams[0].source, level.streams[1].source]);
     assert_eq!((def.streams[1].zone, def.streams[1].force), (level.streams[1].zone, DVec2::new(-10.0, 0.0)));
+    assert_eq!(def.bodies.iter().map(|body| body.round).collect::<Vec<_>>(), [false, true, false]);
     assert_eq!(World::new(def).map(|world| world.bodies().len()), Ok(3));
+    let bodies = good("good_any_order").world_def().bodies;
+    let materials: Vec<_> = bodies.iter().map(|body| body.material).collect();
+    assert_eq!(materials, [Material::RUBBER, Material::WOOD, Material::ASPHALT, Material::STEEL]);
 }
 
 #[test]
@@ -520,7 +527,7 @@ fn arbitrary() -> impl Strategy<Value = BTreeMap<String, Vec<u8>>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(2000) })]
+    #![proptest_config(ProptestConfig { failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::with_cases(2000) })]
 
     /// The loader never panics; what it refuses has at least one problem, each on one line that names its place; and what it
     /// accepts builds a world in which nothing becomes infinite or NaN.

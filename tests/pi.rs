@@ -1,6 +1,7 @@
 //! π from collisions: the counts, the places and times, where stepping fails, and the command line.
 
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 use resultant::classics::pi::{
     Blocks, Collision, HEAVY_START, LIGHT_START, MAX_N, STEPPED_DURATION, count, mass_ratio, step_through,
 };
@@ -91,6 +92,8 @@ fn energy_stays() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
+
     #[test]
     fn the_same_collisions_come_out_at_any_frame_rate(
         n in 0..=4_u32,

@@ -2,6 +2,7 @@
 //! any motion, nor of any force shown.
 
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, Plan, StreamDef, SurfaceDef, World, WorldDef};
 use std::path::Path;
 
@@ -51,7 +52,7 @@ fn no_shipped_level_moves_otherwise_with_every_part_switched_on() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
 
     /// Each part present or absent, in every combination.
     #[test]

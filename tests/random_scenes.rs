@@ -3,6 +3,7 @@
 mod worlds;
 
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, StreamDef, SurfaceDef, World, WorldDef};
 use worlds::{bits, materials, worst_overlap};
 
@@ -44,6 +45,7 @@ fn surfaces() -> impl Strategy<Value = Vec<SurfaceDef>> {
 fn scene(most: usize) -> impl Strategy<Value = WorldDef> {
     (bodies(most), surfaces(), any::<bool>()).prop_map(|(bodies, surfaces, air)| WorldDef {
         air_density: if air { 1.2041 } else { 0.0 },
+        rest_speed: 1.0,
         bounds: Some(ROOM),
         bodies,
         surfaces,
@@ -56,7 +58,7 @@ fn energy(world: &World) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
 
     #[test]
     fn a_room_of_bodies_keeps_every_law(def in scene(40)) {

@@ -4,6 +4,7 @@
 //! `floor`, so that a slip in one of the two shows.
 
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 use resultant::classics::tile_run::{Command, Map, Runner};
 use std::path::PathBuf;
 use std::process::{Command as Process, Output};
@@ -163,6 +164,8 @@ fn across_is_decided_at_the_old_height_and_down_at_the_new_x() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
+
     #[test]
     fn every_run_on_every_map_is_the_described_one(
         rows in prop::collection::vec("[.#]{0,6}[.]{0,6}", 1..8),

@@ -4,6 +4,7 @@
 mod worlds;
 
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, SurfaceDef, World, WorldDef};
 use worlds::{bits, materials, worst_overlap};
 
@@ -55,7 +56,7 @@ fn energy(world: &World, gravity: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 32, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
 
     #[test]
     fn every_law_is_kept(bodies in bodies(), surfaces in surfaces(), air in any::<bool>(), weightless in any::<bool>()) {

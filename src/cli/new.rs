@@ -21,12 +21,12 @@ const FILES: [(&str, &str); 9] = [
     (
         "constants.csv",
         "# All settings; width and height (pixels) are not needed once there is a background.png.\n\
-         name,value\ntitle,{name}\ngravity,15\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,1\nwidth,1280\nheight,720\n",
+         name,value\ntitle,{name}\ngravity,15\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nwidth,1280\nheight,720\n",
     ),
     (
         "player.csv",
         "# The ship: its centre in pixels (it is 51 high), kg, fuel units, N.\n\
-         x,y,mass,fuel,thrust,air,vx,vy,angle\n150,650,100,500,2500,TRUE,0,0,0\n",
+         x,y,mass,fuel,thrust,air,vx,vy,angle,material\n150,650,100,500,2500,TRUE,0,0,0,Asphalt\n",
     ),
     (
         "world.csv",
@@ -36,12 +36,12 @@ const FILES: [(&str, &str); 9] = [
     (
         "objects.csv",
         "# Things that move: a PNG's path from the project's folder, or box:WIDTHxHEIGHT, or ball:WIDTHxHEIGHT.\n\
-         x,y,image,mass,drag,circular,restitution,vx,vy\n600,660,box:40x40,50,1.05,FALSE,0.2,0,0\n",
+         x,y,image,mass,drag,circular,restitution,vx,vy,material\n600,660,box:40x40,50,1.05,FALSE,0.2,0,0,Wood\n",
     ),
     (
         "objectives.csv",
         "# PLAYER,x,y,width,height: where the ship must be. PHYS,x,y,width,height: where a key object must be.\n\
-         # OBJECT,x,y,image,mass,r,g,b,restitution,drag,vx,vy: a key object.\n\
+         # OBJECT,x,y,image,mass,r,g,b,restitution,drag,vx,vy,material: a key object.\n\
          PLAYER,1120,430,100,10\n",
     ),
     ("obstacles.csv", "# Death boxes.\nx,y,width,height\n900,660,120,20\n"),

@@ -20,6 +20,7 @@ impl fmt::Display for Shortest {
 mod tests {
     use super::Shortest;
     use proptest::prelude::*;
+    use proptest::test_runner::FileFailurePersistence;
 
     #[test]
     fn numbers_are_short() {
@@ -40,6 +41,11 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig {
+            failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))),
+            ..ProptestConfig::default()
+        })]
+
         #[test]
         fn every_number_reads_back(number in proptest::num::f64::ANY.prop_filter("finite", |number| number.is_finite())) {
             let read: f64 = Shortest(number).to_string().parse().unwrap();

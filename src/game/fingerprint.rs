@@ -74,17 +74,23 @@ impl Hash {
         things.iter().for_each(|thing| write(self, thing));
     }
 
+    fn material(&mut self, Material { name: _, static_friction, kinetic_friction }: &Material) {
+        self.numbers(&[*static_friction, *kinetic_friction]);
+    }
+
     fn player(&mut self, player: &Player) {
-        let Player { position, velocity, angle, mass, fuel, thrust, feels_air } = player;
+        let Player { position, velocity, angle, mass, fuel, thrust, feels_air, material } = player;
         self.vectors(&[*position, *velocity]);
         self.numbers(&[*angle, *mass, *fuel, *thrust]);
+        self.material(material);
         self.0.write(u64::from(*feels_air));
     }
 
     fn object(&mut self, object: &Object) {
-        let Object { position, velocity, size, mass, drag, restitution, circular, look: _, key } = object;
+        let Object { position, velocity, size, mass, drag, restitution, circular, look: _, key, material } = object;
         self.vectors(&[*position, *velocity, *size]);
         self.numbers(&[*mass, *drag, *restitution]);
+        self.material(material);
         self.0.write(u64::from(*circular));
         self.0.write(u64::from(key.is_some()));
     }

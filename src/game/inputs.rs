@@ -191,6 +191,7 @@ impl Line<'_> {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use proptest::test_runner::FileFailurePersistence;
 
     fn problems(text: &str) -> Vec<String> {
         Inputs::parse("in.csv", text).unwrap_err().0
@@ -252,6 +253,11 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig {
+            failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))),
+            ..ProptestConfig::default()
+        })]
+
         #[test]
         fn what_is_recorded_reads_back(keys in proptest::collection::vec(0_u8..16, 0..100)) {
             let controls = |bits: &u8| Controls {

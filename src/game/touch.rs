@@ -31,6 +31,7 @@ pub fn sweep_touches(from: DVec2, to: DVec2, half: DVec2, target: &Aabb) -> bool
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use proptest::test_runner::FileFailurePersistence;
 
     const TARGET: Aabb = Aabb::new(DVec2::new(2.0, 3.0), DVec2::new(4.0, 3.1));
     const HALF: DVec2 = DVec2::new(0.5, 0.25);
@@ -65,6 +66,11 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig {
+            failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))),
+            ..ProptestConfig::default()
+        })]
+
         #[test]
         fn a_sweep_finds_whatever_a_walk_along_it_finds(x0 in -5.0..10.0, y0 in -5.0..10.0, x1 in -5.0..10.0, y1 in -5.0..10.0) {
             let (from, to) = (DVec2::new(x0, y0), DVec2::new(x1, y1));

@@ -182,7 +182,7 @@ impl Reader<'_> {
             gravity: constant("gravity", q::GRAVITY).unwrap_or(15.0),
             air_density: constant("air_density", q::DENSITY).unwrap_or(1.2041),
             optimal_time: constant("optimal_time", q::OPTIMAL_TIME).unwrap_or(60.0),
-            rest_speed: constant("rest_speed", q::REST_SPEED).unwrap_or(1.0),
+            rest_speed: constant("rest_speed", q::REST_SPEED).unwrap_or(0.0),
             title: find("title").and_then(|record| record.text("value")).filter(|title| !title.is_empty()).map(str::to_owned),
             width: constant("width", size),
             height: constant("height", size),

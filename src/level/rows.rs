@@ -10,9 +10,10 @@ use super::types::{Fluid, Look, Object, ObjectiveKind, Player, Solid, Stream, Te
 use crate::physics::{Aabb, DVec2, Material};
 
 pub(super) const CONSTANTS: Layout = Layout { file: "constants.csv", columns: "name,value" };
-pub(super) const PLAYER: Layout = Layout { file: "player.csv", columns: "x,y,mass,fuel,thrust,[air],[vx],[vy],[angle]" };
+pub(super) const PLAYER: Layout = Layout { file: "player.csv", columns: "x,y,mass,fuel,thrust,[air],[vx],[vy],[angle],[material]" };
 pub(super) const WORLD: Layout = Layout { file: "world.csv", columns: "x,y,width,height,[material]" };
-pub(super) const OBJECTS: Layout = Layout { file: "objects.csv", columns: "x,y,image,mass,drag,circular,restitution,[vx],[vy]" };
+pub(super) const OBJECTS: Layout =
+    Layout { file: "objects.csv", columns: "x,y,image,mass,drag,circular,restitution,[vx],[vy],[material]" };
 pub(super) const OBSTACLES: Layout = Layout { file: "obstacles.csv", columns: "x,y,width,height" };
 pub(super) const HAZARDS: Layout =
     Layout { file: "hazards.csv", columns: "x,y,width,height,stream_width,stream_height,force_x,force_y" };
@@ -22,7 +23,7 @@ pub(super) const TEXTS: Layout = Layout { file: "texts.csv", columns: "x,y,size,
 pub(super) const BLOCKS: Layout = Layout { file: "objectives.csv", columns: "kind,x,y,width,height" };
 /// The rows OBJECT of objectives.csv; restitution and drag stand the other way round than in objects.csv.
 pub(super) const KEY_OBJECTS: Layout =
-    Layout { file: "objectives.csv", columns: "kind,x,y,image,mass,r,g,b,restitution,drag,[vx],[vy]" };
+    Layout { file: "objectives.csv", columns: "kind,x,y,image,mass,r,g,b,restitution,drag,[vx],[vy],[material]" };
 
 /// A liquid's colour where the author gives none: a calm blue that stands apart from every colour with a meaning.
 const FLUID_COLOUR: [u8; 3] = [58, 110, 165];
@@ -77,6 +78,7 @@ pub(super) fn player(record: &Record, scale: Scale, problems: &mut Vec<Problem>)
     let feels_air = if record.has("air") { record.boolean("air", problems) } else { Some(true) };
     let velocity = velocity(record, problems);
     let angle = record.number_or("angle", 0.0, q::ANGLE, problems);
+    let material = material(record, problems);
     Some(Player {
         position: position?,
         velocity: velocity?,
@@ -85,17 +87,13 @@ pub(super) fn player(record: &Record, scale: Scale, problems: &mut Vec<Problem>)
         fuel: fuel?,
         thrust: thrust?,
         feels_air: feels_air?,
+        material: material?,
     })
 }
 
 pub(super) fn solid(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Solid> {
     let bounds = rectangle(record, scale, problems);
-    let material = if record.has("material") {
-        let names = Material::ALL.map(|material| material.name).join(", ");
-        record.parse("material", problems, |name| Material::named(name).ok_or(format!("one of {names}")))
-    } else {
-        Some(Material::ASPHALT)
-    };
+    let material = material(record, problems);
     Some(Solid { bounds: bounds?, material: material? })
 }
 
@@ -116,6 +114,7 @@ pub(super) fn object(record: &Record, scale: Scale, images: &mut Images, problem
     let circular = if is_key { None } else { Some(record.boolean("circular", problems)) };
     let restitution = record.number("restitution", q::RESTITUTION, problems);
     let velocity = velocity(record, problems);
+    let material = material(record, problems);
     let (look, width, height) = shape?;
     Some(Object {
         position: position?,
@@ -126,6 +125,7 @@ pub(super) fn object(record: &Record, scale: Scale, images: &mut Images, problem
         restitution: restitution?,
         circular: circular.unwrap_or(Some(look == Look::Ball))?,
         look,
+        material: material?,
         key: key?,
     })
 }
@@ -211,6 +211,15 @@ fn velocity(record: &Record, problems: &mut Vec<Problem>) -> Option<DVec2> {
     let x = record.number_or("vx", 0.0, q::VELOCITY, problems);
     let y = record.number_or("vy", 0.0, q::VELOCITY, problems);
     Some(DVec2::new(x?, y?))
+}
+
+/// The column material, Asphalt where it is left out.
+fn material(record: &Record, problems: &mut Vec<Problem>) -> Option<Material> {
+    if !record.has("material") {
+        return Some(Material::ASPHALT);
+    }
+    let names = Material::ALL.map(|material| material.name).join(", ");
+    record.parse("material", problems, |name| Material::named(name).ok_or(format!("one of {names}")))
 }
 
 /// The columns r, g and b; required where there is no default.

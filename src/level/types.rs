@@ -67,6 +67,8 @@ pub struct Player {
     pub thrust: f64,
     /// Whether air acts on it.
     pub feels_air: bool,
+    /// What it is made of.
+    pub material: Material,
 }
 
 /// A solid rectangle.
@@ -104,10 +106,12 @@ pub struct Object {
     pub drag: f64,
     /// Coefficient of restitution.
     pub restitution: f64,
-    /// Whether it is round (drawing only: every collision is that of its box).
+    /// Whether it is round: drawn so, and met by air and liquids as a ball; every collision is that of its box.
     pub circular: bool,
     /// How it is drawn.
     pub look: Look,
+    /// What it is made of.
+    pub material: Material,
     /// A key object's colour; `None` for an ordinary object.
     pub key: Option<[u8; 3]>,
 }

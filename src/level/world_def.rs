@@ -20,6 +20,7 @@ impl Level {
             drag: SHIP_DRAG,
             restitution: 0.0,
             feels_air: self.player.feels_air,
+            material: self.player.material,
             ..BodyDef::default()
         };
         let objects = self.objects.iter().map(|object| BodyDef {
@@ -28,7 +29,9 @@ impl Level {
             half: object.size * 0.5,
             mass: object.mass,
             drag: object.drag,
+            round: object.circular,
             restitution: object.restitution,
+            material: object.material,
             ..BodyDef::default()
         });
         let world = self.world.iter().map(|solid| SurfaceDef::fixed(solid.bounds, solid.material));

@@ -30,7 +30,7 @@ pub struct WorldDef {
     pub gravity: f64,
     /// kg/m³, ≥ 0.
     pub air_density: f64,
-    /// A rebound slower than this (m/s) is none; 0 keeps every bounce.
+    /// A rebound slower than this (m/s) is none. 0: every bounce is kept, and a series of them ends when its sum does.
     pub rest_speed: f64,
     /// The edge of the level: solid on all four sides. `None`: no edge.
     pub bounds: Option<Aabb>,
@@ -49,7 +49,7 @@ impl Default for WorldDef {
         Self {
             gravity: 15.0,
             air_density: 1.2041,
-            rest_speed: 1.0,
+            rest_speed: 0.0,
             bounds: None,
             surfaces: Vec::new(),
             streams: Vec::new(),

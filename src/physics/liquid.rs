@@ -34,12 +34,15 @@ const REACH: f64 = 0.7;
 const FIRST: f64 = 0.1;
 /// Runge–Kutta steps from which on exponential steps cost less.
 const STIFF_STEPS: f64 = 200.0;
-/// Steps of one call, at most. What needs more is taken to move on with its last velocity in the linearised law.
+/// Steps of one call, at most. What needs more leaves and meets the surface hundreds of times within a tick; it stays where it then is until
+/// the tick's end, with its velocity, so that it gains nothing.
 const MOST_STEPS: u32 = 4096;
 /// How much a step grows or shrinks by its error, at most.
 const GROWTH: f64 = 4.0;
-/// Halvings of the time of a kink: down to rounding of any step.
-const HALVINGS: u32 = 48;
+/// Halvings of the time of a kink, at most: it is found to the last bit, also where it comes within a billionth of the step.
+const HALVINGS: u32 = 160;
+/// The least part of a step by which the search for a kink goes on.
+const SHORTEST: f64 = 1e-12;
 /// Places on a step at which the body is looked for on another side of a kink.
 const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 
@@ -70,10 +73,6 @@ pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
         pose = end;
         left -= taken;
         h = next;
-    }
-    if left > 0.0 {
-        let (bath, constant, _) = swimmer.look(pose);
-        pose = linear_flow(&bath, constant, pose, left);
     }
     swimmer.come_to_rest(&mut pose);
     pose
@@ -150,17 +149,31 @@ impl Swimmer<'_> {
 
     fn take_explicit(&self, bath: &Bath, constant: DVec2, pose: Pose, mut h: f64, left: f64) -> (f64, Pose, f64) {
         let tolerance = TOLERANCE + 8.0 * f64::EPSILON * pose.0.abs().max_element();
+        let side = self.side(pose.0);
+        let mut next = f64::INFINITY;
+        let mut to_kink = false;
         loop {
             let (end, error) = self.dormand_prince(constant, pose, h);
             let factor = step_factor(error / tolerance, 0.2);
             // A step too short to resolve anything is taken as it is.
-            if error <= tolerance || h <= left * f64::EPSILON {
-                let cubic = Cubic::hermite(pose.0, pose.1, end.0, end.1, h);
-                let kink = self.first_kink(bath, pose, |t| (DVec2::new(cubic.axis(0).at(t), cubic.axis(1).at(t)), pose.1), h);
-                let end = if kink < h { self.dormand_prince(constant, pose, kink).0 } else { end };
-                return (kink, end, h * factor);
+            if error > tolerance && h > left * f64::EPSILON {
+                (h, to_kink) = (h * factor.min(0.5), false);
+                continue;
             }
-            h *= factor.min(0.5);
+            if to_kink {
+                // The cubic may see a kink one rounding before the step meets it: on, until it does.
+                if self.side(end.0) != side || h >= next {
+                    return (h, end, next);
+                }
+                h = (2.0 * h + next * SHORTEST).min(next);
+                continue;
+            }
+            let cubic = Cubic::hermite(pose.0, pose.1, end.0, end.1, h);
+            let kink = self.first_kink(bath, pose, |t| (DVec2::new(cubic.axis(0).at(t), cubic.axis(1).at(t)), pose.1), h);
+            if kink >= h {
+                return (h, end, h * factor);
+            }
+            (next, h, to_kink) = (h, kink, true);
         }
     }
 
@@ -202,6 +215,16 @@ impl Swimmer<'_> {
     fn first_kink(&self, bath: &Bath, pose: Pose, flow: impl Fn(f64) -> Pose, h: f64) -> f64 {
         let side = self.side(pose.0);
         let stays = |t: f64| self.side(flow(t).0) == side;
+        let refined = |mut from: f64, mut to: f64| {
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (from + to);
+                if middle <= from || middle >= to {
+                    break;
+                }
+                if stays(middle) { from = middle } else { to = middle }
+            }
+            to
+        };
         if bath.fraction == 0.0 {
             // Out of all liquids: what is fast may fly through one between two looks.
             let end = flow(h);
@@ -211,24 +234,20 @@ impl Swimmer<'_> {
             let first =
                 reached.fold(h, |first, (_, fluid)| border(&cubic, self.body.half, &fluid.zone, false, first).unwrap_or(first));
             // Rounding leaves it before the border: just beyond it.
-            let mut beyond = h * f64::EPSILON;
+            let (mut from, mut beyond) = (0.0, h * f64::EPSILON);
             while first < h && beyond < h {
                 let t = (first + beyond).min(h);
                 if !stays(t) {
-                    return t;
+                    return refined(from, t);
                 }
-                beyond *= 4.0;
+                (from, beyond) = (t, beyond * 4.0);
             }
         }
         let mut from = 0.0;
         for part in LOOKS {
-            let mut to = part * h;
+            let to = part * h;
             if !stays(to) {
-                for _ in 0..HALVINGS {
-                    let middle = 0.5 * (from + to);
-                    if stays(middle) { from = middle } else { to = middle }
-                }
-                return to;
+                return refined(from, to);
             }
             from = to;
         }

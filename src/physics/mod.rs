@@ -16,15 +16,16 @@
 //! 3. **Contacts** (`candidates`, `contacts`): what touches, along which axis, and whether it slides.
 //! 4. **Accelerations** (`reactions`, `face`, `network`): Reaction, Push and Friction follow from the free accelerations. While the
 //!    contacts and these stay the same, so does the answer.
-//! 5. **Motion** (`interval`, `flow`): a parabola, a flow through a medium, or rest; and when something next happens (`happenings`,
+//! 5. **Motion** (`interval`, `flow`): a parabola, a flow through `air` or `liquid`, or rest; and when something next happens (`happenings`,
 //!    `impact_time`): an impact, the end of a slide, an edge, a zone's border.
 //! 6. Everything moves to that instant exactly, and the next interval begins. The last one ends with the tick; its forces are the ones
 //!    shown (`show`).
 //!
 //! # Which idea handles what, and why
 //!
-//! - **Free fall is a parabola**, written as one: no step size enters. With drag one RK4 step a tick is right to 1e-9 m for ordinary
-//!   things; a body is told apart by rate × time, and feathers take finer steps until they have their terminal velocity (`flow`).
+//! - **Free fall is a parabola**, written as one: no step size enters. With drag one step a tick is right to 1e-9 m for ordinary things, its
+//!   velocity to rounding; a body is told apart by rate × time, and feathers take finer steps until they have their terminal velocity
+//!   (`air`). In a liquid steps end where its surface meets a side of the body, and are as many as their error asks for (`liquid`).
 //! - **Tunnelling cannot happen**, because impacts are sought along the whole path and not at its ends: two boxes on cubics meet where a
 //!   polynomial has a root, bracketed and found to the last bit (`impact_time`). There is no speed limit.
 //! - **Bounces keep their energy**, because the impact happens at its own time on the parabola; endless ones end by the sum of their series

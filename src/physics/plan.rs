@@ -50,7 +50,7 @@ impl Plan {
         let drag = self.air || self.liquids;
         let parts = [
             (!drag, "motion: exact parabolas"),
-            (drag, "motion: RK4, finer for light things"),
+            (drag, "motion: one exact step through air, finer ones for light things and in liquids"),
             (self.air, "air resistance"),
             (self.streams, "air streams"),
             (self.liquids, "liquids"),

@@ -28,6 +28,7 @@ pub fn room() -> Level {
             fuel: 500.0,
             thrust: 2000.0,
             feels_air: true,
+            material: resultant::physics::Material::ASPHALT,
         },
         world: vec![],
         objects: vec![],
@@ -56,6 +57,7 @@ pub fn crate_at(position: DVec2, velocity: DVec2, key: Option<[u8; 3]>) -> Objec
         restitution: 0.0,
         circular: false,
         look: resultant::level::Look::Box,
+        material: resultant::physics::Material::ASPHALT,
         key,
     }
 }

@@ -113,17 +113,20 @@ impl Block {
     /// The same for what is round among them.
     fn solve_round(&mut self, v: [&[f64]; 2], acceleration: [&[f64]; 2], round: &[f64], h: f64) {
         let n = v[0].len().min(BLOCK);
+        let mut found = Self::default();
         let (u, w, a, b, round) = (&v[0][..n], &v[1][..n], &acceleration[0][..n], &acceleration[1][..n], &round[..n]);
-        let (reach, slower) = (&mut self.reach[..n], &mut self.slower[..n]);
-        let (carry, lift, apart) = (&mut self.carry[..n], &mut self.lift[..n], &mut self.apart[..n]);
+        let (reach, slower) = (&mut found.reach[..n], &mut found.slower[..n]);
+        let (carry, lift, apart) = (&mut found.carry[..n], &mut found.lift[..n], &mut found.apart[..n]);
         for i in 0..n {
             let step = air::round_step(h, u[i], w[i], a[i], b[i], round[i]);
-            let is_round = round[i] > 0.0;
-            reach[i] = if is_round { step.reach } else { reach[i] };
-            slower[i] = if is_round { step.slower } else { slower[i] };
-            carry[i] = if is_round { step.carry } else { carry[i] };
-            lift[i] = if is_round { step.lift } else { lift[i] };
-            apart[i] = if is_round { step.apart } else { apart[i] };
+            (reach[i], slower[i], carry[i], lift[i], apart[i]) = (step.reach, step.slower, step.carry, step.lift, step.apart);
+        }
+        for i in (0..n).filter(|&i| round[i] > 0.0) {
+            self.reach[i] = found.reach[i];
+            self.slower[i] = found.slower[i];
+            self.carry[i] = found.carry[i];
+            self.lift[i] = found.lift[i];
+            self.apart[i] = found.apart[i];
         }
     }
 
