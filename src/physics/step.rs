@@ -287,9 +287,8 @@ fn gather(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], scene: &S
         let i = body as usize;
         local[i] = events.items.len() as u32;
         everything = everything.union(&searched[i]);
-        let law = state.media.law(&state.bodies[i], state.drives[i], &searched[i]);
-        let known = scene.direct && state.known[i];
-        events.items.push(Item::body(body, &state.bodies[i], state.drives[i], law, searched[i], known));
+        let known = state.known[i];
+        events.items.push(Item::body(body, &state.bodies[i], state.drives[i], searched[i], known));
     }
     events.movable = island.len();
     let near = |bounds: &Aabb| {

@@ -138,7 +138,7 @@ pub(in crate::physics) struct Item {
 
 impl Item {
     /// A body as a tick begins.
-    pub fn body(id: u32, body: &Body, drive: DVec2, law: Law, searched: Aabb, known: bool) -> Self {
+    pub fn body(id: u32, body: &Body, drive: DVec2, searched: Aabb, known: bool) -> Self {
         Self {
             id,
             surface: false,
@@ -146,7 +146,7 @@ impl Item {
             drive,
             since: 0.0,
             until: 0.0,
-            law,
+            law: Law::default(),
             motion: Motion::Still,
             solved: body.acceleration,
             mean: body.acceleration,
@@ -177,7 +177,7 @@ impl Item {
             ..BodyDef::default()
         });
         let (sides, belt) = (surface.def.sides, surface.def.belt);
-        Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, Law::default(), *bounds, true) }
+        Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, *bounds, true) }
     }
 
     /// Where it is at a time (s from the tick's start, not before `since`).

@@ -45,7 +45,7 @@ pub(super) struct Scene<'a> {
     pub rest_speed: f64,
     /// Whether anything bounces.
     pub bounces: bool,
-    /// Whether what did not change is known from the last tick.
+    /// Whether what did not change is taken over from the last tick, instead of being solved once more to the same bits.
     pub direct: bool,
     /// All surfaces of the world.
     pub surfaces: &'a [Surface],
@@ -208,6 +208,9 @@ impl Events {
             self.masses[i] = DVec2::splat(self.items[i].body.mass);
             self.solved[i] = self.items[i].solved;
         }
+        for i in 0..bodies {
+            self.renew_law(scene, i);
+        }
         for i in bodies..all {
             self.items[i].foresee(scene.media);
         }
@@ -227,11 +230,13 @@ impl Events {
         self.release();
         for i in 0..self.movable {
             if self.items[i].known && !self.items[i].disturbed {
-                self.renew_law(scene, i);
                 self.concern(i as u32);
                 (self.places[i], self.speeds[i]) = (self.items[i].body.position, self.items[i].body.velocity);
                 self.is_placed[i] = true;
             }
+        }
+        if !scene.direct {
+            self.solve_concerned(scene);
         }
         self.go_on(scene);
         self.release();
@@ -256,7 +261,13 @@ impl Events {
                 self.concern(other);
                 let (lo, hi) = if ascending { (i as u32, other) } else { (other, i as u32) };
                 let contact = self.contact_along(lo, hi, axis);
-                self.put_together(scene, &contact);
+                let begin = self.now;
+                if !self.put_together(scene, &contact) {
+                    self.now = begin;
+                    self.renew(scene, i);
+                    self.renew(scene, other as usize);
+                    return self.release();
+                }
                 hit = Some(contact);
             }
             Kind::Stop { other } => {

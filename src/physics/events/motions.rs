@@ -107,7 +107,7 @@ impl Events {
                 force += stream.force;
             }
         }
-        item.law.constant = DVec2::new(0.0, scene.media.gravity) + force / item.body.mass;
+        item.law = scene.media.law(&item.body, force, scene.tick - self.now);
     }
 
     /// Keeps those of the touching pairs as contacts that neither part nor (impacts are over by now) approach. Of the pair that has just
@@ -157,7 +157,7 @@ impl Events {
     }
 
     /// The accelerations of what is concerned, and what its contacts carry.
-    fn solve_concerned(&mut self, scene: &Scene) {
+    pub(super) fn solve_concerned(&mut self, scene: &Scene) {
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
             let item = &self.items[i];
@@ -185,6 +185,8 @@ impl Events {
             }
             !concerned
         });
+        // The order decides about the last bits of an answer.
+        trial.sort_unstable_by_key(Contact::ends);
     }
 
     /// Sets everything concerned on its way, and seeks what happens to it next.
@@ -349,21 +351,26 @@ impl Events {
     }
 
     /// Brings two things to the instant at which they meet, and exactly together: a way foreseen as a cubic may be off by a hair, so Newton's
-    /// method ends on the motions themselves. What is left of the gap is shared as their masses say; a surface gives way to nothing.
-    pub(super) fn put_together(&mut self, scene: &Scene, contact: &Contact) {
+    /// method ends on the motions themselves. What is left of the gap is shared as their masses say; a surface gives way to nothing. Returns
+    /// false if they meet so much later that something else happens before: then they have to be looked at again from here.
+    pub(super) fn put_together(&mut self, scene: &Scene, contact: &Contact) -> bool {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let reach = self.items[lo].body.half[axis] + self.items[hi].body.half[axis];
         let exact = |item: &super::Item| matches!(item.motion, Motion::Still | Motion::Parabola);
         if !(exact(&self.items[lo]) && exact(&self.items[hi])) {
             let begin = self.items[lo].since.max(self.items[hi].since);
-            let end = self.items[lo].until.min(self.items[hi].until).min(scene.tick);
+            let others = self.items.iter().enumerate().filter(|(k, _)| *k != lo && *k != hi).map(|(_, item)| item.next.at);
+            let end = others.fold(self.items[lo].until.min(self.items[hi].until).min(scene.tick), f64::min);
             for _ in 0..POLISH {
                 let (a, b) = (self.items[lo].pose(scene.media, self.now), self.items[hi].pose(scene.media, self.now));
                 let (gap, closing) = (b.0[axis] - a.0[axis] - reach, a.1[axis] - b.1[axis]);
                 let next = self.now + gap / closing;
                 // Where they only graze, Newton's method would run off to the moment at which they parted.
-                if closing <= 0.0 || !(begin..=end).contains(&next) || next == self.now {
+                if closing <= 0.0 || next < begin || next == self.now {
                     break;
+                }
+                if next > end {
+                    return gap <= SLOP;
                 }
                 self.now = next;
             }
@@ -380,6 +387,7 @@ impl Events {
             self.places[lo][axis] += gap * (of_lo / (of_lo + of_hi));
             self.places[hi][axis] -= gap * (of_hi / (of_lo + of_hi));
         }
+        true
     }
 
     /// Ends a slide: what stops and whatever moves with it has one speed along the face from now on.
@@ -457,6 +465,7 @@ impl Events {
                         scene.media.acceleration(&self.items[i].body, &self.items[i].law, self.places[i], self.speeds[i]);
                 }
             }
+            self.contacts.sort_unstable_by_key(Contact::ends);
             let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
             self.reactions.accelerate(&mut self.contacts, &parts, &mut self.solved);
             for i in 0..self.movable {
