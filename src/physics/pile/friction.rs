@@ -10,7 +10,9 @@
 //!
 //! Only what moves, is pushed, or stands on such takes part. What stands and is not pushed holds whatever slides on it, since its
 //! own limit is at least theirs together, provided that no surface is more slippery than the bodies and all bodies are alike;
-//! otherwise all take part.
+//! otherwise all take part. A moving surface, or one with a belt, carries with the velocity of its skin.
+//!
+//! Friction is spread evenly over the step, or until what slides stops: then it has gone half as far as its velocity says until then.
 
 use super::bodies::Bodies;
 use super::clusters::Node;
@@ -45,6 +47,8 @@ pub(super) struct Tight {
     pub dragged: f64,
     /// Friction's impulse on the upper body, N·s.
     pub impulse: f64,
+    /// Whether the two had the same velocity at the start.
+    stood: bool,
 }
 
 /// Loads and friction of the tight contacts along gravity.
@@ -69,9 +73,7 @@ pub(super) struct Friction {
 
 impl Friction {
     pub fn new(bodies: &Bodies) -> Self {
-        let (all, n) = (bodies.x.len(), bodies.len());
-        let mu = |i: usize| (bodies.traits[i].static_friction, bodies.traits[i].kinetic_friction);
-        let alike = (1..n).all(|i| mu(i) == mu(0)) && (n..all).all(|j| n == 0 || mu(j).0 >= mu(0).0.max(mu(0).1));
+        let all = bodies.x.len();
         Self {
             riders: vec![Node::default(); all],
             loads: vec![0.0; all],
@@ -79,7 +81,6 @@ impl Friction {
             is_gripped: vec![false; all],
             start: vec![0; all],
             end: vec![0; all],
-            alike,
             ..Self::default()
         }
     }
@@ -105,23 +106,35 @@ impl Friction {
     }
 
     /// Nothing moves across, so nobody takes part.
-    pub fn rest(&mut self) {
+    pub fn rest(&mut self, members: &[u32]) {
         self.awake.clear();
         self.gripped.clear();
-        self.is_awake.fill(false);
+        members.iter().for_each(|i| self.is_awake[*i as usize] = false);
     }
 
     /// Chooses who takes part: what has momentum in `given`, stands on nothing, stands on what takes part, or is `pushed`.
-    pub fn wake(&mut self, bodies: &Bodies, contacts: &Contacts, given: &[f64], pushed: &[bool]) {
+    pub fn wake(&mut self, bodies: &Bodies, members: &[u32], contacts: &Contacts, given: &[f64], pushed: &[bool]) {
         self.awake.clear();
-        for i in 0..bodies.len() {
+        let n = bodies.len();
+        let of = |i: u32| (bodies.traits[i as usize].static_friction, bodies.traits[i as usize].kinetic_friction);
+        let first = members.first().map_or((0.0, 0.0), |i| of(*i));
+        self.alike = members.iter().all(|i| of(*i) == first);
+        for &i in members {
+            let i = i as usize;
             let under = &contacts.stacks[contacts.under(i)];
+            let stirs = |j: usize| {
+                if j < n {
+                    return self.is_awake[j];
+                }
+                let slippery = bodies.traits[j].static_friction < first.0.max(first.1);
+                bodies.ux[j] != 0.0 || bodies.belt[j] != 0.0 || slippery
+            };
             let awake = !self.alike
                 || given[i] != 0.0
                 || pushed[i]
                 || under.is_empty()
                 || bodies.uy[i] != 0.0
-                || under.iter().any(|stack| self.is_awake[stack.below as usize]);
+                || under.iter().any(|stack| stirs(stack.below as usize));
             self.is_awake[i] = awake;
             if awake {
                 self.awake.push(i as u32);
@@ -129,32 +142,36 @@ impl Friction {
         }
     }
 
-    /// Adds up the loads top-down, from what the solver changed along gravity.
-    pub fn load(&mut self, bodies: &Bodies, contacts: &Contacts) {
+    /// Adds up the loads top-down, from what the solver changed along gravity and what `struck` bodies from above in impacts, N·s.
+    pub fn load(&mut self, bodies: &Bodies, contacts: &Contacts, struck: &[f64], dt: f64) {
         let n = bodies.len();
+        let slack = contacts.tolerances.hair / dt;
         self.tight.clear();
         self.gripped.clear();
         for &i in &self.awake {
             let i = i as usize;
             self.start[i] = self.tight.len() as u32;
-            self.loads[i] = 0.0;
+            self.loads[i] = struck[i];
             self.is_gripped[i] = false;
-            let velocity = bodies.uy[i];
+            let (mean, velocity) = (bodies.mean_vy[i], bodies.uy[i]);
             for stack in &contacts.stacks[contacts.under(i)] {
-                if stack.live && (velocity - bodies.uy[stack.below as usize] - stack.bound).abs() <= SLACK {
-                    let (mine, other) = (&bodies.traits[i], &bodies.traits[stack.below as usize]);
-                    let surface = stack.below as usize >= n;
+                let below = stack.below as usize;
+                let presses = (mean - bodies.mean_vy[below] - stack.bound).abs() <= slack;
+                if stack.live && presses && (velocity - bodies.uy[below]).abs() <= SLACK {
+                    let (mine, other) = (&bodies.traits[i], &bodies.traits[below]);
+                    let surface = below >= n;
                     let pick = |a: f64, b: f64| if surface { b } else { a.min(b) };
                     // What slides stops only where kinetic friction stops it; static friction holds what stands.
-                    let stands = bodies.vx[i] == bodies.vx[stack.below as usize];
+                    let stood = bodies.vx[i] == bodies.vx[below] + bodies.belt[below];
                     let dragged = pick(mine.kinetic_friction, other.kinetic_friction);
                     self.tight.push(Tight {
                         below: stack.below,
                         grip: Grip::Stick,
                         load: 0.0,
-                        held: if stands { pick(mine.static_friction, other.static_friction) } else { dragged },
+                        held: if stood { pick(mine.static_friction, other.static_friction) } else { dragged },
                         dragged,
                         impulse: 0.0,
+                        stood,
                     });
                 }
             }
@@ -177,6 +194,36 @@ impl Friction {
                 self.loads[tight.below as usize] += share;
             }
         }
+    }
+
+    /// Mean velocities across of what is gripped, once the velocities are solved; those that `told` knows otherwise stay.
+    pub fn spread_ways(&self, bodies: &mut Bodies, told: &[bool], dt: f64) {
+        for &i in &self.gripped {
+            let i = i as usize;
+            if told[i] {
+                continue;
+            }
+            let free = (bodies.px[i] - bodies.x[i]) / dt;
+            let mut mean = free + 0.5 * (bodies.ux[i] - bodies.free_vx[i]);
+            let strongest = self.tight[self.under(i)].iter().reduce(|a, b| if b.held > a.held { b } else { a });
+            if let Some(tight) = strongest {
+                let below = tight.below as usize;
+                let belt = bodies.belt[below];
+                if bodies.ux[i] == bodies.ux[below] + belt {
+                    let carried = bodies.mean_vx[below] + belt;
+                    let sliding = bodies.vx[i] - bodies.vx[below] - belt;
+                    mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * self.time_to_stop(bodies, i, sliding) };
+                }
+            }
+            bodies.mean_vx[i] = mean;
+        }
+    }
+
+    /// How long, as a part of the step, a body that slides and stops within it slides on.
+    fn time_to_stop(&self, bodies: &Bodies, i: usize, sliding: f64) -> f64 {
+        let dragged: f64 = self.tight[self.under(i)].iter().map(|t| t.dragged).sum();
+        let slowed = dragged.copysign(sliding) / self.riders[i].mass - (bodies.free_vx[i] - bodies.vx[i]);
+        if slowed == 0.0 { 1.0 } else { (sliding / slowed).clamp(0.0, 1.0) }
     }
 
     /// From now on only kinetic friction acts under a body, for it is being pushed along.
@@ -235,7 +282,7 @@ impl Friction {
                     let below = tight.below as usize;
                     let share = |i: usize, moves: bool| if moves { 1.0 / bodies.mass[i] } else { 0.0 };
                     let (mine, other) = (share(i, true), share(below, below < n && self.is_awake[below]));
-                    let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below]) / (mine + other);
+                    let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below] - bodies.belt[below]) / (mine + other);
                     let more = wanted.clamp(-tight.held, tight.held) - tight.impulse;
                     tight.impulse += more;
                     bodies.ux[i] += more * mine;
@@ -315,11 +362,12 @@ impl Friction {
                 }
             }
             if let Some(best) = best {
-                let target = bodies.ux[self.tight[best].below as usize];
+                let carry = |below: u32| bodies.ux[below as usize] + bodies.belt[below as usize];
+                let target = carry(self.tight[best].below);
                 let impulse = mine.mass * target - mine.momentum;
                 velocity = target;
                 for c in under.clone() {
-                    let other = bodies.ux[self.tight[c].below as usize];
+                    let other = carry(self.tight[c].below);
                     let tight = &mut self.tight[c];
                     if tight.grip != Grip::Stick || tight.held <= 0.0 {
                         continue;
@@ -336,9 +384,10 @@ impl Friction {
             }
             for c in under {
                 if let Grip::Slip(sign) = self.tight[c].grip {
-                    let slip = velocity - bodies.ux[self.tight[c].below as usize];
+                    let below = self.tight[c].below as usize;
+                    let slip = velocity - bodies.ux[below] - bodies.belt[below];
                     if best.is_none() && slip * sign > 0.0 {
-                        self.tight[c].grip = if best.is_none() { Grip::Stick } else { Grip::Slip(-sign) };
+                        self.tight[c].grip = Grip::Stick;
                         changed = true;
                     }
                 }
