@@ -430,11 +430,16 @@ impl Impacts {
         let dt = self.dt;
         let course = &mut self.courses[axis][i];
         let old = *course;
-        course.velocity = speed - old.pull * time;
-        course.at = place - (course.velocity + 0.5 * old.pull * time) * time;
+        if bodies.drag_wide[i] + bodies.drag_tall[i] > 0.0 {
+            let outer = if axis == 0 { bodies.ax[i] } else { bodies.ay[i] };
+            course.pull = outer + slowed(old.pull - outer, old.speed(time), speed, dt - time);
+        }
+        course.velocity = speed - course.pull * time;
+        course.at = place - (course.velocity + 0.5 * course.pull * time) * time;
         let (p, free) = if axis == 0 { (&mut bodies.px, &mut bodies.free_vx) } else { (&mut bodies.py, &mut bodies.free_vy) };
-        p[i] += (course.at - old.at) + (course.velocity - old.velocity) * dt;
-        free[i] += course.velocity - old.velocity;
+        let pulled = course.pull - old.pull;
+        p[i] += (course.at - old.at) + (course.velocity - old.velocity + 0.5 * pulled * dt) * dt;
+        free[i] += course.velocity - old.velocity + pulled * dt;
     }
 
     fn note(&mut self, bodies: &Bodies, due: Due, (normal, friction): (f64, f64), side: f64) {
@@ -460,6 +465,14 @@ impl Impacts {
             at = self.next[at as usize];
         }
     }
+}
+
+/// The acceleration by drag after a hit, m/s²: it was `drag` at a velocity `before`, grows with the square, acts against the motion,
+/// and does not turn it round in the time `left`.
+fn slowed(drag: f64, before: f64, after: f64, left: f64) -> f64 {
+    let part = if before == 0.0 { 0.0 } else { after / before };
+    let most = if left > 0.0 { after.abs() / left } else { 0.0 };
+    -(drag * part * part).abs().min(most).copysign(after)
 }
 
 /// When a gap closes, s from now, and how fast it closes then, m/s: `closing` now, growing by `pull` a second.
