@@ -47,6 +47,8 @@ pub(super) struct Stack {
     pub below: u32,
     /// Whether it may act on velocities; if not, the two are expected to pass each other.
     pub live: bool,
+    /// Whether its impacts have been followed through the step to the last one.
+    pub followed: bool,
     /// The fastest mean approach, m/s: gap/dt.
     pub bound: f64,
     /// Distance of the centres when touching, m.
@@ -59,6 +61,8 @@ pub(super) struct Side {
     pub first: u32,
     pub second: u32,
     pub live: bool,
+    /// Whether its impacts have been followed through the step to the last one.
+    pub followed: bool,
     pub bound: f64,
     pub reach: f64,
 }
@@ -106,8 +110,8 @@ impl Contacts {
         self.start[i] as usize..self.end[i] as usize
     }
 
-    /// Finds all contacts of an island.
-    pub fn find(&mut self, bodies: &Bodies, island: Island<'_>, dt: f64) {
+    /// Finds all contacts of an island; `followed`: impacts of what bounces have been.
+    pub fn find(&mut self, bodies: &Bodies, island: Island<'_>, dt: f64, followed: bool) {
         self.stacks.clear();
         self.sides.clear();
         self.ceilings.clear();
@@ -118,7 +122,7 @@ impl Contacts {
         for (k, &i) in island.members.iter().enumerate() {
             self.start[i as usize] = self.stacks.len() as u32;
             for &j in &island.others[island.start[k] as usize..island.start[k + 1] as usize] {
-                self.meet(bodies, i as usize, j as usize, dt, per_second);
+                self.meet(bodies, i as usize, j as usize, [dt, per_second], followed);
             }
             self.end[i as usize] = self.stacks.len() as u32;
         }
@@ -126,7 +130,7 @@ impl Contacts {
 
     /// Adds what body i and body or surface j are to each other; a body j comes before i in the island's order. `per_second` is 1/dt.
     #[inline(always)]
-    fn meet(&mut self, bodies: &Bodies, i: usize, j: usize, dt: f64, per_second: f64) {
+    fn meet(&mut self, bodies: &Bodies, i: usize, j: usize, [dt, per_second]: [f64; 2], followed: bool) {
         let touch = self.tolerances.touch;
         let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
         let (reach_x, reach_y) = (bodies.hx[i] + bodies.hx[j], bodies.hy[i] + bodies.hy[j]);
@@ -134,27 +138,36 @@ impl Contacts {
         let bound = |gap: f64| if gap > touch { gap * per_second } else { 0.0 };
         let surface = j >= bodies.len();
         self.carried |= surface && (bodies.vx[j] != 0.0 || bodies.vy[j] != 0.0 || bodies.belt[j] != 0.0);
+        let elastic = followed && bodies.traits[i].restitution.max(bodies.traits[j].restitution) == 1.0;
+        let followed = elastic && moves(bodies, i, j, gap_x.max(gap_y) > touch);
         match kind(bodies, i, j, [dx, dy], [gap_x, gap_y], dt, touch) {
             Kind::Stack(live) => {
+                let live = live && !followed;
                 self.passing |= !live;
                 if dy >= 0.0 {
                     if !(surface && is_open(bodies, j, 1, false, gap_y, touch)) {
-                        self.stacks.push(Stack { below: j as u32, live, bound: bound(gap_y), reach: reach_y });
+                        self.stacks.push(Stack { below: j as u32, live, followed, bound: bound(gap_y), reach: reach_y });
                     }
                 } else if !is_open(bodies, j, 1, true, gap_y, touch) {
-                    self.ceilings.push(Side { first: j as u32, second: i as u32, live, bound: bound(gap_y), reach: reach_y });
+                    self.ceilings.push(Side { first: j as u32, second: i as u32, live, followed, bound: bound(gap_y), reach: reach_y });
                 }
             }
             Kind::Side(live) => {
+                let live = live && !followed;
                 self.passing |= !live;
                 if surface && is_open(bodies, j, 0, dx <= 0.0, gap_x, touch) {
                     return;
                 }
                 let (first, second) = if dx > 0.0 { (i as u32, j as u32) } else { (j as u32, i as u32) };
-                self.sides.push(Side { first, second, live, bound: bound(gap_x), reach: reach_x });
+                self.sides.push(Side { first, second, live, followed, bound: bound(gap_x), reach: reach_x });
             }
         }
     }
+}
+
+/// Whether an elastic pair is apart or moves: then its impacts never end, and none is left to the plastic solution.
+fn moves(bodies: &Bodies, i: usize, j: usize, apart: bool) -> bool {
+    apart || bodies.vx[i] != bodies.vx[j] || bodies.vy[i] != bodies.vy[j]
 }
 
 /// Whether a surface lets pass what is beside its face along `axis` towards smaller or `larger` coordinates.

@@ -283,7 +283,7 @@ fn push(clusters: &Clusters, i: usize, node: &Node) -> f64 {
 }
 
 /// Merges what closes too far, of those that `node` knows. Returns whether anything did.
-fn merge(
+pub(super) fn merge(
     bodies: &Bodies,
     contacts: &Contacts,
     clusters: &mut Clusters,

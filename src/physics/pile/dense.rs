@@ -20,7 +20,7 @@ use super::impacts::{Axis, Impacts};
 use super::islands::Island;
 use super::place;
 use super::report::Report;
-use super::walls::Walls;
+use super::walls::{Along, Walls};
 
 /// How often a pair that was expected to pass and did not makes the step be solved again. More: slower; fewer: more is put back.
 const LOOKS: usize = 3;
@@ -48,7 +48,7 @@ pub struct Guards {
     pub corners: u64,
     /// Coordinates that were put back to where they were.
     pub put_back: u64,
-    /// Islands that would have gained energy along gravity.
+    /// Islands that would have gained energy.
     pub energy: u64,
     /// Bodies squeezed between surfaces.
     pub squeezed: u64,
@@ -123,13 +123,17 @@ impl Dense {
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
         self.pushes.hits.impact = self.anchors.impact;
         self.report.sides.clear();
-        self.contacts.find(bodies, island, size.dt);
-        self.solve_along(bodies, island, size.dt);
+        self.contacts.find(bodies, island, size.dt, false);
+        self.walls.any = false;
+        self.anchors.any_hung = false;
+        let Self { contacts, anchors, clusters, .. } = self;
+        self.guards.merging += gravity::solve(bodies, island.members, contacts, anchors, clusters, size.dt);
         if !self.bounce(bodies, island, size) {
             return Outcome::Grown;
         }
         let mut inside = true;
         for look in 0.. {
+            self.solve_along(bodies, island, size.dt, look == 0 && !self.impacts.any);
             self.solve_across(bodies, island, size.dt);
             inside = place::advance(bodies, island.members, size.dt, self.impacts.any);
             if !inside {
@@ -141,12 +145,11 @@ impl Dense {
             if look == LOOKS || !self.catch_passing(bodies, island) {
                 break;
             }
-            self.solve_along(bodies, island, size.dt);
         }
         self.list_plastic(bodies);
         let Self { contacts, clusters, put_back, .. } = self;
         self.guards.put_back += place::part(bodies, island.members, contacts, clusters, put_back, (size.dt, inside));
-        self.restrain(bodies, island, size.dt);
+        self.restrain(bodies, island);
         Outcome::Done
     }
 
@@ -161,6 +164,7 @@ impl Dense {
             island.members.iter().enumerate().for_each(|(k, i)| self.place[*i as usize] = k as u32);
             self.record(bodies, island, down);
         }
+        self.walls.restore_free(bodies);
         self.impacts.restore_free(bodies, island.members);
     }
 
@@ -176,14 +180,16 @@ impl Dense {
             self.grow(bodies, island);
             return false;
         }
-        self.contacts.find(bodies, island, size.dt);
-        self.solve_along(bodies, island, size.dt);
+        self.contacts.find(bodies, island, size.dt, !exhausted);
         true
     }
 
-    fn solve_along(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
-        let Self { contacts, anchors, clusters, .. } = self;
-        self.guards.merging += gravity::solve(bodies, island.members, contacts, anchors, clusters, dt);
+    fn solve_along(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64, solved: bool) {
+        let Self { contacts, anchors, clusters, impacts, walls, report, .. } = self;
+        walls.undo(bodies, anchors, &mut impacts.struck);
+        let struck = &mut impacts.struck;
+        let mut along = Along { members: island.members, contacts, anchors, clusters, struck, dt };
+        self.guards.merging += walls.solve(bodies, &mut along, report, solved);
     }
 
     fn solve_across(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
@@ -216,6 +222,7 @@ impl Dense {
                 self.grown.push(i);
             }
         }
+        self.walls.undo(bodies, &mut self.anchors, &mut self.impacts.struck);
         self.impacts.undo(bodies, island.members);
         Outcome::Grown
     }
@@ -230,14 +237,14 @@ impl Dense {
         for &i in island.members {
             let under = self.contacts.under(i as usize);
             for stack in &mut self.contacts.stacks[under] {
-                if !stack.live && place::hits(bodies, (i as usize, stack.below as usize), hair) {
+                if !stack.live && place::meets(bodies, (i as usize, stack.below as usize), hair, stack.followed) {
                     stack.live = true;
                     caught += 1;
                 }
             }
         }
         for side in self.contacts.sides.iter_mut().chain(&mut self.contacts.ceilings) {
-            if !side.live && place::hits(bodies, (side.first as usize, side.second as usize), hair) {
+            if !side.live && place::meets(bodies, (side.first as usize, side.second as usize), hair, side.followed) {
                 side.live = true;
                 caught += 1;
             }
@@ -253,24 +260,27 @@ impl Dense {
         caught > 0
     }
 
-    /// The last word on energy along gravity: an island that is merged and parted in a wild way may end higher than its velocities allow
-    /// for; then what was touched is slowed down by one factor. It does not conserve momentum, which gravity and the ground take part in.
-    fn restrain(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
+    /// The last word on energy: an island that is merged and parted in a wild way may end higher than its velocities allow for; then what
+    /// was touched is slowed down by one factor. That does not conserve momentum; it is counted.
+    fn restrain(&mut self, bodies: &mut Bodies, island: Island<'_>) {
         if self.contacts.carried {
             return;
         }
         let (mut gained, mut brought, mut left) = (0.0, 0.0, 0.0);
+        let stirred = self.impacts.any || self.walls.any;
+        let touched = |bodies: &Bodies, i: usize| stirred || bodies.uy[i] != bodies.free_vy[i] || bodies.ux[i] != bodies.free_vx[i];
         for &i in island.members {
             let i = i as usize;
-            let (mass, v, u) = (bodies.mass[i], bodies.vy[i], bodies.uy[i]);
-            brought += mass * v * v;
-            if u != bodies.free_vy[i] || self.impacts.any {
-                let (way, mean) = (bodies.py[i] - bodies.y[i], (bodies.free_vy[i] - v) / dt);
-                // Drag takes part of the work on the way that a body went, but gives nothing back to one that was thrown the other way.
-                let pull = if way * v >= 0.0 && !self.impacts.any { mean } else { bodies.ay[i] };
-                gained += 0.5 * mass * (u * u - v * v) - mass * way * pull;
-                left += 0.5 * mass * u * u;
+            if !touched(bodies, i) {
+                continue;
             }
+            let mass = bodies.mass[i];
+            let before = bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i];
+            let after = bodies.ux[i] * bodies.ux[i] + bodies.uy[i] * bodies.uy[i];
+            let work = bodies.ax[i] * (bodies.px[i] - bodies.x[i]) + bodies.ay[i] * (bodies.py[i] - bodies.y[i]);
+            brought += mass * before;
+            gained += 0.5 * mass * (after - before) - mass * work;
+            left += 0.5 * mass * after;
         }
         if gained <= ROUNDING * (brought + left) {
             return;
@@ -279,8 +289,9 @@ impl Dense {
         let part = if left > gained { (1.0 - gained / left).sqrt() } else { 0.0 };
         for &i in island.members {
             let i = i as usize;
-            if bodies.uy[i] != bodies.free_vy[i] {
+            if touched(bodies, i) {
                 bodies.uy[i] *= part;
+                bodies.ux[i] *= part;
             }
         }
     }

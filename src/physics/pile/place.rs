@@ -172,14 +172,14 @@ fn take_back(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, back: &m
         for &i in members {
             let i = i as usize;
             for stack in &contacts.stacks[contacts.under(i)] {
-                clean &= !resolve(bodies, contacts, back, (i, stack.below as usize), ALONG);
+                clean &= !resolve(bodies, contacts, back, (i, stack.below as usize, stack.followed), ALONG);
             }
         }
         for side in &contacts.sides {
-            clean &= !resolve(bodies, contacts, back, (side.first as usize, side.second as usize), ACROSS);
+            clean &= !resolve(bodies, contacts, back, (side.first as usize, side.second as usize, side.followed), ACROSS);
         }
         for ceiling in &contacts.ceilings {
-            clean &= !resolve(bodies, contacts, back, (ceiling.first as usize, ceiling.second as usize), ALONG);
+            clean &= !resolve(bodies, contacts, back, (ceiling.first as usize, ceiling.second as usize, ceiling.followed), ALONG);
         }
     }
     members.iter().map(|i| back[*i as usize].iter().filter(|b| **b).count() as u64).sum()
@@ -189,9 +189,15 @@ const ACROSS: usize = 0;
 const ALONG: usize = 1;
 
 /// Puts both of a pair back if it overlaps or passed through each other. Returns whether anything was moved.
-fn resolve(bodies: &mut Bodies, contacts: &Contacts, back: &mut [[bool; 2]], (a, b): (usize, usize), axis: usize) -> bool {
+fn resolve(
+    bodies: &mut Bodies,
+    contacts: &Contacts,
+    back: &mut [[bool; 2]],
+    (a, b, followed): (usize, usize, bool),
+    axis: usize,
+) -> bool {
     let hair = contacts.tolerances.hair;
-    if !hits(bodies, (a, b), hair) {
+    if !meets(bodies, (a, b), hair, followed) {
         return false;
     }
     // A pair that may pass a corner keeps an axis along which it was not quite apart: then both axes go back.
@@ -226,6 +232,16 @@ pub(super) fn hits(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
     let across = axis(&bodies.x, &bodies.px, &bodies.hx);
     let along = axis(&bodies.y, &bodies.py, &bodies.hy);
     across.0.max(along.0) < across.1.min(along.1)
+}
+
+/// Whether a pair that is expected to pass does not: overlaps in the end, or, unless its impacts were `followed`, on the way.
+pub(super) fn meets(bodies: &Bodies, (a, b): (usize, usize), hair: f64, followed: bool) -> bool {
+    if !followed {
+        return hits(bodies, (a, b), hair);
+    }
+    let deep_x = bodies.hx[a] + bodies.hx[b] - (bodies.px[a] - bodies.px[b]).abs();
+    let deep_y = bodies.hy[a] + bodies.hy[b] - (bodies.py[a] - bodies.py[b]).abs();
+    deep_x > hair && deep_y > hair
 }
 
 /// Between which parts of the way from one distance to another it is less than `reach`; an empty range if never.

@@ -86,15 +86,21 @@ impl Report {
 
     /// Notes what side contacts gave in one merging: `edges` of its trees, `joined` bodies, and what each of them lacks.
     pub fn drain_sides(&mut self, edges: &[Edge], joined: &[u32], lack: impl Fn(usize) -> f64, n: usize) {
-        if !self.on {
-            return;
+        if self.on {
+            let mut sides = std::mem::take(&mut self.sides);
+            self.drain_into(&mut sides, edges, joined, lack, n);
+            self.sides = sides;
         }
-        let (mut sides, mut lacks) = (std::mem::take(&mut self.sides), std::mem::take(&mut self.along));
-        let from = sides.len();
-        sides.extend_from_slice(edges);
+    }
+
+    /// Appends edges, with what goes through them.
+    pub fn drain_into(&mut self, into: &mut Vec<Edge>, edges: &[Edge], joined: &[u32], lack: impl Fn(usize) -> f64, n: usize) {
+        let mut lacks = std::mem::take(&mut self.along);
+        let from = into.len();
+        into.extend_from_slice(edges);
         joined.iter().for_each(|i| lacks[*i as usize] = lack(*i as usize));
-        self.drain(&mut sides[from..], &mut lacks, |i| i >= n);
-        (self.sides, self.along) = (sides, lacks);
+        self.drain(&mut into[from..], &mut lacks, |i| i >= n);
+        self.along = lacks;
     }
 
     /// Distributes over the edges of trees what their bodies lack (`lack`, N·s: momentum that has to leave). What is `fixed` takes up
@@ -171,7 +177,7 @@ impl Dense {
         let mut lack = std::mem::take(&mut report.along);
         for &i in island.members {
             let i = i as usize;
-            lack[i] = bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]) + self.impacts.struck[i] + self.walls.rubbed(i);
+            lack[i] = bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]) + self.impacts.struck[i];
         }
         let mut edges = std::mem::take(&mut self.anchors.edges);
         let loose = &self.anchors.loose;
