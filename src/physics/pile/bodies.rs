@@ -64,6 +64,9 @@ pub(super) struct Bodies {
     pub free_y: Vec<f64>,
     /// The box in which contacts of this step are looked for: left, right, top, bottom, m (surfaces too; an absent one has none).
     pub swept: Vec<[f64; 4]>,
+    /// By which part of its fall a body is looked for besides, for it may bounce; and whether any may.
+    pub bounce: Vec<f64>,
+    pub lively: bool,
     /// Of surfaces: the speed of a belt's upper side, m/s; from which sides it is solid; whether it is there. 0, all, yes for bodies.
     pub belt: Vec<f64>,
     pub sides: Vec<Sides>,
@@ -116,6 +119,8 @@ impl Bodies {
             mean_vy: all(),
             free_x: movable(),
             free_y: movable(),
+            bounce: all(),
+            lively: false,
             swept: vec![[0.0; 4]; count + surfaces],
             belt: all(),
             sides: vec![Sides::ALL; count + surfaces],
@@ -167,10 +172,11 @@ impl Bodies {
         let all = self.x.len();
         let (x, px, hx) = (&self.x[..all], &self.px[..all], &self.hx[..all]);
         let (y, py, hy) = (&self.y[..all], &self.py[..all], &self.hy[..all]);
+        let bounce = &self.bounce[..all];
         for (i, swept) in self.swept[..all].iter_mut().enumerate() {
             let (left, right) = if x[i] < px[i] { (x[i], px[i]) } else { (px[i], x[i]) };
             let (top, bottom) = if y[i] < py[i] { (y[i], py[i]) } else { (py[i], y[i]) };
-            let (wide, high) = (hx[i] + MARGIN + WAYS * (right - left), hy[i] + MARGIN);
+            let (wide, high) = (hx[i] + MARGIN + WAYS * (right - left), hy[i] + MARGIN + bounce[i] * (bottom - top));
             *swept = [left - wide, right + wide, top - high, bottom + high];
         }
         for (swept, present) in self.swept[self.count..].iter_mut().zip(&self.present[self.count..]) {
@@ -239,6 +245,7 @@ impl Bodies {
             &mut self.free_vy,
             &mut self.px,
             &mut self.py,
+            &mut self.bounce,
         ] {
             self.spare.copy_from_slice(&values[..n]);
             for (value, &from) in values.iter_mut().zip(order) {

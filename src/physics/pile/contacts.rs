@@ -119,9 +119,9 @@ impl Contacts {
         self.carried = false;
         self.tolerances = Tolerances::of(bodies, island.members);
         let per_second = 1.0 / dt;
-        for (k, &i) in island.members.iter().enumerate() {
+        for &i in island.members {
             self.start[i as usize] = self.stacks.len() as u32;
-            for &j in &island.others[island.start[k] as usize..island.start[k + 1] as usize] {
+            for &j in island.near(i) {
                 self.meet(bodies, i as usize, j as usize, [dt, per_second], followed);
             }
             self.end[i as usize] = self.stacks.len() as u32;

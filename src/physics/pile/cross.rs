@@ -250,7 +250,7 @@ fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt): (bool, f64))
     }
     let riders = friction.riders[i];
     let tight = &friction.tight[friction.under(i)];
-    let moves = |t: &super::friction::Tight| bodies.ux[t.below as usize] != 0.0 || bodies.belt[t.below as usize] != 0.0;
+    let moves = |t: &super::friction::Tight| bodies.ux[t.below as usize] != 0.0 || t.skin != 0.0;
     if tight.is_empty() || tight.iter().any(moves) {
         return Some(Node::free(riders.mass, bodies.vx[i], velocity, mean));
     }

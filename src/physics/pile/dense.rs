@@ -135,7 +135,7 @@ impl Dense {
         for look in 0.. {
             self.solve_along(bodies, island, size.dt, look == 0 && !self.impacts.any);
             self.solve_across(bodies, island, size.dt);
-            inside = place::advance(bodies, island.members, size.dt, self.impacts.any);
+            inside = place::advance(bodies, island.members, &self.anchors.lands, size.dt, self.impacts.any);
             if !inside {
                 if !size.last {
                     return self.grow(bodies, island);

@@ -121,6 +121,7 @@ impl Pile {
             self.driver.wake_all();
             return;
         }
+        self.islands.sort(&self.bodies);
         for round in 0..=GROWTHS {
             let Self { bodies, neighbours, islands, dense, driver, .. } = self;
             islands.find(bodies, neighbours);
@@ -130,7 +131,7 @@ impl Pile {
                 if round > 0 && !driver.begin_again(bodies, island, &mut dense.report.list) {
                     continue;
                 }
-                if island.start[0] == island.start[island.members.len()] {
+                if island.members.len() == 1 && island.near(island.members[0]).is_empty() {
                     let i = island.members[0] as usize;
                     (bodies.ux[i], bodies.uy[i]) = (bodies.free_vx[i], bodies.free_vy[i]);
                     driver.wake(bodies.id[i] as usize);
@@ -179,9 +180,9 @@ impl Driver {
         if self.sleepers == 0 || !island.members.iter().all(|i| self.asleep[bodies.id[*i as usize] as usize]) {
             return false;
         }
-        let (n, last) = (bodies.len() as u32, island.members.len());
-        let others = &island.others[island.start[0] as usize..island.start[last] as usize];
-        if others.iter().any(|&j| j >= n && (bodies.vx[j as usize] != 0.0 || bodies.vy[j as usize] != 0.0)) {
+        let n = bodies.len() as u32;
+        let moves = |j: u32| j >= n && (bodies.vx[j as usize] != 0.0 || bodies.vy[j as usize] != 0.0);
+        if island.members.iter().any(|i| island.near(*i).iter().any(|j| moves(*j))) {
             return false;
         }
         for &i in island.members {

@@ -49,6 +49,10 @@ pub(super) struct Tight {
     pub impulse: f64,
     /// Whether the two had the same velocity at the start.
     stood: bool,
+    /// Whether it is a ceiling.
+    above: bool,
+    /// Velocity of the skin besides that of what it belongs to, m/s.
+    pub skin: f64,
 }
 
 /// Loads and friction of the tight contacts along gravity.
@@ -148,8 +152,8 @@ impl Friction {
         let slack = contacts.tolerances.hair / dt;
         self.tight.clear();
         self.gripped.clear();
-        for &i in &self.awake {
-            let i = i as usize;
+        for k in 0..self.awake.len() {
+            let i = self.awake[k] as usize;
             self.start[i] = self.tight.len() as u32;
             self.loads[i] = struck[i];
             self.is_gripped[i] = false;
@@ -172,8 +176,13 @@ impl Friction {
                         dragged,
                         impulse: 0.0,
                         stood,
+                        above: false,
+                        skin: bodies.belt[below],
                     });
                 }
+            }
+            if !contacts.ceilings.is_empty() {
+                self.look_up(bodies, contacts, i, slack);
             }
             self.end[i] = self.tight.len() as u32;
             for tight in &self.tight[self.start[i] as usize..] {
@@ -186,12 +195,32 @@ impl Friction {
             let i = self.gripped[k] as usize;
             let load = self.loads[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
             let under = self.under(i);
-            let share = load.max(0.0) / under.len() as f64;
+            let bears = |tight: &Tight| tight.above == (load < 0.0);
+            let share = load.abs() / self.tight[under.clone()].iter().filter(|t| bears(t)).count() as f64;
             for tight in &mut self.tight[under] {
+                let share = if bears(tight) { share } else { 0.0 };
                 tight.load = share;
                 tight.held *= share;
                 tight.dragged *= share;
-                self.loads[tight.below as usize] += share;
+                if !tight.above {
+                    self.loads[tight.below as usize] += share;
+                }
+            }
+        }
+    }
+
+    /// Adds the ceilings that a body presses.
+    fn look_up(&mut self, bodies: &Bodies, contacts: &Contacts, i: usize, slack: f64) {
+        for ceiling in contacts.ceilings.iter().filter(|ceiling| ceiling.second as usize == i && ceiling.live) {
+            let j = ceiling.first as usize;
+            let presses = (bodies.mean_vy[j] - bodies.mean_vy[i] - ceiling.bound).abs() <= slack;
+            if presses && (bodies.uy[i] - bodies.uy[j]).abs() <= SLACK {
+                let (traits, skin) = (&bodies.traits[j], bodies.skin(j, 1, true));
+                let stood = bodies.vx[i] == bodies.vx[j] + skin;
+                let dragged = traits.kinetic_friction;
+                let held = if stood { traits.static_friction } else { dragged };
+                let below = ceiling.first;
+                self.tight.push(Tight { below, grip: Grip::Stick, load: 0.0, held, dragged, impulse: 0.0, stood, above: true, skin });
             }
         }
     }
@@ -208,7 +237,7 @@ impl Friction {
             let strongest = self.tight[self.under(i)].iter().reduce(|a, b| if b.held > a.held { b } else { a });
             if let Some(tight) = strongest {
                 let below = tight.below as usize;
-                let belt = bodies.belt[below];
+                let belt = tight.skin;
                 if bodies.ux[i] == bodies.ux[below] + belt {
                     let carried = bodies.mean_vx[below] + belt;
                     let sliding = bodies.vx[i] - bodies.vx[below] - belt;
@@ -282,7 +311,7 @@ impl Friction {
                     let below = tight.below as usize;
                     let share = |i: usize, moves: bool| if moves { 1.0 / bodies.mass[i] } else { 0.0 };
                     let (mine, other) = (share(i, true), share(below, below < n && self.is_awake[below]));
-                    let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below] - bodies.belt[below]) / (mine + other);
+                    let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below] - tight.skin) / (mine + other);
                     let more = wanted.clamp(-tight.held, tight.held) - tight.impulse;
                     tight.impulse += more;
                     bodies.ux[i] += more * mine;
@@ -362,12 +391,12 @@ impl Friction {
                 }
             }
             if let Some(best) = best {
-                let carry = |below: u32| bodies.ux[below as usize] + bodies.belt[below as usize];
-                let target = carry(self.tight[best].below);
+                let carry = |tight: &Tight| bodies.ux[tight.below as usize] + tight.skin;
+                let target = carry(&self.tight[best]);
                 let impulse = mine.mass * target - mine.momentum;
                 velocity = target;
                 for c in under.clone() {
-                    let other = carry(self.tight[c].below);
+                    let other = carry(&self.tight[c]);
                     let tight = &mut self.tight[c];
                     if tight.grip != Grip::Stick || tight.held <= 0.0 {
                         continue;
@@ -385,7 +414,7 @@ impl Friction {
             for c in under {
                 if let Grip::Slip(sign) = self.tight[c].grip {
                     let below = self.tight[c].below as usize;
-                    let slip = velocity - bodies.ux[below] - bodies.belt[below];
+                    let slip = velocity - bodies.ux[below] - self.tight[c].skin;
                     if best.is_none() && slip * sign > 0.0 {
                         self.tight[c].grip = Grip::Stick;
                         changed = true;

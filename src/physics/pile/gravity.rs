@@ -22,12 +22,17 @@ pub(super) fn slide(momentum: f64, mass: f64, held: f64, dragged: f64) -> f64 {
     if momentum.abs() <= held { 0.0 } else { (momentum.abs() - dragged.min(momentum.abs())).copysign(momentum) / mass }
 }
 
+/// Lands on nothing.
+pub(super) const NONE: u32 = u32::MAX;
+
 /// Who is carried by the ground, by slot; surfaces always.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Anchors {
     pub held: Vec<bool>,
     /// Held from the start, without an impact.
     pub rests: Vec<bool>,
+    /// On what each body lands in this step, by slot.
+    pub lands: Vec<u32>,
     /// What a wall can hold by friction: whether it does, and how fast the wall moves.
     pub hung: Vec<Option<f64>>,
     pub any_hung: bool,
@@ -43,7 +48,7 @@ impl Anchors {
     pub fn new(count: usize, all: usize) -> Self {
         let mut held = vec![false; count];
         held.resize(all, true);
-        Self { rests: held.clone(), held, hung: vec![None; count], any_hung: false, loose: vec![false; count], edges: Vec::with_capacity(count), hits: Vec::with_capacity(count), impact: 0.0 }
+        Self { rests: held.clone(), held, lands: vec![NONE; count], hung: vec![None; count], any_hung: false, loose: vec![false; count], edges: Vec::with_capacity(count), hits: Vec::with_capacity(count), impact: 0.0 }
     }
 }
 
@@ -72,6 +77,7 @@ pub(super) fn solve(
         let mut bound = f64::INFINITY;
         let mut over = f64::INFINITY;
         let mut support = i;
+        let mut gap = 0.0;
         for stack in &contacts.stacks[contacts.under(i)] {
             if !stack.live {
                 continue;
@@ -80,8 +86,7 @@ pub(super) fn solve(
             let limit = bodies.mean_vy[j] + stack.bound;
             if anchors.held[j] {
                 if limit < bound || (limit == bound && bodies.uy[j] < bodies.uy[support]) {
-                    bound = limit;
-                    support = j;
+                    (bound, support, gap) = (limit, j, stack.bound);
                 }
             } else {
                 over = over.min(limit);
@@ -90,6 +95,7 @@ pub(super) fn solve(
         let hung = anchors.any_hung && anchors.hung[i].is_some();
         anchors.held[i] = hung;
         anchors.loose[i] = false;
+        anchors.lands[i] = NONE;
         anchors.rests[i] = hung;
         if mean >= bound {
             mean = bound;
@@ -100,6 +106,7 @@ pub(super) fn solve(
                 }
                 velocity = bodies.uy[support];
                 anchors.held[i] = true;
+                anchors.lands[i] = if gap > 0.0 { support as u32 } else { NONE };
                 anchors.rests[i] = bodies.vy[i] == bodies.vy[support] && mean == bodies.mean_vy[support];
             }
         }
@@ -172,6 +179,7 @@ fn merge(
     for &i in &clusters.joined {
         let i = i as usize;
         if i < n {
+            anchors.lands[i] = if clusters.came_fixed(i) { anchors.lands[i] } else { NONE };
             bodies.mean_vy[i] = clusters.mean(i, 0.0);
             bodies.uy[i] = clusters.velocity(i);
             anchors.held[i] |= clusters.is_fixed(i);

@@ -112,7 +112,7 @@ pub(super) struct Impacts {
     pub plastic: Vec<(u32, u32, Axis, f64)>,
     /// What hit each body from above, N·s, by slot.
     pub struck: Vec<f64>,
-    /// Whether there were any in this step.
+    /// Whether any were looked for in this step.
     pub any: bool,
     /// By slot, where there were any: free velocities before them, and predicted positions after them.
     saved: Vec<[f64; 2]>,
@@ -147,8 +147,8 @@ impl Impacts {
         }
     }
 
-    /// Follows the impacts of an island; sets predicted positions and free velocities to what they leave. Returns whether there were any,
-    /// and whether the budget ran out.
+    /// Follows the impacts of an island; sets predicted positions and free velocities to what they leave. Returns whether any were looked
+    /// for, and whether the budget ran out.
     pub fn follow(
         &mut self,
         bodies: &mut Bodies,
@@ -164,7 +164,7 @@ impl Impacts {
         for &i in island.members {
             self.struck[i as usize] = 0.0;
         }
-        if !self.any_due(bodies, island, contacts) {
+        if !bodies.lively || !self.any_due(bodies, island, contacts) {
             return (false, false);
         }
         self.gather(bodies, island, anchors);
@@ -183,13 +183,11 @@ impl Impacts {
             left -= 1;
             self.bounce(bodies, anchors, due);
         }
-        self.any = !self.all.is_empty();
-        if self.any {
-            for &i in island.members {
-                self.predicted[i as usize] = [bodies.px[i as usize], bodies.py[i as usize]];
-            }
+        self.any = true;
+        for &i in island.members {
+            self.predicted[i as usize] = [bodies.px[i as usize], bodies.py[i as usize]];
         }
-        (self.any, exhausted)
+        (true, exhausted)
     }
 
     /// Where a body is predicted, after impacts.
@@ -219,7 +217,7 @@ impl Impacts {
 
     /// How many impacts one island may have in one step.
     fn budget(&self) -> usize {
-        8 + 4 * self.pairs.len()
+        64 + 8 * self.pairs.len()
     }
 
     /// A quick test whether any pair that bounces closes.
@@ -261,8 +259,8 @@ impl Impacts {
             let pull = if anchors.rests[i] { 0.0 } else { pull(bodies.free_vy[i], bodies.vy[i]) };
             self.courses[1][i] = Course { at: bodies.y[i], velocity: bodies.vy[i], pull };
         }
-        for (k, &i) in island.members.iter().enumerate() {
-            for &j in &island.others[island.start[k] as usize..island.start[k + 1] as usize] {
+        for &i in island.members {
+            for &j in island.near(i) {
                 let (a, b) = (i as usize, j as usize);
                 let restitution = bodies.traits[a].restitution.max(bodies.traits[b].restitution);
                 if restitution == 0.0 {

@@ -19,26 +19,36 @@ const NONE: u32 = u32::MAX;
 pub(super) struct Island<'a> {
     /// Slots of its bodies, bottom-up.
     pub members: &'a [u32],
-    /// What the k-th member may touch, each a member before it or a surface: `others[start[k]..start[k + 1]]`.
-    pub start: &'a [u32],
-    pub others: &'a [u32],
+    /// What a member may touch, each a member before it or a surface: `others[from..to]`, by slot.
+    ranges: &'a [(u32, u32)],
+    others: &'a [u32],
+}
+
+impl<'a> Island<'a> {
+    /// What a member may touch, each a member before it or a surface.
+    #[inline(always)]
+    pub fn near(&self, member: u32) -> &'a [u32] {
+        let (from, to) = self.ranges[member as usize];
+        &self.others[from as usize..to as usize]
+    }
 }
 
 /// The islands of one step.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Islands {
-    /// All slots, bottom-up.
+    /// All slots, bottom-up, and the place of each among them.
     order: Vec<u32>,
-    parent: Vec<u32>,
-    /// Slots island by island, and the place of each slot among them.
-    members: Vec<u32>,
     place: Vec<u32>,
-    /// Where each island begins among the members, and one more.
+    parent: Vec<u32>,
+    /// Slots island by island, and where each island begins, and one more.
+    members: Vec<u32>,
     begins: Vec<u32>,
     island_of_root: Vec<u32>,
-    found: Vec<(u32, u32)>,
-    start: Vec<u32>,
+    ranges: Vec<(u32, u32)>,
     others: Vec<u32>,
+    /// Pairs whose order has changed since bodies were numbered: place and slot of the upper one, the lower one.
+    turned: Vec<(u32, u32, u32)>,
+    spare: Vec<u32>,
 }
 
 impl Islands {
@@ -46,14 +56,15 @@ impl Islands {
     pub fn new(count: usize) -> Self {
         Self {
             order: (0..count as u32).collect(),
+            place: vec![0; count],
             parent: vec![0; count],
             members: vec![0; count],
-            place: vec![0; count],
             begins: Vec::with_capacity(count + 1),
             island_of_root: vec![NONE; count],
-            found: Vec::with_capacity(4 * count),
-            start: Vec::with_capacity(count + 2),
+            ranges: vec![(0, 0); count],
             others: Vec::with_capacity(4 * count),
+            turned: Vec::with_capacity(count),
+            spare: Vec::with_capacity(4 * count),
         }
     }
 
@@ -70,24 +81,28 @@ impl Islands {
     /// An island by its number.
     pub fn get(&self, island: usize) -> Island<'_> {
         let (from, to) = (self.begins[island] as usize, self.begins[island + 1] as usize);
-        Island { members: &self.members[from..to], start: &self.start[from..=to], others: &self.others }
+        Island { members: &self.members[from..to], ranges: &self.ranges, others: &self.others }
     }
 
-    /// The first body of the island that a body is in: the same for all of it.
-    pub fn root(&self, slot: usize) -> usize {
-        self.members[self.begins[self.island_of_root[self.parent[slot] as usize] as usize] as usize] as usize
+    /// Brings the bodies into their order, once a step.
+    pub fn sort(&mut self, bodies: &Bodies) {
+        self.put_in_order(bodies);
+        for (k, i) in self.order.iter().enumerate() {
+            self.place[*i as usize] = k as u32;
+        }
     }
 
     /// Finds the islands of all bodies, from the boxes that they sweep.
     pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
-        self.sort(bodies);
         self.join(bodies, neighbours);
+        if !self.turned.is_empty() {
+            self.turn();
+        }
         self.gather();
-        self.list_pairs(bodies);
     }
 
     /// Bottom-up, equal heights by the numbers outside.
-    fn sort(&mut self, bodies: &Bodies) {
+    fn put_in_order(&mut self, bodies: &Bodies) {
         let (y, id, order) = (&bodies.y, &bodies.id, &mut self.order);
         let below = |a: u32, b: u32| {
             let (a, b) = (a as usize, b as usize);
@@ -114,24 +129,36 @@ impl Islands {
         }
     }
 
-    /// Joins what may meet.
+    /// Joins what may meet, and lists whom each body may meet.
     fn join(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
-        let Self { parent, found, .. } = self;
+        let Self { order, place, parent, ranges, others, turned, .. } = self;
         let n = bodies.len();
         parent.iter_mut().enumerate().for_each(|(i, parent)| *parent = i as u32);
-        found.clear();
-        for i in 0..n {
-            let mine = bodies.swept[i];
-            for j in neighbours.of(i) {
+        others.clear();
+        turned.clear();
+        for (k, &i) in order.iter().enumerate() {
+            let from = others.len();
+            let mine = bodies.swept[i as usize];
+            for j in neighbours.of(i as usize) {
                 if apart(&mine, &bodies.swept[j]) {
                     continue;
                 }
-                found.push((i as u32, j as u32));
+                let mut key = j as u32;
                 if j < n {
-                    let (a, b) = (first(parent, i), first(parent, j));
-                    parent[a.max(b)] = a.min(b) as u32;
+                    key = place[j];
+                    if parent[i as usize] != parent[j] {
+                        let (a, b) = (first(parent, i as usize), first(parent, j));
+                        parent[a.max(b)] = a.min(b) as u32;
+                    }
+                    if key > k as u32 {
+                        turned.push((key, j as u32, i));
+                        continue;
+                    }
                 }
+                others.push(j as u32);
+                put_last(others, from, key, place);
             }
+            ranges[i as usize] = (from as u32, others.len() as u32);
         }
         // Parents have lower numbers: one pass makes every parent a root.
         for i in 0..n {
@@ -139,9 +166,28 @@ impl Islands {
         }
     }
 
+    /// Lists pairs whose order has turned under the one that is above now.
+    fn turn(&mut self) {
+        let Self { order, place, ranges, others, turned, spare, .. } = self;
+        turned.sort_unstable();
+        let mut more = turned.iter().peekable();
+        spare.clear();
+        for (k, &i) in order.iter().enumerate() {
+            let (from, to) = ranges[i as usize];
+            let begin = spare.len();
+            spare.extend_from_slice(&others[from as usize..to as usize]);
+            while let Some((_, _, lower)) = more.next_if(|(above, ..)| *above as usize == k) {
+                spare.push(*lower);
+                put_last(spare, begin, place[*lower as usize], place);
+            }
+            ranges[i as usize] = (begin as u32, spare.len() as u32);
+        }
+        std::mem::swap(others, spare);
+    }
+
     /// Lists the members island by island, in their order.
     fn gather(&mut self) {
-        let Self { order, parent, members, place, begins, island_of_root, .. } = self;
+        let Self { order, parent, members, begins, island_of_root, .. } = self;
         begins.clear();
         begins.push(0);
         island_of_root.fill(NONE);
@@ -156,11 +202,14 @@ impl Islands {
         for k in 1..begins.len() {
             begins[k] += begins[k - 1];
         }
+        if begins.len() == 2 {
+            members.copy_from_slice(order);
+            return;
+        }
         // While they are filled, the place after the last member of an island is kept in its own beginning.
         for &i in &*order {
             let at = &mut begins[island_of_root[parent[i as usize] as usize] as usize];
             members[*at as usize] = i;
-            place[i as usize] = *at;
             *at += 1;
         }
         for k in (1..begins.len()).rev() {
@@ -168,43 +217,18 @@ impl Islands {
         }
         begins[0] = 0;
     }
+}
 
-    /// Lists each member's pairs, by a counting sort and a short insertion.
-    fn list_pairs(&mut self, bodies: &Bodies) {
-        let Self { place, found, start, others, members, .. } = self;
-        let n = bodies.len();
-        let key = |other: u32| if (other as usize) < n { place[other as usize] } else { other };
-        let upper = |&(i, j): &(u32, u32)| {
-            let (a, b) = (i as usize, j as usize);
-            if b < n && place[b] > place[a] { (place[b] as usize, i) } else { (place[a] as usize, j) }
-        };
-        start.clear();
-        start.resize(members.len() + 1, 0);
-        for pair in &*found {
-            start[upper(pair).0] += 1;
-        }
-        for k in 1..start.len() {
-            start[k] += start[k - 1];
-        }
-        others.clear();
-        others.resize(found.len(), 0);
-        for pair in found.iter().rev() {
-            let (k, other) = upper(pair);
-            start[k] -= 1;
-            others[start[k] as usize] = other;
-        }
-        for k in 0..members.len() {
-            let list = &mut others[start[k] as usize..start[k + 1] as usize];
-            for i in 1..list.len() {
-                let (moved, mut at) = (list[i], i);
-                while at > 0 && key(list[at - 1]) > key(moved) {
-                    list[at] = list[at - 1];
-                    at -= 1;
-                }
-                list[at] = moved;
-            }
-        }
+/// Moves the last of a list, whose key is `key`, to its place among those that begin at `from`: bodies by their places, then surfaces.
+#[inline(always)]
+fn put_last(list: &mut [u32], from: usize, key: u32, place: &[u32]) {
+    let mut at = list.len() - 1;
+    let moved = list[at];
+    while at > from && place.get(list[at - 1] as usize).copied().unwrap_or(list[at - 1]) > key {
+        list[at] = list[at - 1];
+        at -= 1;
     }
+    list[at] = moved;
 }
 
 fn first(parent: &mut [u32], mut i: usize) -> usize {

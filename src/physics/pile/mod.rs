@@ -106,6 +106,7 @@ impl Pile {
             (bodies.vx[i], bodies.vy[i]) = (body.velocity.x, body.velocity.y * down);
             bodies.ay[i] = gravity;
             bodies.mass[i] = body.mass;
+            bodies.bounce[i] = body.restitution;
             let rate = 0.5 * def.air_density / body.mass;
             (bodies.drag_wide[i], bodies.drag_tall[i]) = (rate * body.drag_area.x, rate * body.drag_area.y);
             bodies.traits[i] = Traits {
@@ -114,6 +115,7 @@ impl Pile {
                 kinetic_friction: body.kinetic_friction,
             };
         }
+        bodies.lively = def.bodies.iter().any(|body| body.restitution > 0.0);
         for (j, surface) in def.surfaces.iter().enumerate() {
             let (i, centre, half) = (n + j, surface.bounds.centre(), surface.bounds.size() * 0.5);
             (bodies.x[i], bodies.y[i]) = (centre.x, centre.y * down);

@@ -9,19 +9,24 @@
 use super::bodies::Bodies;
 use super::clusters::{Clusters, Motion, Node};
 use super::contacts::Contacts;
+use super::gravity::NONE;
 
 /// Passes of merging across before bodies are put back.
 const PASSES: usize = 16;
 
 /// Moves what something touched by the ways that were solved. Returns whether all stay within what was swept; as that holds the ways of
 /// free flight, only those need asking that something touched, or all if some have `bounced`.
-pub(super) fn advance(bodies: &mut Bodies, members: &[u32], dt: f64, bounced: bool) -> bool {
+pub(super) fn advance(bodies: &mut Bodies, members: &[u32], lands: &[u32], dt: f64, bounced: bool) -> bool {
     let mut inside = true;
     for &i in members {
         let i = i as usize;
         let mut moved = bounced;
         if bodies.uy[i] != bodies.free_vy[i] {
-            bodies.py[i] = bodies.y[i] + dt * bodies.mean_vy[i];
+            // What lands does so to the bit.
+            bodies.py[i] = match lands[i] {
+                NONE => bodies.y[i] + dt * bodies.mean_vy[i],
+                j => bodies.py[j as usize] - (bodies.hy[i] + bodies.hy[j as usize]),
+            };
             moved = true;
         }
         if bodies.ux[i] != bodies.free_vx[i] {

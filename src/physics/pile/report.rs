@@ -226,15 +226,16 @@ impl Dense {
         // Stacks come bottom-up within merges and top-down within loads: by the upper body, the last first.
         let place = |record: &Record| self.place_of(record.a);
         report.records.sort_by(|a, b| place(b).cmp(&place(a)).then(a.b.cmp(&b.b)));
+        let bears = |record: &Record| record.normal < 0.0 || (record.b as usize >= n && record.normal != 0.0);
         let mut k = 0;
         while k < report.records.len() {
             let upper = report.records[k].a;
             let end = k + report.records[k..].iter().take_while(|record| record.a == upper).count();
             let mut needs = report.across[upper as usize];
             let group = &mut report.records[k..end];
-            let count = group.iter().filter(|record| record.normal < 0.0).count();
-            let last = group.iter().rposition(|record| record.normal < 0.0);
-            for (g, record) in group.iter_mut().enumerate().filter(|(_, record)| record.normal < 0.0) {
+            let count = group.iter().filter(|record| bears(record)).count();
+            let last = group.iter().rposition(bears);
+            for (g, record) in group.iter_mut().enumerate().filter(|(_, record)| bears(record)) {
                 let known = if self.friction.is_awake(upper as usize) { self.friction.impulse(upper as usize, record.b) } else { needs / count as f64 };
                 record.friction = if Some(g) == last { needs } else { known };
                 needs -= record.friction;
