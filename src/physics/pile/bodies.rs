@@ -70,6 +70,9 @@ pub(super) struct Bodies {
     /// Of surfaces: the speed of a belt's upper side, m/s; from which sides it is solid; whether it is there. 0, all, yes for bodies.
     pub belt: Vec<f64>,
     pub sides: Vec<Sides>,
+    /// Of surfaces: the velocity in the step before, m/s.
+    pub was_vx: Vec<f64>,
+    pub was_vy: Vec<f64>,
     pub present: Vec<bool>,
     /// Positions at the end of the step, first predicted, then final (surfaces too).
     pub px: Vec<f64>,
@@ -123,6 +126,8 @@ impl Bodies {
             lively: false,
             swept: vec![[0.0; 4]; count + surfaces],
             belt: all(),
+            was_vx: all(),
+            was_vy: all(),
             sides: vec![Sides::ALL; count + surfaces],
             present: vec![true; count + surfaces],
             px: all(),
@@ -153,6 +158,24 @@ impl Bodies {
         if (axis == 0) == larger { self.belt[j] } else { -self.belt[j] }
     }
 
+    /// Whether body i had the velocity across that the skin of `j` has, or, of a surface, had in the step before: it rides on it.
+    #[inline(always)]
+    pub fn rides_across(&self, i: usize, j: usize, skin: f64) -> bool {
+        self.vx[i] == self.vx[j] + skin || (j >= self.count && self.vx[i] == self.was_vx[j] + skin)
+    }
+
+    /// The same along gravity.
+    #[inline(always)]
+    pub fn rides_along(&self, i: usize, j: usize, skin: f64) -> bool {
+        self.vy[i] == self.vy[j] + skin || (j >= self.count && self.vy[i] == self.was_vy[j] + skin)
+    }
+
+    /// Whether a surface moves, moved in the step before, or runs a belt.
+    pub fn carries(&self, j: usize) -> bool {
+        let moved = self.was_vx[j] != 0.0 || self.was_vy[j] != 0.0;
+        self.vx[j] != 0.0 || self.vy[j] != 0.0 || moved || self.belt[j] != 0.0
+    }
+
     /// Whether the predicted box of a body lies within what was swept when contacts were sought, and where its neighbours were.
     #[inline(always)]
     pub fn is_swept(&self, i: usize) -> bool {
@@ -176,7 +199,7 @@ impl Bodies {
         for (i, swept) in self.swept[..all].iter_mut().enumerate() {
             let (left, right) = if x[i] < px[i] { (x[i], px[i]) } else { (px[i], x[i]) };
             let (top, bottom) = if y[i] < py[i] { (y[i], py[i]) } else { (py[i], y[i]) };
-            let (wide, high) = (hx[i] + MARGIN + WAYS * (right - left), hy[i] + MARGIN + bounce[i] * (bottom - top));
+            let lively = MARGIN + bounce[i] * 0.03; let (wide, high) = (hx[i] + lively + WAYS * (right - left), hy[i] + lively + bounce[i] * (bottom - top));
             *swept = [left - wide, right + wide, top - high, bottom + high];
         }
         for (swept, present) in self.swept[self.count..].iter_mut().zip(&self.present[self.count..]) {

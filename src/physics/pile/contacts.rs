@@ -33,8 +33,8 @@ impl Tolerances {
     /// By the largest coordinate among the members.
     pub fn of(bodies: &Bodies, members: &[u32]) -> Self {
         let largest = members.iter().fold(0.0f64, |most, &i| {
-            let i = i as usize;
-            most.max(bodies.x[i].abs()).max(bodies.y[i].abs()).max(bodies.px[i].abs()).max(bodies.py[i].abs())
+            let s = &bodies.swept[i as usize];
+            most.max((-s[0]).max(s[1])).max((-s[2]).max(s[3]))
         });
         let rounding = largest * f64::EPSILON;
         Self { touch: TOUCH + TOUCH_ROUNDINGS * rounding, hair: HAIR + HAIR_ROUNDINGS * rounding }
@@ -110,6 +110,14 @@ impl Contacts {
         self.start[i] as usize..self.end[i] as usize
     }
 
+    /// Whether a member and a surface are a contact.
+    pub fn has(&self, i: usize, surface: usize) -> bool {
+        let (i, j) = (i as u32, surface as u32);
+        self.stacks[self.under(i as usize)].iter().any(|stack| stack.below == j)
+            || self.sides.iter().any(|s| (s.first, s.second) == (i, j) || (s.first, s.second) == (j, i))
+            || self.ceilings.iter().any(|ceiling| (ceiling.first, ceiling.second) == (j, i))
+    }
+
     /// Finds all contacts of an island; `followed`: impacts of what bounces have been.
     pub fn find(&mut self, bodies: &Bodies, island: Island<'_>, dt: f64, followed: bool) {
         self.stacks.clear();
@@ -137,7 +145,7 @@ impl Contacts {
         let (gap_x, gap_y) = (dx.abs() - reach_x, dy.abs() - reach_y);
         let bound = |gap: f64| if gap > touch { gap * per_second } else { 0.0 };
         let surface = j >= bodies.len();
-        self.carried |= surface && (bodies.vx[j] != 0.0 || bodies.vy[j] != 0.0 || bodies.belt[j] != 0.0);
+        self.carried |= surface && bodies.carries(j);
         let elastic = followed && bodies.traits[i].restitution.max(bodies.traits[j].restitution) == 1.0;
         let followed = elastic && moves(bodies, i, j, gap_x.max(gap_y) > touch);
         match kind(bodies, i, j, [dx, dy], [gap_x, gap_y], dt, touch) {

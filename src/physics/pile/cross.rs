@@ -29,8 +29,8 @@ const PASSES: usize = 16;
 pub(super) struct Pushes {
     /// Momenta before friction, pushes included, N·s.
     given: Vec<f64>,
-    /// Velocities and mean velocities before any push, m/s.
-    before: Vec<(f64, f64)>,
+    /// Velocities before any push, m/s.
+    before: Vec<f64>,
     /// Who is pushed, and whose way a cluster has told.
     pushed: Vec<bool>,
     told: Vec<bool>,
@@ -46,7 +46,7 @@ pub(super) struct Hits {
 
 impl Pushes {
     pub fn new(count: usize) -> Self {
-        Self { given: vec![0.0; count], before: vec![(0.0, 0.0); count], pushed: vec![false; count], told: vec![false; count], hits: Hits::default() }
+        Self { given: vec![0.0; count], before: vec![0.0; count], pushed: vec![false; count], told: vec![false; count], hits: Hits::default() }
     }
 }
 
@@ -65,18 +65,8 @@ pub(super) struct Cross<'a> {
 impl Cross<'_> {
     /// Solves the velocities across gravity. Returns whether friction had to be left out of the merging.
     pub fn solve(&mut self, bodies: &mut Bodies) -> bool {
-        self.report.sides.clear();
         self.pushes.hits.all.clear();
-        let per_second = 1.0 / self.dt;
-        let mut moves = false;
-        for &i in self.members {
-            let i = i as usize;
-            bodies.ux[i] = bodies.free_vx[i];
-            bodies.mean_vx[i] = (bodies.px[i] - bodies.x[i]) * per_second;
-            self.pushes.given[i] = bodies.mass[i] * bodies.free_vx[i];
-            moves |= (bodies.free_vx[i] != 0.0) | (bodies.px[i] != bodies.x[i]);
-        }
-        if !moves && !self.contacts.carried {
+        if !self.begin(bodies) && !self.contacts.carried {
             self.friction.rest(self.members);
             return false;
         }
@@ -87,7 +77,6 @@ impl Cross<'_> {
         }
         if gained {
             self.reset(bodies);
-            self.report.sides.clear();
         }
         let plain = |bodies: &Bodies, i: usize| Some(Node::free(bodies.mass[i], bodies.vx[i], bodies.ux[i], bodies.mean_vx[i]));
         if merge(bodies, self.contacts, self.clusters, self.dt, &mut self.pushes.hits, plain) {
@@ -117,22 +106,34 @@ impl Cross<'_> {
         after > before * (1.0 + ROUNDING) && !self.contacts.carried
     }
 
-    fn reset(&self, bodies: &mut Bodies) {
+    /// Back to friction alone.
+    fn reset(&mut self, bodies: &mut Bodies) {
+        self.begin(bodies);
+        self.rub(bodies);
+    }
+
+    /// Free flight, and nobody pushed. Returns whether anything moves.
+    fn begin(&mut self, bodies: &mut Bodies) -> bool {
+        let per_second = 1.0 / self.dt;
+        let mut moves = false;
+        self.report.sides.clear();
         for &i in self.members {
             let i = i as usize;
-            (bodies.ux[i], bodies.mean_vx[i]) = self.pushes.before[i];
+            bodies.ux[i] = bodies.free_vx[i];
+            bodies.mean_vx[i] = (bodies.px[i] - bodies.x[i]) * per_second;
+            self.pushes.given[i] = bodies.mass[i] * bodies.free_vx[i];
+            (self.pushes.pushed[i], self.pushes.told[i]) = (false, false);
+            moves |= (bodies.free_vx[i] != 0.0) | (bodies.px[i] != bodies.x[i]);
         }
+        moves
     }
 
     /// Friction, and merging with friction, in turns. Returns whether nothing closes too far any more.
     fn rub_and_push(&mut self, bodies: &mut Bodies) -> bool {
-        for &i in self.members {
-            (self.pushes.pushed[i as usize], self.pushes.told[i as usize]) = (false, false);
-        }
         self.rub(bodies);
         for &i in self.members {
             let i = i as usize;
-            self.pushes.before[i] = (bodies.ux[i], bodies.mean_vx[i]);
+            self.pushes.before[i] = bodies.ux[i];
         }
         for _ in 0..ROUNDS {
             if self.stir(bodies) {
@@ -149,7 +150,6 @@ impl Cross<'_> {
             }
             if self.drives(bodies) {
                 self.reset(bodies);
-                self.report.sides.clear();
                 return false;
             }
         }
@@ -167,7 +167,7 @@ impl Cross<'_> {
     /// Whether a merged body is faster than it was and than its cluster.
     fn drives(&self, bodies: &Bodies) -> bool {
         self.clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < bodies.len()).any(|i| {
-            let before = self.pushes.before[i].0.abs();
+            let before = self.pushes.before[i].abs();
             bodies.ux[i].abs() > before.max(self.clusters.velocity(i).abs()) * (1.0 + DRIVEN) + STILL
         })
     }

@@ -89,6 +89,8 @@ pub(super) struct Dense {
     pub guards: Guards,
     /// Whose swept boxes were widened; the driver clears it.
     pub grown: Vec<u32>,
+    /// Body, moving surface and closing speed (m/s) where surfaces left no room; the driver clears it.
+    pub squeezed: Vec<(u32, u32, f64)>,
     pub report: Report,
     pub walls: Walls,
     /// Length of the step, s.
@@ -110,6 +112,7 @@ impl Dense {
             put_back: vec![[false; 2]; n],
             guards: Guards::default(),
             grown: Vec::with_capacity(n),
+            squeezed: Vec::new(),
             report: Report::new(all),
             walls: Walls::new(n),
             dt: 0.0,
@@ -148,8 +151,12 @@ impl Dense {
         }
         self.list_plastic(bodies);
         let Self { contacts, clusters, put_back, .. } = self;
-        self.guards.put_back += place::part(bodies, island.members, contacts, clusters, put_back, (size.dt, inside));
-        self.restrain(bodies, island);
+        let (doubt, back) = place::part(bodies, island.members, contacts, clusters, put_back, (size.dt, inside));
+        self.guards.put_back += back;
+        self.restrain(bodies, island, doubt);
+        if self.contacts.carried {
+            self.find_squeezed(bodies, island);
+        }
         Outcome::Done
     }
 
@@ -213,6 +220,22 @@ impl Dense {
         }
     }
 
+    /// Tells whom a moving surface has entered: it had no way out.
+    fn find_squeezed(&mut self, bodies: &Bodies, island: Island<'_>) {
+        let (n, hair) = (bodies.len(), self.contacts.tolerances.touch);
+        for &i in island.members {
+            let i = i as usize;
+            for &j in island.near(i as u32).iter().filter(|j| **j as usize >= n) {
+                let j = j as usize;
+                let moves = bodies.vx[j] != 0.0 || bodies.vy[j] != 0.0;
+                if moves && self.contacts.has(i, j) && place::meets(bodies, (i, j), hair, true) {
+                    self.squeezed.push((i as u32, j as u32, bodies.vx[j].hypot(bodies.vy[j])));
+                    self.guards.squeezed += 1;
+                }
+            }
+        }
+    }
+
     /// Widens what was swept by those who left it.
     fn grow(&mut self, bodies: &mut Bodies, island: Island<'_>) -> Outcome {
         self.guards.grown += 1;
@@ -262,8 +285,9 @@ impl Dense {
 
     /// The last word on energy: an island that is merged and parted in a wild way may end higher than its velocities allow for; then what
     /// was touched is slowed down by one factor. That does not conserve momentum; it is counted.
-    fn restrain(&mut self, bodies: &mut Bodies, island: Island<'_>) {
-        if self.contacts.carried {
+    fn restrain(&mut self, bodies: &mut Bodies, island: Island<'_>, doubt: bool) {
+        let risky = self.impacts.any || self.walls.any || doubt || !self.anchors.edges.is_empty();
+        if self.contacts.carried || !risky {
             return;
         }
         let (mut gained, mut brought, mut left) = (0.0, 0.0, 0.0);

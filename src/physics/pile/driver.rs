@@ -5,7 +5,7 @@ use super::dense::{Outcome, StepSize};
 use super::flight;
 use super::impacts::Impacts;
 use super::islands::Island;
-use super::{ContactImpulse, Other, Pile, PileImpact};
+use super::{ContactImpulse, Other, Pile, PileImpact, Squeeze};
 use glam::DVec2;
 
 /// How often islands may grow in one step. Fewer: bodies are clipped to what was looked for.
@@ -18,6 +18,7 @@ pub(super) struct Driver {
     /// Surfaces that have moved, and where they go next.
     moving: Vec<u32>,
     pub targets: Vec<(u32, DVec2)>,
+    pub squeezed: Vec<Squeeze>,
     /// Who sleeps, by the numbers outside, and how many.
     asleep: Vec<bool>,
     sleepers: usize,
@@ -70,13 +71,16 @@ impl Pile {
     /// Advances the pile by `dt` seconds, > 0.
     pub fn step(&mut self, dt: f64) {
         self.driver.events.clear();
-        if !self.driver.all_asleep() || !self.driver.targets.is_empty() {
+        self.driver.squeezed.clear();
+        let moving = !self.driver.targets.is_empty() || self.driver.moving.iter().any(|j| self.bodies.carries(self.bodies.len() + *j as usize));
+        if !self.driver.all_asleep() || moving {
             self.last_dt = dt;
             let asleep = &self.driver.asleep;
             self.dense.report.list.retain(|contact| asleep[contact.a]);
             self.move_surfaces(dt);
             self.fly(dt);
             self.solve_islands(dt);
+            self.stop_presses(dt);
             self.bodies.commit();
         }
         self.bodies.guided.clear();
@@ -87,6 +91,7 @@ impl Pile {
         let n = self.bodies.len();
         let bodies = &mut self.bodies;
         let still = |bodies: &mut Bodies, j: usize| {
+            (bodies.was_vx[j], bodies.was_vy[j]) = (bodies.vx[j], bodies.vy[j]);
             (bodies.px[j], bodies.py[j]) = (bodies.x[j], bodies.y[j]);
             set_velocity(bodies, j, (0.0, 0.0));
         };
@@ -96,6 +101,36 @@ impl Pile {
             (bodies.px[j], bodies.py[j]) = (centre.x, centre.y);
             set_velocity(bodies, j, ((centre.x - bodies.x[j]) / dt, (centre.y - bodies.y[j]) / dt));
         }
+    }
+
+    /// Where surfaces would squeeze bodies, those that move stay for this step, and all is solved again.
+    fn stop_presses(&mut self, dt: f64) {
+        for _ in 0..=self.driver.moving.len() {
+            if self.dense.squeezed.is_empty() {
+                return;
+            }
+            let n = self.bodies.len();
+            for (body, surface, speed) in self.dense.squeezed.drain(..) {
+                let body = self.bodies.id[body as usize] as usize;
+                self.driver.squeezed.push(Squeeze { body, surface: surface as usize - n, speed });
+                let j = surface as usize;
+                (self.bodies.px[j], self.bodies.py[j]) = (self.bodies.x[j], self.bodies.y[j]);
+                set_velocity(&mut self.bodies, j, (0.0, 0.0));
+            }
+            self.solve_again(dt);
+        }
+        self.dense.squeezed.clear();
+    }
+
+    /// Solves all islands from the start of the step, which free flight has left.
+    pub(super) fn solve_again(&mut self, dt: f64) {
+        let n = self.bodies.len();
+        self.bodies.px[..n].copy_from_slice(&self.bodies.free_x);
+        self.bodies.py[..n].copy_from_slice(&self.bodies.free_y);
+        self.driver.events.clear();
+        self.dense.report.list.clear();
+        self.driver.wake_all();
+        self.solve_islands(dt);
     }
 
     fn fly(&mut self, dt: f64) {
@@ -112,7 +147,7 @@ impl Pile {
         neighbours.find_moving(bodies, &driver.moving);
     }
 
-    pub(super) fn solve_islands(&mut self, dt: f64) {
+    fn solve_islands(&mut self, dt: f64) {
         if self.neighbours.is_empty() {
             let bodies = &mut self.bodies;
             let n = bodies.len();
@@ -140,6 +175,7 @@ impl Pile {
                 if driver.stays_asleep(bodies, island) {
                     continue;
                 }
+                driver.forget(bodies, island, &mut dense.report.list);
                 if dense.step(bodies, island, size) == Outcome::Done {
                     driver.finish(bodies, island, self.may_sleep);
                     driver.list_impacts(bodies, &dense.impacts);
@@ -175,14 +211,22 @@ impl Driver {
         true
     }
 
+    /// What was told of those that slept holds no longer.
+    fn forget(&self, bodies: &Bodies, island: Island<'_>, report: &mut Vec<ContactImpulse>) {
+        let slept = |body: usize| self.asleep[body] && island.members.contains(&bodies.slot[body]);
+        if self.sleepers > 0 && !report.is_empty() {
+            report.retain(|contact| !slept(contact.a));
+        }
+    }
+
     /// An island of which all sleep and that nothing moving touches stays as it is.
     fn stays_asleep(&mut self, bodies: &mut Bodies, island: Island<'_>) -> bool {
         if self.sleepers == 0 || !island.members.iter().all(|i| self.asleep[bodies.id[*i as usize] as usize]) {
             return false;
         }
         let n = bodies.len() as u32;
-        let moves = |j: u32| j >= n && (bodies.vx[j as usize] != 0.0 || bodies.vy[j as usize] != 0.0);
-        if island.members.iter().any(|i| island.near(*i).iter().any(|j| moves(*j))) {
+        let carries = |j: u32| j >= n && bodies.carries(j as usize);
+        if island.members.iter().any(|i| island.near(*i).iter().any(|j| carries(*j))) {
             return false;
         }
         for &i in island.members {

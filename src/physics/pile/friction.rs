@@ -73,6 +73,8 @@ pub(super) struct Friction {
     is_gripped: Vec<bool>,
     /// Whether all materials are such that what stands holds what slides on it.
     alike: bool,
+    /// Whether surfaces move, which may drive.
+    carried: bool,
 }
 
 impl Friction {
@@ -150,6 +152,7 @@ impl Friction {
     pub fn load(&mut self, bodies: &Bodies, contacts: &Contacts, struck: &[f64], dt: f64) {
         let n = bodies.len();
         let slack = contacts.tolerances.hair / dt;
+        self.carried = contacts.carried;
         self.tight.clear();
         self.gripped.clear();
         for k in 0..self.awake.len() {
@@ -166,7 +169,7 @@ impl Friction {
                     let surface = below >= n;
                     let pick = |a: f64, b: f64| if surface { b } else { a.min(b) };
                     // What slides stops only where kinetic friction stops it; static friction holds what stands.
-                    let stood = bodies.vx[i] == bodies.vx[below] + bodies.belt[below];
+                    let stood = bodies.rides_across(i, below, bodies.belt[below]);
                     let dragged = pick(mine.kinetic_friction, other.kinetic_friction);
                     self.tight.push(Tight {
                         below: stack.below,
@@ -216,7 +219,7 @@ impl Friction {
             let presses = (bodies.mean_vy[j] - bodies.mean_vy[i] - ceiling.bound).abs() <= slack;
             if presses && (bodies.uy[i] - bodies.uy[j]).abs() <= SLACK {
                 let (traits, skin) = (&bodies.traits[j], bodies.skin(j, 1, true));
-                let stood = bodies.vx[i] == bodies.vx[j] + skin;
+                let stood = bodies.rides_across(i, j, skin);
                 let dragged = traits.kinetic_friction;
                 let held = if stood { traits.static_friction } else { dragged };
                 let below = ceiling.first;
@@ -271,7 +274,7 @@ impl Friction {
         for round in 0..ROUNDS {
             self.gather(bodies, given, round == 0);
             if !self.spread(bodies) {
-                if self.dissipates(bodies, given) {
+                if self.carried || self.dissipates(bodies, given) {
                     return;
                 }
                 break;

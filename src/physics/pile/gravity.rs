@@ -97,7 +97,9 @@ pub(super) fn solve(
         anchors.loose[i] = false;
         anchors.lands[i] = NONE;
         anchors.rests[i] = hung;
-        if mean >= bound {
+        // On a surface that speeds up or slows down a body stays while it presses, though its velocity is one step late.
+        let presses = contacts.carried && gap == 0.0 && bound < f64::INFINITY && velocity >= bodies.uy[support];
+        if mean >= bound || (presses && bodies.rides_along(i, support, 0.0)) {
             mean = bound;
             // What leaves at the end has only touched.
             if velocity >= bodies.uy[support] {
@@ -107,7 +109,7 @@ pub(super) fn solve(
                 velocity = bodies.uy[support];
                 anchors.held[i] = true;
                 anchors.lands[i] = if gap > 0.0 { support as u32 } else { NONE };
-                anchors.rests[i] = bodies.vy[i] == bodies.vy[support] && mean == bodies.mean_vy[support];
+                anchors.rests[i] = bodies.rides_along(i, support, 0.0) && mean == bodies.mean_vy[support];
             }
         }
         loose |= mean > over + slack;

@@ -21,6 +21,10 @@ const SLOWEST: f64 = 1e-9;
 /// A bounce this part of what is left of the step long, or shorter, is passed over with those that follow.
 const SHORT: f64 = 0.25;
 
+/// A pair of e < 1 that has bounced so often in one step is left to the plastic solution: such series have a sum. Fewer: bounces end
+/// early; more: inelastic collapse costs the whole budget.
+const RATTLE: u32 = 12;
+
 /// The direction of a contact's normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
@@ -52,6 +56,8 @@ struct Pair {
     restitution: f64,
     /// Counts how often its bodies were hit: what was due before is void.
     version: u32,
+    /// How often it has bounced.
+    hits: u32,
 }
 
 /// A pair will touch.
@@ -230,7 +236,7 @@ impl Impacts {
             let mean = (bodies.py[i] - bodies.y[i]) * per_second;
             contacts.stacks[contacts.under(i)].iter().any(|stack| {
                 let j = stack.below as usize;
-                let closes = mean > bodies.mean_vy[j] + stack.bound && (stack.bound > 0.0 || bodies.vy[i] != bodies.vy[j]);
+                let closes = mean > bodies.mean_vy[j] + stack.bound && (stack.bound > 0.0 || !bodies.rides_along(i, j, 0.0));
                 closes && lively(i, j)
             })
         });
@@ -257,7 +263,8 @@ impl Impacts {
             let pull = |free: f64, v: f64| (free - v) * per_second;
             self.courses[0][i] = Course { at: bodies.x[i], velocity: bodies.vx[i], pull: pull(bodies.free_vx[i], bodies.vx[i]) };
             let pull = if anchors.rests[i] { 0.0 } else { pull(bodies.free_vy[i], bodies.vy[i]) };
-            self.courses[1][i] = Course { at: bodies.y[i], velocity: bodies.vy[i], pull };
+            let velocity = if anchors.rests[i] { bodies.uy[i] } else { bodies.vy[i] };
+            self.courses[1][i] = Course { at: bodies.y[i], velocity, pull };
         }
         for &i in island.members {
             for &j in island.near(i) {
@@ -267,7 +274,7 @@ impl Impacts {
                     continue;
                 }
                 let pair = self.pairs.len() as u32;
-                self.pairs.push(Pair { a: i, b: j, restitution, version: 0 });
+                self.pairs.push(Pair { a: i, b: j, restitution, version: 0, hits: 0 });
                 self.next.extend([self.chain[a], NONE]);
                 self.chain[a] = 2 * pair;
                 if b < n {
@@ -283,7 +290,10 @@ impl Impacts {
 
     /// Finds when a pair touches next, from `now` on.
     fn look(&mut self, bodies: &Bodies, pair: usize, now: f64) {
-        let Pair { a, b, restitution, version } = self.pairs[pair];
+        let Pair { a, b, restitution, version, hits } = self.pairs[pair];
+        if restitution < 1.0 && hits >= RATTLE {
+            return;
+        }
         let (a, b) = (a as usize, b as usize);
         let reach = [bodies.hx[a] + bodies.hx[b], bodies.hy[a] + bodies.hy[b]];
         let mut best: Option<Due> = None;
@@ -326,7 +336,7 @@ impl Impacts {
         let side = if at_b < at_a { -1.0 } else { 1.0 };
         // What rests is ground for what falls on it.
         let courses = &self.courses[1];
-        let is_held = |i: usize| axis == 1 && i < n && anchors.rests[i] && courses[i].velocity == bodies.vy[i];
+        let is_held = |i: usize| axis == 1 && i < n && anchors.rests[i] && courses[i].velocity == bodies.uy[i];
         let (a_rests, b_rests) = (is_held(a), is_held(b));
         let held = |upper: usize, rests: bool, falls: bool| falls && upper < n && rests;
         let share = |i: usize, fixed: bool| if i < n && !fixed { 1.0 / bodies.mass[i] } else { 0.0 };
@@ -334,6 +344,7 @@ impl Impacts {
         if share_a + share_b == 0.0 {
             return;
         }
+        self.pairs[due.pair as usize].hits += 1;
         let (until, leaves) = self.pass_over(due, restitution, share_a == 0.0 || share_b == 0.0);
         // Relative velocity after, and what it takes.
         let change = speed + leaves;
@@ -350,7 +361,8 @@ impl Impacts {
         for (i, share, rests) in [(a, share_a, a_rests), (b, share_b, b_rests)] {
             if share > 0.0 && rests {
                 // Thrown off what carried it.
-                self.courses[1][i].pull = (bodies.free_vy[i] - bodies.vy[i]) / self.dt;
+                let pull = (bodies.free_vy[i] - bodies.vy[i]) / self.dt;
+                self.courses[1][i] = Course { at: bodies.y[i], velocity: bodies.vy[i], pull };
             }
         }
         if share_a > 0.0 {

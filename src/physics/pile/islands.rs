@@ -49,6 +49,7 @@ pub(super) struct Islands {
     /// Pairs whose order has changed since bodies were numbered: place and slot of the upper one, the lower one.
     turned: Vec<(u32, u32, u32)>,
     spare: Vec<u32>,
+    later: Vec<u32>,
 }
 
 impl Islands {
@@ -65,6 +66,7 @@ impl Islands {
             others: Vec::with_capacity(4 * count),
             turned: Vec::with_capacity(count),
             spare: Vec::with_capacity(4 * count),
+            later: Vec::with_capacity(64),
         }
     }
 
@@ -131,33 +133,41 @@ impl Islands {
 
     /// Joins what may meet, and lists whom each body may meet.
     fn join(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
-        let Self { order, place, parent, ranges, others, turned, .. } = self;
+        let Self { order, place, parent, ranges, others, turned, later, .. } = self;
         let n = bodies.len();
         parent.iter_mut().enumerate().for_each(|(i, parent)| *parent = i as u32);
         others.clear();
         turned.clear();
         for (k, &i) in order.iter().enumerate() {
-            let from = others.len();
-            let mine = bodies.swept[i as usize];
-            for j in neighbours.of(i as usize) {
-                if apart(&mine, &bodies.swept[j]) {
-                    continue;
-                }
-                let mut key = j as u32;
-                if j < n {
-                    key = place[j];
-                    if parent[i as usize] != parent[j] {
-                        let (a, b) = (first(parent, i as usize), first(parent, j));
-                        parent[a.max(b)] = a.min(b) as u32;
-                    }
-                    if key > k as u32 {
-                        turned.push((key, j as u32, i));
+            let (from, mine) = (others.len(), bodies.swept[i as usize]);
+            let mut root = first(parent, i as usize);
+            let known = neighbours.of(i as usize, later);
+            for list in [known, &*later] {
+                for &other in list {
+                    let j = other as usize;
+                    if apart(&mine, &bodies.swept[j]) {
                         continue;
                     }
+                    let mut key = other;
+                    if j < n {
+                        if parent[j] as usize != root {
+                            let other = first(parent, j);
+                            parent[j] = other as u32;
+                            if other != root {
+                                (parent[root.max(other)], root) = (root.min(other) as u32, root.min(other));
+                            }
+                        }
+                        key = place[j];
+                        if key > k as u32 {
+                            turned.push((key, other, i));
+                            continue;
+                        }
+                    }
+                    others.push(other);
+                    put_last(others, from, key, place);
                 }
-                others.push(j as u32);
-                put_last(others, from, key, place);
             }
+            parent[i as usize] = root as u32;
             ranges[i as usize] = (from as u32, others.len() as u32);
         }
         // Parents have lower numbers: one pass makes every parent a root.
@@ -191,13 +201,24 @@ impl Islands {
         begins.clear();
         begins.push(0);
         island_of_root.fill(NONE);
+        // Neighbours in the order are mostly of one island: counted run by run.
+        let (mut last, mut run) = (usize::MAX, 0);
         for &i in &*order {
             let root = parent[i as usize] as usize;
             if island_of_root[root] == NONE {
                 island_of_root[root] = begins.len() as u32 - 1;
                 begins.push(0);
             }
-            begins[island_of_root[root] as usize + 1] += 1;
+            if root != last {
+                if last != usize::MAX {
+                    begins[island_of_root[last] as usize + 1] += run;
+                }
+                (last, run) = (root, 0);
+            }
+            run += 1;
+        }
+        if last != usize::MAX {
+            begins[island_of_root[last] as usize + 1] += run;
         }
         for k in 1..begins.len() {
             begins[k] += begins[k - 1];
@@ -207,10 +228,20 @@ impl Islands {
             return;
         }
         // While they are filled, the place after the last member of an island is kept in its own beginning.
+        let (mut last, mut at) = (u32::MAX, 0);
         for &i in &*order {
-            let at = &mut begins[island_of_root[parent[i as usize] as usize] as usize];
-            members[*at as usize] = i;
-            *at += 1;
+            let root = parent[i as usize];
+            if root != last {
+                if last != u32::MAX {
+                    begins[island_of_root[last as usize] as usize] = at;
+                }
+                (last, at) = (root, begins[island_of_root[root as usize] as usize]);
+            }
+            members[at as usize] = i;
+            at += 1;
+        }
+        if last != u32::MAX {
+            begins[island_of_root[last as usize] as usize] = at;
         }
         for k in (1..begins.len()).rev() {
             begins[k] = begins[k - 1];
@@ -231,6 +262,7 @@ fn put_last(list: &mut [u32], from: usize, key: u32, place: &[u32]) {
     list[at] = moved;
 }
 
+#[inline(always)]
 fn first(parent: &mut [u32], mut i: usize) -> usize {
     while parent[i] as usize != i {
         parent[i] = parent[parent[i] as usize];

@@ -70,6 +70,17 @@ pub struct PileImpact {
     pub speed: f64,
 }
 
+/// A body was squeezed between surfaces that close: the moving one was kept where it was for that step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Squeeze {
+    /// The body that had no way out.
+    pub body: usize,
+    /// The surface that was stopped.
+    pub surface: usize,
+    /// How fast the surfaces would have closed, m/s.
+    pub speed: f64,
+}
+
 /// Many boxes and their motion. Bodies keep the numbers of the definition for the outside.
 #[derive(Clone, Debug)]
 pub struct Pile {
@@ -188,6 +199,11 @@ impl Pile {
             self.bodies.present[j] = present;
             self.driver.wake_all();
         }
+    }
+
+    /// Whom surfaces would have squeezed in the last step.
+    pub fn squeezed(&self) -> &[Squeeze] {
+        &self.driver.squeezed
     }
 
     /// How often each guard has fired since the start.

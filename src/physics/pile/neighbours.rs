@@ -111,24 +111,28 @@ impl Neighbours {
         }
     }
 
-    /// The neighbours of body i, each a lower number or a surface.
+    /// The neighbours of body i, each a lower number or a surface: those of the last search, in ascending order, and in `later` what was
+    /// added since.
     #[inline(always)]
-    pub fn of(&self, i: usize) -> impl Iterator<Item = usize> {
-        let mut known = self.with[self.start[i] as usize..self.start[i + 1] as usize].iter();
+    pub fn of(&self, i: usize, later: &mut Vec<u32>) -> &[u32] {
+        later.clear();
+        if self.first[i] != NONE || !self.moving.is_empty() {
+            self.add_later(i, later);
+        }
+        &self.with[self.start[i] as usize..self.start[i + 1] as usize]
+    }
+
+    fn add_later(&self, i: usize, later: &mut Vec<u32>) {
         let mut at = self.first[i];
-        let mut on_move = if self.moving.is_empty() { NONE } else { self.first_moving[i] };
-        std::iter::from_fn(move || {
-            if let Some(&other) = known.next() {
-                return Some(other as usize);
-            }
-            if let Some(more) = self.more.get(at as usize) {
-                at = more.next;
-                return Some(more.with as usize);
-            }
-            let more = self.moving.get(on_move as usize)?;
-            on_move = more.next;
-            Some(more.with as usize)
-        })
+        while let Some(more) = self.more.get(at as usize) {
+            at = more.next;
+            later.push(more.with);
+        }
+        let mut at = if self.moving.is_empty() { NONE } else { self.first_moving[i] };
+        while let Some(more) = self.moving.get(at as usize) {
+            at = more.next;
+            later.push(more.with);
+        }
     }
 
     /// Whether nobody has any neighbour.
@@ -287,6 +291,7 @@ impl Neighbours {
             self.near_bodies(i);
             let mine = self.edges[i];
             self.near_surfaces(&mine, n);
+            self.near.sort_unstable();
             self.with.extend_from_slice(&self.near);
         }
         self.start[n] = self.with.len() as u32;

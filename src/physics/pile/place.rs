@@ -38,7 +38,8 @@ pub(super) fn advance(bodies: &mut Bodies, members: &[u32], lands: &[u32], dt: f
     inside
 }
 
-/// Mends the predicted positions until nothing overlaps. `back` is scratch. Returns how many bodies were put back.
+/// Mends the predicted positions until nothing overlaps. `back` is scratch. Returns whether anything was mended, and
+/// how many coordinates were put back.
 pub(super) fn part(
     bodies: &mut Bodies,
     members: &[u32],
@@ -46,20 +47,21 @@ pub(super) fn part(
     clusters: &mut Clusters,
     back: &mut [[bool; 2]],
     (dt, inside): (f64, bool),
-) -> u64 {
-    hold_down(bodies, members, contacts, dt);
+) -> (bool, u64) {
+    let mut mended = hold_down(bodies, members, contacts, dt);
     let mut doubt = !inside;
-    doubt |= lift(bodies, members, contacts, dt);
+    doubt |= lift(bodies, members, contacts, &mut mended, dt);
     doubt |= spread(bodies, contacts, clusters);
-    if doubt { take_back(bodies, members, contacts, back) } else { 0 }
+    (doubt | mended, if doubt { take_back(bodies, members, contacts, back) } else { 0 })
 }
 
 /// Along gravity, top-down: what rises stops under what does not make way.
-fn hold_down(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, dt: f64) {
+fn hold_down(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, dt: f64) -> bool {
     let rises = members.iter().any(|&i| bodies.py[i as usize] < bodies.y[i as usize]);
     if !rises {
-        return;
+        return false;
     }
+    let mut mended = false;
     let (n, hair, touch) = (bodies.len(), contacts.tolerances.hair, contacts.tolerances.touch);
     for &i in members.iter().rev() {
         let i = i as usize;
@@ -68,17 +70,19 @@ fn hold_down(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, dt: f64)
             let (rise, top) = (bodies.py[j], bodies.py[i] + stack.reach);
             if rise < top - hair && rise < bodies.y[j] {
                 bodies.py[j] = top.min(bodies.y[j]);
+                mended = true;
                 if bodies.py[j] - rise > touch && bodies.ay[j] != 0.0 {
                     bodies.uy[j] = bodies.uy[j].max((bodies.py[j] - bodies.y[j]) / dt);
                 }
             }
         }
     }
+    mended
 }
 
 /// Along gravity, bottom-up: what falls stops on what carries it. Returns whether something has to be looked at again: a body
 /// passed a corner, or hit a ceiling.
-fn lift(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, dt: f64) -> bool {
+fn lift(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, mended: &mut bool, dt: f64) -> bool {
     let (hair, touch) = (contacts.tolerances.hair, contacts.tolerances.touch);
     let mut doubt = false;
     for &i in members {
@@ -96,6 +100,7 @@ fn lift(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, dt: f64) -> b
         }
         if y != predicted {
             bodies.py[i] = y;
+            *mended = true;
             if predicted - y > touch && bodies.ay[i] != 0.0 {
                 bodies.uy[i] = bodies.uy[i].min((y - bodies.y[i]).max(0.0) / dt);
             }

@@ -298,13 +298,8 @@ impl Pile {
             let guards = self.dense.guards;
             // The state before the step is still there.
             self.bodies.commit();
-            let n = self.bodies.len();
-            self.bodies.px[..n].copy_from_slice(&self.bodies.free_x);
-            self.bodies.py[..n].copy_from_slice(&self.bodies.free_y);
-            self.driver.events.clear();
-            self.dense.report.list.clear();
-            self.driver.wake_all();
-            self.solve_islands(self.last_dt);
+            self.solve_again(self.last_dt);
+            self.dense.squeezed.clear();
             self.bodies.commit();
             self.dense.guards = guards;
         }
