@@ -93,7 +93,11 @@ fn what_is_added_before_changes_no_bit() {
         one.step(DT);
         other.step(DT);
         for i in 0..60 {
-            assert_eq!((one.position(i), one.velocity(i)), (other.position(200 + i), other.velocity(200 + i)), "step {step}, body {i}");
+            assert_eq!(
+                (one.position(i), one.velocity(i)),
+                (other.position(200 + i), other.velocity(200 + i)),
+                "step {step}, body {i}"
+            );
         }
     }
 }

@@ -69,7 +69,8 @@ fn a_wall_holds_what_is_stacked_on_what_it_holds() {
 /// One that slides down a wall is stopped by friction where v² = 2·(μ_k·N/m − g)·d.
 #[test]
 fn a_wall_stops_what_slides() {
-    let mut one = pile(vec![PileBody { velocity: DVec2::new(0.0, 3.0), ..square(-0.5, 0.0) }], vec![surface(0.0, -100.0, 1.0, 100.0)], G);
+    let mut one =
+        pile(vec![PileBody { velocity: DVec2::new(0.0, 3.0), ..square(-0.5, 0.0) }], vec![surface(0.0, -100.0, 1.0, 100.0)], G);
     one.set_force(0, DVec2::new(40.0, 0.0));
     run(&mut one, 2.0);
     let way = 9.0 / (2.0 * (0.65 * 40.0 - G));
@@ -155,14 +156,22 @@ fn an_elastic_gas_keeps_its_energy() {
             })
             .collect();
         let masses: Vec<f64> = bodies.iter().map(|b| b.mass).collect();
-        let mut walls =
-            vec![surface(-1.0, 12.0, 22.0, 13.0), surface(-1.0, -1.0, 22.0, 0.0), surface(-1.0, 0.0, 0.0, 12.0), surface(21.0, 0.0, 22.0, 12.0)];
+        let mut walls = vec![
+            surface(-1.0, 12.0, 22.0, 13.0),
+            surface(-1.0, -1.0, 22.0, 0.0),
+            surface(-1.0, 0.0, 0.0, 12.0),
+            surface(21.0, 0.0, 22.0, 12.0),
+        ];
         walls.iter_mut().for_each(|w| (w.static_friction, w.kinetic_friction) = (0.0, 0.0));
         let mut gas = pile(bodies, walls, gravity);
         let before = energy(&gas, &masses, gravity) + gravity * 12.0 * masses.iter().sum::<f64>();
         run(&mut gas, 10.0);
         let after = energy(&gas, &masses, gravity) + gravity * 12.0 * masses.iter().sum::<f64>();
-        println!("law 2: gas, gravity {gravity}, mixed {mixed}: energy {:e} of it gained; {:?}", after / before - 1.0, gas.guards());
+        println!(
+            "law 2: gas, gravity {gravity}, mixed {mixed}: energy {:e} of it gained; {:?}",
+            after / before - 1.0,
+            gas.guards()
+        );
         assert!((after / before - 1.0).abs() < 1e-9, "{}", after / before - 1.0);
     }
 }
@@ -190,7 +199,8 @@ fn bounces_are_exact_and_end() {
 #[test]
 fn an_elastic_bounce_never_ends() {
     for height in [1.0, 1e-3, 1e-7] {
-        let mut one = pile(vec![PileBody { restitution: 1.0, ..square(0.0, -0.5 - height) }], vec![surface(-5.0, 0.0, 5.0, 1.0)], G);
+        let mut one =
+            pile(vec![PileBody { restitution: 1.0, ..square(0.0, -0.5 - height) }], vec![surface(-5.0, 0.0, 5.0, 1.0)], G);
         run(&mut one, 60.0);
         let apex = 0.5 * one.velocity(0).y.powi(2) / G - one.position(0).y - 0.5;
         println!("law 3: e = 1 from {height} m: {} of it after 60 s", apex / height);
@@ -202,11 +212,16 @@ fn an_elastic_bounce_never_ends() {
 #[test]
 fn a_slide_ends_within_the_tick() {
     for v in [1.0, 9.6, 20.0] {
-        let mut one = pile(vec![PileBody { velocity: DVec2::new(v, 0.0), ..square(0.0, -0.5) }], vec![surface(-5.0, 0.0, 100.0, 1.0)], G);
+        let mut one =
+            pile(vec![PileBody { velocity: DVec2::new(v, 0.0), ..square(0.0, -0.5) }], vec![surface(-5.0, 0.0, 100.0, 1.0)], G);
         run(&mut one, 8.0);
         let way = v * v / (2.0 * 0.65 * G);
         println!("law 4: {} of {way} m", one.position(0).x);
-        assert!((one.position(0).x - way).abs() < 1e-12 * way + 1e-13 && one.velocity(0) == DVec2::ZERO, "{}", one.position(0).x - way);
+        assert!(
+            (one.position(0).x - way).abs() < 1e-12 * way + 1e-13 && one.velocity(0) == DVec2::ZERO,
+            "{}",
+            one.position(0).x - way
+        );
     }
 }
 
@@ -237,7 +252,10 @@ fn seams_are_not_felt() {
                 let (way, exact) = (scene.position(0).x - origin, 400.0 / (2.0 * 0.65 * G));
                 let allowed = if of_bodies { 1e-3 } else { 1e-7 };
                 println!("law 5: e {e}, origin {origin}, tiles {tile}, bodies {of_bodies}: slides {way} of {exact}");
-                assert!((way - exact).abs() < allowed, "e {e}, origin {origin}, tiles {tile}, bodies {of_bodies}: {way}, exact {exact}");
+                assert!(
+                    (way - exact).abs() < allowed,
+                    "e {e}, origin {origin}, tiles {tile}, bodies {of_bodies}: {way}, exact {exact}"
+                );
             }
         }
     }

@@ -44,14 +44,19 @@ fn a_lift_carries_what_stands_on_it() {
         let mut y = 0.0;
         for step in 0..480 {
             // Slower down than things fall.
-            let speed = if step < 240 { -2.0 - 0.05 * f64::from(step.min(100)) } else { (0.05 * f64::from(step - 240) - 7.0).min(1.5) };
+            let speed =
+                if step < 240 { -2.0 - 0.05 * f64::from(step.min(100)) } else { (0.05 * f64::from(step - 240) - 7.0).min(1.5) };
             y += speed * DT;
             scene.move_surface(0, DVec2::new(0.0, start + y * down));
             scene.step(DT);
             if step > 5 {
                 for i in 0..3 {
                     let expected = (y - 0.5 - i as f64) * down;
-                    assert!((scene.position(i).y - expected).abs() < 1e-9, "step {step}, body {i}: {} {expected}", scene.position(i).y);
+                    assert!(
+                        (scene.position(i).y - expected).abs() < 1e-9,
+                        "step {step}, body {i}: {} {expected}",
+                        scene.position(i).y
+                    );
                     assert!((scene.velocity(i).y - speed * down).abs() < 1e-6, "step {step}, body {i}: {}", scene.velocity(i).y);
                 }
             }
@@ -71,7 +76,11 @@ fn a_platform_takes_its_riders_along() {
     }
     for (i, offset) in [(0, 0.0), (1, 0.1)] {
         println!("law 7: rider {i} off by {} m, {} m/s", scene.position(i).x - x - offset, scene.velocity(i).x - 3.0);
-        assert!((scene.position(i).x - x - offset).abs() < 1e-9 && (scene.velocity(i).x - 3.0).abs() < 1e-9, "{}", scene.position(i));
+        assert!(
+            (scene.position(i).x - x - offset).abs() < 1e-9 && (scene.velocity(i).x - 3.0).abs() < 1e-9,
+            "{}",
+            scene.position(i)
+        );
     }
 }
 
@@ -112,7 +121,10 @@ fn a_moving_wall_pushes_and_passes_nothing() {
                 for i in 0..4 {
                     let left = scene.position(i).x - 0.5;
                     assert!(left >= x + 0.025 - 1e-9 * x.max(1.0), "{speed} m/s, e {e}, step {step}, body {i}: {left} behind {x}");
-                    assert!(i == 0 || left >= scene.position(i - 1).x + 0.5 - 1e-9 * x.max(1.0), "{speed}, e {e}, step {step}, body {i}");
+                    assert!(
+                        i == 0 || left >= scene.position(i - 1).x + 0.5 - 1e-9 * x.max(1.0),
+                        "{speed}, e {e}, step {step}, body {i}"
+                    );
                 }
             }
             if e == 0.0 {
@@ -222,7 +234,12 @@ fn what_contacts_gave_adds_up() {
                 }
             }
         }
-        println!("law 8: seed {seed}, e {restitution}: worst {:e} of what a body was given (step {}), {bad} of 32000 above 1e-9; {:?}", worst.0, worst.1, scene.guards());
+        println!(
+            "law 8: seed {seed}, e {restitution}: worst {:e} of what a body was given (step {}), {bad} of 32000 above 1e-9; {:?}",
+            worst.0,
+            worst.1,
+            scene.guards()
+        );
         // Where positions are mended after impacts, a velocity is clipped without a partner: that is not told yet.
         let allowed = if restitution == 0.0 { 0 } else { 32_000 / 200 };
         assert!(bad <= allowed, "seed {seed}: {bad} off, worst {worst:?}");

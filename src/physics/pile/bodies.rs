@@ -199,7 +199,8 @@ impl Bodies {
         for (i, swept) in self.swept[..all].iter_mut().enumerate() {
             let (left, right) = if x[i] < px[i] { (x[i], px[i]) } else { (px[i], x[i]) };
             let (top, bottom) = if y[i] < py[i] { (y[i], py[i]) } else { (py[i], y[i]) };
-            let lively = MARGIN + bounce[i] * 0.03; let (wide, high) = (hx[i] + lively + WAYS * (right - left), hy[i] + lively + bounce[i] * (bottom - top));
+            let lively = MARGIN + bounce[i] * 0.03;
+            let (wide, high) = (hx[i] + lively + WAYS * (right - left), hy[i] + lively + bounce[i] * (bottom - top));
             *swept = [left - wide, right + wide, top - high, bottom + high];
         }
         for (swept, present) in self.swept[self.count..].iter_mut().zip(&self.present[self.count..]) {

@@ -157,7 +157,14 @@ impl Contacts {
                         self.stacks.push(Stack { below: j as u32, live, followed, bound: bound(gap_y), reach: reach_y });
                     }
                 } else if !is_open(bodies, j, 1, true, gap_y, touch) {
-                    self.ceilings.push(Side { first: j as u32, second: i as u32, live, followed, bound: bound(gap_y), reach: reach_y });
+                    self.ceilings.push(Side {
+                        first: j as u32,
+                        second: i as u32,
+                        live,
+                        followed,
+                        bound: bound(gap_y),
+                        reach: reach_y,
+                    });
                 }
             }
             Kind::Side(live) => {

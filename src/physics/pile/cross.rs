@@ -46,7 +46,13 @@ pub(super) struct Hits {
 
 impl Pushes {
     pub fn new(count: usize) -> Self {
-        Self { given: vec![0.0; count], before: vec![0.0; count], pushed: vec![false; count], told: vec![false; count], hits: Hits::default() }
+        Self {
+            given: vec![0.0; count],
+            before: vec![0.0; count],
+            pushed: vec![false; count],
+            told: vec![false; count],
+            hits: Hits::default(),
+        }
     }
 }
 
@@ -185,7 +191,10 @@ impl Cross<'_> {
         }
         for &i in &self.clusters.joined {
             let i = i as usize;
-            let Some(node) = (i < bodies.len()).then(|| node(bodies, self.friction, i, (self.pushes.told[i], self.dt))).flatten() else { continue };
+            let Some(node) = (i < bodies.len()).then(|| node(bodies, self.friction, i, (self.pushes.told[i], self.dt))).flatten()
+            else {
+                continue;
+            };
             self.pushes.given[i] += push(self.clusters, i, &node);
             self.pushes.told[i] = true;
             let velocity = self.clusters.velocity(i);

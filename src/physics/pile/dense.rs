@@ -130,13 +130,16 @@ impl Dense {
         self.walls.any = false;
         self.anchors.any_hung = false;
         let Self { contacts, anchors, clusters, .. } = self;
+        // What bounces in the air is not merged before it has.
+        anchors.only_anchors = bodies.lively;
         self.guards.merging += gravity::solve(bodies, island.members, contacts, anchors, clusters, size.dt);
+        anchors.only_anchors = false;
         if !self.bounce(bodies, island, size) {
             return Outcome::Grown;
         }
         let mut inside = true;
         for look in 0.. {
-            self.solve_along(bodies, island, size.dt, look == 0 && !self.impacts.any);
+            self.solve_along(bodies, island, size.dt, look == 0 && !self.impacts.any && !self.anchors.unmerged);
             self.solve_across(bodies, island, size.dt);
             inside = place::advance(bodies, island.members, &self.anchors.lands, size.dt, self.impacts.any);
             if !inside {

@@ -28,12 +28,7 @@ pub(super) struct Driver {
 
 impl Driver {
     pub fn new(count: usize) -> Self {
-        Self {
-            asleep: vec![false; count],
-            again: vec![false; count],
-            events: Vec::with_capacity(count),
-            ..Self::default()
-        }
+        Self { asleep: vec![false; count], again: vec![false; count], events: Vec::with_capacity(count), ..Self::default() }
     }
 
     pub fn wake(&mut self, body: usize) {
@@ -72,7 +67,8 @@ impl Pile {
     pub fn step(&mut self, dt: f64) {
         self.driver.events.clear();
         self.driver.squeezed.clear();
-        let moving = !self.driver.targets.is_empty() || self.driver.moving.iter().any(|j| self.bodies.carries(self.bodies.len() + *j as usize));
+        let moving = !self.driver.targets.is_empty()
+            || self.driver.moving.iter().any(|j| self.bodies.carries(self.bodies.len() + *j as usize));
         if !self.driver.all_asleep() || moving {
             self.last_dt = dt;
             let asleep = &self.driver.asleep;
@@ -256,7 +252,7 @@ impl Driver {
     fn list_impacts(&mut self, bodies: &Bodies, impacts: &Impacts) {
         let (n, id) = (bodies.len(), &bodies.id);
         let other = |i: usize| if i < n { Other::Body(id[i] as usize) } else { Other::Surface(i - n) };
-        let bounced = impacts.all.iter().map(|hit| (hit.a, hit.b, hit.axis, hit.speed));
+        let bounced = impacts.all.iter().filter(|hit| hit.speed > 0.0).map(|hit| (hit.a, hit.b, hit.axis, hit.speed));
         for (a, b, axis, speed) in bounced.chain(impacts.plastic.iter().copied()) {
             self.events.push(PileImpact { a: id[a as usize] as usize, b: other(b as usize), axis, speed });
         }

@@ -223,7 +223,17 @@ impl Friction {
                 let dragged = traits.kinetic_friction;
                 let held = if stood { traits.static_friction } else { dragged };
                 let below = ceiling.first;
-                self.tight.push(Tight { below, grip: Grip::Stick, load: 0.0, held, dragged, impulse: 0.0, stood, above: true, skin });
+                self.tight.push(Tight {
+                    below,
+                    grip: Grip::Stick,
+                    load: 0.0,
+                    held,
+                    dragged,
+                    impulse: 0.0,
+                    stood,
+                    above: true,
+                    skin,
+                });
             }
         }
     }

@@ -31,11 +31,15 @@ pub(super) struct Anchors {
     pub held: Vec<bool>,
     /// Held from the start, without an impact.
     pub rests: Vec<bool>,
-    /// On what each body lands in this step, by slot.
+    /// On what each body lands in this step, by slot; and on what those rest that rest.
     pub lands: Vec<u32>,
+    pub on: Vec<u32>,
     /// What a wall can hold by friction: whether it does, and how fast the wall moves.
     pub hung: Vec<Option<f64>>,
     pub any_hung: bool,
+    /// Whether only the anchored are asked for now, and whether others would have to be merged.
+    pub only_anchors: bool,
+    pub unmerged: bool,
     /// Who was merged in the air, by slot, and through which pairs.
     pub loose: Vec<bool>,
     pub edges: Vec<Edge>,
@@ -48,7 +52,20 @@ impl Anchors {
     pub fn new(count: usize, all: usize) -> Self {
         let mut held = vec![false; count];
         held.resize(all, true);
-        Self { rests: held.clone(), held, lands: vec![NONE; count], hung: vec![None; count], any_hung: false, loose: vec![false; count], edges: Vec::with_capacity(count), hits: Vec::with_capacity(count), impact: 0.0 }
+        Self {
+            rests: held.clone(),
+            held,
+            lands: vec![NONE; count],
+            on: vec![NONE; count],
+            hung: vec![None; count],
+            any_hung: false,
+            only_anchors: false,
+            unmerged: false,
+            loose: vec![false; count],
+            edges: Vec::with_capacity(count),
+            hits: Vec::with_capacity(count),
+            impact: 0.0,
+        }
     }
 }
 
@@ -95,7 +112,7 @@ pub(super) fn solve(
         let hung = anchors.any_hung && anchors.hung[i].is_some();
         anchors.held[i] = hung;
         anchors.loose[i] = false;
-        anchors.lands[i] = NONE;
+        (anchors.lands[i], anchors.on[i]) = (NONE, NONE);
         anchors.rests[i] = hung;
         // On a surface that speeds up or slows down a body stays while it presses, though its velocity is one step late.
         let presses = contacts.carried && gap == 0.0 && bound < f64::INFINITY && velocity >= bodies.uy[support];
@@ -109,13 +126,15 @@ pub(super) fn solve(
                 velocity = bodies.uy[support];
                 anchors.held[i] = true;
                 anchors.lands[i] = if gap > 0.0 { support as u32 } else { NONE };
+                anchors.on[i] = support as u32;
                 anchors.rests[i] = bodies.rides_along(i, support, 0.0) && mean == bodies.mean_vy[support];
             }
         }
         loose |= mean > over + slack;
         (bodies.uy[i], bodies.mean_vy[i]) = (velocity, mean);
     }
-    if loose { merge(bodies, members, contacts, anchors, clusters, dt) } else { 0 }
+    anchors.unmerged = loose && anchors.only_anchors;
+    if loose && !anchors.only_anchors { merge(bodies, members, contacts, anchors, clusters, dt) } else { 0 }
 }
 
 /// Merges what closes too far among bodies of which at least one is not anchored.

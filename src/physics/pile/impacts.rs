@@ -40,7 +40,7 @@ pub(super) struct Impact {
     pub a: u32,
     pub b: u32,
     pub axis: Axis,
-    /// Closing speed when touching, m/s.
+    /// Closing speed when touching, m/s; 0: no impact, but what lasted until one.
     pub speed: f64,
     /// Impulse on `a` along the axis and along the other one, N·s.
     pub normal: f64,
@@ -363,6 +363,7 @@ impl Impacts {
                 // Thrown off what carried it.
                 let pull = (bodies.free_vy[i] - bodies.vy[i]) / self.dt;
                 self.courses[1][i] = Course { at: bodies.y[i], velocity: bodies.vy[i], pull };
+                self.note_carried(bodies, i, anchors.on[i], pull * time);
             }
         }
         if share_a > 0.0 {
@@ -463,6 +464,19 @@ impl Impacts {
         let (on, along) = (place(due.axis, a) + side * half(due.axis, a), 0.5 * (low + high));
         let point = if due.axis == 0 { (on, along) } else { (along, on) };
         self.all.push(Impact { a, b, axis, speed: due.speed, normal, friction, point });
+    }
+
+    /// Until a hit threw it off, what carried body i has given it this change of velocity, and taken what struck it from above.
+    fn note_carried(&mut self, bodies: &Bodies, i: usize, on: u32, change: f64) {
+        let impulse = bodies.mass[i] * change + std::mem::take(&mut self.struck[i]);
+        if on == NONE || impulse == 0.0 {
+            return;
+        }
+        if (on as usize) < bodies.len() {
+            self.struck[on as usize] += impulse;
+        }
+        let point = (bodies.x[i], bodies.y[i] + bodies.hy[i]);
+        self.all.push(Impact { a: i as u32, b: on, axis: Axis::Gravity, speed: 0.0, normal: -impulse, friction: 0.0, point });
     }
 
     /// Looks at all pairs of a body that has been hit.

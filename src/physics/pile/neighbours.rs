@@ -72,8 +72,14 @@ impl Neighbours {
     /// For the bodies' surfaces, which never change.
     pub fn new(bodies: &Bodies) -> Self {
         let n = bodies.len();
-        let mut new =
-            Self { horizon: HORIZON.0, start: vec![0; n + 1], first: vec![NONE; n], first_moving: vec![NONE; n], is_large: vec![false; n], ..Self::default() };
+        let mut new = Self {
+            horizon: HORIZON.0,
+            start: vec![0; n + 1],
+            first: vec![NONE; n],
+            first_moving: vec![NONE; n],
+            is_large: vec![false; n],
+            ..Self::default()
+        };
         for j in n..bodies.x.len() {
             let (x, y, hx, hy) = (bodies.x[j], bodies.y[j], bodies.hx[j], bodies.hy[j]);
             new.surface_edges.push([x - hx, x + hx, y - hy, y + hy]);

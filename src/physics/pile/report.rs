@@ -149,7 +149,11 @@ impl Dense {
         let mut report = std::mem::take(&mut self.report);
         report.records.clear();
         for hit in &self.impacts.all {
-            let other = if (hit.b as usize) < bodies.len() { Other::Body(bodies.id[hit.b as usize] as usize) } else { Other::Surface(hit.b as usize - bodies.len()) };
+            let other = if (hit.b as usize) < bodies.len() {
+                Other::Body(bodies.id[hit.b as usize] as usize)
+            } else {
+                Other::Surface(hit.b as usize - bodies.len())
+            };
             let flip = if hit.axis == Axis::Gravity { (down, 1.0) } else { (1.0, down) };
             report.list.push(ContactImpulse {
                 a: bodies.id[hit.a as usize] as usize,
@@ -158,7 +162,7 @@ impl Dense {
                 normal: hit.normal * flip.0,
                 friction: hit.friction * flip.1,
                 point: DVec2::new(hit.point.0, hit.point.1 * down),
-                impact: true,
+                impact: hit.speed > 0.0,
             });
         }
         self.record_along(bodies, island, &mut report);
@@ -194,7 +198,9 @@ impl Dense {
             }
             let presses = |stack: &&super::contacts::Stack| {
                 let j = stack.below as usize;
-                stack.live && self.anchors.held[j] && ((bodies.mean_vy[i] - bodies.mean_vy[j] - stack.bound) * self.dt).abs() <= slack
+                stack.live
+                    && self.anchors.held[j]
+                    && ((bodies.mean_vy[i] - bodies.mean_vy[j] - stack.bound) * self.dt).abs() <= slack
             };
             let under = &self.contacts.stacks[self.contacts.under(i)];
             let count = under.iter().filter(presses).count();
@@ -236,7 +242,11 @@ impl Dense {
             let count = group.iter().filter(|record| bears(record)).count();
             let last = group.iter().rposition(bears);
             for (g, record) in group.iter_mut().enumerate().filter(|(_, record)| bears(record)) {
-                let known = if self.friction.is_awake(upper as usize) { self.friction.impulse(upper as usize, record.b) } else { needs / count as f64 };
+                let known = if self.friction.is_awake(upper as usize) {
+                    self.friction.impulse(upper as usize, record.b)
+                } else {
+                    needs / count as f64
+                };
                 record.friction = if Some(g) == last { needs } else { known };
                 needs -= record.friction;
                 if (record.b as usize) < n {
@@ -247,13 +257,7 @@ impl Dense {
         }
         for side in &report.sides {
             if side.impulse != 0.0 {
-                report.records.push(Record {
-                    a: side.a,
-                    b: side.b,
-                    axis: Axis::Across,
-                    normal: -side.impulse,
-                    friction: 0.0,
-                });
+                report.records.push(Record { a: side.a, b: side.b, axis: Axis::Across, normal: -side.impulse, friction: 0.0 });
             }
         }
         self.walls.record(&mut report.records);

@@ -159,7 +159,15 @@ impl Walls {
         if j >= n {
             let (held, dragged) = (other.static_friction * press, other.kinetic_friction * press);
             let (body, wall) = (i as u32, j as u32);
-            self.grips.push(Grip { body, wall, skin, held, dragged, hangs: bodies.rides_along(i, j, bodies.skin(j, 0, i == b)), impulse: 0.0 });
+            self.grips.push(Grip {
+                body,
+                wall,
+                skin,
+                held,
+                dragged,
+                hangs: bodies.rides_along(i, j, bodies.skin(j, 0, i == b)),
+                impulse: 0.0,
+            });
             return;
         }
         let coefficient = if bodies.vy[i] == bodies.vy[j] {
