@@ -140,7 +140,7 @@ impl Islands {
         turned.clear();
         for (k, &i) in order.iter().enumerate() {
             let (from, mine) = (others.len(), bodies.swept[i as usize]);
-            let mut root = first(parent, i as usize);
+            let (mut root, mut latest) = (first(parent, i as usize), 0);
             let known = neighbours.of(i as usize, later);
             for list in [known, &*later] {
                 for &other in list {
@@ -164,7 +164,10 @@ impl Islands {
                         }
                     }
                     others.push(other);
-                    put_last(others, from, key, place);
+                    if key < latest {
+                        put_last(others, from, key, place);
+                    }
+                    latest = latest.max(key);
                 }
             }
             parent[i as usize] = root as u32;

@@ -33,7 +33,8 @@ pub(super) fn advance(bodies: &mut Bodies, members: &[u32], lands: &[u32], dt: f
             bodies.px[i] = bodies.x[i] + dt * bodies.mean_vx[i];
             moved = true;
         }
-        inside &= !moved || bodies.is_swept(i);
+        let stays = bodies.px[i] == bodies.x[i] && bodies.py[i] == bodies.y[i];
+        inside &= !moved || stays || bodies.is_swept(i);
     }
     inside
 }
