@@ -67,6 +67,8 @@ pub(super) struct Bodies {
     /// By which part of its fall a body is looked for besides, for it may bounce; and whether any may.
     pub bounce: Vec<f64>,
     pub lively: bool,
+    /// Whether some have e = 1.
+    pub elastic: bool,
     /// Of surfaces: the speed of a belt's upper side, m/s; from which sides it is solid; whether it is there. 0, all, yes for bodies.
     pub belt: Vec<f64>,
     pub sides: Vec<Sides>,
@@ -124,6 +126,7 @@ impl Bodies {
             free_y: movable(),
             bounce: all(),
             lively: false,
+            elastic: false,
             swept: vec![[0.0; 4]; count + surfaces],
             belt: all(),
             was_vx: all(),

@@ -136,6 +136,47 @@ impl Contacts {
         }
     }
 
+    /// Tells anew of what was `hit` whether it passes. Returns false if a pair belongs to another axis now, so that all has to be
+    /// found anew.
+    pub fn refresh(&mut self, bodies: &Bodies, members: &[u32], dt: f64, hit: impl Fn(usize) -> bool) -> bool {
+        let (n, touch) = (bodies.len(), self.tolerances.touch);
+        let hit = |i: usize| i < n && hit(i);
+        let anew = |i: usize, j: usize| {
+            let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
+            let (reach_x, reach_y) = (bodies.hx[i] + bodies.hx[j], bodies.hy[i] + bodies.hy[j]);
+            kind(bodies, i, j, [dx, dy], [dx.abs() - reach_x, dy.abs() - reach_y], dt, touch)
+        };
+        let Self { start, end, stacks, sides, ceilings, passing, .. } = self;
+        for &i in members {
+            let i = i as usize;
+            for stack in &mut stacks[start[i] as usize..end[i] as usize] {
+                let j = stack.below as usize;
+                if hit(i) || hit(j) {
+                    let Kind::Stack(live) = anew(i, j) else { return false };
+                    stack.live = live;
+                    *passing |= !live;
+                }
+            }
+        }
+        for side in sides {
+            let (a, b) = (side.first as usize, side.second as usize);
+            if hit(a) || hit(b) {
+                let Kind::Side(live) = anew(a, b) else { return false };
+                side.live = live;
+                *passing |= !live;
+            }
+        }
+        for ceiling in ceilings {
+            let (j, i) = (ceiling.first as usize, ceiling.second as usize);
+            if hit(i) {
+                let Kind::Stack(live) = anew(i, j) else { return false };
+                ceiling.live = live;
+                *passing |= !live;
+            }
+        }
+        true
+    }
+
     /// Adds what body i and body or surface j are to each other; a body j comes before i in the island's order. `per_second` is 1/dt.
     #[inline(always)]
     fn meet(&mut self, bodies: &Bodies, i: usize, j: usize, [dt, per_second]: [f64; 2], followed: bool) {

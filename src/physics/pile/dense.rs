@@ -190,7 +190,11 @@ impl Dense {
             self.grow(bodies, island);
             return false;
         }
-        self.contacts.find(bodies, island, size.dt, !exhausted);
+        let Self { contacts, impacts, .. } = self;
+        // What is elastic is not solved plastically once its impacts are known: then all are told anew.
+        if bodies.elastic || !contacts.refresh(bodies, island.members, size.dt, |i| impacts.was_hit(i)) {
+            contacts.find(bodies, island, size.dt, !exhausted);
+        }
         true
     }
 

@@ -123,6 +123,9 @@ pub(super) struct Impacts {
     /// By slot, where there were any: free velocities before them, and predicted positions after them.
     saved: Vec<[f64; 2]>,
     predicted: Vec<[f64; 2]>,
+    /// By slot: the count of the follow-up in which a body was hit last.
+    hit_in: Vec<u64>,
+    follow_ups: u64,
     pairs: Vec<Pair>,
     /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
     chain: Vec<u32>,
@@ -144,6 +147,7 @@ impl Impacts {
             struck: vec![0.0; all],
             saved: vec![[0.0; 2]; count],
             predicted: vec![[0.0; 2]; count],
+            hit_in: vec![0; count],
             pairs: Vec::with_capacity(4 * count),
             chain: vec![NONE; all],
             next: Vec::with_capacity(8 * count),
@@ -174,6 +178,7 @@ impl Impacts {
             return (false, false);
         }
         self.gather(bodies, island, anchors);
+        self.follow_ups += 1;
         for pair in 0..self.pairs.len() {
             self.look(bodies, pair, 0.0);
         }
@@ -210,6 +215,11 @@ impl Impacts {
         self.restore_free(bodies, members);
         self.all.clear();
         self.any = false;
+    }
+
+    /// Whether a body was hit when impacts were followed last.
+    pub fn was_hit(&self, i: usize) -> bool {
+        self.hit_in[i] == self.follow_ups
     }
 
     /// Sets the free velocities to what they were before the impacts.
@@ -295,6 +305,10 @@ impl Impacts {
             return;
         }
         let (a, b) = (a as usize, b as usize);
+        let alike = |of: &[Course]| (of[a].velocity == of[b].velocity) & (of[a].pull == of[b].pull);
+        if alike(&self.courses[0]) && alike(&self.courses[1]) {
+            return;
+        }
         let reach = [bodies.hx[a] + bodies.hx[b], bodies.hy[a] + bodies.hy[b]];
         let mut best: Option<Due> = None;
         for axis in 0..2 {
@@ -439,6 +453,7 @@ impl Impacts {
     /// From `time` on, body i moves on from a place with a velocity.
     fn set(&mut self, bodies: &mut Bodies, i: usize, axis: usize, time: f64, (place, speed): (f64, f64)) {
         let dt = self.dt;
+        self.hit_in[i] = self.follow_ups;
         let course = &mut self.courses[axis][i];
         let old = *course;
         if bodies.drag_wide[i] + bodies.drag_tall[i] > 0.0 {

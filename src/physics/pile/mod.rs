@@ -126,6 +126,7 @@ impl Pile {
                 kinetic_friction: body.kinetic_friction,
             };
         }
+        bodies.elastic = def.bodies.iter().any(|body| body.restitution == 1.0);
         bodies.lively = def.bodies.iter().any(|body| body.restitution > 0.0);
         for (j, surface) in def.surfaces.iter().enumerate() {
             let (i, centre, half) = (n + j, surface.bounds.centre(), surface.bounds.size() * 0.5);
