@@ -262,19 +262,27 @@ impl Dense {
         if !self.contacts.passing {
             return false;
         }
-        let hair = self.contacts.tolerances.hair;
+        let Self { contacts, impacts, .. } = self;
+        let hair = contacts.tolerances.hair;
+        // Where the solution changed the way, impacts were not followed on it.
+        let strays = |i: usize| i < bodies.len() && impacts.predicted(bodies, i) != (bodies.px[i], bodies.py[i]);
+        let meets = |a: u32, b: u32, followed: &mut bool| {
+            let (a, b) = (a as usize, b as usize);
+            *followed &= !strays(a) && !strays(b);
+            place::meets(bodies, (a, b), hair, *followed)
+        };
         let mut caught = 0;
         for &i in island.members {
-            let under = self.contacts.under(i as usize);
-            for stack in &mut self.contacts.stacks[under] {
-                if !stack.live && place::meets(bodies, (i as usize, stack.below as usize), hair, stack.followed) {
+            let under = contacts.under(i as usize);
+            for stack in &mut contacts.stacks[under] {
+                if !stack.live && meets(i, stack.below, &mut stack.followed) {
                     stack.live = true;
                     caught += 1;
                 }
             }
         }
-        for side in self.contacts.sides.iter_mut().chain(&mut self.contacts.ceilings) {
-            if !side.live && place::meets(bodies, (side.first as usize, side.second as usize), hair, side.followed) {
+        for side in contacts.sides.iter_mut().chain(&mut contacts.ceilings) {
+            if !side.live && meets(side.first, side.second, &mut side.followed) {
                 side.live = true;
                 caught += 1;
             }

@@ -208,6 +208,9 @@ fn resolve(
     axis: usize,
 ) -> bool {
     let hair = contacts.tolerances.hair;
+    // What was put back did not go the way on which its impacts were followed.
+    let is_back = |i: usize| i < bodies.len() && (back[i][0] || back[i][1]);
+    let followed = followed && !is_back(a) && !is_back(b);
     if !meets(bodies, (a, b), hair, followed) {
         return false;
     }
