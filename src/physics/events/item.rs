@@ -132,8 +132,8 @@ pub(in crate::physics) struct Item {
     /// Of a surface: from which sides it is solid, and the speed of its belt.
     pub sides: Sides,
     pub belt: f64,
-    /// Of a surface: when it was stopped by what it would have squeezed, s.
-    pub stopped_at: Option<f64>,
+    /// Of a surface: when what it would squeeze stops it, s from the tick's start; infinite where nothing does.
+    pub stops_at: f64,
 }
 
 impl Item {
@@ -162,7 +162,7 @@ impl Item {
             disturbed: false,
             sides: Sides::ALL,
             belt: 0.0,
-            stopped_at: None,
+            stops_at: f64::INFINITY,
         }
     }
 

@@ -59,11 +59,13 @@ impl Scene<'_> {
         64 + 64 * contacts as u64
     }
 
-    /// Puts a surface where its path leads it `at` seconds from the tick's start.
+    /// Puts a surface where its path leads it `at` seconds from the tick's start, or to where it stopped before.
     pub fn set_on_path(&self, item: &mut Item, at: f64) {
-        let point = self.surfaces[item.id as usize].at(at);
+        let surface = &self.surfaces[item.id as usize];
+        let point = if at < item.stops_at { surface.at(at) } else { surface.at(item.stops_at).at_rest() };
         item.since = at;
-        item.until = (at + point.lasts).min(self.tick);
+        let end = if at < item.stops_at { item.stops_at } else { f64::INFINITY };
+        item.until = (at + point.lasts).min(end).min(self.tick);
         (item.body.position, item.body.velocity) = (point.offset, point.velocity);
         (item.solved, item.mean) = (point.acceleration, point.acceleration);
         let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;
@@ -99,12 +101,14 @@ pub(super) struct Events {
     pub streams: Vec<u32>,
     /// What happened.
     pub hits: Vec<Hit>,
-    /// Bodies squeezed by surfaces, and how fast these closed, m/s.
+    /// Bodies squeezed by surfaces, and how fast these would have closed by the end of the tick, m/s.
     pub squeezed: Vec<(u32, u32, f64)>,
     pub guards: Guards,
     now: f64,
     work: u64,
     grown: bool,
+    /// Whether a surface was stopped while the present event was looked at.
+    halted: bool,
     touching: Vec<Contact>,
     reactions: Reactions,
     /// Of each body: its mass along each axis, what would accelerate it without contacts, and what does.
@@ -171,6 +175,7 @@ impl Events {
         self.now = scene.tick;
         self.stop_here(scene);
         self.items.iter_mut().for_each(|item| item.known = true);
+        self.follow_surfaces();
         self.settle(scene);
         Outcome::Done
     }
@@ -212,7 +217,11 @@ impl Events {
             self.renew_law(scene, i);
         }
         for i in bodies..all {
-            self.items[i].foresee(scene.media);
+            let item = &mut self.items[i];
+            item.foresee(scene.media);
+            if item.until < scene.tick {
+                item.next = Next { at: item.until, kind: Kind::Renew };
+            }
         }
         self.start(scene);
     }
