@@ -11,8 +11,11 @@
 
 use super::bodies::Bodies;
 use super::contacts::Contacts;
+use super::dense::StepSize;
 use super::gravity::Anchors;
 use super::islands::Island;
+use super::neighbours::Neighbours;
+use super::reach::Reach;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -109,6 +112,15 @@ impl Course {
     }
 }
 
+/// Where bodies may be thrown.
+pub(super) struct Around<'a> {
+    pub island: Island<'a>,
+    pub neighbours: &'a mut Neighbours,
+    pub reach: &'a mut Reach,
+    /// Whether islands may not grow any more.
+    pub last: bool,
+}
+
 /// The impacts of one island, and what it takes to find them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Impacts {
@@ -162,12 +174,12 @@ impl Impacts {
     pub fn follow(
         &mut self,
         bodies: &mut Bodies,
-        island: Island<'_>,
-        contacts: &Contacts,
-        anchors: &Anchors,
-        (dt, rest_speed): (f64, f64),
+        (contacts, anchors): (&Contacts, &Anchors),
+        around: &mut Around<'_>,
+        size: StepSize,
     ) -> (bool, bool) {
-        (self.dt, self.rest_speed) = (dt, rest_speed);
+        (self.dt, self.rest_speed) = (size.dt, size.rest_speed);
+        let island = around.island;
         (self.touch, self.hair) = (contacts.tolerances.touch, contacts.tolerances.hair);
         self.all.clear();
         self.any = false;
@@ -192,7 +204,7 @@ impl Impacts {
                 break;
             }
             left -= 1;
-            self.bounce(bodies, anchors, due);
+            self.bounce(bodies, anchors, around, due);
         }
         self.any = true;
         for &i in island.members {
@@ -261,7 +273,6 @@ impl Impacts {
     }
 
     fn gather(&mut self, bodies: &Bodies, island: Island<'_>, anchors: &Anchors) {
-        let n = bodies.len();
         self.pairs.clear();
         self.next.clear();
         self.due.clear();
@@ -278,23 +289,28 @@ impl Impacts {
         }
         for &i in island.members {
             for &j in island.near(i) {
-                let (a, b) = (i as usize, j as usize);
-                let restitution = bodies.traits[a].restitution.max(bodies.traits[b].restitution);
-                if restitution == 0.0 {
-                    continue;
-                }
-                let pair = self.pairs.len() as u32;
-                self.pairs.push(Pair { a: i, b: j, restitution, version: 0, hits: 0 });
-                self.next.extend([self.chain[a], NONE]);
-                self.chain[a] = 2 * pair;
-                if b < n {
-                    self.next[2 * pair as usize + 1] = self.chain[b];
-                    self.chain[b] = 2 * pair + 1;
-                } else {
-                    self.courses[0][b] = Course { at: bodies.x[b], velocity: bodies.vx[b], pull: 0.0 };
-                    self.courses[1][b] = Course { at: bodies.y[b], velocity: bodies.vy[b], pull: 0.0 };
-                }
+                self.add(bodies, i, j);
             }
+        }
+    }
+
+    /// Adds a pair if it bounces.
+    fn add(&mut self, bodies: &Bodies, i: u32, j: u32) {
+        let (a, b) = (i as usize, j as usize);
+        let restitution = bodies.traits[a].restitution.max(bodies.traits[b].restitution);
+        if restitution == 0.0 {
+            return;
+        }
+        let pair = self.pairs.len() as u32;
+        self.pairs.push(Pair { a: i, b: j, restitution, version: 0, hits: 0 });
+        self.next.extend([self.chain[a], NONE]);
+        self.chain[a] = 2 * pair;
+        if b < bodies.len() {
+            self.next[2 * pair as usize + 1] = self.chain[b];
+            self.chain[b] = 2 * pair + 1;
+        } else {
+            self.courses[0][b] = Course { at: bodies.x[b], velocity: bodies.vx[b], pull: 0.0 };
+            self.courses[1][b] = Course { at: bodies.y[b], velocity: bodies.vy[b], pull: 0.0 };
         }
     }
 
@@ -340,7 +356,7 @@ impl Impacts {
     }
 
     /// One impact.
-    fn bounce(&mut self, bodies: &mut Bodies, anchors: &Anchors, due: Due) {
+    fn bounce(&mut self, bodies: &mut Bodies, anchors: &Anchors, around: &mut Around<'_>, due: Due) {
         let n = bodies.len();
         let Due { time, speed, axis, .. } = due;
         let Pair { a, b, restitution, .. } = self.pairs[due.pair as usize];
@@ -407,8 +423,19 @@ impl Impacts {
         self.note(bodies, due, (normal, rub), side);
         for i in [a, b] {
             if i < n {
+                if !bodies.is_swept(i) {
+                    self.widen(bodies, around, i);
+                }
                 self.look_again(bodies, i, time.max(until));
             }
+        }
+    }
+
+    /// Adds the pairs of a body that was thrown further than contacts were looked for.
+    fn widen(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize) {
+        around.reach.widen(bodies, around.neighbours, around.island, i, around.last);
+        for &(a, b) in &around.reach.new {
+            self.add(bodies, a, b);
         }
     }
 
