@@ -26,6 +26,9 @@ use super::walls::{Along, Walls};
 
 /// How often a pair that was expected to pass and did not makes the step be solved again. More: slower; fewer: more is put back.
 const LOOKS: usize = 3;
+/// Where some of more bodies than this bounce, fewer rounds across do: there is always something that does not settle. Larger: slower;
+/// smaller: more friction of what is pushed comes a step late.
+const MANY: usize = 256;
 /// Energy gained that is no more than rounding, as a part of the kinetic energy. Smaller: rounding slows what it should not.
 const ROUNDING: f64 = 1e-12;
 
@@ -100,6 +103,7 @@ pub(super) struct Dense {
     pub dt: f64,
     /// Whether impacts were followed to the last one.
     followed: bool,
+    hasty: bool,
     /// By slot: the place among the members.
     place: Vec<u32>,
 }
@@ -123,6 +127,7 @@ impl Dense {
             walls: Walls::new(n),
             dt: 0.0,
             followed: false,
+            hasty: false,
             place: vec![0; n],
         }
     }
@@ -146,6 +151,7 @@ impl Dense {
             return Outcome::Grown;
         }
         let mut inside = true;
+        self.hasty = self.impacts.any && island.members.len() > MANY;
         for look in 0.. {
             self.solve_along(bodies, island, size.dt, look == 0 && !self.impacts.any && !self.anchors.unmerged);
             self.solve_across(bodies, island, size.dt);
@@ -228,9 +234,9 @@ impl Dense {
     }
 
     fn solve_across(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
-        let Self { contacts, friction, clusters, pushes, impacts, report, .. } = self;
-        let struck = &impacts.struck;
-        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, struck, report, dt };
+        let Self { contacts, friction, clusters, pushes, impacts, report, hasty, .. } = self;
+        let (struck, hasty) = (&impacts.struck, *hasty);
+        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, struck, report, dt, hasty };
         self.guards.friction += u64::from(cross.solve(bodies));
     }
 

@@ -139,6 +139,9 @@ pub(super) struct Impacts {
     hit_in: Vec<u64>,
     follow_ups: u64,
     pairs: Vec<Pair>,
+    /// By slot: whether a body or surface stands still if it is not hit; and how many pairs were skipped because both do.
+    still: Vec<bool>,
+    skipped: usize,
     /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
     chain: Vec<u32>,
     next: Vec<u32>,
@@ -161,6 +164,7 @@ impl Impacts {
             predicted: vec![[0.0; 2]; count],
             hit_in: vec![0; count],
             pairs: Vec::with_capacity(4 * count),
+            still: vec![false; all],
             chain: vec![NONE; all],
             next: Vec::with_capacity(8 * count),
             courses: [vec![Course::default(); all], vec![Course::default(); all]],
@@ -245,7 +249,7 @@ impl Impacts {
 
     /// How many impacts one island may have in one step.
     fn budget(&self) -> usize {
-        64 + 8 * self.pairs.len()
+        64 + 8 * (self.pairs.len() + self.skipped)
     }
 
     /// A quick test whether any pair that bounces closes.
@@ -286,10 +290,37 @@ impl Impacts {
             let pull = if anchors.rests[i] { 0.0 } else { pull(bodies.free_vy[i], bodies.vy[i]) };
             let velocity = if anchors.rests[i] { bodies.uy[i] } else { bodies.vy[i] };
             self.courses[1][i] = Course { at: bodies.y[i], velocity, pull };
+            let stands = |course: &Course| course.velocity == 0.0 && course.pull == 0.0;
+            self.still[i] = stands(&self.courses[0][i]) && stands(&self.courses[1][i]);
         }
+        self.skipped = 0;
         for &i in island.members {
             for &j in island.near(i) {
-                self.add(bodies, i, j);
+                if self.stand(bodies, i, j) {
+                    self.skipped += 1;
+                } else {
+                    self.add(bodies, i, j);
+                }
+            }
+        }
+    }
+
+    /// Whether both of a pair stand still if nothing hits them.
+    fn stand(&self, bodies: &Bodies, i: u32, j: u32) -> bool {
+        let (i, j) = (i as usize, j as usize);
+        self.still[i] && if j < bodies.len() { self.still[j] } else { bodies.vx[j] == 0.0 && bodies.vy[j] == 0.0 }
+    }
+
+    /// Adds the pairs that were skipped: something that stood still was hit.
+    fn add_skipped(&mut self, bodies: &Bodies, island: Island<'_>) {
+        self.skipped = 0;
+        for &i in island.members {
+            if self.still[i as usize] {
+                for &j in island.near(i) {
+                    if self.stand(bodies, i, j) {
+                        self.add(bodies, i, j);
+                    }
+                }
             }
         }
     }
@@ -388,6 +419,10 @@ impl Impacts {
             [before[0] - side * impulse * share_a, before[1] + side * impulse * share_b]
         };
         let rub = self.rub(bodies, due, side, impulse);
+        let stirs = |i: usize, share: f64| i < n && self.still[i] && (share > 0.0 || rub != 0.0);
+        if self.skipped > 0 && (stirs(a, share_a) || stirs(b, share_b)) {
+            self.add_skipped(bodies, around.island);
+        }
         for (i, share, rests) in [(a, share_a, a_rests), (b, share_b, b_rests)] {
             if share > 0.0 && rests {
                 // Thrown off what carried it.
