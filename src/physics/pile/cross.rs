@@ -308,10 +308,14 @@ pub(super) fn merge(
     let slack = contacts.tolerances.hair / dt;
     clusters.clear();
     let mut any = false;
-    for _ in 0..PASSES {
+    for pass in 0..PASSES {
         let mut merged = false;
         for side in &contacts.sides {
             let (a, b) = (side.first as usize, side.second as usize);
+            // What was not merged has been looked at.
+            if pass > 0 && !clusters.is_joined(a) && !clusters.is_joined(b) {
+                continue;
+            }
             let (left, right) = (clusters.mean(a, bodies.mean_vx[a]), clusters.mean(b, bodies.mean_vx[b]));
             if left <= right + side.bound + slack || !side.live {
                 continue;
