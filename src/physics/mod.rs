@@ -70,7 +70,6 @@ mod network;
 pub mod pile;
 mod plan;
 mod reactions;
-mod scratch;
 mod spring;
 mod step;
 mod surface;

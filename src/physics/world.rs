@@ -4,13 +4,15 @@ use super::contact::Contact;
 use super::guards::Guards;
 use super::impulse::Impulse;
 use super::media::Media;
-use super::scratch::Scratch;
+use super::islands::{Pause, Scratch};
+use super::pile::{Pile, PileBody, PileDef, PileSurface};
 use super::surface::Surface;
 use super::tuning::EDGE_THICKNESS;
 use super::{
     Aabb, Body, BodyDef, BodyId, DefError, Force, ForceKind, ForceManager, Material, Plan, Source, SurfaceDef, WorldDef, zones,
 };
 use glam::DVec2;
+use std::cell::Cell;
 
 /// What a body can run into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -55,9 +57,13 @@ pub struct World {
     pub(super) state: State,
     /// What the last tick leaves to be read.
     pub(super) records: Records,
+    /// The bodies once more, as separate arrays, with what finds who may meet whom, and the dense method.
+    pub(super) pile: Box<Pile>,
     /// Buffers, kept so that a tick allocates nothing once warm.
     pub(super) scratch: Box<Scratch>,
     pub(super) plan: Plan,
+    /// Whether somebody has asked for forces since the last tick.
+    pub(super) asked: Cell<bool>,
 }
 
 /// The state of a world.
@@ -73,15 +79,16 @@ pub(super) struct State {
     pub contacts: Vec<Contact>,
     /// Whether contacts and acceleration of a body are those of now.
     pub known: Vec<bool>,
-    /// Whether a body rests, and is not looked at until something touches it.
-    pub resting: Vec<bool>,
-    /// For how many ticks more the island of a body is taken in one step, and for how many next time.
-    pub dense: Vec<(u16, u16)>,
+    /// Whose islands are dense for a while, because their budgets were used up.
+    pub pauses: Vec<Pause>,
+    /// Ticks since the world began.
+    pub ticks: u64,
 }
 
 /// What a tick leaves to be read.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Records {
+
     /// Where bodies were one tick ago, m.
     pub previous: Vec<DVec2>,
     pub events: Vec<Event>,
@@ -118,12 +125,13 @@ impl World {
             rest_speed: def.rest_speed,
             contacts: Vec::new(),
             known: vec![false; n],
-            resting: vec![false; n],
-            dense: vec![(0, 0); n],
+            pauses: vec![Pause::default(); n],
+            ticks: 0,
         };
         let previous = state.bodies.iter().map(|body| body.position).collect();
         let records = Records { previous, ..Records::default() };
-        let mut world = Self { scratch: Box::default(), state, records, plan };
+        let pile = Box::new(pile_of(&state, plan.direct)?);
+        let mut world = Self { pile, scratch: Box::default(), state, records, plan, asked: Cell::new(true) };
         world.begin();
         Ok(world)
     }
@@ -134,13 +142,12 @@ impl World {
     /// As [`World::new`].
     pub fn add_body(&mut self, def: BodyDef) -> Result<BodyId, DefError> {
         def.check()?;
-        let State { bodies, drives, contacts, known, resting, dense, media, .. } = &mut self.state;
+        let State { bodies, drives, contacts, known, pauses, media, .. } = &mut self.state;
         let n = bodies.len() as u32;
         bodies.push(Body::new(&def));
         drives.push(DVec2::ZERO);
         known.push(false);
-        resting.push(false);
-        dense.push((0, 0));
+        pauses.push(Pause::default());
         self.records.previous.push(def.position);
         // Contacts count surfaces on from the number of bodies.
         for contact in contacts {
@@ -151,6 +158,7 @@ impl World {
         self.plan.contacts |= self.plan.pairs;
         self.plan.air |= media.air_density > 0.0 && def.feels_air && def.drag > 0.0;
         self.plan.bounces |= def.restitution > 0.0;
+        *self.pile = pile_of(&self.state, self.plan.direct)?;
         Ok(BodyId(n))
     }
 
@@ -176,6 +184,7 @@ impl World {
         self.state.surfaces[surface].wanted = present;
         if !present && self.state.surfaces[surface].present {
             self.state.surfaces[surface].present = false;
+            self.pile.set_present(surface, false);
             self.disturb_around(surface);
         }
     }
@@ -228,6 +237,7 @@ impl World {
 
     /// The forces on a body as it is now, each with its source; what its contacts carry is what the last tick ended with.
     pub fn forces(&self, id: BodyId) -> ForceManager {
+        self.asked.set(true);
         let (i, body) = (id.index(), self.body(id));
         let state = &self.state;
         let mut forces = ForceManager::default();
@@ -280,7 +290,7 @@ impl World {
     /// Feeds every bit of what decides about the future to `write`, for the state's hash. What rests, and whether contacts are known already,
     /// is left out: it saves work and changes no bit of what comes (the tests of the plan hold it to that).
     pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
-        let State { bodies, drives, surfaces, contacts, dense, .. } = &self.state;
+        let State { bodies, drives, surfaces, contacts, pauses, ticks, .. } = &self.state;
         for body in bodies {
             for vector in [body.position, body.velocity, body.acceleration] {
                 write(vector.x.to_bits());
@@ -299,8 +309,49 @@ impl World {
                 write(value.to_bits());
             }
         }
-        dense.iter().for_each(|dense| write(u64::from(dense.0) | u64::from(dense.1) << 16));
+        for pause in pauses {
+            write(pause.until.saturating_sub(*ticks));
+            write(u64::from(pause.length));
+        }
     }
+}
+
+/// The store of the bodies, as they are now.
+///
+/// # Errors
+/// What the store refuses.
+fn pile_of(state: &State, sleep: bool) -> Result<Pile, DefError> {
+    let body = |body: &Body| PileBody {
+        position: body.position,
+        half: body.half,
+        velocity: body.velocity,
+        mass: body.mass,
+        restitution: body.restitution,
+        static_friction: body.material.static_friction,
+        kinetic_friction: body.material.kinetic_friction,
+        drag_area: if body.feels_air && !body.round { body.half * (2.0 * body.drag) } else { DVec2::ZERO },
+        drag_round: if body.feels_air && body.round { 2.0 * body.half.x * body.drag } else { 0.0 },
+    };
+    let surfaces = state.surfaces.iter().map(|surface| PileSurface {
+        bounds: surface.bounds,
+        static_friction: surface.material.static_friction,
+        kinetic_friction: surface.material.kinetic_friction,
+    });
+    let mut pile = Pile::new(PileDef {
+        bodies: state.bodies.iter().map(body).collect(),
+        surfaces: surfaces.collect(),
+        gravity: state.media.gravity,
+        air_density: state.media.air_density,
+        rest_speed: state.rest_speed,
+        sleep,
+    })
+    .map_err(|error| DefError(error.0))?;
+    for (s, surface) in state.surfaces.iter().enumerate() {
+        pile.set_sides(s, surface.def.sides);
+        pile.set_belt(s, surface.def.belt);
+        pile.set_present(s, surface.present);
+    }
+    Ok(pile)
 }
 
 /// The four solid edges around a level: left, right, top, bottom.
