@@ -175,7 +175,9 @@ impl World {
     fn commit(&mut self, dt: f64) {
         let Self { state, scratch, pile, .. } = self;
         let State { bodies, contacts, known, media, drives, .. } = state;
-        contacts.retain(|contact| pile.is_sleeping(contact.lo.min(contact.hi) as usize) && scratch.after[contact.lo.min(contact.hi) as usize].members == 0);
+        contacts.retain(|contact| {
+            pile.is_sleeping(contact.lo.min(contact.hi) as usize) && scratch.after[contact.lo.min(contact.hi) as usize].members == 0
+        });
         contacts.extend(scratch.contacts.iter().map(|&(_, contact)| contact));
         for i in 0..bodies.len() {
             let after = &scratch.after[i];

@@ -3,8 +3,8 @@
 use super::contact::Contact;
 use super::guards::Guards;
 use super::impulse::Impulse;
-use super::media::Media;
 use super::islands::{Pause, Scratch};
+use super::media::Media;
 use super::pile::{Pile, PileBody, PileDef, PileSurface};
 use super::surface::Surface;
 use super::tuning::EDGE_THICKNESS;
@@ -88,7 +88,6 @@ pub(super) struct State {
 /// What a tick leaves to be read.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Records {
-
     /// Where bodies were one tick ago, m.
     pub previous: Vec<DVec2>,
     pub events: Vec<Event>,

@@ -2,8 +2,8 @@
 
 use super::flow::Pose;
 use super::impact_time::{Cubic, earliest};
-use super::tuning::SLOP;
 use super::media::Media;
+use super::tuning::SLOP;
 use super::{Aabb, Body};
 use glam::DVec2;
 

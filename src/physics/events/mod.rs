@@ -18,15 +18,15 @@ mod item;
 mod motions;
 mod predict;
 
-use super::contact::Contact;
-use super::guards::Guards;
 use super::Plan;
+use super::contact::Contact;
 use super::flow::Pose;
+use super::guards::Guards;
 use super::media::Media;
-use super::world::State;
 use super::reactions::Reactions;
 use super::surface::Surface;
 use super::tuning::SLOP;
+use super::world::State;
 use glam::DVec2;
 pub(super) use impacts::Hit;
 pub(super) use item::{Item, Motion};
