@@ -44,6 +44,11 @@ pub(super) struct Stop {
     pub at: f64,
 }
 
+/// When a surface stops, s from the tick's start; infinite where it goes on.
+pub(super) fn first_stop(stops: &[Stop], surface: u32) -> f64 {
+    stops.iter().filter(|stop| stop.surface == surface).map(|stop| stop.at).fold(f64::INFINITY, f64::min)
+}
+
 /// How a body ends a tick.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct After {
@@ -87,11 +92,6 @@ impl Scratch {
         island.iter().all(|member| self.after[member.1 as usize].members == island.len() as u32)
     }
 
-    /// When a surface stops, s from the tick's start; infinite where it goes on.
-    pub fn stop_of(&self, surface: u32) -> f64 {
-        self.stops.iter().filter(|stop| stop.surface == surface).map(|stop| stop.at).fold(f64::INFINITY, f64::min)
-    }
-
     /// Whether all islands found that the surfaces they met stop when they do; forgets what came of those that did not. `at_once`: from now
     /// on whatever was stopped stands still for the whole tick.
     pub fn agree_on_stops(&mut self, at_once: bool) -> bool {
@@ -101,7 +101,7 @@ impl Scratch {
         let members = std::mem::take(&mut self.islands.members);
         let mut agreed = true;
         for island in members.chunk_by(|a, b| a.0 == b.0) {
-            if self.met.iter().any(|met| met.leader == island[0].0 && met.at != self.stop_of(met.surface)) {
+            if self.met.iter().any(|met| met.leader == island[0].0 && met.at != first_stop(&self.stops, met.surface)) {
                 agreed = false;
                 self.discard(island);
             }

@@ -3,7 +3,7 @@
 use super::contact::Contact;
 use super::events::{Events, Item, Motion, Outcome, Scene};
 use super::impulse::Impulse;
-use super::scratch::{After, Happened, Scratch, Stop};
+use super::scratch::{After, Happened, Scratch, Stop, first_stop};
 use super::tuning::{REPORT_SPEED, SLOP};
 use super::world::{Event, Obstacle, State, World};
 use super::{Aabb, Body, BodyId};
@@ -90,7 +90,7 @@ impl World {
     /// Wakes whatever a surface may touch that moves within the next `dt` seconds.
     fn wake_around_moving_surfaces(&mut self, dt: f64) {
         for s in 0..self.state.surfaces.len() {
-            if !self.state.surfaces[s].moves_within(dt) {
+            if !self.state.surfaces[s].concerns(dt) {
                 continue;
             }
             let swept = self.state.surfaces[s].swept(dt);
@@ -104,7 +104,7 @@ impl World {
 
     fn go_on_paths(&mut self, scratch: &Scratch, dt: f64) {
         for (s, surface) in (0..).zip(&mut self.state.surfaces) {
-            surface.go_on(dt.min(scratch.stop_of(s)));
+            surface.go_on(dt.min(first_stop(&scratch.stops, s)));
         }
     }
 
@@ -301,7 +301,7 @@ fn gather(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], scene: &S
         if surface.present && near(&surface.swept(scene.tick)) {
             local[n + s] = events.items.len() as u32;
             let mut item = Item::surface(s as u32, surface);
-            item.stops_at = stops.iter().filter(|stop| stop.surface == s as u32).map(|stop| stop.at).fold(f64::INFINITY, f64::min);
+            item.stops_at = first_stop(stops, s as u32);
             scene.set_on_path(&mut item, 0.0);
             events.items.push(item);
         }
@@ -351,13 +351,15 @@ fn scatter(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], known: b
     }
     for &(body, surface, speed) in &events.squeezed {
         let of = &items[body as usize];
-        let by = &items[surface as usize];
-        crushed.push((leader, of.id, by.id, of.body.mass * speed / dt));
-        stops.push(Stop { leader, surface: by.id, at: by.stops_at });
+        crushed.push((leader, of.id, items[surface as usize].id, of.body.mass * speed / dt));
     }
     for item in &items[*movable..] {
         if !state.surfaces[item.id as usize].def.path.is_still() {
-            met.push(Stop { leader, surface: item.id, at: item.stops_at });
+            let stop = Stop { leader, surface: item.id, at: item.stops_at };
+            if stop.at < first_stop(stops, stop.surface) {
+                stops.push(stop);
+            }
+            met.push(stop);
         }
     }
 }
