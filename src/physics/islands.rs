@@ -62,6 +62,11 @@ pub(super) struct Stop {
     pub at: f64,
 }
 
+/// When a surface stops, s from the tick's start; infinite where it goes on.
+fn first_stop(stops: &[Stop], surface: u32) -> f64 {
+    stops.iter().filter(|stop| stop.surface == surface).map(|stop| stop.at).fold(f64::INFINITY, f64::min)
+}
+
 /// How a body ends a tick that its island was advanced in.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct After {
@@ -134,7 +139,7 @@ impl Scratch {
 
     /// When a surface stops, s from the tick's start; infinite where it goes on.
     pub fn stop_of(&self, surface: u32) -> f64 {
-        self.stops.iter().filter(|stop| stop.surface == surface).map(|stop| stop.at).fold(f64::INFINITY, f64::min)
+        first_stop(&self.stops, surface)
     }
 
     /// A contact of the dense method that lasts, with what it carries, N.
@@ -184,7 +189,7 @@ impl Scratch {
             }
             local[n + s as usize] = events.items.len() as u32;
             let mut item = Item::surface(s, surface);
-            item.stops_at = stops.iter().filter(|stop| stop.surface == s).map(|stop| stop.at).fold(f64::INFINITY, f64::min);
+            item.stops_at = first_stop(stops, s);
             scene.set_on_path(&mut item, 0.0);
             events.items.push(item);
         }
@@ -238,11 +243,14 @@ impl Scratch {
         for &(body, surface, speed) in &events.squeezed {
             let (of, by) = (&items[body as usize], &items[surface as usize]);
             crushed.push((leader, of.id, by.id, of.body.mass * speed / scene.tick));
-            stops.push(Stop { leader, surface: by.id, at: by.stops_at });
         }
         for item in &items[*movable..] {
             if !state.surfaces[item.id as usize].def.path.is_still() {
-                met.push(Stop { leader, surface: item.id, at: item.stops_at });
+                let stop = Stop { leader, surface: item.id, at: item.stops_at };
+                if stop.at < first_stop(stops, stop.surface) {
+                    stops.push(stop);
+                }
+                met.push(stop);
             }
         }
     }

@@ -101,10 +101,12 @@ impl World {
     fn move_surfaces(&mut self, dt: f64) {
         for s in 0..self.state.surfaces.len() {
             let surface = &self.state.surfaces[s];
-            if !surface.moves_within(dt) {
+            if !surface.concerns(dt) {
                 continue;
             }
-            self.pile.move_surface(s, surface.at(dt).offset);
+            if surface.moves_within(dt) {
+                self.pile.move_surface(s, surface.at(dt).offset);
+            }
             let swept = surface.swept(dt);
             for i in 0..self.state.bodies.len() {
                 if self.state.bodies[i].bounds().touches(&swept, MARGIN) {
