@@ -86,7 +86,7 @@ pub fn arrows(game: &Game, id: BodyId, centre: DVec2, view: &Viewport) -> Vec<Ar
     let scale = newtons_a_metre(game.level());
     let forces = game.world().forces(id);
     let arrow = |kind, vector: DVec2| Arrow { from: view.point(centre), to: view.point(centre + vector / scale), kind };
-    let mut named = by_name(forces);
+    let mut named = by_name(&forces);
     named.sort_by(|a, b| b.1.length_squared().total_cmp(&a.1.length_squared()));
     std::iter::once(arrow(None, forces.resultant()))
         .chain(named.into_iter().map(|(kind, vector)| arrow(Some(kind), vector)))

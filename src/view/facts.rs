@@ -55,7 +55,7 @@ pub fn facts(game: &Game, id: BodyId) -> Facts {
     rows.push(row("Velocity", Value::Vector(body.velocity), "m/s"));
     rows.push(row("Acceleration", Value::Vector(body.acceleration), "m/s²"));
     rows.push(row("Resultant", Value::Vector(forces.resultant()), "N"));
-    rows.extend(by_name(forces).into_iter().map(|(kind, vector)| Row {
+    rows.extend(by_name(&forces).into_iter().map(|(kind, vector)| Row {
         name: kind.name(),
         value: Value::Vector(vector),
         unit: "N",
