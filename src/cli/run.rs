@@ -78,11 +78,8 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     let mut read = level_files(project, &args.level, &level)?;
     read.extend(args.inputs.clone());
     let mut game = Game::with_tick_rate(level, args.tick).map_err(Stop::refused)?;
-    let outputs = [
-        ("--telemetry", args.telemetry.as_deref()),
-        ("--forces", args.forces.as_deref()),
-        ("--record", args.record.as_deref()),
-    ];
+    let outputs =
+        [("--telemetry", args.telemetry.as_deref()), ("--forces", args.forces.as_deref()), ("--record", args.record.as_deref())];
     let [telemetry, forces, record] = NewFile::create_all(outputs, &read)?;
     let mut written = Written { telemetry, forces };
 

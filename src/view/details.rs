@@ -1,7 +1,7 @@
 //! The details overlay: a box for each body in view, tied to it by a thin line, the free-body arrows with their labels, and a legend
 //! with the arrows' scale and the parts of the model that are at work.
 
-use super::arrows::{self, Arrow, Label, newtons_a_metre, place_labels};
+use super::arrows::{self, Arrow, Label, newton_seconds_a_metre, newtons_a_metre, place_labels};
 use super::boxes::{self, Wish, covers_none};
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
@@ -169,13 +169,9 @@ fn draw_box(placed: &Placed, canvas: &Canvas) {
     let width = number_width(&placed.facts.rows, NUMBER_WIDTH);
     let numbers = Vec2::new(NAME_WIDTH as f32 * MONO_ADVANCE * canvas.frame().text_height(DETAILS), 0.0);
     for (i, row) in placed.facts.rows.iter().enumerate() {
-        let colour = match row.force {
-            Some(kind) => theme::force(kind),
-            None if row.name == "Resultant" => theme::RESULTANT,
-            None => theme::QUIET,
-        };
+        let colour = row.shown.map_or(theme::QUIET, arrows::colour);
         canvas.text(row.name, at(i + 1), Style::new(DETAILS, colour).mono());
-        let colour = if matches!(row.value, Value::Vector(DVec2::ZERO)) { theme::QUIET } else { theme::TEXT };
+        let colour = if matches!(row.value, Value::Vector(DVec2::ZERO) | Value::Words(_)) { theme::QUIET } else { theme::TEXT };
         canvas.text(&quantity(row, width), at(i + 1) + numbers, Style::new(DETAILS, colour).mono());
     }
 }
@@ -196,7 +192,8 @@ fn box_size(facts: &Facts, frame: &Frame) -> Vec2 {
 
 fn legend(game: &Game) -> Vec<String> {
     let plan = game.world().plan().parts();
-    let mut lines = vec![format!("Arrows: one square = {} N", newtons_a_metre(game.level()))];
+    let (newtons, newton_seconds) = (newtons_a_metre(game.level()), newton_seconds_a_metre(game.level()));
+    let mut lines = vec![format!("Arrows: one square = {newtons} N"), format!("Impacts: one square = {newton_seconds} N·s")];
     if !plan.is_empty() {
         lines.push("Model at work:".to_owned());
         lines.extend(plan.into_iter().map(|part| format!("· {part}")));
