@@ -20,7 +20,8 @@ const NAME_WIDTH: usize = 15;
 const UNIT_WIDTH: usize = 5;
 /// Numbers are given room for this many characters at least, so that boxes seldom change their width: "−9999.9".
 const NUMBER_WIDTH: usize = 7;
-
+/// The longest line of the legend, characters: longer ones are wrapped, so that it leaves room for the boxes.
+const LEGEND_WIDTH: usize = 46;
 /// About the mean width of a letter of the sans face, in heights of the text.
 const WORDS_ADVANCE: f32 = 0.5;
 
@@ -196,7 +197,23 @@ fn legend(game: &Game) -> Vec<String> {
     let mut lines = vec![format!("Arrows: one square = {newtons} N"), format!("Impacts: one square = {newton_seconds} N·s")];
     if !plan.is_empty() {
         lines.push("Model at work:".to_owned());
-        lines.extend(plan.into_iter().map(|part| format!("· {part}")));
+        lines.extend(plan.into_iter().flat_map(|part| wrapped(&format!("· {part}"), LEGEND_WIDTH)));
+    }
+    lines
+}
+
+/// Words in lines of at most `width` characters, if no word is longer; from the second on they stand below the first one's words.
+fn wrapped(words: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            Some(_) => lines.push(format!("  {word}")),
+            None => lines.push(word.to_owned()),
+        }
     }
     lines
 }
@@ -223,4 +240,16 @@ fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
 
 const fn id(body: usize) -> BodyId {
     BodyId(body as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_lines_of_the_legend_are_wrapped_below_their_words() {
+        assert_eq!(wrapped("· one two three", 46), ["· one two three"]);
+        assert_eq!(wrapped("· one two three four", 9), ["· one two", "  three", "  four"]);
+        assert_eq!(wrapped("· incompressible", 9), ["·", "  incompressible"]);
+    }
 }

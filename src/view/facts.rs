@@ -94,7 +94,8 @@ pub fn facts(game: &Game, id: BodyId) -> Facts {
     }
     if impacts.others.0 > 0 {
         rows.push(line(Shown::Impact, impacts.others.1, IMPULSE_UNIT));
-        rows.push(row("", Value::Words(format!("{} smaller ones together", impacts.others.0)), ""));
+        let ones = if impacts.others.0 == 1 { "a smaller one".to_owned() } else { format!("{} smaller ones", impacts.others.0) };
+        rows.push(row("", Value::Words(ones), ""));
     }
     Facts { title: title(game, id), rows }
 }
