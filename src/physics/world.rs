@@ -271,8 +271,8 @@ impl World {
         forces
     }
 
-    /// Lists what the other end of a contact exerts on a body, N. What a surface does, and what carries a body from below, is a Reaction; what
-    /// another object does to it from above or from the side is a Push.
+    /// Lists what the other end of a contact exerts on a body, N, by the name that it bears on both: a Reaction where a surface is the other
+    /// end, or where one of two objects carries the other; a Push where they are side by side.
     fn list_contact(&self, contact: &Contact, id: BodyId, forces: &mut ForceManager) {
         let sign = if contact.hi == id.0 { 1.0 } else { -1.0 };
         let (mut normal, mut friction) = (DVec2::ZERO, DVec2::ZERO);

@@ -145,10 +145,15 @@ fn style(shown: Shown) -> (Head, &'static [f32]) {
 }
 
 fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, pattern: &[f32], width: f32, colour: Color) {
-    let (along, length) = ((to - from).normalize_or_zero(), (to - from).length());
-    let mut at = 0.0;
+    let along = (to - from).normalize_or_zero();
+    // What is outside of the window is passed over: an arrow may be a million dashes long.
+    let seen = canvas.frame().area().inset(-width);
+    let Some((start, length)) = stretch_inside(seen, from, along, (to - from).length()) else { return };
+    let period: f32 = pattern.iter().sum();
+    let mut at = (start / period).floor() * period;
     for (i, step) in pattern.iter().cycle().enumerate() {
-        if at >= length {
+        // Beyond what f32 can count in dashes there are none.
+        if at >= length || at + step <= at {
             break;
         }
         let end = (at + step).min(length);
@@ -157,6 +162,23 @@ fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, pattern: &[f32], width: f32, co
         }
         at = end;
     }
+}
+
+/// From where to where, seen from its start, a line is inside an area; `None` where it passes it by.
+fn stretch_inside(area: Area, from: Vec2, along: Vec2, length: f32) -> Option<(f32, f32)> {
+    let (mut enters, mut leaves) = (0.0_f32, length);
+    for axis in 0..2 {
+        let (low, high) = (area.min[axis] - from[axis], area.max()[axis] - from[axis]);
+        if along[axis] == 0.0 {
+            if low > 0.0 || high < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = (low / along[axis], high / along[axis]);
+        (enters, leaves) = (enters.max(a.min(b)), leaves.min(a.max(b)));
+    }
+    (enters < leaves).then_some((enters, leaves))
 }
 
 fn draw_head(canvas: &Canvas, head: Head, tip: Vec2, along: Vec2, length: f32, width: f32, colour: Color) {
@@ -254,6 +276,17 @@ mod tests {
     #[test]
     fn the_scale_is_a_round_number() {
         assert_eq!([0.3, 1.0, 1.1, 375.0, 500.0, 501.0, 750.0].map(round_up), [1.0, 1.0, 2.0, 500.0, 500.0, 1000.0, 1000.0]);
+    }
+
+    #[test]
+    fn dashes_are_drawn_inside_the_window_only() {
+        let window = Area::new(0.0, 0.0, 1000.0, 500.0);
+        let stretch = |x: f32, y: f32, along: Vec2, length: f32| stretch_inside(window, Vec2::new(x, y), along, length);
+        assert_eq!(stretch(100.0, 100.0, Vec2::X, 50.0), Some((0.0, 50.0)));
+        assert_eq!(stretch(100.0, 100.0, Vec2::X, 1e9), Some((0.0, 900.0)));
+        assert_eq!(stretch(100.0, 900.0, -Vec2::Y, 1e9), Some((400.0, 900.0)));
+        assert_eq!(stretch(-100.0, 100.0, -Vec2::X, 1e9), None);
+        assert_eq!(stretch(100.0, 900.0, Vec2::X, 1e9), None);
     }
 
     #[test]

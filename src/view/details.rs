@@ -5,7 +5,7 @@ use super::arrows::{self, Arrow, Label, newton_seconds_a_metre, newtons_a_metre,
 use super::boxes::{self, Wish, covers_none};
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
-use super::facts::{Facts, Value, facts, number_width, quantity, short_facts};
+use super::facts::{Facts, Value, facts, number_width, quantity};
 use super::hud::HudLayout;
 use super::layout::{Area, CORNER, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
 use super::theme::{self, faded};
@@ -109,19 +109,18 @@ impl Details {
         taken: &[Area],
         kept_clear: &[Area],
     ) -> (Vec<Facts>, Vec<Option<Area>>) {
+        let told: Vec<Facts> = shown.iter().map(|&body| facts(game, id(body))).collect();
+        let sizes: Vec<[Vec2; 2]> = told.iter().map(|full| [full, &full.short()].map(|facts| box_size(facts, frame))).collect();
         let try_full = |full: usize| {
-            let tell = |(i, &body): (usize, &usize)| if i < full { facts(game, id(body)) } else { short_facts(game, id(body)) };
-            let all: Vec<Facts> = shown.iter().enumerate().map(tell).collect();
-            let wish = |((facts, &body), &object): ((&Facts, &usize), &Area)| Wish {
+            let wish = |(i, (&body, &object)): (usize, (&usize, &Area))| Wish {
                 object,
-                size: box_size(facts, frame),
+                size: sizes[i][usize::from(i >= full)],
                 before: self.before[body],
             };
-            let wishes: Vec<Wish> = all.iter().zip(shown).zip(objects).map(wish).collect();
-            let places = boxes::place(&wishes, frame.area(), taken, kept_clear);
-            (all, places)
+            let wishes: Vec<Wish> = shown.iter().zip(objects).enumerate().map(wish).collect();
+            boxes::place(&wishes, frame.area(), taken, kept_clear)
         };
-        let fits = |(_, places): &(Vec<Facts>, Vec<Option<Area>>)| places.iter().all(Option::is_some);
+        let fits = |places: &Vec<Option<Area>>| places.iter().all(Option::is_some);
         let mut full = self.full.unwrap_or(shown.len()).clamp(1, shown.len().max(1));
         let mut best = try_full(full);
         while !fits(&best) && full > 1 {
@@ -135,7 +134,8 @@ impl Details {
             }
         }
         self.full = Some(full);
-        best
+        let told = told.into_iter().enumerate().map(|(i, facts)| if i < full { facts } else { facts.short() }).collect();
+        (told, best)
     }
 
     /// Draws the shapes and the words.

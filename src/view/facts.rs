@@ -131,10 +131,12 @@ fn by_whom(game: &Game, by: Obstacle) -> String {
     }
 }
 
-/// The box's short form, for when there is no room: heading and resultant.
-pub fn short_facts(game: &Game, id: BodyId) -> Facts {
-    let Facts { title, rows } = facts(game, id);
-    Facts { title, rows: rows.into_iter().filter(|row| row.shown == Some(Shown::Resultant)).collect() }
+impl Facts {
+    /// The short form, for when there is no room: heading and resultant.
+    pub fn short(&self) -> Self {
+        let rows = self.rows.iter().filter(|row| row.shown == Some(Shown::Resultant));
+        Self { title: self.title.clone(), rows: rows.cloned().collect() }
+    }
 }
 
 /// The forces by name, in the usual order. Forces of one name that point the same way (the reactions of two floor tiles) are one;
