@@ -3,8 +3,8 @@
 mod program;
 
 use program::{Data, Ran, resultant};
-use resultant::level::{self, Level, SHIP_DRAG, SHIP_HALF};
-use resultant::physics::{Aabb, DVec2, ForceKind};
+use resultant::level::{self, Level};
+use resultant::physics::{Aabb, BodyDef, DVec2, ForceKind};
 use std::path::Path;
 
 const INPUTS: &str = "ticks,thrust,reverse,left,right\n";
@@ -39,6 +39,7 @@ struct Acting {
 /// A run and its files, by tick and object.
 struct Flown {
     level: Level,
+    bodies: Vec<BodyDef>,
     dt: f64,
     ran: Ran,
     rows: Vec<Vec<Row>>,
@@ -46,15 +47,9 @@ struct Flown {
 }
 
 impl Flown {
-    /// Mass, half the size and drag coefficient of an object.
-    fn body(&self, object: usize) -> (f64, DVec2, f64) {
-        match object.checked_sub(1) {
-            None => (self.level.player.mass, SHIP_HALF, SHIP_DRAG),
-            Some(index) => {
-                let object = &self.level.objects[index];
-                (object.mass, object.size * 0.5, object.drag)
-            }
-        }
+    /// An object as it began.
+    fn body(&self, object: usize) -> &BodyDef {
+        &self.bodies[object]
     }
 
     fn objects(&self) -> usize {
@@ -120,7 +115,7 @@ fn fly(root: &Path, name: &str, args: &[&str]) -> Flown {
             point: vector(&cells, 7),
         });
     }
-    Flown { level, dt, ran, rows, acting }
+    Flown { bodies: level.world_def().bodies, level, dt, ran, rows, acting }
 }
 
 /// The shipped levels, flown by their recorded inputs.
@@ -196,7 +191,7 @@ fn assert_close(found: DVec2, expected: DVec2, relative: f64, what: impl Fn() ->
 fn the_rows_of_forces_are_the_columns_of_the_telemetry_and_their_sum_is_the_resultant() {
     for flown in [pushed_row(), stack(), collisions(), bounces(), splash("120"), shipped("1"), shipped("2"), shipped("3")] {
         for (tick, object) in flown.all() {
-            let (row, (mass, ..)) = (&flown.rows[tick][object], flown.body(object));
+            let (row, mass) = (&flown.rows[tick][object], flown.body(object).mass);
             let what = || format!("{}, tick {tick}, object {object}", flown.level.name);
             for kind in ForceKind::ALL {
                 let name = kind.name().to_lowercase().replace(' ', "_");
@@ -275,7 +270,7 @@ fn constant_forces_and_impacts_change_the_momentum_by_just_what_they_say() {
             }
             held += 1;
             with_impacts += usize::from(hit);
-            let (mass, ..) = flown.body(object);
+            let mass = flown.body(object).mass;
             let gained = (after.velocity - before.velocity) * mass;
             let given = after.resultant * flown.dt + after.impulse;
             let size = mass * before.velocity.length().max(after.velocity.length())
@@ -293,7 +288,7 @@ fn constant_forces_and_impacts_change_the_momentum_by_just_what_they_say() {
 /// For each liquid, whether the object is out of it, in part or all inside: where that changes its forces have a corner, as they have where
 /// a velocity changes its sign.
 fn wet(flown: &Flown, object: usize, row: &Row) -> Vec<(bool, bool)> {
-    let ((_, half, _), position) = (flown.body(object), row.position);
+    let (half, position) = (flown.body(object).half, row.position);
     let gap = |zone: &Aabb| (position - zone.centre()).abs() - zone.size() * 0.5;
     let wet = |zone: &Aabb| ((gap(zone) - half).max_element() < 0.0, (gap(zone) + half).max_element() < 0.0);
     flown.level.fluids.iter().map(|fluid| wet(&fluid.zone)).collect()
@@ -328,7 +323,7 @@ fn drag_and_buoyancy_change_the_momentum_by_their_integral() {
                 continue;
             }
             held += 1;
-            let (mass, ..) = flown.body(object);
+            let mass = flown.body(object).mass;
             // The engine was switched at the first row: what counts is how it burns from there on.
             let start = first.resultant - first.total(drive) + middle.total(drive);
             let (dt, gained) = (flown.dt, (last.velocity - first.velocity) * mass);
@@ -349,9 +344,16 @@ fn drag_and_buoyancy_change_the_momentum_by_their_integral() {
 
 // Laws
 
+/// The area that a body shows to a medium, times its speed u: w·|u_y| + h·|u_x| for boxes, d·|u| for round things.
+fn area_times_speed(body: &BodyDef, u: DVec2) -> f64 {
+    let (w, h) = (2.0 * body.half.x, 2.0 * body.half.y);
+    if body.round { 0.5 * (w + h) * u.length() } else { w * u.y.abs() + h * u.x.abs() }
+}
+
 /// What the liquids do to an object by README's laws: the part of it that is dry, buoyancy and viscous drag.
 fn baths(flown: &Flown, object: usize, row: &Row) -> (f64, DVec2, DVec2) {
-    let ((mass, half, drag), gravity, u) = (flown.body(object), flown.level.gravity, row.velocity);
+    let (body, gravity, u) = (flown.body(object), flown.level.gravity, row.velocity);
+    let (mass, half, drag) = (body.mass, body.half, body.drag);
     let (mut dry, mut buoyancy, mut viscous) = (1.0, DVec2::ZERO, DVec2::ZERO);
     for fluid in &flown.level.fluids {
         let (top_left, bottom_right) = (row.position - half, row.position + half);
@@ -362,7 +364,7 @@ fn baths(flown: &Flown, object: usize, row: &Row) -> (f64, DVec2, DVec2) {
         }
         dry -= fraction;
         buoyancy.y -= fluid.density * gravity * volume;
-        let quadratic = 0.5 * fluid.density * drag * (2.0 * half.x * u.y.abs() + 2.0 * half.y * u.x.abs()) * fraction;
+        let quadratic = 0.5 * fluid.density * drag * area_times_speed(body, u) * fraction;
         let stokes = 3.0 * std::f64::consts::PI * fluid.viscosity * (half.x + half.y) * fraction;
         let out = (fluid.zone.min.y - top_left.y) / (2.0 * half.y);
         let waves = if out > 0.0 {
@@ -384,12 +386,13 @@ fn every_row_obeys_the_laws_at_its_own_place_and_velocity() {
     for flown in [splash("120"), bounces(), shipped("1"), shipped("2"), shipped("3")] {
         let (level, air) = (&flown.level, flown.level.air_density);
         for (tick, object) in flown.all() {
-            let (row, (mass, half, drag)) = (&flown.rows[tick][object], flown.body(object));
+            let (row, body) = (&flown.rows[tick][object], flown.body(object));
+            let (mass, half, drag) = (body.mass, body.half, body.drag);
             let what = |kind: ForceKind| format!("{}, tick {tick}, object {object}, {}", level.name, kind.name());
             let u = row.velocity;
             let (dry, buoyancy, viscous) = baths(&flown, object, row);
             let feels_air = object > 0 || level.player.feels_air;
-            let shown = 2.0 * half.x * u.y.abs() + 2.0 * half.y * u.x.abs();
+            let shown = area_times_speed(body, u);
             let resistance = if feels_air { -u * (0.5 * air * drag * shown * f64::max(dry, 0.0)) } else { DVec2::ZERO };
             for (kind, law) in [
                 (ForceKind::Weight, DVec2::new(0.0, mass * level.gravity)),
