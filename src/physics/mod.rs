@@ -87,4 +87,4 @@ pub use impulse::Impulse;
 pub use material::Material;
 pub use plan::Plan;
 pub use surface::{Leg, Path, PathPoint, Sides, Surface, SurfaceDef};
-pub use world::{Event, Obstacle, World};
+pub use world::{Event, Methods, Obstacle, World};

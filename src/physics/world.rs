@@ -50,6 +50,27 @@ pub enum Event {
     },
 }
 
+/// How many bodies each method took through the last tick.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Methods {
+    /// At rest, and not looked at.
+    pub asleep: u32,
+    /// By the formula of free flight.
+    pub free: u32,
+    /// From event to event.
+    pub by_events: u32,
+    /// In one dense step.
+    pub in_one_step: u32,
+}
+
+impl Methods {
+    /// Every method by its name, in the order in which they stand here.
+    pub fn all(&self) -> impl Iterator<Item = (&'static str, u32)> {
+        let Self { asleep, free, by_events, in_one_step } = *self;
+        [("asleep", asleep), ("free", free), ("by events", by_events), ("in one step", in_one_step)].into_iter()
+    }
+}
+
 /// Bodies, surfaces, zones, and the state of their motion. Two worlds that began alike and were stepped alike are alike to the bit.
 #[derive(Clone, Debug)]
 pub struct World {
@@ -95,6 +116,7 @@ pub(super) struct Records {
     /// The corners of the ways of bodies, in the order of their times.
     pub corners: Vec<(u32, f64, DVec2)>,
     pub guards: Guards,
+    pub methods: Methods,
 }
 
 impl World {
@@ -234,6 +256,11 @@ impl World {
         &self.records.guards
     }
 
+    /// How many bodies each method took through the last tick; all 0 as long as the tick does not tell.
+    pub fn methods(&self) -> &Methods {
+        &self.records.methods
+    }
+
     /// The forces on a body as it is now, each with its source; what its contacts carry is what the last tick ended with.
     pub fn forces(&self, id: BodyId) -> ForceManager {
         self.asked.set(true);
@@ -253,8 +280,8 @@ impl World {
         forces
     }
 
-    /// Lists what the other end of a contact exerts on a body, N. What a surface does, and what carries a body from below, is a Reaction; what
-    /// another object does to it from above or from the side is a Push.
+    /// Lists what the other end of a contact exerts on a body, N, by the name that it bears on both: a Reaction where a surface is the other
+    /// end, or where one of two objects carries the other; a Push where they are side by side.
     fn list_contact(&self, contact: &Contact, id: BodyId, forces: &mut ForceManager) {
         let sign = if contact.hi == id.0 { 1.0 } else { -1.0 };
         let (mut normal, mut friction) = (DVec2::ZERO, DVec2::ZERO);
