@@ -3,7 +3,7 @@
 use crate::pilot::Pilot;
 use crate::plan::{Kind, Plan};
 use resultant::game::{Controls, Game, Inputs, Outcome, RunResult, SHIP, TICK_RATE};
-use resultant::level::Level;
+use resultant::level::{Level, ObjectiveKind, SHIP_HALF};
 use resultant::physics::{Aabb, DVec2, Event, Obstacle};
 use std::sync::Arc;
 
@@ -36,9 +36,13 @@ pub struct Flight {
     pub near_walls: u32,
     /// Hits of walls in flight that were not gentle.
     pub bumps: u32,
+    /// Hits of objects while none was to be pushed, that were not gentle.
+    pub knocks: u32,
     /// The hardest hits of an object and of the level, m/s.
     pub hardest_push: f64,
     pub hardest_landing: f64,
+    /// The share of the ship's width that was not above or below the player's objectives at the end.
+    pub aside: f64,
     /// The speed at the end, m/s.
     pub last_speed: f64,
 }
@@ -59,8 +63,10 @@ impl Flight {
             red: f64::INFINITY,
             near_walls: 0,
             bumps: 0,
+            knocks: 0,
             hardest_push: 0.0,
             hardest_landing: 0.0,
+            aside: 0.0,
             last_speed: 0.0,
         };
         // What goes on for twice its time will not do any more.
@@ -70,8 +76,12 @@ impl Flight {
             flight.inputs.record(controls);
             flight.last_speed = game.world().body(SHIP).velocity.length();
             game.step(controls);
-            flight.watch(&game, pilot.flies());
+            flight.watch(&game, pilot.flies(), pilot.pushes());
         }
+        let ship = game.world().body(SHIP).bounds();
+        let wanted = level.objectives.iter().filter(|objective| objective.kind == ObjectiveKind::Player);
+        let shared = wanted.map(|objective| ship.max.x.min(objective.bounds.max.x) - ship.min.x.max(objective.bounds.min.x));
+        flight.aside = shared.fold(0.0, |aside: f64, shared| aside.max(1.0 - shared / (2.0 * SHIP_HALF.x)));
         flight.result = game.result();
         flight.ticks = game.ticks();
         flight.rows = flight.inputs.to_string().lines().count() - 1;
@@ -82,7 +92,7 @@ impl Flight {
         flight
     }
 
-    fn watch(&mut self, game: &Game, flies: bool) {
+    fn watch(&mut self, game: &Game, flies: bool, pushes: bool) {
         let (level, ship) = (game.level(), game.world().body(SHIP).bounds());
         for deadly in &level.obstacles {
             self.red = self.red.min((deadly.min - ship.max).max(ship.min - deadly.max).max_element());
@@ -93,7 +103,10 @@ impl Flight {
         for event in game.world().events() {
             let &Event::Impact { a, b, speed, .. } = event else { continue };
             match b {
-                Obstacle::Body(b) if a == SHIP || b == SHIP => self.hardest_push = self.hardest_push.max(speed),
+                Obstacle::Body(b) if a == SHIP || b == SHIP => {
+                    self.hardest_push = self.hardest_push.max(speed);
+                    self.knocks += u32::from(!pushes && speed > GENTLE_BUMP);
+                }
                 Obstacle::Surface(_) if a == SHIP => {
                     self.hardest_landing = self.hardest_landing.max(speed);
                     self.bumps += u32::from(flies && speed > GENTLE_BUMP);
@@ -115,10 +128,12 @@ impl Flight {
             - 2e3 * (OFF_RED - self.red).max(0.0)
             - 5.0 * f64::from(self.near_walls)
             - 200.0 * f64::from(self.bumps)
+            - 600.0 * f64::from(self.knocks)
             - 400.0 * (self.hardest_push - GENTLE_PUSH).max(0.0)
             - 400.0 * (self.hardest_landing - GENTLE_LANDING).max(0.0)
             - 800.0 * (self.last_speed - GENTLE_LANDING).max(0.0)
             - 300.0 * f64::from(self.pushes_left)
+            - 3e3 * self.aside
     }
 
     /// Whether it can be recorded: completed in its time, without damage, far enough off red.

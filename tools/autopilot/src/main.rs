@@ -135,8 +135,15 @@ fn report(name: &str, level: &Level, flight: &Flight) {
         flight.worth(),
     );
     println!(
-        "  off red {:.2} m, ticks near walls {}, bumps {}, hardest on objects {:.2}, on the ground {:.2}, at the end {:.2} m/s",
-        flight.red, flight.near_walls, flight.bumps, flight.hardest_push, flight.hardest_landing, flight.last_speed,
+        "  off red {:.2} m, ticks near walls {}, bumps {}, knocks {}, hardest on objects {:.2}, on the ground {:.2}, at the end {:.2} m/s, {:.2} aside",
+        flight.red,
+        flight.near_walls,
+        flight.bumps,
+        flight.knocks,
+        flight.hardest_push,
+        flight.hardest_landing,
+        flight.last_speed,
+        flight.aside,
     );
     for by in [1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
         let worst = CHANGES.map(|(what, change)| {

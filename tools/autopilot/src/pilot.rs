@@ -71,6 +71,11 @@ impl<'a> Pilot<'a> {
         self.plan.steps.get(self.step).is_some_and(|step| step.kind == Kind::Fly)
     }
 
+    /// Whether it is meant to push something.
+    pub fn pushes(&self) -> bool {
+        self.plan.steps.get(self.step).is_some_and(|step| step.kind == Kind::Push)
+    }
+
     /// How far the ship is from the place of its step, m.
     pub fn distance(&self, game: &Game) -> f64 {
         place(self.current(), game).distance(game.world().body(SHIP).position)
