@@ -161,7 +161,7 @@ pub const CHANGES: [(&str, Change); 6] = [
 pub enum Again {
     /// It was completed in the same tick.
     Same,
-    /// It was completed within the record.
+    /// It was completed in another tick.
     Completed,
     /// It was not, or not without damage.
     Lost,
