@@ -115,12 +115,16 @@ impl Media {
         if body.feels_air { Drag::of(body, self.air_density) } else { Drag::default() }
     }
 
-    /// The law of a body that gets no further than `searched` in a tick; without the streams that it feels.
-    pub fn law(&self, body: &Body, drive: DVec2, searched: &Aabb) -> Law {
-        let met = |fluid: &FluidDef| searched.touches(&fluid.zone, 0.0);
+    /// The law of a body for the next `t` seconds, under a `force` (N) that is not its weight. It depends on nothing but the body itself: what
+    /// else is near must change no bit of its motion.
+    pub fn law(&self, body: &Body, force: DVec2, t: f64) -> Law {
+        let constant = DVec2::new(0.0, self.gravity) + force / body.mass;
+        // Half its size besides: what others push may meet a liquid earlier.
+        let reach = body.half * 1.5 + (body.velocity.abs() + constant.abs() * t) * t;
+        let near = Aabb::around(body.position, reach);
+        let met = |fluid: &FluidDef| near.touches(&fluid.zone, 0.0);
         let first = self.fluids.iter().position(met).map_or(0, |i| i as u32);
         let last = self.fluids.iter().rposition(met).map_or(0, |i| i as u32 + 1);
-        let constant = DVec2::new(0.0, self.gravity) + drive / body.mass;
         Law { constant, air: self.air(body), liquids: (first, last) }
     }
 

@@ -46,12 +46,15 @@ pub(super) struct Reactions {
     leader: Vec<u32>,
     by_group: Vec<(u32, u32)>,
     group: Vec<Contact>,
+    /// The bodies that surfaces which close on them squeeze, and along which axis, by the last question asked.
+    pub squeezed: Vec<(u32, usize)>,
 }
 
 impl Reactions {
     /// Accelerations of bodies in contact (m/s²), for the bodies of the contacts; the contacts get their forces. What no contact joins is
     /// solved apart: no group's answer depends on another's.
     pub fn accelerate(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
+        self.squeezed.clear();
         if let [contact] = contacts
             && let Some(body) = lies_on_surface(contact, parts)
         {
@@ -137,21 +140,18 @@ impl Reactions {
 
     /// Velocities after a collision in which everything that touches stops approaching at once (perfectly plastic), with friction up to
     /// μ_k times the normal impulse; `velocities` is what they were and what they become. Afterwards the contacts hold the impulses (N·s).
-    /// Returns the axis along which something is squeezed between surfaces that close on it, if anything is.
-    pub fn collide(&mut self, contacts: &mut [Contact], parts: &Parts, velocities: &mut [DVec2]) -> Option<usize> {
+    pub fn collide(&mut self, contacts: &mut [Contact], parts: &Parts, velocities: &mut [DVec2]) {
+        self.squeezed.clear();
         self.number(contacts, parts);
         for contact in contacts.iter_mut() {
             contact.normal = 0.0;
         }
-        let mut squeezed = None;
         for axis in [1, 0, 1] {
             self.solve_axis(axis, contacts, parts, Question::Impulses);
-            squeezed = squeezed.or(self.network.squeezed.then_some(axis));
             for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
                 velocities[body as usize][axis] = node.acceleration;
             }
         }
-        squeezed
     }
 
     /// Ends a slide: gives both sides of the contact that stopped, and everything that moves with them but for the rounding of that
@@ -197,6 +197,7 @@ impl Reactions {
 
     /// Builds and solves one axis. Updates what the contacts carry along it.
     fn solve_axis(&mut self, axis: usize, contacts: &mut [Contact], parts: &Parts, question: Question) {
+        let known = self.squeezed.len();
         loop {
             self.network.clear();
             self.contact_of.clear();
@@ -211,6 +212,8 @@ impl Reactions {
                 }
             }
             self.network.solve();
+            self.squeezed.truncate(known);
+            self.squeezed.extend(self.network.squeezed.iter().map(|&node| (self.body_of[node as usize], axis)));
             if !self.read(axis, contacts, question) {
                 return;
             }

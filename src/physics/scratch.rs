@@ -7,6 +7,9 @@ use super::impulse::Impulse;
 use super::islands::Islands;
 use glam::DVec2;
 
+/// The leader of no island.
+const NOBODY: u32 = u32::MAX;
+
 /// The buffers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
@@ -23,10 +26,22 @@ pub(super) struct Scratch {
     pub happened: Vec<Happened>,
     /// Body, surface and force, N.
     pub crushed: Vec<(u32, u32, u32, f64)>,
-    /// Surfaces that were stopped, and when.
-    pub stopped: Vec<(u32, f64)>,
+    /// Which surfaces the islands have stopped because they would have squeezed something.
+    pub stops: Vec<Stop>,
+    /// Which moving surfaces each island has met, and when these stopped for it.
+    pub met: Vec<Stop>,
     /// Of each body and each surface behind them: its number in the present island.
     pub local: Vec<u32>,
+}
+
+/// A surface that stops within a tick.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stop {
+    /// The smallest body of the island.
+    pub leader: u32,
+    pub surface: u32,
+    /// s from the tick's start; infinite where it goes on.
+    pub at: f64,
 }
 
 /// How a body ends a tick.
@@ -64,11 +79,35 @@ impl Scratch {
         self.contacts.clear();
         self.happened.clear();
         self.crushed.clear();
+        self.met.clear();
     }
 
     /// Whether an island has been advanced as it is.
     pub fn is_done(&self, island: &[(u32, u32)]) -> bool {
         island.iter().all(|member| self.after[member.1 as usize].members == island.len() as u32)
+    }
+
+    /// When a surface stops, s from the tick's start; infinite where it goes on.
+    pub fn stop_of(&self, surface: u32) -> f64 {
+        self.stops.iter().filter(|stop| stop.surface == surface).map(|stop| stop.at).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether all islands found that the surfaces they met stop when they do; forgets what came of those that did not. `at_once`: from now
+    /// on whatever was stopped stands still for the whole tick.
+    pub fn agree_on_stops(&mut self, at_once: bool) -> bool {
+        if at_once {
+            self.stops.iter_mut().for_each(|stop| (stop.leader, stop.at) = (NOBODY, 0.0));
+        }
+        let members = std::mem::take(&mut self.islands.members);
+        let mut agreed = true;
+        for island in members.chunk_by(|a, b| a.0 == b.0) {
+            if self.met.iter().any(|met| met.leader == island[0].0 && met.at != self.stop_of(met.surface)) {
+                agreed = false;
+                self.discard(island);
+            }
+        }
+        self.islands.members = members;
+        agreed
     }
 
     /// Forgets what was found out about the bodies of an island, when they were in others.
@@ -83,6 +122,8 @@ impl Scratch {
             self.contacts.retain(|(leader, _)| !of_it(*leader));
             self.happened.retain(|happened| !of_it(happened.island));
             self.crushed.retain(|(leader, ..)| !of_it(*leader));
+            self.met.retain(|met| !of_it(met.leader));
+            self.stops.retain(|stop| !of_it(stop.leader));
         }
     }
 }

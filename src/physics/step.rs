@@ -3,14 +3,17 @@
 use super::contact::Contact;
 use super::events::{Events, Item, Motion, Outcome, Scene};
 use super::impulse::Impulse;
-use super::scratch::{After, Happened, Scratch};
-use super::tuning::REPORT_SPEED;
+use super::scratch::{After, Happened, Scratch, Stop};
+use super::tuning::{REPORT_SPEED, SLOP};
 use super::world::{Event, Obstacle, State, World};
 use super::{Aabb, Body, BodyId};
 use glam::DVec2;
 
 /// How often islands are sought again in one tick because a body may go further than foreseen. After that all there is is looked at.
 const MOST_SEARCHES: u32 = 8;
+/// How often islands are advanced anew in one tick until they agree when surfaces stop that several of them meet. After that these stand
+/// still for the whole tick.
+const MOST_ROUNDS: u32 = 8;
 /// m. A box in which others are looked for reaches this much further than the way that is foreseen.
 const MARGIN: f64 = 1e-3;
 /// m. Beyond all that there is.
@@ -23,7 +26,7 @@ impl World {
         self.clear_records();
         self.bring_back_surfaces();
         self.wake_around_moving_surfaces(dt);
-        scratch.stopped.clear();
+        scratch.stops.clear();
         if self.state.resting.iter().any(|rests| !rests) {
             self.sweep(&mut scratch, dt);
             self.advance_islands(&mut scratch, dt);
@@ -76,7 +79,7 @@ impl World {
     fn bring_back_surfaces(&mut self) {
         for s in 0..self.state.surfaces.len() {
             let surface = &self.state.surfaces[s];
-            let free = |body: &Body| !body.bounds().overlaps(&surface.bounds, 0.0);
+            let free = |body: &Body| !body.bounds().overlaps(&surface.bounds, SLOP);
             if surface.wanted && !surface.present && self.state.bodies.iter().all(free) {
                 self.state.surfaces[s].present = true;
                 self.disturb_around(s);
@@ -100,13 +103,8 @@ impl World {
     }
 
     fn go_on_paths(&mut self, scratch: &Scratch, dt: f64) {
-        for surface in &mut self.state.surfaces {
-            if !surface.def.path.is_still() {
-                surface.go_on(dt);
-            }
-        }
-        for &(surface, at) in &scratch.stopped {
-            self.state.surfaces[surface as usize].go_on(at - dt);
+        for (s, surface) in (0..).zip(&mut self.state.surfaces) {
+            surface.go_on(dt.min(scratch.stop_of(s)));
         }
     }
 
@@ -145,10 +143,11 @@ impl World {
     }
 
     /// Advances island by island. Where a body may go further than others were looked for, the islands are sought again, and those advanced
-    /// anew that have become others.
+    /// anew that have become others. So are those that met a surface which another island has stopped.
     fn advance_islands(&mut self, scratch: &mut Scratch, dt: f64) {
         scratch.begin(self.state.bodies.len());
-        for search in 0..=MOST_SEARCHES {
+        let (mut searches, mut rounds) = (0, 0);
+        loop {
             let members = std::mem::take(&mut scratch.islands.members);
             let mut left = members.as_slice();
             let mut grown = false;
@@ -160,26 +159,29 @@ impl World {
                     grown |= !self.advance_island(scratch, island, dt);
                 }
             }
-            if !grown {
-                scratch.islands.members = members;
-                return;
-            }
-            self.widen(scratch, &members, search, dt);
             scratch.islands.members = members;
-            scratch.islands.find(&scratch.searched, &scratch.resting, &self.state.contacts);
+            if grown && searches < MOST_SEARCHES {
+                self.widen(scratch, searches, dt);
+                scratch.islands.find(&scratch.searched, &scratch.resting, &self.state.contacts);
+                searches += 1;
+            } else if scratch.agree_on_stops(rounds >= MOST_ROUNDS) {
+                return;
+            } else {
+                rounds += 1;
+            }
         }
     }
 
     /// Widens the search of all islands that have not been advanced.
-    fn widen(&mut self, scratch: &mut Scratch, members: &[(u32, u32)], search: u32, dt: f64) {
+    fn widen(&mut self, scratch: &mut Scratch, searches: u32, dt: f64) {
         let everywhere = Aabb::around(DVec2::ZERO, DVec2::splat(EVERYWHERE));
-        for &(_, body) in members {
+        for &(_, body) in &scratch.islands.members {
             let i = body as usize;
             if scratch.after[i].members == 0 {
                 scratch.resting[i] = false;
                 self.records.guards.islands_grown += 1;
                 let reach = scratch.searched[i].size() + (self.state.bodies[i].velocity.abs() * dt);
-                scratch.searched[i] = if search + 1 >= MOST_SEARCHES { everywhere } else { grow(&scratch.searched[i], reach) };
+                scratch.searched[i] = if searches + 1 >= MOST_SEARCHES { everywhere } else { grow(&scratch.searched[i], reach) };
             }
         }
     }
@@ -204,7 +206,7 @@ impl World {
         if let Outcome::Busy(_) = outcome {
             records.guards.budgets_used_up += 1;
         }
-        scatter(state, scratch, island, outcome == Outcome::Done);
+        scatter(state, scratch, island, outcome == Outcome::Done, dt);
         true
     }
 
@@ -279,7 +281,7 @@ fn grow(bounds: &Aabb, reach: DVec2) -> Aabb {
 /// Fills the island of the event-driven method: its bodies, the surfaces and streams near them, and the contacts known.
 fn gather(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], scene: &Scene) {
     let n = state.bodies.len();
-    let Scratch { events, searched, local, .. } = scratch;
+    let Scratch { events, searched, local, stops, .. } = scratch;
     events.clear();
     local.resize(n + state.surfaces.len(), u32::MAX);
     let mut everything = searched[island[0].1 as usize];
@@ -287,9 +289,8 @@ fn gather(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], scene: &S
         let i = body as usize;
         local[i] = events.items.len() as u32;
         everything = everything.union(&searched[i]);
-        let law = state.media.law(&state.bodies[i], state.drives[i], &searched[i]);
-        let known = scene.direct && state.known[i];
-        events.items.push(Item::body(body, &state.bodies[i], state.drives[i], law, searched[i], known));
+        let known = state.known[i];
+        events.items.push(Item::body(body, &state.bodies[i], state.drives[i], searched[i], known));
     }
     events.movable = island.len();
     let near = |bounds: &Aabb| {
@@ -299,6 +300,7 @@ fn gather(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], scene: &S
         if surface.present && near(&surface.swept(scene.tick)) {
             local[n + s] = events.items.len() as u32;
             let mut item = Item::surface(s as u32, surface);
+            item.stops_at = stops.iter().filter(|stop| stop.surface == s as u32).map(|stop| stop.at).fold(f64::INFINITY, f64::min);
             scene.set_on_path(&mut item, 0.0);
             events.items.push(item);
         }
@@ -316,10 +318,10 @@ fn gather(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], scene: &S
 }
 
 /// Takes over what the island came to.
-fn scatter(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], known: bool) {
+fn scatter(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], known: bool, dt: f64) {
     let n = state.bodies.len() as u32;
     let leader = island[0].0;
-    let Scratch { events, after, contacts, happened, stopped, crushed, .. } = scratch;
+    let Scratch { events, after, contacts, happened, stops, met, crushed, .. } = scratch;
     let Events { items, movable, .. } = events;
     let global = |item: u32| if items[item as usize].surface { n + items[item as usize].id } else { items[item as usize].id };
     for item in &items[..*movable] {
@@ -348,11 +350,13 @@ fn scatter(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], known: b
     }
     for &(body, surface, speed) in &events.squeezed {
         let of = &items[body as usize];
-        crushed.push((leader, of.id, items[surface as usize].id, of.body.mass * speed));
+        let by = &items[surface as usize];
+        crushed.push((leader, of.id, by.id, of.body.mass * speed / dt));
+        stops.push(Stop { leader, surface: by.id, at: by.stops_at });
     }
     for item in &items[*movable..] {
-        if let Some(at) = item.stopped_at {
-            stopped.push((item.id, at));
+        if !state.surfaces[item.id as usize].def.path.is_still() {
+            met.push(Stop { leader, surface: item.id, at: item.stops_at });
         }
     }
 }

@@ -72,6 +72,13 @@ pub struct PathPoint {
     pub lasts: f64,
 }
 
+impl PathPoint {
+    /// The same place, for ever.
+    pub(super) fn at_rest(self) -> Self {
+        Self { offset: self.offset, lasts: f64::INFINITY, ..Self::default() }
+    }
+}
+
 impl Path {
     /// To `offset` (m) from the start and back, for ever: speeding up for `ease` seconds, slowing down for as long, `travel` seconds one
     /// way, and waiting for `wait` seconds at either end. `ease` is at most half of `travel`; 0 starts and stops at once.
@@ -80,7 +87,8 @@ impl Path {
         for way in [offset, -offset] {
             let cruise = way / (travel - ease);
             let mut leg = |duration: f64, velocity: DVec2, acceleration: DVec2| {
-                if duration > 0.0 {
+                // A negative duration is refused later.
+                if duration != 0.0 {
                     legs.push(Leg { duration, velocity, acceleration });
                 }
             };
@@ -107,10 +115,11 @@ impl Path {
     pub fn at(&self, clock: f64) -> PathPoint {
         let period: f64 = self.legs.iter().map(|leg| leg.duration).sum();
         let mut left = if self.repeats && period > 0.0 { clock % period } else { clock };
+        let rounding = CLOCK_ROUNDING * clock;
         let mut offset = DVec2::ZERO;
         for leg in &self.legs {
             let Leg { duration, velocity, acceleration } = *leg;
-            if left < duration {
+            if left < duration - rounding {
                 return PathPoint {
                     offset: offset + (velocity + acceleration * (0.5 * left)) * left,
                     velocity: velocity + acceleration * left,
@@ -119,7 +128,7 @@ impl Path {
                 };
             }
             offset += (velocity + acceleration * (0.5 * duration)) * duration;
-            left -= duration;
+            left = (left - duration).max(0.0);
         }
         if self.repeats {
             // Rounding has put the clock at the end of a round: it is the beginning of the next.
@@ -136,6 +145,9 @@ impl Path {
     /// # Errors
     /// A leg that is not finite, lasts no time, or a repeated path that does not lead back.
     fn check(&self) -> Result<(), DefError> {
+        if self.repeats && self.legs.is_empty() {
+            return Err(DefError("a repeated path has no leg".into()));
+        }
         let (mut offset, mut longest) = (DVec2::ZERO, 0.0f64);
         for leg in &self.legs {
             number("the duration of a leg of a path", leg.duration, SHORTEST_LEG)?;
@@ -152,6 +164,9 @@ impl Path {
     }
 }
 
+/// Relative to the clock of a path: a leg that lasts no longer than this is over. Without it what is left of a leg could be less than a
+/// rounding of the time, and a tick would never get beyond it.
+const CLOCK_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// s. The shortest leg: shorter ones would part a tick without end.
 const SHORTEST_LEG: f64 = 1e-3;
 /// How far a repeated path may end from its start, as a part of its length: the rounding of its sum.
@@ -245,7 +260,8 @@ impl Surface {
         let moves = self.runs && !self.def.path.is_still();
         let point = self.def.path.at(self.clock + if moves { t } else { 0.0 });
         let offset = centre + point.offset;
-        if moves { PathPoint { offset, ..point } } else { PathPoint { offset, lasts: f64::INFINITY, ..PathPoint::default() } }
+        let point = PathPoint { offset, ..point };
+        if moves { point } else { point.at_rest() }
     }
 
     /// Lets `t` seconds pass on its path.

@@ -232,7 +232,7 @@ impl World {
         let state = &self.state;
         let mut forces = ForceManager::default();
         let in_stream = |stream: usize| zones::feels(&state.media.streams[stream].zone, body, (body.position, body.velocity));
-        let law = state.media.law(body, state.drives[i], &body.bounds());
+        let law = state.media.law(body, state.drives[i], 0.0);
         state.media.list(body, &law, state.drives[i], in_stream, forces.renew());
         let mut held = false;
         for contact in state.contacts.iter().filter(|contact| contact.lo == id.0 || contact.hi == id.0) {

@@ -48,25 +48,23 @@ impl Events {
                 self.bounce(scene, index, speed, e);
                 continue;
             }
-            if self.stop_together(scene) {
-                return;
-            }
-            // A surface that would have squeezed something stands now; what it pushed may approach others.
+            self.stop_together(scene);
+            return;
         }
     }
 
     /// The plastic solve of all that touches. Pushing one side of a body can lift it off the other by next to nothing; where it is
-    /// pulled back at once, it stays, or the two sides would take turns for ever. Returns false if a surface had to be stopped.
-    fn stop_together(&mut self, scene: &Scene) -> bool {
+    /// pulled back at once, it stays, or the two sides would take turns for ever. Where something would be squeezed nothing is done yet
+    /// but to stop the surfaces that do it.
+    fn stop_together(&mut self, scene: &Scene) {
         let mut touching = std::mem::take(&mut self.touching);
-        let mut done = true;
         for _ in 0..=touching.len() {
             self.before.clone_from(&self.speeds);
             self.work += WORK_OF_A_CONTACT * touching.len() as u64;
             let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
-            if let Some(axis) = self.reactions.collide(&mut touching, &parts, &mut self.speeds) {
+            self.reactions.collide(&mut touching, &parts, &mut self.speeds);
+            if self.stop_surfaces(scene, &touching, Self::speed) {
                 self.speeds.clone_from(&self.before);
-                done = !self.stop_surfaces(&touching, axis);
                 break;
             }
             let mut lifted = false;
@@ -82,25 +80,30 @@ impl Events {
             }
         }
         self.touching = touching;
-        done
     }
 
-    /// Stops the surfaces that would squeeze something along an axis, for the rest of the tick. Returns whether there are any.
-    fn stop_surfaces(&mut self, touching: &[Contact], axis: usize) -> bool {
-        let mut any = false;
-        for contact in touching.iter().filter(|contact| contact.axis == axis) {
+    /// Stops the surfaces that squeeze what the last solve has found squeezed, for the rest of the tick: those that close on it by the
+    /// `rate` asked about, velocity or acceleration. Returns whether there are any.
+    pub(super) fn stop_surfaces(&mut self, scene: &Scene, contacts: &[Contact], rate: impl Fn(&Self, u32) -> DVec2) -> bool {
+        let squeezed = std::mem::take(&mut self.reactions.squeezed);
+        let known = self.squeezed.len();
+        for contact in contacts {
             let (body, surface) = contact.ends();
-            if self.is_body(surface) {
+            if self.is_body(surface) || !squeezed.contains(&(body, contact.axis)) {
                 continue;
             }
-            let closing = self.speed(surface)[axis] * if surface == contact.lo { 1.0 } else { -1.0 };
-            if closing > 0.0 {
-                any = true;
-                self.squeezed.push((body, surface, closing));
-                self.halt(surface);
+            let side = if surface == contact.lo { 1.0 } else { -1.0 };
+            if side * rate(self, surface)[contact.axis] > 0.0 {
+                let ground = surface as usize - self.movable;
+                let (speed, pull) = (self.ground_speeds[ground][contact.axis], self.ground_pulls[ground][contact.axis]);
+                self.squeezed.push((body, surface, side * speed + (side * pull).max(0.0) * (scene.tick - self.now)));
             }
         }
-        any
+        self.reactions.squeezed = squeezed;
+        for index in known..self.squeezed.len() {
+            self.halt(scene, self.squeezed[index].1);
+        }
+        self.squeezed.len() > known
     }
 
     /// Whether two things part so slowly that they rest on each other, if nothing pulls them apart.
@@ -126,6 +129,11 @@ impl Events {
         }
     }
 
+    /// Differences of the speeds of two things up to which they are rounding, along each axis, m/s.
+    pub(super) fn speed_rounding(&self, contact: &Contact) -> DVec2 {
+        (self.speed(contact.lo).abs() + self.speed(contact.hi).abs()) * SPEED_ROUNDING
+    }
+
     pub(super) fn approach(&self, contact: &Contact) -> f64 {
         (self.speed(contact.lo) - self.speed(contact.hi))[contact.axis]
     }
@@ -135,7 +143,7 @@ impl Events {
         let mut best: Option<(usize, f64, f64)> = None;
         for (index, contact) in self.touching.iter().enumerate() {
             let speed = self.approach(contact);
-            let rounding = SPEED_ROUNDING * (self.speed(contact.lo).abs() + self.speed(contact.hi).abs())[contact.axis];
+            let rounding = self.speed_rounding(contact)[contact.axis];
             if speed <= 0.0 && !contact.clings || speed > 0.0 && speed <= rounding && contact.closed && contact.lasts {
                 continue;
             }

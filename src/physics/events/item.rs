@@ -132,13 +132,13 @@ pub(in crate::physics) struct Item {
     /// Of a surface: from which sides it is solid, and the speed of its belt.
     pub sides: Sides,
     pub belt: f64,
-    /// Of a surface: when it was stopped by what it would have squeezed, s.
-    pub stopped_at: Option<f64>,
+    /// Of a surface: when what it would squeeze stops it, s from the tick's start; infinite where nothing does.
+    pub stops_at: f64,
 }
 
 impl Item {
     /// A body as a tick begins.
-    pub fn body(id: u32, body: &Body, drive: DVec2, law: Law, searched: Aabb, known: bool) -> Self {
+    pub fn body(id: u32, body: &Body, drive: DVec2, searched: Aabb, known: bool) -> Self {
         Self {
             id,
             surface: false,
@@ -146,7 +146,7 @@ impl Item {
             drive,
             since: 0.0,
             until: 0.0,
-            law,
+            law: Law::default(),
             motion: Motion::Still,
             solved: body.acceleration,
             mean: body.acceleration,
@@ -162,7 +162,7 @@ impl Item {
             disturbed: false,
             sides: Sides::ALL,
             belt: 0.0,
-            stopped_at: None,
+            stops_at: f64::INFINITY,
         }
     }
 
@@ -177,7 +177,7 @@ impl Item {
             ..BodyDef::default()
         });
         let (sides, belt) = (surface.def.sides, surface.def.belt);
-        Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, Law::default(), *bounds, true) }
+        Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, *bounds, true) }
     }
 
     /// Where it is at a time (s from the tick's start, not before `since`).

@@ -45,7 +45,7 @@ pub(super) struct Scene<'a> {
     pub rest_speed: f64,
     /// Whether anything bounces.
     pub bounces: bool,
-    /// Whether what did not change is known from the last tick.
+    /// Whether what did not change is taken over from the last tick, instead of being solved once more to the same bits.
     pub direct: bool,
     /// All surfaces of the world.
     pub surfaces: &'a [Surface],
@@ -59,11 +59,13 @@ impl Scene<'_> {
         64 + 64 * contacts as u64
     }
 
-    /// Puts a surface where its path leads it `at` seconds from the tick's start.
+    /// Puts a surface where its path leads it `at` seconds from the tick's start, or to where it stopped before.
     pub fn set_on_path(&self, item: &mut Item, at: f64) {
-        let point = self.surfaces[item.id as usize].at(at);
+        let surface = &self.surfaces[item.id as usize];
+        let point = if at < item.stops_at { surface.at(at) } else { surface.at(item.stops_at).at_rest() };
         item.since = at;
-        item.until = (at + point.lasts).min(self.tick);
+        let end = if at < item.stops_at { item.stops_at } else { f64::INFINITY };
+        item.until = (at + point.lasts).min(end).min(self.tick);
         (item.body.position, item.body.velocity) = (point.offset, point.velocity);
         (item.solved, item.mean) = (point.acceleration, point.acceleration);
         let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;
@@ -99,12 +101,14 @@ pub(super) struct Events {
     pub streams: Vec<u32>,
     /// What happened.
     pub hits: Vec<Hit>,
-    /// Bodies squeezed by surfaces, and how fast these closed, m/s.
+    /// Bodies squeezed by surfaces, and how fast these would have closed by the end of the tick, m/s.
     pub squeezed: Vec<(u32, u32, f64)>,
     pub guards: Guards,
     now: f64,
     work: u64,
     grown: bool,
+    /// Whether a surface was stopped while the present event was looked at.
+    halted: bool,
     touching: Vec<Contact>,
     reactions: Reactions,
     /// Of each body: its mass along each axis, what would accelerate it without contacts, and what does.
@@ -171,6 +175,7 @@ impl Events {
         self.now = scene.tick;
         self.stop_here(scene);
         self.items.iter_mut().for_each(|item| item.known = true);
+        self.follow_surfaces();
         self.settle(scene);
         Outcome::Done
     }
@@ -208,8 +213,15 @@ impl Events {
             self.masses[i] = DVec2::splat(self.items[i].body.mass);
             self.solved[i] = self.items[i].solved;
         }
+        for i in 0..bodies {
+            self.renew_law(scene, i);
+        }
         for i in bodies..all {
-            self.items[i].foresee(scene.media);
+            let item = &mut self.items[i];
+            item.foresee(scene.media);
+            if item.until < scene.tick {
+                item.next = Next { at: item.until, kind: Kind::Renew };
+            }
         }
         self.start(scene);
     }
@@ -227,11 +239,13 @@ impl Events {
         self.release();
         for i in 0..self.movable {
             if self.items[i].known && !self.items[i].disturbed {
-                self.renew_law(scene, i);
                 self.concern(i as u32);
                 (self.places[i], self.speeds[i]) = (self.items[i].body.position, self.items[i].body.velocity);
                 self.is_placed[i] = true;
             }
+        }
+        if !scene.direct {
+            self.solve_concerned(scene);
         }
         self.go_on(scene);
         self.release();
@@ -256,7 +270,13 @@ impl Events {
                 self.concern(other);
                 let (lo, hi) = if ascending { (i as u32, other) } else { (other, i as u32) };
                 let contact = self.contact_along(lo, hi, axis);
-                self.put_together(scene, &contact);
+                let begin = self.now;
+                if !self.put_together(scene, &contact) {
+                    self.now = begin;
+                    self.renew(scene, i);
+                    self.renew(scene, other as usize);
+                    return self.release();
+                }
                 hit = Some(contact);
             }
             Kind::Stop { other } => {

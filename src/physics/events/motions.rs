@@ -8,7 +8,6 @@
 use super::item::{Kind, Motion, Next, Slide};
 use super::{Events, Implicit, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
 use crate::physics::contact::Contact;
-use crate::physics::impact_time::Cubic;
 use crate::physics::reactions::Parts;
 use crate::physics::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
 use crate::physics::{Aabb, zones};
@@ -28,8 +27,23 @@ const SHORTEST: f64 = 1.0 / 64.0;
 impl Events {
     /// Looks at everything concerned anew: what touches it, its impacts, contacts, accelerations and motion.
     pub(super) fn look(&mut self, scene: &Scene, hit: Option<Contact>) {
-        self.collect(scene, hit);
-        self.resolve_impacts(scene);
+        loop {
+            self.halted = false;
+            self.collect(scene, hit);
+            self.resolve_impacts(scene);
+            if !self.halted {
+                self.settle_concerned(scene, hit);
+            }
+            // Where a surface was stopped that would have squeezed something, other things concern it as well.
+            if !self.halted {
+                break;
+            }
+        }
+        self.go_on(scene);
+    }
+
+    /// Lets everything concerned begin anew where it is now: its law, contacts and accelerations.
+    fn settle_concerned(&mut self, scene: &Scene, hit: Option<Contact>) {
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
             let (place, speed) = (self.places[i], self.speeds[i]);
@@ -43,7 +57,6 @@ impl Events {
         }
         self.find_contacts(scene, hit);
         self.solve_concerned(scene);
-        self.go_on(scene);
     }
 
     /// Lists what touches anything concerned, and counts to that whatever is joined to it by touching.
@@ -107,7 +120,7 @@ impl Events {
                 force += stream.force;
             }
         }
-        item.law.constant = DVec2::new(0.0, scene.media.gravity) + force / item.body.mass;
+        item.law = scene.media.law(&item.body, force, scene.tick - self.now);
     }
 
     /// Keeps those of the touching pairs as contacts that neither part nor (impacts are over by now) approach. Of the pair that has just
@@ -138,8 +151,7 @@ impl Events {
 
     /// Whether the ends of a contact neither part nor approach, but for rounding.
     fn stays(&self, contact: &Contact) -> bool {
-        let fastest = self.speed(contact.lo).abs().max(self.speed(contact.hi).abs())[contact.axis];
-        self.approach(contact).abs() <= SPEED_ROUNDING * fastest
+        self.approach(contact).abs() <= self.speed_rounding(contact)[contact.axis]
     }
 
     /// Whether a contact presses on a surface that moves: the sums of many ticks leave them some roundings apart.
@@ -151,13 +163,13 @@ impl Events {
     /// Which way a contact slides now: a speed that is nothing but rounding is none.
     fn slides(&self, contact: &Contact) -> f64 {
         let along = 1 - contact.axis;
-        let fastest = self.speed(contact.lo).abs().max(self.speed(contact.hi).abs())[along];
         let sliding = self.sliding(contact);
-        if sliding.abs() <= SPEED_ROUNDING * (fastest + contact.skin.abs()) { 0.0 } else { sliding.signum() }
+        let rounding = self.speed_rounding(contact)[along] + SPEED_ROUNDING * contact.skin.abs();
+        if sliding.abs() <= rounding { 0.0 } else { sliding.signum() }
     }
 
     /// The accelerations of what is concerned, and what its contacts carry.
-    fn solve_concerned(&mut self, scene: &Scene) {
+    pub(super) fn solve_concerned(&mut self, scene: &Scene) {
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
             let item = &self.items[i];
@@ -167,6 +179,9 @@ impl Events {
         self.take_contacts_of_concerned();
         let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
         self.reactions.accelerate(&mut self.trial, &parts, &mut self.solved);
+        let solved = std::mem::take(&mut self.trial);
+        self.stop_surfaces(scene, &solved, |events, surface| events.ground_pulls[surface as usize - events.movable]);
+        self.trial = solved;
         self.contacts.append(&mut self.trial);
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
@@ -185,6 +200,8 @@ impl Events {
             }
             !concerned
         });
+        // The order decides about the last bits of an answer.
+        trial.sort_unstable_by_key(Contact::ends);
     }
 
     /// Sets everything concerned on its way, and seeks what happens to it next.
@@ -199,12 +216,13 @@ impl Events {
             }
         }
         for i in 0..self.items.len() {
+            let stopped_now = |item: usize| self.items[item].stops_at == self.now;
             let stale = match self.items[i].next.kind {
-                Kind::Hit { other, .. } | Kind::Stop { other } => self.is_concerned[other as usize],
+                Kind::Hit { other, .. } | Kind::Stop { other } => self.is_concerned[other as usize] || stopped_now(other as usize),
                 Kind::Edge => true,
                 _ => false,
             };
-            if stale || self.is_concerned[i] {
+            if stale || stopped_now(i) || self.is_concerned[i] {
                 self.predict(scene, i);
             }
         }
@@ -318,16 +336,7 @@ impl Events {
 
     /// Begins the next leg of a surface's path: whatever touches it is concerned.
     pub(super) fn turn(&mut self, scene: &Scene, i: usize) {
-        scene.set_on_path(&mut self.items[i], self.now);
-        self.items[i].foresee(scene.media);
-        let ground = i - self.movable;
-        (self.ground_speeds[ground], self.ground_pulls[ground]) = (self.items[i].body.velocity, self.items[i].solved);
-        for index in 0..self.contacts.len() {
-            let contact = self.contacts[index];
-            if contact.lo as usize == i || contact.hi as usize == i {
-                self.concern(contact.other(i as u32));
-            }
-        }
+        self.set_out(scene, i);
         self.predict(scene, i);
         if !self.concerned.is_empty() {
             self.look(scene, None);
@@ -335,35 +344,51 @@ impl Events {
     }
 
     /// Stops a surface for the rest of the tick.
-    pub(super) fn halt(&mut self, surface: u32) {
-        let i = surface as usize;
-        let ground = i - self.movable;
+    pub(super) fn halt(&mut self, scene: &Scene, surface: u32) {
+        self.guards.surfaces_stopped += 1;
+        self.halted = true;
+        self.items[surface as usize].stops_at = self.now;
+        self.set_out(scene, surface as usize);
+    }
+
+    /// Sets a surface on the part of its path that begins now. Concerns whatever is in contact with it.
+    fn set_out(&mut self, scene: &Scene, i: usize) {
         let item = &mut self.items[i];
-        (item.body.position, item.body.velocity, item.solved, item.mean) = (self.places[i], DVec2::ZERO, DVec2::ZERO, DVec2::ZERO);
-        (item.since, item.until, item.motion) = (self.now, f64::INFINITY, Motion::Still);
-        item.stopped_at = Some(self.now);
+        scene.set_on_path(item, self.now);
+        item.foresee(scene.media);
         item.next = Next::NEVER;
-        item.way = Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO);
-        item.swept = item.body.bounds();
-        (self.ground_speeds[ground], self.ground_pulls[ground]) = (DVec2::ZERO, DVec2::ZERO);
+        let ground = i - self.movable;
+        (self.ground_speeds[ground], self.ground_pulls[ground]) = (item.body.velocity, item.solved);
+        (self.places[i], self.is_placed[i]) = (item.body.position, true);
+        for index in 0..self.contacts.len() {
+            let contact = self.contacts[index];
+            if contact.lo as usize == i || contact.hi as usize == i {
+                self.concern(contact.other(i as u32));
+            }
+        }
     }
 
     /// Brings two things to the instant at which they meet, and exactly together: a way foreseen as a cubic may be off by a hair, so Newton's
-    /// method ends on the motions themselves. What is left of the gap is shared as their masses say; a surface gives way to nothing.
-    pub(super) fn put_together(&mut self, scene: &Scene, contact: &Contact) {
+    /// method ends on the motions themselves. What is left of the gap is shared as their masses say; a surface gives way to nothing. Returns
+    /// false if they meet so much later that something else happens before: then they have to be looked at again from here.
+    pub(super) fn put_together(&mut self, scene: &Scene, contact: &Contact) -> bool {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let reach = self.items[lo].body.half[axis] + self.items[hi].body.half[axis];
         let exact = |item: &super::Item| matches!(item.motion, Motion::Still | Motion::Parabola);
         if !(exact(&self.items[lo]) && exact(&self.items[hi])) {
             let begin = self.items[lo].since.max(self.items[hi].since);
-            let end = self.items[lo].until.min(self.items[hi].until).min(scene.tick);
+            let others = self.items.iter().enumerate().filter(|(k, _)| *k != lo && *k != hi).map(|(_, item)| item.next.at);
+            let end = others.fold(self.items[lo].until.min(self.items[hi].until).min(scene.tick), f64::min);
             for _ in 0..POLISH {
                 let (a, b) = (self.items[lo].pose(scene.media, self.now), self.items[hi].pose(scene.media, self.now));
                 let (gap, closing) = (b.0[axis] - a.0[axis] - reach, a.1[axis] - b.1[axis]);
                 let next = self.now + gap / closing;
                 // Where they only graze, Newton's method would run off to the moment at which they parted.
-                if closing <= 0.0 || !(begin..=end).contains(&next) || next == self.now {
+                if closing <= 0.0 || next < begin || next == self.now {
                     break;
+                }
+                if next > end {
+                    return gap <= SLOP;
                 }
                 self.now = next;
             }
@@ -380,6 +405,7 @@ impl Events {
             self.places[lo][axis] += gap * (of_lo / (of_lo + of_hi));
             self.places[hi][axis] -= gap * (of_hi / (of_lo + of_hi));
         }
+        true
     }
 
     /// Ends a slide: what stops and whatever moves with it has one speed along the face from now on.
@@ -457,12 +483,67 @@ impl Events {
                         scene.media.acceleration(&self.items[i].body, &self.items[i].law, self.places[i], self.speeds[i]);
                 }
             }
+            self.contacts.sort_unstable_by_key(Contact::ends);
             let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
             self.reactions.accelerate(&mut self.contacts, &parts, &mut self.solved);
             for i in 0..self.movable {
                 self.items[i].solved = self.solved[i];
             }
         }
+    }
+
+    /// Gives what rides on a surface that moves its place and its speed exactly, and so on with what is carried by that: the sums of many
+    /// ticks would lead them away from each other by their roundings.
+    pub(super) fn follow_surfaces(&mut self) {
+        if self.items[self.movable..].iter().all(|surface| surface.motion == Motion::Still) {
+            return;
+        }
+        let mut next = 0;
+        loop {
+            let carrier = self.concerned.get(next).copied();
+            for index in 0..self.contacts.len() {
+                let contact = self.contacts[index];
+                let (body, surface) = contact.ends();
+                match carrier {
+                    None if next == 0 && !self.is_body(surface) => self.follow(&contact, body),
+                    Some(carrier) if self.is_body(surface) && (carrier == body || carrier == surface) => {
+                        self.follow(&contact, contact.other(carrier));
+                    }
+                    _ => {}
+                }
+            }
+            if carrier.is_some() {
+                next += 1;
+            }
+            if next == self.concerned.len() {
+                break;
+            }
+        }
+        self.release();
+    }
+
+    /// Lets a body follow the other end of a contact that presses.
+    fn follow(&mut self, contact: &Contact, body: u32) {
+        let (axis, along, carrier) = (contact.axis, 1 - contact.axis, contact.other(body));
+        if self.is_concerned[body as usize] || contact.normal <= 0.0 {
+            return;
+        }
+        let side = if contact.hi == body { 1.0 } else { -1.0 };
+        let of = &self.items[carrier as usize].body;
+        let (mut velocity, reach) = (of.velocity, of.half + self.items[body as usize].body.half);
+        let place = of.position[axis] + side * reach[axis];
+        velocity[along] += contact.skin;
+        let item = &mut self.items[body as usize].body;
+        let off = (item.velocity - velocity).abs();
+        let rounding = (item.velocity.abs() + velocity.abs()) * SPEED_ROUNDING + SPEED_TOLERANCE;
+        if off[axis] > rounding[axis] || (item.position[axis] - place).abs() > SLOP {
+            return;
+        }
+        (item.velocity[axis], item.position[axis]) = (velocity[axis], place);
+        if contact.slides == 0.0 && off[along] <= rounding[along] {
+            item.velocity[along] = velocity[along];
+        }
+        self.concern(body);
     }
 
     /// Whether what acts on an item changes while it moves.

@@ -90,8 +90,8 @@ pub(super) struct Node {
 pub(super) struct Network {
     pub nodes: Vec<Node>,
     pub links: Vec<Link>,
-    /// Whether some block cannot follow the grounds that close on it.
-    pub squeezed: bool,
+    /// The nodes of blocks that cannot follow the grounds that close on them.
+    pub squeezed: Vec<u32>,
     /// Links of node i: `around[first[i]..first[i + 1]]`; the last node is the ground.
     first: Vec<u32>,
     around: Vec<u32>,
@@ -138,7 +138,7 @@ impl Network {
     pub fn clear(&mut self) {
         self.nodes.clear();
         self.links.clear();
-        self.squeezed = false;
+        self.squeezed.clear();
     }
 
     /// Adds a link; `ground` is what the ground does (m/s²) if one of the ends is it.
@@ -309,10 +309,11 @@ impl Network {
     /// Adds to the excess of the nodes what the grounds set aside do to them while they move with the acceleration `held`: ties drag with
     /// their limit, and what is pushed is pushed by more than everything else in the block together.
     fn pull_by_other_grounds(&mut self, begin: usize, end: usize, held: f64) {
-        let mut all = 0.0;
+        let (mut all, mut mass) = (0.0, 0.0);
         for at in begin..end {
             let i = self.order[at];
             all += self.notes[i as usize].excess.abs();
+            mass += self.nodes[i as usize].mass;
             for slot in self.links_of(i) {
                 if let Carries::UpTo(limit) = self.links[self.around[slot] as usize].carries {
                     all += if limit.is_finite() { limit } else { 0.0 };
@@ -327,7 +328,8 @@ impl Network {
             let drag = match link.carries {
                 Carries::UpTo(limit) if limit.is_finite() => limit,
                 Carries::Push if ahead != side => 0.0,
-                Carries::Push | Carries::UpTo(_) => OVERWHELMING * all,
+                // Where nothing else acts it is what the block's own inertia asks for.
+                Carries::Push | Carries::UpTo(_) => OVERWHELMING * (all + mass * (link.ground - held).abs()),
             };
             link.flow = side * ahead * drag;
             self.notes[node as usize].excess += ahead * drag;

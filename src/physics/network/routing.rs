@@ -141,7 +141,10 @@ impl Network {
     pub(super) fn split(&mut self, begin: usize, end: usize, ground: Option<f64>) {
         let first = self.notes[self.order[begin] as usize].side;
         let whole = (begin..end).all(|at| self.notes[self.order[at] as usize].side == first);
-        self.settle_other_grounds(ground.unwrap_or(0.0));
+        if let Some(side) = self.settle_other_grounds(ground.unwrap_or(0.0)) {
+            let notes = &self.notes;
+            self.squeezed.extend(self.order[begin..end].iter().filter(|&&i| notes[i as usize].side == side));
+        }
         if whole && (first == Side::Same || ground.is_none()) {
             return;
         }
@@ -196,8 +199,9 @@ impl Network {
     }
 
     /// Of the grounds set aside, those on whose side a node ended up may still hold it; the others drag or have let go for good. What
-    /// stayed although it is pushed by more than all else together is squeezed between two of them.
-    fn settle_other_grounds(&mut self, held: f64) {
+    /// stayed although it is pushed by more than all else together is squeezed between two of them: returns the side on which it stayed, if anything is.
+    fn settle_other_grounds(&mut self, held: f64) -> Option<Side> {
+        let mut squeezed = None;
         for k in 0..self.aside.len() {
             let index = self.aside[k] as usize;
             let link = self.links[index];
@@ -210,12 +214,15 @@ impl Network {
             match link.carries {
                 Carries::UpTo(limit) if limit.is_finite() => self.pass_on(index, link.flow),
                 Carries::Push | Carries::UpTo(_) => {
-                    self.squeezed |= link.flow != 0.0;
+                    if link.flow != 0.0 {
+                        squeezed = Some(mine);
+                    }
                     self.links[index].flow = 0.0;
                 }
             }
         }
         self.aside.clear();
+        squeezed
     }
 }
 

@@ -1,14 +1,23 @@
 //! The state of all bodies in separate arrays, and their numbering.
 //!
 //! Inside, y grows along gravity ("down") and the movable bodies are numbered bottom-up, so that every pass along gravity is one
-//! linear loop; the immovable surfaces follow after the last movable body and never move. [`Bodies::slot`] and [`Bodies::id`]
+//! linear loop; the surfaces, which move for no body, follow after the last movable one. [`Bodies::slot`] and [`Bodies::id`]
 //! translate between this numbering and that of the outside.
 
+use super::super::Sides;
 use glam::DVec2;
 use std::cmp::Ordering;
 
 /// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
 const MOST_MOVES: usize = 8;
+
+/// How much further than predicted a body may get before its contacts are sought anew: m, and across so many times its way besides.
+/// Larger: more contacts to look at; smaller: more islands are solved again because a hit threw a body further.
+const MARGIN: f64 = 1e-2;
+const WAYS: f64 = 1.0;
+
+/// A box that overlaps none.
+pub(super) const NOWHERE: [f64; 4] = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
 
 /// What seldom enters a formula, kept together.
 #[derive(Clone, Copy, Debug, Default)]
@@ -48,8 +57,26 @@ pub(super) struct Bodies {
     /// Velocities as the solver leaves them (surfaces too).
     pub ux: Vec<f64>,
     pub uy: Vec<f64>,
-    /// Mean velocities along gravity over the step of what touched something, m/s.
+    /// Mean velocities over the step, m/s: the way divided by the step (surfaces too).
+    pub mean_vx: Vec<f64>,
     pub mean_vy: Vec<f64>,
+    /// Where free flight ends, kept while a step is solved, m.
+    pub free_x: Vec<f64>,
+    pub free_y: Vec<f64>,
+    /// The box in which contacts of this step are looked for: left, right, top, bottom, m (surfaces too; an absent one has none).
+    pub swept: Vec<[f64; 4]>,
+    /// By which part of its fall a body is looked for besides, for it may bounce; and whether any may.
+    pub bounce: Vec<f64>,
+    pub lively: bool,
+    /// Whether some have e = 1.
+    pub elastic: bool,
+    /// Of surfaces: the speed of a belt's upper side, m/s; from which sides it is solid; whether it is there. 0, all, yes for bodies.
+    pub belt: Vec<f64>,
+    pub sides: Vec<Sides>,
+    /// Of surfaces: the velocity in the step before, m/s.
+    pub was_vx: Vec<f64>,
+    pub was_vy: Vec<f64>,
+    pub present: Vec<bool>,
     /// Positions at the end of the step, first predicted, then final (surfaces too).
     pub px: Vec<f64>,
     pub py: Vec<f64>,
@@ -95,7 +122,19 @@ impl Bodies {
             free_vy: all(),
             ux: all(),
             uy: all(),
-            mean_vy: movable(),
+            mean_vx: all(),
+            mean_vy: all(),
+            free_x: movable(),
+            free_y: movable(),
+            bounce: all(),
+            lively: false,
+            elastic: false,
+            swept: vec![[0.0; 4]; count + surfaces],
+            belt: all(),
+            was_vx: all(),
+            was_vy: all(),
+            sides: vec![Sides::ALL; count + surfaces],
+            present: vec![true; count + surfaces],
             px: all(),
             py: all(),
             allowed_left: vec![f64::INFINITY; count],
@@ -116,6 +155,64 @@ impl Bodies {
     /// The number of movable bodies; everything from here on is immovable.
     pub fn len(&self) -> usize {
         self.count
+    }
+
+    /// The velocity of the skin of a surface along the face that lies towards larger or smaller coordinates along `axis` (0: across,
+    /// 1: along gravity), besides its own, m/s; 0 of a body.
+    pub fn skin(&self, j: usize, axis: usize, larger: bool) -> f64 {
+        if (axis == 0) == larger { self.belt[j] } else { -self.belt[j] }
+    }
+
+    /// Whether body i had the velocity across that the skin of `j` has, or, of a surface, had in the step before: it rides on it.
+    #[inline(always)]
+    pub fn rides_across(&self, i: usize, j: usize, skin: f64) -> bool {
+        self.vx[i] == self.vx[j] + skin || (j >= self.count && self.vx[i] == self.was_vx[j] + skin)
+    }
+
+    /// The same along gravity.
+    #[inline(always)]
+    pub fn rides_along(&self, i: usize, j: usize, skin: f64) -> bool {
+        self.vy[i] == self.vy[j] + skin || (j >= self.count && self.vy[i] == self.was_vy[j] + skin)
+    }
+
+    /// Whether a surface moves, moved in the step before, or runs a belt.
+    pub fn carries(&self, j: usize) -> bool {
+        let moved = self.was_vx[j] != 0.0 || self.was_vy[j] != 0.0;
+        self.vx[j] != 0.0 || self.vy[j] != 0.0 || moved || self.belt[j] != 0.0
+    }
+
+    /// Whether the predicted box of a body lies within what was swept when contacts were sought, and where its neighbours were.
+    #[inline(always)]
+    pub fn is_swept(&self, i: usize) -> bool {
+        let (s, x, y, hx, hy) = (&self.swept[i], self.px[i], self.py[i], self.hx[i], self.hy[i]);
+        (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3]) & self.is_allowed(i)
+    }
+
+    /// Widens what a body sweeps to where it is predicted now.
+    pub fn widen(&mut self, i: usize) {
+        let (x, y, hx, hy) = (self.px[i], self.py[i], self.hx[i] + MARGIN, self.hy[i] + MARGIN);
+        let s = &mut self.swept[i];
+        *s = [s[0].min(x - hx), s[1].max(x + hx), s[2].min(y - hy), s[3].max(y + hy)];
+    }
+
+    /// Sets the boxes that all sweep from where they are to where they are predicted, and a margin.
+    pub fn sweep(&mut self) {
+        let all = self.x.len();
+        let (x, px, hx) = (&self.x[..all], &self.px[..all], &self.hx[..all]);
+        let (y, py, hy) = (&self.y[..all], &self.py[..all], &self.hy[..all]);
+        let bounce = &self.bounce[..all];
+        for (i, swept) in self.swept[..all].iter_mut().enumerate() {
+            let (left, right) = if x[i] < px[i] { (x[i], px[i]) } else { (px[i], x[i]) };
+            let (top, bottom) = if y[i] < py[i] { (y[i], py[i]) } else { (py[i], y[i]) };
+            let lively = MARGIN + bounce[i] * 0.03;
+            let (wide, high) = (hx[i] + lively + WAYS * (right - left), hy[i] + lively + bounce[i] * (bottom - top));
+            *swept = [left - wide, right + wide, top - high, bottom + high];
+        }
+        for (swept, present) in self.swept[self.count..].iter_mut().zip(&self.present[self.count..]) {
+            if !present {
+                *swept = NOWHERE;
+            }
+        }
     }
 
     /// Whether the predicted centre lies within the body's allowed box.
@@ -178,6 +275,7 @@ impl Bodies {
             &mut self.free_vy,
             &mut self.px,
             &mut self.py,
+            &mut self.bounce,
         ] {
             self.spare.copy_from_slice(&values[..n]);
             for (value, &from) in values.iter_mut().zip(order) {

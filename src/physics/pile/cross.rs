@@ -1,24 +1,24 @@
 //! Velocities across gravity: what stands side by side.
 //!
-//! Friction of the stacks first ([`super::friction`]); then bodies that close too fast sideways are merged with what rides on
+//! Friction of the stacks first ([`super::friction`]); then bodies that close too far sideways are merged with what rides on
 //! them and with the friction of the ground under them ([`super::clusters`]), which moves a pushed row at (F − friction)/Σm and
 //! holds it below its common limit. What the merging did is handed to the friction pass as a push, until nothing closes any more;
-//! the few contacts left after [`ROUNDS`], and steps in which all that together drives instead of dissipating, are merged without
+//! the few contacts left after [`ROUNDS`], and islands in which all that together drives instead of dissipating, are merged without
 //! friction.
-//! Faces that stand upright have no friction of their own.
 
 use super::bodies::Bodies;
-use super::bounce::{Axis, Impacts};
-use super::clusters::{Clusters, Node};
+use super::clusters::{Clusters, Motion, Node};
 use super::contacts::Contacts;
 use super::friction::{Friction, Grip};
-use super::gravity::SLACK;
+use super::report::Report;
 
 /// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
 /// A pushed body that is faster by this part than it was and than its cluster was pushed against friction that did not come: then
-/// the pushes are dropped. Smaller: rounding drops pushes; larger: bodies are flung.
-const FLUNG: f64 = 1e-9;
+/// the pushes are dropped. Smaller: rounding drops pushes; larger: bodies are driven by friction.
+const DRIVEN: f64 = 1e-9;
+/// Speeds below this are rounding, m/s.
+const STILL: f64 = 1e-12;
 /// Kinetic energy gained that is no more than rounding, as a part of all.
 const ROUNDING: f64 = 1e-12;
 /// Passes over the side contacts in one merging; each merges whole rows.
@@ -31,171 +31,239 @@ pub(super) struct Pushes {
     given: Vec<f64>,
     /// Velocities before any push, m/s.
     before: Vec<f64>,
-    /// Who is pushed.
+    /// Who is pushed, and whose way a cluster has told.
     pushed: Vec<bool>,
+    told: Vec<bool>,
+    pub hits: Hits,
+}
+
+/// Plastic impacts, and how fast one must close, m/s.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Hits {
+    pub all: Vec<(u32, u32)>,
+    pub impact: f64,
 }
 
 impl Pushes {
     pub fn new(count: usize) -> Self {
-        Self { given: vec![0.0; count], before: vec![0.0; count], pushed: vec![false; count] }
-    }
-}
-
-/// Solves the velocities across gravity.
-pub(super) fn solve(
-    bodies: &mut Bodies,
-    contacts: &Contacts,
-    friction: &mut Friction,
-    clusters: &mut Clusters,
-    impacts: &mut Impacts,
-    pushes: &mut Pushes,
-) {
-    let n = bodies.len();
-    bodies.ux.copy_from_slice(&bodies.free_vx);
-    for ((given, mass), velocity) in pushes.given.iter_mut().zip(&bodies.mass).zip(&bodies.free_vx) {
-        *given = mass * velocity;
-    }
-    if pushes.given.iter().fold(true, |still, p| still & (*p == 0.0)) {
-        friction.rest();
-        return;
-    }
-    let settled = rub_and_push(bodies, contacts, friction, clusters, impacts, pushes);
-    let gained = gains(bodies);
-    if settled && !gained {
-        return;
-    }
-    if gained {
-        bodies.ux[..n].copy_from_slice(&pushes.before);
-    }
-    let plain =
-        |bodies: &Bodies, i: usize| Some(Node { momentum: bodies.mass[i] * bodies.ux[i], mass: bodies.mass[i], ..Node::default() });
-    if merge(bodies, contacts, clusters, impacts, plain) {
-        impacts.bind(clusters, Axis::Across);
-        for &i in &clusters.joined {
-            let i = i as usize;
-            if i < n {
-                bodies.ux[i] = clusters.velocity(i, 0.0);
-            }
+        Self {
+            given: vec![0.0; count],
+            before: vec![0.0; count],
+            pushed: vec![false; count],
+            told: vec![false; count],
+            hits: Hits::default(),
         }
     }
 }
 
-/// Whether there is more kinetic energy than before: friction and pushes that answer each other round by round may drive.
-fn gains(bodies: &Bodies) -> bool {
-    let (mut before, mut after) = (0.0, 0.0);
-    for ((mass, free), velocity) in bodies.mass.iter().zip(&bodies.free_vx).zip(&bodies.ux) {
-        before += mass * free * free;
-        after += mass * velocity * velocity;
-    }
-    after > before * (1.0 + ROUNDING)
+/// What the solution across works with.
+pub(super) struct Cross<'a> {
+    pub members: &'a [u32],
+    pub contacts: &'a Contacts,
+    pub friction: &'a mut Friction,
+    pub clusters: &'a mut Clusters,
+    pub pushes: &'a mut Pushes,
+    pub struck: &'a [f64],
+    pub report: &'a mut Report,
+    pub dt: f64,
 }
 
-/// Friction, and merging with friction, in turns. Returns whether nothing closes too fast any more.
-fn rub_and_push(
-    bodies: &mut Bodies,
-    contacts: &Contacts,
-    friction: &mut Friction,
-    clusters: &mut Clusters,
-    impacts: &mut Impacts,
-    pushes: &mut Pushes,
-) -> bool {
-    let Pushes { given, before, pushed } = pushes;
-    let n = bodies.len();
-    pushed.fill(false);
-    friction.wake(bodies, contacts, given, pushed);
-    friction.load(bodies, contacts);
-    friction.solve(bodies, given);
-    before.copy_from_slice(&bodies.ux[..n]);
-    for _ in 0..ROUNDS {
-        if rouse(bodies, contacts, friction, pushed) {
-            friction.wake(bodies, contacts, given, pushed);
-            friction.load(bodies, contacts);
-            friction.solve(bodies, given);
-        }
-        if !merge(bodies, contacts, clusters, impacts, |bodies, i| node(bodies, friction, i)) {
-            return true;
-        }
-        impacts.bind(clusters, Axis::Across);
-        if hand_over(bodies, friction, clusters, given) {
-            friction.solve(bodies, given);
-        }
-        let flung = |i: usize| bodies.ux[i].abs() > before[i].abs().max(clusters.velocity(i, 0.0).abs()) * (1.0 + FLUNG) + SLACK;
-        if clusters.joined.iter().any(|i| (*i as usize) < n && flung(*i as usize)) {
-            bodies.ux[..n].copy_from_slice(before);
+impl Cross<'_> {
+    /// Solves the velocities across gravity. Returns whether friction had to be left out of the merging.
+    pub fn solve(&mut self, bodies: &mut Bodies) -> bool {
+        self.pushes.hits.all.clear();
+        if !self.begin(bodies) && !self.contacts.carried {
+            self.friction.rest(self.members);
             return false;
         }
-    }
-    false
-}
-
-/// Gives merged bodies their clusters' velocities, as pushes to those at which something rubs. Returns whether there are any.
-fn hand_over(bodies: &mut Bodies, friction: &mut Friction, clusters: &Clusters, given: &mut [f64]) -> bool {
-    let mut rubs = false;
-    for &i in &clusters.joined {
-        let i = i as usize;
-        let Some(node) = (i < bodies.len()).then(|| node(bodies, friction, i)).flatten() else { continue };
-        given[i] += push(clusters, i, &node);
-        let velocity = clusters.velocity(i, 0.0);
-        if !friction.is_gripped(i) {
-            bodies.ux[i] = velocity;
-            continue;
+        let settled = self.rub_and_push(bodies);
+        let gained = self.gains(bodies);
+        if settled && !gained {
+            return false;
         }
-        rubs = true;
-        if velocity != 0.0 {
-            friction.drag(i);
+        if gained {
+            self.reset(bodies);
         }
-    }
-    rubs
-}
-
-/// Wakes what stands and is about to be hit from the side, and what touches it in a row. Returns whether there was any.
-fn rouse(bodies: &Bodies, contacts: &Contacts, friction: &Friction, pushed: &mut [bool]) -> bool {
-    let n = bodies.len();
-    let sleeps = |pushed: &[bool], i: usize| i < n && !pushed[i] && !friction.is_awake(i);
-    let mut any = false;
-    for side in &contacts.sides {
-        let (a, b) = (side.first as usize, side.second as usize);
-        if side.live && bodies.ux[a] > bodies.ux[b] + side.bound + SLACK {
-            for i in [a, b] {
-                if sleeps(pushed, i) {
-                    pushed[i] = true;
-                    any = true;
+        let plain = |bodies: &Bodies, i: usize| Some(Node::free(bodies.mass[i], bodies.vx[i], bodies.ux[i], bodies.mean_vx[i]));
+        if merge(bodies, self.contacts, self.clusters, self.dt, &mut self.pushes.hits, plain) {
+            let (clusters, n) = (&*self.clusters, bodies.len());
+            let lack = |i: usize| if i < n { bodies.mass[i] * (bodies.ux[i] - clusters.velocity(i)) } else { 0.0 };
+            self.report.drain_sides(&clusters.edges, &clusters.joined, lack, n);
+            for &i in &self.clusters.joined {
+                let i = i as usize;
+                if i < bodies.len() {
+                    bodies.ux[i] = self.clusters.velocity(i);
+                    bodies.mean_vx[i] = self.clusters.mean(i, 0.0);
                 }
             }
         }
+        true
     }
-    let mut grows = any;
-    while grows {
-        grows = false;
-        for side in &contacts.sides {
+
+    /// Whether there is more kinetic energy than before: friction and pushes that answer each other round by round may drive. Moving
+    /// surfaces may.
+    fn gains(&self, bodies: &Bodies) -> bool {
+        let (mut before, mut after) = (0.0, 0.0);
+        for &i in self.members {
+            let i = i as usize;
+            before += bodies.mass[i] * bodies.free_vx[i] * bodies.free_vx[i];
+            after += bodies.mass[i] * bodies.ux[i] * bodies.ux[i];
+        }
+        after > before * (1.0 + ROUNDING) && !self.contacts.carried
+    }
+
+    /// Back to friction alone.
+    fn reset(&mut self, bodies: &mut Bodies) {
+        self.begin(bodies);
+        self.rub(bodies);
+    }
+
+    /// Free flight, and nobody pushed. Returns whether anything moves.
+    fn begin(&mut self, bodies: &mut Bodies) -> bool {
+        let per_second = 1.0 / self.dt;
+        let mut moves = false;
+        self.report.sides.clear();
+        for &i in self.members {
+            let i = i as usize;
+            bodies.ux[i] = bodies.free_vx[i];
+            bodies.mean_vx[i] = (bodies.px[i] - bodies.x[i]) * per_second;
+            self.pushes.given[i] = bodies.mass[i] * bodies.free_vx[i];
+            (self.pushes.pushed[i], self.pushes.told[i]) = (false, false);
+            moves |= (bodies.free_vx[i] != 0.0) | (bodies.px[i] != bodies.x[i]);
+        }
+        moves
+    }
+
+    /// Friction, and merging with friction, in turns. Returns whether nothing closes too far any more.
+    fn rub_and_push(&mut self, bodies: &mut Bodies) -> bool {
+        self.rub(bodies);
+        for &i in self.members {
+            let i = i as usize;
+            self.pushes.before[i] = bodies.ux[i];
+        }
+        for _ in 0..ROUNDS {
+            if self.stir(bodies) {
+                self.rub(bodies);
+            }
+            let (friction, contacts, dt) = (&*self.friction, self.contacts, self.dt);
+            let Pushes { told, hits, .. } = &mut *self.pushes;
+            if !merge(bodies, contacts, self.clusters, dt, hits, |bodies, i| node(bodies, friction, i, (told[i], dt))) {
+                return true;
+            }
+            if self.hand_over(bodies) {
+                self.friction.solve(bodies, &self.pushes.given);
+                self.friction.spread_ways(bodies, &self.pushes.told, self.dt);
+            }
+            if self.drives(bodies) {
+                self.reset(bodies);
+                return false;
+            }
+        }
+        false
+    }
+
+    fn rub(&mut self, bodies: &mut Bodies) {
+        let Pushes { given, pushed, told, .. } = &*self.pushes;
+        self.friction.wake(bodies, self.members, self.contacts, given, pushed);
+        self.friction.load(bodies, self.contacts, self.struck, self.dt);
+        self.friction.solve(bodies, given);
+        self.friction.spread_ways(bodies, told, self.dt);
+    }
+
+    /// Whether a merged body is faster than it was and than its cluster.
+    fn drives(&self, bodies: &Bodies) -> bool {
+        self.clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < bodies.len()).any(|i| {
+            let before = self.pushes.before[i].abs();
+            bodies.ux[i].abs() > before.max(self.clusters.velocity(i).abs()) * (1.0 + DRIVEN) + STILL
+        })
+    }
+
+    /// Gives merged bodies their clusters' velocities, as pushes to those at which something rubs. Returns whether there are any.
+    fn hand_over(&mut self, bodies: &mut Bodies) -> bool {
+        let mut rubs = false;
+        if self.report.on {
+            let (clusters, friction, pushes, dt, n) = (&*self.clusters, &*self.friction, &*self.pushes, self.dt, bodies.len());
+            let lack = |i: usize| {
+                let node = (i < n).then(|| node(bodies, friction, i, (pushes.told[i], dt))).flatten();
+                node.map_or(0.0, |node| -push(clusters, i, &node))
+            };
+            self.report.drain_sides(&clusters.edges, &clusters.joined, lack, n);
+        }
+        for &i in &self.clusters.joined {
+            let i = i as usize;
+            let Some(node) = (i < bodies.len()).then(|| node(bodies, self.friction, i, (self.pushes.told[i], self.dt))).flatten()
+            else {
+                continue;
+            };
+            self.pushes.given[i] += push(self.clusters, i, &node);
+            self.pushes.told[i] = true;
+            let velocity = self.clusters.velocity(i);
+            bodies.mean_vx[i] = self.clusters.mean(i, 0.0);
+            if !self.friction.is_gripped(i) {
+                bodies.ux[i] = velocity;
+                continue;
+            }
+            rubs = true;
+            if velocity != 0.0 {
+                self.friction.drag(i);
+            }
+        }
+        rubs
+    }
+
+    /// Wakes what stands and is about to be hit from the side, and what touches it in a row. Returns whether there was any.
+    fn stir(&mut self, bodies: &Bodies) -> bool {
+        let (n, pushed, friction) = (bodies.len(), &mut self.pushes.pushed, &*self.friction);
+        let slack = self.contacts.tolerances.hair / self.dt;
+        let sleeps = |pushed: &[bool], i: usize| i < n && !pushed[i] && !friction.is_awake(i);
+        let mut any = false;
+        for side in &self.contacts.sides {
             let (a, b) = (side.first as usize, side.second as usize);
-            if side.live && side.bound == 0.0 && a < n && b < n && pushed[a] != pushed[b] {
+            if side.live && bodies.mean_vx[a] > bodies.mean_vx[b] + side.bound + slack {
                 for i in [a, b] {
                     if sleeps(pushed, i) {
                         pushed[i] = true;
-                        grows = true;
+                        any = true;
                     }
                 }
             }
         }
+        let mut grows = any;
+        while grows {
+            grows = false;
+            for side in &self.contacts.sides {
+                let (a, b) = (side.first as usize, side.second as usize);
+                if side.live && side.bound == 0.0 && a < n && b < n && pushed[a] != pushed[b] {
+                    for i in [a, b] {
+                        if sleeps(pushed, i) {
+                            pushed[i] = true;
+                            grows = true;
+                        }
+                    }
+                }
+            }
+        }
+        any
     }
-    any
 }
 
 /// What a body brings: itself and its riders, and the friction of supports that stand still.
 /// Nothing of a body that does not take part yet.
-fn node(bodies: &Bodies, friction: &Friction, i: usize) -> Option<Node> {
+fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt): (bool, f64)) -> Option<Node> {
     if !friction.is_awake(i) {
         return None;
     }
+    let (velocity, mean) = (bodies.ux[i], bodies.mean_vx[i]);
     if !friction.is_gripped(i) {
-        return Some(Node { momentum: bodies.mass[i] * bodies.ux[i], mass: bodies.mass[i], ..Node::default() });
+        return Some(Node::free(bodies.mass[i], bodies.vx[i], velocity, mean));
     }
-    let mut node = friction.riders[i];
+    let riders = friction.riders[i];
     let tight = &friction.tight[friction.under(i)];
-    if tight.is_empty() || tight.iter().any(|t| bodies.ux[t.below as usize] != 0.0) {
-        return Some(Node { momentum: node.mass * bodies.ux[i], ..node });
+    let moves = |t: &super::friction::Tight| bodies.ux[t.below as usize] != 0.0 || t.skin != 0.0;
+    if tight.is_empty() || tight.iter().any(moves) {
+        return Some(Node::free(riders.mass, bodies.vx[i], velocity, mean));
     }
+    let mut node = Node { began: riders.mass * bodies.vx[i], ..riders };
     for t in tight {
         if t.grip != Grip::Stick {
             node.momentum -= t.impulse;
@@ -203,12 +271,15 @@ fn node(bodies: &Bodies, friction: &Friction, i: usize) -> Option<Node> {
         node.static_limit += t.held;
         node.kinetic_limit += t.dragged;
     }
+    // Its way without friction: as in flight, with what was given besides; or such that friction takes it where a cluster has.
+    let (free, of) = if told { (mean, velocity) } else { ((bodies.px[i] - bodies.x[i]) / dt, bodies.free_vx[i]) };
+    node.way = node.mass * free + 0.5 * (node.momentum - node.mass * of);
     Some(node)
 }
 
 /// The impulse with which its neighbours bring a merged body to the velocity of its cluster.
 fn push(clusters: &Clusters, i: usize, node: &Node) -> f64 {
-    let velocity = clusters.velocity(i, 0.0);
+    let velocity = clusters.velocity(i);
     if velocity != 0.0 {
         return node.mass * velocity + node.kinetic_limit.copysign(velocity) - node.momentum;
     }
@@ -220,37 +291,41 @@ fn push(clusters: &Clusters, i: usize, node: &Node) -> f64 {
     impulse * part - node.momentum
 }
 
-/// Merges what closes too fast, of those that `node` knows. Returns whether anything did.
-fn merge(
+/// Merges what closes too far, of those that `node` knows. Returns whether anything did.
+pub(super) fn merge(
     bodies: &Bodies,
     contacts: &Contacts,
     clusters: &mut Clusters,
-    impacts: &mut Impacts,
+    dt: f64,
+    hits: &mut Hits,
     node: impl Fn(&Bodies, usize) -> Option<Node>,
 ) -> bool {
     let n = bodies.len();
+    let slack = contacts.tolerances.hair / dt;
     clusters.clear();
     let mut any = false;
     for _ in 0..PASSES {
         let mut merged = false;
         for side in &contacts.sides {
             let (a, b) = (side.first as usize, side.second as usize);
-            let (left, right) = (clusters.velocity(a, bodies.ux[a]), clusters.velocity(b, bodies.ux[b]));
-            if left <= right + side.bound + SLACK || !side.live {
+            let (left, right) = (clusters.mean(a, bodies.mean_vx[a]), clusters.mean(b, bodies.mean_vx[b]));
+            if left <= right + side.bound + slack || !side.live {
                 continue;
             }
             any = true;
             let brings = |i: usize| if i < n { node(bodies, i) } else { Some(Node::default()) };
             let (Some(of_a), Some(of_b)) = (brings(a), brings(b)) else { continue };
-            clusters.join(a, (a >= n).then_some(0.0), of_a);
-            clusters.join(b, (b >= n).then_some(0.0), of_b);
-            impacts.note(a, b, Axis::Across, left - right - side.bound);
+            let fixed = |i: usize| (i >= n).then(|| Motion { velocity: bodies.ux[i], mean: bodies.mean_vx[i] });
+            if bodies.ux[a] - bodies.ux[b] > hits.impact && !(clusters.is_joined(a) && clusters.is_joined(b)) {
+                hits.all.push(if a < n { (a as u32, b as u32) } else { (b as u32, a as u32) });
+            }
+            clusters.join(a, fixed(a), of_a);
+            clusters.join(b, fixed(b), of_b);
             merged |= clusters.merge(a, b, side.bound);
         }
         if !merged {
             break;
         }
-        clusters.calm();
     }
     any
 }

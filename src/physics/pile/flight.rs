@@ -144,6 +144,16 @@ impl Block {
 }
 
 /// A step of one body, in as many parts as it takes.
+/// The flight of one body: what [`fly`] comes to for it.
+pub(super) fn fly_one(bodies: &mut Bodies, i: usize, dt: f64, drag: bool) {
+    if drag {
+        return fly_alone(bodies, i, dt);
+    }
+    let half = 0.5 * dt * dt;
+    (bodies.px[i], bodies.free_vx[i]) = (bodies.x[i] + (bodies.vx[i] * dt + bodies.ax[i] * half), bodies.vx[i] + bodies.ax[i] * dt);
+    (bodies.py[i], bodies.free_vy[i]) = (bodies.y[i] + (bodies.vy[i] * dt + bodies.ay[i] * half), bodies.vy[i] + bodies.ay[i] * dt);
+}
+
 fn fly_alone(bodies: &mut Bodies, i: usize, dt: f64) {
     let a = DVec2::new(bodies.ax[i], bodies.ay[i]);
     let drag = Drag { tall: bodies.drag_tall[i], wide: bodies.drag_wide[i], round: bodies.drag_round[i] };

@@ -10,7 +10,9 @@
 //!
 //! Only what moves, is pushed, or stands on such takes part. What stands and is not pushed holds whatever slides on it, since its
 //! own limit is at least theirs together, provided that no surface is more slippery than the bodies and all bodies are alike;
-//! otherwise all take part.
+//! otherwise all take part. A moving surface, or one with a belt, carries with the velocity of its skin.
+//!
+//! Friction is spread evenly over the step, or until what slides stops: then it has gone half as far as its velocity says until then.
 
 use super::bodies::Bodies;
 use super::clusters::Node;
@@ -45,6 +47,12 @@ pub(super) struct Tight {
     pub dragged: f64,
     /// Friction's impulse on the upper body, N·s.
     pub impulse: f64,
+    /// Whether the two had the same velocity at the start.
+    stood: bool,
+    /// Whether it is a ceiling.
+    above: bool,
+    /// Velocity of the skin besides that of what it belongs to, m/s.
+    pub skin: f64,
 }
 
 /// Loads and friction of the tight contacts along gravity.
@@ -65,13 +73,13 @@ pub(super) struct Friction {
     is_gripped: Vec<bool>,
     /// Whether all materials are such that what stands holds what slides on it.
     alike: bool,
+    /// Whether surfaces move, which may drive.
+    carried: bool,
 }
 
 impl Friction {
     pub fn new(bodies: &Bodies) -> Self {
-        let (all, n) = (bodies.x.len(), bodies.len());
-        let mu = |i: usize| (bodies.traits[i].static_friction, bodies.traits[i].kinetic_friction);
-        let alike = (1..n).all(|i| mu(i) == mu(0)) && (n..all).all(|j| n == 0 || mu(j).0 >= mu(0).0.max(mu(0).1));
+        let all = bodies.x.len();
         Self {
             riders: vec![Node::default(); all],
             loads: vec![0.0; all],
@@ -79,7 +87,6 @@ impl Friction {
             is_gripped: vec![false; all],
             start: vec![0; all],
             end: vec![0; all],
-            alike,
             ..Self::default()
         }
     }
@@ -105,23 +112,35 @@ impl Friction {
     }
 
     /// Nothing moves across, so nobody takes part.
-    pub fn rest(&mut self) {
+    pub fn rest(&mut self, members: &[u32]) {
         self.awake.clear();
         self.gripped.clear();
-        self.is_awake.fill(false);
+        members.iter().for_each(|i| self.is_awake[*i as usize] = false);
     }
 
     /// Chooses who takes part: what has momentum in `given`, stands on nothing, stands on what takes part, or is `pushed`.
-    pub fn wake(&mut self, bodies: &Bodies, contacts: &Contacts, given: &[f64], pushed: &[bool]) {
+    pub fn wake(&mut self, bodies: &Bodies, members: &[u32], contacts: &Contacts, given: &[f64], pushed: &[bool]) {
         self.awake.clear();
-        for i in 0..bodies.len() {
+        let n = bodies.len();
+        let of = |i: u32| (bodies.traits[i as usize].static_friction, bodies.traits[i as usize].kinetic_friction);
+        let first = members.first().map_or((0.0, 0.0), |i| of(*i));
+        self.alike = members.iter().all(|i| of(*i) == first);
+        for &i in members {
+            let i = i as usize;
             let under = &contacts.stacks[contacts.under(i)];
+            let stirs = |j: usize| {
+                if j < n {
+                    return self.is_awake[j];
+                }
+                let slippery = bodies.traits[j].static_friction < first.0.max(first.1);
+                bodies.ux[j] != 0.0 || bodies.belt[j] != 0.0 || slippery
+            };
             let awake = !self.alike
                 || given[i] != 0.0
                 || pushed[i]
                 || under.is_empty()
                 || bodies.uy[i] != 0.0
-                || under.iter().any(|stack| self.is_awake[stack.below as usize]);
+                || under.iter().any(|stack| stirs(stack.below as usize));
             self.is_awake[i] = awake;
             if awake {
                 self.awake.push(i as u32);
@@ -129,34 +148,44 @@ impl Friction {
         }
     }
 
-    /// Adds up the loads top-down, from what the solver changed along gravity.
-    pub fn load(&mut self, bodies: &Bodies, contacts: &Contacts) {
+    /// Adds up the loads top-down, from what the solver changed along gravity and what `struck` bodies from above in impacts, N·s.
+    pub fn load(&mut self, bodies: &Bodies, contacts: &Contacts, struck: &[f64], dt: f64) {
         let n = bodies.len();
+        let slack = contacts.tolerances.hair / dt;
+        self.carried = contacts.carried;
         self.tight.clear();
         self.gripped.clear();
-        for &i in &self.awake {
-            let i = i as usize;
+        for k in 0..self.awake.len() {
+            let i = self.awake[k] as usize;
             self.start[i] = self.tight.len() as u32;
-            self.loads[i] = 0.0;
+            self.loads[i] = struck[i];
             self.is_gripped[i] = false;
-            let velocity = bodies.uy[i];
+            let (mean, velocity) = (bodies.mean_vy[i], bodies.uy[i]);
             for stack in &contacts.stacks[contacts.under(i)] {
-                if stack.live && (velocity - bodies.uy[stack.below as usize] - stack.bound).abs() <= SLACK {
-                    let (mine, other) = (&bodies.traits[i], &bodies.traits[stack.below as usize]);
-                    let surface = stack.below as usize >= n;
+                let below = stack.below as usize;
+                let presses = (mean - bodies.mean_vy[below] - stack.bound).abs() <= slack;
+                if stack.live && presses && (velocity - bodies.uy[below]).abs() <= SLACK {
+                    let (mine, other) = (&bodies.traits[i], &bodies.traits[below]);
+                    let surface = below >= n;
                     let pick = |a: f64, b: f64| if surface { b } else { a.min(b) };
                     // What slides stops only where kinetic friction stops it; static friction holds what stands.
-                    let stands = bodies.vx[i] == bodies.vx[stack.below as usize];
+                    let stood = bodies.rides_across(i, below, bodies.belt[below]);
                     let dragged = pick(mine.kinetic_friction, other.kinetic_friction);
                     self.tight.push(Tight {
                         below: stack.below,
                         grip: Grip::Stick,
                         load: 0.0,
-                        held: if stands { pick(mine.static_friction, other.static_friction) } else { dragged },
+                        held: if stood { pick(mine.static_friction, other.static_friction) } else { dragged },
                         dragged,
                         impulse: 0.0,
+                        stood,
+                        above: false,
+                        skin: bodies.belt[below],
                     });
                 }
+            }
+            if !contacts.ceilings.is_empty() {
+                self.look_up(bodies, contacts, i, slack);
             }
             self.end[i] = self.tight.len() as u32;
             for tight in &self.tight[self.start[i] as usize..] {
@@ -169,14 +198,74 @@ impl Friction {
             let i = self.gripped[k] as usize;
             let load = self.loads[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
             let under = self.under(i);
-            let share = load.max(0.0) / under.len() as f64;
+            let bears = |tight: &Tight| tight.above == (load < 0.0);
+            let share = load.abs() / self.tight[under.clone()].iter().filter(|t| bears(t)).count() as f64;
             for tight in &mut self.tight[under] {
+                let share = if bears(tight) { share } else { 0.0 };
                 tight.load = share;
                 tight.held *= share;
                 tight.dragged *= share;
-                self.loads[tight.below as usize] += share;
+                if !tight.above {
+                    self.loads[tight.below as usize] += share;
+                }
             }
         }
+    }
+
+    /// Adds the ceilings that a body presses.
+    fn look_up(&mut self, bodies: &Bodies, contacts: &Contacts, i: usize, slack: f64) {
+        for ceiling in contacts.ceilings.iter().filter(|ceiling| ceiling.second as usize == i && ceiling.live) {
+            let j = ceiling.first as usize;
+            let presses = (bodies.mean_vy[j] - bodies.mean_vy[i] - ceiling.bound).abs() <= slack;
+            if presses && (bodies.uy[i] - bodies.uy[j]).abs() <= SLACK {
+                let (traits, skin) = (&bodies.traits[j], bodies.skin(j, 1, true));
+                let stood = bodies.rides_across(i, j, skin);
+                let dragged = traits.kinetic_friction;
+                let held = if stood { traits.static_friction } else { dragged };
+                let below = ceiling.first;
+                self.tight.push(Tight {
+                    below,
+                    grip: Grip::Stick,
+                    load: 0.0,
+                    held,
+                    dragged,
+                    impulse: 0.0,
+                    stood,
+                    above: true,
+                    skin,
+                });
+            }
+        }
+    }
+
+    /// Mean velocities across of what is gripped, once the velocities are solved; those that `told` knows otherwise stay.
+    pub fn spread_ways(&self, bodies: &mut Bodies, told: &[bool], dt: f64) {
+        for &i in &self.gripped {
+            let i = i as usize;
+            if told[i] {
+                continue;
+            }
+            let free = (bodies.px[i] - bodies.x[i]) / dt;
+            let mut mean = free + 0.5 * (bodies.ux[i] - bodies.free_vx[i]);
+            let strongest = self.tight[self.under(i)].iter().reduce(|a, b| if b.held > a.held { b } else { a });
+            if let Some(tight) = strongest {
+                let below = tight.below as usize;
+                let belt = tight.skin;
+                if bodies.ux[i] == bodies.ux[below] + belt {
+                    let carried = bodies.mean_vx[below] + belt;
+                    let sliding = bodies.vx[i] - bodies.vx[below] - belt;
+                    mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * self.time_to_stop(bodies, i, sliding) };
+                }
+            }
+            bodies.mean_vx[i] = mean;
+        }
+    }
+
+    /// How long, as a part of the step, a body that slides and stops within it slides on.
+    fn time_to_stop(&self, bodies: &Bodies, i: usize, sliding: f64) -> f64 {
+        let dragged: f64 = self.tight[self.under(i)].iter().map(|t| t.dragged).sum();
+        let slowed = dragged.copysign(sliding) / self.riders[i].mass - (bodies.free_vx[i] - bodies.vx[i]);
+        if slowed == 0.0 { 1.0 } else { (sliding / slowed).clamp(0.0, 1.0) }
     }
 
     /// From now on only kinetic friction acts under a body, for it is being pushed along.
@@ -195,7 +284,7 @@ impl Friction {
         for round in 0..ROUNDS {
             self.gather(bodies, given, round == 0);
             if !self.spread(bodies) {
-                if self.dissipates(bodies, given) {
+                if self.carried || self.dissipates(bodies, given) {
                     return;
                 }
                 break;
@@ -235,7 +324,7 @@ impl Friction {
                     let below = tight.below as usize;
                     let share = |i: usize, moves: bool| if moves { 1.0 / bodies.mass[i] } else { 0.0 };
                     let (mine, other) = (share(i, true), share(below, below < n && self.is_awake[below]));
-                    let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below]) / (mine + other);
+                    let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below] - tight.skin) / (mine + other);
                     let more = wanted.clamp(-tight.held, tight.held) - tight.impulse;
                     tight.impulse += more;
                     bodies.ux[i] += more * mine;
@@ -315,11 +404,12 @@ impl Friction {
                 }
             }
             if let Some(best) = best {
-                let target = bodies.ux[self.tight[best].below as usize];
+                let carry = |tight: &Tight| bodies.ux[tight.below as usize] + tight.skin;
+                let target = carry(&self.tight[best]);
                 let impulse = mine.mass * target - mine.momentum;
                 velocity = target;
                 for c in under.clone() {
-                    let other = bodies.ux[self.tight[c].below as usize];
+                    let other = carry(&self.tight[c]);
                     let tight = &mut self.tight[c];
                     if tight.grip != Grip::Stick || tight.held <= 0.0 {
                         continue;
@@ -336,9 +426,10 @@ impl Friction {
             }
             for c in under {
                 if let Grip::Slip(sign) = self.tight[c].grip {
-                    let slip = velocity - bodies.ux[self.tight[c].below as usize];
+                    let below = self.tight[c].below as usize;
+                    let slip = velocity - bodies.ux[below] - self.tight[c].skin;
                     if best.is_none() && slip * sign > 0.0 {
-                        self.tight[c].grip = if best.is_none() { Grip::Stick } else { Grip::Slip(-sign) };
+                        self.tight[c].grip = Grip::Stick;
                         changed = true;
                     }
                 }

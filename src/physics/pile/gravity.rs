@@ -1,17 +1,17 @@
 //! Velocities along gravity.
 //!
-//! Bodies are numbered bottom-up, so one linear pass answers all that stands on the ground, at any mass ratio: a body's bound is
-//! the smallest over its *anchored* supports of their velocity + gap/dt; one that would fall faster takes the bound and is
-//! anchored itself, for pressing harder on what the ground holds does not move it. What is left are collisions in the air and
-//! what is lifted from below: those are merged ([`super::clusters`]) until nothing closes too fast. The way that belongs to a
-//! velocity is told by a mean velocity: of what the ground carries its velocity, of what merged that of a common fall.
+//! Bodies come bottom-up, so one linear pass answers all that stands on the ground, at any mass ratio: a body's bound is the smallest
+//! over its *anchored* supports of their way and the gap; one that would go further takes the bound, leaves the step with its support's
+//! velocity, and is anchored itself, for pressing harder on what the ground holds does not move it. What is left are collisions in
+//! the air and what is lifted from below: those are merged ([`super::clusters`]) until nothing closes too far. The ways of the step are
+//! told by mean velocities.
 
 use super::bodies::Bodies;
-use super::bounce::{Axis, Impacts};
-use super::clusters::{Clusters, Node};
+use super::clusters::{Clusters, Motion, Node};
 use super::contacts::Contacts;
+use super::report::Edge;
 
-/// An approach this much faster than allowed is still allowed, m/s. Smaller: endless merging over rounding.
+/// Relative velocities along gravity below this are none when loads are told, m/s. Larger: slow touches rub.
 pub(super) const SLACK: f64 = 1e-12;
 /// The most rounds of merging in a step; each settles at least one contact, all but the rarest scenes need two or three.
 const ROUNDS: usize = 24;
@@ -22,106 +22,193 @@ pub(super) fn slide(momentum: f64, mass: f64, held: f64, dragged: f64) -> f64 {
     if momentum.abs() <= held { 0.0 } else { (momentum.abs() - dragged.min(momentum.abs())).copysign(momentum) / mass }
 }
 
-/// Solves the velocities along gravity.
+/// Lands on nothing.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// Who is carried by the ground, by slot; surfaces always.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Anchors {
+    pub held: Vec<bool>,
+    /// Held from the start, without an impact.
+    pub rests: Vec<bool>,
+    /// On what each body lands in this step, by slot; and on what those rest that rest.
+    pub lands: Vec<u32>,
+    pub on: Vec<u32>,
+    /// What a wall can hold by friction: whether it does, and how fast the wall moves.
+    pub hung: Vec<Option<f64>>,
+    pub any_hung: bool,
+    /// Whether only the anchored are asked for now, and whether others would have to be merged.
+    pub only_anchors: bool,
+    pub unmerged: bool,
+    /// Who was merged in the air, by slot, and through which pairs.
+    pub loose: Vec<bool>,
+    pub edges: Vec<Edge>,
+    /// Plastic impacts, and how fast one must close, m/s.
+    pub hits: Vec<(u32, u32)>,
+    pub impact: f64,
+}
+
+impl Anchors {
+    pub fn new(count: usize, all: usize) -> Self {
+        let mut held = vec![false; count];
+        held.resize(all, true);
+        Self {
+            rests: held.clone(),
+            held,
+            lands: vec![NONE; count],
+            on: vec![NONE; count],
+            hung: vec![None; count],
+            any_hung: false,
+            only_anchors: false,
+            unmerged: false,
+            loose: vec![false; count],
+            edges: Vec::with_capacity(count),
+            hits: Vec::with_capacity(count),
+            impact: 0.0,
+        }
+    }
+}
+
+/// Solves the velocities along gravity. Returns how many rounds of merging ran out, 0 or 1.
 pub(super) fn solve(
     bodies: &mut Bodies,
+    members: &[u32],
     contacts: &Contacts,
-    anchored: &mut [bool],
+    anchors: &mut Anchors,
     clusters: &mut Clusters,
-    impacts: &mut Impacts,
-) {
-    let n = bodies.len();
+    dt: f64,
+) -> u64 {
     let mut loose = !contacts.ceilings.is_empty();
-    for i in 0..n {
+    anchors.edges.clear();
+    anchors.hits.clear();
+    let (per_second, slack) = (1.0 / dt, contacts.tolerances.hair / dt);
+    for &i in members {
+        let i = i as usize;
         let mut velocity = bodies.free_vy[i];
+        let mut mean = (bodies.py[i] - bodies.y[i]) * per_second;
+        if anchors.any_hung
+            && let Some(wall) = anchors.hung[i]
+        {
+            (velocity, mean) = (wall, wall);
+        }
         let mut bound = f64::INFINITY;
         let mut over = f64::INFINITY;
-        let mut support = 0;
+        let mut support = i;
+        let mut gap = 0.0;
         for stack in &contacts.stacks[contacts.under(i)] {
             if !stack.live {
                 continue;
             }
             let j = stack.below as usize;
-            let limit = bodies.uy[j] + stack.bound;
-            if anchored[j] {
-                if limit < bound {
-                    bound = limit;
-                    support = j;
+            let limit = bodies.mean_vy[j] + stack.bound;
+            if anchors.held[j] {
+                if limit < bound || (limit == bound && bodies.uy[j] < bodies.uy[support]) {
+                    (bound, support, gap) = (limit, j, stack.bound);
                 }
             } else {
                 over = over.min(limit);
             }
         }
-        anchored[i] = velocity >= bound;
-        if anchored[i] {
-            impacts.note(i, support, Axis::Gravity, velocity - bound);
-            velocity = bound;
-            bodies.mean_vy[i] = bound;
+        let hung = anchors.any_hung && anchors.hung[i].is_some();
+        anchors.held[i] = hung;
+        anchors.loose[i] = false;
+        (anchors.lands[i], anchors.on[i]) = (NONE, NONE);
+        anchors.rests[i] = hung;
+        // On a surface that speeds up or slows down a body stays while it presses, though its velocity is one step late.
+        let presses = contacts.carried && gap == 0.0 && bound < f64::INFINITY && velocity >= bodies.uy[support];
+        if mean >= bound || (presses && bodies.rides_along(i, support, 0.0)) {
+            mean = bound;
+            // What leaves at the end has only touched.
+            if velocity >= bodies.uy[support] {
+                if velocity - bodies.uy[support] > anchors.impact {
+                    anchors.hits.push((i as u32, support as u32));
+                }
+                velocity = bodies.uy[support];
+                anchors.held[i] = true;
+                anchors.lands[i] = if gap > 0.0 { support as u32 } else { NONE };
+                anchors.on[i] = support as u32;
+                anchors.rests[i] = bodies.rides_along(i, support, 0.0) && mean == bodies.mean_vy[support];
+            }
         }
-        loose |= velocity > over + SLACK;
-        bodies.uy[i] = velocity;
+        loose |= mean > over + slack;
+        (bodies.uy[i], bodies.mean_vy[i]) = (velocity, mean);
     }
-    if loose {
-        merge(bodies, contacts, anchored, clusters, impacts);
-    }
+    anchors.unmerged = loose && anchors.only_anchors;
+    if loose && !anchors.only_anchors { merge(bodies, members, contacts, anchors, clusters, dt) } else { 0 }
 }
 
-/// Merges what closes too fast among bodies of which at least one is not anchored.
-fn merge(bodies: &mut Bodies, contacts: &Contacts, anchored: &mut [bool], clusters: &mut Clusters, impacts: &mut Impacts) {
+/// Merges what closes too far among bodies of which at least one is not anchored.
+fn merge(
+    bodies: &mut Bodies,
+    members: &[u32],
+    contacts: &Contacts,
+    anchors: &mut Anchors,
+    clusters: &mut Clusters,
+    dt: f64,
+) -> u64 {
     let n = bodies.len();
+    let slack = contacts.tolerances.hair / dt;
     clusters.clear();
-    let node =
-        |bodies: &Bodies, i: usize| Node { momentum: bodies.mass[i] * bodies.free_vy[i], mass: bodies.mass[i], ..Node::default() };
+    let node = |bodies: &Bodies, i: usize| {
+        if i >= n {
+            return Node::default();
+        }
+        let mean = (bodies.py[i] - bodies.y[i]) / dt;
+        Node::free(bodies.mass[i], bodies.vy[i], bodies.free_vy[i], mean)
+    };
+    let fixed = |bodies: &Bodies, held: bool, i: usize| held.then(|| Motion { velocity: bodies.uy[i], mean: bodies.mean_vy[i] });
+    let mut exhausted = 1;
     for _ in 0..ROUNDS {
         let mut merged = false;
-        for i in 0..n {
+        for &i in members {
+            let i = i as usize;
             for stack in &contacts.stacks[contacts.under(i)] {
                 let j = stack.below as usize;
-                let (upper, lower) = (clusters.velocity(i, bodies.uy[i]), clusters.velocity(j, bodies.uy[j]));
-                if !stack.live || upper <= lower + stack.bound + SLACK {
+                let (upper, lower) = (clusters.mean(i, bodies.mean_vy[i]), clusters.mean(j, bodies.mean_vy[j]));
+                if !stack.live || upper <= lower + stack.bound + slack {
                     continue;
                 }
-                let held = j >= n || (if clusters.is_joined(j) { clusters.is_fixed(j) } else { anchored[j] });
-                if anchored[i] && !held && !clusters.is_joined(i) {
-                    anchored[i] = false; // pushed off its supports from below
+                let held = j >= n || (if clusters.is_joined(j) { clusters.is_fixed(j) } else { anchors.held[j] });
+                if anchors.held[i] && !held && !clusters.is_joined(i) {
+                    // Pushed off its supports from below.
+                    (anchors.held[i], anchors.rests[i]) = (false, false);
                 }
-                let fixed_j = (j >= n || anchored[j]).then_some(bodies.uy[j]);
-                clusters.join(j, fixed_j, if j < n { node(bodies, j) } else { Node::default() });
-                clusters.join(i, anchored[i].then_some(bodies.uy[i]), node(bodies, i));
-                impacts.note(i, j, Axis::Gravity, upper - lower - stack.bound);
+                if bodies.free_vy[i] - bodies.free_vy[j] > anchors.impact {
+                    anchors.hits.push((i as u32, j as u32));
+                }
+                clusters.join(j, fixed(bodies, anchors.held[j], j), node(bodies, j));
+                clusters.join(i, fixed(bodies, anchors.held[i], i), node(bodies, i));
                 merged |= clusters.merge(i, j, stack.bound);
             }
         }
         for ceiling in &contacts.ceilings {
             let (j, i) = (ceiling.first as usize, ceiling.second as usize);
-            let velocity = clusters.velocity(i, bodies.uy[i]);
-            if ceiling.live && velocity < -ceiling.bound - SLACK {
-                clusters.join(j, Some(0.0), Node::default());
-                clusters.join(i, anchored[i].then_some(bodies.uy[i]), node(bodies, i));
-                impacts.note(i, j, Axis::Gravity, -velocity - ceiling.bound);
+            if ceiling.live && clusters.mean(i, bodies.mean_vy[i]) < bodies.mean_vy[j] - ceiling.bound - slack {
+                if bodies.free_vy[j] - bodies.free_vy[i] > anchors.impact {
+                    anchors.hits.push((i as u32, j as u32));
+                }
+                clusters.join(j, fixed(bodies, true, j), Node::default());
+                clusters.join(i, fixed(bodies, anchors.held[i], i), node(bodies, i));
                 merged |= clusters.merge(i, j, -ceiling.bound);
             }
         }
         if !merged {
+            exhausted = 0;
             break;
         }
-        clusters.calm();
     }
     for &i in &clusters.joined {
         let i = i as usize;
         if i < n {
-            bodies.uy[i] = clusters.velocity(i, 0.0);
-            bodies.mean_vy[i] = bodies.uy[i];
-            anchored[i] |= clusters.is_fixed(i);
+            anchors.lands[i] = if clusters.came_fixed(i) { anchors.lands[i] } else { NONE };
+            bodies.mean_vy[i] = clusters.mean(i, 0.0);
+            bodies.uy[i] = clusters.velocity(i);
+            anchors.held[i] |= clusters.is_fixed(i);
+            anchors.loose[i] = !clusters.came_fixed(i);
         }
     }
-    impacts.bind(clusters, Axis::Gravity);
-    // What meets in the air meets at the start of the step, and then falls on as one.
-    for root in clusters.free_roots() {
-        let of = |i: usize| (bodies.mass[i], 0.5 * bodies.mass[i] * (bodies.free_vy[i] - bodies.vy[i]));
-        let (mass, gained) = clusters.of(root).map(of).fold((0.0, 0.0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
-        clusters.of(root).for_each(|i| bodies.mean_vy[i] -= gained / mass);
-    }
+    anchors.edges.extend_from_slice(&clusters.edges);
+    exhausted
 }
 
 #[cfg(test)]

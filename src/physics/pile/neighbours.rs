@@ -7,7 +7,7 @@
 //! that were made since, are tested one by one. Surfaces never move: each is tested when they are few, else looked up in a grid
 //! of their own. Without surfaces the boxes move along with the mean motion, so that a shower is sought seldom.
 
-use super::bodies::Bodies;
+use super::bodies::{Bodies, NOWHERE};
 use super::grid::{Edges, Grid, overlap};
 
 /// Skin as a part of the mean half extent. Larger: more pairs to look at; smaller: more searches.
@@ -45,6 +45,9 @@ pub(super) struct Neighbours {
     /// Neighbours added since: the first of body i is `more[first[i]]`, each knows the next.
     pub first: Vec<u32>,
     pub more: Vec<More>,
+    /// The same for moving surfaces, found anew in every step.
+    moving: Vec<More>,
+    first_moving: Vec<u32>,
     left: usize,
     /// Mean velocity (m/s) and mean fall (m/s²) when all was sought, and how long ago that was, s.
     drift: (f64, f64),
@@ -69,8 +72,14 @@ impl Neighbours {
     /// For the bodies' surfaces, which never change.
     pub fn new(bodies: &Bodies) -> Self {
         let n = bodies.len();
-        let mut new =
-            Self { horizon: HORIZON.0, start: vec![0; n + 1], first: vec![NONE; n], is_large: vec![false; n], ..Self::default() };
+        let mut new = Self {
+            horizon: HORIZON.0,
+            start: vec![0; n + 1],
+            first: vec![NONE; n],
+            first_moving: vec![NONE; n],
+            is_large: vec![false; n],
+            ..Self::default()
+        };
         for j in n..bodies.x.len() {
             let (x, y, hx, hy) = (bodies.x[j], bodies.y[j], bodies.hx[j], bodies.hy[j]);
             new.surface_edges.push([x - hx, x + hx, y - hy, y + hy]);
@@ -108,43 +117,79 @@ impl Neighbours {
         }
     }
 
-    /// The neighbours of body i, each a lower number or a surface.
+    /// The neighbours of body i, each a lower number or a surface: those of the last search, in ascending order, and in `later` what was
+    /// added since.
     #[inline(always)]
-    pub fn of(&self, i: usize) -> impl Iterator<Item = usize> {
-        let mut known = self.with[self.start[i] as usize..self.start[i + 1] as usize].iter();
-        let mut at = self.first[i];
-        std::iter::from_fn(move || {
-            if let Some(&other) = known.next() {
-                return Some(other as usize);
-            }
-            let more = self.more.get(at as usize)?;
-            at = more.next;
-            Some(more.with as usize)
-        })
-    }
-
-    /// How many neighbours were added since all was sought.
-    pub fn added(&self) -> usize {
-        self.more.len()
-    }
-
-    /// Whether `other` is a neighbour of body i that was added when there were `before` of them, or later.
-    pub fn is_new(&self, i: usize, other: usize, before: usize) -> bool {
-        // The last one added comes first.
-        let mut at = self.first[i] as usize;
-        while at >= before {
-            let Some(more) = self.more.get(at) else { return false };
-            if more.with as usize == other {
-                return true;
-            }
-            at = more.next as usize;
+    pub fn of(&self, i: usize, later: &mut Vec<u32>) -> &[u32] {
+        later.clear();
+        if self.first[i] != NONE || !self.moving.is_empty() {
+            self.add_later(i, later);
         }
-        false
+        &self.with[self.start[i] as usize..self.start[i + 1] as usize]
+    }
+
+    fn add_later(&self, i: usize, later: &mut Vec<u32>) {
+        let mut at = self.first[i];
+        while let Some(more) = self.more.get(at as usize) {
+            at = more.next;
+            later.push(more.with);
+        }
+        let mut at = if self.moving.is_empty() { NONE } else { self.first_moving[i] };
+        while let Some(more) = self.moving.get(at as usize) {
+            at = more.next;
+            later.push(more.with);
+        }
     }
 
     /// Whether nobody has any neighbour.
     pub fn is_empty(&self) -> bool {
-        self.with.is_empty() && self.more.is_empty()
+        self.with.is_empty() && self.more.is_empty() && self.moving.is_empty()
+    }
+
+    /// Whether all has to be sought anew.
+    pub fn is_stale(&self, bodies: &Bodies) -> bool {
+        self.edges.len() != bodies.len()
+    }
+
+    /// A surface moves from now on: it is no longer among those that stand.
+    pub fn set_moving(&mut self, surface: usize) {
+        self.surface_edges[surface] = NOWHERE;
+        // All is sought anew, so that nobody has it among the neighbours that last.
+        self.edges.clear();
+    }
+
+    /// Finds who may touch surfaces that move, by the boxes that all sweep in this step.
+    pub fn find_moving(&mut self, bodies: &Bodies, surfaces: &[u32]) {
+        self.moving.clear();
+        if surfaces.is_empty() {
+            return;
+        }
+        let n = bodies.len();
+        self.first_moving.fill(NONE);
+        for &j in surfaces {
+            let mine = bodies.swept[n + j as usize];
+            for i in 0..n {
+                if overlap(&mine, &bodies.swept[i]) {
+                    self.moving.push(More { with: n as u32 + j, next: self.first_moving[i] });
+                    self.first_moving[i] = self.moving.len() as u32 - 1;
+                }
+            }
+        }
+    }
+
+    /// Lets bodies into all of what they sweep, without numbering anything anew.
+    pub fn follow(&mut self, bodies: &mut Bodies, slots: &[u32]) {
+        for &i in slots {
+            let i = i as usize;
+            let (s, (dx, dy), hx, hy) = (bodies.swept[i], bodies.shift, bodies.hx[i], bodies.hy[i]);
+            bodies.allowed_left[i] = bodies.allowed_left[i].min(s[0] + hx - dx);
+            bodies.allowed_right[i] = bodies.allowed_right[i].max(s[1] - hx - dx);
+            bodies.allowed_top[i] = bodies.allowed_top[i].min(s[2] + hy - dy);
+            bodies.allowed_bottom[i] = bodies.allowed_bottom[i].max(s[3] - hy - dy);
+            let (left, right) = (bodies.allowed_left[i] - hx, bodies.allowed_right[i] + hx);
+            self.left += 1;
+            self.add(bodies, i, [left, right, bodies.allowed_top[i] - hy, bodies.allowed_bottom[i] + hy]);
+        }
     }
 
     /// Makes sure that all pairs that can touch on the predicted ways are known. Returns whether the bodies were renumbered.
@@ -160,7 +205,8 @@ impl Neighbours {
                 if self.left > most {
                     break;
                 }
-                self.add(bodies, i, dt);
+                let mine = self.allow(bodies, i, dt);
+                self.add(bodies, i, mine);
             }
         }
         let all = self.left > most || self.edges.len() != n;
@@ -183,8 +229,7 @@ impl Neighbours {
     }
 
     /// Gives a body that has left its box a new one, and adds the pairs that this lets meet.
-    fn add(&mut self, bodies: &mut Bodies, i: usize, dt: f64) {
-        let mine = self.allow(bodies, i, dt);
+    fn add(&mut self, bodies: &Bodies, i: usize, mine: Edges) {
         self.edges[i] = mine;
         self.near.clear();
         self.near_in_grid(&mine, |j, is_large| !is_large[j] && j != i);
@@ -252,6 +297,7 @@ impl Neighbours {
             self.near_bodies(i);
             let mine = self.edges[i];
             self.near_surfaces(&mine, n);
+            self.near.sort_unstable();
             self.with.extend_from_slice(&self.near);
         }
         self.start[n] = self.with.len() as u32;

@@ -1,106 +1,97 @@
-//! Positions: moved by the solved velocities, and apart by construction.
+//! Positions: apart by construction.
 //!
-//! A body that nothing touched is where free flight puts it. Along gravity, one that the ground carries goes as far as its
-//! velocity says, so that it lands exactly when its gap is closed; those that merged in the air met at the start of the step and fall
-//! on together. Both lose energy, never gain it; moving by the mean of the velocities before and after would lift what hops by
-//! less than a step. Across, one whose velocity changed smoothly (by no more than forces do in a step) moves by the mean of its two
-//! velocities, exact for constant accelerations; one that hit something by the new velocity, which the bounds of the contacts were
-//! made for.
-//!
-//! What rounding and simplification leave is mended here: along gravity what rises stops under what does not make way, top-down,
-//! and what falls stops on what carries it, bottom-up, and neither keeps a speed that it gained for a way that it did not go (what
-//! nothing pulls gained none, and its momentum stays); across what overlaps is merged as velocities are ([`super::clusters`]), the
-//! centre of mass unmoved; and where that is not enough, bodies in conflict are put back to where they were along the contact's axis,
-//! for no motion is always allowed.
+//! The ways of the step come from the solution along and across; what rounding, branching islands and passed corners leave is mended
+//! here: along gravity what rises stops under what does not make way, top-down, and what falls stops on what carries it, bottom-up,
+//! and neither keeps a speed that it gained for a way that it did not go (what nothing pulls gained none, and its momentum stays);
+//! across what overlaps is merged ([`super::clusters`]), the centre of mass unmoved; and where that is not enough, bodies in conflict
+//! are put back to where they were along the contact's axis, for no motion is always allowed.
 
 use super::bodies::Bodies;
-use super::clusters::{Clusters, Node};
-use super::contacts::{Contacts, TOUCH};
+use super::clusters::{Clusters, Motion, Node};
+use super::contacts::Contacts;
+use super::gravity::NONE;
 
-/// Overlaps below this are left alone, m, so that what rests is not moved by rounding.
-const HAIR: f64 = 1e-12;
-/// A velocity changed by no more than this many times what the forces do in a step changed smoothly.
-const SMOOTH: f64 = 2.0;
 /// Passes of merging across before bodies are put back.
 const PASSES: usize = 16;
 
-/// Moves what something touched along gravity, by the way that [`super::gravity`] gave it. Returns whether all stay within what was swept; as that holds the
-/// ways of free flight, only those need asking that something touched.
-pub(super) fn move_along(bodies: &mut Bodies, contacts: &Contacts, dt: f64) -> bool {
+/// Moves what something touched by the ways that were solved. Returns whether all stay within what was swept; as that holds the ways of
+/// free flight, only those need asking that something touched, or all if some have `bounced`.
+pub(super) fn advance(bodies: &mut Bodies, members: &[u32], lands: &[u32], dt: f64, bounced: bool) -> bool {
     let mut inside = true;
-    for i in 0..bodies.len() {
+    for &i in members {
+        let i = i as usize;
+        let mut moved = bounced;
         if bodies.uy[i] != bodies.free_vy[i] {
-            bodies.py[i] = bodies.y[i] + dt * bodies.mean_vy[i];
-            inside &= bodies.py[i] == bodies.y[i] || contacts.covers(bodies, i);
+            // What lands does so to the bit.
+            bodies.py[i] = match lands[i] {
+                NONE => bodies.y[i] + dt * bodies.mean_vy[i],
+                j => bodies.py[j as usize] - (bodies.hy[i] + bodies.hy[j as usize]),
+            };
+            moved = true;
         }
-    }
-    inside
-}
-
-/// The same across, by their solved velocities.
-pub(super) fn move_across(bodies: &mut Bodies, contacts: &Contacts, gravity: f64, dt: f64) -> bool {
-    let mut inside = true;
-    for i in 0..bodies.len() {
         if bodies.ux[i] != bodies.free_vx[i] {
-            let pull = SMOOTH * dt * (gravity.abs() + bodies.ax[i].abs() + bodies.ay[i].abs());
-            bodies.px[i] = bodies.x[i] + dt * travel(bodies.vx[i], bodies.ux[i], pull);
-            inside &= bodies.px[i] == bodies.x[i] || contacts.covers(bodies, i);
+            bodies.px[i] = bodies.x[i] + dt * bodies.mean_vx[i];
+            moved = true;
         }
+        let stays = bodies.px[i] == bodies.x[i] && bodies.py[i] == bodies.y[i];
+        inside &= !moved || stays || bodies.is_swept(i);
     }
     inside
 }
 
-fn travel(before: f64, after: f64, pull: f64) -> f64 {
-    if (after - before).abs() <= pull { 0.5 * (before + after) } else { after }
-}
-
-/// Mends the predicted positions until nothing overlaps. `back` is scratch.
+/// Mends the predicted positions until nothing overlaps. `back` is scratch. Returns whether anything was mended, and
+/// how many coordinates were put back.
 pub(super) fn part(
     bodies: &mut Bodies,
+    members: &[u32],
     contacts: &Contacts,
     clusters: &mut Clusters,
     back: &mut [[bool; 2]],
-    dt: f64,
-    inside: bool,
-) {
-    hold_down(bodies, contacts, dt);
-    let mut doubt = lift(bodies, contacts, dt) || !inside;
+    (dt, inside): (f64, bool),
+) -> (bool, u64) {
+    let mut mended = hold_down(bodies, members, contacts, dt);
+    let mut doubt = !inside;
+    doubt |= lift(bodies, members, contacts, &mut mended, dt);
     doubt |= spread(bodies, contacts, clusters);
-    if doubt {
-        take_back(bodies, contacts, back);
-    }
+    (doubt | mended, if doubt { take_back(bodies, members, contacts, back) } else { 0 })
 }
 
 /// Along gravity, top-down: what rises stops under what does not make way.
-fn hold_down(bodies: &mut Bodies, contacts: &Contacts, dt: f64) {
-    let n = bodies.len();
-    let rises = bodies.py[..n].iter().zip(&bodies.y[..n]).fold(false, |any, (py, y)| any | (py < y));
+fn hold_down(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, dt: f64) -> bool {
+    let rises = members.iter().any(|&i| bodies.py[i as usize] < bodies.y[i as usize]);
     if !rises {
-        return;
+        return false;
     }
-    for i in (0..n).rev() {
-        for stack in contacts.stacks[contacts.under(i)].iter().filter(|stack| stack.live) {
+    let mut mended = false;
+    let (n, hair, touch) = (bodies.len(), contacts.tolerances.hair, contacts.tolerances.touch);
+    for &i in members.iter().rev() {
+        let i = i as usize;
+        for stack in contacts.stacks[contacts.under(i)].iter().filter(|stack| stack.live && (stack.below as usize) < n) {
             let j = stack.below as usize;
             let (rise, top) = (bodies.py[j], bodies.py[i] + stack.reach);
-            if rise < top - HAIR && rise < bodies.y[j] {
+            if rise < top - hair && rise < bodies.y[j] {
                 bodies.py[j] = top.min(bodies.y[j]);
-                if bodies.py[j] - rise > TOUCH && bodies.ay[j] != 0.0 {
+                mended = true;
+                if bodies.py[j] - rise > touch && bodies.ay[j] != 0.0 {
                     bodies.uy[j] = bodies.uy[j].max((bodies.py[j] - bodies.y[j]) / dt);
                 }
             }
         }
     }
+    mended
 }
 
 /// Along gravity, bottom-up: what falls stops on what carries it. Returns whether something has to be looked at again: a body
 /// passed a corner, or hit a ceiling.
-fn lift(bodies: &mut Bodies, contacts: &Contacts, dt: f64) -> bool {
+fn lift(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, mended: &mut bool, dt: f64) -> bool {
+    let (hair, touch) = (contacts.tolerances.hair, contacts.tolerances.touch);
     let mut doubt = false;
-    for i in 0..bodies.len() {
+    for &i in members {
+        let i = i as usize;
         let (predicted, mut y) = (bodies.py[i], bodies.py[i]);
         for stack in &contacts.stacks[contacts.under(i)] {
             let limit = bodies.py[stack.below as usize] - stack.reach;
-            if y > limit + HAIR {
+            if y > limit + hair {
                 if stack.live {
                     y = limit;
                 } else {
@@ -110,16 +101,19 @@ fn lift(bodies: &mut Bodies, contacts: &Contacts, dt: f64) -> bool {
         }
         if y != predicted {
             bodies.py[i] = y;
-            if predicted - y > TOUCH && bodies.ay[i] != 0.0 {
+            *mended = true;
+            if predicted - y > touch && bodies.ay[i] != 0.0 {
                 bodies.uy[i] = bodies.uy[i].min((y - bodies.y[i]).max(0.0) / dt);
             }
-            doubt |= !contacts.covers(bodies, i);
+            doubt |= !bodies.is_swept(i);
         }
     }
     for ceiling in &contacts.ceilings {
         let (j, i) = (ceiling.first as usize, ceiling.second as usize);
-        if bodies.py[i] - bodies.py[j] < ceiling.reach - HAIR {
-            bodies.py[i] = bodies.py[j] + ceiling.reach;
+        if bodies.py[i] - bodies.py[j] < ceiling.reach - hair {
+            if ceiling.live {
+                bodies.py[i] = bodies.py[j] + ceiling.reach;
+            }
             doubt = true;
         }
     }
@@ -132,15 +126,15 @@ fn overlap_along(bodies: &Bodies, i: usize, j: usize) -> bool {
 
 /// Across: what overlaps is merged, in proportion to the masses. Returns whether something has to be looked at again.
 fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> bool {
-    let n = bodies.len();
+    let (n, hair) = (bodies.len(), contacts.tolerances.hair);
     clusters.clear();
     let mut doubt = false;
     for pass in 0..PASSES {
         let mut merged = false;
         for side in &contacts.sides {
             let (a, b) = (side.first as usize, side.second as usize);
-            let depth = side.reach - (clusters.velocity(b, bodies.px[b]) - clusters.velocity(a, bodies.px[a]));
-            if depth <= HAIR {
+            let depth = side.reach - (clusters.mean(b, bodies.px[b]) - clusters.mean(a, bodies.px[a]));
+            if depth <= hair {
                 continue;
             }
             if !side.live && !overlap_along(bodies, a, b) {
@@ -149,7 +143,8 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
             }
             for i in [a, b] {
                 let mass = if i < n { bodies.mass[i] } else { 1.0 };
-                clusters.join(i, (i >= n).then_some(bodies.px[i]), Node { momentum: mass * bodies.px[i], mass, ..Node::default() });
+                let fixed = (i >= n).then(|| Motion { velocity: 0.0, mean: bodies.px[i] });
+                clusters.join(i, fixed, Node::free(mass, 0.0, 0.0, bodies.px[i]));
             }
             let done = clusters.merge(a, b, -side.reach);
             merged |= done;
@@ -163,8 +158,8 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
     for &i in &clusters.joined {
         let i = i as usize;
         if i < n {
-            bodies.px[i] = clusters.velocity(i, 0.0);
-            doubt |= !contacts.covers(bodies, i);
+            bodies.px[i] = clusters.mean(i, 0.0);
+            doubt |= !bodies.is_swept(i);
         }
     }
     doubt
@@ -172,49 +167,57 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
 
 /// Puts bodies in conflict back to where they were along the contact's axis, and what they are then in the way of too, until
 /// nothing overlaps.
-fn take_back(bodies: &mut Bodies, contacts: &Contacts, back: &mut [[bool; 2]]) {
-    let n = bodies.len();
-    back.fill([false; 2]);
-    for i in 0..n {
-        if !contacts.covers(bodies, i) {
-            put_back(bodies, back, i, ACROSS);
-            put_back(bodies, back, i, ALONG);
+fn take_back(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, back: &mut [[bool; 2]]) -> u64 {
+    for &i in members {
+        back[i as usize] = [false; 2];
+    }
+    for &i in members {
+        if !bodies.is_swept(i as usize) {
+            put_back(bodies, back, i as usize, ACROSS);
+            put_back(bodies, back, i as usize, ALONG);
         }
     }
     let mut clean = false;
     while !clean {
         clean = true;
-        for i in 0..n {
+        for &i in members {
+            let i = i as usize;
             for stack in &contacts.stacks[contacts.under(i)] {
-                let crossed = stack.live && bodies.py[i] > bodies.py[stack.below as usize];
-                clean &= !resolve(bodies, back, i, stack.below as usize, ALONG, crossed);
+                clean &= !resolve(bodies, contacts, back, (i, stack.below as usize, stack.followed), ALONG);
             }
         }
         for side in &contacts.sides {
-            let crossed = side.live && bodies.px[side.first as usize] > bodies.px[side.second as usize];
-            clean &= !resolve(bodies, back, side.first as usize, side.second as usize, ACROSS, crossed);
+            clean &= !resolve(bodies, contacts, back, (side.first as usize, side.second as usize, side.followed), ACROSS);
         }
         for ceiling in &contacts.ceilings {
-            let crossed = ceiling.live && bodies.py[ceiling.first as usize] > bodies.py[ceiling.second as usize];
-            clean &= !resolve(bodies, back, ceiling.first as usize, ceiling.second as usize, ALONG, crossed);
+            clean &= !resolve(bodies, contacts, back, (ceiling.first as usize, ceiling.second as usize, ceiling.followed), ALONG);
         }
     }
+    members.iter().map(|i| back[*i as usize].iter().filter(|b| **b).count() as u64).sum()
 }
 
 const ACROSS: usize = 0;
 const ALONG: usize = 1;
 
 /// Puts both of a pair back if it overlaps or passed through each other. Returns whether anything was moved.
-fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], a: usize, b: usize, axis: usize, crossed: bool) -> bool {
-    let deep_x = bodies.hx[a] + bodies.hx[b] - (bodies.px[a] - bodies.px[b]).abs();
-    let deep_y = bodies.hy[a] + bodies.hy[b] - (bodies.py[a] - bodies.py[b]).abs();
-    if !crossed && (deep_x <= HAIR || deep_y <= HAIR) {
+fn resolve(
+    bodies: &mut Bodies,
+    contacts: &Contacts,
+    back: &mut [[bool; 2]],
+    (a, b, followed): (usize, usize, bool),
+    axis: usize,
+) -> bool {
+    let hair = contacts.tolerances.hair;
+    // What was put back did not go the way on which its impacts were followed.
+    let is_back = |i: usize| i < bodies.len() && (back[i][0] || back[i][1]);
+    let followed = followed && !is_back(a) && !is_back(b);
+    if !meets(bodies, (a, b), hair, followed) {
         return false;
     }
     // A pair that may pass a corner keeps an axis along which it was not quite apart: then both axes go back.
     let started_apart = match axis {
-        ACROSS => (bodies.x[a] - bodies.x[b]).abs() >= bodies.hx[a] + bodies.hx[b] - HAIR,
-        _ => (bodies.y[a] - bodies.y[b]).abs() >= bodies.hy[a] + bodies.hy[b] - HAIR,
+        ACROSS => (bodies.x[a] - bodies.x[b]).abs() >= bodies.hx[a] + bodies.hx[b] - hair,
+        _ => (bodies.y[a] - bodies.y[b]).abs() >= bodies.hy[a] + bodies.hy[b] - hair,
     };
     let mut moved = false;
     for i in [a, b] {
@@ -224,7 +227,45 @@ fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], a: usize, b: usize, axis
             }
         }
     }
+    if !moved {
+        for i in [a, b] {
+            for which in [ACROSS, ALONG] {
+                moved |= put_back(bodies, back, i, which);
+            }
+        }
+    }
     moved
+}
+
+/// Whether two boxes that go straight from where they are to where they are predicted enter each other by more than `hair` on the way.
+pub(super) fn hits(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
+    let axis = |x: &[f64], p: &[f64], h: &[f64]| {
+        let (from, to, reach) = (x[a] - x[b], p[a] - p[b], h[a] + h[b] - hair);
+        inside_between(from, to, reach)
+    };
+    let across = axis(&bodies.x, &bodies.px, &bodies.hx);
+    let along = axis(&bodies.y, &bodies.py, &bodies.hy);
+    across.0.max(along.0) < across.1.min(along.1)
+}
+
+/// Whether a pair that is expected to pass does not: overlaps in the end, or, unless its impacts were `followed`, on the way.
+pub(super) fn meets(bodies: &Bodies, (a, b): (usize, usize), hair: f64, followed: bool) -> bool {
+    if !followed {
+        return hits(bodies, (a, b), hair);
+    }
+    let deep_x = bodies.hx[a] + bodies.hx[b] - (bodies.px[a] - bodies.px[b]).abs();
+    let deep_y = bodies.hy[a] + bodies.hy[b] - (bodies.py[a] - bodies.py[b]).abs();
+    deep_x > hair && deep_y > hair
+}
+
+/// Between which parts of the way from one distance to another it is less than `reach`; an empty range if never.
+fn inside_between(from: f64, to: f64, reach: f64) -> (f64, f64) {
+    let way = to - from;
+    if way == 0.0 {
+        return if from.abs() < reach { (0.0, 1.0) } else { (1.0, 0.0) };
+    }
+    let (one, other) = ((-reach - from) / way, (reach - from) / way);
+    (one.min(other).max(0.0), one.max(other).min(1.0))
 }
 
 /// Returns whether it was not yet back. Along gravity it does not keep the speed that it gained on a way that it did not go.
@@ -246,11 +287,11 @@ fn put_back(bodies: &mut Bodies, back: &mut [[bool; 2]], i: usize, axis: usize) 
 
 #[cfg(test)]
 mod tests {
-    use super::travel;
+    use super::inside_between;
 
     #[test]
-    fn smooth_changes_move_by_the_mean_and_hits_by_the_new_velocity() {
-        assert_eq!(travel(1.0, 1.2, 0.3), 1.1);
-        assert_eq!(travel(5.0, 0.5, 0.3), 0.5);
+    fn a_way_through_a_wall_is_seen() {
+        assert_eq!(inside_between(-3.0, 5.0, 1.0), (0.25, 0.5));
+        assert_eq!(inside_between(2.0, 2.0, 1.0), (1.0, 0.0));
     }
 }

@@ -1,0 +1,348 @@
+//! The dense method: one step of one island, however many contacts it has.
+//!
+//! 1. `contacts`: which pairs touch in this step, and along which axis;
+//! 2. `gravity`: ways and velocities along gravity, one pass bottom-up;
+//! 3. `impacts`: those that bounce, in the order of their times; where there were any, contacts and the pass along gravity again;
+//! 4. `walls`: friction on upright faces, which may hold bodies against gravity;
+//! 5. `cross`: ways and velocities across gravity, with the `friction` of the stacks;
+//! 6. `place`: positions that cannot overlap, by construction.
+//!
+//! It reads positions, velocities and free predictions of the members and writes their positions and velocities at the end of the step,
+//! and of nothing else, so that islands do not know of each other.
+
+use super::bodies::Bodies;
+use super::clusters::Clusters;
+use super::contacts::Contacts;
+use super::cross::{Cross, Pushes};
+use super::friction::Friction;
+use super::gravity::{self, Anchors};
+use super::impacts::{Axis, Impacts};
+use super::islands::Island;
+use super::place;
+use super::report::Report;
+use super::walls::{Along, Walls};
+
+/// How often a pair that was expected to pass and did not makes the step be solved again. More: slower; fewer: more is put back.
+const LOOKS: usize = 3;
+/// Energy gained that is no more than rounding, as a part of the kinetic energy. Smaller: rounding slows what it should not.
+const ROUNDING: f64 = 1e-12;
+
+/// A plastic impact is told of when it stops more than this many steps of gravity, and m/s. Smaller: what rests is reported.
+const IMPACT: f64 = 2.0;
+const SMALLEST: f64 = 1e-6;
+
+/// How often a guard fired: counted, so that none is silent.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Guards {
+    /// Islands solved again because a hit threw a body further than contacts were looked for.
+    pub grown: u64,
+    /// Islands whose bodies were kept within what was looked for in the end.
+    pub clipped: u64,
+    /// Islands whose impacts ran out of their budget.
+    pub impacts: u64,
+    /// Islands in which merging along gravity ran out of rounds.
+    pub merging: u64,
+    /// Islands in which friction would have driven and was left out of the merging across.
+    pub friction: u64,
+    /// Pairs that were expected to pass each other and would have met: solved again.
+    pub corners: u64,
+    /// Coordinates that were put back to where they were.
+    pub put_back: u64,
+    /// Islands that would have gained energy.
+    pub energy: u64,
+    /// Bodies squeezed between surfaces.
+    pub squeezed: u64,
+}
+
+/// What is the same for all islands of a step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StepSize {
+    /// s.
+    pub dt: f64,
+    /// m/s².
+    pub gravity: f64,
+    /// A rebound of e < 1 that is slower than this is none, m/s.
+    pub rest_speed: f64,
+    /// Whether an island may no longer ask to grow.
+    pub last: bool,
+}
+
+/// What became of an island's step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Outcome {
+    /// Solved.
+    Done,
+    /// Some swept boxes were widened: islands have to be found anew, and those of these bodies solved again from the same start.
+    Grown,
+}
+
+/// The solver, and all that it works on.
+#[derive(Clone, Debug)]
+pub(super) struct Dense {
+    pub contacts: Contacts,
+    pub friction: Friction,
+    clusters: Clusters,
+    pub impacts: Impacts,
+    pub anchors: Anchors,
+    pushes: Pushes,
+    put_back: Vec<[bool; 2]>,
+    pub guards: Guards,
+    /// Whose swept boxes were widened; the driver clears it.
+    pub grown: Vec<u32>,
+    /// Body, moving surface and closing speed (m/s) where surfaces left no room; the driver clears it.
+    pub squeezed: Vec<(u32, u32, f64)>,
+    pub report: Report,
+    pub walls: Walls,
+    /// Length of the step, s.
+    pub dt: f64,
+    /// By slot: the place among the members.
+    place: Vec<u32>,
+}
+
+impl Dense {
+    pub fn new(bodies: &Bodies) -> Self {
+        let (n, all) = (bodies.len(), bodies.x.len());
+        Self {
+            contacts: Contacts::new(n),
+            friction: Friction::new(bodies),
+            clusters: Clusters::new(all),
+            impacts: Impacts::new(n, all),
+            anchors: Anchors::new(n, all),
+            pushes: Pushes::new(n),
+            put_back: vec![[false; 2]; n],
+            guards: Guards::default(),
+            grown: Vec::with_capacity(n),
+            squeezed: Vec::new(),
+            report: Report::new(all),
+            walls: Walls::new(n),
+            dt: 0.0,
+            place: vec![0; n],
+        }
+    }
+
+    /// One step of an island.
+    pub fn step(&mut self, bodies: &mut Bodies, island: Island<'_>, size: StepSize) -> Outcome {
+        self.dt = size.dt;
+        self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
+        self.pushes.hits.impact = self.anchors.impact;
+        self.report.sides.clear();
+        self.contacts.find(bodies, island, size.dt, false);
+        self.walls.any = false;
+        self.anchors.any_hung = false;
+        let Self { contacts, anchors, clusters, .. } = self;
+        // What bounces in the air is not merged before it has.
+        anchors.only_anchors = bodies.lively;
+        self.guards.merging += gravity::solve(bodies, island.members, contacts, anchors, clusters, size.dt);
+        anchors.only_anchors = false;
+        if !self.bounce(bodies, island, size) {
+            return Outcome::Grown;
+        }
+        let mut inside = true;
+        for look in 0.. {
+            self.solve_along(bodies, island, size.dt, look == 0 && !self.impacts.any && !self.anchors.unmerged);
+            self.solve_across(bodies, island, size.dt);
+            inside = place::advance(bodies, island.members, &self.anchors.lands, size.dt, self.impacts.any);
+            if !inside {
+                if !size.last {
+                    return self.grow(bodies, island);
+                }
+                self.guards.clipped += 1;
+            }
+            if look == LOOKS || !self.catch_passing(bodies, island) {
+                break;
+            }
+        }
+        self.list_plastic(bodies);
+        let Self { contacts, clusters, put_back, .. } = self;
+        let (doubt, back) = place::part(bodies, island.members, contacts, clusters, put_back, (size.dt, inside));
+        self.guards.put_back += back;
+        self.restrain(bodies, island, doubt);
+        if self.contacts.carried {
+            self.find_squeezed(bodies, island);
+        }
+        Outcome::Done
+    }
+
+    /// The place of a slot among the members; surfaces come first.
+    pub fn place_of(&self, i: u32) -> u32 {
+        self.place.get(i as usize).copied().unwrap_or(0)
+    }
+
+    /// Records what was solved, and leaves the free velocities as flight made them, for whoever solves the island again.
+    pub fn finish(&mut self, bodies: &mut Bodies, island: Island<'_>, down: f64) {
+        if self.report.on {
+            island.members.iter().enumerate().for_each(|(k, i)| self.place[*i as usize] = k as u32);
+            self.record(bodies, island, down);
+        }
+        self.walls.restore_free(bodies);
+        self.impacts.restore_free(bodies, island.members);
+    }
+
+    /// Follows the impacts. Returns false if they throw a body further than contacts were looked for.
+    fn bounce(&mut self, bodies: &mut Bodies, island: Island<'_>, size: StepSize) -> bool {
+        let Self { contacts, anchors, impacts, .. } = self;
+        let (any, exhausted) = impacts.follow(bodies, island, contacts, anchors, (size.dt, size.rest_speed));
+        self.guards.impacts += u64::from(exhausted);
+        if !any {
+            return true;
+        }
+        if !size.last && !island.members.iter().all(|i| bodies.is_swept(*i as usize)) {
+            self.grow(bodies, island);
+            return false;
+        }
+        let Self { contacts, impacts, .. } = self;
+        // What is elastic is not solved plastically once its impacts are known: then all are told anew.
+        if bodies.elastic || !contacts.refresh(bodies, island.members, size.dt, |i| impacts.was_hit(i)) {
+            contacts.find(bodies, island, size.dt, !exhausted);
+        }
+        true
+    }
+
+    fn solve_along(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64, solved: bool) {
+        let Self { contacts, anchors, clusters, impacts, walls, report, .. } = self;
+        walls.undo(bodies, anchors, &mut impacts.struck);
+        let struck = &mut impacts.struck;
+        let mut along = Along { members: island.members, contacts, anchors, clusters, struck, dt };
+        self.guards.merging += walls.solve(bodies, &mut along, report, solved);
+    }
+
+    fn solve_across(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
+        let Self { contacts, friction, clusters, pushes, impacts, report, .. } = self;
+        let struck = &impacts.struck;
+        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, struck, report, dt };
+        self.guards.friction += u64::from(cross.solve(bodies));
+    }
+
+    /// Adds the plastic impacts to those that bounced, with the closing speed when touching.
+    fn list_plastic(&mut self, bodies: &Bodies) {
+        let Self { anchors, pushes, impacts, dt, .. } = self;
+        impacts.plastic.clear();
+        for &(a, b) in &anchors.hits {
+            let speed = closing_speed((a, b), [&bodies.y, &bodies.hy, &bodies.vy, &bodies.free_vy], anchors.rests[b as usize], *dt);
+            impacts.plastic.extend((speed > anchors.impact).then_some((a, b, Axis::Gravity, speed)));
+        }
+        for &(a, b) in &pushes.hits.all {
+            let speed = closing_speed((a, b), [&bodies.x, &bodies.hx, &bodies.vx, &bodies.free_vx], false, *dt);
+            impacts.plastic.extend((speed > anchors.impact).then_some((a, b, Axis::Across, speed)));
+        }
+    }
+
+    /// Tells whom a moving surface has entered: it had no way out.
+    fn find_squeezed(&mut self, bodies: &Bodies, island: Island<'_>) {
+        let (n, hair) = (bodies.len(), self.contacts.tolerances.touch);
+        for &i in island.members {
+            let i = i as usize;
+            for &j in island.near(i as u32).iter().filter(|j| **j as usize >= n) {
+                let j = j as usize;
+                let moves = bodies.vx[j] != 0.0 || bodies.vy[j] != 0.0;
+                if moves && self.contacts.has(i, j) && place::meets(bodies, (i, j), hair, true) {
+                    self.squeezed.push((i as u32, j as u32, bodies.vx[j].hypot(bodies.vy[j])));
+                    self.guards.squeezed += 1;
+                }
+            }
+        }
+    }
+
+    /// Widens what was swept by those who left it.
+    fn grow(&mut self, bodies: &mut Bodies, island: Island<'_>) -> Outcome {
+        self.guards.grown += 1;
+        for &i in island.members {
+            if !bodies.is_swept(i as usize) {
+                bodies.widen(i as usize);
+                self.grown.push(i);
+            }
+        }
+        self.walls.undo(bodies, &mut self.anchors, &mut self.impacts.struck);
+        self.impacts.undo(bodies, island.members);
+        Outcome::Grown
+    }
+
+    /// Whether a pair that was expected to pass did not: then it is a contact.
+    fn catch_passing(&mut self, bodies: &mut Bodies, island: Island<'_>) -> bool {
+        if !self.contacts.passing {
+            return false;
+        }
+        let Self { contacts, impacts, .. } = self;
+        let hair = contacts.tolerances.hair;
+        // Where the solution changed the way, impacts were not followed on it.
+        let strays = |i: usize| i < bodies.len() && impacts.predicted(bodies, i) != (bodies.px[i], bodies.py[i]);
+        let meets = |a: u32, b: u32, followed: &mut bool| {
+            let (a, b) = (a as usize, b as usize);
+            *followed &= !strays(a) && !strays(b);
+            place::meets(bodies, (a, b), hair, *followed)
+        };
+        let mut caught = 0;
+        for &i in island.members {
+            let under = contacts.under(i as usize);
+            for stack in &mut contacts.stacks[under] {
+                if !stack.live && meets(i, stack.below, &mut stack.followed) {
+                    stack.live = true;
+                    caught += 1;
+                }
+            }
+        }
+        for side in contacts.sides.iter_mut().chain(&mut contacts.ceilings) {
+            if !side.live && meets(side.first, side.second, &mut side.followed) {
+                side.live = true;
+                caught += 1;
+            }
+        }
+        if caught > 0 {
+            // From the same predictions: free flight, and what impacts made of it.
+            for &i in island.members {
+                let i = i as usize;
+                (bodies.px[i], bodies.py[i]) = self.impacts.predicted(bodies, i);
+            }
+        }
+        self.guards.corners += caught;
+        caught > 0
+    }
+
+    /// The last word on energy: an island that is merged and parted in a wild way may end higher than its velocities allow for; then what
+    /// was touched is slowed down by one factor. That does not conserve momentum; it is counted.
+    fn restrain(&mut self, bodies: &mut Bodies, island: Island<'_>, doubt: bool) {
+        let risky = self.impacts.any || self.walls.any || doubt || !self.anchors.edges.is_empty();
+        if self.contacts.carried || !risky {
+            return;
+        }
+        let (mut gained, mut brought, mut left) = (0.0, 0.0, 0.0);
+        let stirred = self.impacts.any || self.walls.any;
+        let touched = |bodies: &Bodies, i: usize| stirred || bodies.uy[i] != bodies.free_vy[i] || bodies.ux[i] != bodies.free_vx[i];
+        for &i in island.members {
+            let i = i as usize;
+            if !touched(bodies, i) {
+                continue;
+            }
+            let mass = bodies.mass[i];
+            let before = bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i];
+            let after = bodies.ux[i] * bodies.ux[i] + bodies.uy[i] * bodies.uy[i];
+            let work = bodies.ax[i] * (bodies.px[i] - bodies.x[i]) + bodies.ay[i] * (bodies.py[i] - bodies.y[i]);
+            brought += mass * before;
+            gained += 0.5 * mass * (after - before) - mass * work;
+            left += 0.5 * mass * after;
+        }
+        if gained <= ROUNDING * (brought + left) {
+            return;
+        }
+        self.guards.energy += 1;
+        let part = if left > gained { (1.0 - gained / left).sqrt() } else { 0.0 };
+        for &i in island.members {
+            let i = i as usize;
+            if touched(bodies, i) {
+                bodies.uy[i] *= part;
+                bodies.ux[i] *= part;
+            }
+        }
+    }
+}
+
+/// How fast a pair closes when it touches, m/s: positions, half extents, velocities before and free velocities after along the axis. What
+/// `rests` does not fall along with what falls on it.
+fn closing_speed((a, b): (u32, u32), [x, half, v, free]: [&[f64]; 4], rests: bool, dt: f64) -> f64 {
+    let (a, b) = (a as usize, b as usize);
+    let side = if x[b] >= x[a] { 1.0 } else { -1.0 };
+    let gap = ((x[b] - x[a]).abs() - half[a] - half[b]).max(0.0);
+    let gained = (free[a] - v[a]) - if rests { 0.0 } else { free[b] - v[b] };
+    let before = side * (v[a] - v[b]);
+    (before * before.abs() + 2.0 * side * gained / dt * gap).max(0.0).sqrt()
+}

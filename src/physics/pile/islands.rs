@@ -1,0 +1,280 @@
+//! Islands: groups of bodies that could meet within this step, each solved by itself.
+//!
+//! Bodies whose swept boxes overlap are joined (union–find); surfaces join nothing. What an island's solution depends on is found here
+//! in an order that only its own bodies decide: bodies bottom-up, equal heights by their numbers outside, and each body's pairs by the
+//! order of the other. So nothing that is added elsewhere changes one bit of it.
+
+use super::bodies::Bodies;
+use super::neighbours::Neighbours;
+use std::cmp::Ordering;
+
+/// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
+const MOST_MOVES: usize = 8;
+
+/// No island yet.
+const NONE: u32 = u32::MAX;
+
+/// One island, as the solver takes it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Island<'a> {
+    /// Slots of its bodies, bottom-up.
+    pub members: &'a [u32],
+    /// What a member may touch, each a member before it or a surface: `others[from..to]`, by slot.
+    ranges: &'a [(u32, u32)],
+    others: &'a [u32],
+}
+
+impl<'a> Island<'a> {
+    /// What a member may touch, each a member before it or a surface.
+    #[inline(always)]
+    pub fn near(&self, member: u32) -> &'a [u32] {
+        let (from, to) = self.ranges[member as usize];
+        &self.others[from as usize..to as usize]
+    }
+}
+
+/// The islands of one step.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Islands {
+    /// All slots, bottom-up, and the place of each among them.
+    order: Vec<u32>,
+    place: Vec<u32>,
+    parent: Vec<u32>,
+    /// Slots island by island, and where each island begins, and one more.
+    members: Vec<u32>,
+    begins: Vec<u32>,
+    island_of_root: Vec<u32>,
+    ranges: Vec<(u32, u32)>,
+    others: Vec<u32>,
+    /// Pairs whose order has changed since bodies were numbered: place and slot of the upper one, the lower one.
+    turned: Vec<(u32, u32, u32)>,
+    spare: Vec<u32>,
+    later: Vec<u32>,
+}
+
+impl Islands {
+    /// Room for `count` bodies.
+    pub fn new(count: usize) -> Self {
+        Self {
+            order: (0..count as u32).collect(),
+            place: vec![0; count],
+            parent: vec![0; count],
+            members: vec![0; count],
+            begins: Vec::with_capacity(count + 1),
+            island_of_root: vec![NONE; count],
+            ranges: vec![(0, 0); count],
+            others: Vec::with_capacity(4 * count),
+            turned: Vec::with_capacity(count),
+            spare: Vec::with_capacity(4 * count),
+            later: Vec::with_capacity(64),
+        }
+    }
+
+    /// Bodies were renumbered: begins with their new order.
+    pub fn renumbered(&mut self) {
+        self.order.iter_mut().enumerate().for_each(|(i, slot)| *slot = i as u32);
+    }
+
+    /// The number of islands.
+    pub fn len(&self) -> usize {
+        self.begins.len().saturating_sub(1)
+    }
+
+    /// An island by its number.
+    pub fn get(&self, island: usize) -> Island<'_> {
+        let (from, to) = (self.begins[island] as usize, self.begins[island + 1] as usize);
+        Island { members: &self.members[from..to], ranges: &self.ranges, others: &self.others }
+    }
+
+    /// Brings the bodies into their order, once a step.
+    pub fn sort(&mut self, bodies: &Bodies) {
+        self.put_in_order(bodies);
+        for (k, i) in self.order.iter().enumerate() {
+            self.place[*i as usize] = k as u32;
+        }
+    }
+
+    /// Finds the islands of all bodies, from the boxes that they sweep.
+    pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
+        self.join(bodies, neighbours);
+        if !self.turned.is_empty() {
+            self.turn();
+        }
+        self.gather();
+    }
+
+    /// Bottom-up, equal heights by the numbers outside.
+    fn put_in_order(&mut self, bodies: &Bodies) {
+        let (y, id, order) = (&bodies.y, &bodies.id, &mut self.order);
+        let below = |a: u32, b: u32| {
+            let (a, b) = (a as usize, b as usize);
+            y[a] > y[b] || (y[a] == y[b] && id[a] < id[b])
+        };
+        let most = MOST_MOVES * order.len();
+        let mut moves = 0;
+        for i in 1..order.len() {
+            let moved = order[i];
+            let mut at = i;
+            while at > 0 && below(moved, order[at - 1]) {
+                order[at] = order[at - 1];
+                at -= 1;
+            }
+            order[at] = moved;
+            moves += i - at;
+            if moves > most {
+                order.sort_unstable_by(|&a, &b| {
+                    let (a, b) = (a as usize, b as usize);
+                    y[b].partial_cmp(&y[a]).unwrap_or(Ordering::Equal).then(id[a].cmp(&id[b]))
+                });
+                return;
+            }
+        }
+    }
+
+    /// Joins what may meet, and lists whom each body may meet.
+    fn join(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
+        let Self { order, place, parent, ranges, others, turned, later, .. } = self;
+        let n = bodies.len();
+        parent.iter_mut().enumerate().for_each(|(i, parent)| *parent = i as u32);
+        others.clear();
+        turned.clear();
+        for (k, &i) in order.iter().enumerate() {
+            let (from, mine) = (others.len(), bodies.swept[i as usize]);
+            let (mut root, mut latest) = (first(parent, i as usize), 0);
+            let known = neighbours.of(i as usize, later);
+            for list in [known, &*later] {
+                for &other in list {
+                    let j = other as usize;
+                    if apart(&mine, &bodies.swept[j]) {
+                        continue;
+                    }
+                    let mut key = other;
+                    if j < n {
+                        if parent[j] as usize != root {
+                            let other = first(parent, j);
+                            parent[j] = other as u32;
+                            if other != root {
+                                (parent[root.max(other)], root) = (root.min(other) as u32, root.min(other));
+                            }
+                        }
+                        key = place[j];
+                        if key > k as u32 {
+                            turned.push((key, other, i));
+                            continue;
+                        }
+                    }
+                    others.push(other);
+                    if key < latest {
+                        put_last(others, from, key, place);
+                    }
+                    latest = latest.max(key);
+                }
+            }
+            parent[i as usize] = root as u32;
+            ranges[i as usize] = (from as u32, others.len() as u32);
+        }
+        // Parents have lower numbers: one pass makes every parent a root.
+        for i in 0..n {
+            parent[i] = parent[parent[i] as usize];
+        }
+    }
+
+    /// Lists pairs whose order has turned under the one that is above now.
+    fn turn(&mut self) {
+        let Self { order, place, ranges, others, turned, spare, .. } = self;
+        turned.sort_unstable();
+        let mut more = turned.iter().peekable();
+        spare.clear();
+        for (k, &i) in order.iter().enumerate() {
+            let (from, to) = ranges[i as usize];
+            let begin = spare.len();
+            spare.extend_from_slice(&others[from as usize..to as usize]);
+            while let Some((_, _, lower)) = more.next_if(|(above, ..)| *above as usize == k) {
+                spare.push(*lower);
+                put_last(spare, begin, place[*lower as usize], place);
+            }
+            ranges[i as usize] = (begin as u32, spare.len() as u32);
+        }
+        std::mem::swap(others, spare);
+    }
+
+    /// Lists the members island by island, in their order.
+    fn gather(&mut self) {
+        let Self { order, parent, members, begins, island_of_root, .. } = self;
+        begins.clear();
+        begins.push(0);
+        island_of_root.fill(NONE);
+        // Neighbours in the order are mostly of one island: counted run by run.
+        let (mut last, mut run) = (usize::MAX, 0);
+        for &i in &*order {
+            let root = parent[i as usize] as usize;
+            if island_of_root[root] == NONE {
+                island_of_root[root] = begins.len() as u32 - 1;
+                begins.push(0);
+            }
+            if root != last {
+                if last != usize::MAX {
+                    begins[island_of_root[last] as usize + 1] += run;
+                }
+                (last, run) = (root, 0);
+            }
+            run += 1;
+        }
+        if last != usize::MAX {
+            begins[island_of_root[last] as usize + 1] += run;
+        }
+        for k in 1..begins.len() {
+            begins[k] += begins[k - 1];
+        }
+        if begins.len() == 2 {
+            members.copy_from_slice(order);
+            return;
+        }
+        // While they are filled, the place after the last member of an island is kept in its own beginning.
+        let (mut last, mut at) = (u32::MAX, 0);
+        for &i in &*order {
+            let root = parent[i as usize];
+            if root != last {
+                if last != u32::MAX {
+                    begins[island_of_root[last as usize] as usize] = at;
+                }
+                (last, at) = (root, begins[island_of_root[root as usize] as usize]);
+            }
+            members[at as usize] = i;
+            at += 1;
+        }
+        if last != u32::MAX {
+            begins[island_of_root[last as usize] as usize] = at;
+        }
+        for k in (1..begins.len()).rev() {
+            begins[k] = begins[k - 1];
+        }
+        begins[0] = 0;
+    }
+}
+
+/// Moves the last of a list, whose key is `key`, to its place among those that begin at `from`: bodies by their places, then surfaces.
+#[inline(always)]
+fn put_last(list: &mut [u32], from: usize, key: u32, place: &[u32]) {
+    let mut at = list.len() - 1;
+    let moved = list[at];
+    while at > from && place.get(list[at - 1] as usize).copied().unwrap_or(list[at - 1]) > key {
+        list[at] = list[at - 1];
+        at -= 1;
+    }
+    list[at] = moved;
+}
+
+#[inline(always)]
+fn first(parent: &mut [u32], mut i: usize) -> usize {
+    while parent[i] as usize != i {
+        parent[i] = parent[parent[i] as usize];
+        i = parent[i] as usize;
+    }
+    i
+}
+
+/// Whether two boxes do not touch.
+pub(super) fn apart(a: &[f64; 4], b: &[f64; 4]) -> bool {
+    (a[0] > b[1]) | (b[0] > a[1]) | (a[2] > b[3]) | (b[2] > a[3])
+}

@@ -1,0 +1,288 @@
+//! Friction on upright faces: along walls, and between bodies side by side.
+//!
+//! How hard the sides press is told by a merging across without the ground's friction. A body that stands still against a wall hangs
+//! there while what it would take, its own weight and all that it carries, stays below μ_s·N; else it slides and loses up to μ_k·N/m.
+//! Bodies side by side that slide past each other rub as a pair. Only those are asked that would move along the face: what the ground
+//! carries does not.
+
+use super::bodies::Bodies;
+use super::clusters::{Clusters, Node};
+use super::contacts::Contacts;
+use super::cross::{Hits, merge};
+use super::gravity::{self, Anchors};
+use super::impacts::Axis;
+use super::report::{Edge, Record, Report};
+
+/// Rounds of telling who slides. Fewer: what slips in a stack on a wall slips a step late.
+const ROUNDS: usize = 8;
+/// A limit exceeded by this part still holds: sums of many impulses are rounded.
+const ROUNDING: f64 = 1e-12;
+
+/// A body pressed against a wall.
+#[derive(Clone, Copy, Debug)]
+struct Grip {
+    body: u32,
+    wall: u32,
+    /// Velocity of the wall's skin along gravity, m/s.
+    skin: f64,
+    /// The largest impulses of friction, N·s.
+    held: f64,
+    dragged: f64,
+    /// Whether it hangs.
+    hangs: bool,
+    /// Impulse on the body, N·s.
+    impulse: f64,
+}
+
+/// What upright faces do in one step of one island.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Walls {
+    pub any: bool,
+    grips: Vec<Grip>,
+    edges: Vec<Edge>,
+    loads: Vec<f64>,
+    /// Free velocities and predictions along gravity before friction.
+    saved: Vec<(u32, f64, f64)>,
+    records: Vec<Record>,
+    hits: Hits,
+    dt: f64,
+}
+
+/// What the solution along gravity works with.
+pub(super) struct Along<'a> {
+    pub members: &'a [u32],
+    pub contacts: &'a Contacts,
+    pub anchors: &'a mut Anchors,
+    pub clusters: &'a mut Clusters,
+    /// What hit bodies from above, N·s; what hangs is taken off.
+    pub struck: &'a mut [f64],
+    pub dt: f64,
+}
+
+impl Walls {
+    pub fn new(count: usize) -> Self {
+        Self { loads: vec![0.0; count], ..Self::default() }
+    }
+
+    pub fn record(&self, into: &mut Vec<Record>) {
+        if self.any {
+            into.extend_from_slice(&self.records);
+        }
+    }
+
+    /// Sets the free velocities to what they were before friction.
+    pub fn restore_free(&self, bodies: &mut Bodies) {
+        if self.any {
+            self.saved.iter().rev().for_each(|(i, free, _)| bodies.free_vy[*i as usize] = *free);
+        }
+    }
+
+    /// As if nothing had rubbed.
+    pub fn undo(&mut self, bodies: &mut Bodies, anchors: &mut Anchors, struck: &mut [f64]) {
+        if !self.any {
+            return;
+        }
+        self.any = false;
+        for &(i, free, predicted) in self.saved.iter().rev() {
+            (bodies.free_vy[i as usize], bodies.py[i as usize]) = (free, predicted);
+        }
+        for grip in self.grips.iter().filter(|grip| grip.hangs) {
+            struck[grip.body as usize] -= grip.impulse;
+        }
+        anchors.any_hung = false;
+    }
+
+    /// Solves along gravity, with friction on upright faces. Returns how many rounds of merging ran out.
+    /// `solved`: they are, without it.
+    pub fn solve(&mut self, bodies: &mut Bodies, along: &mut Along<'_>, report: &mut Report, solved: bool) -> u64 {
+        let mut exhausted = if solved { 0 } else { along.solve(bodies) };
+        if !rubs(bodies, along) {
+            return exhausted;
+        }
+        self.dt = along.dt;
+        self.press(bodies, along, report);
+        self.any = true;
+        self.saved.clear();
+        self.records.clear();
+        self.grips.clear();
+        for k in 0..self.edges.len() {
+            self.touch(bodies, self.edges[k]);
+        }
+        if self.records.is_empty() && self.grips.is_empty() {
+            self.any = false;
+            return exhausted;
+        }
+        for _ in 0..ROUNDS {
+            self.hang(bodies, along);
+            exhausted += along.solve(bodies);
+            if !self.slip(bodies, along) {
+                break;
+            }
+        }
+        for grip in &mut self.grips {
+            if grip.hangs {
+                along.struck[grip.body as usize] += grip.impulse;
+            }
+            self.records.push(Record { a: grip.body, b: grip.wall, axis: Axis::Across, normal: 0.0, friction: grip.impulse });
+        }
+        exhausted
+    }
+
+    /// How hard the sides press each other, by a merging without friction.
+    fn press(&mut self, bodies: &mut Bodies, along: &mut Along<'_>, report: &mut Report) {
+        let (n, dt) = (bodies.len(), along.dt);
+        for &i in along.members {
+            let i = i as usize;
+            bodies.ux[i] = bodies.free_vx[i];
+            bodies.mean_vx[i] = (bodies.px[i] - bodies.x[i]) / dt;
+        }
+        let node = |bodies: &Bodies, i: usize| Some(Node::free(bodies.mass[i], bodies.vx[i], bodies.ux[i], bodies.mean_vx[i]));
+        self.edges.clear();
+        self.hits.impact = f64::INFINITY;
+        if merge(bodies, along.contacts, along.clusters, dt, &mut self.hits, node) {
+            let clusters = &*along.clusters;
+            let lack = |i: usize| if i < n { bodies.mass[i] * (bodies.ux[i] - clusters.velocity(i)) } else { 0.0 };
+            report.drain_into(&mut self.edges, &clusters.edges, &clusters.joined, lack, n);
+        }
+    }
+
+    /// Lets a pair that presses rub: bodies at once, walls when it is known what they have to hold.
+    fn touch(&mut self, bodies: &mut Bodies, edge: Edge) {
+        let n = bodies.len();
+        let (a, b, press) = (edge.a as usize, edge.b as usize, edge.impulse.max(0.0));
+        let (i, j) = if a < n { (a, b) } else { (b, a) };
+        let skin = bodies.uy[j] + bodies.skin(j, 0, i == b);
+        if press == 0.0 || bodies.uy[i] == skin {
+            return;
+        }
+        let (mine, other) = (bodies.traits[i], bodies.traits[j]);
+        if j >= n {
+            let (held, dragged) = (other.static_friction * press, other.kinetic_friction * press);
+            let (body, wall) = (i as u32, j as u32);
+            self.grips.push(Grip {
+                body,
+                wall,
+                skin,
+                held,
+                dragged,
+                hangs: bodies.rides_along(i, j, bodies.skin(j, 0, i == b)),
+                impulse: 0.0,
+            });
+            return;
+        }
+        let coefficient = if bodies.vy[i] == bodies.vy[j] {
+            mine.static_friction.min(other.static_friction)
+        } else {
+            mine.kinetic_friction.min(other.kinetic_friction)
+        };
+        let mass = 1.0 / (1.0 / bodies.mass[i] + 1.0 / bodies.mass[j]);
+        let sliding = bodies.uy[i] - skin;
+        let impulse = -(coefficient * press).min(mass * sliding.abs()).copysign(sliding);
+        self.give(bodies, i, impulse);
+        self.give(bodies, j, -impulse);
+        self.records.push(Record { a: i as u32, b: j as u32, axis: Axis::Across, normal: 0.0, friction: impulse });
+    }
+
+    /// Changes where a body goes along gravity by an impulse, spread over the step.
+    fn give(&mut self, bodies: &mut Bodies, i: usize, impulse: f64) {
+        self.saved.push((i as u32, bodies.free_vy[i], bodies.py[i]));
+        let change = impulse / bodies.mass[i];
+        bodies.free_vy[i] += change;
+        bodies.py[i] += 0.5 * change * self.dt;
+    }
+
+    /// Lets those hang that can, and slows those that slide.
+    fn hang(&mut self, bodies: &mut Bodies, along: &mut Along<'_>) {
+        for &i in along.members {
+            along.anchors.hung[i as usize] = None;
+        }
+        along.anchors.any_hung = false;
+        for k in 0..self.grips.len() {
+            let grip = self.grips[k];
+            let i = grip.body as usize;
+            if grip.hangs {
+                along.anchors.hung[i] = Some(grip.skin);
+                along.anchors.any_hung = true;
+            } else if grip.impulse == 0.0 {
+                self.slow(bodies, k, along.dt);
+            }
+        }
+    }
+
+    /// Kinetic friction on one that slides along a wall; it stops where that is enough.
+    fn slow(&mut self, bodies: &mut Bodies, k: usize, dt: f64) {
+        let grip = self.grips[k];
+        let i = grip.body as usize;
+        let (before, after) = (bodies.vy[i] - grip.skin, bodies.free_vy[i] - grip.skin);
+        let mass = bodies.mass[i];
+        let against = if before != 0.0 { before } else { after };
+        let left = after - (grip.dragged / mass).copysign(against);
+        if left * against <= 0.0 && grip.dragged > 0.0 {
+            self.saved.push((i as u32, bodies.free_vy[i], bodies.py[i]));
+            let slowed = before - left;
+            let until = if slowed == 0.0 { 1.0 } else { (before / slowed).clamp(0.0, 1.0) };
+            bodies.py[i] = bodies.y[i] + dt * (grip.skin + 0.5 * until * before);
+            bodies.free_vy[i] = grip.skin;
+            self.grips[k].impulse = -mass * after;
+        } else {
+            let impulse = -grip.dragged.copysign(against);
+            self.give(bodies, i, impulse);
+            self.grips[k].impulse = impulse;
+        }
+    }
+
+    /// Finds who hangs and cannot be held. Returns whether there is any.
+    fn slip(&mut self, bodies: &Bodies, along: &Along<'_>) -> bool {
+        for &i in along.members {
+            self.loads[i as usize] = along.struck[i as usize];
+        }
+        for &i in along.members.iter().rev() {
+            let i = i as usize;
+            let load = self.loads[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
+            self.loads[i] = load;
+            if along.anchors.hung[i].is_some() || load <= 0.0 {
+                continue;
+            }
+            let under = &along.contacts.stacks[along.contacts.under(i)];
+            let slack = along.contacts.tolerances.hair / along.dt;
+            let presses = |below: u32, bound: f64| {
+                let j = below as usize;
+                along.anchors.held[j] && (bodies.mean_vy[i] - bodies.mean_vy[j] - bound).abs() <= slack
+            };
+            let count = under.iter().filter(|s| s.live && presses(s.below, s.bound)).count();
+            for stack in under.iter().filter(|s| s.live && presses(s.below, s.bound)) {
+                if let Some(load_below) = self.loads.get_mut(stack.below as usize) {
+                    *load_below += load / count as f64;
+                }
+            }
+        }
+        let mut slips = false;
+        for grip in self.grips.iter_mut().filter(|grip| grip.hangs) {
+            let load = self.loads[grip.body as usize];
+            grip.impulse = -load;
+            if load.abs() > grip.held * (1.0 + ROUNDING) {
+                (grip.hangs, grip.impulse) = (false, 0.0);
+                slips = true;
+            }
+        }
+        slips
+    }
+}
+
+impl Along<'_> {
+    fn solve(&mut self, bodies: &mut Bodies) -> u64 {
+        gravity::solve(bodies, self.members, self.contacts, self.anchors, self.clusters, self.dt)
+    }
+}
+
+/// Whether anything presses sideways that would move along the face.
+fn rubs(bodies: &Bodies, along: &Along<'_>) -> bool {
+    let (n, per_second) = (bodies.len(), 1.0 / along.dt);
+    let slack = along.contacts.tolerances.hair * per_second;
+    let mean = |i: usize| if i < n { (bodies.px[i] - bodies.x[i]) * per_second } else { bodies.mean_vx[i] };
+    along.contacts.sides.iter().any(|side| {
+        let (a, b) = (side.first as usize, side.second as usize);
+        let slides = bodies.uy[a] != bodies.uy[b] || bodies.belt[a] != 0.0 || bodies.belt[b] != 0.0;
+        slides && side.live && mean(a) > mean(b) + side.bound + slack
+    })
+}

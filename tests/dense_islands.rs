@@ -1,0 +1,118 @@
+//! Islands: what happens in one changes no bit of another, and each sleeps for itself.
+
+use glam::DVec2;
+use resultant::physics::Aabb;
+use resultant::physics::pile::{Pile, PileBody, PileDef, PileSurface};
+
+const DT: f64 = 1.0 / 60.0;
+
+/// A generator of numbers in 0 … 1 whose values never change.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as f64 / (1u64 << 31) as f64
+    }
+}
+
+fn surface(left: f64, top: f64, right: f64, bottom: f64) -> PileSurface {
+    let bounds = Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom));
+    PileSurface { bounds, static_friction: 0.9, kinetic_friction: 0.65 }
+}
+
+/// Boxes raining into a pit whose left edge is at `left`.
+fn pit(def: &mut PileDef, left: f64, n: usize, seed: u64, restitution: f64) {
+    let mut random = Numbers(seed);
+    let columns = (n as f64).sqrt().ceil() as usize;
+    let width = columns as f64 * 0.7;
+    for i in 0..n {
+        def.bodies.push(PileBody {
+            half: DVec2::new(0.15 + 0.15 * random.next(), 0.15 + 0.15 * random.next()),
+            position: DVec2::new(left + 0.35 + 0.7 * (i % columns) as f64, -1.0 - 0.8 * (i / columns) as f64),
+            velocity: DVec2::new(4.0 * random.next() - 2.0, 0.0),
+            mass: 0.5 + 20.0 * random.next(),
+            restitution: restitution * random.next(),
+            ..PileBody::default()
+        });
+    }
+    def.surfaces.push(surface(left - 5.0, 0.0, left + width + 5.0, 1.0));
+    def.surfaces.push(surface(left - 1.0, -900.0, left, 0.0));
+    def.surfaces.push(surface(left + width, -900.0, left + width + 1.0, 0.0));
+}
+
+fn bits(pile: &Pile, n: usize) -> Vec<[u64; 4]> {
+    (0..n)
+        .map(|i| {
+            let (x, v) = (pile.position(i), pile.velocity(i));
+            [x.x, x.y, v.x, v.y].map(f64::to_bits)
+        })
+        .collect()
+}
+
+#[test]
+fn what_is_added_far_away_changes_no_bit() {
+    for restitution in [0.0, 0.8, 1.0] {
+        let mut alone = PileDef { air_density: 1.2, ..PileDef::default() };
+        pit(&mut alone, 0.0, 80, 5, restitution);
+        for more in [1, 10, 1000] {
+            for faller in [false, true] {
+                let mut both = alone.clone();
+                if faller {
+                    both.bodies.extend((0..more).map(|i| PileBody {
+                        position: DVec2::new(500.0 + 2.0 * f64::from(i), -80.0),
+                        velocity: DVec2::new(0.0, -30.0),
+                        static_friction: 0.3,
+                        ..PileBody::default()
+                    }));
+                } else {
+                    pit(&mut both, 900.0, more as usize, 11, 0.7);
+                }
+                let (mut one, mut other) = (Pile::new(alone.clone()).unwrap(), Pile::new(both).unwrap());
+                for step in 0..240 {
+                    one.step(DT);
+                    other.step(DT);
+                    assert!(bits(&one, 80) == bits(&other, 80), "e {restitution}, {more} more, fallers {faller}: step {step}");
+                }
+            }
+        }
+    }
+}
+
+/// The numbers of the others may come first as well.
+#[test]
+fn what_is_added_before_changes_no_bit() {
+    let mut alone = PileDef::default();
+    pit(&mut alone, 0.0, 60, 5, 0.6);
+    let mut both = PileDef::default();
+    pit(&mut both, -700.0, 200, 3, 0.6);
+    both.bodies.extend(alone.bodies.clone());
+    both.surfaces.extend(alone.surfaces.clone());
+    let (mut one, mut other) = (Pile::new(alone).unwrap(), Pile::new(both).unwrap());
+    for step in 0..240 {
+        one.step(DT);
+        other.step(DT);
+        for i in 0..60 {
+            assert_eq!(
+                (one.position(i), one.velocity(i)),
+                (other.position(200 + i), other.velocity(200 + i)),
+                "step {step}, body {i}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_settled_pile_sleeps_beside_one_that_does_not() {
+    let mut def = PileDef { rest_speed: 0.0, ..PileDef::default() };
+    pit(&mut def, 0.0, 60, 5, 0.0);
+    def.surfaces.push(surface(400.0, 0.0, 410.0, 1.0));
+    def.bodies.push(PileBody { position: DVec2::new(405.0, -3.0), restitution: 1.0, ..PileBody::default() });
+    let mut pile = Pile::new(def).unwrap();
+    (0..600).for_each(|_| pile.step(DT));
+    assert!((0..60).all(|i| pile.is_sleeping(i)) && !pile.is_sleeping(60) && !pile.is_asleep());
+    // What falls asleep wakes when something comes to touch it.
+    pile.set_force(10, DVec2::new(0.0, -500.0));
+    pile.step(DT);
+    assert!(!pile.is_sleeping(10));
+}
