@@ -74,6 +74,7 @@ mod spring;
 mod step;
 mod surface;
 mod tuning;
+mod validate;
 mod world;
 mod zones;
 

@@ -381,7 +381,7 @@ fn pile_of(state: &State, sleep: bool) -> Result<Pile, DefError> {
 }
 
 /// The four solid edges around a level: left, right, top, bottom.
-fn edges(bounds: &Aabb) -> [SurfaceDef; 4] {
+pub(super) fn edges(bounds: &Aabb) -> [SurfaceDef; 4] {
     let (min, max) = (bounds.min, bounds.max);
     let t = EDGE_THICKNESS;
     let edge = |x0, y0, x1, y1| SurfaceDef::fixed(Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), Material::ASPHALT);
