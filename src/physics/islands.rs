@@ -6,7 +6,7 @@
 //! |---|---|---|
 //! | nothing moves, and nothing that moves comes near | rest | nothing |
 //! | one body, near nothing | flight in closed form | 2 ns, with drag 9 ns a body |
-//! | up to [`Methods::MOST_BY_EVENTS`] bodies | event by event, within a budget | 0.2 µs a body, 1 µs an impact |
+//! | up to [`Choice::MOST_BY_EVENTS`] bodies | event by event, within a budget | 0.2 µs a body, 1 µs an impact |
 //! | more, or more events than the budget holds | one step of the dense method for the rest of the tick | 50 to 200 ns a body |
 //!
 //! Event by event costs what happens: in a gas of 64 bodies some 30 impacts a tick, in a heap that settles every contact again and again.
@@ -23,9 +23,9 @@ use super::{Aabb, BodyId};
 use glam::DVec2;
 
 /// The choice of methods.
-pub(super) struct Methods;
+pub(super) struct Choice;
 
-impl Methods {
+impl Choice {
     /// Islands of more bodies are dense. More: a heap that settles costs more than a millisecond a tick; fewer: gases are less exact.
     pub const MOST_BY_EVENTS: usize = 64;
     /// Ticks for which an island is dense after its budget was used up for the first time, and at most.
@@ -140,11 +140,6 @@ impl Scratch {
     /// When a surface stops, s from the tick's start; infinite where it goes on.
     pub fn stop_of(&self, surface: u32) -> f64 {
         first_stop(&self.stops, surface)
-    }
-
-    /// A contact of the dense method that lasts, with what it carries, N.
-    pub fn lasting(&self, lo: u32, hi: u32, axis: usize, normal: f64, friction: f64) -> Contact {
-        Contact { normal, friction, lasts: true, ..Contact::between(lo, hi, axis) }
     }
 
     /// Finds where the contacts of each body begin.
@@ -287,7 +282,7 @@ impl Tick<'_> {
     fn begin_pause(&mut self) {
         for &body in &self.scratch.members {
             let pause = &mut self.pauses[body as usize];
-            let length = (2 * pause.length).clamp(Methods::FIRST_PAUSE, Methods::LONGEST_PAUSE);
+            let length = (2 * pause.length).clamp(Choice::FIRST_PAUSE, Choice::LONGEST_PAUSE);
             *pause = Pause { until: self.now + 1 + u64::from(length), length };
         }
     }
@@ -317,7 +312,7 @@ impl Advance for Tick<'_> {
         self.scratch.members.extend(store.members());
         self.scratch.members.sort_unstable();
         let count = store.len();
-        if count > Methods::MOST_BY_EVENTS || round > Methods::MOST_GROWTHS || (round == 0 && self.pauses()) {
+        if count > Choice::MOST_BY_EVENTS || round > Choice::MOST_GROWTHS || (round == 0 && self.pauses()) {
             self.guards.dense_ticks += 1;
             self.scratch.leave();
             return Verdict::Left(f64::INFINITY);
@@ -360,7 +355,7 @@ impl Advance for Tick<'_> {
     }
 
     fn lists(&self, members: usize, _: bool) -> bool {
-        self.lists || members <= Methods::ALWAYS_LISTED
+        self.lists || members <= Choice::ALWAYS_LISTED
     }
 
     fn forget(&mut self, body: usize) {
@@ -382,7 +377,7 @@ impl Advance for Tick<'_> {
             return;
         }
         scratch.rounds += 1;
-        if scratch.rounds > Methods::MOST_ROUNDS {
+        if scratch.rounds > Choice::MOST_ROUNDS {
             scratch.stops.iter_mut().for_each(|stop| (stop.leader, stop.at) = (NOBODY, 0.0));
         }
         for met in &scratch.met {

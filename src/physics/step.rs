@@ -3,12 +3,13 @@
 //! The store of all bodies, with its broad phase, flight and islands, is that of [`super::pile`]; the world tells it what acts on each body,
 //! and takes over where it has come. In between, each island is advanced by the least method that is right for it (`islands`).
 
+use super::contact::Contact;
 use super::events::{Item, Scene};
 use super::impulse::Impulse;
-use super::islands::{Happened, Methods, Tick};
+use super::islands::{Choice, Happened, Stop, Tick};
 use super::pile::{Axis, Other};
 use super::tuning::{REPORT_SPEED, SLOP};
-use super::world::{Event, Obstacle, State, World};
+use super::world::{Event, Methods, Obstacle, State, World};
 use super::{Body, BodyId, zones};
 use glam::DVec2;
 
@@ -39,7 +40,7 @@ impl World {
     pub(super) fn begin(&mut self) {
         let Self { state, plan, scratch, .. } = self;
         let n = state.bodies.len();
-        if n == 0 || n > Methods::MOST_BY_EVENTS {
+        if n == 0 || n > Choice::MOST_BY_EVENTS {
             return;
         }
         let scene = Scene::of(state, plan, 0.0);
@@ -202,7 +203,23 @@ impl World {
             }
         }
         self.commit_dense(dt);
+        self.count_methods();
         self.state.contacts.sort_unstable_by_key(|contact| contact.ends());
+    }
+
+    /// Counts by which method how many bodies were advanced.
+    fn count_methods(&mut self) {
+        let mut methods = Methods::default();
+        for (i, after) in self.scratch.after.iter().enumerate() {
+            let count = match (after.members, after.dense) {
+                (0, _) if self.pile.is_sleeping(i) => &mut methods.asleep,
+                (0, _) => &mut methods.free,
+                (_, false) => &mut methods.by_events,
+                (_, true) => &mut methods.in_one_step,
+            };
+            *count += 1;
+        }
+        self.records.methods = methods;
     }
 
     /// Lists the contacts of what was advanced by the dense method: what lasts as forces, what hit as impulses; and makes the accelerations
@@ -232,7 +249,10 @@ impl World {
             } else {
                 let (lo, hi) = if contact.normal < 0.0 { (a as u32, b) } else { (b, a as u32) };
                 let sign = if contact.normal < 0.0 { -1.0 } else { 1.0 };
-                state.contacts.push(scratch.lasting(lo, hi, axis, contact.normal.abs() / dt, sign * contact.friction / dt));
+                let mut lasting = Contact { lasts: true, ..Contact::between(lo, hi, axis) };
+                (lasting.normal, lasting.friction) = (contact.normal.abs() / dt, sign * contact.friction / dt);
+                (lasting.static_friction, lasting.kinetic_friction) = state.friction_of(a, contact.b);
+                state.contacts.push(lasting);
             }
         }
         for hit in pile.impacts() {
@@ -252,7 +272,7 @@ impl World {
         for squeeze in pile.squeezed() {
             let force = state.bodies[squeeze.body].mass * squeeze.speed / dt;
             scratch.crushed.push((u32::MAX, squeeze.body as u32, squeeze.surface as u32, force));
-            scratch.stops.push(super::islands::Stop { leader: u32::MAX, surface: squeeze.surface as u32, at: 0.0 });
+            scratch.stops.push(Stop { leader: u32::MAX, surface: squeeze.surface as u32, at: 0.0 });
         }
     }
 
@@ -274,6 +294,20 @@ impl World {
         }
         for &(_, body, by, force) in &scratch.crushed {
             records.events.push(Event::Crushed { body: BodyId(body), by, force });
+        }
+    }
+}
+
+impl State {
+    /// The coefficients with which a pair slides, static and kinetic: a surface gives its own, two bodies the smaller of theirs.
+    fn friction_of(&self, a: usize, b: Other) -> (f64, f64) {
+        let mine = self.bodies[a].material;
+        match b {
+            Other::Surface(s) => (self.surfaces[s].material.static_friction, self.surfaces[s].material.kinetic_friction),
+            Other::Body(b) => {
+                let other = self.bodies[b].material;
+                (mine.static_friction.min(other.static_friction), mine.kinetic_friction.min(other.kinetic_friction))
+            }
         }
     }
 }
