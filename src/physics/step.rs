@@ -12,7 +12,7 @@ use glam::DVec2;
 /// How often islands are sought again in one tick because a body may go further than foreseen. After that all there is is looked at.
 const MOST_SEARCHES: u32 = 8;
 /// How often islands are advanced anew in one tick until they agree when surfaces stop that several of them meet. After that these stand
-/// still for the whole tick.
+/// still for the whole tick, and after twice as often islands are left as they are.
 const MOST_ROUNDS: u32 = 8;
 /// m. A box in which others are looked for reaches this much further than the way that is foreseen.
 const MARGIN: f64 = 1e-3;
@@ -164,7 +164,7 @@ impl World {
                 self.widen(scratch, searches, dt);
                 scratch.islands.find(&scratch.searched, &scratch.resting, &self.state.contacts);
                 searches += 1;
-            } else if scratch.agree_on_stops(rounds >= MOST_ROUNDS) {
+            } else if rounds >= 2 * MOST_ROUNDS || scratch.agree_on_stops(rounds >= MOST_ROUNDS) {
                 return;
             } else {
                 rounds += 1;
