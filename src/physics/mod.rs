@@ -70,11 +70,11 @@ mod network;
 pub mod pile;
 mod plan;
 mod reactions;
-mod scratch;
 mod spring;
 mod step;
 mod surface;
 mod tuning;
+mod validate;
 mod world;
 mod zones;
 
@@ -88,4 +88,4 @@ pub use impulse::Impulse;
 pub use material::Material;
 pub use plan::Plan;
 pub use surface::{Leg, Path, PathPoint, Sides, Surface, SurfaceDef};
-pub use world::{Event, Obstacle, World};
+pub use world::{Event, Methods, Obstacle, World};

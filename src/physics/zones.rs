@@ -2,6 +2,7 @@
 
 use super::flow::Pose;
 use super::impact_time::{Cubic, earliest};
+use super::media::Media;
 use super::tuning::SLOP;
 use super::{Aabb, Body};
 use glam::DVec2;
@@ -12,6 +13,12 @@ pub(super) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> boo
     let apart = position - zone.centre();
     let gap = apart.abs() - body.half - zone.size() * 0.5;
     (0..2).all(|axis| gap[axis] < -SLOP || (gap[axis] <= SLOP && velocity[axis] * apart[axis].signum() <= 0.0))
+}
+
+/// The force of a body's engine and of all streams that it feels, N.
+pub(super) fn force_on(media: &Media, body: &Body, drive: DVec2) -> DVec2 {
+    let pose = (body.position, body.velocity);
+    media.streams.iter().filter(|stream| feels(&stream.zone, body, pose)).fold(drive, |force, stream| force + stream.force)
 }
 
 /// When a body on a way enters a zone or, from `inside`, leaves it.

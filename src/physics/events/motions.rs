@@ -15,6 +15,8 @@ use glam::DVec2;
 
 /// The rate × time up to which a cubic follows a flow. Larger: impacts in the midst of it are found off the way.
 const CUBIC_REACH: f64 = 0.5;
+/// How far beyond the end of a slide a mean acceleration reaches, as a part of its time: so that the end is found before.
+const BEYOND_A_STOP: f64 = 1.25;
 /// Steps of Newton's method for the time at which two motions meet.
 const POLISH: u32 = 4;
 /// m. A gap of bodies that have met is left if it is smaller than this.
@@ -257,9 +259,30 @@ impl Events {
             }
         }
         if coupled && left > 0.0 {
-            self.take_mean_accelerations(scene, left);
+            let h = self.while_slides_last(left);
+            self.take_mean_accelerations(scene, h);
+            for k in 0..self.concerned.len() {
+                let item = &mut self.items[self.concerned[k] as usize];
+                if item.motion == Motion::Parabola {
+                    item.until = item.until.min(self.now + h);
+                }
+            }
         }
         self.contacts.append(&mut self.trial);
+    }
+
+    /// How long a mean acceleration may be taken for, of `left` seconds: what a heavy load brakes stands soon, and friction acts no longer.
+    fn while_slides_last(&self, left: f64) -> f64 {
+        let rate = |item: u32, along: usize| {
+            let i = item as usize;
+            if i < self.movable { self.solved[i][along] } else { self.ground_pulls[i - self.movable][along] }
+        };
+        let ends = self.trial.iter().filter(|contact| contact.slides != 0.0).map(|contact| {
+            let along = 1 - contact.axis;
+            let braking = contact.slides * (rate(contact.lo, along) - rate(contact.hi, along));
+            if braking > 0.0 { BEYOND_A_STOP * contact.slides * self.sliding(contact) / braking } else { f64::INFINITY }
+        });
+        ends.filter(|&end| end > 0.0).fold(left, f64::min)
     }
 
     /// The slide of a body that touches nothing but one surface which does not speed up, if it is one.

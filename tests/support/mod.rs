@@ -1,0 +1,13 @@
+//! What the tests of the engine share: random numbers, what scenes are built from, and what is measured of them.
+#![allow(dead_code, unused_imports)] // Each test takes what it needs.
+
+mod build;
+mod levels;
+mod measure;
+mod random;
+pub mod strategies;
+
+pub use build::{BODY, G, TICK, area, block, crate_at, crowd, floor, pool, world};
+pub use levels::{Memory, level_texts};
+pub use measure::{bits, bits_of_body, deepest, energy, momentum, momentum_scale, run, worst_overlap};
+pub use random::Random;
