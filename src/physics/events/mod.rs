@@ -38,7 +38,7 @@ const WORK_OF_AN_ITEM: u64 = 150;
 const WORK_OF_A_CONTACT: u64 = 120;
 /// The budget of an island, and what each of its bodies adds to it. Larger: the worst tick lasts longer; smaller: exactness is given up
 /// where fewer impacts fall into one tick.
-const BUDGET: u64 = 100_000;
+const BUDGET: u64 = 250_000;
 const BUDGET_OF_A_BODY: u64 = 3_000;
 
 /// What all islands of a tick share.
@@ -178,6 +178,8 @@ impl Events {
                 return Outcome::Grown;
             }
             self.now = next.at;
+            // Whatever an event is, it is counted: no chain of them goes on for ever.
+            self.work += WORK_OF_AN_ITEM;
             if self.work > budget {
                 self.stop_here(scene);
                 return Outcome::Busy(self.now);

@@ -29,14 +29,14 @@ const SHORTEST: f64 = 1.0 / 64.0;
 impl Events {
     /// Looks at everything concerned anew: what touches it, its impacts, contacts, accelerations and motion.
     pub(super) fn look(&mut self, scene: &Scene, hit: Option<Contact>) {
-        loop {
+        // Where a surface is stopped that would have squeezed something, other things concern it as well: each of them once.
+        for _ in self.movable..=self.items.len() {
             self.halted = false;
             self.collect(scene, hit);
             self.resolve_impacts(scene);
             if !self.halted {
                 self.settle_concerned(scene, hit);
             }
-            // Where a surface was stopped that would have squeezed something, other things concern it as well.
             if !self.halted {
                 break;
             }
