@@ -294,7 +294,8 @@ fn gather(state: &State, scratch: &mut Scratch, island: &[(u32, u32)], scene: &S
     }
     events.movable = island.len();
     let near = |bounds: &Aabb| {
-        everything.touches(bounds, 0.0) && island.iter().any(|member| searched[member.1 as usize].touches(bounds, 0.0))
+        // What has been resting is looked for where it is, which may be a rounding away from what it lies on.
+        everything.touches(bounds, MARGIN) && island.iter().any(|member| searched[member.1 as usize].touches(bounds, MARGIN))
     };
     for (s, surface) in state.surfaces.iter().enumerate() {
         if surface.present && near(&surface.swept(scene.tick)) {
