@@ -10,9 +10,7 @@ const APART: f64 = 1e4;
 fn crowd_of(body: &BodyDef, streams: Vec<StreamDef>) -> World {
     let at = |i: usize| DVec2::new(APART * (i % 10) as f64, APART * (i / 10) as f64);
     let bodies = (0..100).map(|i| BodyDef { position: body.position + at(i), ..body.clone() });
-    let world =
-        World::new(WorldDef { gravity: G, air_density: 1.0, bodies: bodies.collect(), streams, ..WorldDef::default() }).unwrap();
-    world
+    World::new(WorldDef { gravity: G, air_density: 1.0, bodies: bodies.collect(), streams, ..WorldDef::default() }).unwrap()
 }
 
 /// A body of drag k = ½·C_d·A/m per metre.

@@ -4,10 +4,10 @@
 mod common;
 
 use common::{area, crate_at, room};
-use resultant::game::{Controls, Game, SHIP};
+use resultant::game::{Controls, Game, READABLE, SHIP};
 use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2, ForceKind};
-use resultant::view::facts::{Facts, Row, Value, facts};
+use resultant::view::facts::{Facts, Row, Shown, Value, facts, quantity};
 use std::sync::Arc;
 
 /// The ship and a crate of 10 kg at rest on the floor of the room, at g = 15 N/kg.
@@ -29,9 +29,9 @@ fn row<'a>(facts: &'a Facts, name: &str) -> &'a Row {
 }
 
 fn vector(facts: &Facts, name: &str) -> DVec2 {
-    match row(facts, name).value {
-        Value::Vector(vector) => vector,
-        Value::Scalar(value) => panic!("{name} is the number {value}"),
+    match &row(facts, name).value {
+        Value::Vector(vector) => *vector,
+        other => panic!("{name} is {other:?}"),
     }
 }
 
@@ -56,11 +56,11 @@ fn the_ship_begins_with_its_engine_and_other_bodies_have_none() {
     let mut game = game(on_the_floor());
     game.step(Controls { thrust: true, ..Controls::default() });
     let ship = facts(&game, SHIP);
-    assert_eq!((ship.rows[0].name, ship.rows[0].value, ship.rows[0].unit), ("Engine drive", Value::Scalar(2000.0), "N"));
+    assert_eq!((ship.rows[0].name, ship.rows[0].value.clone(), ship.rows[0].unit), ("Engine drive", Value::Scalar(2000.0), "N"));
     assert_eq!(vector(&ship, "Drive"), DVec2::new(0.0, -2000.0));
     assert_eq!(ship.title, "Ship");
     let crate_box = facts(&game, BodyId(1));
-    assert_eq!((crate_box.rows[0].name, crate_box.rows[0].value), ("Mass", Value::Scalar(10.0)));
+    assert_eq!((crate_box.rows[0].name, crate_box.rows[0].value.clone()), ("Mass", Value::Scalar(10.0)));
     game.step(Controls { reverse: true, ..Controls::default() });
     assert_eq!(facts(&game, SHIP).rows[0].value, Value::Scalar(-2000.0));
     game.step(Controls::default());
@@ -79,10 +79,96 @@ fn in_flight_the_lines_add_up_to_the_resultant_and_are_the_worlds_own_numbers() 
         let (forces, body) = (game.world().forces(SHIP), game.world().body(SHIP));
         assert_eq!(vector(&facts, "Resultant"), forces.resultant());
         assert_eq!((vector(&facts, "Velocity"), vector(&facts, "Acceleration")), (body.velocity, body.acceleration));
-        let shown: DVec2 = facts.rows.iter().filter(|row| row.force.is_some()).map(|row| vector(&facts, row.name)).sum();
+        let shown: DVec2 =
+            facts.rows.iter().filter(|row| matches!(row.shown, Some(Shown::Force(_)))).map(|row| vector(&facts, row.name)).sum();
         assert!((shown - forces.resultant()).length() < 1e-9 * (1.0 + shown.length()), "tick {tick}: {shown}");
         for kind in ForceKind::ALL.into_iter().filter(|kind| forces.total(*kind) != DVec2::ZERO) {
             assert_eq!(vector(&facts, kind.name()), forces.total(kind), "tick {tick}");
         }
     }
+}
+
+/// What a line says, read off its text: a vector in brackets.
+fn read(row: &Row) -> DVec2 {
+    let text = quantity(row, 9).replace('−', "-");
+    let numbers = text.trim_start_matches('(').split(')').next().expect("a bracket closes");
+    let numbers: Vec<f64> = numbers.split(',').map(|number| number.trim().parse().expect("a number")).collect();
+    DVec2::new(numbers[0], numbers[1])
+}
+
+/// The sum of the lines of one sort as their text has it, and what rounding each to one decimal may make of it.
+fn sum_of(facts: &Facts, sort: impl Fn(Shown) -> bool) -> (DVec2, f64) {
+    let rows: Vec<&Row> = facts.rows.iter().filter(|row| row.shown.is_some_and(&sort)).collect();
+    (rows.iter().map(|row| read(row)).sum(), 0.05 * (rows.len() + 1) as f64 * 2.0_f64.sqrt() + 1e-9)
+}
+
+/// The text of the boxes adds up: the forces to the resultant, on every tick; and the impacts to what the momentum has changed by, weight
+/// left out, in the half second in which they can be read.
+#[test]
+fn the_text_adds_up_with_the_impacts() {
+    let mut level = room();
+    level.gravity = 15.0;
+    (level.player.position, level.player.velocity) = (DVec2::new(40.0, 60.0), DVec2::new(6.0, -3.0));
+    let bouncing = |x: f64, speed: f64, restitution: f64| {
+        let mut object = crate_at(DVec2::new(x, 98.0), DVec2::new(speed, 0.0), None);
+        object.restitution = restitution;
+        object
+    };
+    level.objects = vec![bouncing(60.0, 7.0, 1.0), bouncing(70.0, -9.0, 0.9), bouncing(20.0, 3.0, 1.0), bouncing(80.0, -8.0, 0.6)];
+    let bodies = level.objects.len() + 1;
+    let mut game = game(level);
+    let (dt, window) = (1.0 / game.tick_rate(), (READABLE * game.tick_rate()) as usize + 1);
+    let mut given: Vec<Vec<DVec2>> = vec![Vec::new(); bodies];
+    // What lies or slides on something is given momentum by its Reaction, too.
+    let mut held = vec![0; bodies];
+    let (mut told, mut most) = (0, 0);
+    for tick in 1..=480 {
+        let before: Vec<DVec2> = game.world().bodies().iter().map(|body| body.velocity).collect();
+        game.step(Controls::default());
+        for (i, given) in given.iter_mut().enumerate() {
+            let (id, body) = (BodyId(i as u32), &game.world().bodies()[i]);
+            given.push((body.velocity - before[i] - DVec2::new(0.0, 15.0 * dt)) * body.mass);
+            let facts = facts(&game, id);
+            let (forces, rounding) = sum_of(&facts, |shown| matches!(shown, Shown::Force(_)));
+            let resultant = sum_of(&facts, |shown| shown == Shown::Resultant).0;
+            assert!((forces - resultant).length() <= rounding, "tick {tick}, {}: {forces} N, not {resultant} N", facts.title);
+            let (impacts, rounding) = sum_of(&facts, |shown| shown == Shown::Impact);
+            if facts.rows.iter().any(|row| row.shown == Some(Shown::Force(ForceKind::Reaction))) {
+                held[i] = tick;
+            }
+            if held[i] > 0 && tick - held[i] < window {
+                continue;
+            }
+            let last: DVec2 = given[given.len().saturating_sub(window)..].iter().sum();
+            assert!((impacts - last).length() <= rounding, "tick {tick}, {}: {impacts} N·s, not {last} N·s", facts.title);
+            let lines = facts.rows.iter().filter(|row| row.shown == Some(Shown::Impact)).count();
+            (told, most) = (told + lines, most.max(lines));
+        }
+    }
+    assert!(told > 500 && most >= 2, "{told} lines, at most {most} in a box");
+}
+
+/// An impact can be read for half a second of the game, by name, size and what exerted it; no longer, and no shorter for a pause.
+#[test]
+fn an_impact_is_told_for_half_a_second() {
+    let mut level = on_the_floor();
+    level.objects[0].position.y = 98.0;
+    level.objects.push(crate_at(DVec2::new(70.0, 99.5), DVec2::ZERO, None));
+    level.objects.push(crate_at(DVec2::new(69.0 - 1e-9, 99.5), DVec2::new(4.0, 0.0), None));
+    let mut game = game(level);
+    let lines = |game: &Game, body: u32| -> Vec<String> {
+        let told = facts(game, BodyId(body)).rows.into_iter().skip_while(|row| row.shown != Some(Shown::Impact));
+        told.map(|row| format!("{} {}", row.name, quantity(&row, 6))).collect()
+    };
+    while game.world().impulses().iter().all(|impulse| impulse.on(BodyId(1)).is_none()) {
+        assert_eq!(lines(&game, 1), Vec::<String>::new());
+        game.step(Controls::default());
+    }
+    // It has fallen by 1.5 m.
+    let told = ["Impact (   0.0,  −67.1) N·s", " by edge bottom"];
+    for _ in 0..=60 {
+        assert_eq!(lines(&game, 1), told);
+        game.step(Controls::default());
+    }
+    assert_eq!(lines(&game, 1), Vec::<String>::new());
 }

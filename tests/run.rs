@@ -12,7 +12,7 @@ const OBJECTIVES: &str = "PLAYER,10,10,20,20\nOBJECT,600,100,box:60x30,75,181,49
 /// The telemetry's first row, as documented.
 const COLUMNS: &str = "tick,time,object,kind,x,y,vx,vy,ax,ay,angle,fuel,resultant_x,resultant_y,weight_x,weight_y,drive_x,drive_y,\
     reaction_x,reaction_y,friction_x,friction_y,air_resistance_x,air_resistance_y,wind_x,wind_y,buoyancy_x,buoyancy_y,viscous_drag_x,\
-    viscous_drag_y,push_x,push_y";
+    viscous_drag_y,push_x,push_y,impulse_x,impulse_y";
 
 /// A data folder with the levels `flight` (free), `goal` (the ship starts beside its objective) and `death`.
 fn data() -> Data {
@@ -226,6 +226,8 @@ fn a_file_that_is_read_only_or_needed_otherwise_is_not_written_to() {
         (["--telemetry", &kept, "--record", out], "kept.csv: the file is read-only"),
         (["--record", out, "--telemetry", &kept], "kept.csv: the file is read-only"),
         (["--telemetry", out, "--record", out], "--record "),
+        (["--telemetry", out, "--forces", out], "--forces "),
+        (["--forces", &inputs, "--record", out], "in.csv: this file is read by the same command"),
         (["--telemetry", out, "--record", &inputs], "in.csv: this file is read by the same command"),
         (["--telemetry", level, "--record", out], "objects.csv: this file is read by the same command"),
     ] {
@@ -511,7 +513,7 @@ fn a_reader_that_goes_away_is_no_error() {
 }
 
 #[test]
-fn the_forces_of_a_row_are_those_that_led_to_it() {
+fn the_forces_of_a_row_are_those_of_its_own_instant() {
     let data = Data::new();
     let objects = "1500,2970,box:60x60,75,1,FALSE,0\n";
     let goal = "PLAYER,10,10,20,20\n";

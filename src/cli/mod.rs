@@ -8,6 +8,7 @@
 mod chart;
 mod check;
 mod files;
+mod forces;
 mod jumper;
 mod new;
 mod number;

@@ -2,7 +2,7 @@
 
 use super::files::{NewFile, read_text};
 use super::number::Shortest;
-use super::{Project, Status, Stop, load_level, telemetry};
+use super::{Project, Status, Stop, forces, load_level, telemetry};
 use crate::files::INPUTS;
 use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Replay, SHIP, TICK_RATE, TICK_RATES};
 use crate::level::{Level, Look};
@@ -19,7 +19,12 @@ const WHOLE_TICK: f64 = 1e-6;
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "Prints key=value: outcome (completed, failed, running), time (s), score, objectives (met/all), \
     collisions (damaging), fuel (fraction left), ticks, hash (of the whole state), x and y (where the ship's centre ended, m \
-    from the level's top left corner) and, when it failed, killed_by (obstacle N: the Nth row of obstacles.csv).\n\n\
+    from the level's top left corner) and, when it failed, killed_by (obstacle N: the Nth row of obstacles.csv; crushed by …: what \
+    squeezed the ship). With --diagnostics a line guard_NAME=COUNT for each guard of the engine follows.\n\n\
+    A file of forces has a row a force a tick: tick,time,object,kind,by,x,y,point_x,point_y, in N and m, y counted downwards. by is \
+    gravity, engine, air, stream N, fluid N, world N (the Nth row of hazards.csv, fluids.csv, world.csv), hazard N (the source block of \
+    stream N), edge left, right, top or bottom, or object N (as in the telemetry; 0 is the ship). Rows of the kind impact tell what \
+    an impact since the tick before passed on, in N·s.\n\n\
     An inputs file is a CSV with the header ticks,thrust,reverse,left,right; each row holds its keys (0 or 1) for that many \
     ticks. After the last row nothing is pressed.")]
 pub struct Args {
@@ -37,6 +42,12 @@ pub struct Args {
     /// Write where everything is and what acts on it, a CSV row an object a tick
     #[arg(long, value_name = "OUT.csv")]
     telemetry: Option<PathBuf>,
+    /// Write every single force and impact, what exerts it and where it acts, a CSV row a force a tick
+    #[arg(long, value_name = "OUT.csv")]
+    forces: Option<PathBuf>,
+    /// Print how often each guard of the engine acted
+    #[arg(long)]
+    diagnostics: bool,
     /// Write the run as a replay, for `verify`
     #[arg(long, value_name = "OUT.csv")]
     record: Option<PathBuf>,
@@ -67,11 +78,13 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     let mut read = level_files(project, &args.level, &level)?;
     read.extend(args.inputs.clone());
     let mut game = Game::with_tick_rate(level, args.tick).map_err(Stop::refused)?;
-    let outputs = [("--telemetry", args.telemetry.as_deref()), ("--record", args.record.as_deref())];
-    let [mut telemetry, record] = NewFile::create_all(outputs, &read)?;
+    let outputs =
+        [("--telemetry", args.telemetry.as_deref()), ("--forces", args.forces.as_deref()), ("--record", args.record.as_deref())];
+    let [telemetry, forces, record] = NewFile::create_all(outputs, &read)?;
+    let mut written = Written { telemetry, forces };
 
-    let flown = fly(&mut game, inputs.unwrap_or_default(), last, telemetry.as_mut())?;
-    if let Some(file) = telemetry {
+    let flown = fly(&mut game, inputs.unwrap_or_default(), last, &mut written)?;
+    for file in [written.telemetry, written.forces].into_iter().flatten() {
         file.finish()?;
     }
     if let Some(mut file) = record {
@@ -79,6 +92,11 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
         file.finish()?;
     }
     print(&game, out)?;
+    if args.diagnostics {
+        for (name, count) in game.world().guards().all() {
+            writeln!(out, "guard_{name}={count}")?;
+        }
+    }
     Ok(Status::Done)
 }
 
@@ -107,21 +125,45 @@ fn last_tick(args: &Args, inputs: Option<&Inputs>) -> Result<u64, Stop> {
     Ok(ticks as u64)
 }
 
-/// Flies and returns the controls of every tick flown.
-fn fly(game: &mut Game, inputs: Inputs, last: u64, mut telemetry: Option<&mut NewFile>) -> io::Result<Inputs> {
-    if let Some(file) = telemetry.as_mut() {
-        writeln!(file, "{}", telemetry::HEADER)?;
-        telemetry::write_tick(file, game)?;
+/// The files that are written while a run is flown.
+struct Written {
+    telemetry: Option<NewFile>,
+    forces: Option<NewFile>,
+}
+
+impl Written {
+    fn write_headers(&mut self) -> io::Result<()> {
+        if let Some(file) = &mut self.telemetry {
+            writeln!(file, "{}", telemetry::HEADER)?;
+        }
+        if let Some(file) = &mut self.forces {
+            writeln!(file, "{}", forces::HEADER)?;
+        }
+        Ok(())
     }
+
+    fn write_tick(&mut self, game: &Game) -> io::Result<()> {
+        if let Some(file) = &mut self.telemetry {
+            telemetry::write_tick(file, game)?;
+        }
+        if let Some(file) = &mut self.forces {
+            forces::write_tick(file, game)?;
+        }
+        Ok(())
+    }
+}
+
+/// Flies and returns the controls of every tick flown.
+fn fly(game: &mut Game, inputs: Inputs, last: u64, written: &mut Written) -> io::Result<Inputs> {
+    written.write_headers()?;
+    written.write_tick(game)?;
     let mut flown = Inputs::default();
     let mut playback = inputs.into_iter();
     while game.outcome() == Outcome::Running && game.ticks() < last {
         let controls = playback.next().unwrap_or_default();
         game.step(controls);
         flown.record(controls);
-        if let Some(file) = telemetry.as_mut() {
-            telemetry::write_tick(file, game)?;
-        }
+        written.write_tick(game)?;
     }
     Ok(flown)
 }
@@ -139,7 +181,7 @@ fn print(game: &Game, out: &mut dyn Write) -> io::Result<()> {
     let place = game.world().body(SHIP).position;
     writeln!(out, "x={}\ny={}", Shortest(place.x), Shortest(place.y))?;
     match game.killed_by() {
-        Some(index) => writeln!(out, "killed_by=obstacle {}", index + 1),
+        Some(death) => writeln!(out, "killed_by={}", death.name(game.level())),
         None => Ok(()),
     }
 }

@@ -3,31 +3,54 @@
 use super::number::Shortest;
 use crate::game::{Game, SHIP};
 use crate::level::Object;
-use crate::physics::{BodyId, DVec2, ForceKind};
+use crate::physics::{BodyId, DVec2, ForceKind, Obstacle, World};
 use std::io::{self, Write};
 
 /// The first row.
 pub const HEADER: &str = "tick,time,object,kind,x,y,vx,vy,ax,ay,angle,fuel,resultant_x,resultant_y,weight_x,weight_y,drive_x,drive_y,\
     reaction_x,reaction_y,friction_x,friction_y,air_resistance_x,air_resistance_y,wind_x,wind_y,buoyancy_x,buoyancy_y,viscous_drag_x,\
-    viscous_drag_y,push_x,push_y";
+    viscous_drag_y,push_x,push_y,impulse_x,impulse_y";
 
 /// The rows of the current tick, one an object: the ship, then the objects in the level's order. Metres, m/s, m/s², N, degrees;
-/// an object has neither angle nor fuel: both are 0. Forces, acceleration and resultant are those that acted during the tick that
-/// led to the row; before the first tick those at the start.
+/// an object has neither angle nor fuel: both are 0. All of a row speaks of its own instant, with the engine's drive of the tick that led
+/// to it; only the impulse (N·s) is that of all impacts since the row before.
 pub fn write_tick(out: &mut impl Write, game: &Game) -> io::Result<()> {
-    let ship = game.ship();
-    write_row(out, game, SHIP, "ship", ship.angle, ship.fuel)?;
-    for (body, object) in (1..).zip(&game.level().objects) {
-        write_row(out, game, BodyId(body), kind(object), 0.0, 0.0)?;
+    let (ship, impulses) = (game.ship(), impulses(game.world()));
+    write_row(out, game, (SHIP, impulses[0]), "ship", (ship.angle, ship.fuel))?;
+    for ((body, object), impulse) in (1..).zip(&game.level().objects).zip(&impulses[1..]) {
+        write_row(out, game, (BodyId(body), *impulse), kind(object), (0.0, 0.0))?;
     }
     Ok(())
+}
+
+/// What each body felt of the last tick's impacts, N·s.
+fn impulses(world: &World) -> Vec<DVec2> {
+    let mut sums = vec![DVec2::ZERO; world.bodies().len()];
+    for impulse in world.impulses() {
+        sums[impulse.a.index()] += impulse.vector;
+        if let Obstacle::Body(b) = impulse.b {
+            sums[b.index()] -= impulse.vector;
+        }
+    }
+    sums
+}
+
+/// A kind of force in the names of columns and rows.
+pub fn column(kind: ForceKind) -> String {
+    kind.name().to_lowercase().replace(' ', "_")
 }
 
 fn kind(object: &Object) -> &'static str {
     if object.key.is_some() { "key" } else { "object" }
 }
 
-fn write_row(out: &mut impl Write, game: &Game, id: BodyId, kind: &str, angle: f64, fuel: f64) -> io::Result<()> {
+fn write_row(
+    out: &mut impl Write,
+    game: &Game,
+    (id, impulse): (BodyId, DVec2),
+    kind: &str,
+    (angle, fuel): (f64, f64),
+) -> io::Result<()> {
     let (body, forces) = (game.world().body(id), game.world().forces(id));
     write!(out, "{},{},{},{kind}", game.ticks(), Shortest(game.time()), id.0)?;
     for vector in [body.position, body.velocity, body.acceleration] {
@@ -38,10 +61,12 @@ fn write_row(out: &mut impl Write, game: &Game, id: BodyId, kind: &str, angle: f
     for kind in ForceKind::ALL {
         write_vector(out, forces.total(kind))?;
     }
+    write_vector(out, impulse)?;
     writeln!(out)
 }
 
-fn write_vector(out: &mut impl Write, vector: DVec2) -> io::Result<()> {
+/// Two more cells.
+pub fn write_vector(out: &mut impl Write, vector: DVec2) -> io::Result<()> {
     write!(out, ",{},{}", Shortest(vector.x), Shortest(vector.y))
 }
 
@@ -52,9 +77,9 @@ mod tests {
     #[test]
     fn the_columns_are_those_of_the_forces_in_their_order() {
         let forces = ForceKind::ALL.map(|kind| {
-            let name = kind.name().to_lowercase().replace(' ', "_");
+            let name = column(kind);
             format!(",{name}_x,{name}_y")
         });
-        assert!(HEADER.ends_with(&format!("resultant_x,resultant_y{}", forces.concat())), "{HEADER}");
+        assert!(HEADER.ends_with(&format!("resultant_x,resultant_y{},impulse_x,impulse_y", forces.concat())), "{HEADER}");
     }
 }

@@ -1,6 +1,8 @@
 //! One attempt at a level: the rules, tick by tick.
 
+use super::death::{Death, crushed};
 use super::hash::Fnv1a;
+use super::impacts::{Felt, Impacts, READABLE};
 use super::touch::{TOUCH, sweep_touches};
 use super::{Controls, RunResult, ScoreParts, Ship};
 use crate::level::{Level, ObjectiveKind, SHIP_HALF};
@@ -30,7 +32,7 @@ pub enum Outcome {
     Running,
     /// All objectives were met at once.
     Completed,
-    /// A death box was touched.
+    /// The ship is lost: a death box was touched, or something squeezed it.
     Failed,
 }
 
@@ -70,7 +72,12 @@ pub enum GameEvent {
     ObjectiveLost(usize),
     /// All were met.
     Completed,
-    /// A death box was touched.
+    /// Something begins to be squeezed.
+    Crushed {
+        /// Its centre, m.
+        point: DVec2,
+    },
+    /// The ship is lost.
     Died,
 }
 
@@ -121,6 +128,9 @@ pub struct Game {
     met: Vec<bool>,
     flight: Flight,
     events: Vec<GameEvent>,
+    /// What can still be read of impacts, and what is being squeezed: for those who look on, no rule asks.
+    impacts: Impacts,
+    squeezed: Vec<BodyId>,
 }
 
 impl Game {
@@ -156,8 +166,11 @@ impl Game {
             met: Vec::new(),
             flight,
             events: Vec::new(),
+            impacts: Impacts::default(),
+            squeezed: Vec::new(),
             level,
         };
+        game.remember_impacts();
         game.met = (0..game.level.objectives.len()).map(|index| game.is_met(index)).collect();
         Ok(game)
     }
@@ -174,6 +187,7 @@ impl Game {
         self.ticks += 1;
         self.measure();
         self.note_impacts();
+        self.note_crushed();
         self.note_objectives();
         self.judge();
     }
@@ -189,8 +203,14 @@ impl Game {
         self.flight.peak_resultant = self.flight.peak_resultant.max(self.world.forces(SHIP).resultant().length());
     }
 
+    /// Keeps impacts for as long as they are to be read.
+    fn remember_impacts(&mut self) {
+        self.impacts.note(self.ticks, (READABLE * self.tick_rate) as u64, self.world.impulses());
+    }
+
     /// Passes the engine's impacts on and counts the ship's damaging hits.
     fn note_impacts(&mut self) {
+        self.remember_impacts();
         for event in self.world.events() {
             let &Event::Impact { point, speed, normal, .. } = event else { continue };
             if speed >= DUST_SPEED {
@@ -201,6 +221,17 @@ impl Game {
             self.flight.collisions += 1;
             self.events.push(GameEvent::DamagingHit { point, speed });
         }
+    }
+
+    /// Tells what begins to be squeezed.
+    fn note_crushed(&mut self) {
+        for (body, _) in crushed(self.world.events()) {
+            if !self.squeezed.contains(&body) {
+                self.events.push(GameEvent::Crushed { point: self.world.body(body).position });
+            }
+        }
+        self.squeezed.clear();
+        self.squeezed.extend(crushed(self.world.events()).map(|(body, _)| body));
     }
 
     /// Finds out which objectives are met and tells what has changed.
@@ -230,7 +261,7 @@ impl Game {
 
     /// Ends the attempt where it ends. Death goes first.
     fn judge(&mut self) {
-        if self.level.obstacles.iter().any(|deadly| self.has_touched(deadly)) {
+        if self.death().is_some() {
             self.outcome = Outcome::Failed;
             self.events.push(GameEvent::Died);
         } else if !self.met.is_empty() && self.met.iter().all(|&met| met) {
@@ -239,11 +270,16 @@ impl Game {
         }
     }
 
-    /// Which of the level's death boxes ended the attempt, by its index: the first in the level's order of those touched in the last
-    /// tick; `None` where none did.
-    pub fn killed_by(&self) -> Option<usize> {
-        let failed = self.outcome == Outcome::Failed;
-        failed.then(|| self.level.obstacles.iter().position(|deadly| self.has_touched(deadly))).flatten()
+    /// What ended the attempt; `None` where nothing did. Of several death boxes it is the first in the level's order.
+    pub fn killed_by(&self) -> Option<Death> {
+        if self.outcome == Outcome::Failed { self.death() } else { None }
+    }
+
+    /// What the last tick did to the ship.
+    fn death(&self) -> Option<Death> {
+        let touched = self.level.obstacles.iter().position(|deadly| self.has_touched(deadly)).map(Death::Obstacle);
+        let squeezed = || crushed(self.world.events()).find(|(body, _)| *body == SHIP).map(|(_, by)| Death::Crushed(by));
+        touched.or_else(squeezed)
     }
 
     /// Whether the ship touched a box at any moment of the last tick, however fast it went.
@@ -308,6 +344,11 @@ impl Game {
         &self.events
     }
 
+    /// The impacts on a body that can still be read, the largest first: those of the last [`READABLE`] seconds of the game.
+    pub fn impacts(&self, body: BodyId) -> Vec<Felt> {
+        self.impacts.on(body)
+    }
+
     /// What the attempt has come to so far.
     pub fn result(&self) -> RunResult {
         let (time, optimal_time) = (self.time(), self.level.optimal_time);
@@ -362,6 +403,7 @@ fn damaging_hit(events: &[Event]) -> Option<(DVec2, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::{BodyDef, Material, Path, SurfaceDef, WorldDef};
 
     fn impact(a: u32, b: Obstacle, speed: f64) -> Event {
         Event::Impact { a: BodyId(a), b, point: DVec2::new(speed, 0.0), normal: DVec2::NEG_Y, speed }
@@ -380,6 +422,34 @@ mod tests {
     fn several_surfaces_in_one_hit_count_once_as_the_hardest() {
         let events = [9.0, 12.0, 14.0, 11.0].map(|speed| impact(0, Obstacle::Surface(speed as u32), speed));
         assert_eq!(damaging_hit(&events), Some((DVec2::new(14.0, 0.0), 14.0)));
+    }
+
+    /// A lift presses what stands on it against a ceiling. No level has lifts, so that the world is put in.
+    #[test]
+    fn what_is_squeezed_is_told_once_and_the_ship_is_lost() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let level = Arc::new(crate::level::load(&root.join("levels/1"), root).expect("it ships").level);
+        let block = |top: f64, bottom: f64| {
+            let bounds = Aabb::new(DVec2::new(-520.0, top), DVec2::new(-500.0, bottom));
+            SurfaceDef::fixed(bounds, Material::ASPHALT)
+        };
+        let lift = SurfaceDef { path: Path::steady(DVec2::new(0.0, -1.0)), ..block(51.0, 52.0) };
+        let body = |x: f64, half: DVec2| BodyDef { position: DVec2::new(x, 50.0), half, ..BodyDef::default() };
+        for (ship, ends) in [(-510.0, Some(Death::Crushed(0))), (-900.0, None)] {
+            let bodies = vec![body(ship, SHIP_HALF), body(-505.0, DVec2::splat(0.5))];
+            let surfaces = vec![lift.clone(), block(48.0, 49.0)];
+            let mut game = Game::new(level.clone()).unwrap();
+            game.world = World::new(WorldDef { surfaces, bodies, ..WorldDef::default() }).unwrap();
+            let mut marks = 0;
+            for _ in 0..240 {
+                game.step(Controls::default());
+                marks += game.events().iter().filter(|event| matches!(event, GameEvent::Crushed { .. })).count();
+            }
+            assert_eq!((game.killed_by(), marks), (ends, 1));
+            assert_eq!(game.outcome(), if ends.is_some() { Outcome::Failed } else { Outcome::Running });
+        }
+        assert_eq!(Death::Crushed(0).name(&level), "crushed by world 1");
+        assert_eq!(Death::Crushed(level.world.len() as u32 + 2).name(&level), "crushed by edge top");
     }
 
     #[test]

@@ -10,10 +10,13 @@
 
 mod attempt;
 mod clock;
+mod death;
 mod fingerprint;
 mod hash;
+mod impacts;
 mod inputs;
 mod latch;
+mod names;
 mod replay;
 mod score;
 mod ship;
@@ -21,9 +24,12 @@ mod touch;
 
 pub use attempt::{DAMAGING_SPEED, DUST_SPEED, Game, GameError, GameEvent, Outcome, SHIP, TICK_RATE, TICK_RATES};
 pub use clock::{Clock, TICKS_A_FRAME};
+pub use death::Death;
 pub use fingerprint::level_hash;
+pub use impacts::{Felt, READABLE};
 pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
 pub use latch::Latch;
+pub use names::{obstacle_name, source_name};
 pub use replay::{Mismatch, PROGRAM, Replay};
 pub use score::{RunResult, ScoreParts};
 pub use ship::{BURN_RATE, ROTATION_RATE, Ship, nose};

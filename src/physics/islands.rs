@@ -1,80 +1,389 @@
-//! Islands: bodies that could meet within a tick, sought on the boxes that they may sweep.
+//! Which method advances an island, and what the islands of a tick come to.
 //!
-//! Boxes are sorted by their left edges and swept; what overlaps is joined. Surfaces join nothing: they move for nobody. What rests does not
-//! join what rests; but what comes near one of a resting group finds all of it, since it is joined by contacts.
+//! An island is whatever could meet within the tick. The least method that is right for it takes it:
+//!
+//! | what is in it | method | cost, measured on two cores, one thread |
+//! |---|---|---|
+//! | nothing moves, and nothing that moves comes near | rest | nothing |
+//! | one body, near nothing | flight in closed form | 2 ns, with drag 9 ns a body |
+//! | up to [`Choice::MOST_BY_EVENTS`] bodies | event by event, within a budget | 0.2 µs a body, 1 µs an impact |
+//! | more, or more events than the budget holds | one step of the dense method for the rest of the tick | 50 to 200 ns a body |
+//!
+//! Event by event costs what happens: in a gas of 64 bodies some 30 impacts a tick, in a heap that settles every contact again and again.
+//! There the dense method is cheaper from about 50 bodies on, and the budget makes sure of it for fewer. An island that has used up its budget
+//! is taken by the dense method from the start for some ticks, twice as many each time, so that trying costs little on average.
 
-use super::Aabb;
 use super::contact::Contact;
+use super::events::{Events, Item, Outcome, Scene};
+use super::guards::Guards;
+use super::impulse::Impulse;
+use super::pile::{Advance, Store, Verdict};
+use super::world::{Obstacle, State};
+use super::{Aabb, BodyId};
+use glam::DVec2;
 
-/// The islands of a tick.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Islands {
-    by_left_edge: Vec<u32>,
-    leader: Vec<u32>,
-    /// Bodies by island: the smallest body of each, and one of its members, in ascending order.
-    pub members: Vec<(u32, u32)>,
+/// The choice of methods.
+pub(super) struct Choice;
+
+impl Choice {
+    /// Islands of more bodies are dense. More: a heap that settles costs more than a millisecond a tick; fewer: gases are less exact.
+    pub const MOST_BY_EVENTS: usize = 64;
+    /// Ticks for which an island is dense after its budget was used up for the first time, and at most.
+    const FIRST_PAUSE: u16 = 8;
+    const LONGEST_PAUSE: u16 = 128;
+    /// How often an island may grow before the dense method takes it, which can keep bodies within what was looked for.
+    const MOST_GROWTHS: usize = 3;
+    /// Contacts of a dense island are listed if somebody asked for forces in the last tick, or if it has no more bodies than this.
+    const ALWAYS_LISTED: usize = 256;
+    /// How often islands are advanced anew in one tick until they agree when surfaces stop that several of them meet. After that these
+    /// stand still for the whole tick.
+    const MOST_ROUNDS: u32 = 8;
 }
 
-impl Islands {
-    /// Finds the islands among bodies that sweep `boxes`, of which some `rest`, joined by `contacts`. Resting bodies that nothing comes near
-    /// are in none.
-    pub fn find(&mut self, boxes: &[Aabb], rest: &[bool], contacts: &[Contact]) {
-        let n = boxes.len();
-        self.leader.clear();
-        self.leader.extend(0..n as u32);
-        if self.by_left_edge.len() != n {
-            self.by_left_edge.clear();
-            self.by_left_edge.extend(0..n as u32);
-        }
-        self.by_left_edge.sort_unstable_by(|&i, &j| boxes[i as usize].min.x.total_cmp(&boxes[j as usize].min.x).then(i.cmp(&j)));
-        for contact in contacts {
-            if (contact.lo.max(contact.hi) as usize) < n {
-                self.join(contact.lo, contact.hi);
-            }
-        }
-        for at in 0..n {
-            let i = self.by_left_edge[at];
-            for next in at + 1..n {
-                let j = self.by_left_edge[next];
-                let (a, b) = (&boxes[i as usize], &boxes[j as usize]);
-                if b.min.x > a.max.x {
-                    break;
-                }
-                if a.touches(b, 0.0) && !(rest[i as usize] && rest[j as usize]) {
-                    self.join(i, j);
-                }
-            }
-        }
+/// A body whose island used up its budget.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Pause {
+    /// The tick from which on its island may be advanced event by event again.
+    pub until: u64,
+    /// How many ticks that was.
+    pub length: u16,
+}
+
+/// The leader of no island.
+const NOBODY: u32 = u32::MAX;
+
+/// A surface that stops within a tick.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stop {
+    /// The smallest body of the island.
+    pub leader: u32,
+    pub surface: u32,
+    /// s from the tick's start; infinite where it goes on.
+    pub at: f64,
+}
+
+/// When a surface stops, s from the tick's start; infinite where it goes on.
+fn first_stop(stops: &[Stop], surface: u32) -> f64 {
+    stops.iter().filter(|stop| stop.surface == surface).map(|stop| stop.at).fold(f64::INFINITY, f64::min)
+}
+
+/// How a body ends a tick that its island was advanced in.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct After {
+    pub acceleration: DVec2,
+    /// Whether contacts and acceleration are those of the end of the tick.
+    pub known: bool,
+    /// Whether the dense method took it, or the rest of its tick.
+    pub dense: bool,
+    /// How many bodies its island had, and the smallest of them; 0 where it flew or rested by itself.
+    pub members: u32,
+    pub leader: u32,
+}
+
+/// Something for the records, with the smallest body of its island.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Happened {
+    pub island: u32,
+    pub order: u32,
+    pub impulse: Impulse,
+    pub normal: DVec2,
+    /// Closing speed, m/s.
+    pub speed: f64,
+    /// Where the two were, m.
+    pub places: [DVec2; 2],
+}
+
+/// The buffers of a tick. Nothing in them outlives it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    pub events: Events,
+    /// How each body ends the tick.
+    pub after: Vec<After>,
+    /// What the islands found out, with the smallest body of the island that it came from.
+    pub contacts: Vec<(u32, Contact)>,
+    pub happened: Vec<Happened>,
+    /// Body, surface and force, N.
+    pub crushed: Vec<(u32, u32, u32, f64)>,
+    /// Which surfaces the islands have stopped because they would have squeezed something.
+    pub stops: Vec<Stop>,
+    /// Which moving surfaces each island has met, and when these stopped for it.
+    met: Vec<Stop>,
+    /// Of each body and each surface behind them: its number in the present island.
+    local: Vec<u32>,
+    /// Bodies near the borders of zones: flight alone does not say where they get.
+    pub minds: Vec<bool>,
+    /// Of the present island: its bodies, and the surfaces and streams near it.
+    pub members: Vec<u32>,
+    pub surfaces: Vec<u32>,
+    pub zones: Vec<u32>,
+    /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`.
+    starts: Vec<u32>,
+    rounds: u32,
+}
+
+impl Scratch {
+    /// For a tick of so many bodies.
+    pub fn begin(&mut self, bodies: usize) {
+        self.after.clear();
+        self.after.resize(bodies, After::default());
+        self.contacts.clear();
+        self.happened.clear();
+        self.crushed.clear();
+        self.stops.clear();
+        self.met.clear();
         self.members.clear();
-        for i in 0..n as u32 {
-            let leader = self.leader_of(i);
-            self.members.push((leader, i));
-        }
-        self.members.sort_unstable();
-        // A group of which all rest is no island.
-        let mut kept = 0;
+        self.surfaces.clear();
+        self.starts.clear();
+        self.rounds = 0;
+    }
+
+    /// When a surface stops, s from the tick's start; infinite where it goes on.
+    pub fn stop_of(&self, surface: u32) -> f64 {
+        first_stop(&self.stops, surface)
+    }
+
+    /// Finds where the contacts of each body begin.
+    fn index(&mut self, state: &State) {
+        let n = state.bodies.len();
+        self.starts.clear();
         let mut at = 0;
-        while at < self.members.len() {
-            let end = at + self.members[at..].iter().take_while(|member| member.0 == self.members[at].0).count();
-            if self.members[at..end].iter().any(|member| !rest[member.1 as usize]) {
-                self.members.copy_within(at..end, kept);
-                kept += end - at;
+        for i in 0..=n as u32 {
+            while state.contacts.get(at).is_some_and(|contact| contact.ends().0 < i) {
+                at += 1;
             }
-            at = end;
+            self.starts.push(at as u32);
         }
-        self.members.truncate(kept);
     }
 
-    fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.leader_of(a), self.leader_of(b));
-        self.leader[a.max(b) as usize] = a.min(b);
+    /// Fills the island of the event-driven method with `members` (in any order) and `surfaces` (some maybe twice), the streams near them and
+    /// the contacts known; `searched` says where others were looked for.
+    pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
+        let n = state.bodies.len();
+        if self.starts.is_empty() {
+            self.index(state);
+        }
+        let Self { events, local, members, surfaces, stops, starts, .. } = self;
+        events.clear();
+        members.sort_unstable();
+        surfaces.sort_unstable();
+        surfaces.dedup();
+        local.resize(n + state.surfaces.len(), u32::MAX);
+        let mut everything = searched(members[0]);
+        for &body in &*members {
+            let i = body as usize;
+            local[i] = events.items.len() as u32;
+            let searched = searched(body);
+            everything = everything.union(&searched);
+            events.items.push(Item::body(body, &state.bodies[i], state.drives[i], searched, state.known[i]));
+        }
+        events.movable = members.len();
+        for &s in &*surfaces {
+            let surface = &state.surfaces[s as usize];
+            if !surface.present {
+                continue;
+            }
+            local[n + s as usize] = events.items.len() as u32;
+            let mut item = Item::surface(s, surface);
+            item.stops_at = first_stop(stops, s);
+            scene.set_on_path(&mut item, 0.0);
+            events.items.push(item);
+        }
+        state.media.streams_near(&everything, &mut events.streams);
+        for &body in &*members {
+            let of_body = starts[body as usize] as usize..starts[body as usize + 1] as usize;
+            for contact in &state.contacts[of_body] {
+                let (lo, hi) = (local[contact.lo as usize], local[contact.hi as usize]);
+                if lo != u32::MAX && hi != u32::MAX {
+                    events.contacts.push(Contact { lo, hi, ..*contact });
+                }
+            }
+        }
+        for item in &events.items {
+            local[if item.surface { n + item.id as usize } else { item.id as usize }] = u32::MAX;
+        }
     }
 
-    fn leader_of(&mut self, mut body: u32) -> u32 {
-        while self.leader[body as usize] != body {
-            self.leader[body as usize] = self.leader[self.leader[body as usize] as usize];
-            body = self.leader[body as usize];
+    /// Takes over the contacts of the island.
+    pub fn take_contacts(&mut self, state: &State) {
+        let n = state.bodies.len() as u32;
+        let Self { events, contacts, members, .. } = self;
+        let items = &events.items;
+        let global = |item: u32| if items[item as usize].surface { n + items[item as usize].id } else { items[item as usize].id };
+        let global = |contact: &Contact| Contact { lo: global(contact.lo), hi: global(contact.hi), ..*contact };
+        contacts.extend(events.contacts.iter().map(|contact| (members[0], global(contact))));
+    }
+
+    /// Takes over what the island came to; `known` unless its budget was used up.
+    fn scatter(&mut self, state: &State, scene: &Scene, known: bool) {
+        if known {
+            self.take_contacts(state);
         }
-        body
+        let Self { events, after, happened, stops, met, crushed, members, .. } = self;
+        let (leader, count) = (members[0], members.len() as u32);
+        let Events { items, movable, .. } = events;
+        for item in &items[..*movable] {
+            let (acceleration, known) = (item.solved + DVec2::ZERO, known && item.known);
+            after[item.id as usize] = After { acceleration, known, dense: false, members: count, leader };
+        }
+        for hit in &events.hits {
+            let (a, b, sign) = if hit.lo < hit.hi { (hit.lo, hit.hi, -1.0) } else { (hit.hi, hit.lo, 1.0) };
+            let mut normal = DVec2::ZERO;
+            normal[hit.axis] = sign;
+            let other = &items[b as usize];
+            let b = if other.surface { Obstacle::Surface(other.id) } else { Obstacle::Body(BodyId(other.id)) };
+            let impulse = Impulse { a: BodyId(items[a as usize].id), b, vector: hit.impulse * sign, point: hit.point, at: hit.at };
+            let places = if sign < 0.0 { hit.places } else { [hit.places[1], hit.places[0]] };
+            happened.push(Happened { island: leader, order: happened.len() as u32, impulse, normal, speed: hit.speed, places });
+        }
+        for &(body, surface, speed) in &events.squeezed {
+            let (of, by) = (&items[body as usize], &items[surface as usize]);
+            crushed.push((leader, of.id, by.id, of.body.mass * speed / scene.tick));
+        }
+        for item in &items[*movable..] {
+            if !state.surfaces[item.id as usize].def.path.is_still() {
+                let stop = Stop { leader, surface: item.id, at: item.stops_at };
+                if stop.at < first_stop(stops, stop.surface) {
+                    stops.push(stop);
+                }
+                met.push(stop);
+            }
+        }
+    }
+
+    /// Notes that the dense method takes the island, or what is left of its tick.
+    fn leave(&mut self) {
+        let (leader, members) = (self.members[0], self.members.len() as u32);
+        for &body in &self.members {
+            self.after[body as usize] = After { dense: true, members, leader, ..After::default() };
+        }
+    }
+}
+
+/// A tick, as the islands see it.
+pub(super) struct Tick<'a> {
+    pub state: &'a State,
+    pub scene: Scene<'a>,
+    pub guards: &'a mut Guards,
+    pub scratch: &'a mut Scratch,
+    pub pauses: &'a mut [Pause],
+    /// The number of the tick.
+    pub now: u64,
+    /// Whether somebody asked for forces in the last tick.
+    pub lists: bool,
+}
+
+impl Tick<'_> {
+    /// Whether the event-driven method pauses for an island.
+    fn pauses(&self) -> bool {
+        self.scratch.members.iter().any(|body| self.pauses[*body as usize].until > self.now)
+    }
+
+    /// Lets it pause for an island whose budget has been used up.
+    fn begin_pause(&mut self) {
+        for &body in &self.scratch.members {
+            let pause = &mut self.pauses[body as usize];
+            let length = (2 * pause.length).clamp(Choice::FIRST_PAUSE, Choice::LONGEST_PAUSE);
+            *pause = Pause { until: self.now + 1 + u64::from(length), length };
+        }
+    }
+
+    /// An island that stayed within its budget may try as often as it likes again.
+    fn end_pauses(&mut self) {
+        for &body in &self.scratch.members {
+            self.pauses[body as usize].length = 0;
+        }
+    }
+
+    fn bring(&self, store: &mut Store<'_>) {
+        for item in &self.scratch.events.items[..self.scratch.events.movable] {
+            store.bring(item.id, item.body.position, item.body.velocity);
+        }
+    }
+}
+
+impl Advance for Tick<'_> {
+    fn minds(&self, body: usize) -> bool {
+        self.scratch.minds[body]
+    }
+
+    fn advance(&mut self, store: &mut Store<'_>, round: usize) -> Verdict {
+        self.scratch.members.clear();
+        self.scratch.surfaces.clear();
+        self.scratch.members.extend(store.members());
+        self.scratch.members.sort_unstable();
+        let count = store.len();
+        if count > Choice::MOST_BY_EVENTS || round > Choice::MOST_GROWTHS || (round == 0 && self.pauses()) {
+            self.guards.dense_ticks += 1;
+            self.scratch.leave();
+            return Verdict::Left(f64::INFINITY);
+        }
+        store.surfaces(&mut self.scratch.surfaces);
+        self.scratch.gather(self.state, &self.scene, |body| store.swept(body));
+        let outcome = self.scratch.events.advance(&self.scene);
+        self.guards.add(&std::mem::take(&mut self.scratch.events.guards));
+        match outcome {
+            Outcome::Grown => {
+                self.guards.islands_grown += 1;
+                let fastest = self.scratch.events.fastest() * (2.0 * self.scene.tick);
+                for k in 0..self.scratch.members.len() {
+                    let body = self.scratch.members[k];
+                    let way = store.swept(body).size() * round as f64;
+                    store.widen(body, fastest + way);
+                }
+                Verdict::Grown
+            }
+            Outcome::Done => {
+                self.scratch.scatter(self.state, &self.scene, true);
+                self.end_pauses();
+                self.bring(store);
+                let items = &self.scratch.events.items[..count];
+                let still = |item: &Item| item.rests(self.state.bodies[item.id as usize].position);
+                let rests = self.scene.direct && items.iter().all(still) && self.scratch.events.stands_on_what_stands();
+                Verdict::Taken { rests }
+            }
+            Outcome::Busy(at) => {
+                self.guards.budgets_used_up += 1;
+                self.begin_pause();
+                self.scratch.scatter(self.state, &self.scene, false);
+                for &body in &self.scratch.members {
+                    self.scratch.after[body as usize].dense = true;
+                }
+                self.bring(store);
+                Verdict::Left(self.scene.tick - at)
+            }
+        }
+    }
+
+    fn lists(&self, members: usize, _: bool) -> bool {
+        self.lists || members <= Choice::ALWAYS_LISTED
+    }
+
+    fn forget(&mut self, body: usize) {
+        let After { members, leader, .. } = std::mem::take(&mut self.scratch.after[body]);
+        if members == 0 || leader as usize != body {
+            return;
+        }
+        let Scratch { contacts, happened, crushed, met, stops, .. } = &mut *self.scratch;
+        contacts.retain(|(of, _)| *of != leader);
+        happened.retain(|happened| happened.island != leader);
+        crushed.retain(|(of, ..)| *of != leader);
+        met.retain(|met| met.leader != leader);
+        stops.retain(|stop| stop.leader != leader);
+    }
+
+    fn disagree(&mut self, bodies: &mut Vec<u32>) {
+        let scratch = &mut *self.scratch;
+        if scratch.stops.is_empty() {
+            return;
+        }
+        scratch.rounds += 1;
+        if scratch.rounds > Choice::MOST_ROUNDS {
+            scratch.stops.iter_mut().for_each(|stop| (stop.leader, stop.at) = (NOBODY, 0.0));
+        }
+        for met in &scratch.met {
+            if met.at != scratch.stop_of(met.surface) {
+                bodies.push(met.leader);
+            }
+        }
     }
 }

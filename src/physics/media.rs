@@ -18,6 +18,7 @@
 //! the buoyancy listed is what makes the resultant exactly zero.
 
 use super::air::Drag;
+use super::tuning::SLOP;
 use super::{Aabb, Body, FluidDef, Force, ForceKind, Source, StreamDef};
 use glam::DVec2;
 
@@ -126,6 +127,16 @@ impl Media {
         let first = self.fluids.iter().position(met).map_or(0, |i| i as u32);
         let last = self.fluids.iter().rposition(met).map_or(0, |i| i as u32 + 1);
         Law { constant, air: self.air(body), liquids: (first, last) }
+    }
+
+    /// Appends the streams that a box touches.
+    pub fn streams_near(&self, near: &Aabb, into: &mut Vec<u32>) {
+        into.extend((0..).zip(&self.streams).filter(|(_, stream)| near.touches(&stream.zone, SLOP)).map(|(index, _)| index));
+    }
+
+    /// Whether a box touches a liquid.
+    pub fn wets(&self, near: &Aabb) -> bool {
+        self.fluids.iter().any(|fluid| near.touches(&fluid.zone, 0.0))
     }
 
     /// The liquids of a law, with their indices.

@@ -111,10 +111,20 @@ impl Path {
         self.legs.is_empty()
     }
 
+    /// How long it lasts, s.
+    fn duration(&self) -> f64 {
+        self.legs.iter().map(|leg| leg.duration).sum()
+    }
+
+    /// The time since the present round began: a small number loses fewer digits.
+    fn wrap(&self, clock: f64) -> f64 {
+        let period = self.duration();
+        if self.repeats && clock >= period { clock % period } else { clock }
+    }
+
     /// Where the surface is `clock` seconds (≥ 0) after its path began.
     pub fn at(&self, clock: f64) -> PathPoint {
-        let period: f64 = self.legs.iter().map(|leg| leg.duration).sum();
-        let mut left = if self.repeats && period > 0.0 { clock % period } else { clock };
+        let mut left = self.wrap(clock);
         let rounding = CLOCK_ROUNDING * clock;
         let mut offset = DVec2::ZERO;
         for leg in &self.legs {
@@ -236,6 +246,8 @@ pub struct Surface {
     pub(super) runs: bool,
     /// Whether it shall be there as soon as nothing is in its way.
     pub(super) wanted: bool,
+    /// Whether it moved in the last tick: what touched it then has to know when that is over.
+    moved: bool,
 }
 
 impl Surface {
@@ -248,6 +260,7 @@ impl Surface {
             wanted: def.present,
             clock: 0.0,
             runs: true,
+            moved: false,
             def,
         };
         surface.go_on(0.0);
@@ -269,12 +282,18 @@ impl Surface {
         if self.def.path.is_still() {
             return;
         }
+        self.moved = self.moves_within(t);
         if self.runs {
-            self.clock += t;
+            self.clock = self.def.path.wrap(self.clock + t);
         }
         let point = self.at(0.0);
         self.bounds = Aabb::around(point.offset, self.def.bounds.size() * 0.5);
         self.velocity = point.velocity;
+    }
+
+    /// Whether it moved until now, moves, or will within `t` seconds.
+    pub(super) fn concerns(&self, t: f64) -> bool {
+        self.moved || self.moves_within(t)
     }
 
     /// Whether it moves, or will within `t` seconds.

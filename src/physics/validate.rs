@@ -17,6 +17,9 @@ const FORCES: f64 = 1e-9;
 /// along the other.
 const FACES: f64 = 0.25;
 
+/// Beyond all numbers of bodies.
+const ALONE: u32 = 1 << 31;
+
 /// A body or surface between two ticks.
 struct Thing {
     name: String,
@@ -123,17 +126,17 @@ impl World {
 
     /// Bodies that were not looked at together have not come near each other.
     fn validate_islands(&self, bodies: &[Thing]) -> Result<(), String> {
-        if bodies.len() > FEW || self.state.resting.iter().all(|&rests| rests) {
+        let after = &self.scratch.after;
+        if bodies.len() > FEW || after.len() != bodies.len() {
             return Ok(());
         }
-        let mut island = vec![u32::MAX; bodies.len()];
-        for &(leader, body) in &self.scratch.islands.members {
-            island[body as usize] = leader;
-        }
+        // What flew or rested by itself is an island of its own.
+        let island: Vec<u32> =
+            (0..).zip(after).map(|(body, after)| if after.members > 0 { after.leader } else { ALONE + body }).collect();
         for (i, a) in bodies.iter().enumerate() {
             for (j, b) in bodies.iter().enumerate().skip(i + 1).filter(|(j, _)| island[*j] != island[i]) {
                 if a.swept.overlaps(&b.swept, OVERLAP + rounding(&a.swept)) {
-                    let [of_a, of_b] = [island[i], island[j]].map(|of| if of == u32::MAX { "none".into() } else { of.to_string() });
+                    let [of_a, of_b] = [island[i], island[j]].map(|of| if of >= ALONE { "none".into() } else { of.to_string() });
                     return Err(format!("the ways of bodies {i} and {j} crossed, but they were in the islands {of_a} and {of_b}"));
                 }
             }

@@ -3,14 +3,16 @@
 use super::contact::Contact;
 use super::guards::Guards;
 use super::impulse::Impulse;
+use super::islands::{Pause, Scratch};
 use super::media::Media;
-use super::scratch::Scratch;
+use super::pile::{Pile, PileBody, PileDef, PileSurface};
 use super::surface::Surface;
 use super::tuning::EDGE_THICKNESS;
 use super::{
     Aabb, Body, BodyDef, BodyId, DefError, Force, ForceKind, ForceManager, Material, Plan, Source, SurfaceDef, WorldDef, zones,
 };
 use glam::DVec2;
+use std::cell::Cell;
 
 /// What a body can run into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -48,6 +50,27 @@ pub enum Event {
     },
 }
 
+/// How many bodies each method took through the last tick.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Methods {
+    /// At rest, and not looked at.
+    pub asleep: u32,
+    /// By the formula of free flight.
+    pub free: u32,
+    /// From event to event.
+    pub by_events: u32,
+    /// In one dense step.
+    pub in_one_step: u32,
+}
+
+impl Methods {
+    /// Every method by its name, in the order in which they stand here.
+    pub fn all(&self) -> impl Iterator<Item = (&'static str, u32)> {
+        let Self { asleep, free, by_events, in_one_step } = *self;
+        [("asleep", asleep), ("free", free), ("by events", by_events), ("in one step", in_one_step)].into_iter()
+    }
+}
+
 /// Bodies, surfaces, zones, and the state of their motion. Two worlds that began alike and were stepped alike are alike to the bit.
 #[derive(Clone, Debug)]
 pub struct World {
@@ -55,9 +78,13 @@ pub struct World {
     pub(super) state: State,
     /// What the last tick leaves to be read.
     pub(super) records: Records,
+    /// The bodies once more, as separate arrays, with what finds who may meet whom, and the dense method.
+    pub(super) pile: Box<Pile>,
     /// Buffers, kept so that a tick allocates nothing once warm.
     pub(super) scratch: Box<Scratch>,
     pub(super) plan: Plan,
+    /// Whether somebody has asked for forces since the last tick.
+    pub(super) asked: Cell<bool>,
 }
 
 /// The state of a world.
@@ -73,10 +100,10 @@ pub(super) struct State {
     pub contacts: Vec<Contact>,
     /// Whether contacts and acceleration of a body are those of now.
     pub known: Vec<bool>,
-    /// Whether a body rests, and is not looked at until something touches it.
-    pub resting: Vec<bool>,
-    /// For how many ticks more the island of a body is taken in one step, and for how many next time.
-    pub dense: Vec<(u16, u16)>,
+    /// Whose islands are dense for a while, because their budgets were used up.
+    pub pauses: Vec<Pause>,
+    /// Ticks since the world began.
+    pub ticks: u64,
 }
 
 /// What a tick leaves to be read.
@@ -89,6 +116,7 @@ pub(super) struct Records {
     /// The corners of the ways of bodies, in the order of their times.
     pub corners: Vec<(u32, f64, DVec2)>,
     pub guards: Guards,
+    pub methods: Methods,
 }
 
 impl World {
@@ -118,12 +146,13 @@ impl World {
             rest_speed: def.rest_speed,
             contacts: Vec::new(),
             known: vec![false; n],
-            resting: vec![false; n],
-            dense: vec![(0, 0); n],
+            pauses: vec![Pause::default(); n],
+            ticks: 0,
         };
         let previous = state.bodies.iter().map(|body| body.position).collect();
         let records = Records { previous, ..Records::default() };
-        let mut world = Self { scratch: Box::default(), state, records, plan };
+        let pile = Box::new(pile_of(&state, plan.direct)?);
+        let mut world = Self { pile, scratch: Box::default(), state, records, plan, asked: Cell::new(true) };
         world.begin();
         Ok(world)
     }
@@ -134,13 +163,12 @@ impl World {
     /// As [`World::new`].
     pub fn add_body(&mut self, def: BodyDef) -> Result<BodyId, DefError> {
         def.check()?;
-        let State { bodies, drives, contacts, known, resting, dense, media, .. } = &mut self.state;
+        let State { bodies, drives, contacts, known, pauses, media, .. } = &mut self.state;
         let n = bodies.len() as u32;
         bodies.push(Body::new(&def));
         drives.push(DVec2::ZERO);
         known.push(false);
-        resting.push(false);
-        dense.push((0, 0));
+        pauses.push(Pause::default());
         self.records.previous.push(def.position);
         // Contacts count surfaces on from the number of bodies.
         for contact in contacts {
@@ -151,6 +179,7 @@ impl World {
         self.plan.contacts |= self.plan.pairs;
         self.plan.air |= media.air_density > 0.0 && def.feels_air && def.drag > 0.0;
         self.plan.bounces |= def.restitution > 0.0;
+        *self.pile = pile_of(&self.state, self.plan.direct)?;
         Ok(BodyId(n))
     }
 
@@ -176,6 +205,7 @@ impl World {
         self.state.surfaces[surface].wanted = present;
         if !present && self.state.surfaces[surface].present {
             self.state.surfaces[surface].present = false;
+            self.pile.set_present(surface, false);
             self.disturb_around(surface);
         }
     }
@@ -226,8 +256,14 @@ impl World {
         &self.records.guards
     }
 
+    /// How many bodies each method took through the last tick; all 0 as long as the tick does not tell.
+    pub fn methods(&self) -> &Methods {
+        &self.records.methods
+    }
+
     /// The forces on a body as it is now, each with its source; what its contacts carry is what the last tick ended with.
     pub fn forces(&self, id: BodyId) -> ForceManager {
+        self.asked.set(true);
         let (i, body) = (id.index(), self.body(id));
         let state = &self.state;
         let mut forces = ForceManager::default();
@@ -244,8 +280,8 @@ impl World {
         forces
     }
 
-    /// Lists what the other end of a contact exerts on a body, N. What a surface does, and what carries a body from below, is a Reaction; what
-    /// another object does to it from above or from the side is a Push.
+    /// Lists what the other end of a contact exerts on a body, N, by the name that it bears on both: a Reaction where a surface is the other
+    /// end, or where one of two objects carries the other; a Push where they are side by side.
     fn list_contact(&self, contact: &Contact, id: BodyId, forces: &mut ForceManager) {
         let sign = if contact.hi == id.0 { 1.0 } else { -1.0 };
         let (mut normal, mut friction) = (DVec2::ZERO, DVec2::ZERO);
@@ -280,7 +316,7 @@ impl World {
     /// Feeds every bit of what decides about the future to `write`, for the state's hash. What rests, and whether contacts are known already,
     /// is left out: it saves work and changes no bit of what comes (the tests of the plan hold it to that).
     pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
-        let State { bodies, drives, surfaces, contacts, dense, .. } = &self.state;
+        let State { bodies, drives, surfaces, contacts, pauses, ticks, .. } = &self.state;
         for body in bodies {
             for vector in [body.position, body.velocity, body.acceleration] {
                 write(vector.x.to_bits());
@@ -299,8 +335,49 @@ impl World {
                 write(value.to_bits());
             }
         }
-        dense.iter().for_each(|dense| write(u64::from(dense.0) | u64::from(dense.1) << 16));
+        for pause in pauses {
+            write(pause.until.saturating_sub(*ticks));
+            write(u64::from(pause.length));
+        }
     }
+}
+
+/// The store of the bodies, as they are now.
+///
+/// # Errors
+/// What the store refuses.
+fn pile_of(state: &State, sleep: bool) -> Result<Pile, DefError> {
+    let body = |body: &Body| PileBody {
+        position: body.position,
+        half: body.half,
+        velocity: body.velocity,
+        mass: body.mass,
+        restitution: body.restitution,
+        static_friction: body.material.static_friction,
+        kinetic_friction: body.material.kinetic_friction,
+        drag_area: if body.feels_air && !body.round { body.half * (2.0 * body.drag) } else { DVec2::ZERO },
+        drag_round: if body.feels_air && body.round { 2.0 * body.half.x * body.drag } else { 0.0 },
+    };
+    let surfaces = state.surfaces.iter().map(|surface| PileSurface {
+        bounds: surface.bounds,
+        static_friction: surface.material.static_friction,
+        kinetic_friction: surface.material.kinetic_friction,
+    });
+    let mut pile = Pile::new(PileDef {
+        bodies: state.bodies.iter().map(body).collect(),
+        surfaces: surfaces.collect(),
+        gravity: state.media.gravity,
+        air_density: state.media.air_density,
+        rest_speed: state.rest_speed,
+        sleep,
+    })
+    .map_err(|error| DefError(error.0))?;
+    for (s, surface) in state.surfaces.iter().enumerate() {
+        pile.set_sides(s, surface.def.sides);
+        pile.set_belt(s, surface.def.belt);
+        pile.set_present(s, surface.present);
+    }
+    Ok(pile)
 }
 
 /// The four solid edges around a level: left, right, top, bottom.

@@ -1,12 +1,13 @@
-//! Free-body arrows: the forces on each body from its centre, to scale, each kind with a colour, a dash and a head of its own.
+//! Free-body arrows: the forces on each body from its centre, and the impacts that it has just felt, to scale, each kind with a colour, a
+//! dash and a head of its own.
 
 use super::boxes::covers_none;
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
-use super::facts::by_name;
+use super::facts::{Shown, by_name, impacts};
 use super::layout::{Area, DETAILS, Vec2};
 use super::theme::{self, faded};
-use crate::game::Game;
+use crate::game::{DAMAGING_SPEED, Game};
 use crate::level::{Level, Player};
 use crate::physics::{BodyId, DVec2, ForceKind};
 use macroquad::color::Color;
@@ -40,18 +41,14 @@ pub struct Arrow {
     pub from: Vec2,
     /// The tip.
     pub to: Vec2,
-    /// The force's kind, `None` for the resultant.
-    pub kind: Option<ForceKind>,
+    /// What it stands for.
+    pub shown: Shown,
 }
 
 impl Arrow {
     /// Its name.
     pub fn name(&self) -> &'static str {
-        self.kind.map_or("Resultant", ForceKind::name)
-    }
-
-    fn colour(&self) -> Color {
-        self.kind.map_or(theme::RESULTANT, theme::force)
+        self.shown.name()
     }
 
     fn length(&self) -> f32 {
@@ -71,6 +68,20 @@ pub fn newtons_a_metre(level: &Level) -> f64 {
     round_up((mass * level.gravity).max(thrust) / LONGEST)
 }
 
+/// Newton-seconds a metre of the level at which impacts are drawn: what stops the ship at damaging speed is about as long as its weight.
+pub fn newton_seconds_a_metre(level: &Level) -> f64 {
+    round_up(level.player.mass * DAMAGING_SPEED / LONGEST)
+}
+
+/// The colour of what a line or an arrow stands for.
+pub const fn colour(shown: Shown) -> Color {
+    match shown {
+        Shown::Resultant => theme::RESULTANT,
+        Shown::Force(kind) => theme::force(kind),
+        Shown::Impact => theme::IMPACT,
+    }
+}
+
 /// The next number from 1, 2, 5, 10, 20, 50, …
 fn round_up(value: f64) -> f64 {
     let mut decade = 1.0;
@@ -80,58 +91,69 @@ fn round_up(value: f64) -> f64 {
     [1.0, 2.0, 5.0].into_iter().map(|step| step * decade).find(|step| *step >= value).unwrap_or(10.0 * decade)
 }
 
-/// The arrows of a body whose centre is drawn at `centre` (m): the resultant first, then the forces, the longest first, so that a
-/// shorter one over a longer can be seen.
+/// The arrows of a body whose centre is drawn at `centre` (m): the resultant first, then the forces and the impacts that are told, the
+/// longest first, so that a shorter one over a longer can be seen.
 pub fn arrows(game: &Game, id: BodyId, centre: DVec2, view: &Viewport) -> Vec<Arrow> {
-    let scale = newtons_a_metre(game.level());
+    let (newtons, newton_seconds) = (newtons_a_metre(game.level()), newton_seconds_a_metre(game.level()));
     let forces = game.world().forces(id);
-    let arrow = |kind, vector: DVec2| Arrow { from: view.point(centre), to: view.point(centre + vector / scale), kind };
-    let mut named = by_name(forces);
-    named.sort_by(|a, b| b.1.length_squared().total_cmp(&a.1.length_squared()));
-    std::iter::once(arrow(None, forces.resultant()))
-        .chain(named.into_iter().map(|(kind, vector)| arrow(Some(kind), vector)))
-        .filter(|arrow| arrow.length() > 0.0)
-        .collect()
+    let arrow = |(shown, reach): (Shown, DVec2)| Arrow { from: view.point(centre), to: view.point(centre + reach), shown };
+    let named = by_name(&forces).into_iter().map(|(kind, vector)| (Shown::Force(kind), vector / newtons));
+    let felt = impacts(game, id).each.into_iter().map(|(impulse, _)| (Shown::Impact, impulse / newton_seconds));
+    let mut reaches: Vec<(Shown, DVec2)> = named.chain(felt).collect();
+    reaches.sort_by(|a, b| b.1.length_squared().total_cmp(&a.1.length_squared()));
+    let resultant = (Shown::Resultant, forces.resultant() / newtons);
+    std::iter::once(resultant).chain(reaches).map(arrow).filter(|arrow| arrow.length() > 0.0).collect()
 }
 
 /// Draws arrows, without their labels.
 pub fn draw(arrows: &[Arrow], canvas: &Canvas) {
     for arrow in arrows {
-        let width = if arrow.kind.is_some() { WIDTH } else { RESULTANT_WIDTH };
-        let (head, dash) = style(arrow.kind);
+        let resultant = arrow.shown == Shown::Resultant;
+        let (width, head_scale) = if resultant { (RESULTANT_WIDTH, 1.6) } else { (WIDTH, 1.0) };
+        let ((head, dash), colour) = (style(arrow.shown), colour(arrow.shown));
         let along = (arrow.to - arrow.from).normalize_or_zero();
-        let tip_length = (HEAD * if arrow.kind.is_some() { 1.0 } else { 1.6 }).min(arrow.length());
+        let tip_length = (HEAD * head_scale).min(arrow.length());
         let neck = arrow.to - along * tip_length * 0.8;
         canvas.line(arrow.from, neck, width + 2.0, faded(theme::GROUND, 0.55));
         if dash.is_empty() {
-            canvas.line(arrow.from, neck, width, arrow.colour());
+            canvas.line(arrow.from, neck, width, colour);
         } else {
-            dashed(canvas, arrow.from, neck, dash, width, arrow.colour());
+            dashed(canvas, arrow.from, neck, dash, width, colour);
         }
-        draw_head(canvas, head, arrow.to, along, tip_length, width, arrow.colour());
+        draw_head(canvas, head, arrow.to, along, tip_length, width, colour);
     }
 }
 
 /// How a kind of force is told without its colour: no two of the same head and dash. Dashes are lengths drawn and left out in turn.
-fn style(kind: Option<ForceKind>) -> (Head, &'static [f32]) {
+fn style(shown: Shown) -> (Head, &'static [f32]) {
+    let kind = match shown {
+        Shown::Resultant => return (Head::Filled, &[]),
+        Shown::Impact => return (Head::Double, &[2.5, 3.0]),
+        Shown::Force(kind) => kind,
+    };
     match kind {
-        None | Some(ForceKind::Weight) => (Head::Filled, &[]),
-        Some(ForceKind::Drive) => (Head::Double, &[]),
-        Some(ForceKind::Reaction) => (Head::Open, &[]),
-        Some(ForceKind::Friction) => (Head::Filled, &[5.0, 4.0]),
-        Some(ForceKind::AirResistance) => (Head::Open, &[10.0, 5.0]),
-        Some(ForceKind::Wind) => (Head::Diamond, &[10.0, 5.0]),
-        Some(ForceKind::Buoyancy) => (Head::Disc, &[]),
-        Some(ForceKind::ViscousDrag) => (Head::Disc, &[9.0, 4.0, 2.5, 4.0]),
-        Some(ForceKind::Push) => (Head::Bar, &[]),
+        ForceKind::Weight => (Head::Filled, &[]),
+        ForceKind::Drive => (Head::Double, &[]),
+        ForceKind::Reaction => (Head::Open, &[]),
+        ForceKind::Friction => (Head::Filled, &[5.0, 4.0]),
+        ForceKind::AirResistance => (Head::Open, &[10.0, 5.0]),
+        ForceKind::Wind => (Head::Diamond, &[10.0, 5.0]),
+        ForceKind::Buoyancy => (Head::Disc, &[]),
+        ForceKind::ViscousDrag => (Head::Disc, &[9.0, 4.0, 2.5, 4.0]),
+        ForceKind::Push => (Head::Bar, &[]),
     }
 }
 
 fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, pattern: &[f32], width: f32, colour: Color) {
-    let (along, length) = ((to - from).normalize_or_zero(), (to - from).length());
-    let mut at = 0.0;
+    let along = (to - from).normalize_or_zero();
+    // What is outside of the window is passed over: an arrow may be a million dashes long.
+    let seen = canvas.frame().area().inset(-width);
+    let Some((start, length)) = stretch_inside(seen, from, along, (to - from).length()) else { return };
+    let period: f32 = pattern.iter().sum();
+    let mut at = (start / period).floor() * period;
     for (i, step) in pattern.iter().cycle().enumerate() {
-        if at >= length {
+        // Beyond what f32 can count in dashes there are none.
+        if at >= length || at + step <= at {
             break;
         }
         let end = (at + step).min(length);
@@ -140,6 +162,23 @@ fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, pattern: &[f32], width: f32, co
         }
         at = end;
     }
+}
+
+/// From where to where, seen from its start, a line is inside an area; `None` where it passes it by.
+fn stretch_inside(area: Area, from: Vec2, along: Vec2, length: f32) -> Option<(f32, f32)> {
+    let (mut enters, mut leaves) = (0.0_f32, length);
+    for axis in 0..2 {
+        let (low, high) = (area.min[axis] - from[axis], area.max()[axis] - from[axis]);
+        if along[axis] == 0.0 {
+            if low > 0.0 || high < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = (low / along[axis], high / along[axis]);
+        (enters, leaves) = (enters.max(a.min(b)), leaves.min(a.max(b)));
+    }
+    (enters < leaves).then_some((enters, leaves))
 }
 
 fn draw_head(canvas: &Canvas, head: Head, tip: Vec2, along: Vec2, length: f32, width: f32, colour: Color) {
@@ -226,7 +265,7 @@ pub fn draw_labels(arrows: &[Arrow], labels: &[Label], canvas: &Canvas) {
     for label in labels {
         let arrow = &arrows[label.arrow];
         canvas.rounded(label.area.inset(-1.0), 3.0, faded(theme::GROUND, 0.85));
-        canvas.text(arrow.name(), label.area.centre(), Style::new(DETAILS, arrow.colour()).centred().middle());
+        canvas.text(arrow.name(), label.area.centre(), Style::new(DETAILS, colour(arrow.shown)).centred().middle());
     }
 }
 
@@ -240,10 +279,22 @@ mod tests {
     }
 
     #[test]
+    fn dashes_are_drawn_inside_the_window_only() {
+        let window = Area::new(0.0, 0.0, 1000.0, 500.0);
+        let stretch = |x: f32, y: f32, along: Vec2, length: f32| stretch_inside(window, Vec2::new(x, y), along, length);
+        assert_eq!(stretch(100.0, 100.0, Vec2::X, 50.0), Some((0.0, 50.0)));
+        assert_eq!(stretch(100.0, 100.0, Vec2::X, 1e9), Some((0.0, 900.0)));
+        assert_eq!(stretch(100.0, 900.0, -Vec2::Y, 1e9), Some((400.0, 900.0)));
+        assert_eq!(stretch(-100.0, 100.0, -Vec2::X, 1e9), None);
+        assert_eq!(stretch(100.0, 900.0, Vec2::X, 1e9), None);
+    }
+
+    #[test]
     fn no_two_kinds_share_head_and_dash() {
-        for (i, a) in ForceKind::ALL.iter().enumerate() {
-            for b in &ForceKind::ALL[i + 1..] {
-                assert_ne!(style(Some(*a)), style(Some(*b)), "{a:?} and {b:?}");
+        let all: Vec<Shown> = ForceKind::ALL.into_iter().map(Shown::Force).chain([Shown::Impact]).collect();
+        for (i, a) in all.iter().enumerate() {
+            for b in &all[i + 1..] {
+                assert_ne!(style(*a), style(*b), "{a:?} and {b:?}");
             }
         }
     }
@@ -251,14 +302,15 @@ mod tests {
     #[test]
     fn labels_keep_apart_and_inside() {
         let window = Area::new(0.0, 0.0, 1280.0, 720.0);
-        let arrow = |x: f32, y: f32, kind| Arrow { from: Vec2::new(600.0, 300.0), to: Vec2::new(600.0 + x, 300.0 + y), kind };
+        let arrow = |x: f32, y: f32, shown| Arrow { from: Vec2::new(600.0, 300.0), to: Vec2::new(600.0 + x, 300.0 + y), shown };
+        let force = Shown::Force;
         let arrows = [
-            arrow(0.0, 90.0, None),
-            arrow(0.0, 90.0, Some(ForceKind::Weight)),
-            arrow(0.0, 88.0, Some(ForceKind::Push)),
-            arrow(2.0, -90.0, Some(ForceKind::Reaction)),
-            arrow(-2.0, -90.0, Some(ForceKind::Buoyancy)),
-            arrow(0.0, 1.0, Some(ForceKind::Wind)),
+            arrow(0.0, 90.0, Shown::Resultant),
+            arrow(0.0, 90.0, force(ForceKind::Weight)),
+            arrow(0.0, 88.0, force(ForceKind::Push)),
+            arrow(2.0, -90.0, force(ForceKind::Reaction)),
+            arrow(-2.0, -90.0, force(ForceKind::Buoyancy)),
+            arrow(0.0, 1.0, force(ForceKind::Wind)),
         ];
         let labels = place_labels(&arrows, 18.0, |name| name.len() as f32 * 7.0, window, &[]);
         assert_eq!(labels.iter().map(|label| label.arrow).collect::<Vec<_>>(), [0, 1, 2, 3, 4], "an arrow too short has none");

@@ -1,11 +1,11 @@
 //! The details overlay: a box for each body in view, tied to it by a thin line, the free-body arrows with their labels, and a legend
 //! with the arrows' scale and the parts of the model that are at work.
 
-use super::arrows::{self, Arrow, Label, newtons_a_metre, place_labels};
+use super::arrows::{self, Arrow, Label, newton_seconds_a_metre, newtons_a_metre, place_labels};
 use super::boxes::{self, Wish, covers_none};
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
-use super::facts::{Facts, Value, facts, number_width, quantity, short_facts};
+use super::facts::{Facts, Value, facts, number_width, quantity};
 use super::hud::HudLayout;
 use super::layout::{Area, CORNER, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
 use super::theme::{self, faded};
@@ -20,7 +20,8 @@ const NAME_WIDTH: usize = 15;
 const UNIT_WIDTH: usize = 5;
 /// Numbers are given room for this many characters at least, so that boxes seldom change their width: "−9999.9".
 const NUMBER_WIDTH: usize = 7;
-
+/// The longest line of the legend, characters: longer ones are wrapped, so that it leaves room for the boxes.
+const LEGEND_WIDTH: usize = 46;
 /// About the mean width of a letter of the sans face, in heights of the text.
 const WORDS_ADVANCE: f32 = 0.5;
 
@@ -108,19 +109,18 @@ impl Details {
         taken: &[Area],
         kept_clear: &[Area],
     ) -> (Vec<Facts>, Vec<Option<Area>>) {
+        let told: Vec<Facts> = shown.iter().map(|&body| facts(game, id(body))).collect();
+        let sizes: Vec<[Vec2; 2]> = told.iter().map(|full| [full, &full.short()].map(|facts| box_size(facts, frame))).collect();
         let try_full = |full: usize| {
-            let tell = |(i, &body): (usize, &usize)| if i < full { facts(game, id(body)) } else { short_facts(game, id(body)) };
-            let all: Vec<Facts> = shown.iter().enumerate().map(tell).collect();
-            let wish = |((facts, &body), &object): ((&Facts, &usize), &Area)| Wish {
+            let wish = |(i, (&body, &object)): (usize, (&usize, &Area))| Wish {
                 object,
-                size: box_size(facts, frame),
+                size: sizes[i][usize::from(i >= full)],
                 before: self.before[body],
             };
-            let wishes: Vec<Wish> = all.iter().zip(shown).zip(objects).map(wish).collect();
-            let places = boxes::place(&wishes, frame.area(), taken, kept_clear);
-            (all, places)
+            let wishes: Vec<Wish> = shown.iter().zip(objects).enumerate().map(wish).collect();
+            boxes::place(&wishes, frame.area(), taken, kept_clear)
         };
-        let fits = |(_, places): &(Vec<Facts>, Vec<Option<Area>>)| places.iter().all(Option::is_some);
+        let fits = |places: &Vec<Option<Area>>| places.iter().all(Option::is_some);
         let mut full = self.full.unwrap_or(shown.len()).clamp(1, shown.len().max(1));
         let mut best = try_full(full);
         while !fits(&best) && full > 1 {
@@ -134,7 +134,8 @@ impl Details {
             }
         }
         self.full = Some(full);
-        best
+        let told = told.into_iter().enumerate().map(|(i, facts)| if i < full { facts } else { facts.short() }).collect();
+        (told, best)
     }
 
     /// Draws the shapes and the words.
@@ -169,13 +170,9 @@ fn draw_box(placed: &Placed, canvas: &Canvas) {
     let width = number_width(&placed.facts.rows, NUMBER_WIDTH);
     let numbers = Vec2::new(NAME_WIDTH as f32 * MONO_ADVANCE * canvas.frame().text_height(DETAILS), 0.0);
     for (i, row) in placed.facts.rows.iter().enumerate() {
-        let colour = match row.force {
-            Some(kind) => theme::force(kind),
-            None if row.name == "Resultant" => theme::RESULTANT,
-            None => theme::QUIET,
-        };
+        let colour = row.shown.map_or(theme::QUIET, arrows::colour);
         canvas.text(row.name, at(i + 1), Style::new(DETAILS, colour).mono());
-        let colour = if matches!(row.value, Value::Vector(DVec2::ZERO)) { theme::QUIET } else { theme::TEXT };
+        let colour = if matches!(row.value, Value::Vector(DVec2::ZERO) | Value::Words(_)) { theme::QUIET } else { theme::TEXT };
         canvas.text(&quantity(row, width), at(i + 1) + numbers, Style::new(DETAILS, colour).mono());
     }
 }
@@ -196,10 +193,27 @@ fn box_size(facts: &Facts, frame: &Frame) -> Vec2 {
 
 fn legend(game: &Game) -> Vec<String> {
     let plan = game.world().plan().parts();
-    let mut lines = vec![format!("Arrows: one square = {} N", newtons_a_metre(game.level()))];
+    let (newtons, newton_seconds) = (newtons_a_metre(game.level()), newton_seconds_a_metre(game.level()));
+    let mut lines = vec![format!("Arrows: one square = {newtons} N"), format!("Impacts: one square = {newton_seconds} N·s")];
     if !plan.is_empty() {
         lines.push("Model at work:".to_owned());
-        lines.extend(plan.into_iter().map(|part| format!("· {part}")));
+        lines.extend(plan.into_iter().flat_map(|part| wrapped(&format!("· {part}"), LEGEND_WIDTH)));
+    }
+    lines
+}
+
+/// Words in lines of at most `width` characters, if no word is longer; from the second on they stand below the first one's words.
+fn wrapped(words: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            Some(_) => lines.push(format!("  {word}")),
+            None => lines.push(word.to_owned()),
+        }
     }
     lines
 }
@@ -226,4 +240,16 @@ fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
 
 const fn id(body: usize) -> BodyId {
     BodyId(body as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_lines_of_the_legend_are_wrapped_below_their_words() {
+        assert_eq!(wrapped("· one two three", 46), ["· one two three"]);
+        assert_eq!(wrapped("· one two three four", 9), ["· one two", "  three", "  four"]);
+        assert_eq!(wrapped("· incompressible", 9), ["·", "  incompressible"]);
+    }
 }

@@ -1,25 +1,55 @@
 //! What the details box of a body says: read off the world's own state, one decimal place, nothing computed anew.
 
-use crate::game::{Game, SHIP};
+use crate::game::{Game, SHIP, obstacle_name};
 use crate::level::Look;
-use crate::physics::{BodyId, DVec2, ForceKind, ForceManager};
+use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, Impulse, Obstacle};
 
 /// Below this length (N) a force's direction is no more than rounding: it is kept by itself.
 const SMALLEST_FORCE: f64 = 1e-9;
 /// Two forces of a name with directions closer than this (sine of the angle) are one arrow and one line.
 const SAME_DIRECTION: f64 = 1e-6;
 
+/// An impact that passed on less (N·s) is not told: it would read 0.0.
+const SMALLEST_IMPACT: f64 = 0.05;
+const IMPULSE_UNIT: &str = "N·s";
+/// How many impacts have lines and an arrow of their own; those that were smaller are told together.
+const IMPACTS: usize = 3;
+
+/// What a line or an arrow stands for, if it has a colour of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// The resultant force.
+    Resultant,
+    /// A force of that kind.
+    Force(ForceKind),
+    /// An impact.
+    Impact,
+}
+
+impl Shown {
+    /// The name shown to the player.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Resultant => "Resultant",
+            Self::Force(kind) => kind.name(),
+            Self::Impact => Impulse::NAME,
+        }
+    }
+}
+
 /// A quantity as it is shown.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// A number.
     Scalar(f64),
     /// Its x and y components.
     Vector(DVec2),
+    /// No number: what exerted the impact above.
+    Words(String),
 }
 
 /// One line of a box.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// What it is.
     pub name: &'static str,
@@ -27,8 +57,8 @@ pub struct Row {
     pub value: Value,
     /// In what.
     pub unit: &'static str,
-    /// The force it tells of, if it is one.
-    pub force: Option<ForceKind>,
+    /// What it tells of, if that has a colour.
+    pub shown: Option<Shown>,
 }
 
 /// A box's heading and lines.
@@ -44,8 +74,8 @@ pub struct Facts {
 pub fn facts(game: &Game, id: BodyId) -> Facts {
     let (world, ship) = (game.world(), id == SHIP);
     let (body, forces) = (world.body(id), world.forces(id));
-    let row = |name, value, unit| Row { name, value, unit, force: None };
-    let mut rows = Vec::with_capacity(12);
+    let row = |name, value, unit| Row { name, value, unit, shown: None };
+    let mut rows = Vec::with_capacity(16);
     if ship {
         // Along the nose positive, against it negative.
         let drive = forces.total(ForceKind::Drive).length() * if game.ship().burning < 0 { -1.0 } else { 1.0 };
@@ -54,20 +84,59 @@ pub fn facts(game: &Game, id: BodyId) -> Facts {
     rows.push(row("Mass", Value::Scalar(body.mass), "kg"));
     rows.push(row("Velocity", Value::Vector(body.velocity), "m/s"));
     rows.push(row("Acceleration", Value::Vector(body.acceleration), "m/s²"));
-    rows.push(row("Resultant", Value::Vector(forces.resultant()), "N"));
-    rows.extend(by_name(forces).into_iter().map(|(kind, vector)| Row {
-        name: kind.name(),
-        value: Value::Vector(vector),
-        unit: "N",
-        force: Some(kind),
-    }));
+    let line = |shown: Shown, vector, unit| Row { name: shown.name(), value: Value::Vector(vector), unit, shown: Some(shown) };
+    rows.push(line(Shown::Resultant, forces.resultant(), "N"));
+    rows.extend(by_name(&forces).into_iter().map(|(kind, vector)| line(Shown::Force(kind), vector, "N")));
+    let impacts = impacts(game, id);
+    for (impulse, by) in &impacts.each {
+        rows.push(line(Shown::Impact, *impulse, IMPULSE_UNIT));
+        rows.push(row("", Value::Words(format!("by {}", by_whom(game, *by))), ""));
+    }
+    if impacts.others.0 > 0 {
+        rows.push(line(Shown::Impact, impacts.others.1, IMPULSE_UNIT));
+        let ones = if impacts.others.0 == 1 { "a smaller one".to_owned() } else { format!("{} smaller ones", impacts.others.0) };
+        rows.push(row("", Value::Words(ones), ""));
+    }
     Facts { title: title(game, id), rows }
 }
 
-/// The box's short form, for when there is no room: heading and resultant.
-pub fn short_facts(game: &Game, id: BodyId) -> Facts {
-    let Facts { title, rows } = facts(game, id);
-    Facts { title, rows: rows.into_iter().filter(|row| row.name == "Resultant").collect() }
+/// The impacts on a body that are told: the largest ones, each with what exerted it, and how many more there were, with their sum (N·s).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ImpactsTold {
+    /// The largest first.
+    pub each: Vec<(DVec2, Obstacle)>,
+    /// All others.
+    pub others: (usize, DVec2),
+}
+
+/// What is told of the impacts that can still be read.
+pub fn impacts(game: &Game, id: BodyId) -> ImpactsTold {
+    let mut told = ImpactsTold::default();
+    for felt in game.impacts(id).into_iter().filter(|felt| felt.impulse.length() >= SMALLEST_IMPACT) {
+        if told.each.len() < IMPACTS {
+            told.each.push((felt.impulse, felt.by));
+        } else {
+            told.others.0 += 1;
+            told.others.1 += felt.impulse;
+        }
+    }
+    told
+}
+
+/// What exerted an impact: bodies by the titles of their boxes, all else as the level's files count it.
+fn by_whom(game: &Game, by: Obstacle) -> String {
+    match by {
+        Obstacle::Body(body) => title(game, body),
+        Obstacle::Surface(_) => obstacle_name(game.level(), by),
+    }
+}
+
+impl Facts {
+    /// The short form, for when there is no room: heading and resultant.
+    pub fn short(&self) -> Self {
+        let rows = self.rows.iter().filter(|row| row.shown == Some(Shown::Resultant));
+        Self { title: self.title.clone(), rows: rows.cloned().collect() }
+    }
 }
 
 /// The forces by name, in the usual order. Forces of one name that point the same way (the reactions of two floor tiles) are one;
@@ -116,8 +185,9 @@ pub fn number(value: f64) -> String {
 
 /// The numbers of a row, each in a field of `width` characters so that decimal points lie below each other, and the unit.
 pub fn quantity(row: &Row, width: usize) -> String {
-    match row.value {
-        Value::Scalar(value) => format!(" {:>width$}  {:width$}  {}", number(value), "", row.unit),
+    match &row.value {
+        Value::Scalar(value) => format!(" {:>width$}  {:width$}  {}", number(*value), "", row.unit),
+        Value::Words(words) => words.clone(),
         Value::Vector(v) => format!("({:>width$}, {:>width$}) {}", number(v.x), number(v.y), row.unit),
     }
 }
@@ -126,8 +196,9 @@ pub fn quantity(row: &Row, width: usize) -> String {
 pub fn number_width(rows: &[Row], least: usize) -> usize {
     let length = |value: f64| number(value).chars().count();
     rows.iter()
-        .map(|row| match row.value {
-            Value::Scalar(value) => length(value),
+        .map(|row| match &row.value {
+            Value::Scalar(value) => length(*value),
+            Value::Words(_) => 0,
             Value::Vector(v) => length(v.x).max(length(v.y)),
         })
         .fold(least, usize::max)
@@ -148,7 +219,7 @@ mod tests {
 
     #[test]
     fn decimal_points_lie_below_each_other() {
-        let row = |name, value, unit| Row { name, value, unit, force: None };
+        let row = |name, value, unit| Row { name, value, unit, shown: None };
         let rows = [
             row("Mass", Value::Scalar(100.0), "kg"),
             row("Velocity", Value::Vector(DVec2::new(-12.34, 0.0)), "m/s"),

@@ -10,7 +10,7 @@ use super::feedback::Feedback;
 use super::layout::Frame;
 use super::particles::Particles;
 use super::pictures::Pictures;
-use super::{hitboxes, hud, things, world, zones};
+use super::{hitboxes, hud, theme, things, world, zones};
 use crate::game::{Game, GameEvent, SHIP};
 use crate::physics::{BodyId, DVec2};
 use std::path::Path;
@@ -64,6 +64,7 @@ impl GameView {
             match event {
                 GameEvent::Impact { point, speed, normal } => dust(&mut self.particles, *point, *normal, *speed),
                 GameEvent::DamagingHit { point, .. } => self.feedback.hit(*point),
+                GameEvent::Crushed { point } => self.feedback.ring(*point, theme::BAD),
                 GameEvent::ObjectiveMet(index) => {
                     let centre = game.level().objectives[*index].bounds.centre();
                     self.feedback.ring(centre, objective_colour(game, *index));
@@ -85,7 +86,7 @@ impl GameView {
         self.feedback.advance(frame_time);
         if overlays.details {
             let centres: Vec<DVec2> = ids(game).map(|id| centre(game, id, alpha)).collect();
-            let figures = overlays.hitboxes.then(|| hitboxes::figures_area(frame));
+            let figures = overlays.hitboxes.then(|| hitboxes::figures_area(game, frame));
             self.details.arrange(game, &centres, figures, &view, frame);
         }
     }

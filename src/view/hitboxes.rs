@@ -16,8 +16,8 @@ use macroquad::shapes::draw_rectangle_lines;
 const BODY: Color = rgb(0x7CFF6B);
 const SURFACE: Color = rgb(0x56B4E9);
 const ZONE: Color = rgb(0xE6EBF2);
-/// Lines of figures, and the characters that they have room for: the panel keeps its size while they change.
-const FIGURES: (usize, usize) = (2, 46);
+/// The characters that a line of figures has room for at least: the panel keeps its width while they change.
+const FIGURES: usize = 46;
 /// Two boxes count as touching for this drawing within so many metres.
 const NEAR: f64 = 1e-3;
 
@@ -76,11 +76,22 @@ fn draw_contacts(game: &Game, id: BodyId, view: &Viewport, canvas: &Canvas) {
 }
 
 /// Where the figures stand: below the head-up display's panel.
-pub fn figures_area(frame: &Frame) -> Area {
-    let text = frame.text_height(DETAILS);
-    let size = Vec2::new(FIGURES.1 as f32 * MONO_ADVANCE, FIGURES.0 as f32 * LINE) * text;
+pub fn figures_area(game: &Game, frame: &Frame) -> Area {
+    // The caller's figures and the ship's stand above the counts.
+    let (text, counts) = (frame.text_height(DETAILS), counts(game));
+    let longest = counts.iter().map(|line| line.chars().count()).fold(FIGURES, usize::max);
+    let size = Vec2::new(longest as f32 * MONO_ADVANCE, (2 + counts.len()) as f32 * LINE) * text;
     let status = HudLayout::new(frame).status;
     Area { min: Vec2::new(status.min.x, status.max().y + 2.0 * GRID), size: size + Vec2::new(2.0, 1.0) * GRID }
+}
+
+/// What the engine counts, a line each: how it took the bodies through the last tick, and the guards that have acted.
+fn counts(game: &Game) -> Vec<String> {
+    let world = game.world();
+    let methods: Vec<String> = world.methods().all().filter(|(_, n)| *n > 0).map(|(name, n)| format!("{n} {name}")).collect();
+    let methods = (!methods.is_empty()).then(|| format!("bodies: {}", methods.join(", ")));
+    let guards = world.guards().all().filter(|(_, n)| *n > 0).map(|(name, n)| format!("guard {}: {n}", name.replace('_', " ")));
+    methods.into_iter().chain(guards).collect()
 }
 
 /// On a ground of its own so that it can be read over anything.
@@ -88,11 +99,11 @@ fn draw_figures(game: &Game, figures: &str, canvas: &Canvas) {
     let ship = game.world().body(SHIP);
     let DVec2 { x, y } = ship.position;
     let angle = number(game.ship().angle);
-    let lines: [String; FIGURES.0] = [figures.to_owned(), format!("tick {}  ship {x:.3}, {y:.3} m  {angle}°", game.ticks())];
-    let (line, area) = (canvas.line_height(DETAILS), figures_area(canvas.frame()));
+    let place = format!("tick {}  ship {x:.3}, {y:.3} m  {angle}°", game.ticks());
+    let (line, area) = (canvas.line_height(DETAILS), figures_area(game, canvas.frame()));
     canvas.rounded(area, GRID, faded(theme::GROUND, 0.8));
-    for (i, text) in lines.iter().enumerate() {
+    for (i, text) in [figures.to_owned(), place].into_iter().chain(counts(game)).enumerate() {
         let at = area.min + Vec2::new(GRID, GRID * 0.5 + i as f32 * line);
-        canvas.text(text, at, Style::new(DETAILS, theme::TEXT).mono());
+        canvas.text(&text, at, Style::new(DETAILS, theme::TEXT).mono());
     }
 }

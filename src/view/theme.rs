@@ -36,6 +36,10 @@ pub const PHYSICS_OBJECTIVE: Color = rgb(0xD65DB1);
 /// The resultant force.
 pub const RESULTANT: Color = rgb(0xFFFFFF);
 
+/// An impact. Told apart from every force, in normal sight and in the three common kinds of colour blindness, by 11 units of CIEDE2000
+/// at least (colours simulated after Machado, Oliveira and Fernandes, 2009).
+pub const IMPACT: Color = rgb(0xAE62FF);
+
 /// The colour of a force, wherever it is shown.
 pub const fn force(kind: ForceKind) -> Color {
     match kind {

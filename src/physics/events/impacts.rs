@@ -13,7 +13,7 @@ use super::item::Resume;
 use super::{Events, Scene, WORK_OF_A_CONTACT};
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
-use crate::physics::tuning::{CALM_REACH, CASCADE_HITS, MAX_CLINGS, MICRO_SPEED, RATTLE_HITS, SPEED_ROUNDING, ZENO_HITS};
+use crate::physics::tuning::{CALM_REACH, CASCADE_HITS, MAX_CLINGS, MICRO_SPEED, PUMPED_HITS, RATTLE_HITS, SPEED_ROUNDING, ZENO_HITS};
 use glam::DVec2;
 
 /// What a contact passed on at one instant.
@@ -38,6 +38,9 @@ pub(in crate::physics) struct Hit {
 impl Events {
     /// Ends every approach of things that touch.
     pub(super) fn resolve_impacts(&mut self, scene: &Scene) {
+        if scene.bounces && self.squeezes(scene) {
+            return;
+        }
         let mut left = scene.most_impacts(self.touching.len());
         while let Some((index, speed, e)) = self.next_impact(scene, left > 0) {
             if e > 0.0 {
@@ -51,6 +54,29 @@ impl Events {
             self.stop_together(scene);
             return;
         }
+    }
+
+    /// Stops the surfaces that squeeze what touches them, before anything bounces: in a gap that is closed it would do so without end.
+    /// Returns whether there are any.
+    fn squeezes(&mut self, scene: &Scene) -> bool {
+        let hits = |contact: &Contact| {
+            let surface = contact.lo.max(contact.hi);
+            !self.is_body(surface) && !self.stands(surface) && self.approach(contact) > 0.0
+        };
+        if !self.touching.iter().any(hits) {
+            return false;
+        }
+        let touching = std::mem::take(&mut self.touching);
+        self.asked.clone_from(&touching);
+        self.asked.iter_mut().for_each(|contact| contact.clings = false);
+        self.before.clone_from(&self.speeds);
+        self.means.clone_from(&self.speeds);
+        let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
+        self.work += WORK_OF_A_CONTACT * touching.len() as u64;
+        self.reactions.collide(&mut self.asked, &parts, &mut self.means);
+        let any = self.stop_surfaces(scene, &touching, Self::speed);
+        self.touching = touching;
+        any
     }
 
     /// The plastic solve of all that touches. Pushing one side of a body can lift it off the other by next to nothing; where it is
@@ -164,10 +190,14 @@ impl Events {
     fn restitution(&self, scene: &Scene, contact: &Contact, speed: f64) -> f64 {
         let (lo, hi) = (&self.items[contact.lo as usize], &self.items[contact.hi as usize]);
         let e = lo.body.restitution.max(hi.body.restitution);
+        let movable = self.is_body(contact.lo) && self.is_body(contact.hi);
+        // What bounces between a surface that comes nearer and something else gains speed without end.
+        if !movable && !self.stands(contact.lo.max(contact.hi)) && lo.hits.min(hi.hits) > PUMPED_HITS {
+            return 0.0;
+        }
         if e >= 1.0 {
             return 1.0;
         }
-        let movable = self.is_body(contact.lo) && self.is_body(contact.hi);
         let rattles = movable && lo.hits > RATTLE_HITS && hi.hits > RATTLE_HITS;
         let slow = e * speed < scene.rest_speed || speed <= MICRO_SPEED;
         if slow || contact.lossy_hits >= CASCADE_HITS || rattles { 0.0 } else { e }

@@ -180,6 +180,11 @@ impl Item {
         Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, *bounds, true) }
     }
 
+    /// Whether it does not move.
+    pub fn is_still(&self) -> bool {
+        self.motion == Motion::Still
+    }
+
     /// Where it is at a time (s from the tick's start, not before `since`).
     pub fn pose(&self, media: &Media, at: f64) -> Pose {
         let t = at - self.since;

@@ -18,12 +18,15 @@ mod item;
 mod motions;
 mod predict;
 
+use super::Plan;
 use super::contact::Contact;
+use super::flow::Pose;
 use super::guards::Guards;
 use super::media::Media;
 use super::reactions::Reactions;
 use super::surface::Surface;
 use super::tuning::SLOP;
+use super::world::State;
 use glam::DVec2;
 pub(super) use impacts::Hit;
 pub(super) use item::{Item, Motion};
@@ -70,6 +73,18 @@ impl Scene<'_> {
         (item.solved, item.mean) = (point.acceleration, point.acceleration);
         let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;
         item.motion = if still { Motion::Still } else { Motion::Parabola };
+    }
+
+    /// A tick of a world.
+    pub fn of<'a>(state: &'a State, plan: &Plan, tick: f64) -> Scene<'a> {
+        Scene {
+            media: &state.media,
+            rest_speed: state.rest_speed,
+            bounces: plan.bounces,
+            direct: plan.direct,
+            surfaces: &state.surfaces,
+            tick,
+        }
     }
 
     /// What an island of so many bodies may use up in a tick.
@@ -165,6 +180,7 @@ impl Events {
             self.now = next.at;
             if self.work > budget {
                 self.stop_here(scene);
+                self.halt_all(scene);
                 return Outcome::Busy(self.now);
             }
             self.happen(scene, i, next.kind);
@@ -178,6 +194,35 @@ impl Events {
         self.follow_surfaces();
         self.settle(scene);
         Outcome::Done
+    }
+
+    /// Contacts and accelerations before the first tick: no impact is resolved yet.
+    pub fn begin_world(&mut self, scene: &Scene) {
+        self.begin(scene);
+        self.settle(scene);
+    }
+
+    /// Where the only body of the island gets by the end of the tick, touching nothing.
+    pub fn fly(&mut self, scene: &Scene) -> Pose {
+        self.contacts.clear();
+        self.items[0].known = false;
+        self.advance(scene);
+        self.hits.clear();
+        (self.items[0].body.position, self.items[0].body.velocity)
+    }
+
+    /// The greatest speed along each axis at which something moves, m/s.
+    pub fn fastest(&self) -> DVec2 {
+        let speed = |item: &Item| item.body.velocity.abs() + item.mean.abs() * (item.until - item.since).clamp(0.0, 1.0);
+        self.items.iter().map(speed).fold(DVec2::ZERO, DVec2::max)
+    }
+
+    /// Whether no surface of a contact moves.
+    pub fn stands_on_what_stands(&self) -> bool {
+        self.contacts.iter().all(|contact| {
+            let surface = contact.lo.max(contact.hi);
+            self.is_body(surface) || self.stands(surface)
+        })
     }
 
     /// The first event of all, if it falls into the tick.

@@ -15,6 +15,8 @@ use glam::DVec2;
 
 /// The rate × time up to which a cubic follows a flow. Larger: impacts in the midst of it are found off the way.
 const CUBIC_REACH: f64 = 0.5;
+/// How far beyond the end of a slide a mean acceleration reaches, as a part of its time: so that the end is found before.
+const BEYOND_A_STOP: f64 = 1.25;
 /// Steps of Newton's method for the time at which two motions meet.
 const POLISH: u32 = 4;
 /// m. A gap of bodies that have met is left if it is smaller than this.
@@ -257,9 +259,30 @@ impl Events {
             }
         }
         if coupled && left > 0.0 {
-            self.take_mean_accelerations(scene, left);
+            let h = self.while_slides_last(left);
+            self.take_mean_accelerations(scene, h);
+            for k in 0..self.concerned.len() {
+                let item = &mut self.items[self.concerned[k] as usize];
+                if item.motion == Motion::Parabola {
+                    item.until = item.until.min(self.now + h);
+                }
+            }
         }
         self.contacts.append(&mut self.trial);
+    }
+
+    /// How long a mean acceleration may be taken for, of `left` seconds: what a heavy load brakes stands soon, and friction acts no longer.
+    fn while_slides_last(&self, left: f64) -> f64 {
+        let rate = |item: u32, along: usize| {
+            let i = item as usize;
+            if i < self.movable { self.solved[i][along] } else { self.ground_pulls[i - self.movable][along] }
+        };
+        let ends = self.trial.iter().filter(|contact| contact.slides != 0.0).map(|contact| {
+            let along = 1 - contact.axis;
+            let braking = contact.slides * (rate(contact.lo, along) - rate(contact.hi, along));
+            if braking > 0.0 { BEYOND_A_STOP * contact.slides * self.sliding(contact) / braking } else { f64::INFINITY }
+        });
+        ends.filter(|&end| end > 0.0).fold(left, f64::min)
     }
 
     /// The slide of a body that touches nothing but one surface which does not speed up, if it is one.
@@ -349,6 +372,16 @@ impl Events {
         self.halted = true;
         self.items[surface as usize].stops_at = self.now;
         self.set_out(scene, surface as usize);
+    }
+
+    /// Stops all surfaces that move, where the island is left alone for the rest of the tick.
+    pub(super) fn halt_all(&mut self, scene: &Scene) {
+        for i in self.movable..self.items.len() {
+            if self.items[i].motion != Motion::Still {
+                self.halt(scene, i as u32);
+            }
+        }
+        self.release();
     }
 
     /// Sets a surface on the part of its path that begins now. Concerns whatever is in contact with it.
@@ -469,9 +502,19 @@ impl Events {
                 self.contacts[index].slides = slides;
             }
         }
+        // What has crossed the border of a stream just as the tick ends is on its other side.
+        if !self.streams.is_empty() {
+            for i in 0..self.movable {
+                let constant = self.items[i].law.constant;
+                self.renew_law(scene, i);
+                if self.items[i].law.constant != constant {
+                    self.concern(i as u32);
+                }
+            }
+        }
         for i in 0..self.movable {
             let item = &mut self.items[i];
-            if !item.law.is_constant() && item.motion != Motion::Still {
+            if self.is_concerned[i] || !item.law.is_constant() && item.motion != Motion::Still {
                 self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
                 (item.solved, self.solved[i]) = (self.free[i], self.free[i]);
             }
@@ -490,6 +533,7 @@ impl Events {
                 self.items[i].solved = self.solved[i];
             }
         }
+        self.release();
     }
 
     /// Gives what rides on a surface that moves its place and its speed exactly, and so on with what is carried by that: the sums of many
@@ -548,8 +592,8 @@ impl Events {
 
     /// Whether what acts on an item changes while it moves.
     fn changes(&self, item: u32) -> bool {
-        let item = &self.items[item as usize];
-        !item.law.is_constant() && item.motion != Motion::Still
+        let of = &self.items[item as usize];
+        self.is_concerned[item as usize] || !of.law.is_constant() && of.motion != Motion::Still
     }
 }
 

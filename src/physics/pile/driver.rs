@@ -22,8 +22,11 @@ pub(in crate::physics) trait Advance {
     /// Whether the contacts of an island of so many bodies are to be listed; `on` is whether those of the one before were.
     fn lists(&self, members: usize, on: bool) -> bool;
 
-    /// What it told of islands with these bodies holds no longer.
+    /// What it told of the island of this body holds no longer.
     fn forget(&mut self, body: usize);
+
+    /// Bodies whose islands have to be advanced again, because others have come to something that concerns them.
+    fn disagree(&mut self, bodies: &mut Vec<u32>);
 }
 
 /// What has become of an island.
@@ -65,9 +68,12 @@ impl Store<'_> {
         }
     }
 
-    /// Where others were looked for, m.
+    /// Where others were looked for, m: within what it sweeps, and within the box in which its neighbours were sought.
     pub fn swept(&self, body: u32) -> Aabb {
-        let [left, right, top, bottom] = self.bodies.swept[self.bodies.slot[body as usize] as usize];
+        let (b, i) = (&*self.bodies, self.bodies.slot[body as usize] as usize);
+        let ((dx, dy), (hx, hy), swept) = (b.shift, (b.hx[i], b.hy[i]), b.swept[i]);
+        let (left, right) = (swept[0].max(b.allowed_left[i] + dx - hx), swept[1].min(b.allowed_right[i] + dx + hx));
+        let (top, bottom) = (swept[2].max(b.allowed_top[i] + dy - hy), swept[3].min(b.allowed_bottom[i] + dy + hy));
         let (top, bottom) = if self.down < 0.0 { (-bottom, -top) } else { (top, bottom) };
         Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
     }
@@ -105,6 +111,8 @@ impl Advance for AllDense {
     }
 
     fn forget(&mut self, _: usize) {}
+
+    fn disagree(&mut self, _: &mut Vec<u32>) {}
 }
 
 /// A body whose start was moved to a later time of the step: its slot, place, velocity and free velocity as they were.
@@ -130,6 +138,7 @@ pub(super) struct Driver {
     /// By slot: whether the island has to be solved again.
     again: Vec<bool>,
     moved: Vec<Moved>,
+    disagreeing: Vec<u32>,
 }
 
 impl Driver {
@@ -272,13 +281,14 @@ impl Pile {
             return;
         }
         self.islands.sort(&self.bodies);
-        for round in 0..=GROWTHS {
+        let (mut round, mut again) = (0, false);
+        loop {
             let Self { bodies, neighbours, islands, dense, driver, .. } = self;
             islands.find(bodies, neighbours);
-            let whole = StepSize { dt, rest_speed: self.rest_speed, gravity: self.gravity, last: round == GROWTHS };
+            let whole = StepSize { dt, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
             for k in 0..islands.len() {
                 let island = islands.get(k);
-                if round > 0 && !driver.begin_again(bodies, island, &mut dense.report.list, other) {
+                if again && !driver.begin_again(bodies, island, &mut dense.report.list, other) {
                     continue;
                 }
                 let alone = island.members.len() == 1 && island.near(island.members[0]).is_empty();
@@ -312,10 +322,18 @@ impl Pile {
                     dense.finish(bodies, island, self.down);
                 }
             }
-            if dense.grown.is_empty() {
-                return;
-            }
             driver.again.fill(false);
+            again = true;
+            if dense.grown.is_empty() {
+                driver.disagreeing.clear();
+                other.disagree(&mut driver.disagreeing);
+                if driver.disagreeing.is_empty() {
+                    return;
+                }
+                driver.disagreeing.iter().for_each(|body| driver.again[bodies.slot[*body as usize] as usize] = true);
+                continue;
+            }
+            round += 1;
             dense.grown.iter().for_each(|i| driver.again[*i as usize] = true);
             neighbours.follow(bodies, &dense.grown);
             dense.grown.clear();

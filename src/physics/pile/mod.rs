@@ -42,6 +42,7 @@ pub use def::{PileBody, PileDef, PileError, PileSurface};
 use dense::Dense;
 pub use dense::Guards;
 use driver::Driver;
+pub(in crate::physics) use driver::{Advance, Store, Verdict};
 use glam::DVec2;
 pub use impacts::Axis;
 use islands::Islands;
@@ -177,6 +178,22 @@ impl Pile {
             self.neighbours.set_moving(surface);
         }
         self.driver.targets.push((surface as u32, centre * DVec2::new(1.0, self.down)));
+    }
+
+    /// Puts a surface where it is, m, without a step.
+    pub(in crate::physics) fn place_surface(&mut self, surface: usize, centre: DVec2) {
+        let j = self.bodies.len() + surface;
+        (self.bodies.x[j], self.bodies.y[j]) = (centre.x, centre.y * self.down);
+    }
+
+    /// Lets a body, and what is in its island, be looked at again.
+    pub(in crate::physics) fn wake(&mut self, body: usize) {
+        self.driver.wake(body);
+    }
+
+    /// The contacts of the last step that were listed.
+    pub(in crate::physics) fn listed(&self) -> &[ContactImpulse] {
+        &self.dense.report.list
     }
 
     /// Makes a surface a belt, m/s: clockwise around it, the upper side runs to the right. Wakes all.

@@ -41,6 +41,7 @@ impl Cue {
 pub fn heard(event: &GameEvent) -> Option<(Cue, f32)> {
     match event {
         GameEvent::Impact { speed, .. } => Some((Cue::Knock, (speed / DAMAGING_SPEED).min(1.0) as f32)),
+        GameEvent::Crushed { .. } => Some((Cue::Knock, 1.0)),
         GameEvent::DamagingHit { .. } => Some((Cue::Crash, 1.0)),
         GameEvent::ObjectiveMet(_) => Some((Cue::Chime, 1.0)),
         GameEvent::Completed => Some((Cue::Fanfare, 1.0)),

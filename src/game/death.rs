@@ -1,0 +1,32 @@
+//! What ended an attempt, and what was squeezed.
+
+use super::names::obstacle_name;
+use crate::level::Level;
+use crate::physics::{BodyId, Event, Obstacle};
+
+/// What the ship was lost to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Death {
+    /// The death box of that index in `Level::obstacles`.
+    Obstacle(usize),
+    /// The surface of that index in `World::surfaces` squeezed it.
+    Crushed(u32),
+}
+
+impl Death {
+    /// As the command line prints it: `obstacle N` for the Nth row of obstacles.csv, `crushed by world N` for the Nth row of world.csv.
+    pub fn name(self, level: &Level) -> String {
+        match self {
+            Self::Obstacle(index) => format!("obstacle {}", index + 1),
+            Self::Crushed(surface) => format!("crushed by {}", obstacle_name(level, Obstacle::Surface(surface))),
+        }
+    }
+}
+
+/// The bodies that were squeezed in a tick with these events, and the surface that did it.
+pub fn crushed(events: &[Event]) -> impl Iterator<Item = (BodyId, u32)> + '_ {
+    events.iter().filter_map(|event| match *event {
+        Event::Crushed { body, by, .. } => Some((body, by)),
+        Event::Impact { .. } => None,
+    })
+}

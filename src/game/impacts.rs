@@ -1,0 +1,93 @@
+//! The impacts of the last half second: one is over within its tick, too soon to be read. Time is the game's, so that they stand still
+//! while it is paused; nothing that happens depends on them.
+
+use crate::physics::{BodyId, DVec2, Impulse, Obstacle};
+use std::collections::VecDeque;
+
+/// How long an impact can be read after its tick, s. Shorter: it is gone before it is found; longer: it is taken for the next one.
+pub const READABLE: f64 = 0.5;
+/// The most that are remembered, the last ones. Fewer: those of a crowd in view are gone too soon; more: it is memory for nothing.
+const MOST: usize = 8192;
+
+/// What a body felt of another thing in one tick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Felt {
+    /// The tick in which it happened.
+    pub tick: u64,
+    /// What exerted it.
+    pub by: Obstacle,
+    /// N·s.
+    pub impulse: DVec2,
+}
+
+/// The impacts that can still be read, with their ticks.
+#[derive(Clone, Debug, Default)]
+pub struct Impacts {
+    kept: VecDeque<(u64, Impulse)>,
+}
+
+impl Impacts {
+    /// Takes up those of the tick just made, and lets go of what is older than `ticks` of them.
+    pub fn note(&mut self, tick: u64, ticks: u64, impulses: &[Impulse]) {
+        while self.kept.front().is_some_and(|(at, _)| at + ticks < tick) {
+            self.kept.pop_front();
+        }
+        let last = &impulses[impulses.len().saturating_sub(MOST)..];
+        let over = (self.kept.len() + last.len()).saturating_sub(MOST);
+        self.kept.drain(..over);
+        self.kept.extend(last.iter().map(|impulse| (tick, *impulse)));
+    }
+
+    /// What a body felt, the largest first: all that one thing did to it in a tick is one.
+    pub fn on(&self, body: BodyId) -> Vec<Felt> {
+        let mut all: Vec<Felt> = Vec::new();
+        for (tick, impulse) in &self.kept {
+            let Some((vector, by)) = impulse.on(body) else { continue };
+            match all.iter_mut().rev().take_while(|felt| felt.tick == *tick).find(|felt| felt.by == by) {
+                Some(felt) => felt.impulse += vector,
+                None => all.push(Felt { tick: *tick, by, impulse: vector }),
+            }
+        }
+        // Of equal ones the latest first.
+        all.sort_by(|a, b| b.impulse.length_squared().total_cmp(&a.impulse.length_squared()).then(b.tick.cmp(&a.tick)));
+        all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn impulse(a: u32, b: Obstacle, x: f64) -> Impulse {
+        Impulse { a: BodyId(a), b, vector: DVec2::new(x, 0.0), point: DVec2::ZERO, at: 0.0 }
+    }
+
+    #[test]
+    fn both_ends_feel_it_the_largest_first_for_so_many_ticks() {
+        let (wall, other) = (Obstacle::Surface(4), Obstacle::Body(BodyId(2)));
+        let mut impacts = Impacts::default();
+        impacts.note(10, 60, &[impulse(1, wall, 1.0), impulse(1, other, 2.0), impulse(1, wall, 0.5)]);
+        impacts.note(11, 60, &[impulse(1, wall, 9.0)]);
+        let felt = |impacts: &Impacts, body: u32| -> Vec<(u64, Obstacle, f64)> {
+            impacts.on(BodyId(body)).into_iter().map(|felt| (felt.tick, felt.by, felt.impulse.x)).collect()
+        };
+        assert_eq!(felt(&impacts, 1), [(11, wall, 9.0), (10, other, 2.0), (10, wall, 1.5)]);
+        assert_eq!(felt(&impacts, 2), [(10, Obstacle::Body(BodyId(1)), -2.0)]);
+        assert_eq!(felt(&impacts, 3), []);
+        impacts.note(70, 60, &[]);
+        assert_eq!(felt(&impacts, 1).len(), 3, "60 ticks later");
+        impacts.note(71, 60, &[]);
+        assert_eq!(felt(&impacts, 1), [(11, wall, 9.0)]);
+        impacts.note(72, 60, &[]);
+        assert_eq!(felt(&impacts, 1), []);
+    }
+
+    #[test]
+    fn the_memory_has_an_end() {
+        let mut impacts = Impacts::default();
+        let many = vec![impulse(0, Obstacle::Surface(0), 1.0); MOST + 7];
+        impacts.note(0, 60, &many[..5]);
+        impacts.note(1, 60, &many);
+        assert_eq!((impacts.kept.len(), impacts.kept[0].0), (MOST, 1));
+    }
+}

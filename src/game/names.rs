@@ -1,0 +1,41 @@
+//! What exerts a force in a level, by name: bodies as the telemetry numbers them, all else as the level's files count their rows.
+
+use crate::level::Level;
+use crate::physics::{Obstacle, Source};
+
+/// The edges of a level in the engine's order.
+const EDGES: [&str; 4] = ["edge left", "edge right", "edge top", "edge bottom"];
+
+/// What exerts a force: `gravity`, `engine`, `air`; `stream N`, `fluid N` and `world N`, the Nth row of hazards.csv, fluids.csv and
+/// world.csv; `hazard N`, the source block of stream N; `edge left` (`right`, `top`, `bottom`); `object N`, of which 0 is the ship.
+pub fn source_name(level: &Level, source: Source) -> String {
+    match source {
+        Source::Gravity => "gravity".to_owned(),
+        Source::Engine => "engine".to_owned(),
+        Source::Air => "air".to_owned(),
+        Source::Stream(index) => format!("stream {}", index + 1),
+        Source::Fluid(index) => format!("fluid {}", index + 1),
+        Source::Surface(index) => surface_name(level, index as usize),
+        Source::Body(body) => format!("object {}", body.0),
+    }
+}
+
+/// What something ran into, as in [`source_name`].
+pub fn obstacle_name(level: &Level, obstacle: Obstacle) -> String {
+    match obstacle {
+        Obstacle::Surface(index) => surface_name(level, index as usize),
+        Obstacle::Body(body) => format!("object {}", body.0),
+    }
+}
+
+/// The surfaces of a level's world are those of world.csv, the source blocks of the streams and the four edges.
+fn surface_name(level: &Level, index: usize) -> String {
+    let (world, streams) = (level.world.len(), level.streams.len());
+    if index < world {
+        return format!("world {}", index + 1);
+    }
+    match index - world {
+        hazard if hazard < streams => format!("hazard {}", hazard + 1),
+        edge => EDGES[(edge - streams).min(EDGES.len() - 1)].to_owned(),
+    }
+}

@@ -1,0 +1,194 @@
+//! One flight of a level: by the pilot, or again by the keys that it held; and what the flight is worth.
+
+use crate::pilot::Pilot;
+use crate::plan::{Kind, Plan};
+use resultant::game::{Controls, Game, Inputs, Outcome, RunResult, SHIP, TICK_RATE};
+use resultant::level::{Level, ObjectiveKind, SHIP_HALF};
+use resultant::physics::{Aabb, DVec2, Event, Obstacle};
+use std::sync::Arc;
+
+/// No flight takes longer, s.
+const LONGEST: f64 = 60.0;
+/// How far the ship shall stay from what is deadly, and from walls and roofs, m.
+const OFF_RED: f64 = 0.7;
+const OFF_WALLS: f64 = 0.4;
+/// Hits of walls in flight, of objects, and of the ground where it lands, that are gentle enough, m/s.
+const GENTLE_BUMP: f64 = 0.5;
+const GENTLE_PUSH: f64 = 3.0;
+const GENTLE_LANDING: f64 = 3.0;
+
+/// A flight and what was seen of it.
+#[derive(Clone, Debug)]
+pub struct Flight {
+    pub inputs: Inputs,
+    pub result: RunResult,
+    pub ticks: u64,
+    /// Rows of the inputs' file.
+    pub rows: usize,
+    /// Steps of the plan that were done, and how far it was to the next one's place, m.
+    pub steps: usize,
+    pub distance: f64,
+    /// Pushes of the plan that were not done.
+    pub pushes_left: u32,
+    /// The least distance to a death box, m.
+    pub red: f64,
+    /// Ticks with a wall or a roof closer than it should be.
+    pub near_walls: u32,
+    /// Hits of walls in flight that were not gentle.
+    pub bumps: u32,
+    /// Hits of objects while none was to be pushed, that were not gentle.
+    pub knocks: u32,
+    /// The hardest hits of an object and of the level, m/s.
+    pub hardest_push: f64,
+    pub hardest_landing: f64,
+    /// The share of the ship's width that was not above or below the player's objectives at the end.
+    pub aside: f64,
+    /// The speed at the end, m/s.
+    pub last_speed: f64,
+}
+
+impl Flight {
+    /// Flies by the plan.
+    pub fn by_plan(level: &Arc<Level>, plan: &Plan) -> Self {
+        let mut game = new_game(level);
+        let mut pilot = Pilot::new(plan, &game);
+        let mut flight = Self {
+            inputs: Inputs::default(),
+            result: game.result(),
+            ticks: 0,
+            rows: 0,
+            steps: 0,
+            distance: 0.0,
+            pushes_left: 0,
+            red: f64::INFINITY,
+            near_walls: 0,
+            bumps: 0,
+            knocks: 0,
+            hardest_push: 0.0,
+            hardest_landing: 0.0,
+            aside: 0.0,
+            last_speed: 0.0,
+        };
+        // What goes on for twice its time will not do any more.
+        let longest = (2.0 * plan.settings.par).min(LONGEST);
+        while game.outcome() == Outcome::Running && game.time() < longest {
+            let controls = pilot.keys(&game);
+            flight.inputs.record(controls);
+            flight.last_speed = game.world().body(SHIP).velocity.length();
+            game.step(controls);
+            flight.watch(&game, pilot.flies(), pilot.pushes());
+        }
+        let ship = game.world().body(SHIP).bounds();
+        let wanted = level.objectives.iter().filter(|objective| objective.kind == ObjectiveKind::Player);
+        let shared = wanted.map(|objective| ship.max.x.min(objective.bounds.max.x) - ship.min.x.max(objective.bounds.min.x));
+        flight.aside = shared.fold(0.0, |aside: f64, shared| aside.max(1.0 - shared / (2.0 * SHIP_HALF.x)));
+        flight.result = game.result();
+        flight.ticks = game.ticks();
+        flight.rows = flight.inputs.to_string().lines().count() - 1;
+        flight.steps = pilot.step();
+        let left = &plan.steps[flight.steps.min(plan.steps.len())..];
+        flight.pushes_left = left.iter().filter(|step| step.kind == Kind::Push).count() as u32;
+        flight.distance = pilot.distance(&game);
+        flight
+    }
+
+    fn watch(&mut self, game: &Game, flies: bool, pushes: bool) {
+        let (level, ship) = (game.level(), game.world().body(SHIP).bounds());
+        for deadly in &level.obstacles {
+            self.red = self.red.min((deadly.min - ship.max).max(ship.min - deadly.max).max_element());
+        }
+        // The ground below is no wall.
+        let near = Aabb::new(ship.min - OFF_WALLS, ship.max + DVec2::new(OFF_WALLS, -OFF_WALLS));
+        self.near_walls += u32::from(flies && level.world.iter().any(|solid| near.touches(&solid.bounds, 0.0)));
+        for event in game.world().events() {
+            let &Event::Impact { a, b, speed, .. } = event else { continue };
+            match b {
+                Obstacle::Body(b) if a == SHIP || b == SHIP => {
+                    self.hardest_push = self.hardest_push.max(speed);
+                    self.knocks += u32::from(!pushes && speed > GENTLE_BUMP);
+                }
+                Obstacle::Surface(_) if a == SHIP => {
+                    self.hardest_landing = self.hardest_landing.max(speed);
+                    self.bumps += u32::from(flies && speed > GENTLE_BUMP);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// What the flight is worth: the game's points, less what makes it a worse example. Below 0 where the level was not completed.
+    pub fn worth(&self) -> f64 {
+        if self.result.outcome != Outcome::Completed {
+            let died = f64::from(u8::from(self.result.outcome == Outcome::Failed));
+            return 1e3 * self.steps as f64 - 10.0 * self.distance.min(90.0) - 200.0 * died - 1e6;
+        }
+        self.result.score.total as f64
+            - 5.0 * self.rows as f64
+            - 2e3 * f64::from(self.result.collisions)
+            - 2e3 * (OFF_RED - self.red).max(0.0)
+            - 5.0 * f64::from(self.near_walls)
+            - 200.0 * f64::from(self.bumps)
+            - 600.0 * f64::from(self.knocks)
+            - 400.0 * (self.hardest_push - GENTLE_PUSH).max(0.0)
+            - 400.0 * (self.hardest_landing - GENTLE_LANDING).max(0.0)
+            - 800.0 * (self.last_speed - GENTLE_LANDING).max(0.0)
+            - 300.0 * f64::from(self.pushes_left)
+            - 3e3 * self.aside
+    }
+
+    /// Whether it can be recorded: completed in its time, without damage, far enough off red.
+    pub fn is_clean(&self, par: f64) -> bool {
+        let result = &self.result;
+        result.outcome == Outcome::Completed && result.collisions == 0 && result.time <= par && self.red >= OFF_RED - 0.1
+    }
+}
+
+/// Changes a quantity of a level by a share of itself, the start by metres.
+pub type Change = fn(&mut Level, f64);
+
+/// What is changed to see how much a recorded flight bears.
+pub const CHANGES: [(&str, Change); 6] = [
+    ("mass", |level, by| level.player.mass *= 1.0 + by),
+    ("thrust", |level, by| level.player.thrust *= 1.0 + by),
+    ("gravity", |level, by| level.gravity *= 1.0 + by),
+    ("air", |level, by| level.air_density *= 1.0 + by),
+    ("objects' mass", |level, by| level.objects.iter_mut().for_each(|object| object.mass *= 1.0 + by)),
+    ("start", |level, by| level.player.position.x += by),
+];
+
+/// What became of the keys of a flight in a level that was changed a little.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Again {
+    /// It was completed in the same tick.
+    Same,
+    /// It was completed in another tick.
+    Completed,
+    /// It was not, or not without damage.
+    Lost,
+}
+
+/// Flies the keys again with one quantity changed.
+pub fn again(level: &Level, inputs: &Inputs, change: Change, by: f64) -> Again {
+    let mut level = level.clone();
+    change(&mut level, by);
+    let mut game = new_game(&Arc::new(level));
+    inputs.clone().into_iter().for_each(|controls| game.step(controls));
+    let ticks = game.ticks();
+    // A flight that comes a little late.
+    (0..(TICK_RATE as u32)).for_each(|_| game.step(Controls::default()));
+    match (game.outcome(), game.collisions()) {
+        (Outcome::Completed, 0) if game.ticks() == ticks && ticks == inputs.ticks() => Again::Same,
+        (Outcome::Completed, 0) => Again::Completed,
+        _ => Again::Lost,
+    }
+}
+
+/// Whether the keys bear all changes by `same`, to the tick, and all by `late`, more or less.
+pub fn bears(level: &Level, inputs: &Inputs, same: f64, late: f64) -> bool {
+    let worst = |by: f64| CHANGES.iter().flat_map(move |&(_, change)| [by, -by].map(|by| again(level, inputs, change, by)));
+    worst(same).all(|again| again == Again::Same) && worst(late).all(|again| again != Again::Lost)
+}
+
+fn new_game(level: &Arc<Level>) -> Game {
+    Game::new(Arc::clone(level)).unwrap_or_else(|error| panic!("level {}: {error}", level.name))
+}
