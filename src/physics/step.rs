@@ -204,7 +204,7 @@ impl World {
         }
         self.commit_dense(dt);
         self.count_methods();
-        self.state.contacts.sort_unstable_by_key(|contact| contact.ends());
+        self.state.contacts.sort_unstable_by_key(|contact| (contact.ends(), contact.axis));
     }
 
     /// Counts by which method how many bodies were advanced.
