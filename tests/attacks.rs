@@ -93,7 +93,10 @@ fn bounces_are_the_same_at_any_tick() {
         let ends = (2.0 * height / G).sqrt() * (1.0 + e) / (1.0 - e);
         for hz in [1.0, 30.0, 120.0, 1e4] {
             let bodies = vec![BodyDef { restitution: e, velocity: DVec2::new(3.0, 0.0), ..crate_at(0.0, -0.5 - height, 2.0) }];
-            let ice = SurfaceDef::fixed(area(-1e3, 0.0, 1e3, 1.0), Material { static_friction: 0.0, kinetic_friction: 0.0, ..Material::ICE });
+            let ice = SurfaceDef::fixed(
+                area(-1e3, 0.0, 1e3, 1.0),
+                Material { static_friction: 0.0, kinetic_friction: 0.0, ..Material::ICE },
+            );
             let mut world = world(WorldDef { air_density: 0.0, bodies, surfaces: vec![ice], ..WorldDef::default() });
             let mut time = 0.0;
             while time + 1.0 < ends.min(4.0) {
@@ -115,10 +118,12 @@ fn something_light_and_fast_on_something_heavy_in_thick_liquid_stays_finite() {
         for density in [1.0, 1000.0] {
             for mass in [1e-6, 1e-3, 0.01] {
                 for speed in [500.0, 1e6] {
-                    let dart = BodyDef { velocity: DVec2::new(speed, 0.1 * speed), half: DVec2::splat(0.1), ..crate_at(0.0, 3.9, mass) };
+                    let dart =
+                        BodyDef { velocity: DVec2::new(speed, 0.1 * speed), half: DVec2::splat(0.1), ..crate_at(0.0, 3.9, mass) };
                     let surfaces = vec![block(-20.0, 5.0, 20.0, 6.0)];
                     let fluids = vec![pool(density, viscosity)];
-                    let mut world = world(WorldDef { bodies: vec![dart, crate_at(0.0, 4.5, 1000.0)], surfaces, fluids, ..WorldDef::default() });
+                    let mut world =
+                        world(WorldDef { bodies: vec![dart, crate_at(0.0, 4.5, 1000.0)], surfaces, fluids, ..WorldDef::default() });
                     run(&mut world, 0.3, TICK);
                     let fastest = world.bodies().iter().map(|body| body.velocity.length()).fold(0.0, f64::max);
                     assert!(fastest <= 1.1 * speed, "{viscosity} Pa·s, {density} kg/m³, {mass} kg, {speed} m/s: {fastest} m/s");
@@ -137,7 +142,8 @@ fn any_tick_rate_will_do() {
             BodyDef { restitution: 1.0, ..crate_at(10.0, -1.5, 3.0) },
             crate_at(2000.0, 0.0, 1.0),
         ];
-        let mut world = world(WorldDef { air_density: 0.0, bodies, surfaces: vec![floor(Material::ASPHALT)], ..WorldDef::default() });
+        let mut world =
+            world(WorldDef { air_density: 0.0, bodies, surfaces: vec![floor(Material::ASPHALT)], ..WorldDef::default() });
         (0..hz as u32).for_each(|_| world.step(1.0 / hz));
         world.validate().unwrap();
         let [slid, bounced, fell] = [0, 1, 2].map(|i| world.bodies()[i].position);

@@ -18,7 +18,12 @@ fn busy_room(seed: u64, left: f64, count: usize, media: bool) -> WorldDef {
     let mut bodies = crowd(&mut random, count, 6);
     bodies.iter_mut().for_each(|body| body.position.x += left);
     let wall = |x0: f64, y0: f64, x1: f64, y1: f64| block(left + x0, y0, left + x1, y1);
-    let mut surfaces = vec![wall(-1.0, -9.0, 0.0, 12.0), wall(11.0, -9.0, 12.0, 12.0), wall(-1.0, 12.0, 12.0, 13.0), wall(-1.0, -10.0, 12.0, -9.0)];
+    let mut surfaces = vec![
+        wall(-1.0, -9.0, 0.0, 12.0),
+        wall(11.0, -9.0, 12.0, 12.0),
+        wall(-1.0, 12.0, 12.0, 13.0),
+        wall(-1.0, -10.0, 12.0, -9.0),
+    ];
     for _ in 0..random.below(4) {
         let (x, y) = (random.between(0.0, 8.0), random.between(8.0, 11.0));
         let ledge = area(left + x, y, left + x + random.between(0.2, 3.0), y + 0.3);
@@ -186,7 +191,8 @@ fn what_has_slept_still_lies_on_its_floor() {
         let mut random = Random(seed);
         let half = random.between(0.1, 0.5);
         let floor = random.between(5.0, 10.0);
-        let crate_at = |x: f64, y: f64| BodyDef { position: DVec2::new(x, y), half: DVec2::splat(half), mass: 20.0, ..BodyDef::default() };
+        let crate_at =
+            |x: f64, y: f64| BodyDef { position: DVec2::new(x, y), half: DVec2::splat(half), mass: 20.0, ..BodyDef::default() };
         let bodies = vec![crate_at(2.0, floor - half), crate_at(2.1, floor - 6.0)];
         let mut world = world(WorldDef { bodies, bounds: Some(area(0.0, 0.0, 10.0, floor)), ..WorldDef::default() });
         support::run(&mut world, 2.0, TICK);

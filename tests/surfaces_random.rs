@@ -1,11 +1,11 @@
 //! Random rooms with surfaces that move: finite, nothing in anything, nothing leaves, the same bits twice, and no bit from far away.
 
-mod worlds;
+mod support;
 
 use proptest::prelude::*;
-use proptest::test_runner::FileFailurePersistence;
 use resultant::physics::{Aabb, BodyDef, DVec2, Event, Leg, Obstacle, Path, Sides, SurfaceDef, World, WorldDef};
-use worlds::{bits, materials};
+use support::bits;
+use support::strategies::{cases, materials};
 
 /// The room, m.
 const ROOM: Aabb = Aabb::new(DVec2::ZERO, DVec2::new(24.0, 18.0));
@@ -106,16 +106,8 @@ fn fastest(world: &World) -> f64 {
     bodies.chain(world.surfaces().iter().map(|surface| surface.velocity.length())).fold(0.0, f64::max)
 }
 
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
-        ..ProptestConfig::default()
-    }
-}
-
 proptest! {
-    #![proptest_config(config(96))]
+    #![proptest_config(cases(96))]
 
     #[test]
     fn a_room_of_movers_keeps_every_law(def in room(15.0, 8.0), rate in rates(), far in prop_oneof![Just(1usize), Just(10)]) {

@@ -153,7 +153,10 @@ impl World {
             let scale: f64 = forces.forces().iter().map(|force| force.vector.length()).sum();
             let (resultant, needed) = (forces.resultant(), body.mass * body.acceleration);
             if (sum - resultant).length() > FORCES * scale {
-                return Err(format!("the forces on body {i} sum to {sum} N, their resultant is {resultant} N: {:?}", forces.forces()));
+                return Err(format!(
+                    "the forces on body {i} sum to {sum} N, their resultant is {resultant} N: {:?}",
+                    forces.forces()
+                ));
             }
             if (resultant - needed).length() > FORCES * scale {
                 return Err(format!("the resultant on body {i} is {resultant} N, m·a is {needed} N: {:?}", forces.forces()));
@@ -192,7 +195,8 @@ fn validate_pair(a: &Thing, b: &Thing) -> Result<(), String> {
         let across = 1 - axis;
         let shared = |a: &Aabb, b: &Aabb| a.max[across].min(b.max[across]) - a.min[across].max(b.min[across]);
         let least = FACES * a.now.size()[across].min(b.now.size()[across]);
-        let (velocity, way) = (a.velocity - b.velocity, (a.now.centre() - b.now.centre()) - (a.before.centre() - b.before.centre()));
+        let (velocity, way) =
+            (a.velocity - b.velocity, (a.now.centre() - b.now.centre()) - (a.before.centre() - b.before.centre()));
         // A way that turned round might have led past.
         let monotone = velocity[across] * way[across] >= 0.0;
         let passed = |a: &Thing, b: &Thing| a.before.max[axis] <= b.before.min[axis] && a.now.min[axis] >= b.now.max[axis];

@@ -13,7 +13,9 @@ use super::item::Resume;
 use super::{Events, Scene, WORK_OF_A_CONTACT};
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
-use crate::physics::tuning::{CALM_REACH, CASCADE_HITS, MAX_CLINGS, MICRO_SPEED, PUMPED_HITS, RATTLE_HITS, SPEED_ROUNDING, ZENO_HITS};
+use crate::physics::tuning::{
+    CALM_REACH, CASCADE_HITS, MAX_CLINGS, MICRO_SPEED, PUMPED_HITS, RATTLE_HITS, SPEED_ROUNDING, ZENO_HITS,
+};
 use glam::DVec2;
 
 /// What a contact passed on at one instant.

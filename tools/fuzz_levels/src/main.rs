@@ -5,9 +5,9 @@
 
 #[path = "../../../tests/support/levels.rs"]
 mod levels;
+mod play;
 #[path = "../../../tests/support/random.rs"]
 mod random;
-mod play;
 mod worst;
 
 use play::{End, play};
