@@ -19,6 +19,13 @@ fn world(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>) -> World {
     World::new(WorldDef { gravity: G, air_density: 0.0, bodies, surfaces, ..WorldDef::default() }).unwrap()
 }
 
+/// The Reaction of what carries a body, N: what it carries itself presses on it by the same name.
+fn from_below(world: &World, id: BodyId) -> f64 {
+    let forces = world.forces(id);
+    let up = forces.forces().iter().filter(|force| force.kind == ForceKind::Reaction && force.vector.y < 0.0);
+    up.map(|force| force.vector.y).sum()
+}
+
 /// A crowd in which nobody is near anybody has no contacts to list: once a panic in the first tick.
 #[test]
 fn a_crowd_with_wide_gaps_flies_and_feels_nothing_but_weight() {
@@ -115,7 +122,7 @@ fn a_column_of_a_crowd_stands_still_and_shows_every_reaction() {
         for i in [0, 70, 149] {
             let id = BodyId(i as u32);
             let weight: f64 = masses[i..].iter().sum::<f64>() * G;
-            let reaction = world.forces(id).total(ForceKind::Reaction).y;
+            let reaction = from_below(&world, id);
             assert!((reaction / -weight - 1.0).abs() < 1e-9, "tick {tick}, block {i}: {reaction} N, expected {}", -weight);
             assert_eq!(world.forces(id).resultant(), DVec2::ZERO);
             assert_eq!(world.body(id).position, DVec2::new(5.0, -0.5 - i as f64));
@@ -180,7 +187,7 @@ fn a_column_of_a_crowd_in_air_shows_resultants_of_zero() {
         for i in [0, 40, 99] {
             let id = BodyId(i);
             let weight = f64::from(100 - i) * G;
-            let reaction = world.forces(id).total(ForceKind::Reaction).y;
+            let reaction = from_below(&world, id);
             assert!((reaction / -weight - 1.0).abs() < 1e-12, "tick {tick}, block {i}: {reaction} N, expected {}", -weight);
             assert_eq!(world.forces(id).resultant(), DVec2::ZERO, "tick {tick}, block {i}");
         }

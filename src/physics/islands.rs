@@ -28,6 +28,8 @@ pub(super) struct Choice;
 impl Choice {
     /// Islands of more bodies are dense. More: a heap that settles costs more than a millisecond a tick; fewer: gases are less exact.
     pub const MOST_BY_EVENTS: usize = 64;
+    /// Worlds of more bodies list no contact forces before their first tick.
+    pub const MOST_AT_FIRST: usize = 1024;
     /// Ticks for which an island is dense after its budget was used up for the first time, and at most.
     const FIRST_PAUSE: u16 = 8;
     const LONGEST_PAUSE: u16 = 128;
@@ -36,7 +38,7 @@ impl Choice {
     /// Contacts of a dense island are listed if somebody asked for forces in the last tick, or if it has no more bodies than this.
     const ALWAYS_LISTED: usize = 256;
     /// How often islands are advanced anew in one tick until they agree when surfaces stop that several of them meet. After that these
-    /// stand still for the whole tick.
+    /// stand still for the whole tick, and after twice as often islands are left as they are.
     const MOST_ROUNDS: u32 = 8;
 }
 
@@ -373,7 +375,7 @@ impl Advance for Tick<'_> {
 
     fn disagree(&mut self, bodies: &mut Vec<u32>) {
         let scratch = &mut *self.scratch;
-        if scratch.stops.is_empty() {
+        if scratch.stops.is_empty() || scratch.rounds >= 2 * Choice::MOST_ROUNDS {
             return;
         }
         scratch.rounds += 1;

@@ -37,10 +37,12 @@ impl World {
     }
 
     /// The forces before the first tick, of worlds that are not too large to be looked at as one island.
+    ///
+    /// All touch all for this once, which takes time with the square of their number.
     pub(super) fn begin(&mut self) {
         let Self { state, plan, scratch, .. } = self;
         let n = state.bodies.len();
-        if n == 0 || n > Choice::MOST_BY_EVENTS {
+        if n == 0 || n > Choice::MOST_AT_FIRST {
             return;
         }
         let scene = Scene::of(state, plan, 0.0);

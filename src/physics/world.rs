@@ -355,8 +355,8 @@ fn pile_of(state: &State, sleep: bool) -> Result<Pile, DefError> {
         restitution: body.restitution,
         static_friction: body.material.static_friction,
         kinetic_friction: body.material.kinetic_friction,
-        drag_area: if body.feels_air && !body.round { body.half * (2.0 * body.drag) } else { DVec2::ZERO },
-        drag_round: if body.feels_air && body.round { (body.half.x + body.half.y) * body.drag } else { 0.0 },
+        drag_area: if body.feels_air && !body.round { body.half * 2.0 * body.drag } else { DVec2::ZERO },
+        drag_round: if body.feels_air && body.round { body.drag * (body.half.x + body.half.y) } else { 0.0 },
     };
     let surfaces = state.surfaces.iter().map(|surface| PileSurface {
         bounds: surface.bounds,

@@ -180,7 +180,6 @@ impl Events {
             self.now = next.at;
             if self.work > budget {
                 self.stop_here(scene);
-                self.halt_all(scene);
                 return Outcome::Busy(self.now);
             }
             self.happen(scene, i, next.kind);

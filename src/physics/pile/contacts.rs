@@ -118,8 +118,8 @@ impl Contacts {
             || self.ceilings.iter().any(|ceiling| (ceiling.first, ceiling.second) == (j, i))
     }
 
-    /// Finds all contacts of an island; `followed`: impacts of what bounces have been.
-    pub fn find(&mut self, bodies: &Bodies, island: Island<'_>, dt: f64, followed: bool) {
+    /// Finds all contacts of an island, and of the pairs `added` to it in its order; `followed`: impacts of what bounces have been.
+    pub fn find(&mut self, bodies: &Bodies, island: Island<'_>, added: &[(u32, u32)], dt: f64, followed: bool) {
         self.stacks.clear();
         self.sides.clear();
         self.ceilings.clear();
@@ -127,10 +127,14 @@ impl Contacts {
         self.carried = false;
         self.tolerances = Tolerances::of(bodies, island.members);
         let per_second = 1.0 / dt;
+        let mut added = added.iter().peekable();
         for &i in island.members {
             self.start[i as usize] = self.stacks.len() as u32;
             for &j in island.near(i) {
                 self.meet(bodies, i as usize, j as usize, [dt, per_second], followed);
+            }
+            while let Some((_, j)) = added.next_if(|(upper, _)| *upper == i) {
+                self.meet(bodies, i as usize, *j as usize, [dt, per_second], followed);
             }
             self.end[i as usize] = self.stacks.len() as u32;
         }

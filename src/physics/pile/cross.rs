@@ -14,6 +14,8 @@ use super::report::Report;
 
 /// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
+/// The same among many bodies of which some bounce: there is always some contact that does not settle.
+const HASTY_ROUNDS: usize = 1;
 /// A pushed body that is faster by this part than it was and than its cluster was pushed against friction that did not come: then
 /// the pushes are dropped. Smaller: rounding drops pushes; larger: bodies are driven by friction.
 const DRIVEN: f64 = 1e-9;
@@ -66,6 +68,8 @@ pub(super) struct Cross<'a> {
     pub struck: &'a [f64],
     pub report: &'a mut Report,
     pub dt: f64,
+    /// Whether fewer rounds do.
+    pub hasty: bool,
 }
 
 impl Cross<'_> {
@@ -141,7 +145,7 @@ impl Cross<'_> {
             let i = i as usize;
             self.pushes.before[i] = bodies.ux[i];
         }
-        for _ in 0..ROUNDS {
+        for _ in 0..if self.hasty { HASTY_ROUNDS } else { ROUNDS } {
             if self.stir(bodies) {
                 self.rub(bodies);
             }
@@ -304,10 +308,14 @@ pub(super) fn merge(
     let slack = contacts.tolerances.hair / dt;
     clusters.clear();
     let mut any = false;
-    for _ in 0..PASSES {
+    for pass in 0..PASSES {
         let mut merged = false;
         for side in &contacts.sides {
             let (a, b) = (side.first as usize, side.second as usize);
+            // What was not merged has been looked at.
+            if pass > 0 && !clusters.is_joined(a) && !clusters.is_joined(b) {
+                continue;
+            }
             let (left, right) = (clusters.mean(a, bodies.mean_vx[a]), clusters.mean(b, bodies.mean_vx[b]));
             if left <= right + side.bound + slack || !side.live {
                 continue;

@@ -16,14 +16,19 @@ use super::contacts::Contacts;
 use super::cross::{Cross, Pushes};
 use super::friction::Friction;
 use super::gravity::{self, Anchors};
-use super::impacts::{Axis, Impacts};
+use super::impacts::{Around, Axis, Impacts};
 use super::islands::Island;
+use super::neighbours::Neighbours;
 use super::place;
+use super::reach::Reach;
 use super::report::Report;
 use super::walls::{Along, Walls};
 
 /// How often a pair that was expected to pass and did not makes the step be solved again. More: slower; fewer: more is put back.
 const LOOKS: usize = 3;
+/// Where some of more bodies than this bounce, fewer rounds across do: there is always something that does not settle. Larger: slower;
+/// smaller: more friction of what is pushed comes a step late.
+const MANY: usize = 256;
 /// Energy gained that is no more than rounding, as a part of the kinetic energy. Smaller: rounding slows what it should not.
 const ROUNDING: f64 = 1e-12;
 
@@ -92,9 +97,13 @@ pub(super) struct Dense {
     /// Body, moving surface and closing speed (m/s) where surfaces left no room; the driver clears it.
     pub squeezed: Vec<(u32, u32, f64)>,
     pub report: Report,
+    reach: Reach,
     pub walls: Walls,
     /// Length of the step, s.
     pub dt: f64,
+    /// Whether impacts were followed to the last one.
+    followed: bool,
+    hasty: bool,
     /// By slot: the place among the members.
     place: Vec<u32>,
 }
@@ -114,19 +123,23 @@ impl Dense {
             grown: Vec::with_capacity(n),
             squeezed: Vec::new(),
             report: Report::new(all),
+            reach: Reach::default(),
             walls: Walls::new(n),
             dt: 0.0,
+            followed: false,
+            hasty: false,
             place: vec![0; n],
         }
     }
 
     /// One step of an island.
-    pub fn step(&mut self, bodies: &mut Bodies, island: Island<'_>, size: StepSize) -> Outcome {
+    pub fn step(&mut self, bodies: &mut Bodies, neighbours: &mut Neighbours, island: Island<'_>, size: StepSize) -> Outcome {
         self.dt = size.dt;
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
         self.pushes.hits.impact = self.anchors.impact;
         self.report.sides.clear();
-        self.contacts.find(bodies, island, size.dt, false);
+        self.reach.clear();
+        self.contacts.find(bodies, island, &[], size.dt, false);
         self.walls.any = false;
         self.anchors.any_hung = false;
         let Self { contacts, anchors, clusters, .. } = self;
@@ -134,19 +147,30 @@ impl Dense {
         anchors.only_anchors = bodies.lively;
         self.guards.merging += gravity::solve(bodies, island.members, contacts, anchors, clusters, size.dt);
         anchors.only_anchors = false;
-        if !self.bounce(bodies, island, size) {
+        if !self.bounce(bodies, neighbours, island, size) {
             return Outcome::Grown;
         }
         let mut inside = true;
+        self.hasty = self.impacts.any && island.members.len() > MANY;
         for look in 0.. {
             self.solve_along(bodies, island, size.dt, look == 0 && !self.impacts.any && !self.anchors.unmerged);
             self.solve_across(bodies, island, size.dt);
             inside = place::advance(bodies, island.members, &self.anchors.lands, size.dt, self.impacts.any);
             if !inside {
-                if !size.last {
-                    return self.grow(bodies, island);
+                // After the last look nobody gets further than was looked for.
+                if look < LOOKS {
+                    let more = self.reach_out(bodies, neighbours, island, size.last);
+                    if !self.reach.strangers.is_empty() {
+                        return self.grow(bodies, island);
+                    }
+                    if more {
+                        self.predict(bodies, island);
+                        self.contacts.find(bodies, island, &self.reach.added, size.dt, self.followed);
+                        continue;
+                    }
+                    inside = island.members.iter().all(|i| bodies.is_swept(*i as usize));
                 }
-                self.guards.clipped += 1;
+                self.guards.clipped += u64::from(!inside);
             }
             if look == LOOKS || !self.catch_passing(bodies, island) {
                 break;
@@ -179,21 +203,24 @@ impl Dense {
     }
 
     /// Follows the impacts. Returns false if they throw a body further than contacts were looked for.
-    fn bounce(&mut self, bodies: &mut Bodies, island: Island<'_>, size: StepSize) -> bool {
-        let Self { contacts, anchors, impacts, .. } = self;
-        let (any, exhausted) = impacts.follow(bodies, island, contacts, anchors, (size.dt, size.rest_speed));
+    fn bounce(&mut self, bodies: &mut Bodies, neighbours: &mut Neighbours, island: Island<'_>, size: StepSize) -> bool {
+        let Self { contacts, anchors, impacts, reach, .. } = self;
+        let mut around = Around { island, neighbours, reach, last: size.last };
+        let (any, exhausted) = impacts.follow(bodies, (contacts, anchors), &mut around, size);
+        self.followed = any && !exhausted;
         self.guards.impacts += u64::from(exhausted);
         if !any {
             return true;
         }
-        if !size.last && !island.members.iter().all(|i| bodies.is_swept(*i as usize)) {
+        if !self.reach.strangers.is_empty() {
             self.grow(bodies, island);
             return false;
         }
         let Self { contacts, impacts, .. } = self;
         // What is elastic is not solved plastically once its impacts are known: then all are told anew.
-        if bodies.elastic || !contacts.refresh(bodies, island.members, size.dt, |i| impacts.was_hit(i)) {
-            contacts.find(bodies, island, size.dt, !exhausted);
+        let added = !self.reach.added.is_empty();
+        if added || bodies.elastic || !contacts.refresh(bodies, island.members, size.dt, |i| impacts.was_hit(i)) {
+            contacts.find(bodies, island, &self.reach.added, size.dt, !exhausted);
         }
         true
     }
@@ -207,9 +234,9 @@ impl Dense {
     }
 
     fn solve_across(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
-        let Self { contacts, friction, clusters, pushes, impacts, report, .. } = self;
-        let struck = &impacts.struck;
-        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, struck, report, dt };
+        let Self { contacts, friction, clusters, pushes, impacts, report, hasty, .. } = self;
+        let (struck, hasty) = (&impacts.struck, *hasty);
+        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, struck, report, dt, hasty };
         self.guards.friction += u64::from(cross.solve(bodies));
     }
 
@@ -246,12 +273,7 @@ impl Dense {
     /// Widens what was swept by those who left it.
     fn grow(&mut self, bodies: &mut Bodies, island: Island<'_>) -> Outcome {
         self.guards.grown += 1;
-        for &i in island.members {
-            if !bodies.is_swept(i as usize) {
-                bodies.widen(i as usize);
-                self.grown.push(i);
-            }
-        }
+        self.grown.append(&mut self.reach.strangers);
         self.walls.undo(bodies, &mut self.anchors, &mut self.impacts.struck);
         self.impacts.undo(bodies, island.members);
         Outcome::Grown
@@ -289,13 +311,29 @@ impl Dense {
         }
         if caught > 0 {
             // From the same predictions: free flight, and what impacts made of it.
-            for &i in island.members {
-                let i = i as usize;
-                (bodies.px[i], bodies.py[i]) = self.impacts.predicted(bodies, i);
-            }
+            self.predict(bodies, island);
         }
         self.guards.corners += caught;
         caught > 0
+    }
+
+    /// Back to where members are predicted.
+    fn predict(&self, bodies: &mut Bodies, island: Island<'_>) {
+        for &i in island.members {
+            let i = i as usize;
+            (bodies.px[i], bodies.py[i]) = self.impacts.predicted(bodies, i);
+        }
+    }
+
+    /// Widens what is swept by those who leave it. Returns whether pairs were added.
+    fn reach_out(&mut self, bodies: &mut Bodies, neighbours: &mut Neighbours, island: Island<'_>, last: bool) -> bool {
+        let known = self.reach.added.len();
+        for &i in island.members {
+            if !bodies.is_swept(i as usize) {
+                self.reach.widen(bodies, neighbours, island, i as usize, last);
+            }
+        }
+        self.reach.added.len() > known
     }
 
     /// The last word on energy: an island that is merged and parted in a wild way may end higher than its velocities allow for; then what

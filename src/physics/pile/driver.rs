@@ -316,7 +316,7 @@ impl Pile {
                     driver.begin_later(bodies, island, left, self.drag);
                 }
                 dense.report.on = other.lists(island.members.len(), dense.report.on);
-                if dense.step(bodies, island, size) == Outcome::Done {
+                if dense.step(bodies, neighbours, island, size) == Outcome::Done {
                     driver.finish(bodies, island, self.may_sleep);
                     driver.list_impacts(bodies, &dense.impacts);
                     dense.finish(bodies, island, self.down);

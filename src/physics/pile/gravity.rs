@@ -158,12 +158,16 @@ fn merge(
     };
     let fixed = |bodies: &Bodies, held: bool, i: usize| held.then(|| Motion { velocity: bodies.uy[i], mean: bodies.mean_vy[i] });
     let mut exhausted = 1;
-    for _ in 0..ROUNDS {
+    for round in 0..ROUNDS {
         let mut merged = false;
         for &i in members {
             let i = i as usize;
             for stack in &contacts.stacks[contacts.under(i)] {
                 let j = stack.below as usize;
+                // What was not merged has been looked at.
+                if round > 0 && !clusters.is_joined(i) && !clusters.is_joined(j) {
+                    continue;
+                }
                 let (upper, lower) = (clusters.mean(i, bodies.mean_vy[i]), clusters.mean(j, bodies.mean_vy[j]));
                 if !stack.live || upper <= lower + stack.bound + slack {
                     continue;

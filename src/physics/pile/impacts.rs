@@ -11,8 +11,11 @@
 
 use super::bodies::Bodies;
 use super::contacts::Contacts;
+use super::dense::StepSize;
 use super::gravity::Anchors;
 use super::islands::Island;
+use super::neighbours::Neighbours;
+use super::reach::Reach;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -109,6 +112,15 @@ impl Course {
     }
 }
 
+/// Where bodies may be thrown.
+pub(super) struct Around<'a> {
+    pub island: Island<'a>,
+    pub neighbours: &'a mut Neighbours,
+    pub reach: &'a mut Reach,
+    /// Whether islands may not grow any more.
+    pub last: bool,
+}
+
 /// The impacts of one island, and what it takes to find them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Impacts {
@@ -127,6 +139,9 @@ pub(super) struct Impacts {
     hit_in: Vec<u64>,
     follow_ups: u64,
     pairs: Vec<Pair>,
+    /// By slot: whether a body or surface stands still if it is not hit; and how many pairs were skipped because both do.
+    still: Vec<bool>,
+    skipped: usize,
     /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
     chain: Vec<u32>,
     next: Vec<u32>,
@@ -149,6 +164,7 @@ impl Impacts {
             predicted: vec![[0.0; 2]; count],
             hit_in: vec![0; count],
             pairs: Vec::with_capacity(4 * count),
+            still: vec![false; all],
             chain: vec![NONE; all],
             next: Vec::with_capacity(8 * count),
             courses: [vec![Course::default(); all], vec![Course::default(); all]],
@@ -162,12 +178,12 @@ impl Impacts {
     pub fn follow(
         &mut self,
         bodies: &mut Bodies,
-        island: Island<'_>,
-        contacts: &Contacts,
-        anchors: &Anchors,
-        (dt, rest_speed): (f64, f64),
+        (contacts, anchors): (&Contacts, &Anchors),
+        around: &mut Around<'_>,
+        size: StepSize,
     ) -> (bool, bool) {
-        (self.dt, self.rest_speed) = (dt, rest_speed);
+        (self.dt, self.rest_speed) = (size.dt, size.rest_speed);
+        let island = around.island;
         (self.touch, self.hair) = (contacts.tolerances.touch, contacts.tolerances.hair);
         self.all.clear();
         self.any = false;
@@ -192,7 +208,7 @@ impl Impacts {
                 break;
             }
             left -= 1;
-            self.bounce(bodies, anchors, due);
+            self.bounce(bodies, anchors, around, due);
         }
         self.any = true;
         for &i in island.members {
@@ -233,7 +249,7 @@ impl Impacts {
 
     /// How many impacts one island may have in one step.
     fn budget(&self) -> usize {
-        64 + 8 * self.pairs.len()
+        64 + 8 * (self.pairs.len() + self.skipped)
     }
 
     /// A quick test whether any pair that bounces closes.
@@ -261,7 +277,6 @@ impl Impacts {
     }
 
     fn gather(&mut self, bodies: &Bodies, island: Island<'_>, anchors: &Anchors) {
-        let n = bodies.len();
         self.pairs.clear();
         self.next.clear();
         self.due.clear();
@@ -275,26 +290,58 @@ impl Impacts {
             let pull = if anchors.rests[i] { 0.0 } else { pull(bodies.free_vy[i], bodies.vy[i]) };
             let velocity = if anchors.rests[i] { bodies.uy[i] } else { bodies.vy[i] };
             self.courses[1][i] = Course { at: bodies.y[i], velocity, pull };
+            let stands = |course: &Course| course.velocity == 0.0 && course.pull == 0.0;
+            self.still[i] = stands(&self.courses[0][i]) && stands(&self.courses[1][i]);
         }
+        self.skipped = 0;
         for &i in island.members {
             for &j in island.near(i) {
-                let (a, b) = (i as usize, j as usize);
-                let restitution = bodies.traits[a].restitution.max(bodies.traits[b].restitution);
-                if restitution == 0.0 {
-                    continue;
-                }
-                let pair = self.pairs.len() as u32;
-                self.pairs.push(Pair { a: i, b: j, restitution, version: 0, hits: 0 });
-                self.next.extend([self.chain[a], NONE]);
-                self.chain[a] = 2 * pair;
-                if b < n {
-                    self.next[2 * pair as usize + 1] = self.chain[b];
-                    self.chain[b] = 2 * pair + 1;
+                if self.stand(bodies, i, j) {
+                    self.skipped += 1;
                 } else {
-                    self.courses[0][b] = Course { at: bodies.x[b], velocity: bodies.vx[b], pull: 0.0 };
-                    self.courses[1][b] = Course { at: bodies.y[b], velocity: bodies.vy[b], pull: 0.0 };
+                    self.add(bodies, i, j);
                 }
             }
+        }
+    }
+
+    /// Whether both of a pair stand still if nothing hits them.
+    fn stand(&self, bodies: &Bodies, i: u32, j: u32) -> bool {
+        let (i, j) = (i as usize, j as usize);
+        self.still[i] && if j < bodies.len() { self.still[j] } else { bodies.vx[j] == 0.0 && bodies.vy[j] == 0.0 }
+    }
+
+    /// Adds the pairs that were skipped: something that stood still was hit.
+    fn add_skipped(&mut self, bodies: &Bodies, island: Island<'_>) {
+        self.skipped = 0;
+        for &i in island.members {
+            if self.still[i as usize] {
+                for &j in island.near(i) {
+                    if self.stand(bodies, i, j) {
+                        self.add(bodies, i, j);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds a pair if it bounces.
+    fn add(&mut self, bodies: &Bodies, i: u32, j: u32) {
+        let (a, b) = (i as usize, j as usize);
+        let restitution = bodies.traits[a].restitution.max(bodies.traits[b].restitution);
+        if restitution == 0.0 {
+            return;
+        }
+        let pair = self.pairs.len() as u32;
+        self.pairs.push(Pair { a: i, b: j, restitution, version: 0, hits: 0 });
+        self.next.extend([self.chain[a], NONE]);
+        self.chain[a] = 2 * pair;
+        if b < bodies.len() {
+            self.next[2 * pair as usize + 1] = self.chain[b];
+            self.chain[b] = 2 * pair + 1;
+        } else {
+            self.courses[0][b] = Course { at: bodies.x[b], velocity: bodies.vx[b], pull: 0.0 };
+            self.courses[1][b] = Course { at: bodies.y[b], velocity: bodies.vy[b], pull: 0.0 };
         }
     }
 
@@ -340,7 +387,7 @@ impl Impacts {
     }
 
     /// One impact.
-    fn bounce(&mut self, bodies: &mut Bodies, anchors: &Anchors, due: Due) {
+    fn bounce(&mut self, bodies: &mut Bodies, anchors: &Anchors, around: &mut Around<'_>, due: Due) {
         let n = bodies.len();
         let Due { time, speed, axis, .. } = due;
         let Pair { a, b, restitution, .. } = self.pairs[due.pair as usize];
@@ -372,6 +419,10 @@ impl Impacts {
             [before[0] - side * impulse * share_a, before[1] + side * impulse * share_b]
         };
         let rub = self.rub(bodies, due, side, impulse);
+        let stirs = |i: usize, share: f64| i < n && self.still[i] && (share > 0.0 || rub != 0.0);
+        if self.skipped > 0 && (stirs(a, share_a) || stirs(b, share_b)) {
+            self.add_skipped(bodies, around.island);
+        }
         for (i, share, rests) in [(a, share_a, a_rests), (b, share_b, b_rests)] {
             if share > 0.0 && rests {
                 // Thrown off what carried it.
@@ -407,8 +458,19 @@ impl Impacts {
         self.note(bodies, due, (normal, rub), side);
         for i in [a, b] {
             if i < n {
+                if !bodies.is_swept(i) {
+                    self.widen(bodies, around, i);
+                }
                 self.look_again(bodies, i, time.max(until));
             }
+        }
+    }
+
+    /// Adds the pairs of a body that was thrown further than contacts were looked for.
+    fn widen(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize) {
+        around.reach.widen(bodies, around.neighbours, around.island, i, around.last);
+        for &(a, b) in &around.reach.new {
+            self.add(bodies, a, b);
         }
     }
 

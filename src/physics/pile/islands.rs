@@ -22,9 +22,22 @@ pub(super) struct Island<'a> {
     /// What a member may touch, each a member before it or a surface: `others[from..to]`, by slot.
     ranges: &'a [(u32, u32)],
     others: &'a [u32],
+    /// By slot: one of its island, and its place from the bottom up.
+    roots: &'a [u32],
+    places: &'a [u32],
 }
 
 impl<'a> Island<'a> {
+    /// Whether two bodies are of one island.
+    pub fn joins(&self, a: usize, b: usize) -> bool {
+        self.roots[a] == self.roots[b]
+    }
+
+    /// By what pairs are ordered: bodies by their places from the bottom up, then surfaces.
+    pub fn order_of(&self, i: u32) -> u32 {
+        self.places.get(i as usize).copied().unwrap_or(i)
+    }
+
     /// What a member may touch, each a member before it or a surface.
     #[inline(always)]
     pub fn near(&self, member: u32) -> &'a [u32] {
@@ -50,6 +63,10 @@ pub(super) struct Islands {
     turned: Vec<(u32, u32, u32)>,
     spare: Vec<u32>,
     later: Vec<u32>,
+    /// From what the islands were found last: while all of it stays, so do they.
+    swept: Vec<[f64; 4]>,
+    revision: u64,
+    same_order: bool,
 }
 
 impl Islands {
@@ -67,12 +84,16 @@ impl Islands {
             turned: Vec::with_capacity(count),
             spare: Vec::with_capacity(4 * count),
             later: Vec::with_capacity(64),
+            swept: Vec::new(),
+            revision: 0,
+            same_order: false,
         }
     }
 
     /// Bodies were renumbered: begins with their new order.
     pub fn renumbered(&mut self) {
         self.order.iter_mut().enumerate().for_each(|(i, slot)| *slot = i as u32);
+        self.revision = 0;
     }
 
     /// The number of islands.
@@ -83,12 +104,16 @@ impl Islands {
     /// An island by its number.
     pub fn get(&self, island: usize) -> Island<'_> {
         let (from, to) = (self.begins[island] as usize, self.begins[island + 1] as usize);
-        Island { members: &self.members[from..to], ranges: &self.ranges, others: &self.others }
+        let Self { members, ranges, others, parent, place, .. } = self;
+        Island { members: &members[from..to], ranges, others, roots: parent, places: place }
     }
 
     /// Brings the bodies into their order, once a step.
     pub fn sort(&mut self, bodies: &Bodies) {
-        self.put_in_order(bodies);
+        self.same_order = self.put_in_order(bodies) == 0;
+        if self.same_order && self.revision != 0 {
+            return;
+        }
         for (k, i) in self.order.iter().enumerate() {
             self.place[*i as usize] = k as u32;
         }
@@ -96,6 +121,11 @@ impl Islands {
 
     /// Finds the islands of all bodies, from the boxes that they sweep.
     pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
+        if self.same_order && neighbours.is_as_in(self.revision) && self.swept == bodies.swept {
+            return;
+        }
+        self.revision = neighbours.revision;
+        self.swept.clone_from(&bodies.swept);
         self.join(bodies, neighbours);
         if !self.turned.is_empty() {
             self.turn();
@@ -103,8 +133,8 @@ impl Islands {
         self.gather();
     }
 
-    /// Bottom-up, equal heights by the numbers outside.
-    fn put_in_order(&mut self, bodies: &Bodies) {
+    /// Bottom-up, equal heights by the numbers outside. Returns how many moves it took.
+    fn put_in_order(&mut self, bodies: &Bodies) -> usize {
         let (y, id, order) = (&bodies.y, &bodies.id, &mut self.order);
         let below = |a: u32, b: u32| {
             let (a, b) = (a as usize, b as usize);
@@ -126,9 +156,10 @@ impl Islands {
                     let (a, b) = (a as usize, b as usize);
                     y[b].partial_cmp(&y[a]).unwrap_or(Ordering::Equal).then(id[a].cmp(&id[b]))
                 });
-                return;
+                break;
             }
         }
+        moves
     }
 
     /// Joins what may meet, and lists whom each body may meet.

@@ -32,6 +32,7 @@ mod impacts;
 mod islands;
 mod neighbours;
 mod place;
+mod reach;
 mod report;
 mod walls;
 

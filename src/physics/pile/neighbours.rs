@@ -49,6 +49,8 @@ pub(super) struct Neighbours {
     moving: Vec<More>,
     first_moving: Vec<u32>,
     left: usize,
+    /// Counts changes of the pairs, from 1 on.
+    pub revision: u64,
     /// Mean velocity (m/s) and mean fall (m/s²) when all was sought, and how long ago that was, s.
     drift: (f64, f64),
     age: f64,
@@ -146,6 +148,11 @@ impl Neighbours {
         self.with.is_empty() && self.more.is_empty() && self.moving.is_empty()
     }
 
+    /// Whether the pairs are those of a revision. Those of moving surfaces are new in every step.
+    pub fn is_as_in(&self, revision: u64) -> bool {
+        self.revision == revision && self.moving.is_empty()
+    }
+
     /// Whether all has to be sought anew.
     pub fn is_stale(&self, bodies: &Bodies) -> bool {
         self.edges.len() != bodies.len()
@@ -231,13 +238,8 @@ impl Neighbours {
     /// Gives a body that has left its box a new one, and adds the pairs that this lets meet.
     fn add(&mut self, bodies: &Bodies, i: usize, mine: Edges) {
         self.edges[i] = mine;
-        self.near.clear();
-        self.near_in_grid(&mine, |j, is_large| !is_large[j] && j != i);
-        for &j in &self.large {
-            if j as usize != i && overlap(&mine, &self.edges[j as usize]) {
-                self.near.push(j);
-            }
-        }
+        self.revision += 1;
+        self.find_near_body(&mine, i);
         if !self.is_large[i] {
             self.is_large[i] = true;
             self.large.push(i as u32);
@@ -252,6 +254,30 @@ impl Neighbours {
                 self.first[upper] = self.more.len() as u32 - 1;
             }
         }
+    }
+
+    /// Collects the bodies besides i whose boxes overlap `mine`.
+    fn find_near_body(&mut self, mine: &Edges, i: usize) {
+        self.near.clear();
+        self.near_in_grid(mine, |j, is_large| !is_large[j] && j != i);
+        for &j in &self.large {
+            if j as usize != i && overlap(mine, &self.edges[j as usize]) {
+                self.near.push(j);
+            }
+        }
+    }
+
+    /// Who may be where body i sweeps, bodies and surfaces. Lets the body into all of that.
+    pub fn reach(&mut self, bodies: &mut Bodies, i: usize) -> &[u32] {
+        if bodies.is_allowed(i) {
+            let (s, (dx, dy)) = (bodies.swept[i], bodies.shift);
+            let mine = [s[0] - dx, s[1] - dx, s[2] - dy, s[3] - dy];
+            self.find_near_body(&mine, i);
+            self.near_surfaces(&mine, bodies.len());
+        } else {
+            self.follow(bodies, &[i as u32]);
+        }
+        &self.near
     }
 
     fn knows(&self, i: usize, other: u32) -> bool {
@@ -271,6 +297,7 @@ impl Neighbours {
 
     /// Renumbers the bodies, gives each a new allowed box, and finds all pairs that these let meet.
     pub fn search(&mut self, bodies: &mut Bodies, dt: f64) {
+        self.revision += 1;
         bodies.renumber();
         let n = bodies.len();
         self.skin = SKIN * bodies.hx[..n].iter().zip(&bodies.hy[..n]).map(|(x, y)| x.min(*y)).sum::<f64>() / n.max(1) as f64;
