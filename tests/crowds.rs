@@ -1,10 +1,9 @@
 //! Worlds of many bodies: the general method behind the same world, forces and events as the exact one.
 
-#[path = "worlds/overlap.rs"]
-mod overlap;
+mod support;
 
-use overlap::worst_overlap;
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, ForceKind, Material, SurfaceDef, World, WorldDef};
+use support::worst_overlap;
 
 const TICK: f64 = 1.0 / 120.0;
 const G: f64 = 9.81;

@@ -1,6 +1,9 @@
 //! Media within one tick: what broke where impacts, slides and surfaces of liquids meet drag.
 
+mod support;
+
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, ForceKind, Material, SurfaceDef, World, WorldDef};
+use support::Random;
 
 fn floor(material: Material) -> SurfaceDef {
     SurfaceDef::fixed(Aabb::new(DVec2::new(-100.0, 0.0), DVec2::new(100.0, 1.0)), material)
@@ -160,14 +163,5 @@ fn light_and_heavy_things_that_fall_in_air_together_do_not_sink_into_each_other(
                 }
             }
         }
-    }
-}
-
-struct Random(u64);
-
-impl Random {
-    fn between(&mut self, least: f64, most: f64) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        least + (most - least) * ((self.0 >> 11) as f64 / (1u64 << 53) as f64)
     }
 }

@@ -1,21 +1,14 @@
 //! Many bodies at once: nothing overlaps, nothing passes through, everything comes to rest, the same bits every time.
 
+mod support;
+
 use glam::DVec2;
 use resultant::physics::Aabb;
 use resultant::physics::pile::{ContactForce, Other, Pile, PileBody, PileDef, PileSurface};
+use support::{Random, deepest};
 
 const DT: f64 = 1.0 / 60.0;
 const MOST_OVERLAP: f64 = 1e-6;
-
-/// A generator of numbers in 0 … 1 whose values never change.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as f64 / (1u64 << 31) as f64
-    }
-}
 
 fn surface(left: f64, top: f64, right: f64, bottom: f64) -> PileSurface {
     let bounds = Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom));
@@ -33,15 +26,15 @@ fn rain(n: usize, masses: (f64, f64), restitution: f64) -> PileDef {
 
 /// The same into a pit so many boxes wide.
 fn rain_into(n: usize, columns: usize, seed: u64, masses: (f64, f64), restitution: f64) -> PileDef {
-    let mut random = Numbers(seed);
+    let mut random = Random(seed);
     let width = columns as f64 * 0.7;
     let bodies = (0..n)
         .map(|i| PileBody {
-            half: DVec2::new(0.15 + 0.15 * random.next(), 0.15 + 0.15 * random.next()),
+            half: DVec2::new(0.15 + 0.15 * random.unit(), 0.15 + 0.15 * random.unit()),
             position: DVec2::new(0.35 + 0.7 * (i % columns) as f64, -1.0 - 0.8 * (i / columns) as f64),
-            velocity: DVec2::new(4.0 * random.next() - 2.0, 0.0),
-            mass: masses.0 + (masses.1 - masses.0) * random.next(),
-            restitution: restitution * random.next(),
+            velocity: DVec2::new(4.0 * random.unit() - 2.0, 0.0),
+            mass: masses.0 + (masses.1 - masses.0) * random.unit(),
+            restitution: restitution * random.unit(),
             ..PileBody::default()
         })
         .collect();
@@ -56,16 +49,8 @@ fn floor(bodies: Vec<PileBody>) -> PileDef {
 
 /// The deepest overlap of any two bodies, or of a body and a surface, m.
 fn overlap(pile: &Pile, surfaces: &[PileSurface]) -> f64 {
-    let mut boxes: Vec<Aabb> = (0..pile.len()).map(|i| pile.bounds(i)).collect();
-    boxes.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
-    let mut deepest: f64 = 0.0;
-    for (i, a) in boxes.iter().enumerate() {
-        let near = boxes[i + 1..].iter().take_while(|b| b.min.x <= a.max.x);
-        for b in near.chain(surfaces.iter().map(|s| &s.bounds)) {
-            deepest = deepest.max(-a.gap(b).max_element());
-        }
-    }
-    deepest
+    let solids: Vec<Aabb> = surfaces.iter().map(|surface| surface.bounds).collect();
+    deepest((0..pile.len()).map(|i| pile.bounds(i)).collect(), &solids)
 }
 
 fn energy(pile: &Pile, def: &PileDef) -> f64 {
@@ -273,12 +258,12 @@ fn a_tower_is_dragged_along() {
 
 #[test]
 fn momentum_stays_where_nothing_is_fixed() {
-    let mut random = Numbers(3);
+    let mut random = Random(3);
     let bodies: Vec<PileBody> = (0..200)
         .map(|i| PileBody {
-            velocity: DVec2::new(8.0 * random.next() - 4.0, 8.0 * random.next() - 4.0),
-            restitution: random.next(),
-            ..square(f64::from(i % 14) * 1.1, f64::from(i / 14) * 1.1, 0.5 + 10.0 * random.next())
+            velocity: DVec2::new(8.0 * random.unit() - 4.0, 8.0 * random.unit() - 4.0),
+            restitution: random.unit(),
+            ..square(f64::from(i % 14) * 1.1, f64::from(i / 14) * 1.1, 0.5 + 10.0 * random.unit())
         })
         .collect();
     let def = PileDef { bodies, gravity: 0.0, rest_speed: 0.0, ..PileDef::default() };

@@ -1,8 +1,9 @@
 //! No more than a scene needs: the plan leaves parts of the model out, and answers directly where nothing changes; that changes no bit of
 //! any motion, nor of any force shown.
 
+mod support;
+
 use proptest::prelude::*;
-use proptest::test_runner::FileFailurePersistence;
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, Plan, StreamDef, SurfaceDef, World, WorldDef};
 use std::path::Path;
 
@@ -52,7 +53,7 @@ fn no_shipped_level_moves_otherwise_with_every_part_switched_on() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
+    #![proptest_config(support::strategies::cases(64))]
 
     /// Each part present or absent, in every combination.
     #[test]

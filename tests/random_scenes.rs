@@ -1,13 +1,12 @@
 //! Random scenes: finite, no energy from nothing, no overlap, the same bits twice.
 
-mod worlds;
+mod support;
 
 use proptest::prelude::*;
-use proptest::test_runner::FileFailurePersistence;
-use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, StreamDef, SurfaceDef, World, WorldDef};
-use worlds::{bits, materials, worst_overlap};
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, StreamDef, World, WorldDef};
+use support::strategies::{blocks, cases, materials};
+use support::{G, TICK, bits, energy, momentum, momentum_scale, worst_overlap};
 
-const TICK: f64 = 1.0 / 120.0;
 /// m. The bar for every pair at every tick.
 const OVERLAP: f64 = 1e-6;
 /// The room, m.
@@ -33,17 +32,8 @@ fn bodies(most: usize) -> impl Strategy<Value = Vec<BodyDef>> {
     })
 }
 
-fn surfaces() -> impl Strategy<Value = Vec<SurfaceDef>> {
-    let block = (0.0..17.0f64, 9.0..15.0f64, 0.2..4.0f64, 0.1..1.0f64, materials());
-    prop::collection::vec(block, 0..6).prop_map(|list| {
-        list.into_iter()
-            .map(|(x, y, w, h, material)| SurfaceDef::fixed(Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h)), material))
-            .collect()
-    })
-}
-
 fn scene(most: usize) -> impl Strategy<Value = WorldDef> {
-    (bodies(most), surfaces(), any::<bool>()).prop_map(|(bodies, surfaces, air)| WorldDef {
+    (bodies(most), blocks(0.0..17.0, 9.0..15.0, 0.2..4.0, 0.1..1.0), any::<bool>()).prop_map(|(bodies, surfaces, air)| WorldDef {
         air_density: if air { 1.2041 } else { 0.0 },
         rest_speed: 1.0,
         bounds: Some(ROOM),
@@ -53,22 +43,18 @@ fn scene(most: usize) -> impl Strategy<Value = WorldDef> {
     })
 }
 
-fn energy(world: &World) -> f64 {
-    world.bodies().iter().map(|b| b.mass * (0.5 * b.velocity.length_squared() - 15.0 * b.position.y)).sum()
-}
-
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
+    #![proptest_config(cases(24))]
 
     #[test]
     fn a_room_of_bodies_keeps_every_law(def in scene(40)) {
         let mut world = World::new(def.clone()).unwrap();
         let mut twin = World::new(def).unwrap();
-        let mut before = energy(&world);
+        let mut before = energy(&world, G, 0.0);
         for tick in 0..600 {
             world.step(TICK);
             twin.step(TICK);
-            let now = energy(&world);
+            let now = energy(&world, G, 0.0);
             prop_assert!(now.is_finite());
             prop_assert!(now <= before + 1e-9 * before.abs().max(1.0), "tick {}: energy rose from {} to {}", tick, before, now);
             let overlap = worst_overlap(&world);
@@ -81,10 +67,8 @@ proptest! {
 
     #[test]
     fn collisions_in_space_conserve_momentum(bodies in bodies(24)) {
-        let momentum = |world: &World| world.bodies().iter().map(|b| b.velocity * b.mass).sum::<DVec2>();
-        let scale: f64 = bodies.iter().map(|b| b.mass * b.velocity.length()).sum();
         let mut world = World::new(WorldDef { gravity: 0.0, air_density: 0.0, bodies, ..WorldDef::default() }).unwrap();
-        let before = momentum(&world);
+        let (before, scale) = (momentum(&world), momentum_scale(&world));
         for _ in 0..600 {
             world.step(TICK);
         }

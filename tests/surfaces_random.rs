@@ -1,12 +1,11 @@
 //! Random rooms with surfaces that move: finite, nothing in anything, nothing leaves, the same bits twice, and no bit from far away.
 
-#[allow(dead_code, unused_imports, reason = "other tests of random worlds use the rest")]
-mod worlds;
+mod support;
 
 use proptest::prelude::*;
-use proptest::test_runner::FileFailurePersistence;
 use resultant::physics::{Aabb, BodyDef, DVec2, Event, Leg, Obstacle, Path, Sides, SurfaceDef, World, WorldDef};
-use worlds::{bits, materials};
+use support::bits;
+use support::strategies::{cases, materials};
 
 /// The room, m.
 const ROOM: Aabb = Aabb::new(DVec2::ZERO, DVec2::new(24.0, 18.0));
@@ -107,17 +106,8 @@ fn fastest(world: &World) -> f64 {
     bodies.chain(world.surfaces().iter().map(|surface| surface.velocity.length())).fold(0.0, f64::max)
 }
 
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        max_shrink_iters: 200,
-        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))),
-        ..ProptestConfig::default()
-    }
-}
-
 proptest! {
-    #![proptest_config(config(200))]
+    #![proptest_config(cases(200))]
 
     #[test]
     fn a_room_of_movers_keeps_every_law(def in room(15.0, 8.0), rate in rates(), far in prop_oneof![Just(1usize), Just(10)]) {
@@ -167,10 +157,14 @@ proptest! {
                     listed += impulse.vector * sign;
                     scale += impulse.vector.length();
                 }
+                // Where the budget was used up what lasts is told as a force.
+                if world.methods().in_one_step > 0 {
+                    continue;
+                }
                 let error = (body.velocity * body.mass - before - listed).length();
                 prop_assert!(error <= 1e-11 * scale, "tick {}: body {} is off by {} N·s of {}", tick, i, error, scale);
             }
-            let told = world.events().iter().all(|event| !matches!(event, Event::Crushed { force, .. } if !(*force > 0.0)));
+            let told = world.events().iter().all(|event| !matches!(event, Event::Crushed { force, .. } if *force <= 0.0 || force.is_nan()));
             prop_assert!(told, "tick {}: {:?}", tick, world.events());
         }
     }

@@ -1,15 +1,13 @@
 //! Random scenes of extreme masses, sizes and speeds together, from a few bodies to a crowd: finite, no energy from nothing, no overlap,
 //! the same bits twice. Each of these laws was once broken in some scene of this kind.
 
-mod worlds;
+mod support;
 
 use proptest::prelude::*;
-use proptest::test_runner::FileFailurePersistence;
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, SurfaceDef, World, WorldDef};
-use worlds::{bits, materials, worst_overlap};
+use support::strategies::{blocks, cases, materials};
+use support::{G, TICK, bits, energy, momentum, momentum_scale, worst_overlap};
 
-const TICK: f64 = 1.0 / 120.0;
-const G: f64 = 15.0;
 /// m. The bar for every pair at every tick.
 const OVERLAP: f64 = 1e-6;
 /// The room, m.
@@ -42,21 +40,11 @@ fn bodies() -> impl Strategy<Value = Vec<BodyDef>> {
 }
 
 fn surfaces() -> impl Strategy<Value = Vec<SurfaceDef>> {
-    let block = (0.0..20.0f64, 13.0..19.0f64, 0.1..6.0f64, 0.1..3.0f64, materials());
-    prop::collection::vec(block, 0..6).prop_map(|list| {
-        list.into_iter()
-            .map(|(x, y, w, h, material)| SurfaceDef::fixed(Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h)), material))
-            .collect()
-    })
-}
-
-/// J, counted from the floor.
-fn energy(world: &World, gravity: f64) -> f64 {
-    world.bodies().iter().map(|b| b.mass * (0.5 * b.velocity.length_squared() + gravity * (ROOM.max.y - b.position.y))).sum()
+    blocks(0.0..20.0, 13.0..19.0, 0.1..6.0, 0.1..3.0)
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
+    #![proptest_config(cases(32))]
 
     #[test]
     fn every_law_is_kept(bodies in bodies(), surfaces in surfaces(), air in any::<bool>(), weightless in any::<bool>()) {
@@ -65,11 +53,11 @@ proptest! {
         let def = WorldDef { gravity, air_density, bounds: Some(ROOM), bodies, surfaces, ..WorldDef::default() };
         let mut world = World::new(def.clone()).unwrap();
         let mut twin = World::new(def).unwrap();
-        let mut before = energy(&world, gravity);
+        let mut before = energy(&world, gravity, ROOM.max.y);
         for tick in 0..480 {
             world.step(TICK);
             twin.step(TICK);
-            let now = energy(&world, gravity);
+            let now = energy(&world, gravity, ROOM.max.y);
             prop_assert!(now.is_finite());
             prop_assert!(now <= before * (1.0 + 1e-9), "tick {}: energy rose from {} to {}", tick, before, now);
             let overlap = worst_overlap(&world);
@@ -82,10 +70,8 @@ proptest! {
 
     #[test]
     fn momentum_is_conserved_in_space(bodies in bodies()) {
-        let momentum = |world: &World| world.bodies().iter().map(|b| b.velocity * b.mass).sum::<DVec2>();
-        let scale: f64 = bodies.iter().map(|b| b.mass * b.velocity.length()).sum();
         let mut world = World::new(WorldDef { gravity: 0.0, air_density: 0.0, bodies, ..WorldDef::default() }).unwrap();
-        let before = momentum(&world);
+        let (before, scale) = (momentum(&world), momentum_scale(&world));
         for _ in 0..480 {
             world.step(TICK);
         }

@@ -295,12 +295,7 @@ mod tests {
     }
 
     fn law(media: &Media, body: &Body) -> Law {
-        Law {
-            constant: DVec2::new(0.0, media.gravity),
-            air: media.air(body),
-            liquids: (0, media.fluids.len() as u32),
-            ..Law::default()
-        }
+        Law { constant: DVec2::new(0.0, media.gravity), air: media.air(body), liquids: (0, media.fluids.len() as u32) }
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::contact::Contact;
 use super::events::{Item, Scene};
 use super::impulse::Impulse;
 use super::islands::{Choice, Happened, Stop, Tick};
-use super::pile::{Axis, Other};
+use super::pile::{Axis, Other, Pile};
 use super::tuning::{REPORT_SPEED, SLOP};
 use super::world::{Event, Methods, Obstacle, State, World};
 use super::{Body, BodyId, zones};
@@ -140,6 +140,9 @@ impl World {
         if !(plan.streams || plan.liquids) {
             for (i, drive) in state.drives.iter().enumerate() {
                 pile.set_force(i, *drive);
+                if plan.air {
+                    hold(state, pile, i, dt);
+                }
             }
             return;
         }
@@ -173,6 +176,7 @@ impl World {
                 let (position, velocity) = scratch.events.fly(&scene);
                 pile.guide(i, position, velocity);
             }
+            hold(state, pile, i, dt);
         }
     }
 
@@ -206,7 +210,7 @@ impl World {
         }
         self.commit_dense(dt);
         self.count_methods();
-        self.state.contacts.sort_unstable_by_key(|contact| contact.ends());
+        self.state.contacts.sort_unstable_by_key(|contact| (contact.ends(), contact.axis));
     }
 
     /// Counts by which method how many bodies were advanced.
@@ -298,6 +302,17 @@ impl World {
             records.events.push(Event::Crushed { body: BodyId(body), by, force });
         }
     }
+}
+
+/// What is held meets no drag on a way that it does not go: its contacts have to bear all that pulls at it.
+fn hold(state: &State, pile: &mut Pile, i: usize, dt: f64) {
+    let body = &state.bodies[i];
+    if body.velocity != DVec2::ZERO || body.acceleration != DVec2::ZERO || pile.is_sleeping(i) {
+        return;
+    }
+    let law = state.media.law(body, zones::force_on(&state.media, body, state.drives[i]), 0.0);
+    let a = state.media.acceleration(body, &law, body.position, DVec2::ZERO);
+    pile.guide(i, body.position + a * (0.5 * dt * dt), a * dt);
 }
 
 impl State {

@@ -7,6 +7,9 @@ use super::tuning::SLOP;
 use super::{Aabb, Body};
 use glam::DVec2;
 
+/// m. So far from a border it is clear on which side something is.
+const CLEAR: f64 = 2.0 * SLOP;
+
 /// Whether a body in a pose feels a stream that blows in a zone: touching suffices, but what leaves it has left it. So what a tick finds does
 /// not depend on how the time of a crossing was rounded.
 pub(super) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> bool {
@@ -21,17 +24,21 @@ pub(super) fn force_on(media: &Media, body: &Body, drive: DVec2) -> DVec2 {
     media.streams.iter().filter(|stream| feels(&stream.zone, body, pose)).fold(drive, |force, stream| force + stream.force)
 }
 
-/// When a body on a way enters a zone or, from `inside`, leaves it.
+/// When a body on a way enters a zone or, from `inside`, leaves it. What begins at the border itself has crossed it once it is clear of it.
 pub(super) fn border(way: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f64) -> Option<f64> {
     let reach = half + zone.size() * 0.5;
     let motion = Cubic::parabola(zone.centre(), DVec2::ZERO, DVec2::ZERO).relative(way);
     let mut first: Option<f64> = None;
     for axis in 0..2 {
         let (path, other, level) = (motion.axis(axis), motion.axis(1 - axis), reach[axis]);
+        // Of the side at which it begins, if it begins at the border.
+        let begin = path.at(0.0);
+        let clear = |side: f64| if (side * begin - level).abs() <= SLOP { CLEAR } else { 0.0 };
+        let (above, below) = (clear(1.0), clear(-1.0));
         let t = if inside {
-            earliest(path.rises_through(level, 0.0, end), path.falls_through(-level, 0.0, end))
+            earliest(path.rises_through(level + above, 0.0, end), path.falls_through(-level - below, 0.0, end))
         } else {
-            earliest(path.falls_through(level, 0.0, end), path.rises_through(-level, 0.0, end))
+            earliest(path.falls_through(level - above, 0.0, end), path.rises_through(below - level, 0.0, end))
                 .filter(|&t| other.at(t).abs() <= reach[1 - axis])
         };
         first = earliest(first, t.filter(|&t| t < end));
@@ -51,5 +58,16 @@ mod tests {
         let feels = |x: f64, v: f64| feels(&zone, &body, (DVec2::new(x, 0.5), DVec2::new(v, 0.0)));
         assert!(feels(1.4, 3.0) && feels(1.5, 0.0) && feels(1.5, -2.0));
         assert!(!feels(1.5, 2.0) && !feels(1.6, -2.0));
+    }
+
+    /// Regression: a body at rest beside a fan, with its edge on the border, drove away and kept the wind for a tick.
+    #[test]
+    fn what_begins_at_a_border_crosses_it() {
+        let (zone, half) = (Aabb::new(DVec2::ZERO, DVec2::ONE), DVec2::splat(0.5));
+        let way = |a: f64| Cubic::parabola(DVec2::new(1.5, 0.5), DVec2::ZERO, DVec2::new(a, 0.0));
+        assert!(border(&way(3.0), half, &zone, true, 0.01).is_some_and(|t| t < 1e-4));
+        assert!(border(&way(-3.0), half, &zone, false, 0.01).is_some_and(|t| t < 1e-4));
+        assert_eq!(border(&way(-3.0), half, &zone, true, 0.01), None);
+        assert_eq!(border(&way(3.0), half, &zone, false, 0.01), None);
     }
 }

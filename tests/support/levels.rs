@@ -85,7 +85,8 @@ impl Author {
     }
 
     fn constants(&mut self, level: DVec2) -> String {
-        let mut text = format!("name,value\nwidth,{}\nheight,{}\nmetre,{}\n", level.x * self.metre, level.y * self.metre, self.metre);
+        let mut text =
+            format!("name,value\nwidth,{}\nheight,{}\nmetre,{}\n", level.x * self.metre, level.y * self.metre, self.metre);
         let gravity = self.signed(&[15.0, 15.0, 9.81, 0.0], -3.0, 6.0);
         let gravity = if self.random.chance(0.9) { gravity.abs() } else { gravity };
         let air = self.number(&[1.2041, 1.2041, 0.0], -3.0, 6.0);
@@ -101,7 +102,10 @@ impl Author {
         let (air, angle) = (self.random.pick(&["TRUE", "FALSE"]), self.signed(&[0.0, 30.0, 90.0], -3.0, 6.0));
         let (vx, vy) = (self.velocity(), self.velocity());
         let material = self.random.pick(&MATERIALS);
-        format!("x,y,mass,fuel,thrust,air,vx,vy,angle,material\n{},{},{mass},500,{thrust},{air},{vx},{vy},{angle},{material}\n", at.x, at.y)
+        format!(
+            "x,y,mass,fuel,thrust,air,vx,vy,angle,material\n{},{},{mass},500,{thrust},{air},{vx},{vy},{angle},{material}\n",
+            at.x, at.y
+        )
     }
 
     fn velocity(&mut self) -> f64 {
@@ -193,7 +197,8 @@ impl Author {
         for _ in 0..self.count(&[0, 0, 1, 2, 5]) {
             let half = DVec2::new(self.random.between(1.0, 20.0), self.random.between(0.5, 8.0));
             let bounds = Aabb::around(self.anywhere(half), half);
-            let (density, viscosity) = (self.number(&[1000.0, 800.0, 1.5], -3.0, 6.0), self.number(&[0.001, 1.0, 50.0, 1000.0], -6.0, 6.0));
+            let (density, viscosity) =
+                (self.number(&[1000.0, 800.0, 1.5], -3.0, 6.0), self.number(&[0.001, 1.0, 50.0, 1000.0], -6.0, 6.0));
             self.row(&bounds, &mut text);
             writeln!(text, ",{density},{viscosity}").unwrap();
         }

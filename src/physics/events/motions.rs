@@ -492,9 +492,19 @@ impl Events {
                 self.contacts[index].slides = slides;
             }
         }
+        // What has crossed the border of a stream just as the tick ends is on its other side.
+        if !self.streams.is_empty() {
+            for i in 0..self.movable {
+                let constant = self.items[i].law.constant;
+                self.renew_law(scene, i);
+                if self.items[i].law.constant != constant {
+                    self.concern(i as u32);
+                }
+            }
+        }
         for i in 0..self.movable {
             let item = &mut self.items[i];
-            if !item.law.is_constant() && item.motion != Motion::Still {
+            if self.is_concerned[i] || !item.law.is_constant() && item.motion != Motion::Still {
                 self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
                 (item.solved, self.solved[i]) = (self.free[i], self.free[i]);
             }
@@ -513,6 +523,7 @@ impl Events {
                 self.items[i].solved = self.solved[i];
             }
         }
+        self.release();
     }
 
     /// Gives what rides on a surface that moves its place and its speed exactly, and so on with what is carried by that: the sums of many
@@ -571,8 +582,8 @@ impl Events {
 
     /// Whether what acts on an item changes while it moves.
     fn changes(&self, item: u32) -> bool {
-        let item = &self.items[item as usize];
-        !item.law.is_constant() && item.motion != Motion::Still
+        let of = &self.items[item as usize];
+        self.is_concerned[item as usize] || !of.law.is_constant() && of.motion != Motion::Still
     }
 }
 

@@ -5,9 +5,9 @@
 
 #[path = "../../../tests/support/levels.rs"]
 mod levels;
+mod play;
 #[path = "../../../tests/support/random.rs"]
 mod random;
-mod play;
 mod worst;
 
 use play::{End, play};
@@ -71,7 +71,7 @@ fn fuzz(first: u64, count: u64) {
     println!("slowest tick: {:.3} ms, seed {}", slowest.0 * 1e3, slowest.1);
     println!("| kind | levels | first seed | what |\n|---|---|---|---|");
     for (kind, Row { count, seed, example }) in &rows {
-        println!("| {kind} | {count} | {seed} | {example} |");
+        println!("| {kind} | {count} | {seed} | {example:.300} |");
     }
     std::process::exit(i32::from(!rows.is_empty()));
 }

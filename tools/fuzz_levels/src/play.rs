@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 const TICKS: u32 = 300;
 /// s of the processor. What has taken so long in all is not played on.
-const ENOUGH: f64 = 5.0;
+const ENOUGH: f64 = 0.25;
 /// s. A tick that takes longer is a fault of its own.
 const SLOW: f64 = 0.02;
 
@@ -43,7 +43,7 @@ impl Played {
         let words: Vec<&str> = what.split([' ', ':', ',']).filter(|word| !word.contains(|c: char| c.is_ascii_digit())).collect();
         let after = if self.budgets_used_up > 0 { " (a budget was used up before)" } else { "" };
         let kind = words[..words.len().min(9)].join(" ") + after;
-        self.faults.entry(kind).or_insert_with(|| what.chars().take(300).collect());
+        self.faults.entry(kind).or_insert_with(|| what.to_owned());
     }
 }
 

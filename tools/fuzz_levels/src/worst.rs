@@ -120,7 +120,10 @@ fn wall(viscosity: f64) -> WorldDef {
     };
     let fluids = vec![FluidDef { zone: area(-50.0, -6.5, 50.0, 0.0), density: 1000.0, viscosity }];
     let mut bodies: Vec<BodyDef> = (0..63).map(block).collect();
-    bodies.insert(0, BodyDef { position: DVec2::new(-5.0, -3.0), velocity: DVec2::new(8.0, 0.0), mass: 1500.0, ..BodyDef::default() });
+    bodies.insert(
+        0,
+        BodyDef { position: DVec2::new(-5.0, -3.0), velocity: DVec2::new(8.0, 0.0), mass: 1500.0, ..BodyDef::default() },
+    );
     WorldDef { bodies, fluids, surfaces: vec![floor()], ..WorldDef::default() }
 }
 
