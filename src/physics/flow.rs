@@ -25,6 +25,7 @@ pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::media::Liquids;
     use crate::physics::{Aabb, BodyDef, FluidDef, WorldDef};
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
@@ -45,7 +46,7 @@ mod tests {
         world.check().ok()?;
         let body = Body::new(def);
         let constant = DVec2::new(0.0, media.gravity) + drive / body.mass;
-        let liquids = (0, media.fluids.len() as u32);
+        let liquids = Liquids::of(0..media.fluids.len() as u32);
         let law = Law { constant, air: media.air(&body), liquids };
         Some((body, law))
     }

@@ -30,6 +30,9 @@ const WAVES: f64 = 0.15;
 /// Relative: what rounding leaves of a balance of forces. Smaller: what floats never comes to rest; larger: it rests beside its waterline.
 const BALANCE: f64 = 4e-14;
 
+/// Liquids that a body may meet at once and that are listed each; where there are more, those between are looked at as well.
+const FEW_LIQUIDS: usize = 6;
+
 /// The media of a world.
 #[derive(Clone, Debug)]
 pub(super) struct Media {
@@ -48,14 +51,43 @@ pub(super) struct Law {
     pub constant: DVec2,
     /// Drag of the air.
     pub air: Drag,
-    /// The liquids that it may meet, by their indices: from the first of them to the last. It flies as if there were no others.
-    pub liquids: (u32, u32),
+    /// The liquids that it may meet. It flies as if there were no others.
+    pub liquids: Liquids,
+}
+
+/// Some of a world's liquids, by their indices in ascending order.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Liquids {
+    few: [u32; FEW_LIQUIDS],
+    count: u32,
+    /// Where they are more: from the first of them to the last, those between included.
+    range: (u32, u32),
+}
+
+impl Liquids {
+    pub fn of(indices: impl Iterator<Item = u32>) -> Self {
+        let mut liquids = Self::default();
+        for index in indices {
+            if let Some(place) = liquids.few.get_mut(liquids.count as usize) {
+                *place = index;
+            }
+            liquids.range = (if liquids.count == 0 { index } else { liquids.range.0 }, index + 1);
+            liquids.count += 1;
+        }
+        liquids
+    }
+
+    fn iter(&self) -> impl Iterator<Item = u32> {
+        let all = self.count as usize <= FEW_LIQUIDS;
+        let range = if all { 0..0 } else { self.range.0..self.range.1 };
+        self.few.into_iter().take(if all { self.count as usize } else { 0 }).chain(range)
+    }
 }
 
 impl Law {
     /// Whether some liquid is so near that it may be met.
     pub fn is_near_liquid(&self) -> bool {
-        self.liquids.0 < self.liquids.1
+        self.liquids.count > 0
     }
 
     /// Whether nothing acts that depends on place or velocity.
@@ -123,10 +155,8 @@ impl Media {
         // Half its size besides: what others push may meet a liquid earlier.
         let reach = body.half * 1.5 + (body.velocity.abs() + constant.abs() * t) * t;
         let near = Aabb::around(body.position, reach);
-        let met = |fluid: &FluidDef| near.touches(&fluid.zone, 0.0);
-        let first = self.fluids.iter().position(met).map_or(0, |i| i as u32);
-        let last = self.fluids.iter().rposition(met).map_or(0, |i| i as u32 + 1);
-        Law { constant, air: self.air(body), liquids: (first, last) }
+        let met = (0..).zip(&self.fluids).filter(|(_, fluid)| near.touches(&fluid.zone, 0.0)).map(|(index, _)| index);
+        Law { constant, air: self.air(body), liquids: Liquids::of(met) }
     }
 
     /// Appends the streams that a box touches.
@@ -140,8 +170,8 @@ impl Media {
     }
 
     /// The liquids of a law, with their indices.
-    pub fn liquids(&self, law: &Law) -> impl Iterator<Item = (u32, &FluidDef)> {
-        (law.liquids.0..law.liquids.1).zip(&self.fluids[law.liquids.0 as usize..law.liquids.1 as usize])
+    pub fn liquids<'a>(&'a self, law: &'a Law) -> impl Iterator<Item = (u32, &'a FluidDef)> {
+        law.liquids.iter().map(|index| (index, &self.fluids[index as usize]))
     }
 
     /// What one liquid does to a body at `x`; none where it does not reach.
@@ -295,7 +325,7 @@ mod tests {
     }
 
     fn law(media: &Media, body: &Body) -> Law {
-        Law { constant: DVec2::new(0.0, media.gravity), air: media.air(body), liquids: (0, media.fluids.len() as u32) }
+        Law { constant: DVec2::new(0.0, media.gravity), air: media.air(body), liquids: Liquids::of(0..media.fluids.len() as u32) }
     }
 
     #[test]

@@ -109,6 +109,7 @@ impl World {
             }
             if surface.moves_within(dt) {
                 self.pile.move_surface(s, surface.at(dt).offset);
+                self.pile.sweep_surface(s, &surface.swept(dt));
             }
             let swept = surface.swept(dt);
             for i in 0..self.state.bodies.len() {
@@ -182,7 +183,7 @@ impl World {
 
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
-        let Self { state, scratch, pile, .. } = self;
+        let Self { state, scratch, pile, records, .. } = self;
         let State { bodies, contacts, known, media, drives, .. } = state;
         contacts.retain(|contact| {
             pile.is_sleeping(contact.lo.min(contact.hi) as usize) && scratch.after[contact.lo.min(contact.hi) as usize].members == 0
@@ -203,7 +204,11 @@ impl World {
                 body.acceleration = media.acceleration(body, &law, body.position, body.velocity);
                 known[i] = true;
             } else if after.dense {
-                body.acceleration = pile.acceleration(i);
+                // What contacts add is known when they are listed; what rests, rests.
+                let law = media.law(body, zones::force_on(media, body, drives[i]), 0.0);
+                let rests = body.velocity == DVec2::ZERO && body.position == records.previous[i];
+                let flies = || media.acceleration(body, &law, body.position, body.velocity);
+                body.acceleration = if rests { DVec2::ZERO } else { flies() };
             } else {
                 body.acceleration = after.acceleration;
             }
@@ -259,6 +264,15 @@ impl World {
                 (lasting.normal, lasting.friction) = (contact.normal.abs() / dt, sign * contact.friction / dt);
                 (lasting.static_friction, lasting.kinetic_friction) = state.friction_of(a, contact.b);
                 state.contacts.push(lasting);
+                let mut felt = DVec2::ZERO;
+                (felt[axis], felt[1 - axis]) = (contact.normal / dt, contact.friction / dt);
+                for (item, sign) in [(a, 1.0), (b as usize, -1.0)] {
+                    if let Some(body) = state.bodies.get_mut(item)
+                        && !(body.velocity == DVec2::ZERO && body.position == records.previous[item])
+                    {
+                        body.acceleration += felt * (sign / body.mass);
+                    }
+                }
             }
         }
         for hit in pile.impacts() {

@@ -39,7 +39,7 @@ const WORK_OF_A_CONTACT: u64 = 120;
 /// The budget of an island, and what each of its bodies adds to it. Larger: the worst tick lasts longer; smaller: exactness is given up
 /// where fewer impacts fall into one tick.
 const BUDGET: u64 = 250_000;
-const BUDGET_OF_A_BODY: u64 = 3_000;
+const BUDGET_OF_A_BODY: u64 = 1_500;
 
 /// What all islands of a tick share.
 #[derive(Clone, Copy, Debug)]
@@ -182,6 +182,7 @@ impl Events {
             self.work += WORK_OF_AN_ITEM;
             if self.work > budget {
                 self.stop_here(scene);
+                self.halt_all(scene);
                 return Outcome::Busy(self.now);
             }
             self.happen(scene, i, next.kind);

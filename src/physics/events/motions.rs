@@ -374,6 +374,16 @@ impl Events {
         self.set_out(scene, surface as usize);
     }
 
+    /// Stops all surfaces that move: for the rest of the tick the island is taken in one step, with surfaces that stand.
+    pub(super) fn halt_all(&mut self, scene: &Scene) {
+        for i in self.movable..self.items.len() {
+            if self.items[i].motion != Motion::Still {
+                self.halt(scene, i as u32);
+            }
+        }
+        self.release();
+    }
+
     /// Sets a surface on the part of its path that begins now. Concerns whatever is in contact with it.
     fn set_out(&mut self, scene: &Scene, i: usize) {
         let item = &mut self.items[i];

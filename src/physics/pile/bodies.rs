@@ -181,11 +181,19 @@ impl Bodies {
         self.vx[j] != 0.0 || self.vy[j] != 0.0 || moved || self.belt[j] != 0.0
     }
 
-    /// Whether the predicted box of a body lies within what was swept when contacts were sought, and where its neighbours were.
+    /// Whether what a body sweeps lies within the box in which its neighbours were sought.
+    #[inline(always)]
+    pub fn sweeps_where_neighbours_are(&self, i: usize) -> bool {
+        let (s, (dx, dy), hx, hy) = (&self.swept[i], self.shift, self.hx[i], self.hy[i]);
+        let across = (s[0] + hx - dx >= self.allowed_left[i]) & (s[1] - hx - dx <= self.allowed_right[i]);
+        across & (s[2] + hy - dy >= self.allowed_top[i]) & (s[3] - hy - dy <= self.allowed_bottom[i])
+    }
+
+    /// Whether the predicted box of a body lies within what was swept when contacts were sought.
     #[inline(always)]
     pub fn is_swept(&self, i: usize) -> bool {
         let (s, x, y, hx, hy) = (&self.swept[i], self.px[i], self.py[i], self.hx[i], self.hy[i]);
-        (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3]) & self.is_allowed(i)
+        (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3])
     }
 
     /// Widens what a body sweeps to where it is predicted now.

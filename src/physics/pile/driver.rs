@@ -68,12 +68,9 @@ impl Store<'_> {
         }
     }
 
-    /// Where others were looked for, m: within what it sweeps, and within the box in which its neighbours were sought.
+    /// Where others were looked for, m.
     pub fn swept(&self, body: u32) -> Aabb {
-        let (b, i) = (&*self.bodies, self.bodies.slot[body as usize] as usize);
-        let ((dx, dy), (hx, hy), swept) = (b.shift, (b.hx[i], b.hy[i]), b.swept[i]);
-        let (left, right) = (swept[0].max(b.allowed_left[i] + dx - hx), swept[1].min(b.allowed_right[i] + dx + hx));
-        let (top, bottom) = (swept[2].max(b.allowed_top[i] + dy - hy), swept[3].min(b.allowed_bottom[i] + dy + hy));
+        let [left, right, top, bottom] = self.bodies.swept[self.bodies.slot[body as usize] as usize];
         let (top, bottom) = if self.down < 0.0 { (-bottom, -top) } else { (top, bottom) };
         Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
     }
@@ -131,6 +128,8 @@ pub(super) struct Driver {
     /// Surfaces that have moved, and where they go next.
     moving: Vec<u32>,
     pub targets: Vec<(u32, DVec2)>,
+    /// What they sweep on the way, where that is no straight line: left, right, top, bottom.
+    pub ways: Vec<(u32, [f64; 4])>,
     pub squeezed: Vec<Squeeze>,
     /// Who sleeps, by the numbers outside, and how many.
     asleep: Vec<bool>,
@@ -139,6 +138,10 @@ pub(super) struct Driver {
     again: Vec<bool>,
     moved: Vec<Moved>,
     disagreeing: Vec<u32>,
+    /// Surfaces that stand for an island: slot, start, end and velocity.
+    held: Vec<(usize, (f64, f64), (f64, f64), (f64, f64))>,
+    /// Whose swept boxes reach beyond where their neighbours were sought.
+    beyond: Vec<u32>,
 }
 
 impl Driver {
@@ -201,6 +204,7 @@ impl Pile {
         }
         self.bodies.guided.clear();
         self.driver.targets.clear();
+        self.driver.ways.clear();
     }
 
     fn move_surfaces(&mut self, dt: f64) {
@@ -266,6 +270,14 @@ impl Pile {
         bodies.free_x.copy_from_slice(&bodies.px[..n]);
         bodies.free_y.copy_from_slice(&bodies.py[..n]);
         bodies.sweep();
+        for &(surface, [left, right, top, bottom]) in &driver.ways {
+            let s = &mut bodies.swept[n + surface as usize];
+            *s = [s[0].min(left), s[1].max(right), s[2].min(top), s[3].max(bottom)];
+        }
+        // The boxes in which neighbours were sought are made for many bodies together; what an island comes to must not depend on them.
+        driver.beyond.clear();
+        driver.beyond.extend((0..n).filter(|&i| !bodies.sweeps_where_neighbours_are(i)).map(|i| i as u32));
+        neighbours.follow(bodies, &driver.beyond);
         neighbours.find_moving(bodies, &driver.moving);
     }
 
@@ -314,6 +326,7 @@ impl Pile {
                 let size = StepSize { dt: left, ..whole };
                 if left < dt {
                     driver.begin_later(bodies, island, left, self.drag);
+                    driver.hold_surfaces(bodies, dt - left);
                 }
                 dense.report.on = other.lists(island.members.len(), dense.report.on);
                 if dense.step(bodies, neighbours, island, size) == Outcome::Done {
@@ -321,6 +334,7 @@ impl Pile {
                     driver.list_impacts(bodies, &dense.impacts);
                     dense.finish(bodies, island, self.down);
                 }
+                driver.release_surfaces(bodies);
             }
             driver.again.fill(false);
             again = true;
@@ -336,6 +350,7 @@ impl Pile {
             round += 1;
             dense.grown.iter().for_each(|i| driver.again[*i as usize] = true);
             neighbours.follow(bodies, &dense.grown);
+            neighbours.find_moving(bodies, &driver.moving);
             dense.grown.clear();
         }
     }
@@ -376,6 +391,28 @@ impl Driver {
             (bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i]) = (bodies.px[i], bodies.py[i], bodies.ux[i], bodies.uy[i]);
             flight::fly_one(bodies, i, left, drag);
             bodies.widen(i);
+        }
+    }
+
+    /// Lets surfaces that move stand where they are `t` seconds into the step, for an island that begins then: whoever left it to begin later
+    /// has stopped them there.
+    fn hold_surfaces(&mut self, bodies: &mut Bodies, t: f64) {
+        self.held.clear();
+        for (surface, _) in &self.targets {
+            let j = bodies.len() + *surface as usize;
+            let (place, velocity) = ((bodies.x[j], bodies.y[j]), (bodies.vx[j], bodies.vy[j]));
+            self.held.push((j, place, (bodies.px[j], bodies.py[j]), velocity));
+            (bodies.x[j], bodies.y[j]) = (place.0 + velocity.0 * t, place.1 + velocity.1 * t);
+            (bodies.px[j], bodies.py[j]) = (bodies.x[j], bodies.y[j]);
+            set_velocity(bodies, j, (0.0, 0.0));
+        }
+    }
+
+    /// Lets them go on for the other islands.
+    fn release_surfaces(&mut self, bodies: &mut Bodies) {
+        for (j, place, end, velocity) in self.held.drain(..) {
+            ((bodies.x[j], bodies.y[j]), (bodies.px[j], bodies.py[j])) = (place, end);
+            set_velocity(bodies, j, velocity);
         }
     }
 

@@ -181,6 +181,12 @@ impl Pile {
         self.driver.targets.push((surface as u32, centre * DVec2::new(1.0, self.down)));
     }
 
+    /// Tells all that a surface sweeps in the next step, m, where it does not go straight to its end.
+    pub(in crate::physics) fn sweep_surface(&mut self, surface: usize, swept: &Aabb) {
+        let (top, bottom) = if self.down < 0.0 { (-swept.max.y, -swept.min.y) } else { (swept.min.y, swept.max.y) };
+        self.driver.ways.push((surface as u32, [swept.min.x, swept.max.x, top, bottom]));
+    }
+
     /// Puts a surface where it is, m, without a step.
     pub(in crate::physics) fn place_surface(&mut self, surface: usize, centre: DVec2) {
         let j = self.bodies.len() + surface;

@@ -231,7 +231,7 @@ impl Dense {
         }
         // Stacks come bottom-up within merges and top-down within loads: by the upper body, the last first.
         let place = |record: &Record| self.place_of(record.a);
-        report.records.sort_by(|a, b| place(b).cmp(&place(a)).then(a.b.cmp(&b.b)));
+        report.records.sort_unstable_by(|a, b| place(b).cmp(&place(a)).then(a.b.cmp(&b.b)));
         let bears = |record: &Record| record.normal < 0.0 || (record.b as usize >= n && record.normal != 0.0);
         let mut k = 0;
         while k < report.records.len() {
