@@ -121,6 +121,15 @@ struct Moved {
     free: (f64, f64),
 }
 
+/// A surface that stands for an island: its slot, and where it began, ends and how fast it goes for all others.
+#[derive(Clone, Copy, Debug)]
+struct Held {
+    slot: usize,
+    start: (f64, f64),
+    end: (f64, f64),
+    velocity: (f64, f64),
+}
+
 /// What the driver keeps from step to step.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Driver {
@@ -138,8 +147,8 @@ pub(super) struct Driver {
     again: Vec<bool>,
     moved: Vec<Moved>,
     disagreeing: Vec<u32>,
-    /// Surfaces that stand for an island: slot, start, end and velocity.
-    held: Vec<(usize, (f64, f64), (f64, f64), (f64, f64))>,
+    /// Surfaces that stand for an island.
+    held: Vec<Held>,
     /// Whose swept boxes reach beyond where their neighbours were sought.
     beyond: Vec<u32>,
 }
@@ -400,9 +409,9 @@ impl Driver {
         self.held.clear();
         for (surface, _) in &self.targets {
             let j = bodies.len() + *surface as usize;
-            let (place, velocity) = ((bodies.x[j], bodies.y[j]), (bodies.vx[j], bodies.vy[j]));
-            self.held.push((j, place, (bodies.px[j], bodies.py[j]), velocity));
-            (bodies.x[j], bodies.y[j]) = (place.0 + velocity.0 * t, place.1 + velocity.1 * t);
+            let (start, velocity) = ((bodies.x[j], bodies.y[j]), (bodies.vx[j], bodies.vy[j]));
+            self.held.push(Held { slot: j, start, end: (bodies.px[j], bodies.py[j]), velocity });
+            (bodies.x[j], bodies.y[j]) = (start.0 + velocity.0 * t, start.1 + velocity.1 * t);
             (bodies.px[j], bodies.py[j]) = (bodies.x[j], bodies.y[j]);
             set_velocity(bodies, j, (0.0, 0.0));
         }
@@ -410,9 +419,9 @@ impl Driver {
 
     /// Lets them go on for the other islands.
     fn release_surfaces(&mut self, bodies: &mut Bodies) {
-        for (j, place, end, velocity) in self.held.drain(..) {
-            ((bodies.x[j], bodies.y[j]), (bodies.px[j], bodies.py[j])) = (place, end);
-            set_velocity(bodies, j, velocity);
+        for Held { slot, start, end, velocity } in self.held.drain(..) {
+            ((bodies.x[slot], bodies.y[slot]), (bodies.px[slot], bodies.py[slot])) = (start, end);
+            set_velocity(bodies, slot, velocity);
         }
     }
 
