@@ -6,20 +6,21 @@
 //!
 //! # How a tick goes
 //!
-//! Groups of bodies in which nothing moves are not looked at (`rest`). Where nothing else is near anything, a tick is one formula for each
-//! body (`flight`). Otherwise it is a chain of **intervals** (`tick`). Within one, every body follows one smooth law; it ends with the
-//! first thing that *happens*.
+//! The world tells the store what acts on each body (`step`); all fly freely, and what could meet within the tick is an **island**
+//! ([`pile`]). Each island is advanced by the least method that is right for it (`islands` has the choice and what each costs): rest,
+//! flight in closed form, from event to event within a budget (`events`), or, for large islands and where the budget is used up, in one
+//! step of the dense method ([`pile`]) for what is left of the tick. From event to event it goes so:
 //!
 //! 1. **Laws** (`media`): what acts on each body without touching it: weight, drive, wind, air, liquids.
-//! 2. **Impacts** (`impacts`): whatever touches and approaches is given its impulses, the fastest first; what only has to stop, stops all
-//!    at once.
-//! 3. **Contacts** (`candidates`, `contacts`): what touches, along which axis, and whether it slides.
-//! 4. **Accelerations** (`reactions`, `face`, `network`): Reaction, Push and Friction follow from the free accelerations. While the
-//!    contacts and these stay the same, so does the answer.
-//! 5. **Motion** (`interval`, `flow`): a parabola, a flow through `air` or `liquid`, or rest; and when something next happens (`happenings`,
-//!    `impact_time`): an impact, the end of a slide, an edge, a zone's border.
-//! 6. Everything moves to that instant exactly, and the next interval begins. The last one ends with the tick; its forces are the ones
-//!    shown (`show`).
+//! 2. **Impacts** (`events::impacts`): whatever touches and approaches is given its impulses, the fastest first; what only has to stop,
+//!    stops all at once.
+//! 3. **Contacts and accelerations** (`events::motions`, `reactions`, `face`, `network`): Reaction, Push and Friction follow from the free
+//!    accelerations, on ground that may move (`surface`).
+//! 4. **Motion** (`flow`): a parabola, a flow through `air` or `liquid`, a slide, or rest.
+//! 5. **What happens next** (`events::predict`, `impact_time`): an impact, the end of a slide, an edge, a zone's border. Only what it
+//!    concerns is brought there, and looked at anew.
+//!
+//! `docs/physics.md` tells the whole with formulas, sources, and how to add to it.
 //!
 //! # Which idea handles what, and why
 //!
@@ -37,13 +38,11 @@
 //!   the resultant shown is what the solver found.
 //! - **Impacts go in the order of their times**, then by speed: that makes the cradle. What is plastic is solved at once, with the same
 //!   network on momenta: that makes ten tonnes on a kilogram.
-//! - **What cannot change is not computed anew.** What rests sleeps until something touches it, a pushed row keeps its forces, and small
-//!   contact networks have their answers in closed form. What rests, flies past nothing or keeps its contacts can be computed in full
-//!   instead (`Plan::direct`), and gives the same bits. Contact forces in one group of bodies never depend on another; but an event
-//!   anywhere ends the interval of all, so what moves through a medium elsewhere may differ in its last digits.
-//! - **Crowds take another path.** Above 64 bodies (`crowd`) the same world is advanced by [`pile`], one step a tick for all: a pass along
-//!   gravity, positions that cannot overlap by construction, sleep; only what flies through zones parts its tick (`passage`). The
-//!   choice stands in the [`Plan`].
+//! - **What cannot change is not computed anew.** What rests sleeps until something touches it, and small contact networks have their
+//!   answers in closed form. What rests or keeps its contacts can be computed in full instead (`Plan::direct`), and gives the same bits.
+//! - **Nothing depends on what is elsewhere.** Islands do not know of each other.
+//! - **No tick freezes.** What an island does is counted; beyond its budget the rest of its tick is one dense step. Each time that
+//!   happens is counted, too (`guards`).
 //!
 //! What is not modelled: rotation (boxes keep their orientation, so contacts exert no torque), round collision shapes (a ball's contact is
 //! that of its box), the compression of air or liquids, and moving liquids.
