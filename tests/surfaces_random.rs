@@ -107,7 +107,7 @@ fn fastest(world: &World) -> f64 {
 }
 
 /// Relative to all impulses: what rides follows its surface exactly at the end of a tick, and is given its roundings for nothing.
-const MOMENTUM: f64 = 1e-6;
+const MOMENTUM: f64 = 1e-9;
 
 proptest! {
     #![proptest_config(cases(200))]

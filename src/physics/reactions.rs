@@ -257,7 +257,9 @@ impl Reactions {
         for (link, &index) in self.network.links.iter().zip(&self.contact_of) {
             let contact = &mut contacts[index as usize];
             if contact.axis == axis {
-                contact.normal = link.flow.max(0.0);
+                // What clings may be held back by next to nothing: that is an impulse, too.
+                let both_ways = question == Question::Impulses && contact.clings;
+                contact.normal = if both_ways { link.flow } else { link.flow.max(0.0) };
                 continue;
             }
             contact.friction = link.flow;

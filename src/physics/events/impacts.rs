@@ -281,7 +281,7 @@ impl Events {
 
     /// Lists what a plastic impact passed on in a contact.
     fn note_plastic(&mut self, contact: &Contact) {
-        if contact.normal > 0.0 || contact.friction != 0.0 {
+        if contact.normal != 0.0 || contact.friction != 0.0 {
             let mut impulse = DVec2::ZERO;
             (impulse[contact.axis], impulse[1 - contact.axis]) = (contact.normal, contact.friction);
             let speed = |item: u32| if self.is_body(item) { self.before[item as usize] } else { self.speed(item) };

@@ -8,13 +8,16 @@
 use super::item::{Kind, Motion, Next, Slide};
 use super::{Events, Implicit, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
 use crate::physics::contact::Contact;
+use crate::physics::media::Law;
 use crate::physics::reactions::Parts;
 use crate::physics::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
 use crate::physics::{Aabb, zones};
 use glam::DVec2;
 
-/// The rate × time up to which a cubic follows a flow. Larger: impacts in the midst of it are found off the way.
-const CUBIC_REACH: f64 = 0.5;
+/// The rate × time up to which a cubic follows a flow through air. Larger: impacts in the midst of it are found off the way.
+const CUBIC_REACH: f64 = 0.1;
+/// The same near liquids, where each foresight costs many times as much.
+const CUBIC_REACH_IN_LIQUID: f64 = 0.5;
 /// How far beyond the end of a slide a mean acceleration reaches, as a part of its time: so that the end is found before.
 const BEYOND_A_STOP: f64 = 1.25;
 /// Steps of Newton's method for the time at which two motions meet.
@@ -23,8 +26,17 @@ const POLISH: u32 = 4;
 const CLOSED: f64 = 1e-12;
 /// m. What is deeper in something than this did not get there by rounding.
 const DEEP: f64 = 1e-5;
-/// The shortest part of a tick for which the way of something light is foreseen at once.
-const SHORTEST: f64 = 1.0 / 64.0;
+/// The shortest part of a tick for which the way of something light in air is foreseen at once.
+const SHORTEST: f64 = 1.0 / 256.0;
+/// The same near liquids.
+const SHORTEST_IN_LIQUID: f64 = 1.0 / 64.0;
+
+/// s from now. How long the cubic of something in a medium follows its flow, for a rate of its change in 1/s.
+fn reach_of_a_cubic(law: &Law, rate: f64, tick: f64) -> f64 {
+    let (reach, shortest) =
+        if law.is_near_liquid() { (CUBIC_REACH_IN_LIQUID, SHORTEST_IN_LIQUID) } else { (CUBIC_REACH, SHORTEST) };
+    (reach / rate).max(tick * shortest)
+}
 
 impl Events {
     /// Looks at everything concerned anew: what touches it, its impacts, contacts, accelerations and motion.
@@ -253,9 +265,7 @@ impl Events {
             coupled |= first.is_some() && in_media && item.motion == Motion::Parabola;
             if matches!(item.motion, Motion::Flow | Motion::Slide) {
                 let rate = scene.media.rate(&item.body, &item.law, item.body.velocity);
-                if rate * left > CUBIC_REACH {
-                    item.until = (self.now + (CUBIC_REACH / rate).max(scene.tick * SHORTEST)).min(scene.tick);
-                }
+                item.until = (self.now + reach_of_a_cubic(&item.law, rate, scene.tick)).min(scene.tick);
             }
         }
         if coupled && left > 0.0 {
@@ -349,7 +359,7 @@ impl Events {
         (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
         if i < self.movable {
             let rate = scene.media.rate(&item.body, &item.law, velocity);
-            item.until = (self.now + (CUBIC_REACH / rate).max(scene.tick * SHORTEST)).min(scene.tick);
+            item.until = (self.now + reach_of_a_cubic(&item.law, rate, scene.tick)).min(scene.tick);
         }
         item.foresee(scene.media);
         self.grown |= i < self.movable && !self.items[i].searched.contains(&self.items[i].swept, 0.0);
@@ -519,7 +529,8 @@ impl Events {
                 (item.solved, self.solved[i]) = (self.free[i], self.free[i]);
             }
         }
-        if self.contacts.iter().any(|contact| self.changes(contact.lo) || self.changes(contact.hi)) {
+        let changes = |item: u32| self.changes(item) || self.is_concerned[item as usize];
+        if self.contacts.iter().any(|contact| changes(contact.lo) || changes(contact.hi)) {
             for i in 0..self.movable {
                 if !self.changes(i as u32) {
                     self.free[i] =
