@@ -2,7 +2,7 @@
 
 use resultant::game::{BURN_RATE, Controls, Game, Inputs, Outcome, SHIP, TICK_RATE};
 use resultant::level::{self, Level, ObjectiveKind, SHIP_HALF};
-use resultant::physics::{Aabb, Body, DVec2, World};
+use resultant::physics::{Aabb, Body, DVec2, Guards, World};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -66,6 +66,8 @@ fn assert_flown(name: &str) {
     assert!(result.score.total > 10_000, "level {name}: {:?}", result.score);
     assert!(result.time < result.optimal_time, "level {name}: {} s", result.time);
     assert_eq!(game.ticks(), inputs(name).ticks(), "level {name}: the record ends with the flight");
+    let given_up = Guards { islands_grown: 0, ..*game.world().guards() };
+    assert_eq!(given_up, Guards::default(), "level {name}: nothing had to be given up");
 }
 
 #[test]
