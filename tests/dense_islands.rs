@@ -1,38 +1,26 @@
 //! Islands: what happens in one changes no bit of another, and each sleeps for itself.
 
-use glam::DVec2;
-use resultant::physics::Aabb;
-use resultant::physics::pile::{Pile, PileBody, PileDef, PileSurface};
+mod support;
+
+use resultant::physics::DVec2;
+use resultant::physics::pile::{Pile, PileBody, PileDef};
+use support::Random;
+use support::dense::surface;
 
 const DT: f64 = 1.0 / 60.0;
 
-/// A generator of numbers in 0 … 1 whose values never change.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as f64 / (1u64 << 31) as f64
-    }
-}
-
-fn surface(left: f64, top: f64, right: f64, bottom: f64) -> PileSurface {
-    let bounds = Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom));
-    PileSurface { bounds, static_friction: 0.9, kinetic_friction: 0.65 }
-}
-
 /// Boxes raining into a pit whose left edge is at `left`.
 fn pit(def: &mut PileDef, left: f64, n: usize, seed: u64, restitution: f64) {
-    let mut random = Numbers(seed);
+    let mut random = Random(seed);
     let columns = (n as f64).sqrt().ceil() as usize;
     let width = columns as f64 * 0.7;
     for i in 0..n {
         def.bodies.push(PileBody {
-            half: DVec2::new(0.15 + 0.15 * random.next(), 0.15 + 0.15 * random.next()),
+            half: DVec2::new(0.15 + 0.15 * random.unit(), 0.15 + 0.15 * random.unit()),
             position: DVec2::new(left + 0.35 + 0.7 * (i % columns) as f64, -1.0 - 0.8 * (i / columns) as f64),
-            velocity: DVec2::new(4.0 * random.next() - 2.0, 0.0),
-            mass: 0.5 + 20.0 * random.next(),
-            restitution: restitution * random.next(),
+            velocity: DVec2::new(4.0 * random.unit() - 2.0, 0.0),
+            mass: 0.5 + 20.0 * random.unit(),
+            restitution: restitution * random.unit(),
             ..PileBody::default()
         });
     }

@@ -1,33 +1,14 @@
 //! Surfaces that move, run belts, are solid from some sides only or not there; and what contacts are told to have given.
 
-use glam::DVec2;
-use resultant::physics::pile::{Other, Pile, PileBody, PileDef, PileSurface};
-use resultant::physics::{Aabb, Sides};
+mod support;
 
-const DT: f64 = 1.0 / 120.0;
-const G: f64 = 9.81;
-
-/// A generator of numbers in 0 … 1 whose values never change.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as f64 / (1u64 << 31) as f64
-    }
-}
-
-fn surface(left: f64, top: f64, right: f64, bottom: f64) -> PileSurface {
-    let bounds = Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom));
-    PileSurface { bounds, static_friction: 0.9, kinetic_friction: 0.65 }
-}
-
-fn square(x: f64, y: f64) -> PileBody {
-    PileBody { position: DVec2::new(x, y), ..PileBody::default() }
-}
+use resultant::physics::pile::{Other, Pile, PileBody, PileSurface};
+use resultant::physics::{DVec2, Sides};
+use support::dense::{G, square, surface};
+use support::{Random, TICK as DT};
 
 fn pile(bodies: Vec<PileBody>, surfaces: Vec<PileSurface>, gravity: f64) -> Pile {
-    Pile::new(PileDef { bodies, surfaces, gravity, rest_speed: 0.0, ..PileDef::default() }).unwrap()
+    Pile::new(support::dense::scene(bodies, surfaces, gravity)).unwrap()
 }
 
 /// A lift carries a stack up and down, at any speed, to the bit of where it is.
@@ -183,13 +164,13 @@ fn what_is_squeezed_stops_the_press() {
 #[test]
 fn what_contacts_gave_adds_up() {
     for (seed, restitution, walls) in [(1, 0.0, true), (2, 0.7, true), (3, 0.3, false), (4, 1.0, true)] {
-        let mut random = Numbers(seed);
+        let mut random = Random(seed);
         let bodies: Vec<PileBody> = (0..80)
             .map(|i| PileBody {
-                half: DVec2::new(0.2 + 0.25 * random.next(), 0.2 + 0.25 * random.next()),
-                velocity: DVec2::new(6.0 * random.next() - 3.0, 0.0),
-                mass: 0.5 + 20.0 * random.next(),
-                restitution: restitution * random.next(),
+                half: DVec2::new(0.2 + 0.25 * random.unit(), 0.2 + 0.25 * random.unit()),
+                velocity: DVec2::new(6.0 * random.unit() - 3.0, 0.0),
+                mass: 0.5 + 20.0 * random.unit(),
+                restitution: restitution * random.unit(),
                 ..square(f64::from(i % 8), -1.0 - f64::from(i / 8))
             })
             .collect();

@@ -1,33 +1,19 @@
 //! The same inputs by tick give the same bits, whatever the frames do.
 
-mod common;
+mod support;
 
-use common::{area, crate_at, objective, room};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use resultant::game::{Clock, Controls, Game, Inputs, Latch, Outcome, TICK_RATE};
-use resultant::level::{Level, ObjectiveKind, Solid};
-use resultant::physics::{DVec2, Material};
+use resultant::level::Level;
 use std::sync::Arc;
+use support::rooms::{room, yard};
 
 /// The hash of the state after [`TICKS`] ticks of [`script`] in [`yard`]. It changes whenever the engine, the rules or the state
 /// that they keep change on purpose: then take over the value that the failing test prints.
 const GOLDEN: u64 = 0xb5c62cfb33df3e3f;
 /// Ten seconds.
 const TICKS: u32 = 1200;
-
-/// Gravity, air, a floor, a key object and a box to bump into.
-fn yard() -> Level {
-    let mut level = room();
-    (level.gravity, level.air_density) = (15.0, 1.2041);
-    level.world = vec![Solid { bounds: area(0.0, 60.0, 100.0, 61.0), material: Material::ASPHALT }];
-    level.objects = vec![
-        crate_at(DVec2::new(55.0, 59.5), DVec2::new(-1.0, 0.0), Some([255, 0, 255])),
-        crate_at(DVec2::new(45.0, 40.0), DVec2::new(3.0, 0.0), None),
-    ];
-    level.objectives.push(objective(ObjectiveKind::Physics, area(98.0, 98.0, 99.0, 99.0)));
-    level
-}
 
 /// What the player holds during each tick: keys that change every few ticks, the same on every machine.
 fn script() -> Vec<Controls> {

@@ -5,16 +5,16 @@
 //! frame acts from that frame's end on, and flights agree whose frames all end at the instants at which keys change: here every
 //! [`SLOT`]. In between they cannot: a frame of 24 a second is five ticks, and what happens within is told at its end.
 
-mod common;
+mod support;
 
-use common::{area, crate_at, objective, room};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use resultant::game::{Controls, Game, Outcome, TICK_RATE, TICKS_A_FRAME};
-use resultant::level::{Fluid, Level, ObjectiveKind, Solid, Stream};
-use resultant::physics::{DVec2, Material};
+use resultant::level::{Fluid, Level, Stream};
+use resultant::physics::DVec2;
 use resultant::screens::{Attempt, Flight, Input, Key, Keys};
 use std::sync::Arc;
+use support::rooms::{area, yard};
 
 /// From one instant at which keys may change to the next, s: frames of 24, 30, 60, 144 a second all end there.
 const SLOT: f64 = 1.0 / 6.0;
@@ -151,19 +151,12 @@ fn script(seed: u64, slots: usize, pauses: bool) -> Script {
     (0..slots).map(|_| slot()).collect()
 }
 
-/// Gravity, air, a floor, a stream, a liquid, a key object and a box to bump into.
-fn yard() -> Level {
-    let mut level = room();
-    (level.gravity, level.air_density) = (15.0, 1.2041);
-    level.world = vec![Solid { bounds: area(0.0, 60.0, 100.0, 61.0), material: Material::ASPHALT }];
-    level.objects = vec![
-        crate_at(DVec2::new(55.0, 59.5), DVec2::new(-1.0, 0.0), Some([255, 0, 255])),
-        crate_at(DVec2::new(45.0, 40.0), DVec2::new(3.0, 0.0), None),
-    ];
+/// The yard with a stream and a liquid.
+fn yard_with_media() -> Level {
+    let mut level = yard();
     level.streams =
         vec![Stream { source: area(20.0, 59.0, 30.0, 60.0), zone: area(20.0, 20.0, 30.0, 59.0), force: DVec2::new(0.0, -900.0) }];
     level.fluids = vec![Fluid { zone: area(60.0, 50.0, 90.0, 60.0), density: 900.0, viscosity: 50.0, colour: [0; 3] }];
-    level.objectives.push(objective(ObjectiveKind::Physics, area(98.0, 98.0, 99.0, 99.0)));
     level
 }
 
@@ -191,7 +184,7 @@ fn the_same_at_every_rate(level: &Level, script: &Script) -> u64 {
 #[test]
 fn keys_pressed_at_the_same_instants_give_the_same_bits_at_every_frame_rate() {
     for seed in 0..4 {
-        the_same_at_every_rate(&yard(), &script(seed, 60, false));
+        the_same_at_every_rate(&yard_with_media(), &script(seed, 60, false));
     }
 }
 
@@ -200,28 +193,28 @@ fn a_pause_changes_no_bit_at_any_frame_rate() {
     let paused = script(9, 60, true);
     assert!(paused.iter().flatten().filter(|edge| **edge == Edge::Pause).count() > 5);
     let without: Script = paused.iter().map(|edges| edges.iter().copied().filter(|edge| *edge != Edge::Pause).collect()).collect();
-    assert_eq!(the_same_at_every_rate(&yard(), &paused), the_same_at_every_rate(&yard(), &without));
+    assert_eq!(the_same_at_every_rate(&yard_with_media(), &paused), the_same_at_every_rate(&yard_with_media(), &without));
 }
 
 /// The hash sees each edge: what agrees above agrees because it is the same, not because nothing is looked at.
 #[test]
 fn an_edge_that_is_missing_or_comes_later_is_another_flight() {
     let script = script(1, 30, false);
-    let expected = fly(&yard(), &script, &mut regular(60)).hash();
+    let expected = fly(&yard_with_media(), &script, &mut regular(60)).hash();
     for slot in (0..script.len() - 1).filter(|slot| !script[*slot].is_empty()).take(8) {
         let mut missing = script.clone();
         let edges = std::mem::take(&mut missing[slot]);
-        assert_ne!(fly(&yard(), &missing, &mut regular(60)).hash(), expected, "without slot {slot}");
+        assert_ne!(fly(&yard_with_media(), &missing, &mut regular(60)).hash(), expected, "without slot {slot}");
         let mut later = missing;
         later[slot + 1].splice(0..0, edges);
-        assert_ne!(fly(&yard(), &later, &mut regular(60)).hash(), expected, "slot {slot} a slot later");
+        assert_ne!(fly(&yard_with_media(), &later, &mut regular(60)).hash(), expected, "slot {slot} a slot later");
     }
 }
 
 /// A slow machine drops time openly: it flies fewer ticks, and each of them is one of those that a fast one flies.
 #[test]
 fn frames_too_long_for_their_ticks_slow_the_flight_down_and_change_no_tick() {
-    let level = yard();
+    let level = yard_with_media();
     let mut flight = Flight::new(Attempt { level: Arc::new(level.clone()), inputs: None }, &mut ()).unwrap();
     for _ in 0..10 {
         let seen = Input { held: keys(&[Key::Space]), frame_time: 0.25, ..Input::default() };

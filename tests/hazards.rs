@@ -1,12 +1,12 @@
 //! What hurts and what helps, on the engine itself: damaging collisions, wind, key objects that are pushed.
 
-mod common;
+mod support;
 
-use common::{area, crate_at, objective, room};
 use resultant::game::{Controls, Game, GameEvent, Outcome, SHIP};
 use resultant::level::{Level, ObjectiveKind, Solid, Stream};
 use resultant::physics::{BodyId, DVec2, ForceKind, Material};
 use std::sync::Arc;
+use support::rooms::{area, crate_at, objective, room};
 
 const NONE: Controls = Controls { thrust: false, reverse: false, left: false, right: false };
 const THRUST: Controls = Controls { thrust: true, ..NONE };

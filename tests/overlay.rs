@@ -1,14 +1,14 @@
 //! The details overlay tells the truth: what its boxes show is what the world says, on every tick.
 #![cfg(feature = "window")]
 
-mod common;
+mod support;
 
-use common::{area, crate_at, room};
 use resultant::game::{Controls, Game, READABLE, SHIP};
 use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2, ForceKind};
 use resultant::view::facts::{Facts, Row, Shown, Value, facts, quantity};
 use std::sync::Arc;
+use support::rooms::{area, crate_at, room};
 
 /// The ship and a crate of 10 kg at rest on the floor of the room, at g = 15 N/kg.
 fn on_the_floor() -> Level {

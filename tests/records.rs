@@ -1,11 +1,11 @@
 //! The hash by which a record knows its level: it tells levels apart that are flown differently, and no others.
 
-mod common;
+mod support;
 
-use common::{area, crate_at, objective, room};
 use resultant::game::level_hash;
 use resultant::level::{Fluid, Level, Look, ObjectiveKind, Solid, Stream, Text};
 use resultant::physics::{DVec2, Material};
+use support::rooms::{area, crate_at, objective, room};
 
 /// A level with one of everything.
 fn full() -> Level {

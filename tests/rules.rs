@@ -1,12 +1,12 @@
 //! The rules of one attempt: controls, fuel, objectives, death boxes, figures.
 
-mod common;
+mod support;
 
-use common::{area, crate_at, objective, room};
 use resultant::game::{BURN_RATE, Controls, Game, GameError, GameEvent, Outcome, ROTATION_RATE, SHIP, TICK_RATE};
 use resultant::level::{Level, ObjectiveKind};
 use resultant::physics::DVec2;
 use std::sync::Arc;
+use support::rooms::{area, crate_at, objective, room};
 
 const NONE: Controls = Controls { thrust: false, reverse: false, left: false, right: false };
 const THRUST: Controls = Controls { thrust: true, ..NONE };

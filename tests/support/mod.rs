@@ -2,9 +2,11 @@
 #![allow(dead_code, unused_imports)] // Each test takes what it needs.
 
 mod build;
+pub mod dense;
 mod levels;
 mod measure;
 mod random;
+pub mod rooms;
 pub mod strategies;
 
 pub use build::{BODY, G, TICK, area, block, crate_at, crowd, floor, pool, world};

@@ -43,7 +43,7 @@ impl Default for PileBody {
     }
 }
 
-/// Something that never moves.
+/// A solid. It stands still unless it is moved from outside.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PileSurface {
     /// Where it is, m.

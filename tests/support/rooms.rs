@@ -1,12 +1,8 @@
 //! Levels built by hand, for tests of the rules.
 
-use resultant::level::{Level, Object, Objective, ObjectiveKind, Player};
-use resultant::physics::{Aabb, DVec2};
-
-/// A box by its corners, m.
-pub fn area(left: f64, top: f64, right: f64, bottom: f64) -> Aabb {
-    Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
-}
+pub use super::area;
+use resultant::level::{Level, Look, Object, Objective, ObjectiveKind, Player, Solid};
+use resultant::physics::{Aabb, DVec2, Material};
 
 /// An empty room of 100 m × 100 m without gravity and air, the ship (100 kg, 2000 N, 500 fuel) at rest in its middle, its box
 /// from 49.15 m to 50.85 m, and a player objective in the far corner.
@@ -28,7 +24,7 @@ pub fn room() -> Level {
             fuel: 500.0,
             thrust: 2000.0,
             feels_air: true,
-            material: resultant::physics::Material::ASPHALT,
+            material: Material::ASPHALT,
         },
         world: vec![],
         objects: vec![],
@@ -39,6 +35,19 @@ pub fn room() -> Level {
         texts: vec![],
         background: None,
     }
+}
+
+/// The room with gravity and air, a floor, a key object and a box to bump into.
+pub fn yard() -> Level {
+    let mut level = room();
+    (level.gravity, level.air_density) = (15.0, 1.2041);
+    level.world = vec![Solid { bounds: area(0.0, 60.0, 100.0, 61.0), material: Material::ASPHALT }];
+    level.objects = vec![
+        crate_at(DVec2::new(55.0, 59.5), DVec2::new(-1.0, 0.0), Some([255, 0, 255])),
+        crate_at(DVec2::new(45.0, 40.0), DVec2::new(3.0, 0.0), None),
+    ];
+    level.objectives.push(objective(ObjectiveKind::Physics, area(98.0, 98.0, 99.0, 99.0)));
+    level
 }
 
 /// An objective block.
@@ -56,8 +65,8 @@ pub fn crate_at(position: DVec2, velocity: DVec2, key: Option<[u8; 3]>) -> Objec
         drag: 1.0,
         restitution: 0.0,
         circular: false,
-        look: resultant::level::Look::Box,
-        material: resultant::physics::Material::ASPHALT,
+        look: Look::Box,
+        material: Material::ASPHALT,
         key,
     }
 }
