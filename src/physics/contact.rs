@@ -48,6 +48,11 @@ impl Contact {
         }
     }
 
+    /// Whether it is one of its ends.
+    pub fn has(&self, item: u32) -> bool {
+        self.lo == item || self.hi == item
+    }
+
     /// Whether it is between these two, whichever is the lower one.
     pub fn is_of(&self, a: u32, b: u32) -> bool {
         (self.lo == a && self.hi == b) || (self.lo == b && self.hi == a)

@@ -271,7 +271,7 @@ impl World {
         let law = state.media.law(body, state.drives[i], 0.0);
         state.media.list(body, &law, state.drives[i], in_stream, forces.renew());
         let mut held = false;
-        for contact in state.contacts.iter().filter(|contact| contact.lo == id.0 || contact.hi == id.0) {
+        for contact in state.contacts.iter().filter(|contact| contact.has(id.0)) {
             held = true;
             self.list_contact(contact, id, &mut forces);
         }

@@ -32,7 +32,7 @@ impl Events {
         }
         for index in 0..self.contacts.len() {
             let contact = self.contacts[index];
-            if contact.lo as usize == i || contact.hi as usize == i {
+            if contact.has(i as u32) {
                 self.next_contact_change(i as u32, &contact, &mut next);
             }
         }

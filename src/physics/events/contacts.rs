@@ -1,0 +1,209 @@
+//! What touches what at an event: contacts begin, last and end, and what meets is brought exactly together.
+
+use super::item::Motion;
+use super::{Events, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
+use crate::physics::Aabb;
+use crate::physics::contact::Contact;
+use crate::physics::reactions::Parts;
+use crate::physics::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
+use glam::DVec2;
+
+/// Steps of Newton's method for the time at which two motions meet.
+const POLISH: u32 = 4;
+/// m. A gap of bodies that have met is left if it is smaller than this.
+const CLOSED: f64 = 1e-12;
+/// m. What is deeper in something than this did not get there by rounding.
+const DEEP: f64 = 1e-5;
+
+impl Events {
+    /// Lists what touches anything concerned, and counts to that whatever is joined to it by touching.
+    pub(super) fn collect(&mut self, scene: &Scene, hit: Option<Contact>) {
+        self.touching.clear();
+        let mut next = 0;
+        while next < self.concerned.len() {
+            let i = self.concerned[next];
+            next += 1;
+            self.locate(scene, i as usize);
+            // What it was in contact with until now has to know even if that is over.
+            for index in 0..self.contacts.len() {
+                let contact = self.contacts[index];
+                if contact.has(i) {
+                    self.concern(contact.other(i));
+                }
+            }
+            let bounds = Aabb::around(self.places[i as usize], self.items[i as usize].body.half);
+            for j in 0..self.items.len() as u32 {
+                let looked_at = || self.concerned[..next].contains(&j);
+                if j == i || !bounds.touches(&self.items[j as usize].swept, SLOP) || looked_at() {
+                    continue;
+                }
+                let met = hit.filter(|contact| contact.is_of(i, j));
+                if let Some(contact) = met.or_else(|| self.contact_now(scene, i, j)) {
+                    self.concern(j);
+                    self.locate(scene, j as usize);
+                    let contact = self.touch(scene, contact, met.is_some());
+                    self.touching.push(contact);
+                }
+            }
+        }
+        self.concerned.sort_unstable();
+        self.touching.sort_unstable_by_key(Contact::ends);
+        self.work += WORK_OF_AN_ITEM * self.concerned.len() as u64;
+    }
+
+    /// What is known of two things that touch now.
+    fn touch(&mut self, scene: &Scene, mut contact: Contact, met: bool) -> Contact {
+        contact.lasts = self.contacts.iter().any(|known| known.is_of(contact.lo, contact.hi));
+        contact.closed |= contact.lasts || met;
+        // What has just come together by a hair's breadth has done so, whatever pulls at it alone.
+        let grazes = met && (-MICRO_SPEED..=0.0).contains(&self.approach(&contact));
+        contact.clings = grazes || self.clings(scene, &contact);
+        if contact.clings {
+            for item in [contact.lo, contact.hi] {
+                self.items[item as usize].clung += 1;
+                self.guards.clinging_given_up += u64::from(self.items[item as usize].clung == MAX_CLINGS + 1);
+            }
+        }
+        contact
+    }
+
+    /// Keeps those of the touching pairs as contacts that neither part nor (impacts are over by now) approach. Of the pair that has just
+    /// `met` only the impact was along the axis in which it met.
+    pub(super) fn find_contacts(&mut self, scene: &Scene, met: Option<Contact>) {
+        let is_concerned = &self.is_concerned;
+        self.contacts.retain(|contact| {
+            let concerned = |item: u32| is_concerned[item as usize];
+            !(concerned(contact.lo) || concerned(contact.hi))
+        });
+        let kept = self.contacts.len();
+        for index in 0..self.touching.len() {
+            let mut contact = self.touching[index];
+            if met.is_some_and(|met| met.is_of(contact.lo, contact.hi)) {
+                match self.contact_now(scene, contact.lo, contact.hi) {
+                    Some(again) => contact = again,
+                    None => continue,
+                }
+            }
+            if self.stays(&contact) {
+                let slides = self.slides(&contact);
+                let fresh = Contact { closed: true, lasts: true, clings: false, lossy_hits: 0, ..contact };
+                self.contacts.push(Contact { slides, normal: 0.0, friction: 0.0, ..fresh });
+            }
+        }
+        self.work += WORK_OF_A_CONTACT * (self.contacts.len() - kept) as u64;
+    }
+
+    /// Whether the ends of a contact neither part nor approach, but for rounding.
+    pub(super) fn stays(&self, contact: &Contact) -> bool {
+        self.approach(contact).abs() <= self.speed_rounding(contact)[contact.axis]
+    }
+
+    /// Whether a contact presses on a surface that moves: the sums of many ticks leave them some roundings apart.
+    pub(super) fn rides(&self, contact: &Contact) -> bool {
+        let surface = contact.lo.max(contact.hi);
+        contact.normal > 0.0 && !self.is_body(surface) && !self.stands(surface) && self.approach(contact).abs() <= SPEED_TOLERANCE
+    }
+
+    /// Which way a contact slides now: a speed that is nothing but rounding is none.
+    pub(super) fn slides(&self, contact: &Contact) -> f64 {
+        let along = 1 - contact.axis;
+        let sliding = self.sliding(contact);
+        let rounding = self.speed_rounding(contact)[along] + SPEED_ROUNDING * contact.skin.abs();
+        if sliding.abs() <= rounding { 0.0 } else { sliding.signum() }
+    }
+
+    /// Moves the contacts of what is concerned into `trial`.
+    pub(super) fn take_contacts_of_concerned(&mut self) {
+        self.trial.clear();
+        let (is_concerned, trial) = (&self.is_concerned, &mut self.trial);
+        self.contacts.retain(|contact| {
+            let concerned = is_concerned[contact.lo as usize] || is_concerned[contact.hi as usize];
+            if concerned {
+                trial.push(*contact);
+            }
+            !concerned
+        });
+        // The order decides about the last bits of an answer.
+        trial.sort_unstable_by_key(Contact::ends);
+    }
+
+    /// Brings two things to the instant at which they meet, and exactly together: a way foreseen as a cubic may be off by a hair, so Newton's
+    /// method ends on the motions themselves. What is left of the gap is shared as their masses say; a surface gives way to nothing. Returns
+    /// false if they meet so much later that something else happens before: then they have to be looked at again from here.
+    pub(super) fn put_together(&mut self, scene: &Scene, contact: &Contact) -> bool {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        let reach = self.items[lo].body.half[axis] + self.items[hi].body.half[axis];
+        let exact = |item: &super::Item| matches!(item.motion, Motion::Still | Motion::Parabola);
+        if !(exact(&self.items[lo]) && exact(&self.items[hi])) {
+            let begin = self.items[lo].since.max(self.items[hi].since);
+            let others = self.items.iter().enumerate().filter(|(k, _)| *k != lo && *k != hi).map(|(_, item)| item.next.at);
+            let end = others.fold(self.items[lo].until.min(self.items[hi].until).min(scene.tick), f64::min);
+            for _ in 0..POLISH {
+                let (a, b) = (self.items[lo].pose(scene.media, self.now), self.items[hi].pose(scene.media, self.now));
+                let (gap, closing) = (b.0[axis] - a.0[axis] - reach, a.1[axis] - b.1[axis]);
+                let next = self.now + gap / closing;
+                // Where they only graze, Newton's method would run off to the moment at which they parted.
+                if closing <= 0.0 || next < begin || next == self.now {
+                    break;
+                }
+                if next > end {
+                    return gap <= SLOP;
+                }
+                self.now = next;
+            }
+        }
+        let gap = self.locate(scene, hi)[axis] - self.locate(scene, lo)[axis] - reach;
+        let weight = |item: usize| if item < self.movable { 1.0 / self.items[item].body.mass } else { 0.0 };
+        let (of_lo, of_hi) = (weight(lo), weight(hi));
+        if gap < -DEEP {
+            // They began in each other: nothing is put right at a stroke.
+        } else if of_lo == 0.0 || of_hi == 0.0 {
+            let (body, ground, side) = if of_lo == 0.0 { (hi, lo, 1.0) } else { (lo, hi, -1.0) };
+            self.places[body][axis] = self.places[ground][axis] + side * reach;
+        } else if gap.abs() > CLOSED {
+            self.places[lo][axis] += gap * (of_lo / (of_lo + of_hi));
+            self.places[hi][axis] -= gap * (of_hi / (of_lo + of_hi));
+        }
+        true
+    }
+
+    /// Ends a slide: what stops and whatever moves with it has one speed along the face from now on.
+    pub(super) fn stop_slide(&mut self, scene: &Scene, a: u32, b: u32) {
+        let Some(stopped) = self.contacts.iter().find(|contact| contact.is_of(a, b)).copied() else { return };
+        let mut next = 0;
+        while next < self.concerned.len() {
+            let item = self.concerned[next];
+            self.locate(scene, item as usize);
+            next += 1;
+            for index in 0..self.contacts.len() {
+                let contact = self.contacts[index];
+                if contact.has(item) {
+                    self.concern(contact.other(item));
+                    self.locate(scene, contact.other(item) as usize);
+                }
+            }
+        }
+        self.take_contacts_of_concerned();
+        self.before.clone_from(&self.speeds);
+        let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
+        self.reactions.merge_speeds(&stopped, &self.trial, &parts, &mut self.speeds);
+        self.contacts.append(&mut self.trial);
+    }
+
+    /// Lets a body leave the surface on which it has bounced.
+    pub(super) fn resume(&mut self, scene: &Scene, i: usize) {
+        self.locate(scene, i);
+        let Some(resume) = self.items[i].resume.take() else { return };
+        if self.speeds[i][resume.axis] != 0.0 {
+            return;
+        }
+        self.speeds[i][resume.axis] = resume.speed;
+        let mut impulse = DVec2::ZERO;
+        impulse[resume.axis] = self.items[i].body.mass * resume.speed;
+        let held = |contact: &&Contact| contact.axis == resume.axis && contact.has(i as u32);
+        if let Some(contact) = self.contacts.iter().find(held).copied() {
+            self.locate(scene, contact.other(i as u32) as usize);
+            self.note(&contact, if contact.hi as usize == i { impulse } else { -impulse }, 0.0);
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The end of a tick: contacts and accelerations of that instant, which are listed and with which the next tick begins.
+
+use super::item::Motion;
+use super::{Events, Scene};
+use crate::physics::contact::Contact;
+use crate::physics::reactions::Parts;
+use crate::physics::tuning::{SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
+
+impl Events {
+    /// The contacts and accelerations of the instant at which the tick ends, where media make them others than when the last way began.
+    pub(super) fn settle(&mut self, scene: &Scene) {
+        self.is_placed.fill(false);
+        for i in 0..self.items.len() {
+            self.locate(scene, i);
+        }
+        // Media may have parted what pressed when it set out, and what slides may do so since.
+        for index in (0..self.contacts.len()).rev() {
+            let contact = self.contacts[index];
+            if !(self.stays(&contact) || self.rides(&contact)) {
+                self.contacts.remove(index);
+                self.items[contact.lo as usize].known = false;
+                self.items[contact.hi as usize].known = false;
+            }
+        }
+        for index in 0..self.contacts.len() {
+            let slides = self.slides(&self.contacts[index]);
+            if slides != 0.0 {
+                self.contacts[index].slides = slides;
+            }
+        }
+        // What has crossed the border of a stream just as the tick ends is on its other side.
+        if !self.streams.is_empty() {
+            for i in 0..self.movable {
+                let constant = self.items[i].law.constant;
+                self.renew_law(scene, i);
+                if self.items[i].law.constant != constant {
+                    self.concern(i as u32);
+                }
+            }
+        }
+        for i in 0..self.movable {
+            let item = &mut self.items[i];
+            if self.is_concerned[i] || !item.law.is_constant() && item.motion != Motion::Still {
+                self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
+                (item.solved, self.solved[i]) = (self.free[i], self.free[i]);
+            }
+        }
+        if self.contacts.iter().any(|contact| self.changes(contact.lo) || self.changes(contact.hi)) {
+            for i in 0..self.movable {
+                if !self.changes(i as u32) {
+                    self.free[i] =
+                        scene.media.acceleration(&self.items[i].body, &self.items[i].law, self.places[i], self.speeds[i]);
+                }
+            }
+            self.contacts.sort_unstable_by_key(Contact::ends);
+            let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
+            self.reactions.accelerate(&mut self.contacts, &parts, &mut self.solved);
+            for i in 0..self.movable {
+                self.items[i].solved = self.solved[i];
+            }
+        }
+        self.release();
+    }
+
+    /// Gives what rides on a surface that moves its place and its speed exactly, and so on with what is carried by that: the sums of many
+    /// ticks would lead them away from each other by their roundings.
+    pub(super) fn follow_surfaces(&mut self) {
+        if self.items[self.movable..].iter().all(|surface| surface.motion == Motion::Still) {
+            return;
+        }
+        let mut next = 0;
+        loop {
+            let carrier = self.concerned.get(next).copied();
+            for index in 0..self.contacts.len() {
+                let contact = self.contacts[index];
+                let (body, surface) = contact.ends();
+                match carrier {
+                    None if next == 0 && !self.is_body(surface) => self.follow(&contact, body),
+                    Some(carrier) if self.is_body(surface) && (carrier == body || carrier == surface) => {
+                        self.follow(&contact, contact.other(carrier));
+                    }
+                    _ => {}
+                }
+            }
+            if carrier.is_some() {
+                next += 1;
+            }
+            if next == self.concerned.len() {
+                break;
+            }
+        }
+        self.release();
+    }
+
+    /// Lets a body follow the other end of a contact that presses.
+    fn follow(&mut self, contact: &Contact, body: u32) {
+        let (axis, along, carrier) = (contact.axis, 1 - contact.axis, contact.other(body));
+        if self.is_concerned[body as usize] || contact.normal <= 0.0 {
+            return;
+        }
+        let side = if contact.hi == body { 1.0 } else { -1.0 };
+        let of = &self.items[carrier as usize].body;
+        let (mut velocity, reach) = (of.velocity, of.half + self.items[body as usize].body.half);
+        let place = of.position[axis] + side * reach[axis];
+        velocity[along] += contact.skin;
+        let item = &mut self.items[body as usize].body;
+        let off = (item.velocity - velocity).abs();
+        let rounding = (item.velocity.abs() + velocity.abs()) * SPEED_ROUNDING + SPEED_TOLERANCE;
+        if off[axis] > rounding[axis] || (item.position[axis] - place).abs() > SLOP {
+            return;
+        }
+        (item.velocity[axis], item.position[axis]) = (velocity[axis], place);
+        if contact.slides == 0.0 && off[along] <= rounding[along] {
+            item.velocity[along] = velocity[along];
+        }
+        self.concern(body);
+    }
+
+    /// Whether what acts on an item changes while it moves.
+    fn changes(&self, item: u32) -> bool {
+        let of = &self.items[item as usize];
+        self.is_concerned[item as usize] || !of.law.is_constant() && of.motion != Motion::Still
+    }
+}

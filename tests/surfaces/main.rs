@@ -1,0 +1,125 @@
+//! Surfaces that move, against exact answers: lifts, platforms, belts, walls that push, one-way platforms, presses and doors.
+
+mod belts;
+mod doors;
+mod lifts;
+mod one_way;
+mod presses;
+mod walls;
+
+use resultant::physics::{
+    Aabb, BodyDef, BodyId, DVec2, Event, ForceKind, Leg, Material, Obstacle, Path, Sides, Source, SurfaceDef, World, WorldDef,
+};
+
+const G: f64 = 15.0;
+const AIR: f64 = 1.2041;
+const RATES: [f64; 4] = [30.0, 60.0, 120.0, 240.0];
+/// s. Long enough for a drift to show.
+const MINUTE: f64 = 60.0;
+/// m, m/s. The bar for what is exact.
+const EXACT: f64 = 1e-9;
+/// Relative. The bar for forces.
+const FORCE: f64 = 1e-12;
+
+fn v(x: f64, y: f64) -> DVec2 {
+    DVec2::new(x, y)
+}
+
+fn area(left: f64, top: f64, right: f64, bottom: f64) -> Aabb {
+    Aabb::new(v(left, top), v(right, bottom))
+}
+
+fn leg(duration: f64, velocity: DVec2, acceleration: DVec2) -> Leg {
+    Leg { duration, velocity, acceleration }
+}
+
+/// Along these legs, once.
+fn once(legs: &[Leg]) -> Path {
+    Path { legs: legs.to_vec(), repeats: false }
+}
+
+fn mover(bounds: Aabb, path: Path) -> SurfaceDef {
+    SurfaceDef { path, ..SurfaceDef::fixed(bounds, Material::ASPHALT) }
+}
+
+/// 4 m wide, its top at y = 0 and its middle at x = 0.
+fn platform(path: Path) -> SurfaceDef {
+    mover(area(-2.0, 0.0, 2.0, 0.5), path)
+}
+
+/// 1 m × 1 m; its bottom edge at `bottom`.
+fn block(x: f64, bottom: f64, mass: f64) -> BodyDef {
+    BodyDef { position: v(x, bottom - 0.5), mass, ..BodyDef::default() }
+}
+
+fn floor() -> SurfaceDef {
+    SurfaceDef::fixed(area(-1e4, 0.0, 1e4, 1.0), Material::ASPHALT)
+}
+
+fn world_in(air_density: f64, surfaces: Vec<SurfaceDef>, bodies: Vec<BodyDef>) -> World {
+    World::new(WorldDef { gravity: G, air_density, rest_speed: 0.0, surfaces, bodies, ..WorldDef::default() }).unwrap()
+}
+
+fn world(surfaces: Vec<SurfaceDef>, bodies: Vec<BodyDef>) -> World {
+    world_in(0.0, surfaces, bodies)
+}
+
+/// Steps through `seconds`, and tells the time after each tick.
+fn run(world: &mut World, seconds: f64, rate: f64, mut after: impl FnMut(&World, f64)) {
+    for tick in 1..=(seconds * rate).round() as u32 {
+        world.step(1.0 / rate);
+        after(world, f64::from(tick) / rate);
+    }
+}
+
+fn position(world: &World, body: u32) -> DVec2 {
+    world.body(BodyId(body)).position
+}
+
+fn velocity(world: &World, body: u32) -> DVec2 {
+    world.body(BodyId(body)).velocity
+}
+
+fn centre(world: &World, surface: usize) -> DVec2 {
+    world.surfaces()[surface].bounds.centre()
+}
+
+/// Tells a figure, and holds it to its bar.
+#[track_caller]
+fn within(what: &str, error: f64, bar: f64) {
+    println!("{what}: {error:.1e} (bar {bar:.0e})");
+    assert!(error <= bar, "{what}: {error:e}, expected at most {bar:e}");
+}
+
+/// The deepest overlap of a body with another, or with a surface that is solid all around, m.
+fn overlap(world: &World) -> f64 {
+    let boxes: Vec<Aabb> = world.bodies().iter().map(|body| body.bounds()).collect();
+    let solid: Vec<Aabb> = world.surfaces().iter().filter(|surface| surface.present).map(|surface| surface.bounds).collect();
+    let mut worst = 0.0f64;
+    for (i, a) in boxes.iter().enumerate() {
+        worst = boxes[i + 1..].iter().chain(&solid).map(|b| -a.gap(b).max_element()).fold(worst, f64::max);
+    }
+    worst
+}
+
+fn crushed(world: &World) -> Vec<(u32, u32, f64)> {
+    let crush = |event: &Event| match *event {
+        Event::Crushed { body, by, force } => Some((body.0, by, force)),
+        Event::Impact { .. } => None,
+    };
+    world.events().iter().filter_map(crush).collect()
+}
+
+/// The Reaction of a surface on a body along y, N, upwards.
+fn reaction(world: &World, body: u32, surface: u32) -> f64 {
+    let forces = world.forces(BodyId(body));
+    let of = forces.forces().iter().filter(|force| force.kind == ForceKind::Reaction && force.source == Source::Surface(surface));
+    -of.map(|force| force.vector.y).sum::<f64>()
+}
+
+/// The Push of body `from` on body `to` along x, N.
+fn push(world: &World, from: u32, to: u32) -> f64 {
+    let forces = world.forces(BodyId(to));
+    let of = forces.forces().iter().filter(|force| force.kind == ForceKind::Push && force.source == Source::Body(BodyId(from)));
+    of.map(|force| force.vector.x).sum()
+}
