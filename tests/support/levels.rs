@@ -24,8 +24,17 @@ impl Files for Memory {
 /// The files of a random level.
 pub fn level_texts(seed: u64) -> Memory {
     let mut random = Random(seed);
-    let wildness = random.pick(&[0.0, 0.0, 0.02, 0.1, 0.3]);
+    let wildness = how_wild(&mut random);
     Author { random, wildness, taken: Vec::new(), metre: 30.0, corner: DVec2::ZERO, size: DVec2::ZERO }.write()
+}
+
+/// How many of all numbers of that level are extreme, from 0 to 1.
+pub fn wildness(seed: u64) -> f64 {
+    how_wild(&mut Random(seed))
+}
+
+fn how_wild(random: &mut Random) -> f64 {
+    random.pick(&[0.0, 0.0, 0.02, 0.1, 0.3])
 }
 
 const MATERIALS: [&str; 7] = ["", "Asphalt", "Steel", "Ice", "Rubber", "Wood", "Glass"];
