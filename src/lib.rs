@@ -22,6 +22,11 @@ pub mod game;
 pub mod lab;
 pub mod level;
 pub mod physics;
+/// Random numbers for unit tests: those of the tests in `tests/`.
+#[cfg(test)]
+#[allow(dead_code)] // The other tests need more of it.
+#[path = "../tests/support/random.rs"]
+mod random;
 pub mod scores;
 pub mod screens;
 pub mod view;
