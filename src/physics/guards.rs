@@ -33,6 +33,10 @@ guards! {
     impacts_made_plastic,
     /// Contacts that bounced with loss so often at one instant that they bounce no more (inelastic collapse).
     collapses,
+    /// Pairs of bodies that bounced with loss so often in a tick that they bounce no more.
+    rattles,
+    /// Bodies that bounced so often in a tick on a surface that moves that they bounce no more.
+    pumping,
     /// Bodies that parted by a rounding from what they rest on so often in a tick that they were let go.
     clinging_given_up,
     /// Surfaces stopped because they would have squeezed something.
