@@ -67,7 +67,7 @@ const SPOILS: [&str; 40] = [
     "x",
     "mass",
     "box:1x1",
-    "ball:1e7x0.003",
+    "ball:1e7x0.03",
     "../a",
     "a.png",
     "OBJECT",

@@ -5,6 +5,7 @@
 
 mod anything;
 mod check_and_new;
+mod limits;
 mod loading;
 mod sizes;
 #[path = "../support/mod.rs"]
