@@ -5,6 +5,7 @@ mod build;
 pub mod dense;
 mod levels;
 mod measure;
+pub mod memory;
 mod random;
 pub mod rooms;
 pub mod strategies;

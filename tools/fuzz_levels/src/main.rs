@@ -9,6 +9,9 @@
 #[path = "../../../tests/support/levels.rs"]
 mod levels;
 mod log;
+#[path = "../../../tests/support/memory.rs"]
+#[allow(dead_code)] // How often is asked elsewhere.
+mod memory;
 mod play;
 #[path = "../../../tests/support/random.rs"]
 mod random;
@@ -24,6 +27,9 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
+
+#[global_allocator]
+static ALLOCATOR: memory::Counting = memory::Counting;
 
 /// A level takes some milliseconds; one that takes this long is told at once.
 const PATIENCE: Duration = Duration::from_secs(20);

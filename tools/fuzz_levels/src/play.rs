@@ -1,6 +1,7 @@
 //! One level: loaded, played, judged.
 
 use crate::levels::{level_texts, wildness};
+use crate::memory::most_held;
 use crate::random::Random;
 use cpu_time::ThreadTime;
 use resultant::game::{Controls, Game};
@@ -16,6 +17,8 @@ const TICKS: u32 = 300;
 const ENOUGH: f64 = 0.5;
 /// s. A tick that takes longer is a fault of its own.
 const SLOW: f64 = 0.02;
+/// Bytes. A level that takes more at once, its loading included, is one too.
+const LARGE: isize = 64 << 20;
 
 /// How a level ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -51,12 +54,24 @@ pub enum Law {
     Touching,
     /// No tick takes longer than [`SLOW`].
     Quick,
+    /// Nothing takes more memory than [`LARGE`].
+    Small,
 }
 
 impl Law {
     /// All of them.
-    pub const ALL: [Law; 9] =
-        [Law::Runs, Law::Finite, Law::Inside, Law::Apart, Law::Solid, Law::Together, Law::Balanced, Law::Touching, Law::Quick];
+    pub const ALL: [Law; 10] = [
+        Law::Runs,
+        Law::Finite,
+        Law::Inside,
+        Law::Apart,
+        Law::Solid,
+        Law::Together,
+        Law::Balanced,
+        Law::Touching,
+        Law::Quick,
+        Law::Small,
+    ];
 
     /// Which one it is whose fault [`resultant::physics::World::validate`] words so.
     fn of(fault: &str) -> Self {
@@ -86,6 +101,8 @@ pub struct Played {
     /// Of all ticks, and all of them together, s on the processor.
     pub slowest: f64,
     pub took: f64,
+    /// The most that was held at once, bytes.
+    pub held: isize,
     /// The guards that acted, and how often.
     pub given_up: BTreeMap<String, u64>,
 }
@@ -106,9 +123,11 @@ pub fn play(seed: u64) -> Played {
         faults: BTreeMap::new(),
         slowest: 0.0,
         took: 0.0,
+        held: 0,
         given_up: BTreeMap::new(),
     };
-    let end = catch_unwind(AssertUnwindSafe(|| play_on(seed, &mut played)));
+    let (held, end) = most_held(|| catch_unwind(AssertUnwindSafe(|| play_on(seed, &mut played))));
+    played.held = held;
     let broken = match end {
         Ok(Ok(end)) => {
             played.end = end;
@@ -127,6 +146,9 @@ pub fn play(seed: u64) -> Played {
     if played.slowest > SLOW {
         let what = format!("a tick of {:.1} ms", played.slowest * 1e3);
         played.note(Law::Quick, what);
+    }
+    if held > LARGE {
+        played.note(Law::Small, format!("{held} bytes at once"));
     }
     played
 }

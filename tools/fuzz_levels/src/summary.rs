@@ -14,6 +14,9 @@ pub fn print(levels: &BTreeMap<u64, Played>) -> bool {
         println!("slowest tick: {:.3} ms, seed {}", tick.slowest * 1e3, tick.seed);
         println!("slowest level: {:.3} s on the processor, {} ticks, seed {}", level.took, level.ticks, level.seed);
     }
+    if let Some(level) = by(|level| level.held as f64) {
+        println!("most memory at once: {:.1} MiB, seed {}", level.held as f64 / f64::from(1 << 20), level.seed);
+    }
     let short = played().filter(|level| level.end == End::TooLong).count();
     println!("{short} were not played to their end, as they took too long");
 
