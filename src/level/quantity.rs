@@ -59,7 +59,7 @@ impl Quantity {
         let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
         if self.low > 0.0 && value <= 0.0 {
             "a number above 0".to_owned() + &unit
-        } else if self.low == 0.0 && value < 0.0 && self.high > 1e3 {
+        } else if self.low == 0.0 && value < 0.0 && self.high >= 1e3 {
             "a number of 0 or more".to_owned() + &unit
         } else {
             format!("a number from {} to {}{unit}", short(self.low), short(self.high))

@@ -1,6 +1,6 @@
 //! Each force of the media by its law.
 
-use crate::flown::{Acting, Flown, Row, bounces, shipped, splash};
+use crate::flown::{Acting, Flown, Row, assert_close, bounces, shipped, splash};
 use resultant::physics::{BodyDef, DVec2, ForceKind};
 
 /// The area that a body shows to a medium, times its speed u: w·|u_y| + h·|u_x| for boxes, d·|u| for round things.

@@ -1,7 +1,7 @@
 //! m·Δv = ∫F dt + impulses.
 
 use crate::flown::{Acting, Flown, Row, bounces, collisions, pushed_row, shipped, splash, stack};
-use resultant::physics::{Aabb, DVec2};
+use resultant::physics::{Aabb, ForceKind};
 
 /// The forces at the start of a tick and at its end, if they are the same but for the engine, which is switched at the start, and for
 /// those that vary within a tick.
