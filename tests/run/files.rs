@@ -3,6 +3,7 @@
 use crate::program::{Data, Ran, resultant};
 use crate::{COLUMNS, HEADER, data, read};
 use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
 
 /// The names in the data folder.
 fn names(data: &Data) -> Vec<String> {
@@ -68,9 +69,15 @@ fn a_signal_leaves_nothing_behind() {
         let mut child = resultant();
         child.arg("--data").arg(data.path(".")).args(["run", "flight", "--seconds", "100000", "--telemetry", &old, "--record"]);
         let mut child = child.arg(&new).stdout(Stdio::null()).spawn().unwrap();
-        std::thread::sleep(std::time::Duration::from_millis(300));
+        std::thread::sleep(Duration::from_millis(300));
         assert!(child.try_wait().unwrap().is_none(), "it is over already");
         assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
+        // What a shell runs in the background ignores -INT, and so does all that it starts.
+        let told = Instant::now();
+        while child.try_wait().unwrap().is_none() && told.elapsed() < Duration::from_secs(2) {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let _ = child.kill();
         child.wait().unwrap();
         assert_eq!((names(&data), read(&data, "old.csv").as_str()), (vec!["levels".into(), "old.csv".into()], "old"), "{signal}");
     }
