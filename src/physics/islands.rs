@@ -314,7 +314,8 @@ impl Advance for Tick<'_> {
         self.scratch.members.extend(store.members());
         self.scratch.members.sort_unstable();
         let count = store.len();
-        if count > Choice::MOST_BY_EVENTS || round > Choice::MOST_GROWTHS || (round == 0 && self.pauses()) {
+        let large = count > Choice::MOST_BY_EVENTS || self.scene.dense;
+        if large || round > Choice::MOST_GROWTHS || (round == 0 && self.pauses()) {
             self.guards.dense_ticks += 1;
             self.scratch.leave();
             return Verdict::Left(f64::INFINITY);

@@ -130,7 +130,8 @@ impl World {
     }
 
     /// As [`World::new`] with parts of the model that the definition does not need: they cost time and change no bit, which is what
-    /// this is for showing. A plan without a part that is needed leaves its effect out.
+    /// this is for showing. A plan without a part that is needed leaves its effect out; one that is [`Plan::dense`] shows what the dense
+    /// method makes of it.
     ///
     /// # Errors
     /// As [`World::new`].

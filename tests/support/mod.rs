@@ -7,6 +7,7 @@ mod levels;
 mod measure;
 mod random;
 pub mod rooms;
+pub mod scenes;
 pub mod strategies;
 
 pub use build::{BODY, G, TICK, area, block, crate_at, crowd, floor, pool, world};
