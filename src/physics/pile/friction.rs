@@ -49,6 +49,10 @@ pub(super) struct Tight {
     pub impulse: f64,
     /// Whether the two had the same velocity at the start.
     stood: bool,
+    /// What holds once a slide has ended, N·s.
+    holds: f64,
+    /// Which part of the largest impulse acts on what slips: less than all of it where the slide turned round within the step.
+    sense: f64,
     /// Whether it is a ceiling.
     above: bool,
     /// Velocity of the skin besides that of what it belongs to, m/s.
@@ -171,11 +175,14 @@ impl Friction {
                     // What slides stops only where kinetic friction stops it; static friction holds what stands.
                     let stood = bodies.rides_across(i, below, bodies.belt[below]);
                     let dragged = pick(mine.kinetic_friction, other.kinetic_friction);
+                    let holds = pick(mine.static_friction, other.static_friction);
                     self.tight.push(Tight {
                         below: stack.below,
                         grip: Grip::Stick,
                         load: 0.0,
-                        held: if stood { pick(mine.static_friction, other.static_friction) } else { dragged },
+                        held: if stood { holds } else { dragged },
+                        holds,
+                        sense: 1.0,
                         dragged,
                         impulse: 0.0,
                         stood,
@@ -204,6 +211,7 @@ impl Friction {
                 let share = if bears(tight) { share } else { 0.0 };
                 tight.load = share;
                 tight.held *= share;
+                tight.holds *= share;
                 tight.dragged *= share;
                 if !tight.above {
                     self.loads[tight.below as usize] += share;
@@ -221,13 +229,16 @@ impl Friction {
                 let (traits, skin) = (&bodies.traits[j], bodies.skin(j, 1, true));
                 let stood = bodies.rides_across(i, j, skin);
                 let dragged = traits.kinetic_friction;
-                let held = if stood { traits.static_friction } else { dragged };
+                let holds = traits.static_friction;
+                let held = if stood { holds } else { dragged };
                 let below = ceiling.first;
                 self.tight.push(Tight {
                     below,
                     grip: Grip::Stick,
                     load: 0.0,
                     held,
+                    holds,
+                    sense: 1.0,
                     dragged,
                     impulse: 0.0,
                     stood,
@@ -272,14 +283,22 @@ impl Friction {
     pub fn drag(&mut self, i: usize) {
         let under = self.under(i);
         for tight in &mut self.tight[under] {
-            tight.held = tight.dragged;
+            (tight.held, tight.holds) = (tight.dragged, tight.dragged);
         }
     }
 
     /// Solves the velocities across of what is gripped, from the momenta `given`; leaves in `riders` what each body carries.
+    ///
+    /// What slid at the start is expected to go on sliding: so what lies between bodies that slide over it is not taken for a part of both.
     pub fn solve(&mut self, bodies: &mut Bodies, given: &[f64]) {
-        for tight in &mut self.tight {
-            tight.grip = Grip::Stick;
+        for k in 0..self.gripped.len() {
+            let i = self.gripped[k] as usize;
+            for c in self.under(i) {
+                let tight = &mut self.tight[c];
+                let sliding = bodies.vx[i] - bodies.vx[tight.below as usize] - tight.skin;
+                tight.grip = if tight.stood || sliding == 0.0 { Grip::Stick } else { Grip::Slip(-sliding.signum()) };
+                tight.sense = 1.0;
+            }
         }
         for round in 0..ROUNDS {
             self.gather(bodies, given, round == 0);
@@ -340,7 +359,8 @@ impl Friction {
         let n = bodies.len();
         for &i in &self.gripped {
             let i = i as usize;
-            self.riders[i] = Node { momentum: given[i], mass: bodies.mass[i], ..Node::default() };
+            let (mass, vx) = (bodies.mass[i], bodies.vx[i]);
+            self.riders[i] = Node { momentum: given[i], began: mass * vx, mass, ..Node::default() };
         }
         for k in (0..self.gripped.len()).rev() {
             let i = self.gripped[k] as usize;
@@ -351,7 +371,7 @@ impl Friction {
             }
             let held: f64 = self.tight[under.clone()].iter().map(|t| t.held).sum();
             if guess && (mine.momentum.abs() > held) && self.tight[under.clone()].iter().all(|t| t.below as usize >= n) {
-                for tight in &mut self.tight[under.clone()] {
+                for tight in self.tight[under.clone()].iter_mut().filter(|tight| tight.stood) {
                     tight.grip = Grip::Slip(-mine.momentum.signum());
                 }
             }
@@ -359,7 +379,7 @@ impl Friction {
             for tight in &mut self.tight[under.clone()] {
                 match tight.grip {
                     Grip::Slip(sign) => {
-                        tight.impulse = sign * tight.dragged;
+                        tight.impulse = sign * tight.dragged * tight.sense;
                         self.riders[i].momentum += tight.impulse;
                         if (tight.below as usize) < n {
                             self.riders[tight.below as usize].momentum -= tight.impulse;
@@ -377,10 +397,16 @@ impl Friction {
                     let part = tight.held / held;
                     let below = &mut self.riders[tight.below as usize];
                     below.momentum += part * mine.momentum;
+                    below.began += part * mine.began;
                     below.mass += part * mine.mass;
                 }
             }
         }
+    }
+
+    /// What static friction can hold of a body, by all supports to which it sticks, N·s.
+    fn holds(&self, under: std::ops::Range<usize>) -> f64 {
+        self.tight[under].iter().filter(|tight| tight.grip == Grip::Stick).map(|tight| tight.holds).sum()
     }
 
     /// Bottom-up: the velocities. Returns whether some contact had to change its grip.
@@ -408,6 +434,12 @@ impl Friction {
                 let target = carry(&self.tight[best]);
                 let impulse = mine.mass * target - mine.momentum;
                 velocity = target;
+                // What slid and has come to its end within the step is held by static friction then, which need not answer what it began with.
+                let first = mine.began - mine.mass * (bodies.vx[self.tight[best].below as usize] + self.tight[best].skin);
+                let ends = !self.tight[best].stood && (impulse.abs() <= held || first * impulse > 0.0);
+                let (holds, needs) = if ends { (self.holds(under.clone()), impulse + first) } else { (held, impulse) };
+                // Or it slides back, for what is left of the step.
+                let sense = if ends { 1.0 - 2.0 * first.abs() / (needs.abs() + held) } else { 1.0 };
                 for c in under.clone() {
                     let other = carry(&self.tight[c]);
                     let tight = &mut self.tight[c];
@@ -418,8 +450,8 @@ impl Friction {
                     if other != target {
                         tight.grip = Grip::Slip((other - target).signum());
                         changed = true;
-                    } else if impulse.abs() > held * (1.0 + ROUNDING) {
-                        tight.grip = Grip::Slip(impulse.signum());
+                    } else if needs.abs() > holds * (1.0 + ROUNDING) {
+                        (tight.grip, tight.sense) = (Grip::Slip(needs.signum()), sense);
                         changed = true;
                     }
                 }
