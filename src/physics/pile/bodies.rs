@@ -89,6 +89,10 @@ pub(super) struct Bodies {
     pub shift: (f64, f64),
     /// Where some would be at the end of the step, and how fast, if they touched nothing: set from outside, by their numbers there.
     pub guided: Vec<(u32, DVec2, DVec2)>,
+    /// Who of them that is in the present step, by the numbers outside.
+    pub is_guided: Vec<bool>,
+    /// Whether the air slows any.
+    pub airy: bool,
     /// Number outside → number inside.
     pub slot: Vec<u32>,
     /// Number inside → number outside.
@@ -143,6 +147,8 @@ impl Bodies {
             allowed_bottom: movable(),
             shift: (0.0, 0.0),
             guided: Vec::new(),
+            is_guided: vec![false; count],
+            airy: false,
             slot: (0..count as u32).collect(),
             id: (0..count as u32).collect(),
             order: (0..count as u32).collect(),

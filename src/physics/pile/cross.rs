@@ -9,6 +9,7 @@
 use super::bodies::Bodies;
 use super::clusters::{Clusters, Motion, Node};
 use super::contacts::Contacts;
+use super::drag::Resistance;
 use super::friction::{Friction, Grip};
 use super::report::Report;
 
@@ -37,6 +38,7 @@ pub(super) struct Pushes {
     pushed: Vec<bool>,
     told: Vec<bool>,
     pub hits: Hits,
+    pub resistance: Resistance,
 }
 
 /// Plastic impacts, and how fast one must close, m/s.
@@ -54,6 +56,7 @@ impl Pushes {
             pushed: vec![false; count],
             told: vec![false; count],
             hits: Hits::default(),
+            resistance: Resistance::default(),
         }
     }
 }
@@ -76,6 +79,7 @@ impl Cross<'_> {
     /// Solves the velocities across gravity. Returns whether friction had to be left out of the merging.
     pub fn solve(&mut self, bodies: &mut Bodies) -> bool {
         self.pushes.hits.all.clear();
+        self.pushes.resistance.restore(bodies);
         if !self.begin(bodies) && !self.contacts.carried {
             self.friction.rest(self.members);
             return false;
@@ -105,7 +109,7 @@ impl Cross<'_> {
     }
 
     /// Whether there is more kinetic energy than before: friction and pushes that answer each other round by round may drive. Moving
-    /// surfaces may.
+    /// surfaces may, and what slides back.
     fn gains(&self, bodies: &Bodies) -> bool {
         let (mut before, mut after) = (0.0, 0.0);
         for &i in self.members {
@@ -113,7 +117,7 @@ impl Cross<'_> {
             before += bodies.mass[i] * bodies.free_vx[i] * bodies.free_vx[i];
             after += bodies.mass[i] * bodies.ux[i] * bodies.ux[i];
         }
-        after > before * (1.0 + ROUNDING) && !self.contacts.carried
+        after > before * (1.0 + ROUNDING) && !self.contacts.carried && !self.friction.turned
     }
 
     /// Back to friction alone.
@@ -141,6 +145,7 @@ impl Cross<'_> {
     /// Friction, and merging with friction, in turns. Returns whether nothing closes too far any more.
     fn rub_and_push(&mut self, bodies: &mut Bodies) -> bool {
         self.rub(bodies);
+        self.resist(bodies);
         for &i in self.members {
             let i = i as usize;
             self.pushes.before[i] = bodies.ux[i];
@@ -166,10 +171,26 @@ impl Cross<'_> {
         false
     }
 
+    /// Tells drag anew with the velocities that friction leaves, and friction with that.
+    fn resist(&mut self, bodies: &mut Bodies) {
+        if !bodies.airy {
+            return;
+        }
+        let Pushes { given, resistance, .. } = &mut *self.pushes;
+        if resistance.across(bodies, self.friction.gripped(), given, self.dt) {
+            self.friction.solve(bodies, &self.pushes.given);
+            self.friction.spread_ways(bodies, &self.pushes.told, self.dt);
+        }
+    }
+
     fn rub(&mut self, bodies: &mut Bodies) {
-        let Pushes { given, pushed, told, .. } = &*self.pushes;
+        let Pushes { given, pushed, told, resistance, .. } = &mut *self.pushes;
         self.friction.wake(bodies, self.members, self.contacts, given, pushed);
-        self.friction.load(bodies, self.contacts, self.struck, self.dt);
+        self.friction.touch(bodies, self.contacts, self.dt);
+        if bodies.airy {
+            resistance.along(bodies, self.friction.gripped(), self.dt);
+        }
+        self.friction.load(bodies, self.struck);
         self.friction.solve(bodies, given);
         self.friction.spread_ways(bodies, told, self.dt);
     }

@@ -198,6 +198,7 @@ impl Dense {
             island.members.iter().enumerate().for_each(|(k, i)| self.place[*i as usize] = k as u32);
             self.record(bodies, island, down);
         }
+        self.pushes.resistance.restore(bodies);
         self.walls.restore_free(bodies);
         self.impacts.restore_free(bodies, island.members);
     }

@@ -79,6 +79,9 @@ pub(super) struct Friction {
     alike: bool,
     /// Whether surfaces move, which may drive.
     carried: bool,
+    /// Whether something slides back within the step: friction has turned round with it, and what it did until then is not in what the
+    /// step gives.
+    pub turned: bool,
 }
 
 impl Friction {
@@ -98,6 +101,11 @@ impl Friction {
     /// The tight contacts under a body that takes part.
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
         self.start[i] as usize..self.end[i] as usize
+    }
+
+    /// Who stands on something or carries something.
+    pub fn gripped(&self) -> &[u32] {
+        &self.gripped
     }
 
     pub fn is_awake(&self, i: usize) -> bool {
@@ -152,8 +160,8 @@ impl Friction {
         }
     }
 
-    /// Adds up the loads top-down, from what the solver changed along gravity and what `struck` bodies from above in impacts, N·s.
-    pub fn load(&mut self, bodies: &Bodies, contacts: &Contacts, struck: &[f64], dt: f64) {
+    /// Finds the tight contacts of what takes part.
+    pub fn touch(&mut self, bodies: &Bodies, contacts: &Contacts, dt: f64) {
         let n = bodies.len();
         let slack = contacts.tolerances.hair / dt;
         self.carried = contacts.carried;
@@ -162,7 +170,6 @@ impl Friction {
         for k in 0..self.awake.len() {
             let i = self.awake[k] as usize;
             self.start[i] = self.tight.len() as u32;
-            self.loads[i] = struck[i];
             self.is_gripped[i] = false;
             let (mean, velocity) = (bodies.mean_vy[i], bodies.uy[i]);
             for stack in &contacts.stacks[contacts.under(i)] {
@@ -201,6 +208,13 @@ impl Friction {
             }
         }
         self.gripped.extend(self.awake.iter().filter(|i| self.is_gripped[**i as usize]));
+    }
+
+    /// Adds up the loads top-down, from what the solver changed along gravity and what `struck` bodies from above in impacts, N·s.
+    pub fn load(&mut self, bodies: &Bodies, struck: &[f64]) {
+        for &i in &self.awake {
+            self.loads[i as usize] = struck[i as usize];
+        }
         for k in (0..self.gripped.len()).rev() {
             let i = self.gripped[k] as usize;
             let load = self.loads[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
@@ -300,10 +314,11 @@ impl Friction {
                 tight.sense = 1.0;
             }
         }
+        self.turned = false;
         for round in 0..ROUNDS {
             self.gather(bodies, given, round == 0);
             if !self.spread(bodies) {
-                if self.carried || self.dissipates(bodies, given) {
+                if self.carried || self.turned || self.dissipates(bodies, given) {
                     return;
                 }
                 break;
@@ -327,6 +342,7 @@ impl Friction {
     /// allows. Always dissipates, but what sticks high up is stopped only after many steps.
     fn relax(&mut self, bodies: &mut Bodies, given: &[f64]) {
         let n = bodies.len();
+        self.turned = false;
         for &i in &self.gripped {
             let i = i as usize;
             bodies.ux[i] = given[i] / bodies.mass[i];
@@ -452,6 +468,7 @@ impl Friction {
                         changed = true;
                     } else if needs.abs() > holds * (1.0 + ROUNDING) {
                         (tight.grip, tight.sense) = (Grip::Slip(needs.signum()), sense);
+                        self.turned |= ends;
                         changed = true;
                     }
                 }

@@ -23,6 +23,7 @@ mod contacts;
 mod cross;
 mod def;
 mod dense;
+mod drag;
 mod driver;
 mod flight;
 mod friction;
@@ -129,6 +130,8 @@ impl Pile {
                 kinetic_friction: body.kinetic_friction,
             };
         }
+        bodies.airy =
+            def.air_density > 0.0 && def.bodies.iter().any(|body| body.drag_area != DVec2::ZERO || body.drag_round > 0.0);
         bodies.elastic = def.bodies.iter().any(|body| body.restitution == 1.0);
         bodies.lively = def.bodies.iter().any(|body| body.restitution > 0.0);
         for (j, surface) in def.surfaces.iter().enumerate() {
@@ -146,7 +149,7 @@ impl Pile {
             driver: Driver::new(n),
             down,
             gravity,
-            drag: def.air_density > 0.0 && def.bodies.iter().any(|body| body.drag_area != DVec2::ZERO || body.drag_round > 0.0),
+            drag: bodies.airy,
             rest_speed: def.rest_speed,
             may_sleep: def.sleep,
             last_dt: 0.0,

@@ -78,7 +78,9 @@ impl Pile {
             self.stop_presses(dt, other);
             self.bodies.commit();
         }
-        self.bodies.guided.clear();
+        for (id, ..) in self.bodies.guided.drain(..) {
+            self.bodies.is_guided[id as usize] = false;
+        }
         self.driver.targets.clear();
         self.driver.ways.clear();
     }
