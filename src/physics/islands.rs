@@ -352,6 +352,9 @@ impl Advance for Tick<'_> {
                     self.scratch.after[body as usize].dense = true;
                 }
                 self.bring(store);
+                for item in &self.scratch.events.items[count..] {
+                    store.place_surface(item.id, (item.body.position, item.body.velocity), item.stops_at <= at);
+                }
                 Verdict::Left(self.scene.tick - at)
             }
         }
@@ -372,6 +375,10 @@ impl Advance for Tick<'_> {
         crushed.retain(|(of, ..)| *of != leader);
         met.retain(|met| met.leader != leader);
         stops.retain(|stop| stop.leader != leader);
+    }
+
+    fn stand(&mut self, surface: usize) {
+        self.scratch.stops.push(Stop { leader: NOBODY, surface: surface as u32, at: 0.0 });
     }
 
     fn disagree(&mut self, bodies: &mut Vec<u32>) {

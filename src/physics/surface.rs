@@ -302,6 +302,19 @@ impl Surface {
         self.present && (point.velocity != DVec2::ZERO || point.acceleration != DVec2::ZERO || point.lasts <= t)
     }
 
+    /// How fast it moves when it arrives where it is in `t` seconds, before the next leg of its path may begin there, m/s.
+    pub(super) fn arrives(&self, t: f64) -> DVec2 {
+        let mut from = 0.0;
+        loop {
+            let point = self.at(from);
+            let leg = t - from;
+            if point.lasts >= leg * (1.0 - CLOCK_ROUNDING) {
+                return point.velocity + point.acceleration * leg;
+            }
+            from += point.lasts;
+        }
+    }
+
     /// What it sweeps within the next `t` seconds, m.
     pub(super) fn swept(&self, t: f64) -> Aabb {
         let mut swept = self.bounds;

@@ -188,7 +188,6 @@ impl Events {
             self.work += WORK_OF_AN_ITEM;
             if self.work > budget {
                 self.stop_here(scene);
-                self.halt_all(scene);
                 return Outcome::Busy(self.now);
             }
             self.happen(scene, i, next.kind);

@@ -43,7 +43,7 @@ use def::check;
 pub use def::{PileBody, PileDef, PileError, PileSurface};
 use dense::Dense;
 pub use dense::Guards;
-use driver::Driver;
+use driver::{Driver, Target};
 pub(in crate::physics) use driver::{Advance, Store, Verdict};
 use glam::DVec2;
 pub use impacts::Axis;
@@ -178,10 +178,17 @@ impl Pile {
 
     /// Moves a surface during the next step so that its centre is there at the end of it, m. After that it stands, unless moved again.
     pub fn move_surface(&mut self, surface: usize, centre: DVec2) {
+        self.lead_surface(surface, centre, None);
+    }
+
+    /// The same for a surface that speeds up or slows down: with how fast it moves when the step ends, m/s. What rides on it does so, too.
+    pub fn lead_surface(&mut self, surface: usize, centre: DVec2, velocity: Option<DVec2>) {
         if self.driver.add_moving(surface) {
             self.neighbours.set_moving(surface);
         }
-        self.driver.targets.push((surface as u32, centre * DVec2::new(1.0, self.down)));
+        let turned = DVec2::new(1.0, self.down);
+        let (centre, velocity) = (centre * turned, velocity.map(|velocity| velocity * turned));
+        self.driver.targets.push(Target { surface: surface as u32, centre, velocity });
     }
 
     /// Tells all that a surface sweeps in the next step, m, where it does not go straight to its end.

@@ -136,6 +136,9 @@ impl Impacts {
             return (false, false);
         }
         self.gather(bodies, island, anchors);
+        for &(a, b) in &around.reach.added {
+            self.add(bodies, a, b);
+        }
         self.follow_ups += 1;
         for pair in 0..self.pairs.len() {
             self.look(bodies, pair, 0.0);
