@@ -303,14 +303,15 @@ impl Friction {
 
     /// Solves the velocities across of what is gripped, from the momenta `given`; leaves in `riders` what each body carries.
     ///
-    /// What slid at the start is expected to go on sliding: so what lies between bodies that slide over it is not taken for a part of both.
+    /// What slid at the start, faster than friction could stop the body alone, is expected to go on sliding: so what lies between bodies that slide over it is not taken for a part of both.
     pub fn solve(&mut self, bodies: &mut Bodies, given: &[f64]) {
         for k in 0..self.gripped.len() {
             let i = self.gripped[k] as usize;
             for c in self.under(i) {
                 let tight = &mut self.tight[c];
                 let sliding = bodies.vx[i] - bodies.vx[tight.below as usize] - tight.skin;
-                tight.grip = if tight.stood || sliding == 0.0 { Grip::Stick } else { Grip::Slip(-sliding.signum()) };
+                let lasts = !tight.stood && bodies.mass[i] * sliding.abs() > tight.dragged;
+                tight.grip = if lasts { Grip::Slip(-sliding.signum()) } else { Grip::Stick };
                 tight.sense = 1.0;
             }
         }
