@@ -3,6 +3,7 @@
 
 mod build;
 pub mod dense;
+pub mod lanes;
 mod levels;
 mod measure;
 mod random;

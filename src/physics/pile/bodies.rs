@@ -181,6 +181,11 @@ impl Bodies {
         self.vy[i] == self.vy[j] + skin || (j >= self.count && self.vy[i] == self.was_vy[j] + skin)
     }
 
+    /// How fast something moved across when the step began, m/s: of a surface, when the one before ended.
+    pub fn began_across(&self, j: usize) -> f64 {
+        if j < self.count { self.vx[j] } else { self.was_vx[j] }
+    }
+
     /// Whether a surface moves, moved in the step before, or runs a belt.
     pub fn carries(&self, j: usize) -> bool {
         let moved = self.was_vx[j] != 0.0 || self.was_vy[j] != 0.0;

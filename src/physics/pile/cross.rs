@@ -11,6 +11,7 @@ use super::clusters::{Clusters, Motion, Node};
 use super::contacts::Contacts;
 use super::drag::Resistance;
 use super::friction::{Friction, Grip};
+use super::impacts::Impacts;
 use super::report::Report;
 
 /// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
@@ -68,7 +69,7 @@ pub(super) struct Cross<'a> {
     pub friction: &'a mut Friction,
     pub clusters: &'a mut Clusters,
     pub pushes: &'a mut Pushes,
-    pub struck: &'a [f64],
+    pub impacts: &'a Impacts,
     pub report: &'a mut Report,
     pub dt: f64,
     /// Whether fewer rounds do.
@@ -186,11 +187,11 @@ impl Cross<'_> {
     fn rub(&mut self, bodies: &mut Bodies) {
         let Pushes { given, pushed, told, resistance, .. } = &mut *self.pushes;
         self.friction.wake(bodies, self.members, self.contacts, given, pushed);
-        self.friction.touch(bodies, self.contacts, self.dt);
+        self.friction.touch(bodies, self.contacts, self.impacts, self.dt);
         if bodies.airy {
             resistance.along(bodies, self.friction.gripped(), self.dt);
         }
-        self.friction.load(bodies, self.struck);
+        self.friction.load(bodies, &self.impacts.struck);
         self.friction.solve(bodies, given);
         self.friction.spread_ways(bodies, told, self.dt);
     }
@@ -229,6 +230,7 @@ impl Cross<'_> {
                 continue;
             }
             rubs = true;
+            self.friction.tell(i);
             if velocity != 0.0 {
                 self.friction.drag(i);
             }

@@ -244,8 +244,8 @@ impl Dense {
 
     fn solve_across(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
         let Self { contacts, friction, clusters, pushes, impacts, report, hasty, .. } = self;
-        let (struck, hasty) = (&impacts.struck, *hasty);
-        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, struck, report, dt, hasty };
+        let (impacts, hasty) = (&*impacts, *hasty);
+        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, impacts, report, dt, hasty };
         self.guards.friction += u64::from(cross.solve(bodies));
     }
 

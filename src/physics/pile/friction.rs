@@ -18,6 +18,7 @@ use super::bodies::Bodies;
 use super::clusters::Node;
 use super::contacts::Contacts;
 use super::gravity::SLACK;
+use super::impacts::Impacts;
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 5;
@@ -69,6 +70,8 @@ pub(super) struct Friction {
     /// What each body carries, itself included.
     pub riders: Vec<Node>,
     loads: Vec<f64>,
+    /// Velocities across with which bodies began the step, or would have begun to have now what impacts gave them, m/s.
+    began: Vec<f64>,
     /// Who takes part, bottom-up.
     awake: Vec<u32>,
     is_awake: Vec<bool>,
@@ -90,6 +93,7 @@ impl Friction {
         Self {
             riders: vec![Node::default(); all],
             loads: vec![0.0; all],
+            began: vec![0.0; all],
             is_awake: vec![false; all],
             is_gripped: vec![false; all],
             start: vec![0; all],
@@ -161,7 +165,7 @@ impl Friction {
     }
 
     /// Finds the tight contacts of what takes part.
-    pub fn touch(&mut self, bodies: &Bodies, contacts: &Contacts, dt: f64) {
+    pub fn touch(&mut self, bodies: &Bodies, contacts: &Contacts, impacts: &Impacts, dt: f64) {
         let n = bodies.len();
         let slack = contacts.tolerances.hair / dt;
         self.carried = contacts.carried;
@@ -171,6 +175,7 @@ impl Friction {
             let i = self.awake[k] as usize;
             self.start[i] = self.tight.len() as u32;
             self.is_gripped[i] = false;
+            self.began[i] = impacts.began_across(bodies, i);
             let (mean, velocity) = (bodies.mean_vy[i], bodies.uy[i]);
             for stack in &contacts.stacks[contacts.under(i)] {
                 let below = stack.below as usize;
@@ -275,22 +280,35 @@ impl Friction {
             let strongest = self.tight[self.under(i)].iter().reduce(|a, b| if b.held > a.held { b } else { a });
             if let Some(tight) = strongest {
                 let below = tight.below as usize;
-                let belt = tight.skin;
-                if bodies.ux[i] == bodies.ux[below] + belt {
+                let (belt, began) = (tight.skin, bodies.began_across(below));
+                if tight.sense != 1.0 && tight.grip != Grip::Stick {
+                    // It slid until it had the velocity of what carries it, and then slides back.
+                    let part = 0.5 * (1.0 - tight.sense);
+                    let turns = began + part * (bodies.ux[below] - began) + belt;
+                    mean = 0.5 * (part * (bodies.vx[i] + turns) + (1.0 - part) * (turns + bodies.ux[i]));
+                } else if bodies.ux[i] == bodies.ux[below] + belt {
                     let carried = bodies.mean_vx[below] + belt;
-                    let sliding = bodies.vx[i] - bodies.vx[below] - belt;
-                    mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * self.time_to_stop(bodies, i, sliding) };
+                    let sliding = bodies.vx[i] - began - belt;
+                    let gained = bodies.free_vx[i] - bodies.vx[i] - (bodies.ux[below] - began);
+                    mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * self.time_to_stop(i, sliding, gained) };
                 }
             }
             bodies.mean_vx[i] = mean;
         }
     }
 
-    /// How long, as a part of the step, a body that slides and stops within it slides on.
-    fn time_to_stop(&self, bodies: &Bodies, i: usize, sliding: f64) -> f64 {
+    /// How long, as a part of the step, a body that slides and stops within it slides on: `gained` is what its sliding would gain without
+    /// friction, m/s.
+    fn time_to_stop(&self, i: usize, sliding: f64, gained: f64) -> f64 {
         let dragged: f64 = self.tight[self.under(i)].iter().map(|t| t.dragged).sum();
-        let slowed = dragged.copysign(sliding) / self.riders[i].mass - (bodies.free_vx[i] - bodies.vx[i]);
+        let slowed = dragged.copysign(sliding) / self.riders[i].mass - gained;
         if slowed == 0.0 { 1.0 } else { (sliding / slowed).clamp(0.0, 1.0) }
+    }
+
+    /// Its neighbours have told a body how fast it is: it is no slide that ends by itself.
+    pub fn tell(&mut self, i: usize) {
+        let under = self.under(i);
+        self.tight[under].iter_mut().for_each(|tight| tight.stood = true);
     }
 
     /// From now on only kinetic friction acts under a body, for it is being pushed along.
@@ -309,7 +327,7 @@ impl Friction {
             let i = self.gripped[k] as usize;
             for c in self.under(i) {
                 let tight = &mut self.tight[c];
-                let sliding = bodies.vx[i] - bodies.vx[tight.below as usize] - tight.skin;
+                let sliding = self.began[i] - bodies.began_across(tight.below as usize) - tight.skin;
                 let lasts = !tight.stood && bodies.mass[i] * sliding.abs() > tight.dragged;
                 tight.grip = if lasts { Grip::Slip(-sliding.signum()) } else { Grip::Stick };
                 tight.sense = 1.0;
@@ -376,8 +394,8 @@ impl Friction {
         let n = bodies.len();
         for &i in &self.gripped {
             let i = i as usize;
-            let (mass, vx) = (bodies.mass[i], bodies.vx[i]);
-            self.riders[i] = Node { momentum: given[i], began: mass * vx, mass, ..Node::default() };
+            let mass = bodies.mass[i];
+            self.riders[i] = Node { momentum: given[i], began: mass * self.began[i], mass, ..Node::default() };
         }
         for k in (0..self.gripped.len()).rev() {
             let i = self.gripped[k] as usize;
@@ -387,9 +405,14 @@ impl Friction {
                 continue;
             }
             let held: f64 = self.tight[under.clone()].iter().map(|t| t.held).sum();
-            if guess && (mine.momentum.abs() > held) && self.tight[under.clone()].iter().all(|t| t.below as usize >= n) {
-                for tight in self.tight[under.clone()].iter_mut().filter(|tight| tight.stood) {
-                    tight.grip = Grip::Slip(-mine.momentum.signum());
+            let on_surfaces = self.tight[under.clone()].iter().all(|t| t.below as usize >= n);
+            if guess && on_surfaces {
+                let first = &self.tight[under.start];
+                let sliding = mine.momentum - mine.mass * (bodies.ux[first.below as usize] + first.skin);
+                if sliding.abs() > held {
+                    for tight in self.tight[under.clone()].iter_mut().filter(|tight| tight.stood) {
+                        tight.grip = Grip::Slip(-sliding.signum());
+                    }
                 }
             }
             let mut held = 0.0;
@@ -452,7 +475,7 @@ impl Friction {
                 let impulse = mine.mass * target - mine.momentum;
                 velocity = target;
                 // What slid and has come to its end within the step is held by static friction then, which need not answer what it began with.
-                let first = mine.began - mine.mass * (bodies.vx[self.tight[best].below as usize] + self.tight[best].skin);
+                let first = mine.began - mine.mass * (bodies.began_across(self.tight[best].below as usize) + self.tight[best].skin);
                 let ends = !self.tight[best].stood && (impulse.abs() <= held || first * impulse > 0.0);
                 let (holds, needs) = if ends { (self.holds(under.clone()), impulse + first) } else { (held, impulse) };
                 // Or it slides back, for what is left of the step.

@@ -178,6 +178,11 @@ impl Impacts {
         self.any = false;
     }
 
+    /// How fast a body was across when the step began, or would have been to have now what impacts gave it, m/s.
+    pub fn began_across(&self, bodies: &Bodies, i: usize) -> f64 {
+        if self.any && self.was_hit(i) { self.courses[0][i].velocity } else { bodies.vx[i] }
+    }
+
     /// Whether a body was hit when impacts were followed last.
     pub fn was_hit(&self, i: usize) -> bool {
         self.hit_in[i] == self.follow_ups
