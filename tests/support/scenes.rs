@@ -74,7 +74,8 @@ pub fn cradle(count: usize) -> WorldDef {
 
 /// A column of blocks of 1 to 5 kg.
 pub fn column(count: usize) -> WorldDef {
-    let body = |i: usize| BodyDef { position: DVec2::new(0.0, -0.5 - i as f64), mass: 1.0 + (i * 7 % 5) as f64, ..BodyDef::default() };
+    let body =
+        |i: usize| BodyDef { position: DVec2::new(0.0, -0.5 - i as f64), mass: 1.0 + (i * 7 % 5) as f64, ..BodyDef::default() };
     on_a_floor((0..count).map(body).collect(), 1.0)
 }
 

@@ -8,11 +8,11 @@
 
 use super::bodies::Bodies;
 use super::clusters::{Clusters, Motion, Node};
-use super::contacts::Contacts;
+use super::contacts::{Contacts, Side};
 use super::drag::Resistance;
 use super::friction::{Friction, Grip};
 use super::impacts::Impacts;
-use super::report::Report;
+use super::report::{Edge, Report};
 
 /// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
@@ -25,6 +25,10 @@ const DRIVEN: f64 = 1e-9;
 const STILL: f64 = 1e-12;
 /// Kinetic energy gained that is no more than rounding, as a part of all.
 const ROUNDING: f64 = 1e-12;
+/// Sweeps in which what still closes in the end is parted. Fewer: a light body that heavy ones drag against a third keeps a part of its speed.
+const SWEEPS: usize = 32;
+/// Relative to the velocities: what closes more slowly does not. Smaller: rounding is swept.
+const CLOSING: f64 = 1e-12;
 /// Passes over the side contacts in one merging; each merges whole rows.
 const PASSES: usize = 16;
 
@@ -40,6 +44,8 @@ pub(super) struct Pushes {
     told: Vec<bool>,
     pub hits: Hits,
     pub resistance: Resistance,
+    /// Pairs side by side, and the impulses that parted them in the end.
+    parting: Vec<Edge>,
 }
 
 /// Plastic impacts, and how fast one must close, m/s.
@@ -58,6 +64,7 @@ impl Pushes {
             told: vec![false; count],
             hits: Hits::default(),
             resistance: Resistance::default(),
+            parting: Vec::with_capacity(count),
         }
     }
 }
@@ -88,6 +95,7 @@ impl Cross<'_> {
         let settled = self.rub_and_push(bodies);
         let gained = self.gains(bodies);
         if settled && !gained {
+            self.polish(bodies);
             return false;
         }
         if gained {
@@ -107,6 +115,48 @@ impl Cross<'_> {
             }
         }
         true
+    }
+
+    /// What is side by side in the end and still closes is parted, in turns with the friction under it, contact by contact: the ways are
+    /// told, but a light body between heavy ones that drag it may have been left with any velocity.
+    fn polish(&mut self, bodies: &mut Bodies) {
+        let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
+        let Pushes { parting, .. } = &mut *self.pushes;
+        let touches = |bodies: &Bodies, side: &Side| {
+            let (a, b) = (side.first as usize, side.second as usize);
+            side.live && bodies.mean_vx[a] - bodies.mean_vx[b] - side.bound >= -slack
+        };
+        let closes = |bodies: &Bodies, side: &Side| {
+            let (u, v) = (bodies.ux[side.first as usize], bodies.ux[side.second as usize]);
+            u - v > CLOSING * (u.abs() + v.abs()) + STILL
+        };
+        if !self.contacts.sides.iter().any(|side| closes(bodies, side) && touches(bodies, side)) {
+            return;
+        }
+        parting.clear();
+        let sides = self.contacts.sides.iter().filter(|side| touches(bodies, side));
+        parting.extend(sides.map(|side| Edge { a: side.first, b: side.second, impulse: 0.0 }));
+        for _ in 0..SWEEPS {
+            let (mut most, mut fastest) = (0.0f64, 0.0f64);
+            for edge in parting.iter_mut() {
+                let (a, b) = (edge.a as usize, edge.b as usize);
+                let share = |i: usize| if i < n { 1.0 / bodies.mass[i] } else { 0.0 };
+                let (of_a, of_b) = (share(a), share(b));
+                let more = (edge.impulse + (bodies.ux[a] - bodies.ux[b]) / (of_a + of_b)).max(0.0) - edge.impulse;
+                edge.impulse += more;
+                bodies.ux[a] -= more * of_a;
+                bodies.ux[b] += more * of_b;
+                most = most.max(more.abs() * of_a.max(of_b));
+                fastest = fastest.max(bodies.ux[a].abs()).max(bodies.ux[b].abs());
+            }
+            most = most.max(self.friction.sweep(bodies));
+            if most <= CLOSING * fastest + STILL {
+                break;
+            }
+        }
+        if self.report.on {
+            self.report.sides.extend(parting.iter().filter(|edge| edge.impulse > 0.0));
+        }
     }
 
     /// Whether there is more kinetic energy than before: friction and pushes that answer each other round by round may drive. Moving

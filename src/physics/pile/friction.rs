@@ -360,7 +360,6 @@ impl Friction {
     /// The way out where the grips do not settle: contact by contact, friction brings its two bodies together as far as its limit
     /// allows. Always dissipates, but what sticks high up is stopped only after many steps.
     fn relax(&mut self, bodies: &mut Bodies, given: &[f64]) {
-        let n = bodies.len();
         self.turned = false;
         for &i in &self.gripped {
             let i = i as usize;
@@ -371,22 +370,31 @@ impl Friction {
             (tight.grip, tight.impulse) = (Grip::Stick, 0.0);
         }
         for _ in 0..SWEEPS {
-            for k in 0..self.gripped.len() {
-                let i = self.gripped[k] as usize;
-                for c in self.under(i) {
-                    let tight = &mut self.tight[c];
-                    let below = tight.below as usize;
-                    let share = |i: usize, moves: bool| if moves { 1.0 / bodies.mass[i] } else { 0.0 };
-                    let (mine, other) = (share(i, true), share(below, below < n && self.is_awake[below]));
-                    let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below] - tight.skin) / (mine + other);
-                    let more = wanted.clamp(-tight.held, tight.held) - tight.impulse;
-                    tight.impulse += more;
-                    bodies.ux[i] += more * mine;
-                    bodies.ux[below] -= more * other;
-                    self.riders[below].momentum -= more;
-                }
+            self.sweep(bodies);
+        }
+    }
+
+    /// Contact by contact, brings two bodies together as far as the limit allows. Returns the greatest change of a velocity, m/s.
+    pub fn sweep(&mut self, bodies: &mut Bodies) -> f64 {
+        let n = bodies.len();
+        let mut most = 0.0f64;
+        for k in 0..self.gripped.len() {
+            let i = self.gripped[k] as usize;
+            for c in self.under(i) {
+                let tight = &mut self.tight[c];
+                let below = tight.below as usize;
+                let share = |i: usize, moves: bool| if moves { 1.0 / bodies.mass[i] } else { 0.0 };
+                let (mine, other) = (share(i, true), share(below, below < n && self.is_awake[below]));
+                let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below] - tight.skin) / (mine + other);
+                let more = wanted.clamp(-tight.held, tight.held) - tight.impulse;
+                tight.impulse += more;
+                bodies.ux[i] += more * mine;
+                bodies.ux[below] -= more * other;
+                self.riders[below].momentum -= more;
+                most = most.max(more.abs() * mine.max(other));
             }
         }
+        most
     }
 
     /// Top-down: mass and momentum of all that sticks to a body, and what slides on it gives.
