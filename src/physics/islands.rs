@@ -239,7 +239,7 @@ impl Scratch {
         }
         for &(body, surface, speed) in &events.squeezed {
             let (of, by) = (&items[body as usize], &items[surface as usize]);
-            crushed.push((leader, of.id, by.id, of.body.mass * speed / scene.tick));
+            crushed.push((leader, of.id, by.id, of.body.crushing_force(speed)));
         }
         for item in &items[*movable..] {
             if !state.surfaces[item.id as usize].def.path.is_still() {

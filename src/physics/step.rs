@@ -290,7 +290,7 @@ impl World {
             }
         }
         for squeeze in pile.squeezed() {
-            let force = state.bodies[squeeze.body].mass * squeeze.speed / dt;
+            let force = state.bodies[squeeze.body].crushing_force(squeeze.speed);
             scratch.crushed.push((u32::MAX, squeeze.body as u32, squeeze.surface as u32, force));
         }
     }

@@ -247,7 +247,7 @@ pub struct Surface {
     /// Whether it shall be there as soon as nothing is in its way.
     pub(super) wanted: bool,
     /// Whether it moved in the last tick: what touched it then has to know when that is over.
-    moved: bool,
+    pub(super) moved: bool,
 }
 
 impl Surface {

@@ -3,6 +3,7 @@
 
 mod build;
 pub mod dense;
+pub mod hashes;
 pub mod lanes;
 mod levels;
 mod measure;

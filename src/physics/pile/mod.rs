@@ -43,8 +43,8 @@ use def::check;
 pub use def::{PileBody, PileDef, PileError, PileSurface};
 use dense::Dense;
 pub use dense::Guards;
-use driver::{Driver, Target};
 pub(in crate::physics) use driver::{Advance, Store, Verdict};
+use driver::{Driver, Target};
 use glam::DVec2;
 pub use impacts::Axis;
 use islands::Islands;
@@ -130,8 +130,7 @@ impl Pile {
                 kinetic_friction: body.kinetic_friction,
             };
         }
-        bodies.airy =
-            def.air_density > 0.0 && def.bodies.iter().any(|body| body.drag_area != DVec2::ZERO || body.drag_round > 0.0);
+        bodies.airy = def.air_density > 0.0 && def.bodies.iter().any(|body| body.drag_area != DVec2::ZERO || body.drag_round > 0.0);
         bodies.elastic = def.bodies.iter().any(|body| body.restitution == 1.0);
         bodies.lively = def.bodies.iter().any(|body| body.restitution > 0.0);
         for (j, surface) in def.surfaces.iter().enumerate() {
@@ -195,6 +194,14 @@ impl Pile {
     pub(in crate::physics) fn sweep_surface(&mut self, surface: usize, swept: &Aabb) {
         let (top, bottom) = if self.down < 0.0 { (-swept.max.y, -swept.min.y) } else { (swept.min.y, swept.max.y) };
         self.driver.ways.push((surface as u32, [swept.min.x, swept.max.x, top, bottom]));
+    }
+
+    /// Feeds how fast surfaces moved when the last step ended to `write`: what had that velocity rides on them.
+    pub(in crate::physics) fn hash_surfaces(&self, write: &mut impl FnMut(u64)) {
+        let (n, moving) = (self.bodies.len(), &self.driver.moving);
+        for j in moving.iter().map(|j| n + *j as usize) {
+            [self.bodies.vx[j], self.bodies.vy[j]].into_iter().for_each(|value| write(value.to_bits()));
+        }
     }
 
     /// Puts a surface where it is, m, without a step.

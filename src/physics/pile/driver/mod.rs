@@ -31,7 +31,7 @@ pub(super) struct Target {
 pub(super) struct Driver {
     pub events: Vec<PileImpact>,
     /// Surfaces that have moved, and where they go next.
-    moving: Vec<u32>,
+    pub moving: Vec<u32>,
     pub targets: Vec<Target>,
     /// What they sweep on the way, where that is no straight line: left, right, top, bottom.
     pub ways: Vec<(u32, [f64; 4])>,
@@ -206,8 +206,7 @@ impl Pile {
                 }
                 driver.forget(bodies, island, &mut dense.report.list);
                 driver.placed.clear();
-                let mut store =
-                    Store { bodies, island, grown: &mut dense.grown, placed: &mut driver.placed, down: self.down };
+                let mut store = Store { bodies, island, grown: &mut dense.grown, placed: &mut driver.placed, down: self.down };
                 let left = match other.advance(&mut store, round) {
                     Verdict::Taken { rests } => {
                         driver.note_sleep(bodies, island, self.may_sleep && rests);
