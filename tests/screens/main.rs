@@ -4,6 +4,7 @@ mod flight;
 mod levels;
 mod menu;
 mod scores;
+mod settings;
 mod sitting;
 
 use resultant::screens::Key;
