@@ -95,15 +95,13 @@ pub fn read(text: &str, player: &str) -> (Settings, Vec<String>) {
                 }
                 Err(_) => continue,
             };
-            let told = row.player.is_empty() != own;
-            if told && let Err(problem) = check(&row) {
-                problems.push(format!("settings.csv:{line}: {problem}"));
-            } else if row.player.is_empty() != own
-                && (row.player.is_empty() || row.player == player)
-                && let Some(target) = Target::named(&row.setting)
-            {
-                // Just checked.
-                drop(target.read(&row.value, &mut settings));
+            if row.player.is_empty() == own {
+                continue;
+            }
+            match check(&row) {
+                Err(problem) => problems.push(format!("settings.csv:{line}: {problem}")),
+                Ok(()) if !own || row.player == player => drop(set(&row, &mut settings)),
+                Ok(()) => {}
             }
         }
     }
