@@ -12,7 +12,7 @@ const TITLE_AT: f32 = 0.2;
 /// The title's letters, in heights of its text: what balls bounce off.
 const TITLE_BOX: Vec2 = Vec2::new(4.3, 0.74);
 /// From the canvas' top to the first button, of the canvas' height.
-const BUTTONS_AT: f32 = 0.33;
+const BUTTONS_AT: f32 = 0.3;
 
 /// The main menu.
 #[derive(Debug)]
