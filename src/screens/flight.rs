@@ -7,7 +7,7 @@ use crate::settings::{Action, Settings};
 use std::sync::Arc;
 
 /// From the end of an attempt to its score, s: long enough to see what happened.
-const END_PAUSE: f64 = 1.4;
+const END_PAUSE: f64 = 1.2;
 /// The words on the pause panel's buttons, from top to bottom.
 pub const PAUSE_LABELS: [&str; 5] = ["Resume", "Restart", "Settings", "Level Select", "Main Menu"];
 
