@@ -1,6 +1,7 @@
 //! What the player did in one frame, in canvas units and without a window.
 
 use crate::view::layout::{Frame, Vec2};
+use std::cell::Cell;
 
 /// A key that some screen understands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,6 +82,15 @@ impl FromIterator<Key> for Keys {
     }
 }
 
+/// What the buttons made of an input, for the ear.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// The keyboard or the pointer went to another button.
+    Moved,
+    /// A button was pressed.
+    Pressed,
+}
+
 /// What the player did since the last frame, and what is held down now.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Input {
@@ -104,6 +114,8 @@ pub struct Input {
     pub held: Keys,
     /// Characters that were typed, in order.
     pub typed: String,
+    /// What the buttons made of it: they say so with [`Input::answer`].
+    pub answer: Cell<Option<Answer>>,
 }
 
 impl Input {
@@ -115,6 +127,13 @@ impl Input {
     /// The same moment once everything new in it has been taken: no time has passed and nothing was pressed, turned or typed.
     pub fn without_edges(&self) -> Self {
         Self { frame: self.frame, pointer: self.pointer, holding: self.holding, held: self.held, ..Self::default() }
+    }
+
+    /// A button says what it made of this input; a press goes before a move.
+    pub fn answer(&self, answer: Answer) {
+        if self.answer.get() != Some(Answer::Pressed) {
+            self.answer.set(Some(answer));
+        }
     }
 
     /// Whether the key is down.
