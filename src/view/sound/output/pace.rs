@@ -38,7 +38,7 @@ mod tests {
     fn what_takes_everything_gets_it_at_the_clocks_pace() {
         let mut pace = Pace::default();
         let waited: Duration = (0..1000).map(|_| pace.after(BLOCK, 0.0001)).sum();
-        assert!((9.5..10.0).contains(&waited.as_secs_f64()), "{waited:?}");
+        assert!((9.0..10.0).contains(&waited.as_secs_f64()), "{waited:?}");
     }
 
     #[test]
