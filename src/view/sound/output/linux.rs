@@ -1,11 +1,11 @@
 //! Playing on Linux: block after block is computed and written; the device holds the thread until it has room.
 
 use super::pace::Pace;
-use super::system::{CHANNELS, Device, Libraries, RATE};
+use super::system::{CHANNELS, Device, LATENCY, Libraries, RATE};
 use super::{Feed, Why};
 use crate::view::sound::Mixer;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Samples a block and channel: 10 ms.
 const BLOCK: usize = RATE as usize / 100;
@@ -29,12 +29,14 @@ pub fn play(feed: &Feed, ends: &AtomicBool) -> Why {
         }
         begun = Instant::now();
     }
-    // The last block goes down to nothing.
+    // The last block goes down to nothing, and is heard before the device is closed.
     mixer.render(&mut samples);
     let length = samples.len() as f32;
     for (i, sample) in samples.iter_mut().enumerate() {
         *sample *= 1.0 - i as f32 / length;
     }
-    device.write(&samples);
+    if device.write(&samples) {
+        std::thread::sleep(Duration::from_millis(LATENCY.into()));
+    }
     Why::Over
 }

@@ -16,7 +16,7 @@ pub const RATE: u32 = 48_000;
 /// Left and right.
 pub const CHANNELS: usize = 2;
 /// How much is on its way, ms: less and a busy machine tears it, more and it is heard late.
-const LATENCY: u32 = 60;
+pub const LATENCY: u32 = 60;
 const SAMPLE: usize = size_of::<f32>();
 
 /// What was found.
