@@ -72,13 +72,13 @@ impl Mixer {
     pub fn render(&mut self, samples: &mut [f32]) {
         let (pairs, rest) = samples.as_chunks_mut();
         for pair in pairs {
-            *pair = self.next();
+            *pair = self.sample();
         }
         rest.fill(0.0);
     }
 
     /// The next sample, left and right.
-    pub fn next(&mut self) -> [f32; 2] {
+    pub fn sample(&mut self) -> [f32; 2] {
         if self.age.is_multiple_of(STEP) {
             self.look_at_the_desk();
         }

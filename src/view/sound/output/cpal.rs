@@ -39,7 +39,7 @@ fn open(feed: &Feed, lost: &Arc<AtomicBool>) -> Option<cpal::Stream> {
     let mut mixer = Mixer::new(config.sample_rate, feed.clone());
     let fill = move |samples: &mut [f32], _: &cpal::OutputCallbackInfo| {
         for frame in samples.chunks_mut(channels) {
-            let [left, right] = mixer.next();
+            let [left, right] = mixer.sample();
             match frame {
                 [both] => *both = 0.5 * (left + right),
                 [first, second, rest @ ..] => {
