@@ -13,6 +13,9 @@ const LOOK: Duration = Duration::from_millis(100);
 
 /// Plays until the game has ended or the device is gone.
 pub fn play(feed: &Feed, ends: &AtomicBool) -> Why {
+    if ends.load(Ordering::Acquire) {
+        return Why::Over;
+    }
     let lost = Arc::new(AtomicBool::new(false));
     let Some(stream) = open(feed, &lost) else { return Why::NoDevice };
     if stream.play().is_err() {

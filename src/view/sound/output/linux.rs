@@ -12,6 +12,9 @@ const BLOCK: usize = RATE as usize / 100;
 
 /// Plays until the game has ended or the device is gone.
 pub fn play(feed: &Feed, ends: &AtomicBool) -> Why {
+    if ends.load(Ordering::Acquire) {
+        return Why::Over;
+    }
     let Some(libraries) = Libraries::load() else { return Why::Over };
     let Some(mut device) = Device::open(libraries) else { return Why::NoDevice };
     let mut mixer = Mixer::new(RATE, feed.clone());

@@ -57,24 +57,25 @@ impl Output {
     pub fn start(feed: Feed) -> Self {
         let ends = Arc::new(AtomicBool::new(false));
         let seen = ends.clone();
-        let thread = std::thread::Builder::new().name("sound".into()).spawn(move || keep_playing(&feed, &seen)).ok();
+        // The end of the game wakes it.
+        let pause = std::thread::park_timeout;
+        let thread =
+            std::thread::Builder::new().name("sound".into()).spawn(move || keep_playing(|| play(&feed, &seen), pause)).ok();
         Self { ends, thread }
     }
 }
 
+/// Plays until it is over; where there is no device it is looked for again, the seldomer the longer there is none.
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
-fn keep_playing(feed: &Feed, ends: &AtomicBool) {
+fn keep_playing(mut play: impl FnMut() -> Why, mut pause: impl FnMut(Duration)) {
     let mut wait = RETRY[0];
     loop {
-        match play(feed, ends) {
+        match play() {
             Why::Over => return,
             Why::Lost => wait = RETRY[0],
             Why::NoDevice => {}
         }
-        std::thread::park_timeout(wait);
-        if ends.load(Ordering::Acquire) {
-            return;
-        }
+        pause(wait);
         wait = (2 * wait).min(RETRY[1]);
     }
 }
@@ -105,5 +106,18 @@ impl Output {
     /// Silence.
     pub fn start(_feed: Feed) -> Self {
         Self
+    }
+}
+
+#[cfg(all(test, any(target_os = "linux", windows, target_os = "macos")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_device_is_looked_for_seldom_and_sooner_once_there_was_one() {
+        let mut found = [Why::NoDevice; 6].into_iter().chain([Why::Lost, Why::NoDevice, Why::Over]);
+        let mut waits = Vec::new();
+        keep_playing(|| found.next().unwrap_or(Why::Over), |wait| waits.push(wait.as_secs()));
+        assert_eq!(waits, [4, 8, 16, 32, 60, 60, 4, 8]);
     }
 }

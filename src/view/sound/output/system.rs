@@ -18,6 +18,8 @@ pub const CHANNELS: usize = 2;
 /// How much is on its way, ms: less and a busy machine tears it, more and it is heard late.
 pub const LATENCY: u32 = 60;
 const SAMPLE: usize = size_of::<f32>();
+/// So often a device may stumble within one block before it counts as gone.
+const STUMBLES: usize = 8;
 
 /// What was found.
 #[derive(Debug)]
@@ -234,8 +236,11 @@ impl Alsa {
     }
 
     fn write(&self, pcm: NonNull<c_void>, samples: &[f32]) -> bool {
-        let mut left = samples;
+        let (mut left, mut stumbles) = (samples, 0);
         while left.len() >= CHANNELS {
+            if stumbles == STUMBLES {
+                return false;
+            }
             // SAFETY: the handle is open, and so many frames of `CHANNELS` samples lie there for the call.
             let written = unsafe { (self.writei)(pcm.as_ptr(), left.as_ptr().cast(), (left.len() / CHANNELS) as c_ulong) };
             match usize::try_from(written) {
@@ -245,7 +250,7 @@ impl Alsa {
                 // Too late for the device (the machine was busy, or asleep): go on from here. Anything else: it is gone.
                 // SAFETY: the handle is open.
                 Err(_) if unsafe { (self.recover)(pcm.as_ptr(), written as c_int, 1) } < 0 => return false,
-                Err(_) => {}
+                Err(_) => stumbles += 1,
             }
         }
         true
