@@ -114,7 +114,7 @@ fn the_camera_eases_the_same_way_at_every_frame_rate() {
     let target = DVec2::new(10.0, -4.0);
     let after = |frames: u32| {
         let mut camera = Camera::new(DVec2::ZERO);
-        (0..frames).for_each(|_| camera.follow(target, 0.25 / f64::from(frames)));
+        (0..frames).for_each(|_| camera.follow(target, DVec2::new(8.0, -3.0), 0.25 / f64::from(frames)));
         camera.focus()
     };
     let (slow, fast) = (after(8), after(36));

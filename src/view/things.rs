@@ -21,8 +21,23 @@ const FLAME: f64 = 1.25;
 /// Where on the nose the two flames of reverse thrust leave, m from the centre (to the side, forwards).
 const RETRO: (f64, f64) = (0.36, 0.50);
 
-/// An object around `centre` (m): its picture, or a plain box or ball; key objects in their colour, with a glow and their sign.
-pub fn draw_object(object: &Object, centre: DVec2, pictures: &Pictures, art: &Art, view: &Viewport, canvas: &Canvas) {
+/// What things are drawn with.
+#[derive(Clone, Copy)]
+pub struct Brushes<'a> {
+    /// The game's pictures.
+    pub art: &'a Art,
+    /// The level's.
+    pub pictures: &'a Pictures,
+    /// Where the level lies.
+    pub view: &'a Viewport,
+    /// Shapes and words.
+    pub canvas: &'a Canvas,
+}
+
+/// An object around `centre` (m): its picture, or a plain box or ball; key objects in their colour, with a glow and their sign. The
+/// colours of all others are multiplied by `light`.
+pub fn draw_object(object: &Object, centre: DVec2, light: Color, brushes: Brushes<'_>) {
+    let Brushes { art, pictures, view, canvas } = brushes;
     let bounds = Aabb::around(centre, object.size * 0.5);
     if !bounds.touches(&view.visible(), 1.0) {
         return;
@@ -36,14 +51,15 @@ pub fn draw_object(object: &Object, centre: DVec2, pictures: &Pictures, art: &Ar
         Look::Image(path) => pictures.get(path),
         Look::Box | Look::Ball => None,
     };
+    let plain = Color::new(PLAIN.r * light.r, PLAIN.g * light.g, PLAIN.b * light.b, 1.0);
     let round = object.circular || object.look == Look::Ball;
     match picture {
         Some(texture) => {
             let params = DrawTextureParams { dest_size: Some(area.size()), ..DrawTextureParams::default() };
-            draw_texture_ex(texture, area.x, area.y, WHITE, params);
+            draw_texture_ex(texture, area.x, area.y, if key.is_some() { WHITE } else { light }, params);
         }
-        None if round => ball(canvas, &area, key.unwrap_or(PLAIN)),
-        None => crate_box(canvas, &area, key.unwrap_or(PLAIN)),
+        None if round => ball(canvas, &area, key.unwrap_or(plain)),
+        None => crate_box(canvas, &area, key.unwrap_or(plain)),
     }
     if key.is_some() && picture.is_none() {
         diamond(canvas, area.center(), area.w.min(area.h) * 0.20, WHITE);
@@ -83,8 +99,8 @@ fn shaded(colour: Color, light: f32) -> Color {
 }
 
 /// The ship around `centre` (m), turned clockwise by `angle` degrees, its plume grown to `strength`, out of the tail (`way` 1) or
-/// of the nose (−1); `flicker` (0 … 1) varies the flame.
-pub fn draw_ship(centre: DVec2, angle: f64, (strength, way): (f64, f64), flicker: f64, art: &Art, view: &Viewport) {
+/// of the nose (−1); `flicker` (0 … 1) varies the flame. The ship's colours are multiplied by `light`.
+pub fn draw_ship((centre, angle): (DVec2, f64), (strength, way): (f64, f64), flicker: f64, light: Color, (art, view): (&Art, &Viewport)) {
     let rotation = angle.to_radians();
     let (sin, cos) = rotation.sin_cos();
     let (nose, right) = (DVec2::new(sin, -cos), DVec2::new(cos, sin));
@@ -101,7 +117,7 @@ pub fn draw_ship(centre: DVec2, angle: f64, (strength, way): (f64, f64), flicker
             art.draw(Tile::Flame, view.point(middle), size, turn as f32, WHITE);
         }
     }
-    art.draw(Tile::Ship, view.point(centre), Vec2::splat(view.length(2.0 * SHIP_HALF.y)), rotation as f32, WHITE);
+    art.draw(Tile::Ship, view.point(centre), Vec2::splat(view.length(2.0 * SHIP_HALF.y)), rotation as f32, light);
 }
 
 /// Where a moving box lies, not rounded to pixels: it glides.

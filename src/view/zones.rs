@@ -5,9 +5,10 @@ use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
 use super::emitters::objective_colour;
 use super::layout::{DETAILS, Vec2};
+use super::terrain::Batch;
 use super::theme::{self, faded, rgb};
 use crate::game::Game;
-use crate::level::{Level, ObjectiveKind};
+use crate::level::{Fluid, Level, ObjectiveKind};
 use crate::physics::{Aabb, DVec2};
 use macroquad::color::{Color, WHITE};
 use macroquad::math::Rect;
@@ -18,6 +19,10 @@ const LABEL_GAP: f32 = 14.0;
 /// Width and height of a wave on a liquid's surface, canvas units; the height in both directions together.
 const WAVE_LENGTH: f32 = 52.0;
 const WAVE_HEIGHT: f32 = 5.0;
+/// How much of a liquid covers what is behind it, at its surface and at its bottom, and how much of its colour is taken on in it.
+const SHALLOW: f32 = 0.36;
+const DEEP: f32 = 0.58;
+const STAIN: f32 = 0.5;
 /// Between two of a stream's chevrons, m, and how fast they wander, m/s.
 const CHEVRON_STEP: f64 = 2.0;
 const CHEVRON_SPEED: f64 = 2.5;
@@ -145,17 +150,22 @@ pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
     }
 }
 
-/// The liquids, over whatever is in them: a tint, bands of light, and a surface that moves.
+/// The liquids: a tint that thickens with the depth, bands of light, and a surface that moves. They are drawn below whatever is in
+/// them, so that they never change the colour by which a goal or a hazard is known; what moves in them takes on some of their colour
+/// by [`in_liquid`].
 pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     let visible = view.visible();
     for fluid in level.fluids.iter().filter(|fluid| fluid.zone.touches(&visible, 0.5)) {
-        let [r, g, b] = fluid.colour;
-        let colour = Color::from_rgba(r, g, b, 255);
+        let colour = liquid_colour(fluid);
         let shown = Aabb::new(fluid.zone.min.max(visible.min - 1.0), fluid.zone.max.min(visible.max + 1.0));
         let all = view.rect(&fluid.zone);
         let area = view.rect(&shown);
-        let top = all.y + WAVE_HEIGHT;
-        draw_rectangle(area.x, top.max(area.y), area.w, area.bottom() - top.max(area.y), faded(colour, 0.42));
+        let top = (all.y + WAVE_HEIGHT).max(area.y);
+        let thick = |y: f32| faded(colour, SHALLOW + (DEEP - SHALLOW) * ((y - all.y) / all.h.max(1.0)).clamp(0.0, 1.0));
+        let (a, b) = (Vec2::new(area.x, top), Vec2::new(area.right(), area.bottom()));
+        let mut batch = Batch::default();
+        batch.quad([a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)], [thick(a.y), thick(a.y), thick(b.y), thick(b.y)]);
+        batch.draw();
         surface(canvas, &area, all.y, colour, time);
         // Two faint bands of light that drift below the surface.
         for band in 0..2_u8 {
@@ -166,6 +176,24 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
             }
         }
     }
+}
+
+/// The colour by which a picture is multiplied where it is drawn: white in the air, some of a liquid's colour in it, by the share of
+/// the box that is in it.
+pub fn in_liquid(level: &Level, bounds: &Aabb) -> Color {
+    let all = bounds.size().x * bounds.size().y;
+    level.fluids.iter().fold(WHITE, |light, fluid| {
+        let shared = (bounds.max.min(fluid.zone.max) - bounds.min.max(fluid.zone.min)).max(DVec2::ZERO);
+        let share = STAIN * (shared.x * shared.y / all) as f32;
+        let colour = liquid_colour(fluid);
+        let stained = |light: f32, colour: f32| light * (1.0 - share + share * colour);
+        Color::new(stained(light.r, colour.r), stained(light.g, colour.g), stained(light.b, colour.b), 1.0)
+    })
+}
+
+fn liquid_colour(fluid: &Fluid) -> Color {
+    let [r, g, b] = fluid.colour;
+    Color::from_rgba(r, g, b, 255)
 }
 
 /// The top of a liquid: columns under a wave, and the bright line along it.
@@ -182,8 +210,8 @@ fn surface(canvas: &Canvas, area: &Rect, level: f32, colour: Color, time: f64) {
     while x < area.right() {
         let next = (x + STEP).min(area.right());
         let (a, b) = (Vec2::new(x, height(x - area.x)), Vec2::new(next, height(next - area.x)));
-        draw_triangle(a, b, Vec2::new(x, bottom), faded(colour, 0.42));
-        draw_triangle(b, Vec2::new(next, bottom), Vec2::new(x, bottom), faded(colour, 0.42));
+        draw_triangle(a, b, Vec2::new(x, bottom), faded(colour, SHALLOW));
+        draw_triangle(b, Vec2::new(next, bottom), Vec2::new(x, bottom), faded(colour, SHALLOW));
         canvas.line(a, b, 2.0, faded(mixed(colour), 0.85));
         x = next;
     }
