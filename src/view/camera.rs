@@ -8,7 +8,7 @@ const EASE_TIME: f64 = 0.12;
 /// How far ahead of the ship the camera looks: as far as it flies in this time, s, but so far at most, m across and down. More shows
 /// more of what comes, but the ship itself strays from the middle.
 const AHEAD_TIME: f64 = 0.5;
-const AHEAD_MOST: DVec2 = DVec2::new(7.0, 4.0);
+const AHEAD_MOST: DVec2 = DVec2::new(9.0, 5.0);
 /// Time in which it turns its look to where the ship flies now, s: slow enough that a bump does not throw it about.
 const AHEAD_EASE: f64 = 0.6;
 /// Slower than this it looks at the ship itself, m/s: what drifts and turns would make it sway.

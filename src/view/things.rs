@@ -44,15 +44,17 @@ pub fn draw_object(object: &Object, centre: DVec2, light: Color, brushes: Brushe
     }
     let area = exact(&bounds, view);
     let key = object.key.map(|[r, g, b]| Color::from_rgba(r, g, b, 255));
-    if let Some(colour) = key {
-        art.halo(area, 20.0, faded(colour, 0.55));
+    let round = object.circular || object.look == Look::Ball;
+    match key {
+        Some(colour) if round => art.draw(Tile::Glow, area.center(), area.size() * 1.3 + 40.0, 0.0, faded(colour, 0.75)),
+        Some(colour) => art.halo(area, 20.0, faded(colour, 0.55)),
+        None => {}
     }
     let picture = match &object.look {
         Look::Image(path) => pictures.get(path),
         Look::Box | Look::Ball => None,
     };
     let plain = Color::new(PLAIN.r * light.r, PLAIN.g * light.g, PLAIN.b * light.b, 1.0);
-    let round = object.circular || object.look == Look::Ball;
     match picture {
         Some(texture) => {
             let params = DrawTextureParams { dest_size: Some(area.size()), ..DrawTextureParams::default() };

@@ -37,6 +37,8 @@ pub fn draw_objectives(game: &Game, art: &Art, view: &Viewport, canvas: &Canvas,
         let area = view.rect(&objective.bounds);
         let pulse = 0.5 + 0.5 * (time * 2.6).sin() as f32;
         art.halo(area, 26.0, faded(colour, 0.28 + 0.14 * pulse));
+        // Nothing behind it, no liquid and no picture, may change its colour.
+        draw_rectangle(area.x, area.y, area.w, area.h, theme::GROUND);
         draw_rectangle(area.x, area.y, area.w, area.h, faded(colour, 0.30));
         draw_rectangle_lines(area.x, area.y, area.w, area.h, 4.0, colour);
         let label = label_place(&area, view);

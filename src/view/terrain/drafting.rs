@@ -8,12 +8,16 @@ use std::collections::BTreeSet;
 /// Between two strokes, along an edge, m.
 const STEP: f64 = 0.6;
 /// How long a stroke is at least, and how much longer at most, m.
-const SHORTEST: f64 = 0.45;
-const LONGER: f64 = 0.75;
+const SHORTEST: f64 = 0.5;
+const LONGER: f64 = 0.9;
 /// Shorter strokes are left out, m: they would be dots.
 const LEAST: f64 = 0.2;
 /// The strokes of a level at most: in a very large one they stand further apart.
 const MOST_STROKES: f64 = 40_000.0;
+/// Between two grains, along an edge, m, and how deep they lie at most. At most so many of them in a level.
+const GRAIN_STEP: f64 = 0.3;
+const GRAIN_DEPTH: f64 = 0.42;
+const MOST_GRAINS: f64 = 80_000.0;
 /// How long what is measured is at least and at most, m: shorter has no room for its number, longer does not fit into the window.
 const MEASURED: (f64, f64) = (3.0, 36.0);
 /// How deep in the rock a dimension line lies, and how much rock it needs above and below it, m.
@@ -36,6 +40,15 @@ pub struct Stroke {
     pub from: DVec2,
     /// m.
     pub to: DVec2,
+}
+
+/// A grain of stone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grain {
+    /// m.
+    pub at: DVec2,
+    /// 0 … 1.
+    pub size: f64,
 }
 
 /// A dimension line in the rock, parallel to the edge whose length it tells.
@@ -88,10 +101,28 @@ pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<Stroke> {
     strokes
 }
 
-/// A number from 0 to 1 for a line of the hatching, the same on every run.
-fn chance(line: i64, inward: DVec2) -> f64 {
-    let side = (inward.x * 3.0 + inward.y) as i64;
-    let mut bits = (line.wrapping_mul(4) + side) as u64;
+/// The grain of stone along all edges of a kind: all of it in what is of that kind, the less of it the deeper.
+pub fn grains(mass: &Silhouette, kind: usize) -> Vec<Grain> {
+    let edges = || mass.edges().iter().filter(move |edge| edge.kind == kind && edge.depth > GRAIN_DEPTH);
+    let step = GRAIN_STEP.max(edges().map(Edge::length).sum::<f64>() / MOST_GRAINS);
+    let mut grains = Vec::new();
+    for edge in edges() {
+        for i in 0..(edge.length() / step) as i64 {
+            let place = (edge.from + edge.to).element_sum() * 16.0;
+            let random = |salt: i64| chance(i * 3 + salt, edge.inward + DVec2::X * place);
+            let (along, deep) = ((i as f64 + random(0)) * step, 0.12 + (GRAIN_DEPTH - 0.12) * random(1) * random(1));
+            grains.push(Grain { at: edge.from + edge.along() * along + edge.inward * deep, size: random(2) });
+        }
+    }
+    // Where blocks of other kinds lie behind the edge there is no grain.
+    grains.retain(|grain| mass.holds(&Aabb::around(grain.at, DVec2::splat(0.05)), kind));
+    grains
+}
+
+/// A number from 0 to 1 for a line of the hatching on a side, the same on every run.
+fn chance(line: i64, side: DVec2) -> f64 {
+    let side = (side.x * 3.0 + side.y) as i64;
+    let mut bits = line.wrapping_mul(4).wrapping_add(side.wrapping_mul(7919)) as u64;
     bits = (bits ^ (bits >> 31)).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     bits = (bits ^ (bits >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     ((bits >> 40) as f64) / f64::from(1 << 24)

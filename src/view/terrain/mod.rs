@@ -33,12 +33,14 @@ pub const ROCK: usize = 0;
 /// How thick the rock is that a level is surrounded with, m.
 const RIM: f64 = 6.0;
 
-/// The solid world of a level with the rock round it, which is its edge. The far side of
+/// The solid world of a level with the rock round it, which is its edge, and with the sources of its streams, which are drawn over it:
+/// rock has no edge against them. The far side of
 /// that rock has no edge.
 pub fn mass(level: &Level) -> Silhouette {
     let (size, all) = (level.size, level.bounds());
     let inside = |bounds: &Aabb| Aabb::new(bounds.min.max(all.min), bounds.max.min(all.max));
     let solids = level.world.iter().map(|solid| (inside(&solid.bounds), kind(solid.material.name)));
+    let sources = level.streams.iter().map(|stream| (inside(&stream.source), ROCK));
     let (low, high) = (DVec2::splat(-RIM), size + RIM);
     let rim = [
         Aabb::new(low, DVec2::new(high.x, 0.0)),
@@ -46,7 +48,7 @@ pub fn mass(level: &Level) -> Silhouette {
         Aabb::new(DVec2::new(low.x, 0.0), DVec2::new(0.0, size.y)),
         Aabb::new(DVec2::new(size.x, 0.0), DVec2::new(high.x, size.y)),
     ];
-    let boxes: Vec<(Aabb, usize)> = rim.into_iter().map(|bounds| (bounds, ROCK)).chain(solids).collect();
+    let boxes: Vec<(Aabb, usize)> = rim.into_iter().map(|bounds| (bounds, ROCK)).chain(solids).chain(sources).collect();
     let mut mass = Silhouette::new(&boxes);
     mass.keep_edges(&all);
     mass

@@ -1,6 +1,6 @@
 //! Draws the terrain: the mass, its materials, what is drafted on it, its edge, and the light that falls on it.
 
-use super::drafting::{self, Dimension, Stroke};
+use super::drafting::{self, Dimension, Grain, Stroke};
 use super::light::{Lit, cast};
 use super::silhouette::{Corner, Edge, Silhouette};
 use super::{Batch, ROCK, Tint, kind, mass};
@@ -27,7 +27,8 @@ const LIT_DEPTH: f64 = 1.2;
 const TOP_WIDTH: f32 = 3.0;
 const SIDE_WIDTH: f32 = 2.0;
 /// How strongly the ink is put down.
-const HATCHING: f32 = 0.42;
+const HATCHING: f32 = 0.5;
+const GRAIN: f32 = 0.42;
 const DIMENSION: f32 = 0.5;
 const CROSS: f32 = 0.30;
 /// Half a cross, m.
@@ -44,6 +45,7 @@ pub struct Terrain {
     /// What is not plain rock, each kind by itself: where it meets other kinds.
     seams: Vec<Edge>,
     strokes: Vec<Stroke>,
+    grains: Vec<Grain>,
     dimensions: Vec<(Dimension, String)>,
     crosses: Vec<DVec2>,
     tint: Tint,
@@ -72,6 +74,7 @@ impl Terrain {
         Self {
             seams: seams.collect(),
             strokes: drafting::hatching(&mass, ROCK),
+            grains: drafting::grains(&mass, ROCK),
             crosses: drafting::crosses(&mass, ROCK, level.size, &marked),
             dimensions: dimensions.into_iter().map(|dimension| (dimension, metres(dimension.length()))).collect(),
             tint: Tint::of(&level.name),
@@ -92,6 +95,7 @@ impl Terrain {
         self.draw_mass(art, view, canvas);
         let mut batch = Batch::default();
         self.draw_sheen(view, &mut batch);
+        self.draw_grains(view, &mut batch);
         self.draw_hatching(view, canvas.frame().pixel, &mut batch);
         self.draw_crosses(view, canvas.frame().pixel, &mut batch);
         self.draw_dimensions(view, canvas, &mut batch);
@@ -123,13 +127,14 @@ impl Terrain {
         };
         let level = view.level();
         let in_level = Aabb::new(level.min.max(visible.min), level.max.min(visible.max));
-        for (bounds, kind) in self.mass.pieces().filter(|(bounds, _)| bounds.overlaps(&in_level, 0.0)) {
-            if kind == ROCK {
-                let area = view.rect(&Aabb::new(bounds.min.max(in_level.min), bounds.max.min(in_level.max)));
-                draw_rectangle(area.x, area.y, area.w, area.h, rock);
-            } else {
-                art.fill(Tile::Material(Material::ALL[kind].name), &bounds, view, faded(WHITE, material));
-            }
+        // All of the rock, then all of the rest: a change between plain and painted shapes costs a draw call.
+        let in_view = || self.mass.pieces().filter(|(bounds, _)| bounds.overlaps(&in_level, 0.0));
+        for (bounds, _) in in_view().filter(|(_, kind)| *kind == ROCK) {
+            let area = view.rect(&Aabb::new(bounds.min.max(in_level.min), bounds.max.min(in_level.max)));
+            draw_rectangle(area.x, area.y, area.w, area.h, rock);
+        }
+        for (bounds, kind) in in_view().filter(|(_, kind)| *kind != ROCK) {
+            art.fill(Tile::Material(Material::ALL[kind].name), &bounds, view, faded(WHITE, material));
         }
         // Beyond the edge of a level that is smaller than the window there is rock.
         let (all, size) = (view.rect(&level), canvas.size());
@@ -172,6 +177,18 @@ impl Terrain {
         }
     }
 
+    fn draw_grains(&self, view: &Viewport, batch: &mut Batch) {
+        let visible = view.visible();
+        for Grain { at, size } in &self.grains {
+            if at.cmpge(visible.min).all() && at.cmple(visible.max).all() {
+                let half = 0.6 + 0.7 * *size as f32;
+                let (centre, colour) = (view.point(*at), faded(self.tint.ink, GRAIN * (0.4 + 0.6 * *size as f32)));
+                let corners = [Vec2::new(-half, -half), Vec2::new(half, -half), Vec2::new(half, half), Vec2::new(-half, half)];
+                batch.quad(corners.map(|corner| centre + corner), [colour; 4]);
+            }
+        }
+    }
+
     fn draw_crosses(&self, view: &Viewport, pixel: f32, batch: &mut Batch) {
         let colour = faded(self.tint.ink, CROSS);
         for at in self.crosses.iter().filter(|at| Aabb::around(**at, DVec2::ONE).touches(&view.visible(), 0.0)) {
@@ -209,7 +226,7 @@ impl Terrain {
         let up = |edge: &&Edge| edge.inward.y > 0.5;
         for edge in self.edges_in_view(view).filter(|edge| !up(edge)) {
             let bright = edge_colour(edge.kind, &self.tint);
-            let shade = if Material::ALL[edge.kind].name == "Glass" { 1.0 } else { 0.72 };
+            let shade = if Material::ALL[edge.kind].name == "Glass" { 1.0 } else { 0.85 };
             draw_side(edge, SIDE_WIDTH, Color::new(bright.r * shade, bright.g * shade, bright.b * shade, 1.0), view);
         }
         for edge in self.edges_in_view(view).filter(up) {
