@@ -21,7 +21,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 /// How far the light of the engine, of an objective, a death box and a key object reaches, m, and how strong it is on the rock.
-const ENGINE_REACH: f64 = 7.0;
+const ENGINE_REACH: f64 = 8.0;
 const ENGINE_LIGHT: f32 = 0.95;
 const OBJECTIVE_REACH: f64 = 4.0;
 const OBJECTIVE_LIGHT: f32 = 0.7;

@@ -56,14 +56,14 @@ pub fn cast(edges: &[Edge], source: &Aabb, reach: f64, opaque: &[Aabb]) -> Vec<L
 fn strength(at: DVec2, inward: DVec2, source: &Aabb, reach: f64, opaque: &[&Aabb]) -> f32 {
     let at = at - inward * OFF;
     let nearest = at.clamp(source.min, source.max);
-    let way = nearest - at;
-    let distance = way.length();
+    let distance = (nearest - at).length();
     if distance >= reach {
         return 0.0;
     }
-    // What lies in the light itself, or touches it, has it from all sides.
-    let facing = if distance > 2.0 * OFF { (-inward).dot(way / distance) } else { 1.0 };
-    if facing <= 0.0 || opaque.iter().any(|solid| crosses(at, nearest, solid)) {
+    // It comes from half the height of the box over the edge: what stands on a floor lights the floor beside it, too.
+    let from = if inward.x == 0.0 { DVec2::new(nearest.x, source.centre().y) } else { DVec2::new(source.centre().x, nearest.y) };
+    let facing = (-inward).dot((from - at).normalize_or_zero());
+    if facing <= 0.0 || opaque.iter().any(|solid| crosses(at, from, solid)) {
         return 0.0;
     }
     let fall = 1.0 - distance / reach;

@@ -33,6 +33,8 @@ const DIMENSION: f32 = 0.5;
 const CROSS: f32 = 0.30;
 /// Half a cross, m.
 const CROSS_REACH: f64 = 0.22;
+/// How far from the level's edge dimension lines and crosses stay, m.
+const BORDER: f64 = 1.0;
 /// Lights that stand still are worked out once, for so many of them at most.
 const MOST_LAMPS: usize = 1000;
 
@@ -64,7 +66,8 @@ impl Terrain {
         let glass = kind("Glass");
         let solid = level.world.iter().filter(|solid| kind(solid.material.name) != glass).map(|solid| solid.bounds);
         let opaque: Vec<Aabb> = solid.chain(level.streams.iter().map(|stream| stream.source)).collect();
-        let taken: Vec<Aabb> = texts.iter().copied().chain(level.streams.iter().map(|stream| stream.source)).collect();
+        let sources = level.streams.iter().map(|stream| stream.source);
+        let taken: Vec<Aabb> = texts.iter().copied().chain(sources).chain(border(level.size)).collect();
         let seams = (ROCK + 1..Material::ALL.len()).flat_map(|kind| {
             let pieces: Vec<_> = mass.pieces().filter(|piece| piece.1 == kind).collect();
             Silhouette::new(&pieces).edges().to_vec()
@@ -233,6 +236,16 @@ impl Terrain {
             draw_side(edge, TOP_WIDTH, edge_colour(edge.kind, &self.tint), view);
         }
     }
+}
+
+/// The outermost strips of a level of that size (m), in which nothing is drafted: they are cut off by the window's edge.
+fn border(size: DVec2) -> [Aabb; 4] {
+    [
+        Aabb::new(DVec2::ZERO, DVec2::new(size.x, BORDER)),
+        Aabb::new(DVec2::new(0.0, size.y - BORDER), size),
+        Aabb::new(DVec2::ZERO, DVec2::new(BORDER, size.y)),
+        Aabb::new(DVec2::new(size.x - BORDER, 0.0), size),
+    ]
 }
 
 /// The brightest colour of a material's edge: it tells the material where it is only seen from the side.
