@@ -148,9 +148,9 @@ impl GameView {
         let brushes = Brushes { art, pictures: &self.pictures, view, canvas };
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
             let at = centre(game, id, alpha);
-            things::draw_object(object, at, zones::in_liquid(level, &Aabb::around(at, object.size * 0.5)), brushes);
+            things::draw_object(object, at, zones::in_liquid(&level.fluids, &Aabb::around(at, object.size * 0.5)), brushes);
         }
-        let light = zones::in_liquid(level, &Aabb::around(ship.0, SHIP_HALF));
+        let light = zones::in_liquid(&level.fluids, &Aabb::around(ship.0, SHIP_HALF));
         things::draw_ship(ship, plume, flicker, light, (art, view));
         self.feedback.draw_in_level(view, canvas);
         world::draw_texts(level, view, canvas);

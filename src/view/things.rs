@@ -102,7 +102,13 @@ fn shaded(colour: Color, light: f32) -> Color {
 
 /// The ship around `centre` (m), turned clockwise by `angle` degrees, its plume grown to `strength`, out of the tail (`way` 1) or
 /// of the nose (−1); `flicker` (0 … 1) varies the flame. The ship's colours are multiplied by `light`.
-pub fn draw_ship((centre, angle): (DVec2, f64), (strength, way): (f64, f64), flicker: f64, light: Color, (art, view): (&Art, &Viewport)) {
+pub fn draw_ship(
+    (centre, angle): (DVec2, f64),
+    (strength, way): (f64, f64),
+    flicker: f64,
+    light: Color,
+    (art, view): (&Art, &Viewport),
+) {
     let rotation = angle.to_radians();
     let (sin, cos) = rotation.sin_cos();
     let (nose, right) = (DVec2::new(sin, -cos), DVec2::new(cos, sin));

@@ -182,9 +182,9 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
 
 /// The colour by which a picture is multiplied where it is drawn: white in the air, some of a liquid's colour in it, by the share of
 /// the box that is in it.
-pub fn in_liquid(level: &Level, bounds: &Aabb) -> Color {
+pub fn in_liquid(fluids: &[Fluid], bounds: &Aabb) -> Color {
     let all = bounds.size().x * bounds.size().y;
-    level.fluids.iter().fold(WHITE, |light, fluid| {
+    fluids.iter().fold(WHITE, |light, fluid| {
         let shared = (bounds.max.min(fluid.zone.max) - bounds.min.max(fluid.zone.min)).max(DVec2::ZERO);
         let share = STAIN * (shared.x * shared.y / all) as f32;
         let colour = liquid_colour(fluid);
@@ -222,4 +222,20 @@ fn surface(canvas: &Canvas, area: &Rect, level: f32, colour: Color, time: f64) {
 /// The colour half way to white.
 fn mixed(colour: Color) -> Color {
     Color::new(0.5 + colour.r * 0.5, 0.5 + colour.g * 0.5, 0.5 + colour.b * 0.5, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_in_a_liquid_takes_on_some_of_its_colour_by_the_share_that_is_in_it() {
+        let bounds = |top: f64| Aabb::new(DVec2::new(0.0, top), DVec2::new(2.0, top + 2.0));
+        let (density, viscosity) = (1.0, 1.0);
+        let fluids = [Fluid { zone: bounds(10.0), density, viscosity, colour: [255, 0, 0] }];
+        assert_eq!(in_liquid(&fluids, &bounds(7.0)), WHITE);
+        assert_eq!(in_liquid(&fluids, &bounds(10.0)), Color::new(1.0, 1.0 - STAIN, 1.0 - STAIN, 1.0));
+        let half = in_liquid(&fluids, &bounds(9.0));
+        assert!((half.g - (1.0 - STAIN / 2.0)).abs() < 1e-6 && half.r == 1.0);
+    }
 }

@@ -52,7 +52,8 @@ impl Batch {
 
     fn flush(&mut self) {
         if !self.indices.is_empty() {
-            let mesh = Mesh { vertices: std::mem::take(&mut self.vertices), indices: std::mem::take(&mut self.indices), texture: None };
+            let mesh =
+                Mesh { vertices: std::mem::take(&mut self.vertices), indices: std::mem::take(&mut self.indices), texture: None };
             draw_mesh(&mesh);
         }
     }

@@ -91,7 +91,7 @@ pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<Stroke> {
             let along = (line as f64 * step - edge.from.element_sum()).abs();
             let from = edge.from + edge.along() * along.min(edge.length());
             let wanted = SHORTEST + LONGER * chance(line, edge.inward);
-            let room = mass.reach(from, way, 2.0 * wanted);
+            let room = mass.reach(kind, (from, way), 2.0 * wanted);
             let length = wanted.min(room / 2.0);
             if length >= LEAST {
                 strokes.push(Stroke { from, to: from + way * length });

@@ -74,9 +74,7 @@ fn strength(at: DVec2, inward: DVec2, source: &Aabb, reach: f64, opaque: &[&Aabb
 fn crosses(from: DVec2, to: DVec2, solid: &Aabb) -> bool {
     let way = to - from;
     let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
-    for (start, step, low, high) in
-        [(from.x, way.x, solid.min.x, solid.max.x), (from.y, way.y, solid.min.y, solid.max.y)]
-    {
+    for (start, step, low, high) in [(from.x, way.x, solid.min.x, solid.max.x), (from.y, way.y, solid.min.y, solid.max.y)] {
         if step == 0.0 {
             if start <= low || start >= high {
                 return false;

@@ -4,6 +4,7 @@
 pub mod drafting;
 pub mod light;
 pub mod silhouette;
+mod sweep;
 
 #[cfg(feature = "window")]
 mod batch;

@@ -1,42 +1,8 @@
 //! Solid rectangles as one mass: what they cover together, row by row without overlap, and the outline round it, as closed loops and as
 //! straight edges that know what they are made of. Plain geometry in metres, y down.
 
+use super::sweep::{Placed, Row, Span, TOUCH, rows, stop, stops};
 use crate::physics::{Aabb, DVec2};
-use std::collections::BTreeSet;
-
-/// Sides that lie so close count as one line, m: far below a pixel, far above what adding two numbers of a level's file loses.
-const TOUCH: f64 = 1e-6;
-
-/// A stretch of a row, between two of the columns, of one kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Span {
-    from: usize,
-    to: usize,
-    kind: usize,
-}
-
-/// The mass between two heights where it does not change. Rows follow each other without a gap; some are empty.
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Row {
-    top: usize,
-    bottom: usize,
-    /// From left to right; neighbours that touch differ in kind.
-    spans: Vec<Span>,
-}
-
-impl Row {
-    /// The spans of whatever kind, those that touch as one.
-    fn covered(&self) -> Vec<(usize, usize)> {
-        let mut all: Vec<(usize, usize)> = Vec::new();
-        for span in &self.spans {
-            match all.last_mut() {
-                Some(last) if last.1 == span.from => last.1 = span.to,
-                _ => all.push((span.from, span.to)),
-            }
-        }
-        all
-    }
-}
 
 /// How an edge meets the next one of its loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -158,21 +124,17 @@ impl Silhouette {
                 .all(|row| row.spans.iter().any(|span| span.kind == kind && self.spans_over(span, bounds.min.x, bounds.max.x)))
     }
 
-    /// How far one can go from a point in a direction (a unit vector along neither axis) and stay in the mass and in the kind in which
-    /// it begins, m; at most `limit`. 0 where it begins outside.
-    pub fn reach(&self, from: DVec2, direction: DVec2, limit: f64) -> f64 {
+    /// How far one can go from a point in a direction (a unit vector along neither axis) and stay in what is of that kind, m; at most
+    /// `limit`.
+    pub fn reach(&self, kind: usize, (from, direction): (DVec2, DVec2), limit: f64) -> f64 {
         let mut gone = 0.0;
-        let mut kind = None;
         while gone < limit {
             let at = from + direction * gone;
             // Just beyond the line that it stands on.
             let ahead = at + direction * TOUCH;
             let Some(row) = self.row_at(ahead.y) else { break };
             let holds = |span: &&Span| self.columns[span.from] <= ahead.x && ahead.x < self.columns[span.to];
-            let Some(span) = row.spans.iter().find(holds) else { break };
-            if *kind.get_or_insert(span.kind) != span.kind {
-                break;
-            }
+            let Some(span) = row.spans.iter().find(holds).filter(|span| span.kind == kind) else { break };
             let end = |low: usize, high: usize, stops: &[f64], way: f64| if way > 0.0 { stops[high] } else { stops[low] };
             let across = (end(span.from, span.to, &self.columns, direction.x) - at.x) / direction.x;
             let down = (end(row.top, row.bottom, &self.heights, direction.y) - at.y) / direction.y;
@@ -210,10 +172,7 @@ impl Silhouette {
                     to: self.point(b),
                     inward: DVec2::new(f64::from(inward.0), f64::from(inward.1)),
                     kind,
-                    corners: [
-                        if j == 0 { ends[0] } else { Corner::Straight },
-                        if j == last { ends[1] } else { Corner::Straight },
-                    ],
+                    corners: [if j == 0 { ends[0] } else { Corner::Straight }, if j == last { ends[1] } else { Corner::Straight }],
                     depth: self.depth(a, b, inward),
                 });
             }
@@ -294,71 +253,6 @@ impl Silhouette {
 
 /// A crossing of a column and a height, by their indices.
 type Place = (usize, usize);
-
-/// A rectangle between lines of the grid.
-struct Placed {
-    columns: [usize; 2],
-    rows: [usize; 2],
-    kind: usize,
-}
-
-/// The values in order, each once; what is as close as [`TOUCH`] is one.
-fn stops(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    let mut stops: Vec<f64> = values.collect();
-    stops.sort_by(f64::total_cmp);
-    stops.dedup_by(|b, a| *b - *a <= TOUCH);
-    stops
-}
-
-/// The index of the stop that stands for a value.
-fn stop(stops: &[f64], value: f64) -> usize {
-    stops.partition_point(|stop| *stop <= value).saturating_sub(1)
-}
-
-/// The rows from the first height to the last, those that are alike as one.
-fn rows(boxes: &[Placed], heights: usize) -> Vec<Row> {
-    let mut order: Vec<usize> = (0..boxes.len()).collect();
-    order.sort_by_key(|&i| boxes[i].rows[0]);
-    let mut order = order.into_iter().peekable();
-    let mut active: Vec<usize> = Vec::new();
-    let mut rows: Vec<Row> = Vec::new();
-    for height in 0..heights.saturating_sub(1) {
-        active.retain(|&i| boxes[i].rows[1] > height);
-        while let Some(i) = order.next_if(|&i| boxes[i].rows[0] <= height) {
-            active.push(i);
-        }
-        let spans = spans(boxes, &active);
-        match rows.last_mut() {
-            Some(row) if row.spans == spans => row.bottom = height + 1,
-            _ => rows.push(Row { top: height, bottom: height + 1, spans }),
-        }
-    }
-    rows
-}
-
-/// What some boxes cover along a row: a sweep from left to right, the last box on top.
-fn spans(boxes: &[Placed], active: &[usize]) -> Vec<Span> {
-    let mut events: Vec<(usize, bool, usize)> =
-        active.iter().flat_map(|&i| [(boxes[i].columns[0], true, i), (boxes[i].columns[1], false, i)]).collect();
-    events.sort_unstable();
-    let mut here: BTreeSet<usize> = BTreeSet::new();
-    let mut spans: Vec<Span> = Vec::new();
-    let mut before: usize = 0;
-    for (column, begins, i) in events {
-        if let Some(&top) = here.last()
-            && column > before
-        {
-            let kind = boxes[top].kind;
-            match spans.last_mut() {
-                Some(last) if last.to == before && last.kind == kind => last.to = column,
-                _ => spans.push(Span { from: before, to: column, kind }),
-            }
-        }
-        before = column;
-        if begins { here.insert(i) } else { here.remove(&i) };
-    }
-    spans
-}
 
 /// The loops round what the rows cover, by their corners.
 fn loops(rows: &[Row]) -> Vec<Vec<Place>> {

@@ -4,16 +4,8 @@ use crate::view::theme::{self, rgb};
 use macroquad::color::{Color, WHITE};
 
 /// The inks, pale and calm: none is near a colour with a meaning (objectives, hazards, forces are all far more vivid).
-const INKS: [Color; 8] = [
-    rgb(0x8FA8CC),
-    rgb(0x86B8B4),
-    rgb(0xA9A0CF),
-    rgb(0xB9AE94),
-    rgb(0x9DB48E),
-    rgb(0xC09FA6),
-    rgb(0x8DB3C9),
-    rgb(0xA8AAB4),
-];
+const INKS: [Color; 8] =
+    [rgb(0x8FA8CC), rgb(0x86B8B4), rgb(0xA9A0CF), rgb(0xB9AE94), rgb(0x9DB48E), rgb(0xC09FA6), rgb(0x8DB3C9), rgb(0xA8AAB4)];
 
 /// The colours of one level.
 #[derive(Clone, Copy, Debug, PartialEq)]
