@@ -101,6 +101,11 @@ impl Flight {
         None
     }
 
+    /// Whether the keys fly, and not a recording.
+    pub fn is_by_hand(&self) -> bool {
+        self.playback.is_none()
+    }
+
     /// The game as it stands.
     pub fn game(&self) -> &Game {
         &self.game

@@ -128,7 +128,7 @@ fn read_input(canvas: &Canvas) -> Input {
 
 fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
     match app.screen() {
-        Screen::Menu(screen) => screen.draw(canvas),
+        Screen::Menu(screen) => screen.draw(&theatre.art, canvas),
         Screen::LevelSelect(screen) => screen.draw(canvas),
         Screen::Flight(screen) => {
             theatre.draw(screen, frame_time, canvas);
@@ -137,6 +137,8 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
         Screen::Scoring(screen) => screen.draw(canvas),
         Screen::SaveScore(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Leaderboard(screen) => screen.draw(canvas),
+        Screen::Players(screen) => screen.draw(canvas, app.shown_for()),
+        Screen::Credits(screen) => screen.draw(canvas),
         Screen::Classics(screen) => screen.draw(canvas),
         Screen::Lab(screen) => screen.draw(canvas),
         Screen::TileRun(screen) => screen.draw(canvas),
