@@ -47,7 +47,7 @@ fn name(text: &str) -> Name {
 }
 
 fn done(player: &str, level: &str, time: f64) -> Deed {
-    Deed::Done { player: name(player), level: level.to_owned(), time }
+    Deed::Done { player: name(player), level: level.to_owned(), time: Some(time) }
 }
 
 fn attempt(player: &str, level: &str) -> AttemptRow {
@@ -59,11 +59,12 @@ fn attempt(player: &str, level: &str) -> AttemptRow {
         fuel: 0.5,
         hits: 1,
         cause: "obstacle 2".to_owned(),
+        assisted: false,
     }
 }
 
-const HEADER: &str = "level,player,result,time,fuel,hits,cause\r\n";
-const ROW: &str = "1,ann,failed,1.250,0.500,1,obstacle 2\r\n";
+const HEADER: &str = "level,player,result,time,fuel,hits,cause,assisted\r\n";
+const ROW: &str = "1,ann,failed,1.250,0.500,1,obstacle 2,false\r\n";
 
 #[test]
 fn deeds_of_two_games_are_merged() {
@@ -73,7 +74,7 @@ fn deeds_of_two_games_are_merged() {
     two.record_within(PATIENCE, &[Deed::Chosen(name("bob")), done("ann", "1", 8.0), done("bob", "2", 5.0)]).unwrap();
     let (players, rescue) = one.record_within(PATIENCE, &[done("ann", "1", 8.5), done("ann", "3", 1.0)]).unwrap();
     assert_eq!(rescue, None);
-    let expected = "player,level,time,settings\nbob,,,\nbob,2,5.000,\nann,,,\nann,1,8.000,\nann,3,1.000,\n";
+    let expected = "player,level,time\nbob,,\nbob,2,5.000\nann,,\nann,1,8.000\nann,3,1.000\n";
     assert_eq!(fixture.text("players.csv"), expected);
     assert_eq!(one.players().unwrap(), (players, vec![]));
     assert_eq!(fixture.names(), ["players.csv"]);
@@ -82,13 +83,13 @@ fn deeds_of_two_games_are_merged() {
 #[test]
 fn a_damaged_file_of_players_is_kept_aside_and_no_sound_row_is_lost() {
     let fixture = Fixture::new();
-    let damaged = "player,level,time,settings\r\nann,1,7\r\n=cmd|' /C calc'!A0,1,5\r\n\"bob,1,5\r\ncid,2,8\r\n";
+    let damaged = "player,level,time\r\nann,1,7\r\n=cmd|' /C calc'!A0,1,5\r\n\"bob,1,5\r\ncid,2,8\r\n";
     fs::write(fixture.file("players.csv"), damaged).unwrap();
     let (players, damage) = fixture.scores().players().unwrap();
     assert_eq!((players.all().len(), damage.iter().map(|damage| damage.line).collect::<Vec<_>>()), (2, vec![3, 4]));
     let (_, rescue) = fixture.scores().record_within(PATIENCE, &[done("dan", "1", 1.0)]).unwrap();
     assert_eq!(fs::read_to_string(rescue.unwrap().kept).unwrap(), damaged);
-    assert!(fixture.text("players.csv").contains("ann,1,7.000,\ncid,,,\ncid,2,8.000,\ndan,,,\ndan,1,1.000,\n"));
+    assert!(fixture.text("players.csv").contains("ann,1,7.000\ncid,,\ncid,2,8.000\ndan,,\ndan,1,1.000\n"));
 }
 
 #[test]
@@ -132,7 +133,7 @@ fn what_a_spreadsheet_reads_is_what_was_flown() {
     let mut reader = csv::Reader::from_path(fixture.file("attempts.csv")).unwrap();
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     assert_eq!(rows.iter().map(|row| row[0].trim_start_matches('\'')).collect::<Vec<_>>(), levels);
-    assert!(rows.iter().all(|row| row.len() == 7 && !row[0].starts_with('=')));
+    assert!(rows.iter().all(|row| row.len() == 8 && !row[0].starts_with('=')));
 }
 
 #[test]

@@ -10,7 +10,7 @@ use super::Name;
 use super::players::harmless;
 
 /// Its first line.
-pub(super) const HEADER: &str = "level,player,result,time,fuel,hits,cause\r\n";
+pub(super) const HEADER: &str = "level,player,result,time,fuel,hits,cause,assisted\r\n";
 
 /// An attempt that came to its end.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -33,6 +33,8 @@ pub struct AttemptRow {
     /// What the ship was lost to, as `resultant run` names it; empty when it was not.
     #[serde(serialize_with = "as_text")]
     pub cause: String,
+    /// Whether the player had help.
+    pub assisted: bool,
 }
 
 /// The attempt's line.
@@ -69,9 +71,10 @@ mod tests {
             fuel: 0.85,
             hits: 2,
             cause: String::new(),
+            assisted: false,
         };
         let text = |row: &AttemptRow| String::from_utf8(line(row).unwrap()).unwrap();
-        assert_eq!(text(&row), "\"Höhle, \"\"tief\"\"\",ann,completed,5.483,0.850,2,\r\n");
+        assert_eq!(text(&row), "\"Höhle, \"\"tief\"\"\",ann,completed,5.483,0.850,2,,false\r\n");
         for level in ["=cmd|' /C calc'!A0", "+1", "-1", "@SUM(A1)", "\t=1"] {
             row.level = level.to_owned();
             assert!(text(&row).trim_start_matches('"').starts_with('\''), "{}", text(&row));
@@ -88,10 +91,11 @@ mod tests {
             fuel: 1.0,
             hits: 0,
             cause: "obstacle 2".to_owned(),
+            assisted: true,
         };
         let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::CRLF).from_writer(Vec::new());
         writer.serialize(&row).unwrap();
         let text = String::from_utf8(writer.into_inner().unwrap()).unwrap();
-        assert_eq!(text, format!("{HEADER}1,Guest,failed,1.000,1.000,0,obstacle 2\r\n"));
+        assert_eq!(text, format!("{HEADER}1,Guest,failed,1.000,1.000,0,obstacle 2,true\r\n"));
     }
 }

@@ -1,14 +1,15 @@
 //! What each player has done, and the text of the file that keeps it.
 //!
 //! ```text
-//! player,level,time,settings
-//! ann,,,game_speed=75
-//! ann,1,5.483,
-//! bob,,,
+//! player,level,time
+//! ann,,
+//! ann,1,5.483
+//! ann,2,
+//! bob,,
 //! ```
 //!
-//! A row without a level says that there is such a player, and how they like to play; a row with one says that they have completed it, and
-//! how fast at best. Who was chosen last comes first. What cannot be a row becomes a [`Damage`] and spoils none of the others.
+//! A row without a level says that there is such a player; a row with one says that they have completed it, and how fast at best, if ever
+//! without help. Who was chosen last comes first. What cannot be a row becomes a [`Damage`] and spoils none of the others.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -22,7 +23,7 @@ use super::error::Report;
 use super::{Damage, Name, records};
 
 /// The columns of the file, which are its first row.
-const HEADER: [&str; 4] = ["player", "level", "time", "settings"];
+const HEADER: [&str; 3] = ["player", "level", "time"];
 /// Thousandths of a second: more than any two ticks of the game need to be told apart.
 const STEPS: f64 = 1000.0;
 
@@ -37,15 +38,14 @@ pub enum Medal {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Player {
     name: Name,
-    /// The best time in each level that is done, s.
-    best: BTreeMap<String, f64>,
-    settings: BTreeMap<String, String>,
+    /// The levels that are done, each with the best time without help, s.
+    done: BTreeMap<String, Option<f64>>,
 }
 
 impl Player {
     /// A player who has done nothing yet.
     pub fn new(name: Name) -> Self {
-        Self { name, best: BTreeMap::new(), settings: BTreeMap::new() }
+        Self { name, done: BTreeMap::new() }
     }
 
     /// Who.
@@ -53,29 +53,27 @@ impl Player {
         &self.name
     }
 
-    /// The best time in a level, s; `None` until it is done.
+    /// The best time in a level without help, s; `None` where there is none.
     pub fn best(&self, level: &str) -> Option<f64> {
-        self.best.get(level).copied()
+        self.done.get(level).copied().flatten()
     }
 
     /// What a level has brought; `None` until it is done.
     pub fn medal(&self, level: &str) -> Option<Medal> {
-        self.best.contains_key(level).then_some(Medal::Bronze)
+        self.done.contains_key(level).then_some(Medal::Bronze)
     }
 
     /// How many levels are done.
     pub fn done(&self) -> usize {
-        self.best.len()
+        self.done.len()
     }
 
-    /// A setting of play, as it was set.
-    pub fn setting(&self, key: &str) -> Option<&str> {
-        self.settings.get(key).map(String::as_str)
-    }
-
-    fn complete(&mut self, level: &str, time: f64) {
-        let best = self.best.entry(level.to_owned()).or_insert(time);
-        *best = best.min(time);
+    fn complete(&mut self, level: &str, time: Option<f64>) {
+        let best = self.done.entry(level.to_owned()).or_insert(time);
+        *best = match (*best, time) {
+            (Some(best), Some(time)) => Some(best.min(time)),
+            (best, time) => best.or(time),
+        };
     }
 }
 
@@ -90,17 +88,8 @@ pub enum Deed {
         player: Name,
         /// The level's folder name.
         level: String,
-        /// s, 0 or more and finite.
-        time: f64,
-    },
-    /// Changed a setting of play.
-    Set {
-        /// Who.
-        player: Name,
-        /// Letters, digits and `_`.
-        key: String,
-        /// Neither `;` nor a line end.
-        value: String,
+        /// s, 0 or more and finite; `None` for a flight with help, whose time does not count.
+        time: Option<f64>,
     },
 }
 
@@ -129,13 +118,8 @@ impl Players {
                 self.players[..=index].rotate_right(1);
             }
             Deed::Done { player, level, time } => {
-                if time.is_finite() && *time >= 0.0 {
-                    self.player(player).complete(level, (time * STEPS).round() / STEPS);
-                }
-            }
-            Deed::Set { player, key, value } => {
-                if is_key(key) && !value.contains([';', '\n', '\r']) {
-                    self.player(player).settings.insert(key.clone(), value.clone());
+                if time.is_none_or(|time| time.is_finite() && time >= 0.0) {
+                    self.player(player).complete(level, time.map(|time| (time * STEPS).round() / STEPS));
                 }
             }
         }
@@ -155,10 +139,6 @@ impl Players {
     }
 }
 
-fn is_key(text: &str) -> bool {
-    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
-}
-
 /// A row of the file, as it stands there.
 #[derive(Serialize, Deserialize)]
 struct Cells<'a> {
@@ -167,8 +147,6 @@ struct Cells<'a> {
     level: Cow<'a, str>,
     #[serde(borrow)]
     time: Cow<'a, str>,
-    #[serde(borrow)]
-    settings: Cow<'a, str>,
 }
 
 /// The players that stand in `bytes`, and every place that could not be read. `path` is only named in those.
@@ -193,27 +171,26 @@ fn row(players: &mut Players, line: usize, mut record: StringRecord, damage: &mu
     }
     record.truncate(used);
     (used..HEADER.len()).for_each(|_| record.push_field(""));
-    let Ok(Cells { player, level, time, settings }) = record.deserialize(None) else { return };
+    let Ok(Cells { player, level, time }) = record.deserialize(None) else { return };
     let Some(name) = damage.name(line, HEADER[0], player.trim()) else { return };
     let (level, time) = (unharmed(level.trim()), time.trim());
-    match (level.is_empty(), seconds(time)) {
-        (true, _) if time.is_empty() => drop(players.player(&name)),
-        (true, _) => return damage.add(line, Some("level"), "nothing beside a time", "expected a level's name"),
-        (false, None) => return damage.add(line, Some("time"), format!("{time:?}"), "expected seconds such as 12.5, 0 or more"),
-        (false, Some(time)) => {
-            if let Some(other) = players.get(&name).and_then(|player| player.best(level)) {
-                let found = format!("\"{name}\" in level {level:?} again, with {other} s and {time} s");
-                damage.add(line, Some("level"), found, "expected one row a player and level: the shorter time counts");
-            }
-            players.player(&name).complete(level, time);
+    let seconds = seconds(time);
+    if level.is_empty() {
+        if !time.is_empty() {
+            damage.add(line, Some("level"), "nothing beside a time", "expected a level's name");
+        } else {
+            players.player(&name);
         }
+        return;
     }
-    for pair in settings.split(';').map(str::trim).filter(|pair| !pair.is_empty()) {
-        match pair.split_once('=').filter(|(key, _)| is_key(key)) {
-            Some((key, value)) => drop(players.player(&name).settings.insert(key.to_owned(), value.to_owned())),
-            None => damage.add(line, Some("settings"), format!("{pair:?}"), "expected name=value, several of them with ; between"),
-        }
+    if seconds.is_none() && !time.is_empty() {
+        return damage.add(line, Some("time"), format!("{time:?}"), "expected seconds such as 12.5, 0 or more, or nothing");
     }
+    if players.get(&name).is_some_and(|player| player.medal(level).is_some()) {
+        let found = format!("\"{name}\" in level {level:?} again");
+        damage.add(line, Some("level"), found, "expected one row a player and level: the shorter time counts");
+    }
+    players.player(&name).complete(level, seconds);
 }
 
 /// A time cell: a plain number of seconds; `None` for anything else.
@@ -229,14 +206,12 @@ fn seconds(cell: &str) -> Option<f64> {
 pub(super) fn write(players: &Players) -> io::Result<Vec<u8>> {
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
     writer.write_record(HEADER)?;
-    for Player { name, best, settings } in &players.players {
-        let settings: Vec<String> = settings.iter().map(|(key, value)| format!("{key}={value}")).collect();
-        let empty = Cow::Borrowed("");
+    for Player { name, done } in &players.players {
         let player = name.as_str();
-        writer.serialize(Cells { player, level: empty.clone(), time: empty.clone(), settings: settings.join(";").into() })?;
-        for (level, time) in best {
-            let time = format!("{time:.3}").into();
-            writer.serialize(Cells { player, level: harmless(level), time, settings: empty.clone() })?;
+        writer.serialize(Cells { player, level: "".into(), time: "".into() })?;
+        for (level, time) in done {
+            let time = time.map(|time| format!("{time:.3}")).unwrap_or_default();
+            writer.serialize(Cells { player, level: harmless(level), time: time.into() })?;
         }
     }
     writer.into_inner().map_err(|error| error.into_error())
@@ -261,7 +236,7 @@ mod tests {
     }
 
     fn done(player: &str, level: &str, time: f64) -> Deed {
-        Deed::Done { player: name(player), level: level.to_owned(), time }
+        Deed::Done { player: name(player), level: level.to_owned(), time: Some(time) }
     }
 
     fn reading(text: &str) -> (String, Vec<String>) {
@@ -279,8 +254,7 @@ mod tests {
             done("ann", "=cmd", 2.0),
             done("ann", "'quoted'", 2.0),
             done("ann", "a, \"b\"", 2.5),
-            Deed::Set { player: name("ann"), key: "game_speed".into(), value: "75".into() },
-            Deed::Set { player: name("ann"), key: "lasting_fuel".into(), value: "TRUE".into() },
+            Deed::Done { player: name("ann"), level: "helped".into(), time: None },
             Deed::Chosen(name("bob")),
         ] {
             players.apply(&deed);
@@ -288,8 +262,7 @@ mod tests {
         let text = String::from_utf8(write(&players).unwrap()).unwrap();
         assert_eq!(
             text,
-            "player,level,time,settings\nbob,,,\nann,,,game_speed=75;lasting_fuel=TRUE\nann,''quoted',2.000,\nann,1,5.483,\n\
-             ann,'=cmd,2.000,\nann,\"a, \"\"b\"\"\",2.500,\n"
+            "player,level,time\nbob,,\nann,,\nann,''quoted',2.000\nann,1,5.483\nann,'=cmd,2.000\nann,\"a, \"\"b\"\"\",2.500\nann,helped,\n"
         );
         assert_eq!(read(Path::new("players.csv"), text.as_bytes()), (players, vec![]));
     }
@@ -316,8 +289,8 @@ mod tests {
 
     #[test]
     fn what_editors_do_to_a_file_is_no_damage() {
-        let (written, damage) = reading("\u{feff}player,level,time,settings\r\n\r\n ann , 1 , 7 \r\nbob\r\n");
-        assert_eq!((written.as_str(), damage.len()), ("player,level,time,settings\nann,,,\nann,1,7.000,\nbob,,,\n", 0));
+        let (written, damage) = reading("\u{feff}player,level,time\r\n\r\n ann , 1 , 7 \r\nbob\r\n");
+        assert_eq!((written.as_str(), damage.len()), ("player,level,time\nann,,\nann,1,7.000\nbob,,\n", 0));
     }
 
     #[test]
@@ -327,22 +300,20 @@ mod tests {
                 "1bob,1,5",
                 "players.csv:3: column \"player\": \"1bob\", expected a user name: The name must start with a letter (a–z, A–Z), not with “1”.",
             ),
-            ("bob,1,fast", "players.csv:3: column \"time\": \"fast\", expected seconds such as 12.5, 0 or more"),
-            ("bob,1,-5", "players.csv:3: column \"time\": \"-5\", expected seconds such as 12.5, 0 or more"),
-            ("bob,1,inf", "players.csv:3: column \"time\": \"inf\", expected seconds such as 12.5, 0 or more"),
-            ("bob,1,", "players.csv:3: column \"time\": \"\", expected seconds such as 12.5, 0 or more"),
+            ("bob,1,fast", "players.csv:3: column \"time\": \"fast\", expected seconds such as 12.5, 0 or more, or nothing"),
+            ("bob,1,-5", "players.csv:3: column \"time\": \"-5\", expected seconds such as 12.5, 0 or more, or nothing"),
+            ("bob,1,inf", "players.csv:3: column \"time\": \"inf\", expected seconds such as 12.5, 0 or more, or nothing"),
             ("bob,,5", "players.csv:3: column \"level\": nothing beside a time, expected a level's name"),
-            ("bob,1,5,,x", "players.csv:3: 5 cells, expected at most 4: player,level,time,settings"),
+            ("bob,1,5,x", "players.csv:3: 4 cells, expected at most 3: player,level,time"),
             (
                 "ann,1,9",
-                "players.csv:3: column \"level\": \"ann\" in level \"1\" again, with 7 s and 9 s, expected one row a player and level: the shorter time counts",
+                "players.csv:3: column \"level\": \"ann\" in level \"1\" again, expected one row a player and level: the shorter time counts",
             ),
-            ("ann,,,loud", "players.csv:3: column \"settings\": \"loud\", expected name=value, several of them with ; between"),
             ("\"bob,1,5", "players.csv:3: a quotation mark that is never closed, expected a second one at the end of its cell"),
         ] {
-            let (written, damage) = reading(&format!("player,level,time,settings\nann,1,7\n{line}\ncid,2,8\n"));
+            let (written, damage) = reading(&format!("player,level,time\nann,1,7\n{line}\ncid,2,8\n"));
             assert_eq!(damage, [report], "{line}");
-            assert!(written.contains("ann,1,7.000,\n") && written.contains("cid,2,8.000,\n"), "{written}");
+            assert!(written.contains("ann,1,7.000\n") && written.contains("cid,2,8.000\n"), "{written}");
         }
     }
 }

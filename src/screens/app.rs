@@ -6,12 +6,14 @@ use super::leaderboard::subject;
 use super::level_select::Entry;
 use super::library::{Library, Refusal};
 use super::{
-    Attempt, Classic, Classics, Credits, Facts, Flight, Fresh, Gain, Input, Jumper, Lab, Leaderboard, LevelSelect, Menu, Miniature,
-    Players, Purpose, Request, SaveScore, Scoring, Screen, Spectator, TileRun, Way, jumper,
+    Attempt, Classic, Classics, Credits, Facts, Flight, Fresh, Gain, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu,
+    Miniature, Players, Purpose, Request, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Way, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Outcome, RunResult};
 use crate::scores::{Name, PATIENCE, Placement, Saved, Scores, ScoresError};
+use crate::settings::Settings;
+use crate::settings::file::SettingsFile;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -46,6 +48,10 @@ pub struct App {
     ended: Option<String>,
     /// The level that was last chosen: where the keyboard is when the list comes back.
     last_level: Option<String>,
+    settings: Settings,
+    settings_file: SettingsFile,
+    /// What is wrong with the settings' file, a line each.
+    settings_problems: Vec<String>,
     /// How many menus there have been: each has other balls.
     menus: u64,
     /// A score that another program keeps from being saved.
@@ -65,8 +71,13 @@ impl App {
     /// A sitting that begins with the menu, of whoever played here last.
     pub fn new(places: Places) -> Self {
         let scores = Scores::new(places.scores);
+        let settings_file = SettingsFile::new(places.root.join("settings.csv"));
         let (library, journal) = (Library::new(places.root, places.levels), Journal::new(scores.clone()));
+        let (settings, settings_problems) = settings_file.load(whose(journal.current()));
         Self {
+            settings,
+            settings_file,
+            settings_problems,
             screen: menu(&library, &journal, 0),
             library,
             journal,
@@ -82,6 +93,7 @@ impl App {
     /// One frame; `false` when the player has chosen to quit.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
         self.shown_for += input.frame_time;
+        let input = &self.with_settings(input);
         self.journal.update(input.frame_time);
         let asked = self.update_screen(input, spectator);
         self.note_end();
@@ -99,6 +111,20 @@ impl App {
         true
     }
 
+    /// The input with what the player has set; F11 and Alt+Enter fill the screen, or give it back, and mean nothing else.
+    fn with_settings(&mut self, input: &Input) -> Input {
+        let alt_enter = input.held.has(Key::Alt) && input.pressed.has(Key::Enter);
+        if input.pressed.has(Key::F11) || alt_enter {
+            self.set(Settings { fullscreen: !self.settings.fullscreen, ..self.settings });
+        }
+        let mut input = Input { settings: self.settings, ..input.clone() };
+        input.pressed = input.pressed.without(Key::F11);
+        if alt_enter {
+            input.pressed = input.pressed.without(Key::Enter);
+        }
+        input
+    }
+
     fn update_screen(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         match &mut self.screen {
             Screen::Menu(screen) => screen.update(input),
@@ -114,6 +140,7 @@ impl App {
             Screen::TileRun(screen) => screen.update(input),
             Screen::Jumper(screen) => screen.update(input),
             Screen::Pi(screen) => screen.update(input),
+            Screen::Settings(screen) => screen.update(input),
         }
     }
 
@@ -150,7 +177,7 @@ impl App {
             },
             Request::Players => self.players(),
             Request::Choose(name, named) => {
-                self.journal.choose(name, named);
+                self.choose(name, named);
                 self.menu()
             }
             Request::Credits => Screen::Credits(Box::new(Credits::default())),
@@ -159,15 +186,43 @@ impl App {
             Request::Lab => Screen::Lab(Box::new(Lab::new(self.library.charts()))),
             Request::Classic(classic) => self.classic(classic),
             Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),
+            Request::Settings => Screen::Settings(Box::new(SettingsPanel::new(self.settings, self.settings_problems.clone()))),
+            Request::Set(settings) => return self.set(settings),
             Request::Quit => return,
         };
         self.screen = next;
         self.shown_for = 0.0;
     }
 
+    /// Takes new settings over, keeps them, and says where that failed.
+    fn set(&mut self, settings: Settings) {
+        self.settings = settings;
+        let player = whose(self.journal.current());
+        self.settings_problems = match self.settings_file.save(player, &settings) {
+            Ok(()) => self.settings_file.load(player).1,
+            Err(problem) => vec![problem],
+        };
+        match &mut self.screen {
+            Screen::Settings(screen) => screen.tell(settings, self.settings_problems.clone()),
+            Screen::Flight(screen) => screen.tell_of_settings(settings, &self.settings_problems),
+            _ => {}
+        }
+    }
+
+    /// What the player has set.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
     fn menu(&mut self) -> Screen {
         self.menus += 1;
         menu(&self.library, &self.journal, self.menus)
+    }
+
+    /// Somebody plays from now on, with the settings of theirs.
+    fn choose(&mut self, name: Name, named: bool) {
+        self.journal.choose(name, named);
+        (self.settings, self.settings_problems) = self.settings_file.load(whose(self.journal.current()));
     }
 
     fn players(&mut self) -> Screen {
@@ -195,7 +250,10 @@ impl App {
         self.last_level = Some(name.clone());
         self.ended = None;
         match Flight::new(attempt, spectator) {
-            Ok(flight) => Screen::Flight(Box::new(flight)),
+            Ok(mut flight) => {
+                flight.tell_of_settings(self.settings, &self.settings_problems);
+                Screen::Flight(Box::new(flight))
+            }
             Err(error) => self.refused(Purpose::Play, &name, vec![error.to_string()]),
         }
     }
@@ -220,7 +278,8 @@ impl App {
         if game.outcome() == Outcome::Running {
             self.ended = None;
         } else if self.ended.is_none() {
-            self.ended = Some(if flight.is_by_hand() { self.journal.note(game) } else { RECORDING.to_owned() });
+            self.ended =
+                Some(if flight.is_by_hand() { self.journal.note(game, flight.is_assisted()) } else { RECORDING.to_owned() });
         }
     }
 
@@ -284,7 +343,7 @@ impl App {
             Placement::New { .. } | Placement::Raised { .. } => None,
         };
         if name != *self.journal.current() {
-            self.journal.choose(name.clone(), true);
+            self.choose(name.clone(), true);
         }
         let fresh = Fresh { name, remark };
         Ok(Screen::Leaderboard(Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.ways)))
@@ -313,11 +372,16 @@ impl App {
     }
 }
 
+/// Whose settings of play hold while this one plays: a guest has none of their own.
+fn whose(player: &Name) -> &str {
+    if player.is_guest() { "" } else { player.as_str() }
+}
+
 /// The menu for whoever plays; Play opens the first level that can be played and that they have not done.
 fn menu(library: &Library, journal: &Journal, seed: u64) -> Screen {
     let names = library.names();
     let playable = |name: &String| Some((name.clone(), library.load(name).ok()?.title.clone()));
-    let open = names.iter().filter(|name| journal.best(name).is_none()).find_map(playable);
+    let open = names.iter().filter(|name| journal.medal(name).is_none()).find_map(playable);
     let next = open.or_else(|| names.iter().find_map(playable));
     let (player, trouble) = (journal.current().clone(), journal.trouble().map(str::to_owned));
     Screen::Menu(Box::new(Menu::new(Facts { next, player, trouble }, seed)))

@@ -107,7 +107,7 @@ impl Journal {
     }
 
     /// Takes note of an attempt that has ended. The answer is what it brought whoever flew, in words, or why it cannot be written down.
-    pub fn note(&mut self, game: &Game) -> String {
+    pub fn note(&mut self, game: &Game, assisted: bool) -> String {
         let (level, time, player) = (game.level().name.clone(), game.time(), self.current.clone());
         self.attempts.push_back(AttemptRow {
             level: level.clone(),
@@ -117,17 +117,19 @@ impl Journal {
             fuel: game.fuel(),
             hits: game.collisions(),
             cause: game.killed_by().map(|death| death.name(game.level())).unwrap_or_default(),
+            assisted,
         });
-        let mut brought = LOST.to_owned();
+        let mut brought = game.result().death.map_or(LOST.to_owned(), |death| format!("{death} {LOST}"));
         if game.outcome() == Outcome::Completed {
             let before = self.best(&level);
-            let deed = Deed::Done { player: player.clone(), level: level.clone(), time };
+            let deed = Deed::Done { player: player.clone(), level: level.clone(), time: (!assisted).then_some(time) };
             if player.is_guest() {
                 self.by_guest.push(deed.clone());
             }
             self.apply(deed);
             let time = precise(time);
             brought = match before {
+                _ if assisted => format!("{player}: done, with help: neither time nor score is saved."),
                 None => format!("{player}: done for the first time, in {time}."),
                 Some(before) if self.best(&level) < Some(before) => {
                     format!("{player}: your best time! It was {}, it is {time}.", precise(before))

@@ -36,7 +36,7 @@ pub struct Entry {
     pub name: String,
     /// Its title and what it looks like, or why it does not load.
     pub level: Result<(String, Miniature), Refusal>,
-    /// The best time of whoever plays, s; `None` until it is done.
+    /// The best time of whoever plays without help, s; `None` where there is none.
     pub best: Option<f64>,
     /// What it has brought whoever plays.
     pub medal: Option<Medal>,
@@ -272,15 +272,15 @@ mod drawing {
                 let named = if *title == entry.name { title.clone() } else { format!("{} · {title}", entry.name) };
                 let sizes: &[f32] = if area.size.x > 400.0 { &[BUTTON_TEXT, TEXT, DETAILS] } else { &[TEXT, DETAILS] };
                 fitted(&named, 0.9, sizes, theme::TEXT);
-                match (entry.medal, entry.best) {
-                    (Some(medal), Some(best)) => {
-                        let style = Style::new(TEXT, theme::TEXT).mono().middle();
-                        let at = middle(1.95);
-                        let width = canvas.width(&precise(best), style);
-                        canvas.text(&precise(best), Vec2::new(at.x - width / 2.0 + 16.0, at.y), style);
+                match entry.medal {
+                    Some(medal) => {
+                        let (style, at) = (Style::new(TEXT, theme::TEXT).mono().middle(), middle(1.95));
+                        let time = entry.best.map_or("with help".to_owned(), precise);
+                        let width = canvas.width(&time, style);
+                        canvas.text(&time, Vec2::new(at.x - width / 2.0 + 16.0, at.y), style);
                         medals::draw(canvas, medal, Vec2::new(at.x - width / 2.0 - 4.0, at.y), 11.0);
                     }
-                    _ => fitted("not done yet", 1.95, &[TEXT, DETAILS], theme::QUIET),
+                    None => fitted("not done yet", 1.95, &[TEXT, DETAILS], theme::QUIET),
                 }
             }
             Err(_) => {

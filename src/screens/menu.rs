@@ -7,13 +7,13 @@ use crate::scores::Name;
 use crate::view::layout::{Area, Frame, GRID, ROW_BUTTON, TITLE, Vec2};
 
 /// The words on the buttons of the column, from top to bottom.
-pub const LABELS: [&str; 6] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Quit"];
+pub const LABELS: [&str; 7] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Settings", "Quit"];
 /// From the canvas' top to the middle of the title's capitals, of the canvas' height.
-const TITLE_AT: f32 = 0.14;
+const TITLE_AT: f32 = 0.115;
 /// The title's letters, in heights of its text: what balls bounce off.
 const TITLE_BOX: Vec2 = Vec2::new(4.3, 0.74);
 /// From the canvas' top to the first button, of the canvas' height.
-const BUTTONS_AT: f32 = 0.38;
+const BUTTONS_AT: f32 = 0.3;
 /// From the canvas' edges to the buttons in its lower corners.
 const CORNER: f32 = 24.0;
 /// The button that says who plays.
@@ -62,13 +62,14 @@ impl Menu {
             2 => Request::LevelSelect(Purpose::Leaderboard),
             3 => Request::Classics(None),
             4 => Request::Lab,
-            5 => Request::Quit,
-            6 => Request::Players,
+            5 => Request::Settings,
+            6 => Request::Quit,
+            7 => Request::Players,
             _ => Request::Credits,
         })
     }
 
-    /// Its buttons: Play, Level Select, Leaderboards, Classics, Lab, Quit; who plays; Credits.
+    /// Its buttons: Play, Level Select, Leaderboards, Classics, Lab, Settings, Quit; who plays; Credits.
     pub fn buttons(&self) -> &Buttons {
         &self.buttons
     }

@@ -20,24 +20,28 @@ mod library;
 mod menu;
 mod miniature;
 mod name_field;
+#[cfg(feature = "window")]
+mod pad;
 mod pi;
 mod players;
 mod problems;
 mod save_score;
 mod scoring;
 mod scroll;
+mod settings;
 mod text_field;
 mod tile_run;
 mod toolbar;
 #[cfg(feature = "window")]
 mod window;
 
+pub use crate::settings::{Key, Keys};
 pub use app::{App, Places};
 pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
 pub use credits::Credits;
 pub use flight::{Attempt, Flight, Spectator};
-pub use input::{Input, Key, Keys};
+pub use input::Input;
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Half, Lab, Line, PAGES, Page, Shown};
 pub use leaderboard::{Fresh, Leaderboard, Way};
@@ -52,6 +56,7 @@ pub use problems::Problems;
 pub use save_score::{Gain, SaveScore};
 pub use scoring::{Effect, Part, Press, Scoring};
 pub use scroll::Bar;
+pub use settings::SettingsPanel;
 pub use tile_run::TileRun;
 pub use toolbar::Toolbar;
 #[cfg(feature = "window")]
@@ -60,6 +65,7 @@ pub use window::open;
 use crate::classics::jumper::scene::Scene;
 use crate::game::RunResult;
 use crate::scores::Name;
+use crate::settings::Settings;
 
 /// What is on the screen, with all that it needs.
 #[derive(Debug)]
@@ -80,6 +86,8 @@ pub enum Screen {
     Players(Box<Players>),
     /// Who and what the game is made of.
     Credits(Box<Credits>),
+    /// Keys, volumes, the picture, help.
+    Settings(Box<SettingsPanel>),
     /// Which classic.
     Classics(Classics),
     /// Charts, stress tests, two methods side by side.
@@ -117,6 +125,10 @@ pub enum Request {
     Choose(Name, bool),
     /// Who and what the game is made of.
     Credits,
+    /// The settings.
+    Settings,
+    /// They are to be these from now on; the screen stays.
+    Set(Settings),
     /// The list of classics, with the keyboard on the one that was left.
     Classics(Option<Classic>),
     /// Charts, stress tests, two methods side by side.

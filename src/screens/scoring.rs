@@ -81,13 +81,13 @@ pub struct Scoring {
 
 impl Scoring {
     /// The screen for that result; `next` is the level after this one, and `remark` says what it brought. The keyboard is where most go on:
-    /// on the next level after a success, on another try after a failure. Only what was flown by hand can be saved.
+    /// on the next level after a success, on another try after a failure. Only what was flown by hand and without help can be saved.
     pub fn new(attempt: Attempt, result: RunResult, next: Option<String>, remark: String) -> Self {
         let mut presses = vec![Press::Replay];
         if next.is_some() {
             presses.push(Press::NextLevel);
         }
-        if result.score.total > 0 && attempt.inputs.is_none() {
+        if result.score.total > 0 && attempt.inputs.is_none() && !result.assisted {
             presses.push(Press::SaveScore);
         }
         presses.push(Press::MainMenu);

@@ -8,21 +8,21 @@ use std::path::Path;
 
 #[test]
 fn every_button_of_the_menu_leads_where_it_says_by_mouse_and_by_keyboard() {
-    let screens = ["flight", "level select", "leaderboards", "classics", "lab"].into_iter().enumerate();
-    for (index, screen) in screens.chain([(6, "new player"), (7, "credits")]) {
+    let screens = ["flight", "level select", "leaderboards", "classics", "lab", "settings"].into_iter().enumerate();
+    for (index, screen) in screens.chain([(7, "new player"), (8, "credits")]) {
         assert_eq!(Sitting::new().click(index).at(), screen);
         assert_eq!(Sitting::new().choose(index).at(), screen);
     }
     let mut sitting = Sitting::new();
-    let quit = sitting.rest().buttons().areas()[5].centre();
+    let quit = sitting.rest().buttons().areas()[6].centre();
     assert!(!sitting.give(Input { pointer: quit, click: true, ..Input::default() }).open);
     let mut sitting = Sitting::new();
-    sitting.press_all(&[Key::Down; 5]);
-    assert_eq!(sitting.buttons().focus(), 5);
+    sitting.press_all(&[Key::Down; 6]);
+    assert_eq!(sitting.buttons().focus(), 6);
     assert!(!sitting.give(enter()).open);
     let mut sitting = Sitting::new();
     sitting.press_all(&[Key::Down; 9]);
-    assert_eq!(sitting.buttons().focus(), 6, "below the column is the player, and there the arrows stop");
+    assert_eq!(sitting.buttons().focus(), 7, "below the column is the player, and there the arrows stop");
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn play_opens_the_first_level_that_the_player_has_not_done() {
     assert_eq!(sitting.at(), "menu");
     assert_eq!(sitting.menu().facts().next.as_ref().map(|next| next.0.as_str()), Some("2"));
     assert_eq!(sitting.choose(0).flight().game().level().name, "2", "1 was completed, though no score was saved");
-    let mut sitting = sitting.again();
+    sitting.reopen();
     assert_eq!(sitting.choose(0).flight().game().level().name, "2", "also in another sitting");
 
     let scored = |root: &Path| {

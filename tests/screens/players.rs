@@ -22,16 +22,16 @@ fn what_a_player_has_done_follows_the_player() {
     sitting.become_new("bob");
     assert_eq!(done(&mut sitting), 0, "what ann did is not bob's");
     assert_eq!(sitting.menu().facts().next.as_ref().unwrap().0, "1");
-    let mut sitting = sitting.again();
+    sitting.reopen();
     assert_eq!(sitting.app.player().as_str(), "bob", "who was chosen last plays on");
-    sitting.choose(6);
+    sitting.choose(7);
     let names: Vec<&str> = sitting.players().candidates().iter().map(|candidate| candidate.name.as_str()).collect();
     assert_eq!((names, sitting.buttons().focus()), (vec!["ann", "bob"], 1));
     assert_eq!(sitting.choose(0).at(), "menu");
     assert_eq!(sitting.app.player().as_str(), "ann");
     assert_eq!(done(&mut sitting), 1);
     assert_eq!(sitting.menu().facts().next.as_ref().unwrap().0, "2");
-    assert!(sitting.scores_file("players.csv").starts_with("player,level,time,settings\nann,,,\nann,1,0.0"));
+    assert!(sitting.scores_file("players.csv").starts_with("player,level,time\nann,,\nann,1,0.0"));
 }
 
 #[test]
@@ -45,11 +45,11 @@ fn without_a_name_one_may_fly_and_keeps_what_was_done_once_it_is_said() {
     assert_eq!(done(&mut sitting), 1, "ann has flown it");
     sitting.become_new("bob");
     assert_eq!(done(&mut sitting), 0, "bob has not");
-    let mut sitting = sitting.again();
-    sitting.choose(6);
+    sitting.reopen();
+    sitting.choose(7);
     let guest = sitting.players().candidates().iter().position(|candidate| candidate.name.is_guest()).unwrap();
     assert_eq!(sitting.choose(guest).app.player().as_str(), "Guest");
-    sitting.choose(6);
+    sitting.choose(7);
     let row = sitting.players().candidates().iter().position(|candidate| candidate.name.as_str() == "bob").unwrap();
     sitting.choose(row);
     assert_eq!(done(&mut sitting), 0, "to choose somebody from the list gives them nothing");
@@ -58,7 +58,7 @@ fn without_a_name_one_may_fly_and_keeps_what_was_done_once_it_is_said() {
 #[test]
 fn nobody_is_called_guest_and_names_follow_the_rules() {
     let mut sitting = Sitting::new();
-    sitting.click(6).write("guest").press(Key::Enter);
+    sitting.click(7).write("guest").press(Key::Enter);
     assert_eq!(sitting.at(), "new player");
     assert!(sitting.players().field().unwrap().error().is_some_and(|error| error.contains("no name yet")));
     sitting.press_all(&[Key::Backspace; 5]).write("1bob").press(Key::Enter);
@@ -71,17 +71,17 @@ fn nobody_is_called_guest_and_names_follow_the_rules() {
 fn a_long_list_of_players_scrolls_with_the_highlight() {
     let mut sitting = Sitting::with(|root| {
         fs::create_dir(root.join("scores")).unwrap();
-        let rows: String = (10..30).map(|i| format!("user{i},,,\n")).collect();
-        fs::write(root.join("scores/players.csv"), format!("player,level,time,settings\n{rows}")).unwrap();
+        let rows: String = (10..30).map(|i| format!("user{i},,\n")).collect();
+        fs::write(root.join("scores/players.csv"), format!("player,level,time\n{rows}")).unwrap();
     });
-    sitting.click(6);
+    sitting.click(7);
     assert_eq!((sitting.players().range(), sitting.buttons().focus()), (0..7, 0));
     sitting.press_all(&[Key::Down; 12]);
     assert_eq!((sitting.players().range(), sitting.buttons().focus()), (6..13, 6));
     sitting.press_all(&[Key::Up; 8]);
     assert_eq!((sitting.players().range(), sitting.buttons().focus()), (4..11, 0));
     assert_eq!(sitting.press(Key::Enter).app.player().as_str(), "user14");
-    sitting.click(6).press_all(&[Key::Down; 40]);
+    sitting.click(7).press_all(&[Key::Down; 40]);
     assert_eq!((sitting.players().range(), sitting.buttons().focus()), (13..20, 7), "below the list are the buttons");
 }
 
@@ -92,10 +92,13 @@ fn every_attempt_that_ends_is_written_down() {
     sitting.fly(1).wait(0.5).press(Key::R).press_all(&[Key::Escape, Key::Escape]);
     let text = sitting.scores_file("attempts.csv");
     let lines: Vec<&str> = text.split("\r\n").collect();
-    assert_eq!(lines[0], "level,player,result,time,fuel,hits,cause");
-    assert!(lines[1].starts_with("1,ann,completed,0.0") && lines[1].ends_with(",1.000,0,"), "{text}");
+    assert_eq!(lines[0], "level,player,result,time,fuel,hits,cause,assisted");
+    assert!(lines[1].starts_with("1,ann,completed,0.0") && lines[1].ends_with(",1.000,0,,false"), "{text}");
     // R flies again before the score: that attempt has ended all the same. What is given up has not.
-    assert!(lines[2..4].iter().all(|line| line.starts_with("3,ann,failed,0.0") && line.ends_with(",1.000,0,obstacle 1")), "{text}");
+    assert!(
+        lines[2..4].iter().all(|line| line.starts_with("3,ann,failed,0.0") && line.ends_with(",1.000,0,obstacle 1,false")),
+        "{text}"
+    );
     assert_eq!(lines[4..], [""]);
 }
 
@@ -133,14 +136,14 @@ fn a_file_that_another_game_holds_is_written_when_it_lets_go_at_the_latest_at_th
     sitting.press(Key::Escape).become_new("ann");
     assert!(!sitting.scores_file("players.csv").contains("ann"));
     drop(held);
-    let quit = sitting.buttons().areas()[5].centre();
+    let quit = sitting.buttons().areas()[6].centre();
     sitting.give(Input { pointer: quit, click: true, ..Input::default() });
     assert!(!sitting.open && sitting.scores_file("players.csv").contains("ann"));
 }
 
 #[test]
 fn a_damaged_file_of_players_is_told_kept_aside_and_costs_nobody_anything() {
-    let damaged = "player,level,time,settings\nann,1,7.5,\nann,2,fast,\nbob,,,\n";
+    let damaged = "player,level,time\nann,1,7.5\nann,2,fast\nbob,,\n";
     let mut sitting = Sitting::with(|root| {
         fs::create_dir(root.join("scores")).unwrap();
         fs::write(root.join("scores/players.csv"), damaged).unwrap();
@@ -166,7 +169,7 @@ fn a_level_that_shares_a_name_with_the_players_file_is_refused() {
 #[test]
 fn the_credits_name_every_licence() {
     let mut sitting = Sitting::new();
-    sitting.choose(7);
+    sitting.choose(8);
     let resultant::screens::Screen::Credits(credits) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
     let said = format!("{:?}", credits.lines());
     for words in ["Ubuntu Font Licence 1.0", "Bitstream Vera", "Apache 2.0", "MIT License", "MERCHANTABILITY"] {

@@ -126,7 +126,7 @@ fn once_a_player_has_a_name_a_score_is_saved_with_one_press() {
     assert_eq!(sitting.press(Key::Escape).at(), "menu");
     assert_eq!(sitting.reach_save_score().at(), "leaderboard", "no name is asked for");
     assert_eq!(sitting.choose(1).flight().game().level().name, "1");
-    let mut sitting = sitting.again();
+    sitting.reopen();
     assert_eq!(sitting.app.player().as_str(), "robert", "nor in another sitting");
     assert_eq!(sitting.reach_save_score().at(), "leaderboard");
     assert_eq!(sitting.choose(0).flight().game().level().name, "2");

@@ -31,16 +31,15 @@ impl Sitting {
         level(folder.path(), "10", FAR_AWAY, "");
         level(folder.path(), "broken", FAR_AWAY, "380,280,wide,40\n");
         prepare(folder.path());
-        let mut sitting = Self { app: App::new(places(folder.path())), frame: Frame::default(), folder, open: true };
+        let mut sitting = Self { app: App::new(places(&folder)), frame: Frame::default(), folder, open: true };
         sitting.rest();
         sitting
     }
 
     /// The game is closed and opened again.
-    pub fn again(self) -> Self {
-        let mut sitting = Self { app: App::new(places(self.folder.path())), open: true, ..self };
-        sitting.rest();
-        sitting
+    pub fn reopen(&mut self) -> &mut Self {
+        self.app = App::new(places(&self.folder));
+        self.rest()
     }
 
     /// A file of the folder of scores.
@@ -126,7 +125,11 @@ impl Sitting {
         match self.app.screen() {
             Screen::Menu(screen) => screen.buttons(),
             Screen::LevelSelect(screen) => screen.buttons(),
-            Screen::Flight(screen) => screen.pause().expect("the pause panel is open"),
+            Screen::Settings(screen) => screen.buttons(),
+            Screen::Flight(screen) => match screen.settings() {
+                Some(settings) => settings.buttons(),
+                None => screen.pause().expect("the pause panel is open"),
+            },
             Screen::Scoring(screen) => screen.buttons(),
             Screen::SaveScore(screen) => screen.buttons(),
             Screen::Leaderboard(screen) => screen.buttons(),
@@ -148,6 +151,8 @@ impl Sitting {
                 Purpose::Play => "level select",
                 Purpose::Leaderboard => "leaderboards",
             },
+            Screen::Settings(_) => "settings",
+            Screen::Flight(screen) if screen.settings().is_some() => "settings in flight",
             Screen::Flight(screen) if screen.pause().is_some() => "pause",
             Screen::Flight(_) => "flight",
             Screen::Scoring(_) => "scoring",
@@ -201,7 +206,7 @@ impl Sitting {
 
     /// From the menu to the field for a new player, and back to the menu as that one.
     pub fn become_new(&mut self, name: &str) -> &mut Self {
-        self.click(6);
+        self.click(7);
         if self.at() == "players" {
             let new = self.players().range().len();
             self.choose(new);
@@ -230,8 +235,9 @@ impl Sitting {
     }
 }
 
-fn places(root: &Path) -> Places {
-    Places { levels: root.join("levels"), scores: root.join("scores"), root: root.to_path_buf() }
+fn places(folder: &tempfile::TempDir) -> Places {
+    let root = folder.path().to_path_buf();
+    Places { levels: root.join("levels"), scores: root.join("scores"), root }
 }
 
 pub fn level(root: &Path, name: &str, objectives: &str, obstacles: &str) {
