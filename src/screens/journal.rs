@@ -119,7 +119,7 @@ impl Journal {
             cause: game.killed_by().map(|death| death.name(game.level())).unwrap_or_default(),
             assisted,
         });
-        let mut brought = game.result().death.map_or(LOST.to_owned(), |death| format!("{death} {LOST}"));
+        let mut brought = game.result().death.map_or(LOST.to_owned(), |death| format!("{death}. {LOST}"));
         if game.outcome() == Outcome::Completed {
             let before = self.best(&level);
             let deed = Deed::Done { player: player.clone(), level: level.clone(), time: (!assisted).then_some(time) };
