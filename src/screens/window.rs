@@ -146,7 +146,7 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
 
 fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
     match app.screen() {
-        Screen::Menu(screen) => screen.draw(canvas),
+        Screen::Menu(screen) => screen.draw(&theatre.art, canvas),
         Screen::LevelSelect(screen) => screen.draw(canvas),
         Screen::Flight(screen) => {
             theatre.draw(screen, *app.settings(), frame_time, canvas);
@@ -155,6 +155,8 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
         Screen::Scoring(screen) => screen.draw(canvas),
         Screen::SaveScore(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Leaderboard(screen) => screen.draw(canvas),
+        Screen::Players(screen) => screen.draw(canvas, app.shown_for()),
+        Screen::Credits(screen) => screen.draw(canvas),
         Screen::Classics(screen) => screen.draw(canvas),
         Screen::Lab(screen) => screen.draw(canvas),
         Screen::TileRun(screen) => screen.draw(canvas),
@@ -227,7 +229,12 @@ fn music(screen: &Screen) -> Option<&str> {
         Screen::TileRun(_) => Some("tile run"),
         Screen::Jumper(_) => Some("jumper"),
         Screen::Pi(_) => Some("pi"),
-        Screen::Menu(_) | Screen::LevelSelect(_) | Screen::Classics(_) | Screen::Lab(_) => Some(MENU),
+        Screen::Menu(_)
+        | Screen::Players(_)
+        | Screen::Credits(_)
+        | Screen::LevelSelect(_)
+        | Screen::Classics(_)
+        | Screen::Lab(_) => Some(MENU),
     }
 }
 

@@ -35,6 +35,8 @@ pub mod hitboxes;
 #[cfg(feature = "window")]
 pub mod hud;
 #[cfg(feature = "window")]
+pub mod medals;
+#[cfg(feature = "window")]
 pub mod particles;
 #[cfg(feature = "window")]
 pub mod pictures;
