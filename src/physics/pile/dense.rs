@@ -48,6 +48,8 @@ pub(super) struct StepSize {
     pub rest_speed: f64,
     /// Whether an island may no longer ask to grow.
     pub last: bool,
+    /// Whether it begins later than the others, and elsewhere than contacts were looked for.
+    pub later: bool,
 }
 
 /// What became of an island's step.
@@ -117,8 +119,14 @@ impl Dense {
         self.pushes.hits.impact = self.anchors.impact;
         self.report.sides.clear();
         self.reach.clear();
-        self.contacts.find(bodies, island, &[], size.dt, false);
-        self.walls.any = false;
+        (self.walls.any, self.impacts.any) = (false, false);
+        if size.later {
+            self.reach_out(bodies, neighbours, island, size.last);
+            if !self.reach.strangers.is_empty() {
+                return self.grow(bodies, island);
+            }
+        }
+        self.contacts.find(bodies, island, &self.reach.added, size.dt, false);
         self.anchors.any_hung = false;
         let Self { contacts, anchors, clusters, .. } = self;
         // What bounces in the air is not merged before it has.
@@ -133,7 +141,7 @@ impl Dense {
         for look in 0.. {
             self.solve_along(bodies, island, size.dt, look == 0 && !self.impacts.any && !self.anchors.unmerged);
             self.solve_across(bodies, island, size.dt);
-            inside = place::advance(bodies, island.members, &self.anchors.lands, size.dt, self.impacts.any);
+            inside = place::advance(bodies, island.members, &self.anchors.lands, size.dt, self.impacts.any || size.later);
             if !inside {
                 // After the last look nobody gets further than was looked for.
                 if look < LOOKS {
@@ -176,6 +184,7 @@ impl Dense {
             island.members.iter().enumerate().for_each(|(k, i)| self.place[*i as usize] = k as u32);
             self.record(bodies, island, down);
         }
+        self.pushes.resistance.restore(bodies);
         self.walls.restore_free(bodies);
         self.impacts.restore_free(bodies, island.members);
     }
@@ -213,8 +222,8 @@ impl Dense {
 
     fn solve_across(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
         let Self { contacts, friction, clusters, pushes, impacts, report, hasty, .. } = self;
-        let (struck, hasty) = (&impacts.struck, *hasty);
-        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, struck, report, dt, hasty };
+        let (impacts, hasty) = (&*impacts, *hasty);
+        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, impacts, report, dt, hasty };
         self.guards.friction_left_out += u64::from(cross.solve(bodies));
     }
 
