@@ -88,8 +88,14 @@ impl App {
 
     /// One frame; `false` when the player has chosen to quit.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
+        let settings = self.with_settings(input);
+        let open = self.update_with(&settings, spectator);
+        input.answer.set(settings.answer.get());
+        open
+    }
+
+    fn update_with(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
         self.shown_for += input.frame_time;
-        let input = &self.with_settings(input);
         match self.update_screen(input, spectator) {
             Some(Request::Quit) => return false,
             Some(request) => self.grant(request, spectator),

@@ -34,7 +34,7 @@ pub use app::{App, Places};
 pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
 pub use flight::{Attempt, Flight, Spectator};
-pub use input::Input;
+pub use input::{Answer, Input};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Half, Lab, Line, PAGES, Page, Shown};
 pub use leaderboard::Leaderboard;
