@@ -2,6 +2,7 @@
 
 use super::super::bodies::Bodies;
 use super::super::islands::Island;
+use super::later::Placed;
 use crate::physics::Aabb;
 use glam::DVec2;
 
@@ -18,6 +19,9 @@ pub(in crate::physics) trait Advance {
 
     /// What it told of the island of this body holds no longer.
     fn forget(&mut self, body: usize);
+
+    /// A surface stands for the whole step, which is advanced from its start again.
+    fn stand(&mut self, surface: usize);
 
     /// Bodies whose islands have to be advanced again, because others have come to something that concerns them.
     fn disagree(&mut self, bodies: &mut Vec<u32>);
@@ -40,6 +44,7 @@ pub(in crate::physics) struct Store<'a> {
     pub(super) bodies: &'a mut Bodies,
     pub(super) island: Island<'a>,
     pub(super) grown: &'a mut Vec<u32>,
+    pub(super) placed: &'a mut Vec<Placed>,
     pub(super) down: f64,
 }
 
@@ -76,6 +81,12 @@ impl Store<'_> {
         (self.bodies.ux[i], self.bodies.uy[i]) = (velocity.x, velocity.y * self.down);
     }
 
+    /// Tells where a surface is (m) and how fast it moves (m/s) when the island is left; whether it stands from then on.
+    pub fn place_surface(&mut self, surface: u32, (position, velocity): (DVec2, DVec2), stands: bool) {
+        let turned = DVec2::new(1.0, self.down);
+        self.placed.push(Placed { surface, position: position * turned, velocity: velocity * turned, stands });
+    }
+
     /// Widens where others are looked for by `reach` (m) to all sides; the islands are found anew then.
     pub fn widen(&mut self, body: u32, reach: DVec2) {
         let slot = self.bodies.slot[body as usize];
@@ -102,6 +113,8 @@ impl Advance for AllDense {
     }
 
     fn forget(&mut self, _: usize) {}
+
+    fn stand(&mut self, _: usize) {}
 
     fn disagree(&mut self, _: &mut Vec<u32>) {}
 }

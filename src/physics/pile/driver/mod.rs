@@ -13,18 +13,26 @@ use super::{ContactImpulse, Other, Pile, PileImpact, Squeeze};
 use advance::AllDense;
 pub(in crate::physics) use advance::{Advance, Store, Verdict};
 use glam::DVec2;
-use later::{Held, Moved};
+use later::{Held, Moved, Placed};
 
 /// How often islands may grow in one step. Fewer: bodies are clipped to what was looked for.
 const GROWTHS: usize = 4;
+
+/// Where a surface is at the end of the step, m, and how fast it moves then, m/s.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Target {
+    pub surface: u32,
+    pub centre: DVec2,
+    pub velocity: Option<DVec2>,
+}
 
 /// What the driver keeps from step to step.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Driver {
     pub events: Vec<PileImpact>,
     /// Surfaces that have moved, and where they go next.
-    moving: Vec<u32>,
-    pub targets: Vec<(u32, DVec2)>,
+    pub moving: Vec<u32>,
+    pub targets: Vec<Target>,
     /// What they sweep on the way, where that is no straight line: left, right, top, bottom.
     pub ways: Vec<(u32, [f64; 4])>,
     pub squeezed: Vec<Squeeze>,
@@ -35,8 +43,9 @@ pub(super) struct Driver {
     again: Vec<bool>,
     moved: Vec<Moved>,
     disagreeing: Vec<u32>,
-    /// Surfaces that stand for an island.
+    /// Surfaces that begin later for an island, and where.
     held: Vec<Held>,
+    placed: Vec<Placed>,
 }
 
 impl Driver {
@@ -76,7 +85,9 @@ impl Pile {
             self.stop_presses(dt, other);
             self.bodies.commit();
         }
-        self.bodies.guided.clear();
+        for (id, ..) in self.bodies.guided.drain(..) {
+            self.bodies.is_guided[id as usize] = false;
+        }
         self.driver.targets.clear();
         self.driver.ways.clear();
     }
@@ -90,10 +101,13 @@ impl Pile {
             set_velocity(bodies, j, (0.0, 0.0));
         };
         self.driver.moving.iter().for_each(|j| still(bodies, n + *j as usize));
-        for (surface, centre) in &self.driver.targets {
+        for Target { surface, centre, velocity } in &self.driver.targets {
             let j = n + *surface as usize;
             (bodies.px[j], bodies.py[j]) = (centre.x, centre.y);
             set_velocity(bodies, j, ((centre.x - bodies.x[j]) / dt, (centre.y - bodies.y[j]) / dt));
+            if let Some(velocity) = velocity {
+                set_final_velocity(bodies, j, (velocity.x, velocity.y));
+            }
         }
     }
 
@@ -107,6 +121,7 @@ impl Pile {
             for (body, surface, speed) in self.dense.squeezed.drain(..) {
                 let body = self.bodies.id[body as usize] as usize;
                 self.driver.squeezed.push(Squeeze { body, surface: surface as usize - n, speed });
+                other.stand(surface as usize - n);
                 let j = surface as usize;
                 (self.bodies.px[j], self.bodies.py[j]) = (self.bodies.x[j], self.bodies.y[j]);
                 set_velocity(&mut self.bodies, j, (0.0, 0.0));
@@ -168,7 +183,7 @@ impl Pile {
         loop {
             let Self { bodies, neighbours, islands, dense, driver, .. } = self;
             islands.find(bodies, neighbours);
-            let whole = StepSize { dt, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
+            let whole = StepSize { dt, later: false, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
             for k in 0..islands.len() {
                 let island = islands.get(k);
                 if again && !driver.begin_again(bodies, island, &mut dense.report.list, other) {
@@ -185,7 +200,8 @@ impl Pile {
                     continue;
                 }
                 driver.forget(bodies, island, &mut dense.report.list);
-                let mut store = Store { bodies, island, grown: &mut dense.grown, down: self.down };
+                driver.placed.clear();
+                let mut store = Store { bodies, island, grown: &mut dense.grown, placed: &mut driver.placed, down: self.down };
                 let left = match other.advance(&mut store, round) {
                     Verdict::Taken { rests } => {
                         driver.note_sleep(bodies, island, self.may_sleep && rests);
@@ -194,10 +210,10 @@ impl Pile {
                     Verdict::Grown => continue,
                     Verdict::Left(left) => left.min(dt),
                 };
-                let size = StepSize { dt: left, ..whole };
+                let size = StepSize { dt: left, later: left < dt, ..whole };
                 if left < dt {
                     driver.begin_later(bodies, island, left, self.drag);
-                    driver.hold_surfaces(bodies, dt - left);
+                    driver.begin_surfaces_later(bodies, dt, left);
                 }
                 dense.report.on = other.lists(island.members.len(), dense.report.on);
                 if dense.step(bodies, neighbours, island, size) == Outcome::Done {
@@ -263,11 +279,15 @@ impl Driver {
     }
 }
 
+/// Sets the velocity of a surface throughout the step.
 fn set_velocity(bodies: &mut Bodies, j: usize, (vx, vy): (f64, f64)) {
-    for (list, v) in [(&mut bodies.vx, vx), (&mut bodies.free_vx, vx), (&mut bodies.ux, vx), (&mut bodies.mean_vx, vx)] {
-        list[j] = v;
-    }
-    for (list, v) in [(&mut bodies.vy, vy), (&mut bodies.free_vy, vy), (&mut bodies.uy, vy), (&mut bodies.mean_vy, vy)] {
-        list[j] = v;
-    }
+    (bodies.vx[j], bodies.mean_vx[j]) = (vx, vx);
+    (bodies.vy[j], bodies.mean_vy[j]) = (vy, vy);
+    set_final_velocity(bodies, j, (vx, vy));
+}
+
+/// Sets how fast a surface moves when the step ends: what rides on it does so, too.
+fn set_final_velocity(bodies: &mut Bodies, j: usize, (vx, vy): (f64, f64)) {
+    (bodies.free_vx[j], bodies.ux[j]) = (vx, vx);
+    (bodies.free_vy[j], bodies.uy[j]) = (vy, vy);
 }

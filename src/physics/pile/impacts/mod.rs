@@ -136,6 +136,9 @@ impl Impacts {
             return (false, false);
         }
         self.gather(bodies, island, anchors);
+        for &(a, b) in &around.reach.added {
+            self.add(bodies, a, b);
+        }
         self.follow_ups += 1;
         for pair in 0..self.pairs.len() {
             self.look(bodies, pair, 0.0);
@@ -173,6 +176,11 @@ impl Impacts {
         self.restore_free(bodies, members);
         self.all.clear();
         self.any = false;
+    }
+
+    /// How fast a body was across when the step began, or would have been to have now what impacts gave it, m/s.
+    pub fn began_across(&self, bodies: &Bodies, i: usize) -> f64 {
+        if self.any && self.was_hit(i) { self.courses[0][i].velocity } else { bodies.vx[i] }
     }
 
     /// Whether a body was hit when impacts were followed last.
