@@ -45,10 +45,11 @@ impl Engine for Scenes {
             restitution: body.restitution,
             material,
             feels_air: spec.terminal.is_finite(),
+            // In water it counts as well, and damps what bobs.
             drag: if spec.terminal.is_finite() {
-                2.0 * body.mass * spec.gravity / (spec.terminal * spec.terminal * 2.0 * body.half.0)
+                body.mass * spec.gravity / (spec.terminal * spec.terminal * body.half.0)
             } else {
-                0.0
+                1.0
             },
             ..BodyDef::default()
         });
