@@ -46,18 +46,18 @@ fn round(x: f32, y: f32, radius: f32) -> bool {
 /// An egg with its narrow end up, from the tip of the nose to above the nozzle.
 fn hull(x: f32, y: f32, inset: f32) -> bool {
     let upper = y < 0.16;
-    let (height, power, blunt) = if upper { (1.14 - inset * 1.6, 2.2, 0.64) } else { (0.66 - inset, 2.6, 0.5) };
+    let (height, power, blunt) = if upper { (1.13 - inset * 1.6, 2.2, 0.64) } else { (0.66 - inset, 2.6, 0.5) };
     let along = (y - 0.16).abs() / height;
-    along < 1.0 && x.abs() < (0.73 - inset) * (1.0 - along.powf(power)).powf(blunt)
+    along < 1.0 && x.abs() < (0.76 - inset) * (1.0 - along.powf(power)).powf(blunt)
 }
 
 fn nozzle(x: f32, y: f32, inset: f32) -> bool {
-    (0.70..0.965 - inset).contains(&y) && x.abs() < 0.17 + (y - 0.70) * 0.2 - inset
+    (0.70..0.955 - inset).contains(&y) && x.abs() < 0.15 + (y - 0.70) * 0.2 - inset
 }
 
 /// The right fin: a swept quadrilateral.
 fn fin(x: f32, y: f32, inset: f32) -> bool {
-    let corners = [(0.50, -0.06), (0.90, 0.36), (0.73, 0.65), (0.30, 0.74)];
+    let corners = [(0.50, -0.06), (0.89, 0.36), (0.72, 0.64), (0.30, 0.74)];
     (0..4).all(|i| {
         let ((ax, ay), (bx, by)) = (corners[i], corners[(i + 1) % 4]);
         let (dx, dy) = (bx - ax, by - ay);
