@@ -1,36 +1,14 @@
 //! A step allocates nothing once its scratch has grown to the scene.
 
+mod support;
+
 use glam::DVec2;
 use resultant::physics::pile::{Pile, PileBody, PileDef, PileSurface};
 use resultant::physics::{Aabb, BodyDef, BodyId, FluidDef, Material, StreamDef, SurfaceDef, World, WorldDef};
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
-
-struct Counting;
-
-thread_local! {
-    /// Of this test's own thread: others run beside it.
-    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
-}
-
-fn allocations() -> usize {
-    ALLOCATIONS.get()
-}
-
-// SAFETY: every call is handed on to the system's allocator unchanged.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(at, layout) }
-    }
-}
+use support::memory::allocations;
 
 #[global_allocator]
-static ALLOCATOR: Counting = Counting;
+static ALLOCATOR: support::memory::Counting = support::memory::Counting;
 
 /// Whatever bounces.
 #[test]

@@ -1,6 +1,7 @@
 //! Buttons by mouse and by keyboard: one press, one action.
 
-use super::input::{Answer, Input, Key};
+use super::input::{Answer, Input};
+use crate::settings::Key;
 use crate::view::layout::{Area, Vec2};
 
 /// A group of buttons; which one does what is the screen's affair, by its index.
@@ -15,6 +16,11 @@ impl Buttons {
     /// Buttons whose places are given with [`Buttons::place`]; the keyboard is on the one of that index.
     pub fn focused_on(focus: usize) -> Self {
         Self { focus, ..Self::default() }
+    }
+
+    /// Puts the keyboard on the button of that index.
+    pub fn focus_on(&mut self, focus: usize) {
+        self.focus = focus.min(self.areas.len().saturating_sub(1));
     }
 
     /// Puts the buttons where they are in this frame. The keyboard stays on a button that there is.

@@ -1,11 +1,13 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
+use super::pad::Pads;
 use super::{Answer, App, Attempt, Flight, Input, Key, Keys, Places, Request, Screen, Spectator};
 use crate::game::Game;
 use crate::level;
+use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
 use crate::view::layout::{DESIGN, Vec2};
-use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, tune};
+use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, widgets};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
@@ -13,7 +15,7 @@ use macroquad::input::{
 };
 use macroquad::miniquad::conf::Conf;
 use macroquad::time::{get_fps, get_frame_time, get_time};
-use macroquad::window::next_frame;
+use macroquad::window::{next_frame, set_fullscreen};
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
 use std::rc::Rc;
@@ -28,29 +30,21 @@ const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(150);
 const COST_WEIGHT: f64 = 0.02;
 /// The tune of the menus.
 const MENU: &str = "0";
+macro_rules! codes {
+    ($($key:ident)*) => { &[$((KeyCode::$key, Key::$key)),*] };
+}
 /// Which key of the keyboard is which of ours.
-const KEYS: [(KeyCode, Key); 21] = [
-    (KeyCode::Up, Key::Up),
-    (KeyCode::Down, Key::Down),
-    (KeyCode::Left, Key::Left),
-    (KeyCode::Right, Key::Right),
+const KEYS: &[(KeyCode, Key)] = plain_keys!(codes);
+/// Those of which there are several.
+const MORE_KEYS: [(KeyCode, Key); 8] = [
     (KeyCode::Enter, Key::Enter),
     (KeyCode::KpEnter, Key::Enter),
-    (KeyCode::Escape, Key::Escape),
-    (KeyCode::Space, Key::Space),
     (KeyCode::LeftShift, Key::Shift),
-    (KeyCode::Tab, Key::Tab),
-    (KeyCode::F3, Key::F3),
-    (KeyCode::R, Key::R),
-    (KeyCode::A, Key::A),
-    (KeyCode::D, Key::D),
-    (KeyCode::W, Key::W),
-    (KeyCode::PageUp, Key::PageUp),
-    (KeyCode::PageDown, Key::PageDown),
-    (KeyCode::Home, Key::Home),
-    (KeyCode::End, Key::End),
-    (KeyCode::Backspace, Key::Backspace),
-    (KeyCode::Delete, Key::Delete),
+    (KeyCode::RightShift, Key::Shift),
+    (KeyCode::LeftControl, Key::Control),
+    (KeyCode::RightControl, Key::Control),
+    (KeyCode::LeftAlt, Key::Alt),
+    (KeyCode::RightAlt, Key::Alt),
 ];
 
 /// Opens the window, in a level where one is given, and returns when it is closed.
@@ -99,20 +93,35 @@ async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
     if let Some(attempt) = start {
         app.grant(Request::Attempt(attempt), &mut theatre);
     }
+    let mut pads = Pads::new();
+    let mut fullscreen = false;
     loop {
-        canvas.begin()?;
-        let input = read_input(&canvas);
+        canvas.begin(text_scale(&app))?;
+        let input = read_input(&canvas, pads.read());
         if !app.update(&input, &mut theatre) {
             return Ok(());
         }
+        if app.settings().fullscreen != fullscreen {
+            fullscreen = app.settings().fullscreen;
+            set_fullscreen(fullscreen);
+        }
         draw(&app, &mut theatre, input.frame_time, &canvas);
+        theatre.speaker.set_volumes(volumes(app.settings()));
         theatre.sound(app.screen(), input.answer.get());
         next_frame().await;
     }
 }
 
-fn read_input(canvas: &Canvas) -> Input {
-    let keys = |is: fn(KeyCode) -> bool| KEYS.iter().filter(|(code, _)| is(*code)).map(|(_, key)| *key).collect::<Keys>();
+/// How large words are on this screen: those of a flight as the player wants them; the others stand in panels made for them.
+fn text_scale(app: &App) -> f32 {
+    let scale = f32::from(app.settings().scale) / 100.0;
+    if matches!(app.screen(), Screen::Flight(flight) if flight.pause().is_none()) { scale } else { 1.0 }
+}
+
+fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
+    let keys = |is: fn(KeyCode) -> bool| {
+        KEYS.iter().chain(&MORE_KEYS).filter(|(code, _)| is(*code)).map(|(_, key)| *key).collect::<Keys>()
+    };
     Input {
         frame: *canvas.frame(),
         frame_time: f64::from(get_frame_time()),
@@ -122,8 +131,8 @@ fn read_input(canvas: &Canvas) -> Input {
         right_click: is_mouse_button_pressed(MouseButton::Right),
         // Systems disagree by a factor of 120 on what a notch is; they agree on its sign.
         wheel: mouse_wheel().1.clamp(-1.0, 1.0),
-        pressed: keys(is_key_pressed),
-        held: keys(is_key_down),
+        pressed: keys(is_key_pressed) | pad_pressed,
+        held: keys(is_key_down) | pad_held,
         typed: std::iter::from_fn(get_char_pressed).collect(),
         ..Input::default()
     }
@@ -134,7 +143,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
         Screen::Menu(screen) => screen.draw(canvas),
         Screen::LevelSelect(screen) => screen.draw(canvas),
         Screen::Flight(screen) => {
-            theatre.draw(screen, frame_time, canvas);
+            theatre.draw(screen, *app.settings(), frame_time, canvas);
             screen.draw_pause(canvas);
         }
         Screen::Scoring(screen) => screen.draw(canvas),
@@ -144,6 +153,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
         Screen::Lab(screen) => screen.draw(canvas),
         Screen::TileRun(screen) => screen.draw(canvas),
         Screen::Jumper(screen) => screen.draw(canvas),
+        Screen::Settings(screen) => screen.draw(canvas),
         Screen::Pi(screen) => {
             if screen.collided() {
                 theatre.speaker.play(Sound::new(Cue::Click, 1.0));
@@ -175,9 +185,9 @@ impl Theatre {
     }
 
     /// Lets the view move on by the frame just updated, and draws it.
-    fn draw(&mut self, flight: &Flight, frame_time: f64, canvas: &Canvas) {
+    fn draw(&mut self, flight: &Flight, settings: Settings, frame_time: f64, canvas: &Canvas) {
         let Some(view) = &mut self.view else { return };
-        let overlays = Overlays { details: flight.details(), hitboxes: flight.hitboxes() };
+        let overlays = Overlays { settings, details: flight.details(), hitboxes: flight.hitboxes() };
         let passed = if flight.pause().is_some() { 0.0 } else { frame_time };
         view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
         if flight.pause().is_none() {
@@ -203,6 +213,12 @@ impl Theatre {
     }
 }
 
+/// The volumes that the player has set.
+fn volumes(settings: &Settings) -> Volumes {
+    let [master, effects, music] = [settings.master, settings.effects, settings.music].map(|percent| f32::from(percent) / 100.0);
+    Volumes { master, effects, music }
+}
+
 /// By what the tune of a screen goes; `None`: as before, so that a level's stays through its scoring.
 fn music(screen: &Screen) -> Option<&str> {
     match screen {
@@ -211,7 +227,7 @@ fn music(screen: &Screen) -> Option<&str> {
         Screen::TileRun(_) => Some("tile run"),
         Screen::Jumper(_) => Some("jumper"),
         Screen::Pi(_) => Some("pi"),
-        Screen::Menu(_) | Screen::LevelSelect(_) | Screen::Classics(_) | Screen::Lab(_) => Some(MENU),
+        Screen::Menu(_) | Screen::LevelSelect(_) | Screen::Classics(_) | Screen::Lab(_) | Screen::Settings(_) => Some(MENU),
     }
 }
 

@@ -10,9 +10,12 @@ use super::feedback::Feedback;
 use super::layout::Frame;
 use super::particles::Particles;
 use super::pictures::Pictures;
+use super::touchdown::{GENTLE, Touchdown};
+use super::wreck::Wreck;
 use super::{hitboxes, hud, theme, things, world, zones};
 use crate::game::{Game, GameEvent, SHIP};
 use crate::physics::{BodyId, DVec2};
+use crate::settings::Settings;
 use std::path::Path;
 use std::rc::Rc;
 
@@ -26,6 +29,9 @@ pub struct GameView {
     emitters: Emitters,
     feedback: Feedback,
     details: Details,
+    touchdown: Touchdown,
+    /// Once the ship is lost.
+    wreck: Option<Wreck>,
     /// Seconds shown, for what moves by itself (waves, pulses).
     time: f64,
 }
@@ -33,6 +39,8 @@ pub struct GameView {
 /// Which overlays are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Overlays {
+    /// What the player has set.
+    pub settings: Settings,
     /// Details boxes and free-body arrows (Tab).
     pub details: bool,
     /// Hitboxes and figures (F3).
@@ -54,6 +62,8 @@ impl GameView {
             emitters: Emitters::new(level),
             feedback: Feedback::default(),
             details: Details::default(),
+            touchdown: Touchdown::default(),
+            wreck: None,
             time: 0.0,
         }
     }
@@ -69,8 +79,21 @@ impl GameView {
                     let centre = game.level().objectives[*index].bounds.centre();
                     self.feedback.ring(centre, objective_colour(game, *index));
                 }
-                GameEvent::ObjectiveLost(_) | GameEvent::Completed | GameEvent::Died => {}
+                GameEvent::Completed => {
+                    let ship = game.world().body(SHIP).position;
+                    self.feedback.ring(ship, theme::GOOD);
+                    self.feedback.float(ship, "Level complete".into(), theme::GOOD);
+                }
+                GameEvent::Died => {
+                    self.feedback.death();
+                    self.feedback.ring(game.world().body(SHIP).position, theme::BAD);
+                    self.wreck = Wreck::new(game, SHIP);
+                }
+                GameEvent::ObjectiveLost(_) => {}
             }
+        }
+        if let Some(landing) = self.touchdown.after_tick(game).filter(|landing| landing.speed < GENTLE) {
+            self.feedback.float(landing.point, format!("Gentle landing: {:.1} m/s", landing.speed), theme::GOOD);
         }
     }
 
@@ -82,6 +105,11 @@ impl GameView {
         self.camera.follow(ship, frame_time);
         let view = self.viewport(game, alpha, frame);
         self.particles.advance(frame_time);
+        self.particles.keep(overlays.settings.particles);
+        self.touchdown.advance(frame_time);
+        if let Some(wreck) = &mut self.wreck {
+            wreck.advance(frame_time);
+        }
         self.emitters.emit(game, ship, angle(game, alpha), &view.visible(), frame_time, &mut self.particles);
         self.feedback.advance(frame_time);
         if overlays.details {
@@ -98,7 +126,8 @@ impl GameView {
 
     /// Draws the game. `figures` is the line that the hitboxes show: frames a second and cost of a tick.
     pub fn draw(&self, game: &Game, alpha: f64, overlays: Overlays, figures: &str, canvas: &Canvas) {
-        let view = self.viewport(game, alpha, canvas.frame());
+        let shake = self.feedback.shake() * (f64::from(overlays.settings.shake) / 100.0);
+        let view = self.viewport(game, alpha, canvas.frame()).shaken(shake);
         self.draw_level(game, alpha, &view, canvas);
         canvas.end_layer();
         if overlays.hitboxes {
@@ -107,8 +136,13 @@ impl GameView {
         if overlays.details {
             self.details.draw(canvas);
         }
-        self.feedback.draw_flash(canvas);
-        hud::draw(game, canvas);
+        if overlays.settings.velocity && self.wreck.is_none() {
+            hud::draw_velocity(game.world().body(SHIP).velocity, centre(game, SHIP, alpha), &view, canvas);
+        }
+        if overlays.settings.flash {
+            self.feedback.draw_flash(canvas);
+        }
+        hud::draw(game, &overlays.settings, canvas);
         canvas.end_layer();
     }
 
@@ -126,7 +160,14 @@ impl GameView {
             things::draw_object(object, centre(game, id, alpha), &self.pictures, art, view, canvas);
         }
         let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
-        things::draw_ship(centre(game, SHIP, alpha), angle(game, alpha), self.emitters.plume(), flicker, art, view);
+        match &self.wreck {
+            Some(wreck) if !wreck.is_whole() => wreck.draw(view),
+            _ => {
+                let (centre, squash) = (centre(game, SHIP, alpha), self.touchdown.squash());
+                let ship = things::ShipPose { centre, angle: angle(game, alpha), squash };
+                things::draw_ship(&ship, self.emitters.plume(), flicker, art, view);
+            }
+        }
         zones::draw_fluids(level, view, canvas, time);
         world::draw_level_edge(level, view, canvas);
         self.feedback.draw_in_level(view, canvas);
@@ -136,7 +177,7 @@ impl GameView {
     fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {
         let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let level = game.level();
-        Viewport::new(self.camera.focus(), centre(game, SHIP, alpha), level.size, level.metre, window).shaken(self.feedback.shake())
+        Viewport::new(self.camera.focus(), centre(game, SHIP, alpha), level.size, level.metre, window)
     }
 }
 

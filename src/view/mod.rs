@@ -47,9 +47,13 @@ pub mod theme;
 #[cfg(feature = "window")]
 pub mod things;
 #[cfg(feature = "window")]
+pub mod touchdown;
+#[cfg(feature = "window")]
 pub mod widgets;
 #[cfg(feature = "window")]
 pub mod world;
+#[cfg(feature = "window")]
+pub mod wreck;
 #[cfg(feature = "window")]
 pub mod zones;
 

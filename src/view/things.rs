@@ -82,10 +82,20 @@ fn shaded(colour: Color, light: f32) -> Color {
     Color::new(colour.r * light, colour.g * light, colour.b * light, colour.a)
 }
 
-/// The ship around `centre` (m), turned clockwise by `angle` degrees, its plume grown to `strength`, out of the tail (`way` 1) or
-/// of the nose (−1); `flicker` (0 … 1) varies the flame.
-pub fn draw_ship(centre: DVec2, angle: f64, (strength, way): (f64, f64), flicker: f64, art: &Art, view: &Viewport) {
-    let rotation = angle.to_radians();
+/// How the ship is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct ShipPose {
+    /// m.
+    pub centre: DVec2,
+    /// Clockwise, degrees.
+    pub angle: f64,
+    /// How far its legs are pressed down, as a part of its height.
+    pub squash: f64,
+}
+
+/// The ship, its plume grown to `strength`, out of the tail (`way` 1) or of the nose (−1); `flicker` (0 … 1) varies the flame.
+pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, art: &Art, view: &Viewport) {
+    let (centre, rotation) = (ship.centre, ship.angle.to_radians());
     let (sin, cos) = rotation.sin_cos();
     let (nose, right) = (DVec2::new(sin, -cos), DVec2::new(cos, sin));
     let flames: &[(f64, f64, f64)] =
@@ -101,7 +111,11 @@ pub fn draw_ship(centre: DVec2, angle: f64, (strength, way): (f64, f64), flicker
             art.draw(Tile::Flame, view.point(middle), size, turn as f32, WHITE);
         }
     }
-    art.draw(Tile::Ship, view.point(centre), Vec2::splat(view.length(2.0 * SHIP_HALF.y)), rotation as f32, WHITE);
+    // It stands where it stood: only its top comes down.
+    let height = 2.0 * SHIP_HALF.y * (1.0 - ship.squash);
+    let standing = centre + DVec2::new(0.0, SHIP_HALF.y * ship.squash);
+    let size = Vec2::new(view.length(2.0 * SHIP_HALF.y), view.length(height));
+    art.draw(Tile::Ship, view.point(standing), size, rotation as f32, WHITE);
 }
 
 /// Where a moving box lies, not rounded to pixels: it glides.
