@@ -18,7 +18,7 @@ const UNDER_WATER: f32 = 420.0;
 const IN_AIR: f32 = 18_000.0;
 /// Effects are made so loud that a crash is just not bent by the limiter.
 const EFFECTS: f32 = 0.8;
-/// At full volume music is as loud as half of the engine's thrust.
+/// At full volume music is nearly as loud as the engine; as it is set at first, far below it.
 const MUSIC: f32 = 1.6;
 
 /// Computes what is heard. It allocates nothing after it has been made, and never waits.
