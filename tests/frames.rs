@@ -178,7 +178,6 @@ fn flights_through_a_crowd_a_liquid_and_a_stream_have_their_golden_hashes() {
         vec![Stream { source: area(40.0, 59.0, 52.0, 60.0), zone: area(40.0, 20.0, 52.0, 59.0), force: DVec2::new(40.0, -900.0) }];
     let levels = [("crowd", crowded_yard()), ("liquid", liquid), ("stream", stream)];
     let hashes = levels.map(|(name, level)| (name, the_same_at_every_rate(&level, &script(2, 30, false))));
-    println!("{hashes:#018x?}");
     hashes.into_iter().for_each(|(name, hash)| assert_golden(name, hash));
 }
 
