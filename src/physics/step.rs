@@ -30,6 +30,7 @@ impl World {
         let (now, guards) = (state.ticks, &mut records.guards);
         let scene = Scene::of(state, plan, dt);
         pile.step_with(dt, &mut Tick { state, scene, guards, scratch, pauses: &mut pauses, now, lists });
+        records.guards.add(&pile.take_guards());
         (state.pauses, state.ticks) = (pauses, now + 1);
         self.commit(dt);
         self.record();

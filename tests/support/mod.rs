@@ -7,6 +7,7 @@ pub mod hashes;
 pub mod lanes;
 mod levels;
 mod measure;
+pub mod memory;
 mod random;
 pub mod rooms;
 pub mod scenes;

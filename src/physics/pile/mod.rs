@@ -37,12 +37,12 @@ mod reach;
 mod report;
 mod walls;
 
+use super::guards::Guards;
 use super::{Aabb, Sides};
 use bodies::{Bodies, Traits};
 use def::check;
 pub use def::{PileBody, PileDef, PileError, PileSurface};
 use dense::Dense;
-pub use dense::Guards;
 pub(in crate::physics) use driver::{Advance, Store, Verdict};
 use driver::{Driver, Target};
 use glam::DVec2;
@@ -249,9 +249,14 @@ impl Pile {
         &self.driver.squeezed
     }
 
-    /// How often each guard has fired since the start.
-    pub fn guards(&self) -> Guards {
-        self.dense.guards
+    /// How often each guard of the dense method has acted since the start.
+    pub fn guards(&self) -> &Guards {
+        &self.dense.guards
+    }
+
+    /// The same, and begins to count anew.
+    pub(in crate::physics) fn take_guards(&mut self) -> Guards {
+        std::mem::take(&mut self.dense.guards)
     }
 
     /// The number of bodies.

@@ -204,17 +204,15 @@ impl Neighbours {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     /// The grid finds exactly the pairs that testing all against all finds, giants and fast ones included.
     #[test]
     fn finds_what_brute_force_finds() {
         let (n, surfaces) = (300, 40);
         let mut bodies = Bodies::new(n, surfaces);
-        let mut seed = 1u64;
-        let mut random = || {
-            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            (seed >> 33) as f64 / (1u64 << 31) as f64
-        };
+        let mut generator = Random(1);
+        let mut random = || generator.unit();
         for i in 0..n + surfaces {
             (bodies.x[i], bodies.y[i]) = (20.0 * random(), 20.0 * random());
             let size = if i % 50 == 0 { 6.0 } else { 0.4 };
