@@ -10,7 +10,7 @@
 use super::contact::Contact;
 use super::face;
 use super::network::{Carries, GROUND, Network, Node};
-use super::tuning::{FRICTION_ROUNDS, SPEED_TOLERANCE};
+use super::tuning::{FRICTION_PASSES, FRICTION_ROUNDS, SPEED_TOLERANCE};
 use glam::DVec2;
 
 /// What a network is made of. Bodies have the numbers from 0 on, surfaces follow.
@@ -105,14 +105,25 @@ impl Reactions {
         self.by_group.chunk_by(|a, b| a.0 == b.0).count()
     }
 
-    /// One group of [`Self::accelerate`].
+    /// One group of [`Self::accelerate`]. What gives way decides how the rounds go on, and so the last bits: they begin anew with what is
+    /// known to slide, so that asking again answers the same.
     fn accelerate_group(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         self.number(contacts, parts);
+        for _ in 0..FRICTION_PASSES {
+            let rounds = self.couple_axes(contacts, parts, out);
+            if rounds <= 1 || !contacts.iter().any(|contact| contact.gave_way) {
+                return;
+            }
+        }
+    }
+
+    /// The rounds between the two axes. Returns how many it took.
+    fn couple_axes(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) -> u32 {
         for &body in &self.body_of {
             out[body as usize] = parts.free[body as usize];
         }
         for contact in contacts.iter_mut() {
-            contact.normal = 0.0;
+            (contact.normal, contact.gave_way) = (0.0, false);
         }
         for round in 0..FRICTION_ROUNDS {
             // Of what presses on walls the first round's gravity axis has known nothing yet.
@@ -127,15 +138,19 @@ impl Reactions {
                     *a = node.acceleration;
                 }
             }
+            if round + 1 < FRICTION_ROUNDS && hold_back(contacts, parts, out) {
+                continue;
+            }
             // That matters only where something would slide on one.
             let rubs = |contact: &Contact| {
                 let along = contact.slides != 0.0 || gain(contact, parts, out) != 0.0;
                 contact.axis == 0 && contact.normal > 0.0 && along
             };
             if settled || !contacts.iter().any(rubs) {
-                break;
+                return round + 1;
             }
         }
+        FRICTION_ROUNDS
     }
 
     /// Velocities after a collision in which everything that touches stops approaching at once (perfectly plastic), with friction up to
@@ -267,7 +282,7 @@ impl Reactions {
                 let of = |node: u32| self.network.nodes.get(node as usize).map_or(link.ground, |node| node.acceleration);
                 let slip = of(link.hi) - of(link.lo);
                 if slip != 0.0 {
-                    contact.slides = slip.signum();
+                    (contact.slides, contact.gave_way) = (slip.signum(), true);
                     gave_way = true;
                 }
             }
@@ -301,6 +316,18 @@ fn rate(parts: &Parts, item: u32, axis: usize, skin: f64) -> f64 {
 fn ground(contact: &Contact, parts: &Parts, axis: usize, skin: f64) -> f64 {
     let second = contact.lo.max(contact.hi);
     if (second as usize) < parts.masses.len() { 0.0 } else { rate(parts, second, axis, skin) }
+}
+
+/// Lets contacts stick again that gave way while the pressure on them was not yet known, and that friction would drive back now. Returns
+/// whether there are any: they have to be asked again.
+fn hold_back(contacts: &mut [Contact], parts: &Parts, accelerations: &[DVec2]) -> bool {
+    let mut any = false;
+    for contact in contacts {
+        if contact.gave_way && contact.slides * gain(contact, parts, accelerations) < 0.0 {
+            (contact.slides, contact.gave_way, any) = (0.0, false, true);
+        }
+    }
+    any
 }
 
 /// How fast `hi` gains on `lo` along the contact's face, m/s².
