@@ -13,7 +13,7 @@ const MOST_MOVES: usize = 8;
 
 /// How much further than predicted a body may get before its contacts are sought anew: m, and across so many times its way besides.
 /// Larger: more contacts to look at; smaller: more islands are solved again because a hit threw a body further.
-const MARGIN: f64 = 1e-2;
+pub(super) const MARGIN: f64 = 1e-2;
 const WAYS: f64 = 1.0;
 
 /// A box that overlaps none.

@@ -7,7 +7,7 @@
 //! that were made since, are tested one by one. Surfaces never move: each is tested when they are few, else looked up in a grid
 //! of their own. Without surfaces the boxes move along with the mean motion, so that a shower is sought seldom.
 
-use super::bodies::{Bodies, NOWHERE};
+use super::bodies::{Bodies, MARGIN, NOWHERE};
 use super::grid::{Edges, Grid, overlap};
 
 /// Skin as a part of the mean half extent. Larger: more pairs to look at; smaller: more searches.
@@ -83,7 +83,8 @@ impl Neighbours {
             ..Self::default()
         };
         for j in n..bodies.x.len() {
-            let (x, y, hx, hy) = (bodies.x[j], bodies.y[j], bodies.hx[j], bodies.hy[j]);
+            // The very box in which contacts of a step are looked for: who is near must not depend on how far ahead others were sought.
+            let (x, y, hx, hy) = (bodies.x[j], bodies.y[j], bodies.hx[j] + MARGIN, bodies.hy[j] + MARGIN);
             new.surface_edges.push([x - hx, x + hx, y - hy, y + hy]);
         }
         if new.surface_edges.len() > FEW_SURFACES {
