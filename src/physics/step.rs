@@ -26,11 +26,9 @@ impl World {
         self.say_what_acts(dt);
         let Self { state, records, plan, scratch, pile, .. } = self;
         let lists = self.asked.replace(false);
-        let mut pauses = std::mem::take(&mut state.pauses);
-        let (now, guards) = (state.ticks, &mut records.guards);
+        let guards = &mut records.guards;
         let scene = Scene::of(state, plan, dt);
-        pile.step_with(dt, &mut Tick { state, scene, guards, scratch, pauses: &mut pauses, now, lists });
-        (state.pauses, state.ticks) = (pauses, now + 1);
+        pile.step_with(dt, &mut Tick { state, scene, guards, scratch, lists });
         self.commit(dt);
         self.record();
         self.go_on_paths(dt);
@@ -184,7 +182,7 @@ impl World {
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
         let Self { state, scratch, pile, records, .. } = self;
-        let State { bodies, contacts, known, media, drives, .. } = state;
+        let State { bodies, contacts, known, media, drives, pauses, ticks, .. } = state;
         contacts.retain(|contact| {
             pile.is_sleeping(contact.lo.min(contact.hi) as usize) && scratch.after[contact.lo.min(contact.hi) as usize].members == 0
         });
@@ -192,6 +190,7 @@ impl World {
         for i in 0..bodies.len() {
             let after = &scratch.after[i];
             let body = &mut bodies[i];
+            pauses[i].go_on(after, *ticks);
             if after.members == 0 && pile.is_sleeping(i) {
                 continue;
             }
@@ -213,6 +212,7 @@ impl World {
                 body.acceleration = after.acceleration;
             }
         }
+        *ticks += 1;
         self.commit_dense(dt);
         self.count_methods();
         self.state.contacts.sort_unstable_by_key(|contact| (contact.ends(), contact.axis));

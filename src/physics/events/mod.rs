@@ -125,6 +125,8 @@ pub(super) struct Events {
     now: f64,
     work: u64,
     grown: bool,
+    /// Whether anything of the island bounces: what does elsewhere is of no concern to it.
+    bounces: bool,
     /// Whether a surface was stopped while the present event was looked at.
     halted: bool,
     touching: Vec<Contact>,
@@ -245,6 +247,7 @@ impl Events {
     fn begin(&mut self, scene: &Scene) {
         let (all, bodies) = (self.items.len(), self.movable);
         (self.now, self.work, self.grown) = (0.0, 0, false);
+        self.bounces = scene.bounces && self.items[..bodies].iter().any(|item| item.body.restitution > 0.0);
         for vectors in [&mut self.masses, &mut self.free, &mut self.solved, &mut self.speeds, &mut self.means] {
             vectors.clear();
             vectors.resize(bodies, DVec2::ZERO);

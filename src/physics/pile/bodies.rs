@@ -196,6 +196,12 @@ impl Bodies {
         (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3])
     }
 
+    /// Lets a body rest where it is.
+    pub fn stay(&mut self, i: usize) {
+        (self.px[i], self.py[i]) = (self.x[i], self.y[i]);
+        (self.ux[i], self.uy[i]) = (0.0, 0.0);
+    }
+
     /// Widens what a body sweeps to where it is predicted now.
     pub fn widen(&mut self, i: usize) {
         let (x, y, hx, hy) = (self.px[i], self.py[i], self.hx[i] + MARGIN, self.hy[i] + MARGIN);

@@ -16,7 +16,7 @@ pub(in crate::physics) trait Advance {
     /// Whether a body that is near nothing has to be advanced all the same: flight alone does not say where it gets.
     fn minds(&self, body: usize) -> bool;
 
-    /// Takes an island, or leaves it. `round` is how often islands have grown in this step.
+    /// Takes an island, or leaves it. `round` is how often it has grown in this step.
     fn advance(&mut self, store: &mut Store<'_>, round: usize) -> Verdict;
 
     /// Whether the contacts of an island of so many bodies are to be listed; `on` is whether those of the one before were.
@@ -143,6 +143,10 @@ pub(super) struct Driver {
     /// Who sleeps, by the numbers outside, and how many.
     asleep: Vec<bool>,
     sleepers: usize,
+    /// Who fell asleep in this step.
+    fresh: Vec<u32>,
+    /// By slot: how often its island has grown in this step.
+    growths: Vec<u32>,
     /// By slot: whether the island has to be solved again.
     again: Vec<bool>,
     moved: Vec<Moved>,
@@ -155,7 +159,12 @@ pub(super) struct Driver {
 
 impl Driver {
     pub fn new(count: usize) -> Self {
-        Self { asleep: vec![false; count], again: vec![false; count], events: Vec::with_capacity(count), ..Self::default() }
+        Self { asleep: vec![false; count], again: vec![false; count], ..Self::with_room(count) }
+    }
+
+    fn with_room(count: usize) -> Self {
+        let room = || Vec::with_capacity(count);
+        Self { events: Vec::with_capacity(count), fresh: room(), growths: room(), ..Self::default() }
     }
 
     pub fn wake(&mut self, body: usize) {
@@ -176,7 +185,26 @@ impl Driver {
     }
 
     fn fall_asleep(&mut self, body: usize) {
-        self.sleepers += usize::from(!std::mem::replace(&mut self.asleep[body], true));
+        if !std::mem::replace(&mut self.asleep[body], true) {
+            self.sleepers += 1;
+            self.fresh.push(body as u32);
+        }
+    }
+
+    /// Wakes whom this step has let fall asleep.
+    fn wake_fresh(&mut self) {
+        while let Some(body) = self.fresh.pop() {
+            self.wake(body as usize);
+        }
+    }
+
+    /// How often an island has grown in this step, or those of which it is made now. It depends on no other island.
+    fn growths_of(&self, island: Island<'_>) -> usize {
+        island.members.iter().map(|i| self.growths[*i as usize]).max().unwrap_or(0) as usize
+    }
+
+    fn note_growth(&mut self, island: Island<'_>, round: usize) {
+        island.members.iter().for_each(|i| self.growths[*i as usize] = round as u32 + 1);
     }
 
     /// Notes that a surface moves. Returns whether that is new.
@@ -199,6 +227,7 @@ impl Pile {
     pub(in crate::physics) fn step_with<A: Advance>(&mut self, dt: f64, other: &mut A) {
         self.driver.events.clear();
         self.driver.squeezed.clear();
+        self.driver.fresh.clear();
         let moving = !self.driver.targets.is_empty()
             || self.driver.moving.iter().any(|j| self.bodies.carries(self.bodies.len() + *j as usize));
         if !self.driver.all_asleep() || moving {
@@ -262,14 +291,17 @@ impl Pile {
         self.bodies.px[..n].copy_from_slice(&self.bodies.free_x);
         self.bodies.py[..n].copy_from_slice(&self.bodies.free_y);
         self.driver.events.clear();
-        self.dense.report.list.clear();
-        self.driver.wake_all();
+        let Self { dense, driver, .. } = self;
+        driver.wake_fresh();
+        dense.report.list.retain(|contact| driver.asleep[contact.a]);
+        // As wide as at first: how far others had to be looked for in between is no concern of theirs.
+        self.look_around();
         (0..n).for_each(|body| other.forget(body));
         self.solve_islands(dt, other);
     }
 
     fn fly(&mut self, dt: f64) {
-        let Self { bodies, neighbours, islands, driver, .. } = self;
+        let Self { bodies, neighbours, islands, .. } = self;
         neighbours.drift(bodies, dt);
         let inside = flight::fly(bodies, dt, self.drag);
         if (!inside || neighbours.is_stale(bodies)) && neighbours.update(bodies, dt) {
@@ -278,6 +310,13 @@ impl Pile {
         let n = bodies.len();
         bodies.free_x.copy_from_slice(&bodies.px[..n]);
         bodies.free_y.copy_from_slice(&bodies.py[..n]);
+        self.look_around();
+    }
+
+    /// Sets what all sweep in this step, and finds whom they may meet there.
+    fn look_around(&mut self) {
+        let Self { bodies, neighbours, driver, .. } = self;
+        let n = bodies.len();
         bodies.sweep();
         for &(surface, [left, right, top, bottom]) in &driver.ways {
             let s = &mut bodies.swept[n + surface as usize];
@@ -295,21 +334,30 @@ impl Pile {
         let n = self.bodies.len();
         if self.neighbours.is_empty() && !(0..n).any(|body| other.minds(body)) {
             let bodies = &mut self.bodies;
-            let n = bodies.len();
             bodies.ux[..n].copy_from_slice(&bodies.free_vx[..n]);
             bodies.uy[..n].copy_from_slice(&bodies.free_vy[..n]);
-            self.driver.wake_all();
+            if self.driver.sleepers > 0 {
+                for i in 0..n {
+                    if self.driver.asleep[bodies.id[i] as usize] {
+                        bodies.stay(i);
+                    }
+                }
+            }
             return;
         }
         self.islands.sort(&self.bodies);
-        let (mut round, mut again) = (0, false);
+        self.driver.growths.clear();
+        self.driver.growths.resize(n, 0);
+        let mut again = false;
         loop {
             let Self { bodies, neighbours, islands, dense, driver, .. } = self;
             islands.find(bodies, neighbours);
-            let whole = StepSize { dt, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
             for k in 0..islands.len() {
                 let island = islands.get(k);
                 if again && !driver.begin_again(bodies, island, &mut dense.report.list, other) {
+                    continue;
+                }
+                if driver.stays_asleep(bodies, island) {
                     continue;
                 }
                 let alone = island.members.len() == 1 && island.near(island.members[0]).is_empty();
@@ -319,17 +367,19 @@ impl Pile {
                     driver.wake(bodies.id[i] as usize);
                     continue;
                 }
-                if driver.stays_asleep(bodies, island) {
-                    continue;
-                }
                 driver.forget(bodies, island, &mut dense.report.list);
+                let round = driver.growths_of(island);
+                let whole = StepSize { dt, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
                 let mut store = Store { bodies, island, grown: &mut dense.grown, down: self.down };
                 let left = match other.advance(&mut store, round) {
                     Verdict::Taken { rests } => {
                         driver.note_sleep(bodies, island, self.may_sleep && rests);
                         continue;
                     }
-                    Verdict::Grown => continue,
+                    Verdict::Grown => {
+                        driver.note_growth(island, round);
+                        continue;
+                    }
                     Verdict::Left(left) => left.min(dt),
                 };
                 let size = StepSize { dt: left, ..whole };
@@ -342,6 +392,8 @@ impl Pile {
                     driver.finish(bodies, island, self.may_sleep);
                     driver.list_impacts(bodies, &dense.impacts);
                     dense.finish(bodies, island, self.down);
+                } else {
+                    driver.note_growth(island, round);
                 }
                 driver.release_surfaces(bodies);
             }
@@ -356,7 +408,6 @@ impl Pile {
                 driver.disagreeing.iter().for_each(|body| driver.again[bodies.slot[*body as usize] as usize] = true);
                 continue;
             }
-            round += 1;
             dense.grown.iter().for_each(|i| driver.again[*i as usize] = true);
             neighbours.follow(bodies, &dense.grown);
             neighbours.find_moving(bodies, &driver.moving);
@@ -456,11 +507,7 @@ impl Driver {
         if island.members.iter().any(|i| island.near(*i).iter().any(|j| carries(*j))) {
             return false;
         }
-        for &i in island.members {
-            let i = i as usize;
-            (bodies.px[i], bodies.py[i]) = (bodies.x[i], bodies.y[i]);
-            (bodies.ux[i], bodies.uy[i]) = (0.0, 0.0);
-        }
+        island.members.iter().for_each(|i| bodies.stay(*i as usize));
         true
     }
 
