@@ -215,7 +215,7 @@ impl World {
         *ticks += 1;
         self.commit_dense(dt);
         self.count_methods();
-        self.state.contacts.sort_unstable_by_key(|contact| (contact.ends(), contact.axis));
+        put_in_order(&mut self.state.contacts);
     }
 
     /// Counts by which method how many bodies were advanced.
@@ -327,6 +327,24 @@ fn hold(state: &State, pile: &mut Pile, i: usize, dt: f64) {
     let law = state.media.law(body, zones::force_on(&state.media, body, state.drives[i]), 0.0);
     let a = state.media.acceleration(body, &law, body.position, DVec2::ZERO);
     pile.guide(i, body.position + a * (0.5 * dt * dt), a * dt);
+}
+
+/// Sorts contacts by their ends, and makes one of those that tell of the same face: the dense method tells of push and friction apart. Nothing
+/// is left to how a sort treats equals, which depends on how many there are in the world.
+fn put_in_order(contacts: &mut Vec<Contact>) {
+    contacts.sort_unstable_by(|a, b| {
+        let face = (a.ends(), a.axis).cmp(&(b.ends(), b.axis));
+        face.then(b.normal.total_cmp(&a.normal)).then(a.friction.total_cmp(&b.friction)).then(a.lo.cmp(&b.lo))
+    });
+    contacts.dedup_by(|next, kept| {
+        let turned = next.lo != kept.lo;
+        let joins = next.ends() == kept.ends() && next.axis == kept.axis && (!turned || next.normal == 0.0);
+        if joins {
+            kept.normal += next.normal;
+            kept.friction += if turned { -next.friction } else { next.friction };
+        }
+        joins
+    });
 }
 
 impl State {
