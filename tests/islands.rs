@@ -4,7 +4,9 @@
 mod support;
 
 use proptest::prelude::*;
-use resultant::physics::{BodyDef, BodyId, DVec2, Event, FluidDef, Material, Obstacle, Path, StreamDef, SurfaceDef, World, WorldDef};
+use resultant::physics::{
+    BodyDef, BodyId, DVec2, Event, FluidDef, Material, Obstacle, Path, StreamDef, SurfaceDef, World, WorldDef,
+};
 use support::strategies::cases;
 use support::{G, Random, TICK, area, bits_of_body, block, crate_at, crowd, world};
 
@@ -49,8 +51,8 @@ fn busy_room(seed: u64, left: f64, count: usize, extras: Extras) -> WorldDef {
         let mover = |x0: f64, y0: f64, x1: f64, y1: f64, path: Path| SurfaceDef { path, ..wall(x0, y0, x1, y1) };
         let up = DVec2::new(random.between(-1.0, 1.0), -random.between(1.0, 6.0));
         surfaces.push(mover(1.5, 11.5, 4.0, 11.9, Path::shuttle(up, random.between(0.5, 2.0), 0.2, random.between(0.01, 0.5))));
-        let down = DVec2::new(0.0, random.between(2.0, 4.4));
-        surfaces.push(mover(6.0, 6.5, 9.0, 7.5, Path::shuttle(down, random.between(0.3, 1.0), 0.1, random.between(0.01, 0.3))));
+        let down = DVec2::new(0.0, random.between(1.0, 2.9));
+        surfaces.push(mover(6.0, 8.3, 9.0, 9.0, Path::shuttle(down, random.between(0.3, 1.0), 0.1, random.between(0.01, 0.3))));
         surfaces.push(SurfaceDef { belt: random.between(-3.0, 3.0), ..wall(9.0, 10.0, 11.0, 10.4) });
     }
     let pool = FluidDef { zone: area(left, 10.0, left + 6.0, 12.0), density: 1000.0, viscosity: random.decades(-3.0, 2.0) };
@@ -120,7 +122,8 @@ proptest! {
 #[test]
 fn a_thousand_bodies_far_away_change_not_one_bit() {
     for (seed, count) in [(3, 9), (5, 16)] {
-        let (def, drive) = (busy_room(seed, 0.0, count, Extras { media: true, movers: true, dull: false }), DVec2::new(1000.0, -2000.0));
+        let (def, drive) =
+            (busy_room(seed, 0.0, count, Extras { media: true, movers: true, dull: false }), DVec2::new(1000.0, -2000.0));
         let alone = story(def.clone(), count, drive);
         for far in [1, 10, 1000] {
             let beside = story(with(def.clone(), far_bodies(far)), count, drive);

@@ -18,6 +18,7 @@ use super::events::{Events, Item, Outcome, Scene};
 use super::guards::Guards;
 use super::impulse::Impulse;
 use super::pile::{Advance, Store, Verdict};
+use super::validate::Checks;
 use super::world::{Obstacle, State};
 use super::{Aabb, BodyId};
 use glam::DVec2;
@@ -124,6 +125,7 @@ pub(super) struct Happened {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
     pub events: Events,
+    pub checks: Checks,
     /// How each body ends the tick.
     pub after: Vec<After>,
     /// What the islands found out, with the smallest body of the island that it came from.
@@ -136,6 +138,8 @@ pub(super) struct Scratch {
     /// Which moving surfaces each island has met, and when these stopped for it.
     met: Vec<Stop>,
     disputes: Vec<Dispute>,
+    /// All that contacts of the dense method exert on each body, N.
+    pub pressed: Vec<f64>,
     /// Of each body and each surface behind them: its number in the present island.
     local: Vec<u32>,
     /// Bodies near the borders of zones: flight alone does not say where they get.

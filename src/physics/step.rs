@@ -13,6 +13,9 @@ use super::world::{Event, Methods, Obstacle, State, World};
 use super::{Body, BodyId, zones};
 use glam::DVec2;
 
+/// Relative to all that contacts exert on a body: what rounding leaves of their balance with what acts on it besides.
+const BALANCED: f64 = 1e-9;
+
 /// m. What is nearer to a surface that changes is looked at.
 const MARGIN: f64 = 1e-3;
 
@@ -32,6 +35,19 @@ impl World {
         self.commit(dt);
         self.record();
         self.go_on_paths(dt);
+        if cfg!(debug_assertions) {
+            self.assert_valid();
+        }
+    }
+
+    /// # Panics
+    /// What [`World::validate`] finds.
+    fn assert_valid(&mut self) {
+        let mut checks = std::mem::take(&mut self.scratch.checks);
+        if let Err(fault) = self.validate_with(&mut checks) {
+            panic!("after tick {}: {fault}", self.state.ticks);
+        }
+        self.scratch.checks = checks;
     }
 
     /// The forces before the first tick, of worlds that are not too large to be looked at as one island.
@@ -203,11 +219,9 @@ impl World {
                 body.acceleration = media.acceleration(body, &law, body.position, body.velocity);
                 known[i] = true;
             } else if after.dense {
-                // What contacts add is known when they are listed; what rests, rests.
+                // What contacts add is known when they are listed.
                 let law = media.law(body, zones::force_on(media, body, drives[i]), 0.0);
-                let rests = body.velocity == DVec2::ZERO && body.position == records.previous[i];
-                let flies = || media.acceleration(body, &law, body.position, body.velocity);
-                body.acceleration = if rests { DVec2::ZERO } else { flies() };
+                body.acceleration = media.acceleration(body, &law, body.position, body.velocity);
             } else {
                 body.acceleration = after.acceleration;
             }
@@ -238,6 +252,8 @@ impl World {
     fn commit_dense(&mut self, dt: f64) {
         let Self { state, scratch, pile, records, .. } = self;
         let n = state.bodies.len();
+        scratch.pressed.clear();
+        scratch.pressed.resize(n, 0.0);
         for contact in pile.listed() {
             let a = contact.a;
             if scratch.after[a].members == 0 || !scratch.after[a].dense {
@@ -254,7 +270,8 @@ impl World {
                 let impulse = Impulse { a: BodyId(a as u32), b: other, vector, point: contact.point, at: dt };
                 let mut normal = DVec2::ZERO;
                 normal[axis] = contact.normal.signum();
-                let places = [state.bodies[a].position; 2];
+                let at = |item: u32| state.bodies.get(item as usize).map_or(contact.point, |body| body.position);
+                let places = [at(a as u32), at(b)];
                 let order = scratch.happened.len() as u32;
                 scratch.happened.push(Happened { island: u32::MAX, order, impulse, normal, speed: 0.0, places });
             } else {
@@ -267,12 +284,19 @@ impl World {
                 let mut felt = DVec2::ZERO;
                 (felt[axis], felt[1 - axis]) = (contact.normal / dt, contact.friction / dt);
                 for (item, sign) in [(a, 1.0), (b as usize, -1.0)] {
-                    if let Some(body) = state.bodies.get_mut(item)
-                        && !(body.velocity == DVec2::ZERO && body.position == records.previous[item])
-                    {
+                    if let Some(body) = state.bodies.get_mut(item) {
+                        scratch.pressed[item] += felt.length();
                         body.acceleration += felt * (sign / body.mass);
                     }
                 }
+            }
+        }
+        // What rests, rests exactly; unless part of what held it was an impact, which is no force.
+        for (i, after) in scratch.after.iter().enumerate().filter(|(_, after)| after.dense) {
+            let body = &mut state.bodies[i];
+            let rests = body.velocity == DVec2::ZERO && body.position == records.previous[i];
+            if rests && (body.mass * body.acceleration).length() <= BALANCED * scratch.pressed[i] {
+                body.acceleration = DVec2::ZERO;
             }
         }
         for hit in pile.impacts() {
