@@ -144,8 +144,8 @@ impl Reactions {
             }
             // How hard something presses on walls matters only where it would slide on one, or hangs on it.
             let rubs = |contact: &Contact| {
-                let along = contact.friction != 0.0 || contact.slides != 0.0 || gain(contact, parts, out) != 0.0;
-                contact.axis == 0 && contact.normal > 0.0 && along
+                let moves = || contact.slides != 0.0 || gain(contact, parts, out) != 0.0;
+                contact.axis == 0 && (contact.friction != 0.0 || contact.normal > 0.0 && moves())
             };
             let same = |(contact, before): (&Contact, &f64)| {
                 contact.axis == 1 || (contact.normal - before).abs() <= f64::EPSILON * contact.normal

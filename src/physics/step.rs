@@ -197,7 +197,7 @@ impl World {
 
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
-        let Self { state, scratch, pile, records, .. } = self;
+        let Self { state, scratch, pile, .. } = self;
         let State { bodies, contacts, known, media, drives, pauses, ticks, .. } = state;
         contacts.retain(|contact| {
             pile.is_sleeping(contact.lo.min(contact.hi) as usize) && scratch.after[contact.lo.min(contact.hi) as usize].members == 0
@@ -292,7 +292,7 @@ impl World {
             }
         }
         // What rests, rests exactly; unless part of what held it was an impact, which is no force.
-        for (i, after) in scratch.after.iter().enumerate().filter(|(_, after)| after.dense) {
+        for (i, _) in scratch.after.iter().enumerate().filter(|(_, after)| after.dense) {
             let body = &mut state.bodies[i];
             let rests = body.velocity == DVec2::ZERO && body.position == records.previous[i];
             if rests && (body.mass * body.acceleration).length() <= BALANCED * scratch.pressed[i] {

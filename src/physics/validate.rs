@@ -179,7 +179,8 @@ impl World {
         // What flew or rested by itself is an island of its own.
         let island =
             |of: &Thing| self.scratch.after.get(of.id as usize).filter(|after| after.members > 0).map(|after| after.leader);
-        let apart = island(a).is_none() || island(a) != island(b);
+        let moved = a.swept != a.now || b.swept != b.now;
+        let apart = moved && (island(a).is_none() || island(a) != island(b));
         if apart && self.pile.has_stepped() && a.swept.overlaps(&b.swept, OVERLAP + rounding(&a.swept)) {
             let [of_a, of_b] = [a, b].map(|of| island(of).map_or("none".into(), |leader| leader.to_string()));
             return Err(format!(
