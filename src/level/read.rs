@@ -5,6 +5,7 @@ use super::placement;
 use super::problem::{Problem, quoted};
 use super::quantity::{self as q, Quantity, Scale};
 use super::rows::{self, Placed};
+use super::strength;
 use super::table::{self, Layout, Record, Table};
 use super::types::{Fluid, Level, Object, Objective, ObjectiveKind, Player, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Text};
 use crate::physics::{Aabb, DVec2};
@@ -68,6 +69,7 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
         None => reader.plain_size(&constants),
     };
     let draft = reader.draft(size);
+    reader.problems.extend(strength::check(&draft));
     reader.problems.extend(placement::check(&draft));
     let Reader { mut problems, mut warnings, .. } = reader;
     // A level without a readable player or size has a problem already.

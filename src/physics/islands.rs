@@ -245,7 +245,7 @@ impl Scratch {
     }
 
     /// Takes over what the island came to; `known` unless its budget was used up.
-    fn scatter(&mut self, state: &State, scene: &Scene, known: bool) {
+    fn scatter(&mut self, state: &State, known: bool) {
         if known {
             self.take_contacts(state);
         }
@@ -268,7 +268,7 @@ impl Scratch {
         }
         for &(body, surface, speed) in &events.squeezed {
             let (of, by) = (&items[body as usize], &items[surface as usize]);
-            crushed.push((leader, of.id, by.id, of.body.mass * speed / scene.tick));
+            crushed.push((leader, of.id, by.id, of.body.crushing_force(speed)));
         }
         for item in &items[*movable..] {
             if !state.surfaces[item.id as usize].def.path.is_still() {
@@ -324,7 +324,8 @@ impl Advance for Tick<'_> {
         self.scratch.members.extend(store.members());
         self.scratch.members.sort_unstable();
         let count = store.len();
-        if count > Choice::MOST_BY_EVENTS || round > Choice::MOST_GROWTHS || (round == 0 && self.pauses()) {
+        let large = count > Choice::MOST_BY_EVENTS || self.scene.dense;
+        if large || round > Choice::MOST_GROWTHS || (round == 0 && self.pauses()) {
             self.guards.dense_ticks += 1;
             self.scratch.leave();
             return Verdict::Left(f64::INFINITY);
@@ -345,7 +346,7 @@ impl Advance for Tick<'_> {
                 Verdict::Grown
             }
             Outcome::Done => {
-                self.scratch.scatter(self.state, &self.scene, true);
+                self.scratch.scatter(self.state, true);
                 self.bring(store);
                 let items = &self.scratch.events.items[..count];
                 let still = |item: &Item| item.rests(self.state.bodies[item.id as usize].position);
@@ -354,12 +355,15 @@ impl Advance for Tick<'_> {
             }
             Outcome::Busy(at) => {
                 self.guards.budgets_used_up += 1;
-                self.scratch.scatter(self.state, &self.scene, false);
+                self.scratch.scatter(self.state, false);
                 for &body in &self.scratch.members {
                     let after = &mut self.scratch.after[body as usize];
                     (after.dense, after.busy) = (true, true);
                 }
                 self.bring(store);
+                for item in &self.scratch.events.items[count..] {
+                    store.place_surface(item.id, (item.body.position, item.body.velocity), item.stops_at <= at);
+                }
                 Verdict::Left(self.scene.tick - at)
             }
         }
@@ -380,6 +384,10 @@ impl Advance for Tick<'_> {
         crushed.retain(|(of, ..)| *of != leader);
         met.retain(|met| met.leader != leader);
         stops.retain(|stop| stop.leader != leader);
+    }
+
+    fn stand(&mut self, surface: usize) {
+        self.scratch.stops.push(Stop { leader: NOBODY, surface: surface as u32, at: 0.0 });
     }
 
     fn disagree(&mut self, bodies: &mut Vec<u32>) {

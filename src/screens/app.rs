@@ -5,11 +5,13 @@ use super::leaderboard::subject;
 use super::level_select::Entry;
 use super::library::{Library, Refusal};
 use super::{
-    Attempt, Classic, Classics, Flight, Gain, Input, Jumper, Lab, Leaderboard, LevelSelect, Menu, Purpose, Request, SaveScore,
-    Scoring, Screen, Spectator, TileRun,
+    Attempt, Classic, Classics, Flight, Gain, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Purpose, Request, SaveScore,
+    Scoring, Screen, SettingsPanel, Spectator, TileRun,
 };
 use crate::game::{Outcome, RunResult};
 use crate::scores::{Damage, Name, PATIENCE, Placement, Saved, Scores, ScoresError};
+use crate::settings::Settings;
+use crate::settings::file::SettingsFile;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -42,6 +44,10 @@ pub struct App {
     last_level: Option<String>,
     /// Levels completed in this sitting.
     completed: BTreeSet<String>,
+    settings: Settings,
+    settings_file: SettingsFile,
+    /// What is wrong with the settings' file, a line each.
+    settings_problems: Vec<String>,
     /// How many menus there have been: each has other balls.
     menus: u64,
     /// A score that another program keeps from being saved.
@@ -60,8 +66,13 @@ struct Waiting {
 impl App {
     /// A sitting that begins with the menu.
     pub fn new(places: Places) -> Self {
+        let settings_file = SettingsFile::new(places.root.join("settings.csv"));
+        let (settings, settings_problems) = settings_file.load("");
         let mut app = Self {
-            library: Library::new(places.root, places.levels),
+            settings,
+            settings_file,
+            settings_problems,
+            library: Library::new(places.root.clone(), places.levels),
             scores: Scores::new(places.scores),
             screen: Screen::Menu(Box::new(Menu::new(None, 0))),
             shown_for: 0.0,
@@ -77,6 +88,13 @@ impl App {
 
     /// One frame; `false` when the player has chosen to quit.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
+        let settings = self.with_settings(input);
+        let open = self.update_with(&settings, spectator);
+        input.answer.set(settings.answer.get());
+        open
+    }
+
+    fn update_with(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
         self.shown_for += input.frame_time;
         match self.update_screen(input, spectator) {
             Some(Request::Quit) => return false,
@@ -87,6 +105,20 @@ impl App {
         let nothing_more = self.update_screen(&input.without_edges(), spectator);
         debug_assert!(nothing_more.is_none(), "{nothing_more:?} was asked for by no one");
         true
+    }
+
+    /// The input with what the player has set; F11 and Alt+Enter fill the screen, or give it back, and mean nothing else.
+    fn with_settings(&mut self, input: &Input) -> Input {
+        let alt_enter = input.held.has(Key::Alt) && input.pressed.has(Key::Enter);
+        if input.pressed.has(Key::F11) || alt_enter {
+            self.set(Settings { fullscreen: !self.settings.fullscreen, ..self.settings });
+        }
+        let mut input = Input { settings: self.settings, ..input.clone() };
+        input.pressed = input.pressed.without(Key::F11);
+        if alt_enter {
+            input.pressed = input.pressed.without(Key::Enter);
+        }
+        input
     }
 
     fn update_screen(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
@@ -102,6 +134,7 @@ impl App {
             Screen::TileRun(screen) => screen.update(input),
             Screen::Jumper(screen) => screen.update(input),
             Screen::Pi(screen) => screen.update(input),
+            Screen::Settings(screen) => screen.update(input),
         }
     }
 
@@ -136,10 +169,31 @@ impl App {
             Request::Lab => Screen::Lab(Box::new(Lab::new(self.library.charts()))),
             Request::Classic(classic) => self.classic(classic),
             Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),
+            Request::Settings => Screen::Settings(Box::new(SettingsPanel::new(self.settings, self.settings_problems.clone()))),
+            Request::Set(settings) => return self.set(settings),
             Request::Quit => return,
         };
         self.screen = next;
         self.shown_for = 0.0;
+    }
+
+    /// Takes new settings over, keeps them, and says where that failed.
+    fn set(&mut self, settings: Settings) {
+        self.settings = settings;
+        self.settings_problems = match self.settings_file.save("", &settings) {
+            Ok(()) => self.settings_file.load("").1,
+            Err(problem) => vec![problem],
+        };
+        match &mut self.screen {
+            Screen::Settings(screen) => screen.tell(settings, self.settings_problems.clone()),
+            Screen::Flight(screen) => screen.tell_of_settings(settings, &self.settings_problems),
+            _ => {}
+        }
+    }
+
+    /// What the player has set.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
     }
 
     fn menu(&mut self) -> Screen {
@@ -168,7 +222,10 @@ impl App {
         let name = attempt.level.name.clone();
         self.last_level = Some(name.clone());
         match Flight::new(attempt, spectator) {
-            Ok(flight) => Screen::Flight(Box::new(flight)),
+            Ok(mut flight) => {
+                flight.tell_of_settings(self.settings, &self.settings_problems);
+                Screen::Flight(Box::new(flight))
+            }
             Err(error) => self.refused(Purpose::Play, &name, vec![error.to_string()]),
         }
     }

@@ -1,6 +1,7 @@
 //! Buttons by mouse and by keyboard: one press, one action.
 
-use super::input::{Input, Key};
+use super::input::{Answer, Input};
+use crate::settings::Key;
 use crate::view::layout::{Area, Vec2};
 
 /// A group of buttons; which one does what is the screen's affair, by its index.
@@ -17,6 +18,11 @@ impl Buttons {
         Self { focus, ..Self::default() }
     }
 
+    /// Puts the keyboard on the button of that index.
+    pub fn focus_on(&mut self, focus: usize) {
+        self.focus = focus.min(self.areas.len().saturating_sub(1));
+    }
+
     /// Puts the buttons where they are in this frame. The keyboard stays on a button that there is.
     pub fn place(&mut self, areas: Vec<Area>) {
         self.focus = self.focus.min(areas.len().saturating_sub(1));
@@ -26,6 +32,17 @@ impl Buttons {
 
     /// Follows pointer and keys; the index of the button that was pressed.
     pub fn update(&mut self, input: &Input) -> Option<usize> {
+        let before = (self.hover, self.focus);
+        let pressed = self.follow(input);
+        if pressed.is_some() {
+            input.answer(Answer::Pressed);
+        } else if self.focus != before.1 || self.hover != before.0 && self.hover.is_some() {
+            input.answer(Answer::Moved);
+        }
+        pressed
+    }
+
+    fn follow(&mut self, input: &Input) -> Option<usize> {
         self.hover = self.areas.iter().position(|area| area.contains(input.pointer));
         if input.click && self.hover.is_some() {
             self.focus = self.hover?;
@@ -83,10 +100,13 @@ mod tests {
         for (key, focus) in
             [(Key::Right, 1), (Key::Down, 4), (Key::Right, 5), (Key::Right, 5), (Key::Down, 5), (Key::Up, 2), (Key::Left, 1)]
         {
-            assert_eq!(buttons.update(&press(key)), None);
+            let (input, before) = (press(key), buttons.focus());
+            assert_eq!(buttons.update(&input), None);
             assert_eq!(buttons.focus(), focus, "{key:?}");
+            assert_eq!(input.answer.get(), (focus != before).then_some(Answer::Moved), "{key:?}");
         }
-        assert_eq!(buttons.update(&press(Key::Enter)), Some(1));
+        let enter = press(Key::Enter);
+        assert_eq!((buttons.update(&enter), enter.answer.get()), (Some(1), Some(Answer::Pressed)));
     }
 
     #[test]

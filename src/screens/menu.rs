@@ -6,13 +6,13 @@ use super::{Buttons, Input, Key, Request};
 use crate::view::layout::{Area, Frame, GRID, TITLE, Vec2};
 
 /// The words on the buttons, from top to bottom.
-pub const LABELS: [&str; 6] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Quit"];
+pub const LABELS: [&str; 7] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Settings", "Quit"];
 /// From the canvas' top to the middle of the title's capitals, of the canvas' height.
 const TITLE_AT: f32 = 0.2;
 /// The title's letters, in heights of its text: what balls bounce off.
 const TITLE_BOX: Vec2 = Vec2::new(4.3, 0.74);
 /// From the canvas' top to the first button, of the canvas' height.
-const BUTTONS_AT: f32 = 0.36;
+const BUTTONS_AT: f32 = 0.3;
 
 /// The main menu.
 #[derive(Debug)]
@@ -44,11 +44,12 @@ impl Menu {
             2 => Request::LevelSelect(Purpose::Leaderboard),
             3 => Request::Classics(None),
             4 => Request::Lab,
+            5 => Request::Settings,
             _ => Request::Quit,
         })
     }
 
-    /// Its buttons: Play, Level Select, Leaderboards, Classics, Lab, Quit.
+    /// Its buttons: Play, Level Select, Leaderboards, Classics, Lab, Settings, Quit.
     pub fn buttons(&self) -> &Buttons {
         &self.buttons
     }

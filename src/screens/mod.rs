@@ -15,22 +15,26 @@ mod leaderboard;
 mod level_select;
 mod library;
 mod menu;
+#[cfg(feature = "window")]
+mod pad;
 mod pi;
 mod problems;
 mod save_score;
 mod scoring;
 mod scroll;
+mod settings;
 mod text_field;
 mod tile_run;
 mod toolbar;
 #[cfg(feature = "window")]
 mod window;
 
+pub use crate::settings::{Key, Keys};
 pub use app::{App, Places};
 pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
 pub use flight::{Attempt, Flight, Spectator};
-pub use input::{Input, Key, Keys};
+pub use input::{Answer, Input};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Half, Lab, Line, PAGES, Page, Shown};
 pub use leaderboard::Leaderboard;
@@ -42,6 +46,7 @@ pub use problems::Problems;
 pub use save_score::{Gain, SaveScore};
 pub use scoring::{Effect, Part, Press, Scoring};
 pub use scroll::Bar;
+pub use settings::SettingsPanel;
 pub use tile_run::TileRun;
 pub use toolbar::Toolbar;
 #[cfg(feature = "window")]
@@ -50,6 +55,7 @@ pub use window::open;
 use crate::classics::jumper::scene::Scene;
 use crate::game::RunResult;
 use crate::scores::Name;
+use crate::settings::Settings;
 
 /// What is on the screen, with all that it needs.
 #[derive(Debug)]
@@ -66,6 +72,8 @@ pub enum Screen {
     SaveScore(Box<SaveScore>),
     /// The best of one level.
     Leaderboard(Leaderboard),
+    /// Keys, volumes, the picture, help.
+    Settings(Box<SettingsPanel>),
     /// Which classic.
     Classics(Classics),
     /// Charts, stress tests, two methods side by side.
@@ -97,6 +105,10 @@ pub enum Request {
     Submit(Gain, Name),
     /// The leaderboard of the level of that name, or that of the jumper.
     Leaderboard(String),
+    /// The settings.
+    Settings,
+    /// They are to be these from now on; the screen stays.
+    Set(Settings),
     /// The list of classics, with the keyboard on the one that was left.
     Classics(Option<Classic>),
     /// Charts, stress tests, two methods side by side.

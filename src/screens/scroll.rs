@@ -1,6 +1,7 @@
 //! A list that is longer than its window: which line is the first in view, by keys, wheel and a bar that can be dragged.
 
-use super::input::{Input, Key, Repeat};
+use super::input::{Input, Repeat};
+use crate::settings::Key;
 use crate::view::layout::{Area, Vec2};
 
 /// Lines a notch of the wheel.

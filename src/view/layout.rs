@@ -25,6 +25,19 @@ pub const LINE: f32 = 1.35;
 /// Width of every glyph of the monospaced face, in heights of the text.
 pub const MONO_ADVANCE: f32 = 0.602;
 
+/// Width of the widest usual line of words, in heights of the text and for each character: a bound that needs no typeface.
+const WIDE_ADVANCE: f32 = 0.62;
+
+/// The size of type next to one that is wanted.
+pub fn nearest_size(wanted: f32) -> f32 {
+    TEXT_SIZES.into_iter().min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(wanted)
+}
+
+/// Width and height of the room that a line of words may need at most, in the unit of `height`, the height of its letters.
+pub fn text_room(words: &str, height: f32) -> Vec2 {
+    Vec2::new(words.chars().count() as f32 * WIDE_ADVANCE, LINE) * height
+}
+
 /// The step of the grid on which everything stands.
 pub const GRID: f32 = 8.0;
 /// Radius of a panel's corners.
@@ -88,6 +101,8 @@ pub struct Frame {
     pub size: Vec2,
     /// Canvas units a physical pixel.
     pub pixel: f32,
+    /// How large words are, 1 as designed.
+    pub text: f32,
 }
 
 impl Frame {
@@ -95,7 +110,13 @@ impl Frame {
     pub fn of_window(pixels: Vec2) -> Self {
         let pixels = pixels.max(Vec2::ONE);
         let pixel = (DESIGN / pixels).max_element();
-        Self { size: pixels * pixel, pixel }
+        Self { size: pixels * pixel, pixel, text: 1.0 }
+    }
+
+    /// The same with words `text` times as large as designed.
+    #[must_use]
+    pub const fn with_text(self, text: f32) -> Self {
+        Self { text, ..self }
     }
 
     /// The whole canvas as a box.
@@ -105,7 +126,7 @@ impl Frame {
 
     /// The height at which text of that size is drawn: itself, or what is legible in a small window.
     pub fn text_height(&self, size: f32) -> f32 {
-        (size / self.pixel).round().max(SMALLEST_TEXT) * self.pixel
+        (size * self.text / self.pixel).round().max(SMALLEST_TEXT) * self.pixel
     }
 
     /// A column of `count` wide buttons whose top is at `top`, in the middle of the canvas.
@@ -125,7 +146,7 @@ impl Frame {
 
 impl Default for Frame {
     fn default() -> Self {
-        Self { size: DESIGN, pixel: 1.0 }
+        Self { size: DESIGN, pixel: 1.0, text: 1.0 }
     }
 }
 

@@ -4,6 +4,7 @@ mod flight;
 mod levels;
 mod menu;
 mod scores;
+mod settings;
 mod sitting;
 
 use resultant::screens::Key;
@@ -53,7 +54,8 @@ fn every_screen_is_whole_in_every_window() {
         whole(&mut sitting);
         whole(sitting.choose(1));
         whole(sitting.choose(1).press(Key::Escape));
-        whole(sitting.choose(3).complete());
+        whole(sitting.choose(2));
+        whole(sitting.press(Key::Escape).choose(4).complete());
         whole(sitting.choose(2));
         whole(sitting.write("ann").press(Key::Enter));
         whole(sitting.press(Key::Escape).choose(3));

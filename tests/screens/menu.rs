@@ -8,16 +8,16 @@ use std::path::Path;
 
 #[test]
 fn every_button_of_the_menu_leads_where_it_says_by_mouse_and_by_keyboard() {
-    for (index, screen) in [(0, "flight"), (1, "level select"), (2, "leaderboards"), (3, "classics"), (4, "lab")] {
+    for (index, screen) in [(0, "flight"), (1, "level select"), (2, "leaderboards"), (3, "classics"), (4, "lab"), (5, "settings")] {
         assert_eq!(Sitting::new().click(index).at(), screen);
         assert_eq!(Sitting::new().choose(index).at(), screen);
     }
     let mut sitting = Sitting::new();
-    let quit = sitting.rest().buttons().areas()[5].centre();
+    let quit = sitting.rest().buttons().areas()[6].centre();
     assert!(!sitting.give(Input { pointer: quit, click: true, ..Input::default() }).open);
     let mut sitting = Sitting::new();
     sitting.press_all(&[Key::Down; 9]);
-    assert_eq!(sitting.buttons().focus(), 5, "the arrows stop at the last button");
+    assert_eq!(sitting.buttons().focus(), 6, "the arrows stop at the last button");
     assert!(!sitting.give(enter()).open);
 }
 

@@ -31,11 +31,15 @@ impl Sitting {
         level(folder.path(), "10", FAR_AWAY, "");
         level(folder.path(), "broken", FAR_AWAY, "380,280,wide,40\n");
         prepare(folder.path());
-        let root = folder.path().to_path_buf();
-        let places = Places { levels: root.join("levels"), scores: root.join("scores"), root };
-        let mut sitting = Self { app: App::new(places), frame: Frame::default(), folder, open: true };
+        let mut sitting = Self { app: App::new(places(&folder)), frame: Frame::default(), folder, open: true };
         sitting.rest();
         sitting
+    }
+
+    /// The game is closed and opened again.
+    pub fn reopen(&mut self) -> &mut Self {
+        self.app = App::new(places(&self.folder));
+        self.rest()
     }
 
     /// One frame.
@@ -116,7 +120,11 @@ impl Sitting {
         match self.app.screen() {
             Screen::Menu(screen) => screen.buttons(),
             Screen::LevelSelect(screen) => screen.buttons(),
-            Screen::Flight(screen) => screen.pause().expect("the pause panel is open"),
+            Screen::Settings(screen) => screen.buttons(),
+            Screen::Flight(screen) => match screen.settings() {
+                Some(settings) => settings.buttons(),
+                None => screen.pause().expect("the pause panel is open"),
+            },
             Screen::Scoring(screen) => screen.buttons(),
             Screen::SaveScore(screen) => screen.buttons(),
             Screen::Leaderboard(screen) => screen.buttons(),
@@ -136,6 +144,8 @@ impl Sitting {
                 Purpose::Play => "level select",
                 Purpose::Leaderboard => "leaderboards",
             },
+            Screen::Settings(_) => "settings",
+            Screen::Flight(screen) if screen.settings().is_some() => "settings in flight",
             Screen::Flight(screen) if screen.pause().is_some() => "pause",
             Screen::Flight(_) => "flight",
             Screen::Scoring(_) => "scoring",
@@ -191,6 +201,11 @@ impl Sitting {
         let save = self.complete().scoring().presses().iter().position(|press| *press == Press::SaveScore).unwrap();
         self.choose(save)
     }
+}
+
+fn places(folder: &tempfile::TempDir) -> Places {
+    let root = folder.path().to_path_buf();
+    Places { levels: root.join("levels"), scores: root.join("scores"), root }
 }
 
 pub fn level(root: &Path, name: &str, objectives: &str, obstacles: &str) {

@@ -146,7 +146,7 @@ point() {
 level_button() { awk "BEGIN { printf \"%.2f %.2f\", 100 * (1.5 + 2 * ($1 % 5)) / 11, 100 * (1.5 + 2 * int($1 / 5)) / 7 }"; }
 
 # column_button INDEX: where a button of the column on the menu and on the list of classics is, from 0, for `click`.
-column_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (260 + 24 + 64 * $1) / 720 }"; }
+column_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (216 + 24 + 64 * $1) / 720 }"; }
 
 # resize WIDTH HEIGHT: the window, in pixels.
 resize() { xdotool windowsize --sync "$game_window" "$1" "$2"; sleep 0.3; }

@@ -53,6 +53,8 @@ pub(super) struct Scene<'a> {
     pub bounces: bool,
     /// Whether what did not change is taken over from the last tick, instead of being solved once more to the same bits.
     pub direct: bool,
+    /// Whether the dense method takes every island.
+    pub dense: bool,
     /// All surfaces of the world.
     pub surfaces: &'a [Surface],
     /// Length of the tick, s.
@@ -85,6 +87,7 @@ impl Scene<'_> {
             rest_speed: state.rest_speed,
             bounces: plan.bounces,
             direct: plan.direct,
+            dense: plan.dense,
             surfaces: &state.surfaces,
             tick,
         }
@@ -187,7 +190,6 @@ impl Events {
             self.work += WORK_OF_AN_ITEM;
             if self.work > budget {
                 self.stop_here(scene);
-                self.halt_all(scene);
                 return Outcome::Busy(self.now);
             }
             self.happen(scene, i, next.kind);

@@ -89,6 +89,10 @@ pub(super) struct Bodies {
     pub shift: (f64, f64),
     /// Where some would be at the end of the step, and how fast, if they touched nothing: set from outside, by their numbers there.
     pub guided: Vec<(u32, DVec2, DVec2)>,
+    /// Who of them that is in the present step, by the numbers outside.
+    pub is_guided: Vec<bool>,
+    /// Whether the air slows any.
+    pub airy: bool,
     /// Number outside → number inside.
     pub slot: Vec<u32>,
     /// Number inside → number outside.
@@ -143,6 +147,8 @@ impl Bodies {
             allowed_bottom: movable(),
             shift: (0.0, 0.0),
             guided: Vec::new(),
+            is_guided: vec![false; count],
+            airy: false,
             slot: (0..count as u32).collect(),
             id: (0..count as u32).collect(),
             order: (0..count as u32).collect(),
@@ -173,6 +179,11 @@ impl Bodies {
     #[inline(always)]
     pub fn rides_along(&self, i: usize, j: usize, skin: f64) -> bool {
         self.vy[i] == self.vy[j] + skin || (j >= self.count && self.vy[i] == self.was_vy[j] + skin)
+    }
+
+    /// How fast something moved across when the step began, m/s: of a surface, when the one before ended.
+    pub fn began_across(&self, j: usize) -> f64 {
+        if j < self.count { self.vx[j] } else { self.was_vx[j] }
     }
 
     /// Whether a surface moves, moved in the step before, or runs a belt.

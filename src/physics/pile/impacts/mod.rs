@@ -1,0 +1,349 @@
+//! Impacts with restitution: one pair after the other, in the order of their times.
+//!
+//! Before the step is solved as a whole, pairs that bounce are followed through it on their parabolas: the time of impact of two faces is
+//! the root of a quadratic, and the closing speed w is the one at that time. A pair leaves with e·w (e is the larger restitution of the
+//! two), by an impulse that is shared by mass; simultaneous impacts come fastest first, which carries one block's motion through a
+//! touching row to the last one (Newton's cradle). Friction changes the sliding by at most μ_k times the impulse and never reverses it.
+//! What rests on the ground is ground for what falls on it.
+//!
+//! On something immovable the bounces of e < 1 have a sum: once all of them end within the step, the body stays; where many would come,
+//! as many whole ones as fit are passed over in closed form. What is left after [`Impacts::budget`] impacts is left to the plastic solution.
+
+mod bounce;
+mod course;
+mod due;
+
+use super::bodies::Bodies;
+use super::contacts::Contacts;
+use super::dense::StepSize;
+use super::gravity::Anchors;
+use super::islands::Island;
+use super::neighbours::Neighbours;
+use super::reach::Reach;
+use course::{Course, time_of_impact};
+use due::{Due, Pair};
+use std::collections::BinaryHeap;
+
+/// Impacts slower than this are none, m/s. Smaller: rounding bounces.
+const SLOWEST: f64 = 1e-9;
+/// A pair of e < 1 that has bounced so often in one step is left to the plastic solution: such series have a sum. Fewer: bounces end
+/// early; more: inelastic collapse costs the whole budget.
+const RATTLE: u32 = 12;
+
+/// The direction of a contact's normal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Left and right.
+    Across,
+    /// Up and down.
+    Gravity,
+}
+
+/// One impact, by slots.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Impact {
+    pub a: u32,
+    pub b: u32,
+    pub axis: Axis,
+    /// Closing speed when touching, m/s; 0: no impact, but what lasted until one.
+    pub speed: f64,
+    /// Impulse on `a` along the axis and along the other one, N·s.
+    pub normal: f64,
+    pub friction: f64,
+    /// Middle of the contact, m.
+    pub point: (f64, f64),
+}
+
+/// Where bodies may be thrown.
+pub(super) struct Around<'a> {
+    pub island: Island<'a>,
+    pub neighbours: &'a mut Neighbours,
+    pub reach: &'a mut Reach,
+    /// Whether islands may not grow any more.
+    pub last: bool,
+}
+
+/// The impacts of one island, and what it takes to find them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Impacts {
+    /// Those of this step, in their order.
+    pub all: Vec<Impact>,
+    /// Those that did not bounce: pair, axis, closing speed, m/s.
+    pub plastic: Vec<(u32, u32, Axis, f64)>,
+    /// What hit each body from above, N·s, by slot.
+    pub struck: Vec<f64>,
+    /// Whether any were looked for in this step.
+    pub any: bool,
+    /// By slot, where there were any: free velocities before them, and predicted positions after them.
+    saved: Vec<[f64; 2]>,
+    predicted: Vec<[f64; 2]>,
+    /// By slot: the count of the follow-up in which a body was hit last.
+    hit_in: Vec<u64>,
+    follow_ups: u64,
+    pairs: Vec<Pair>,
+    /// By slot: whether a body or surface stands still if it is not hit; and how many pairs were skipped because both do.
+    still: Vec<bool>,
+    skipped: usize,
+    /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
+    chain: Vec<u32>,
+    next: Vec<u32>,
+    courses: [Vec<Course>; 2],
+    due: BinaryHeap<Due>,
+    dt: f64,
+    rest_speed: f64,
+    touch: f64,
+    hair: f64,
+}
+
+const NONE: u32 = u32::MAX;
+
+impl Impacts {
+    pub fn new(count: usize, all: usize) -> Self {
+        Self {
+            all: Vec::with_capacity(count),
+            struck: vec![0.0; all],
+            saved: vec![[0.0; 2]; count],
+            predicted: vec![[0.0; 2]; count],
+            hit_in: vec![0; count],
+            pairs: Vec::with_capacity(4 * count),
+            still: vec![false; all],
+            chain: vec![NONE; all],
+            next: Vec::with_capacity(8 * count),
+            courses: [vec![Course::default(); all], vec![Course::default(); all]],
+            due: BinaryHeap::with_capacity(4 * count),
+            ..Self::default()
+        }
+    }
+
+    /// Follows the impacts of an island; sets predicted positions and free velocities to what they leave. Returns whether any were looked
+    /// for, and whether the budget ran out.
+    pub fn follow(
+        &mut self,
+        bodies: &mut Bodies,
+        (contacts, anchors): (&Contacts, &Anchors),
+        around: &mut Around<'_>,
+        size: StepSize,
+    ) -> (bool, bool) {
+        (self.dt, self.rest_speed) = (size.dt, size.rest_speed);
+        let island = around.island;
+        (self.touch, self.hair) = (contacts.tolerances.touch, contacts.tolerances.hair);
+        self.all.clear();
+        self.any = false;
+        for &i in island.members {
+            self.struck[i as usize] = 0.0;
+        }
+        if !bodies.lively || !self.any_due(bodies, island, contacts) {
+            return (false, false);
+        }
+        self.gather(bodies, island, anchors);
+        for &(a, b) in &around.reach.added {
+            self.add(bodies, a, b);
+        }
+        self.follow_ups += 1;
+        for pair in 0..self.pairs.len() {
+            self.look(bodies, pair, 0.0);
+        }
+        let (mut left, mut exhausted) = (self.budget(), false);
+        while let Some(due) = self.due.pop() {
+            if self.pairs[due.pair as usize].version != due.version {
+                continue;
+            }
+            if left == 0 {
+                exhausted = true;
+                break;
+            }
+            left -= 1;
+            self.bounce(bodies, anchors, around, due);
+        }
+        self.any = true;
+        for &i in island.members {
+            self.predicted[i as usize] = [bodies.px[i as usize], bodies.py[i as usize]];
+        }
+        (true, exhausted)
+    }
+
+    /// Where a body is predicted, after impacts.
+    pub fn predicted(&self, bodies: &Bodies, i: usize) -> (f64, f64) {
+        if self.any { self.predicted[i].into() } else { (bodies.free_x[i], bodies.free_y[i]) }
+    }
+
+    /// As if nothing had been solved.
+    pub fn undo(&mut self, bodies: &mut Bodies, members: &[u32]) {
+        for &i in members {
+            let i = i as usize;
+            (bodies.px[i], bodies.py[i]) = (bodies.free_x[i], bodies.free_y[i]);
+        }
+        self.restore_free(bodies, members);
+        self.all.clear();
+        self.any = false;
+    }
+
+    /// How fast a body was across when the step began, or would have been to have now what impacts gave it, m/s.
+    pub fn began_across(&self, bodies: &Bodies, i: usize) -> f64 {
+        if self.any && self.was_hit(i) { self.courses[0][i].velocity } else { bodies.vx[i] }
+    }
+
+    /// Whether a body was hit when impacts were followed last.
+    pub fn was_hit(&self, i: usize) -> bool {
+        self.hit_in[i] == self.follow_ups
+    }
+
+    /// Sets the free velocities to what they were before the impacts.
+    pub fn restore_free(&mut self, bodies: &mut Bodies, members: &[u32]) {
+        if self.any {
+            for &i in members {
+                (bodies.free_vx[i as usize], bodies.free_vy[i as usize]) = self.saved[i as usize].into();
+            }
+        }
+    }
+
+    /// How many impacts one island may have in one step.
+    fn budget(&self) -> usize {
+        64 + 8 * (self.pairs.len() + self.skipped)
+    }
+
+    /// A quick test whether any pair that bounces closes.
+    fn any_due(&self, bodies: &Bodies, island: Island<'_>, contacts: &Contacts) -> bool {
+        let lively = |a: usize, b: usize| bodies.traits[a].restitution > 0.0 || bodies.traits[b].restitution > 0.0;
+        let n = bodies.len();
+        let per_second = 1.0 / self.dt;
+        let stacks = island.members.iter().any(|&i| {
+            let i = i as usize;
+            let mean = (bodies.py[i] - bodies.y[i]) * per_second;
+            contacts.stacks[contacts.under(i)].iter().any(|stack| {
+                let j = stack.below as usize;
+                let closes = mean > bodies.mean_vy[j] + stack.bound && (stack.bound > 0.0 || !bodies.rides_along(i, j, 0.0));
+                closes && lively(i, j)
+            })
+        });
+        let mean = |i: usize| if i < n { (bodies.px[i] - bodies.x[i]) * per_second } else { bodies.mean_vx[i] };
+        stacks
+            || contacts.sides.iter().any(|side| {
+                let (a, b) = (side.first as usize, side.second as usize);
+                let closes = mean(a) > mean(b) + side.bound && (side.bound > 0.0 || bodies.vx[a] != bodies.vx[b]);
+                closes && lively(a, b)
+            })
+            || contacts.ceilings.iter().any(|c| lively(c.first as usize, c.second as usize))
+    }
+
+    fn gather(&mut self, bodies: &Bodies, island: Island<'_>, anchors: &Anchors) {
+        self.pairs.clear();
+        self.next.clear();
+        self.due.clear();
+        let per_second = 1.0 / self.dt;
+        for &i in island.members {
+            let i = i as usize;
+            self.chain[i] = NONE;
+            self.saved[i] = [bodies.free_vx[i], bodies.free_vy[i]];
+            let pull = |free: f64, v: f64| (free - v) * per_second;
+            self.courses[0][i] = Course { at: bodies.x[i], velocity: bodies.vx[i], pull: pull(bodies.free_vx[i], bodies.vx[i]) };
+            let pull = if anchors.rests[i] { 0.0 } else { pull(bodies.free_vy[i], bodies.vy[i]) };
+            let velocity = if anchors.rests[i] { bodies.uy[i] } else { bodies.vy[i] };
+            self.courses[1][i] = Course { at: bodies.y[i], velocity, pull };
+            let stands = |course: &Course| course.velocity == 0.0 && course.pull == 0.0;
+            self.still[i] = stands(&self.courses[0][i]) && stands(&self.courses[1][i]);
+        }
+        self.skipped = 0;
+        for &i in island.members {
+            for &j in island.near(i) {
+                if self.stand(bodies, i, j) {
+                    self.skipped += 1;
+                } else {
+                    self.add(bodies, i, j);
+                }
+            }
+        }
+    }
+
+    /// Whether both of a pair stand still if nothing hits them.
+    fn stand(&self, bodies: &Bodies, i: u32, j: u32) -> bool {
+        let (i, j) = (i as usize, j as usize);
+        self.still[i] && if j < bodies.len() { self.still[j] } else { bodies.vx[j] == 0.0 && bodies.vy[j] == 0.0 }
+    }
+
+    /// Adds the pairs that were skipped: something that stood still was hit.
+    fn add_skipped(&mut self, bodies: &Bodies, island: Island<'_>) {
+        self.skipped = 0;
+        for &i in island.members {
+            if self.still[i as usize] {
+                for &j in island.near(i) {
+                    if self.stand(bodies, i, j) {
+                        self.add(bodies, i, j);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds a pair if it bounces.
+    fn add(&mut self, bodies: &Bodies, i: u32, j: u32) {
+        let (a, b) = (i as usize, j as usize);
+        let restitution = bodies.traits[a].restitution.max(bodies.traits[b].restitution);
+        if restitution == 0.0 {
+            return;
+        }
+        let pair = self.pairs.len() as u32;
+        self.pairs.push(Pair { a: i, b: j, restitution, version: 0, hits: 0 });
+        self.next.extend([self.chain[a], NONE]);
+        self.chain[a] = 2 * pair;
+        if b < bodies.len() {
+            self.next[2 * pair as usize + 1] = self.chain[b];
+            self.chain[b] = 2 * pair + 1;
+        } else {
+            self.courses[0][b] = Course { at: bodies.x[b], velocity: bodies.vx[b], pull: 0.0 };
+            self.courses[1][b] = Course { at: bodies.y[b], velocity: bodies.vy[b], pull: 0.0 };
+        }
+    }
+
+    /// Finds when a pair touches next, from `now` on.
+    fn look(&mut self, bodies: &Bodies, pair: usize, now: f64) {
+        let Pair { a, b, restitution, version, hits } = self.pairs[pair];
+        if restitution < 1.0 && hits >= RATTLE {
+            return;
+        }
+        let (a, b) = (a as usize, b as usize);
+        let alike = |of: &[Course]| (of[a].velocity == of[b].velocity) & (of[a].pull == of[b].pull);
+        if alike(&self.courses[0]) && alike(&self.courses[1]) {
+            return;
+        }
+        let reach = [bodies.hx[a] + bodies.hx[b], bodies.hy[a] + bodies.hy[b]];
+        let mut best: Option<Due> = None;
+        for axis in 0..2 {
+            let (of_a, of_b) = (&self.courses[axis][a], &self.courses[axis][b]);
+            let d = of_b.place(now) - of_a.place(now);
+            let side = if d < 0.0 { -1.0 } else { 1.0 };
+            let gap = d * side - reach[axis];
+            if gap < -self.touch {
+                continue;
+            }
+            let closing = (of_a.speed(now) - of_b.speed(now)) * side;
+            let pull = (of_a.pull - of_b.pull) * side;
+            let Some((after, speed)) = time_of_impact(if gap > self.hair { gap } else { 0.0 }, closing, pull) else { continue };
+            let time = now + after;
+            let ends = restitution < 1.0 && restitution * speed < self.rest_speed;
+            if time >= self.dt || speed <= SLOWEST || ends || best.is_some_and(|best| best.time <= time) {
+                continue;
+            }
+            let (across_a, across_b) = (&self.courses[1 - axis][a], &self.courses[1 - axis][b]);
+            let beside = (across_b.place(time) - across_a.place(time)).abs() - reach[1 - axis];
+            let open = b >= bodies.len() && !bodies.sides[b].face(axis, side < 0.0);
+            if beside < -self.touch && !open {
+                best = Some(Due { time, speed, pair: pair as u32, version, axis });
+            }
+        }
+        if let Some(due) = best {
+            self.due.push(due);
+        }
+    }
+
+    /// Looks at all pairs of a body that has been hit.
+    fn look_again(&mut self, bodies: &Bodies, i: usize, now: f64) {
+        let mut at = self.chain[i];
+        while at != NONE {
+            let pair = at as usize / 2;
+            self.pairs[pair].version += 1;
+            self.look(bodies, pair, now);
+            at = self.next[at as usize];
+        }
+    }
+}
