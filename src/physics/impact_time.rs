@@ -41,6 +41,11 @@ impl Cubic {
         Self { c: [0, 1, 2, 3].map(|i| other.c[i] - self.c[i]) }
     }
 
+    /// Whether it stays where it is: nothing is met on it.
+    pub fn stands(&self) -> bool {
+        self.c[1..].iter().all(|c| *c == DVec2::ZERO)
+    }
+
     /// Along one axis.
     pub fn axis(&self, axis: usize) -> Polynomial {
         Polynomial(self.c.map(|c| c[axis]))
@@ -52,6 +57,11 @@ impl Cubic {
 pub(super) struct Polynomial(pub [f64; 4]);
 
 impl Polynomial {
+    /// Whether it is constant: it passes through nothing.
+    pub fn stands(&self) -> bool {
+        self.0[1..] == [0.0; 3]
+    }
+
     pub fn at(&self, t: f64) -> f64 {
         let c = &self.0;
         c[0] + t * (c[1] + t * (c[2] + t * c[3]))

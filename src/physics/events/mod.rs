@@ -153,6 +153,8 @@ pub(super) struct Events {
     /// Contacts of what is concerned, and copies of them that can be asked what else they would carry.
     trial: Vec<Contact>,
     asked: Vec<Contact>,
+    /// What presses on the item whose next event is sought.
+    pressing: Vec<u32>,
     /// For the implicit step of what is in contact: of each item concerned, and the mean accelerations of all.
     implicit: Vec<Implicit>,
     means: Vec<DVec2>,
@@ -261,6 +263,8 @@ impl Events {
             vectors.clear();
             vectors.resize(all - bodies, DVec2::ZERO);
         }
+        self.pressing.clear();
+        self.pressing.reserve(all);
         self.places.clear();
         self.places.resize(all, DVec2::ZERO);
         for flags in [&mut self.is_concerned, &mut self.is_placed] {

@@ -111,6 +111,7 @@ impl Events {
                 self.grown = true;
             }
         }
+        let still = self.items.iter().all(Item::is_still);
         for i in 0..self.items.len() {
             let stopped_now = |item: usize| self.items[item].stops_at == self.now;
             let stale = match self.items[i].next.kind {
@@ -119,7 +120,11 @@ impl Events {
                 _ => false,
             };
             if stale || stopped_now(i) || self.is_concerned[i] {
-                self.predict(scene, i);
+                if still {
+                    self.predict_still(scene, i);
+                } else {
+                    self.predict(scene, i);
+                }
             }
         }
     }

@@ -30,10 +30,11 @@ impl Events {
         if i < self.movable {
             self.next_border(scene, i, &mut next);
         }
-        for index in 0..self.contacts.len() {
-            let contact = self.contacts[index];
-            if contact.has(i as u32) {
-                self.next_contact_change(i as u32, &contact, &mut next);
+        self.pressing.clear();
+        for contact in self.contacts.iter().filter(|contact| contact.has(i as u32)) {
+            self.next_contact_change(i as u32, contact, &mut next);
+            if contact.normal > 0.0 {
+                self.pressing.push(contact.other(i as u32));
             }
         }
         for other in 0..self.items.len() {
@@ -42,6 +43,18 @@ impl Events {
             }
         }
         self.items[i].next = next;
+    }
+
+    /// The same while nothing of the island moves, so that nothing meets and no contact changes.
+    pub(super) fn predict_still(&mut self, scene: &Scene, i: usize) {
+        let item = &mut self.items[i];
+        item.next = Next::NEVER;
+        if item.until < scene.tick {
+            item.next.or_earlier(item.until, Kind::Renew);
+        }
+        if let Some(resume) = item.resume {
+            item.next.or_earlier(resume.at, Kind::Resume);
+        }
     }
 
     /// When two items meet. The search begins where the later of the two ways does.
@@ -57,7 +70,14 @@ impl Events {
             return;
         }
         self.work += WORK_OF_A_ROOT;
+        // What presses on each other has met already.
+        if self.pressing.contains(&(j as u32)) {
+            return;
+        }
         let motion = a.way_from(now).relative(&b.way_from(now));
+        if motion.stands() {
+            return;
+        }
         let reach = a.body.half + b.body.half;
         let found =
             meets_at_once(&motion, reach, b.sides).map(|axis| (0.0, axis)).or_else(|| time_of_impact(&motion, reach, end, b.sides));
@@ -65,7 +85,7 @@ impl Events {
         let path = motion.axis(axis);
         let side = path.at(t).signum();
         let gentle = -side * path.slope(t) <= GRAZING_SPEED && -side * path.curvature(t) <= GRAZING_ACCELERATION;
-        if gentle || self.contacts.iter().any(|contact| contact.normal > 0.0 && contact.is_of(i as u32, j as u32)) {
+        if gentle {
             return;
         }
         next.or_earlier(now + t, Kind::Hit { other: j as u32, axis, ascending: (side > 0.0) == (i < j) });
@@ -80,6 +100,9 @@ impl Events {
         let end = lo.until.min(hi.until) - self.now;
         let along = 1 - contact.axis;
         let motion = lo.way_from(self.now).relative(&hi.way_from(self.now)).axis(along);
+        if motion.stands() {
+            return;
+        }
         if contact.slides != 0.0
             && let Some(t) = end_of_slide(&motion, contact.slides, self.skin_of(contact), end)
         {
