@@ -114,6 +114,16 @@ impl Flight {
         None
     }
 
+    /// Whether the keys fly, and not a recording.
+    pub fn is_by_hand(&self) -> bool {
+        self.playback.is_none()
+    }
+
+    /// Whether the player has had help.
+    pub fn is_assisted(&self) -> bool {
+        self.assisted
+    }
+
     /// The game as it stands.
     pub fn game(&self) -> &Game {
         &self.game

@@ -7,17 +7,23 @@ mod app;
 mod balls;
 mod buttons;
 mod classics;
+mod credits;
 mod flight;
+mod hover;
 mod input;
+mod journal;
 mod jumper;
 mod lab;
 mod leaderboard;
 mod level_select;
 mod library;
 mod menu;
+mod miniature;
+mod name_field;
 #[cfg(feature = "window")]
 mod pad;
 mod pi;
+mod players;
 mod problems;
 mod save_score;
 mod scoring;
@@ -33,15 +39,19 @@ pub use crate::settings::{Key, Keys};
 pub use app::{App, Places};
 pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
+pub use credits::Credits;
 pub use flight::{Attempt, Flight, Spectator};
 pub use input::{Answer, Input};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Half, Lab, Line, PAGES, Page, Shown};
-pub use leaderboard::Leaderboard;
+pub use leaderboard::{Fresh, Leaderboard, Way};
 pub use level_select::{Entry, LevelSelect, Purpose};
 pub use library::Library;
-pub use menu::Menu;
+pub use menu::{Facts, Menu};
+pub use miniature::{Miniature, Part as MiniaturePart};
+pub use name_field::{Entry as NameEntry, NameField};
 pub use pi::Pi;
+pub use players::{Candidate, Players};
 pub use problems::Problems;
 pub use save_score::{Gain, SaveScore};
 pub use scoring::{Effect, Part, Press, Scoring};
@@ -72,6 +82,10 @@ pub enum Screen {
     SaveScore(Box<SaveScore>),
     /// The best of one level.
     Leaderboard(Leaderboard),
+    /// Who plays.
+    Players(Box<Players>),
+    /// Who and what the game is made of.
+    Credits(Box<Credits>),
     /// Keys, volumes, the picture, help.
     Settings(Box<SettingsPanel>),
     /// Which classic.
@@ -99,12 +113,18 @@ pub enum Request {
     Attempt(Attempt),
     /// An attempt has ended.
     Score(Attempt, RunResult),
-    /// A score is to be saved.
+    /// A score is to be saved, under the name of whoever plays.
     SaveScore(Gain),
     /// It is saved under that name.
     Submit(Gain, Name),
     /// The leaderboard of the level of that name, or that of the jumper.
     Leaderboard(String),
+    /// The list of players.
+    Players,
+    /// Somebody plays from now on; whether they have just said their name.
+    Choose(Name, bool),
+    /// Who and what the game is made of.
+    Credits,
     /// The settings.
     Settings,
     /// They are to be these from now on; the screen stays.

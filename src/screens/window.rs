@@ -112,6 +112,12 @@ async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
     }
 }
 
+/// How loud the player wants it.
+fn volumes(settings: &Settings) -> Volumes {
+    let share = |percent: u8| f32::from(percent) / 100.0;
+    Volumes { master: share(settings.master), effects: share(settings.effects), music: share(settings.music) }
+}
+
 /// How large words are on this screen: those of a flight as the player wants them; the others stand in panels made for them.
 fn text_scale(app: &App) -> f32 {
     let scale = f32::from(app.settings().scale) / 100.0;
@@ -140,7 +146,7 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
 
 fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
     match app.screen() {
-        Screen::Menu(screen) => screen.draw(canvas),
+        Screen::Menu(screen) => screen.draw(&theatre.art, canvas),
         Screen::LevelSelect(screen) => screen.draw(canvas),
         Screen::Flight(screen) => {
             theatre.draw(screen, *app.settings(), frame_time, canvas);
@@ -149,6 +155,8 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
         Screen::Scoring(screen) => screen.draw(canvas),
         Screen::SaveScore(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Leaderboard(screen) => screen.draw(canvas),
+        Screen::Players(screen) => screen.draw(canvas, app.shown_for()),
+        Screen::Credits(screen) => screen.draw(canvas),
         Screen::Classics(screen) => screen.draw(canvas),
         Screen::Lab(screen) => screen.draw(canvas),
         Screen::TileRun(screen) => screen.draw(canvas),
@@ -213,21 +221,20 @@ impl Theatre {
     }
 }
 
-/// The volumes that the player has set.
-fn volumes(settings: &Settings) -> Volumes {
-    let [master, effects, music] = [settings.master, settings.effects, settings.music].map(|percent| f32::from(percent) / 100.0);
-    Volumes { master, effects, music }
-}
-
 /// By what the tune of a screen goes; `None`: as before, so that a level's stays through its scoring.
 fn music(screen: &Screen) -> Option<&str> {
     match screen {
         Screen::Flight(flight) => Some(&flight.game().level().name),
-        Screen::Scoring(_) | Screen::SaveScore(_) | Screen::Leaderboard(_) => None,
+        Screen::Scoring(_) | Screen::SaveScore(_) | Screen::Leaderboard(_) | Screen::Settings(_) => None,
         Screen::TileRun(_) => Some("tile run"),
         Screen::Jumper(_) => Some("jumper"),
         Screen::Pi(_) => Some("pi"),
-        Screen::Menu(_) | Screen::LevelSelect(_) | Screen::Classics(_) | Screen::Lab(_) | Screen::Settings(_) => Some(MENU),
+        Screen::Menu(_)
+        | Screen::Players(_)
+        | Screen::Credits(_)
+        | Screen::LevelSelect(_)
+        | Screen::Classics(_)
+        | Screen::Lab(_) => Some(MENU),
     }
 }
 

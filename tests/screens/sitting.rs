@@ -42,6 +42,11 @@ impl Sitting {
         self.rest()
     }
 
+    /// A file of the folder of scores.
+    pub fn scores_file(&self, name: &str) -> String {
+        fs::read_to_string(self.folder.path().join("scores").join(name)).unwrap_or_default()
+    }
+
     /// One frame.
     pub fn give(&mut self, input: Input) -> &mut Self {
         self.give_to(input, &mut ())
@@ -128,6 +133,8 @@ impl Sitting {
             Screen::Scoring(screen) => screen.buttons(),
             Screen::SaveScore(screen) => screen.buttons(),
             Screen::Leaderboard(screen) => screen.buttons(),
+            Screen::Players(screen) => screen.buttons(),
+            Screen::Credits(screen) => screen.buttons(),
             Screen::Classics(screen) => screen.buttons(),
             Screen::Lab(screen) => screen.toolbar().buttons(),
             Screen::TileRun(screen) => screen.toolbar().buttons(),
@@ -151,6 +158,9 @@ impl Sitting {
             Screen::Scoring(_) => "scoring",
             Screen::SaveScore(_) => "save score",
             Screen::Leaderboard(_) => "leaderboard",
+            Screen::Players(screen) if screen.field().is_some() => "new player",
+            Screen::Players(_) => "players",
+            Screen::Credits(_) => "credits",
             Screen::Classics(_) => "classics",
             Screen::Lab(_) => "lab",
             Screen::TileRun(_) => "tile run",
@@ -182,6 +192,28 @@ impl Sitting {
     pub fn save_score(&self) -> &resultant::screens::SaveScore {
         let Screen::SaveScore(screen) = self.app.screen() else { panic!("at {}", self.at()) };
         screen
+    }
+
+    pub fn menu(&self) -> &resultant::screens::Menu {
+        let Screen::Menu(screen) = self.app.screen() else { panic!("at {}", self.at()) };
+        screen
+    }
+
+    pub fn players(&self) -> &resultant::screens::Players {
+        let Screen::Players(screen) = self.app.screen() else { panic!("at {}", self.at()) };
+        screen
+    }
+
+    /// From the menu to the field for a new player, and back to the menu as that one.
+    pub fn become_new(&mut self, name: &str) -> &mut Self {
+        self.click(7);
+        if self.at() == "players" {
+            let new = self.players().range().len();
+            self.choose(new);
+        }
+        self.write(name).press(Key::Enter);
+        assert_eq!(self.at(), "menu");
+        self
     }
 
     /// From the menu into a level, by its index in the list.
