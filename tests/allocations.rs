@@ -41,6 +41,24 @@ fn rain(restitution: f64) {
     assert_eq!(allocations(), before);
 }
 
+/// The thread that plays must never wait for memory.
+#[cfg(feature = "window")]
+#[test]
+fn the_mixer_allocates_nothing() {
+    use resultant::view::sound::{Ambience, Cue, Mixer, Sound, desk};
+    let (desk, feed) = desk();
+    let mut mixer = Mixer::new(48_000, feed);
+    let mut samples = [0.0; 960];
+    let before = allocations();
+    for frame in 0..1200 {
+        desk.set_tune(Some(frame / 400));
+        desk.set_ambience(Ambience { engine: 1.0, wind: 0.5, liquid: 0.5, motion: 1.0 });
+        desk.play(Sound::new(Cue::ALL[frame as usize % Cue::COUNT], 1.0));
+        mixer.render(&mut samples);
+    }
+    assert_eq!(allocations(), before);
+}
+
 /// A level's worth of everything: bounces, slides, air, a stream, a liquid, a drive that is switched; and a crowd.
 #[test]
 fn a_warm_tick_of_a_world_allocates_nothing() {

@@ -114,7 +114,7 @@ fn the_camera_eases_the_same_way_at_every_frame_rate() {
     let target = DVec2::new(10.0, -4.0);
     let after = |frames: u32| {
         let mut camera = Camera::new(DVec2::ZERO);
-        (0..frames).for_each(|_| camera.follow(target, 0.25 / f64::from(frames)));
+        (0..frames).for_each(|_| camera.follow(target, DVec2::new(8.0, -3.0), 0.25 / f64::from(frames)));
         camera.focus()
     };
     let (slow, fast) = (after(8), after(36));
@@ -130,4 +130,39 @@ fn a_shake_moves_the_view_and_where_it_may_not_go_outwards_it_goes_inwards() {
     let still = view(corner, corner, level, WINDOWS[0]);
     let shaken = still.shaken(DVec2::new(-5.0, -3.0));
     assert_eq!((shaken.point(corner) - still.point(corner)).as_dvec2(), DVec2::new(-5.0, -3.0));
+}
+
+#[test]
+fn it_looks_ahead_of_a_ship_that_flies_and_at_one_that_rests() {
+    let follow = |camera: &mut Camera, ship: &mut DVec2, velocity: DVec2, seconds: f64| {
+        for _ in 0..(seconds * 60.0) as usize {
+            *ship += velocity / 60.0;
+            camera.follow(*ship, velocity, 1.0 / 60.0);
+        }
+        camera.focus() - *ship
+    };
+    let (mut camera, mut ship) = (Camera::new(DVec2::ZERO), DVec2::ZERO);
+    // It must more than make up for what it lags behind.
+    let flying = follow(&mut camera, &mut ship, DVec2::new(12.0, -6.0), 4.0);
+    assert!(flying.x > 1.5 && flying.y < -0.7, "{flying}");
+    let fast = follow(&mut camera, &mut ship, DVec2::new(40.0, 0.0), 4.0);
+    assert!(fast.x < 7.0, "{fast}: the ship would be near the edge");
+    let resting = follow(&mut camera, &mut ship, DVec2::ZERO, 6.0);
+    assert!(resting.length() < 0.02, "{resting}");
+    // What drifts does not sway it.
+    let drifting = follow(&mut camera, &mut ship, DVec2::new(1.5, 1.5), 4.0);
+    assert!(drifting.length() < 0.4, "{drifting}");
+}
+
+#[test]
+fn a_bump_does_not_throw_it_about() {
+    let mut camera = Camera::new(DVec2::ZERO);
+    for i in 0..60 {
+        // Thrown to and fro between two walls close together, at 15 m/s.
+        let velocity = DVec2::new(if i / 3 % 2 == 0 { 15.0 } else { -15.0 }, 0.0);
+        let before = camera.focus();
+        camera.follow(DVec2::ZERO, velocity, 1.0 / 60.0);
+        assert!((camera.focus() - before).length() * 60.0 < 13.0, "it jerks at {i}");
+        assert!(camera.focus().length() < 1.5);
+    }
 }

@@ -216,7 +216,7 @@ impl Scratch {
     }
 
     /// Takes over what the island came to; `known` unless its budget was used up.
-    fn scatter(&mut self, state: &State, scene: &Scene, known: bool) {
+    fn scatter(&mut self, state: &State, known: bool) {
         if known {
             self.take_contacts(state);
         }
@@ -336,7 +336,7 @@ impl Advance for Tick<'_> {
                 Verdict::Grown
             }
             Outcome::Done => {
-                self.scratch.scatter(self.state, &self.scene, true);
+                self.scratch.scatter(self.state, true);
                 self.end_pauses();
                 self.bring(store);
                 let items = &self.scratch.events.items[..count];
@@ -347,7 +347,7 @@ impl Advance for Tick<'_> {
             Outcome::Busy(at) => {
                 self.guards.budgets_used_up += 1;
                 self.begin_pause();
-                self.scratch.scatter(self.state, &self.scene, false);
+                self.scratch.scatter(self.state, false);
                 for &body in &self.scratch.members {
                     self.scratch.after[body as usize].dense = true;
                 }

@@ -1,6 +1,6 @@
 //! Buttons by mouse and by keyboard: one press, one action.
 
-use super::input::Input;
+use super::input::{Answer, Input};
 use crate::settings::Key;
 use crate::view::layout::{Area, Vec2};
 
@@ -35,6 +35,17 @@ impl Buttons {
 
     /// Follows pointer and keys; the index of the button that was pressed.
     pub fn update(&mut self, input: &Input) -> Option<usize> {
+        let before = (self.hover, self.focus);
+        let pressed = self.follow(input);
+        if pressed.is_some() {
+            input.answer(Answer::Pressed);
+        } else if self.focus != before.1 || self.hover != before.0 && self.hover.is_some() {
+            input.answer(Answer::Moved);
+        }
+        pressed
+    }
+
+    fn follow(&mut self, input: &Input) -> Option<usize> {
         let under = self.areas.iter().position(|area| area.contains(input.pointer));
         let moved = self.pointer.replace(input.pointer).is_some_and(|before| before != input.pointer);
         if moved || input.click || under != self.hover {
@@ -97,10 +108,13 @@ mod tests {
         for (key, focus) in
             [(Key::Right, 1), (Key::Down, 4), (Key::Right, 5), (Key::Right, 5), (Key::Down, 5), (Key::Up, 2), (Key::Left, 1)]
         {
-            assert_eq!(buttons.update(&press(key)), None);
+            let (input, before) = (press(key), buttons.focus());
+            assert_eq!(buttons.update(&input), None);
             assert_eq!(buttons.focus(), focus, "{key:?}");
+            assert_eq!(input.answer.get(), (focus != before).then_some(Answer::Moved), "{key:?}");
         }
-        assert_eq!(buttons.update(&press(Key::Enter)), Some(1));
+        let enter = press(Key::Enter);
+        assert_eq!((buttons.update(&enter), enter.answer.get()), (Some(1), Some(Answer::Pressed)));
     }
 
     #[test]

@@ -2,6 +2,17 @@
 
 use crate::settings::{Action, Key, Keys, Settings};
 use crate::view::layout::{Frame, Vec2};
+use std::cell::Cell;
+use std::rc::Rc;
+
+/// What the buttons made of an input, for the ear.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// The keyboard or the pointer went to another button.
+    Moved,
+    /// A button was pressed.
+    Pressed,
+}
 
 /// What the player did since the last frame, and what is held down now.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,6 +39,8 @@ pub struct Input {
     pub typed: String,
     /// What the player has set.
     pub settings: Settings,
+    /// What the buttons made of it, also of a copy that leaves something out: they say so with [`Input::answer`].
+    pub answer: Rc<Cell<Option<Answer>>>,
 }
 
 impl Input {
@@ -55,6 +68,13 @@ impl Input {
             held: self.held,
             settings: self.settings,
             ..Self::default()
+        }
+    }
+
+    /// A button says what it made of this input; a press goes before a move.
+    pub fn answer(&self, answer: Answer) {
+        if self.answer.get() != Some(Answer::Pressed) {
+            self.answer.set(Some(answer));
         }
     }
 

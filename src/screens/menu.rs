@@ -189,7 +189,13 @@ mod drawing {
             let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
             let metre = f64::from(METRE);
             let view = Viewport::new(DVec2::ZERO, DVec2::ZERO, window.size / metre, metre, window);
-            things::draw_ship(&things::ShipPose { centre, angle, squash: 0.0 }, (burning, 1.0), 0.5, art, &view);
+            things::draw_ship(
+                &things::ShipPose { centre, angle, squash: 0.0, light: macroquad::color::WHITE },
+                (burning, 1.0),
+                0.5,
+                art,
+                &view,
+            );
         }
     }
 }

@@ -41,7 +41,7 @@ pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
 pub use credits::Credits;
 pub use flight::{Attempt, Flight, Spectator};
-pub use input::Input;
+pub use input::{Answer, Input};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Half, Lab, Line, PAGES, Page, Shown};
 pub use leaderboard::{Fresh, Leaderboard, Way};

@@ -1,13 +1,13 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
 use super::pad::Pads;
-use super::{App, Attempt, Flight, Input, Key, Keys, Places, Request, Screen, Spectator};
+use super::{Answer, App, Attempt, Flight, Input, Key, Keys, Places, Request, Screen, Spectator};
 use crate::game::Game;
 use crate::level;
 use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
 use crate::view::layout::{DESIGN, Vec2};
-use crate::view::sound::{Cue, Speaker, heard};
+use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, widgets};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
@@ -28,6 +28,8 @@ const ATTEMPTS: u32 = 4;
 const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(150);
 /// How much one tick's time counts in the running mean that F3 shows.
 const COST_WEIGHT: f64 = 0.02;
+/// The tune of the menus.
+const MENU: &str = "0";
 macro_rules! codes {
     ($($key:ident)*) => { &[$((KeyCode::$key, Key::$key)),*] };
 }
@@ -86,7 +88,7 @@ pub fn open(places: Places, start: Option<Attempt>) -> Result<(), String> {
 
 async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
     let mut canvas = Canvas::new()?;
-    let mut theatre = Theatre::new(Speaker::new().await);
+    let mut theatre = Theatre::new(Speaker::new());
     let mut app = App::new(places);
     if let Some(attempt) = start {
         app.grant(Request::Attempt(attempt), &mut theatre);
@@ -104,7 +106,8 @@ async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
             set_fullscreen(fullscreen);
         }
         draw(&app, &mut theatre, input.frame_time, &canvas);
-        theatre.speaker.end_frame();
+        theatre.speaker.set_volumes(volumes(app.settings()));
+        theatre.sound(app.screen(), input.answer.get());
         next_frame().await;
     }
 }
@@ -155,7 +158,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
         Screen::Settings(screen) => screen.draw(canvas),
         Screen::Pi(screen) => {
             if screen.collided() {
-                theatre.speaker.cue(Cue::Click, 1.0);
+                theatre.speaker.play(Sound::new(Cue::Click, 1.0));
             }
             screen.draw(canvas);
         }
@@ -171,6 +174,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
 struct Theatre {
     art: Rc<Art>,
     speaker: Speaker,
+    ear: Ear,
     view: Option<GameView>,
     tick_started: f64,
     /// Running mean of the time that a tick takes, s.
@@ -179,7 +183,7 @@ struct Theatre {
 
 impl Theatre {
     fn new(speaker: Speaker) -> Self {
-        Self { art: Rc::new(Art::new()), speaker, view: None, tick_started: 0.0, tick_cost: 0.0 }
+        Self { art: Rc::new(Art::new()), speaker, ear: Ear::default(), view: None, tick_started: 0.0, tick_cost: 0.0 }
     }
 
     /// Lets the view move on by the frame just updated, and draws it.
@@ -189,15 +193,55 @@ impl Theatre {
         let passed = if flight.pause().is_some() { 0.0 } else { frame_time };
         view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
         if flight.pause().is_none() {
-            self.speaker.engine(view.burning() as f32);
+            self.speaker.surround(Ambience::of(flight.game(), view.burning()));
         }
         let figures = format!("{:>3} fps  tick {:.1} µs", get_fps(), self.tick_cost * 1e6);
         view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
     }
 }
 
+impl Theatre {
+    /// Ends the frame for the ear: buttons, and the tune that belongs to the screen.
+    fn sound(&mut self, screen: &Screen, answer: Option<Answer>) {
+        match answer {
+            Some(Answer::Pressed) => self.speaker.play(Sound::new(Cue::Press, 1.0)),
+            Some(Answer::Moved) => self.speaker.play(Sound::new(Cue::Move, 1.0)),
+            None => {}
+        }
+        if let Some(name) = music(screen) {
+            self.speaker.set_tune(Some(tune(name)));
+        }
+        self.speaker.end_frame();
+    }
+}
+
+/// The volumes that the player has set.
+fn volumes(settings: &Settings) -> Volumes {
+    let [master, effects, music] = [settings.master, settings.effects, settings.music].map(|percent| f32::from(percent) / 100.0);
+    Volumes { master, effects, music }
+}
+
+/// By what the tune of a screen goes; `None`: as before, so that a level's stays through its scoring.
+fn music(screen: &Screen) -> Option<&str> {
+    match screen {
+        Screen::Flight(flight) => Some(&flight.game().level().name),
+        Screen::Scoring(_) | Screen::SaveScore(_) | Screen::Leaderboard(_) => None,
+        Screen::TileRun(_) => Some("tile run"),
+        Screen::Jumper(_) => Some("jumper"),
+        Screen::Pi(_) => Some("pi"),
+        Screen::Menu(_)
+        | Screen::Players(_)
+        | Screen::Credits(_)
+        | Screen::LevelSelect(_)
+        | Screen::Classics(_)
+        | Screen::Lab(_)
+        | Screen::Settings(_) => Some(MENU),
+    }
+}
+
 impl Spectator for Theatre {
     fn begins(&mut self, game: &Game) {
+        self.ear = Ear::default();
         self.view = Some(GameView::new(game, self.art.clone(), &|path| level::read_picture(path).ok()));
         self.tick_cost = 0.0;
     }
@@ -209,9 +253,7 @@ impl Spectator for Theatre {
     fn after_tick(&mut self, game: &Game) {
         let cost = get_time() - self.tick_started;
         self.tick_cost += (cost - self.tick_cost) * COST_WEIGHT;
-        for (cue, loudness) in game.events().iter().filter_map(heard) {
-            self.speaker.cue(cue, loudness);
-        }
+        self.ear.listen(game, |sound| self.speaker.play(sound));
         if let Some(view) = &mut self.view {
             view.after_tick(game);
         }

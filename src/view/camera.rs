@@ -5,32 +5,49 @@ use macroquad::math::{Rect, Vec2};
 
 /// Time in which the camera closes in on the ship to 1/e of the distance, s. Longer swims behind, shorter jerks at every bump.
 const EASE_TIME: f64 = 0.12;
+/// How far ahead of the ship the camera looks: as far as it flies in this time, s, but so far at most, m across and down. More shows
+/// more of what comes, but the ship itself strays from the middle.
+const AHEAD_TIME: f64 = 0.5;
+const AHEAD_MOST: DVec2 = DVec2::new(9.0, 5.0);
+/// Time in which it turns its look to where the ship flies now, s: slow enough that a bump does not throw it about.
+const AHEAD_EASE: f64 = 0.6;
+/// Slower than this it looks at the ship itself, m/s: what drifts and turns would make it sway.
+const AHEAD_FROM: f64 = 2.0;
 /// How far from the window's edge the ship's centre stays at least, m (in a window that has the room). Below half the ship it
 /// could leave the screen while the camera still eases.
 const SHIP_MARGIN: f64 = 3.0;
 /// How much a level smaller than the window is magnified at most so that nothing outside of it is shown.
 const MAX_ZOOM: f64 = 1.5;
 
-/// The point that the camera looks at: it eases after the ship and knows nothing of the window or the level's edges.
+/// The point that the camera looks at: it eases after the ship, a little ahead of it, and knows nothing of the window or the level's
+/// edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    focus: DVec2,
+    /// Where the ship is, eased, m.
+    ship: DVec2,
+    /// How far ahead of that it looks, m.
+    ahead: DVec2,
 }
 
 impl Camera {
     /// A camera that looks at the ship's centre (m) at once.
     pub const fn new(ship: DVec2) -> Self {
-        Self { focus: ship }
+        Self { ship, ahead: DVec2::ZERO }
     }
 
-    /// Eases towards the ship's centre (m) during `frame_time` seconds; the way does not depend on the frame rate.
-    pub fn follow(&mut self, ship: DVec2, frame_time: f64) {
-        self.focus += (ship - self.focus) * (1.0 - (-frame_time.max(0.0) / EASE_TIME).exp());
+    /// Eases towards the ship's centre (m) and, from there, ahead by its velocity (m/s), during `frame_time` seconds; the way does not
+    /// depend on the frame rate.
+    pub fn follow(&mut self, ship: DVec2, velocity: DVec2, frame_time: f64) {
+        let share = |time: f64| 1.0 - (-frame_time.max(0.0) / time).exp();
+        let speed = velocity.length();
+        let ahead = velocity * (AHEAD_TIME * (1.0 - AHEAD_FROM / speed.max(AHEAD_FROM)));
+        self.ahead += (ahead.clamp(-AHEAD_MOST, AHEAD_MOST) - self.ahead) * share(AHEAD_EASE);
+        self.ship += (ship - self.ship) * share(EASE_TIME);
     }
 
     /// The point it looks at, m.
-    pub const fn focus(&self) -> DVec2 {
-        self.focus
+    pub fn focus(&self) -> DVec2 {
+        self.ship + self.ahead
     }
 }
 
@@ -109,6 +126,11 @@ impl Viewport {
         let min = self.snap(bounds.min * self.scale - self.origin).as_vec2();
         let max = self.snap(bounds.max * self.scale - self.origin).as_vec2();
         Rect::new(min.x, min.y, max.x - min.x, max.y - min.y)
+    }
+
+    /// The level, m.
+    pub fn level(&self) -> Aabb {
+        Aabb::new(DVec2::ZERO, self.level)
     }
 
     /// The part of space that the window shows, m.

@@ -76,7 +76,7 @@ impl Details {
         let place = |left: bool| legend_area(&self.legend, frame, left.then_some(below));
         self.legend_left ^= !covers_none(&place(self.legend_left), &[ship]);
         self.legend_area = place(self.legend_left);
-        let taken: Vec<Area> = [hud.status, hud.fuel, self.legend_area].into_iter().chain(covered).collect();
+        let taken: Vec<Area> = hud.areas().into_iter().chain([self.legend_area]).chain(covered).collect();
 
         let (all, places) = self.fit(game, &shown, &objects, frame, &taken, &kept_clear);
         self.left_out = places.iter().filter(|place| place.is_none()).count();

@@ -4,26 +4,40 @@ use super::art::Art;
 use super::camera::{Camera, Viewport, Window};
 use super::canvas::Canvas;
 use super::details::Details;
-use super::edges::{Edge, open_edges};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
 use super::layout::Frame;
 use super::particles::Particles;
 use super::pictures::Pictures;
+use super::terrain::Terrain;
+use super::theme::faded;
+use super::things::Brushes;
 use super::touchdown::{GENTLE, Touchdown};
 use super::wreck::Wreck;
 use super::{hitboxes, hud, theme, things, world, zones};
 use crate::game::{Game, GameEvent, SHIP};
-use crate::physics::{BodyId, DVec2};
+use crate::level::SHIP_HALF;
+use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::Settings;
+use macroquad::color::Color;
 use std::path::Path;
 use std::rc::Rc;
+
+/// How far the light of the engine, of an objective, a death box and a key object reaches, m, and how strong it is on the rock.
+const ENGINE_REACH: f64 = 8.0;
+const ENGINE_LIGHT: f32 = 0.95;
+const OBJECTIVE_REACH: f64 = 4.0;
+const OBJECTIVE_LIGHT: f32 = 0.7;
+const OBSTACLE_REACH: f64 = 3.0;
+const OBSTACLE_LIGHT: f32 = 0.6;
+const KEY_REACH: f64 = 3.0;
+const KEY_LIGHT: f32 = 0.6;
 
 /// The view of one attempt: what is drawn besides the game's own state.
 pub struct GameView {
     art: Rc<Art>,
     pictures: Pictures,
-    edges: Vec<Edge>,
+    terrain: Terrain,
     camera: Camera,
     particles: Particles,
     emitters: Emitters,
@@ -52,11 +66,15 @@ impl GameView {
     /// level names.
     pub fn new(game: &Game, art: Rc<Art>, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
         let level = game.level();
-        let solids: Vec<_> = level.world.iter().map(|solid| solid.bounds).collect();
+        let pictures = Pictures::new(level, read);
+        let over_picture = level.background.as_ref().is_some_and(|path| pictures.get(path).is_some());
+        let lamps = level.objectives.iter().map(|objective| (objective.bounds, OBJECTIVE_REACH));
+        let lamps = lamps.chain(level.obstacles.iter().map(|bounds| (*bounds, OBSTACLE_REACH)));
+        let terrain = Terrain::new(level, lamps, &world::text_areas(level), over_picture);
         Self {
             art,
-            pictures: Pictures::new(level, read),
-            edges: open_edges(&solids, level.size),
+            pictures,
+            terrain,
             camera: Camera::new(game.world().body(SHIP).position),
             particles: Particles::new(),
             emitters: Emitters::new(level),
@@ -102,7 +120,7 @@ impl GameView {
     pub fn update(&mut self, game: &Game, alpha: f64, frame_time: f64, overlays: Overlays, frame: &Frame) {
         let ship = centre(game, SHIP, alpha);
         self.time += frame_time;
-        self.camera.follow(ship, frame_time);
+        self.camera.follow(ship, game.world().body(SHIP).velocity, frame_time);
         let view = self.viewport(game, alpha, frame);
         self.particles.advance(frame_time);
         self.particles.keep(overlays.settings.particles);
@@ -148,30 +166,58 @@ impl GameView {
 
     fn draw_level(&self, game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas) {
         let (level, art, time) = (game.level(), &*self.art, self.time);
-        world::draw_ground(level, &self.pictures, view, canvas);
+        let (ship, plume) = ((centre(game, SHIP, alpha), angle(game, alpha)), self.emitters.plume());
+        let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
+        world::draw_ground(level, self.terrain.tint(), &self.pictures, view, canvas);
         zones::draw_streams(level, view, canvas, time);
+        // Below everything that could be in them: see there.
+        zones::draw_fluids(level, view, canvas, time);
         zones::draw_objectives(game, art, view, canvas, time);
         // Smoke and dust vanish behind what is solid.
         self.particles.draw(art, view);
-        world::draw_solids(level, &self.edges, art, view);
+        self.terrain.draw(art, view, canvas);
+        self.draw_lights(game, alpha, flicker, view);
         zones::draw_sources(level, view, canvas);
         zones::draw_obstacles(level, art, view, time);
+        let brushes = Brushes { art, pictures: &self.pictures, view, canvas };
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
-            things::draw_object(object, centre(game, id, alpha), &self.pictures, art, view, canvas);
+            let at = centre(game, id, alpha);
+            things::draw_object(object, at, zones::in_liquid(&level.fluids, &Aabb::around(at, object.size * 0.5)), brushes);
         }
-        let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
         match &self.wreck {
             Some(wreck) if !wreck.is_whole() => wreck.draw(view),
             _ => {
-                let (centre, squash) = (centre(game, SHIP, alpha), self.touchdown.squash());
-                let ship = things::ShipPose { centre, angle: angle(game, alpha), squash };
-                things::draw_ship(&ship, self.emitters.plume(), flicker, art, view);
+                let light = zones::in_liquid(&level.fluids, &Aabb::around(ship.0, SHIP_HALF));
+                let pose = things::ShipPose { centre: ship.0, angle: ship.1, squash: self.touchdown.squash(), light };
+                things::draw_ship(&pose, plume, flicker, art, view);
             }
         }
-        zones::draw_fluids(level, view, canvas, time);
-        world::draw_level_edge(level, view, canvas);
         self.feedback.draw_in_level(view, canvas);
         world::draw_texts(level, view, canvas);
+    }
+
+    /// The light of objectives, death boxes, key objects and the engine on the rock near them.
+    fn draw_lights(&self, game: &Game, alpha: f64, flicker: f64, view: &Viewport) {
+        let level = game.level();
+        for index in 0..level.objectives.len() {
+            self.terrain.draw_lamp(index, faded(objective_colour(game, index), OBJECTIVE_LIGHT), view);
+        }
+        for index in 0..level.obstacles.len() {
+            self.terrain.draw_lamp(level.objectives.len() + index, faded(theme::BAD, OBSTACLE_LIGHT), view);
+        }
+        for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
+            if let Some([r, g, b]) = object.key {
+                let colour = faded(Color::from_rgba(r, g, b, 255), KEY_LIGHT);
+                self.terrain.draw_moving_light(centre(game, id, alpha), KEY_REACH, colour, view);
+            }
+        }
+        let (strength, way) = self.emitters.plume();
+        if strength > 0.0 {
+            let (sin, cos) = angle(game, alpha).to_radians().sin_cos();
+            let flame = centre(game, SHIP, alpha) + DVec2::new(-sin, cos) * (way * (SHIP_HALF.y + 0.3));
+            let light = strength * (0.8 + 0.2 * flicker);
+            self.terrain.draw_moving_light(flame, ENGINE_REACH * light, faded(theme::ACCENT, ENGINE_LIGHT * light as f32), view);
+        }
     }
 
     fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {

@@ -52,6 +52,11 @@ impl HudLayout {
             fuel: Area::new(left, frame.size.y - bar.y - 2.0 * GRID, bar.x, bar.y),
         }
     }
+
+    /// Every part.
+    pub fn areas(&self) -> [Area; 2] {
+        [self.status, self.fuel]
+    }
 }
 
 /// Draws all of it.

@@ -25,6 +25,19 @@ pub const LINE: f32 = 1.35;
 /// Width of every glyph of the monospaced face, in heights of the text.
 pub const MONO_ADVANCE: f32 = 0.602;
 
+/// Width of the widest usual line of words, in heights of the text and for each character: a bound that needs no typeface.
+const WIDE_ADVANCE: f32 = 0.62;
+
+/// The size of type next to one that is wanted.
+pub fn nearest_size(wanted: f32) -> f32 {
+    TEXT_SIZES.into_iter().min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(wanted)
+}
+
+/// Width and height of the room that a line of words may need at most, in the unit of `height`, the height of its letters.
+pub fn text_room(words: &str, height: f32) -> Vec2 {
+    Vec2::new(words.chars().count() as f32 * WIDE_ADVANCE, LINE) * height
+}
+
 /// The step of the grid on which everything stands.
 pub const GRID: f32 = 8.0;
 /// Radius of a panel's corners.

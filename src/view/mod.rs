@@ -1,8 +1,10 @@
 //! Drawing only: reads the game and changes nothing in it. The screens hand over what they hold; what they decide is in
-//! [`crate::screens`]. Only [`layout`] and [`plot`], which are plain arithmetic, are there without a window.
+//! [`crate::screens`]. Only [`layout`], [`plot`] and the geometry of [`terrain`], which are plain arithmetic,
+//! are there without a window.
 
 pub mod layout;
 pub mod plot;
+pub mod terrain;
 
 #[cfg(feature = "window")]
 pub mod arrows;
@@ -18,8 +20,6 @@ pub mod canvas;
 pub mod details;
 #[cfg(feature = "window")]
 pub mod diagram;
-#[cfg(feature = "window")]
-pub mod edges;
 #[cfg(feature = "window")]
 pub mod emitters;
 #[cfg(feature = "window")]

@@ -21,29 +21,47 @@ const FLAME: f64 = 1.25;
 /// Where on the nose the two flames of reverse thrust leave, m from the centre (to the side, forwards).
 const RETRO: (f64, f64) = (0.36, 0.50);
 
-/// An object around `centre` (m): its picture, or a plain box or ball; key objects in their colour, with a glow and their sign.
-pub fn draw_object(object: &Object, centre: DVec2, pictures: &Pictures, art: &Art, view: &Viewport, canvas: &Canvas) {
+/// What things are drawn with.
+#[derive(Clone, Copy)]
+pub struct Brushes<'a> {
+    /// The game's pictures.
+    pub art: &'a Art,
+    /// The level's.
+    pub pictures: &'a Pictures,
+    /// Where the level lies.
+    pub view: &'a Viewport,
+    /// Shapes and words.
+    pub canvas: &'a Canvas,
+}
+
+/// An object around `centre` (m): its picture, or a plain box or ball; key objects in their colour, with a glow and their sign. The
+/// colours of all others are multiplied by `light`.
+pub fn draw_object(object: &Object, centre: DVec2, light: Color, brushes: Brushes<'_>) {
+    let Brushes { art, pictures, view, canvas } = brushes;
     let bounds = Aabb::around(centre, object.size * 0.5);
     if !bounds.touches(&view.visible(), 1.0) {
         return;
     }
     let area = exact(&bounds, view);
     let key = object.key.map(|[r, g, b]| Color::from_rgba(r, g, b, 255));
-    if let Some(colour) = key {
-        art.halo(area, 20.0, faded(colour, 0.55));
+    let round = object.circular || object.look == Look::Ball;
+    match key {
+        Some(colour) if round => art.draw(Tile::Glow, area.center(), area.size() * 1.3 + 40.0, 0.0, faded(colour, 0.75)),
+        Some(colour) => art.halo(area, 20.0, faded(colour, 0.55)),
+        None => {}
     }
     let picture = match &object.look {
         Look::Image(path) => pictures.get(path),
         Look::Box | Look::Ball => None,
     };
-    let round = object.circular || object.look == Look::Ball;
+    let plain = Color::new(PLAIN.r * light.r, PLAIN.g * light.g, PLAIN.b * light.b, 1.0);
     match picture {
         Some(texture) => {
             let params = DrawTextureParams { dest_size: Some(area.size()), ..DrawTextureParams::default() };
-            draw_texture_ex(texture, area.x, area.y, WHITE, params);
+            draw_texture_ex(texture, area.x, area.y, if key.is_some() { WHITE } else { light }, params);
         }
-        None if round => ball(canvas, &area, key.unwrap_or(PLAIN)),
-        None => crate_box(canvas, &area, key.unwrap_or(PLAIN)),
+        None if round => ball(canvas, &area, key.unwrap_or(plain)),
+        None => crate_box(canvas, &area, key.unwrap_or(plain)),
     }
     if key.is_some() && picture.is_none() {
         diamond(canvas, area.center(), area.w.min(area.h) * 0.20, WHITE);
@@ -82,6 +100,9 @@ fn shaded(colour: Color, light: f32) -> Color {
     Color::new(colour.r * light, colour.g * light, colour.b * light, colour.a)
 }
 
+/// Tilted further than by this cosine the ship does not stand on its legs.
+const UPRIGHT: f64 = 0.9;
+
 /// How the ship is drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct ShipPose {
@@ -91,6 +112,8 @@ pub struct ShipPose {
     pub angle: f64,
     /// How far its legs are pressed down, as a part of its height.
     pub squash: f64,
+    /// What its colours are multiplied by.
+    pub light: Color,
 }
 
 /// The ship, its plume grown to `strength`, out of the tail (`way` 1) or of the nose (−1); `flicker` (0 … 1) varies the flame.
@@ -111,11 +134,12 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, art
             art.draw(Tile::Flame, view.point(middle), size, turn as f32, WHITE);
         }
     }
-    // It stands where it stood: only its top comes down.
-    let height = 2.0 * SHIP_HALF.y * (1.0 - ship.squash);
-    let standing = centre + DVec2::new(0.0, SHIP_HALF.y * ship.squash);
+    // It stands where it stood: only its top comes down, and only where it stands on its legs.
+    let squash = ship.squash * ((cos - UPRIGHT) / (1.0 - UPRIGHT)).max(0.0);
+    let height = 2.0 * SHIP_HALF.y * (1.0 - squash);
+    let standing = centre + DVec2::new(0.0, SHIP_HALF.y * squash);
     let size = Vec2::new(view.length(2.0 * SHIP_HALF.y), view.length(height));
-    art.draw(Tile::Ship, view.point(standing), size, rotation as f32, WHITE);
+    art.draw(Tile::Ship, view.point(standing), size, rotation as f32, ship.light);
 }
 
 /// Where a moving box lies, not rounded to pixels: it glides.

@@ -5,9 +5,10 @@ use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
 use super::emitters::objective_colour;
 use super::layout::{DETAILS, Vec2};
+use super::terrain::Batch;
 use super::theme::{self, faded, rgb};
 use crate::game::Game;
-use crate::level::{Level, ObjectiveKind};
+use crate::level::{Fluid, Level, ObjectiveKind};
 use crate::physics::{Aabb, DVec2};
 use macroquad::color::{Color, WHITE};
 use macroquad::math::Rect;
@@ -18,6 +19,10 @@ const LABEL_GAP: f32 = 14.0;
 /// Width and height of a wave on a liquid's surface, canvas units; the height in both directions together.
 const WAVE_LENGTH: f32 = 52.0;
 const WAVE_HEIGHT: f32 = 5.0;
+/// How much of a liquid covers what is behind it, at its surface and at its bottom, and how much of its colour is taken on in it.
+const SHALLOW: f32 = 0.36;
+const DEEP: f32 = 0.58;
+const STAIN: f32 = 0.5;
 /// Between two of a stream's chevrons, m, and how fast they wander, m/s.
 const CHEVRON_STEP: f64 = 2.0;
 const CHEVRON_SPEED: f64 = 2.5;
@@ -32,6 +37,8 @@ pub fn draw_objectives(game: &Game, art: &Art, view: &Viewport, canvas: &Canvas,
         let area = view.rect(&objective.bounds);
         let pulse = 0.5 + 0.5 * (time * 2.6).sin() as f32;
         art.halo(area, 26.0, faded(colour, 0.28 + 0.14 * pulse));
+        // Nothing behind it, no liquid and no picture, may change its colour.
+        draw_rectangle(area.x, area.y, area.w, area.h, theme::GROUND);
         draw_rectangle(area.x, area.y, area.w, area.h, faded(colour, 0.30));
         draw_rectangle_lines(area.x, area.y, area.w, area.h, 4.0, colour);
         let label = label_place(&area, view);
@@ -145,17 +152,22 @@ pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
     }
 }
 
-/// The liquids, over whatever is in them: a tint, bands of light, and a surface that moves.
+/// The liquids: a tint that thickens with the depth, bands of light, and a surface that moves. They are drawn below whatever is in
+/// them, so that they never change the colour by which a goal or a hazard is known; what moves in them takes on some of their colour
+/// by [`in_liquid`].
 pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     let visible = view.visible();
     for fluid in level.fluids.iter().filter(|fluid| fluid.zone.touches(&visible, 0.5)) {
-        let [r, g, b] = fluid.colour;
-        let colour = Color::from_rgba(r, g, b, 255);
+        let colour = liquid_colour(fluid);
         let shown = Aabb::new(fluid.zone.min.max(visible.min - 1.0), fluid.zone.max.min(visible.max + 1.0));
         let all = view.rect(&fluid.zone);
         let area = view.rect(&shown);
-        let top = all.y + WAVE_HEIGHT;
-        draw_rectangle(area.x, top.max(area.y), area.w, area.bottom() - top.max(area.y), faded(colour, 0.42));
+        let top = (all.y + WAVE_HEIGHT).max(area.y);
+        let thick = |y: f32| faded(colour, SHALLOW + (DEEP - SHALLOW) * ((y - all.y) / all.h.max(1.0)).clamp(0.0, 1.0));
+        let (a, b) = (Vec2::new(area.x, top), Vec2::new(area.right(), area.bottom()));
+        let mut batch = Batch::default();
+        batch.quad([a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)], [thick(a.y), thick(a.y), thick(b.y), thick(b.y)]);
+        batch.draw();
         surface(canvas, &area, all.y, colour, time);
         // Two faint bands of light that drift below the surface.
         for band in 0..2_u8 {
@@ -166,6 +178,24 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
             }
         }
     }
+}
+
+/// The colour by which a picture is multiplied where it is drawn: white in the air, some of a liquid's colour in it, by the share of
+/// the box that is in it.
+pub fn in_liquid(fluids: &[Fluid], bounds: &Aabb) -> Color {
+    let all = bounds.size().x * bounds.size().y;
+    fluids.iter().fold(WHITE, |light, fluid| {
+        let shared = (bounds.max.min(fluid.zone.max) - bounds.min.max(fluid.zone.min)).max(DVec2::ZERO);
+        let share = STAIN * (shared.x * shared.y / all) as f32;
+        let colour = liquid_colour(fluid);
+        let stained = |light: f32, colour: f32| light * (1.0 - share + share * colour);
+        Color::new(stained(light.r, colour.r), stained(light.g, colour.g), stained(light.b, colour.b), 1.0)
+    })
+}
+
+fn liquid_colour(fluid: &Fluid) -> Color {
+    let [r, g, b] = fluid.colour;
+    Color::from_rgba(r, g, b, 255)
 }
 
 /// The top of a liquid: columns under a wave, and the bright line along it.
@@ -182,8 +212,8 @@ fn surface(canvas: &Canvas, area: &Rect, level: f32, colour: Color, time: f64) {
     while x < area.right() {
         let next = (x + STEP).min(area.right());
         let (a, b) = (Vec2::new(x, height(x - area.x)), Vec2::new(next, height(next - area.x)));
-        draw_triangle(a, b, Vec2::new(x, bottom), faded(colour, 0.42));
-        draw_triangle(b, Vec2::new(next, bottom), Vec2::new(x, bottom), faded(colour, 0.42));
+        draw_triangle(a, b, Vec2::new(x, bottom), faded(colour, SHALLOW));
+        draw_triangle(b, Vec2::new(next, bottom), Vec2::new(x, bottom), faded(colour, SHALLOW));
         canvas.line(a, b, 2.0, faded(mixed(colour), 0.85));
         x = next;
     }
@@ -192,4 +222,20 @@ fn surface(canvas: &Canvas, area: &Rect, level: f32, colour: Color, time: f64) {
 /// The colour half way to white.
 fn mixed(colour: Color) -> Color {
     Color::new(0.5 + colour.r * 0.5, 0.5 + colour.g * 0.5, 0.5 + colour.b * 0.5, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_in_a_liquid_takes_on_some_of_its_colour_by_the_share_that_is_in_it() {
+        let bounds = |top: f64| Aabb::new(DVec2::new(0.0, top), DVec2::new(2.0, top + 2.0));
+        let (density, viscosity) = (1.0, 1.0);
+        let fluids = [Fluid { zone: bounds(10.0), density, viscosity, colour: [255, 0, 0] }];
+        assert_eq!(in_liquid(&fluids, &bounds(7.0)), WHITE);
+        assert_eq!(in_liquid(&fluids, &bounds(10.0)), Color::new(1.0, 1.0 - STAIN, 1.0 - STAIN, 1.0));
+        let half = in_liquid(&fluids, &bounds(9.0));
+        assert!((half.g - (1.0 - STAIN / 2.0)).abs() < 1e-6 && half.r == 1.0);
+    }
 }

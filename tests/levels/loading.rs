@@ -1,6 +1,6 @@
 //! What loads, into what.
 
-use crate::{fixtures, good, lines, package, rectangle};
+use crate::{fixtures, good, lines, rectangle};
 use resultant::level::{self, Look, ObjectiveKind};
 use resultant::physics::{Aabb, DVec2, Material, World};
 

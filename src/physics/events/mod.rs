@@ -20,6 +20,7 @@ mod impacts;
 mod item;
 mod motions;
 mod predict;
+mod rest;
 
 use super::Plan;
 use super::contact::Contact;
@@ -177,6 +178,9 @@ impl Events {
 
     /// Advances the island by a tick.
     pub fn advance(&mut self, scene: &Scene) -> Outcome {
+        if self.rest(scene) {
+            return Outcome::Done;
+        }
         self.begin(scene);
         let budget = scene.budget(self.movable);
         while let Some((i, next)) = self.next_event(scene) {
@@ -243,8 +247,8 @@ impl Events {
         (first.1.at <= scene.tick).then_some(first)
     }
 
-    /// Prepares the buffers, and how everything moves at the start of the tick.
-    fn begin(&mut self, scene: &Scene) {
+    /// Makes room for all items.
+    fn clear_buffers(&mut self) {
         let (all, bodies) = (self.items.len(), self.movable);
         (self.now, self.work, self.grown) = (0.0, 0, false);
         for vectors in [&mut self.masses, &mut self.free, &mut self.solved, &mut self.speeds, &mut self.means] {
@@ -261,6 +265,12 @@ impl Events {
             flags.clear();
             flags.resize(all, false);
         }
+    }
+
+    /// Prepares the buffers, and how everything moves at the start of the tick.
+    fn begin(&mut self, scene: &Scene) {
+        self.clear_buffers();
+        let (all, bodies) = (self.items.len(), self.movable);
         for i in 0..bodies {
             self.masses[i] = DVec2::splat(self.items[i].body.mass);
             self.solved[i] = self.items[i].solved;

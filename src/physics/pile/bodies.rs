@@ -214,6 +214,13 @@ impl Bodies {
         *s = [s[0].min(x - hx), s[1].max(x + hx), s[2].min(y - hy), s[3].max(y + hy)];
     }
 
+    /// How much further than its way, which is so wide and so high, contacts of a body are looked for, m.
+    #[inline(always)]
+    pub fn margins(&self, i: usize, wide: f64, high: f64) -> (f64, f64) {
+        let lively = MARGIN + self.bounce[i] * 0.03;
+        (lively + WAYS * wide, lively + self.bounce[i] * high)
+    }
+
     /// Sets the boxes that all sweep from where they are to where they are predicted, and a margin.
     pub fn sweep(&mut self) {
         let all = self.x.len();

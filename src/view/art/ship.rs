@@ -1,4 +1,5 @@
-//! The ship's picture: a compact lander, nose up, painted in unit coordinates (−1 … 1 across its 1.7 m box).
+//! The ship's picture: a compact lander, nose up, painted in unit coordinates (−1 … 1 across its 1.7 m box). All of it lies in the
+//! circle that touches the box from inside: the box does not turn with the ship, and nothing drawn may leave it at any angle.
 
 use super::paint::Picture;
 
@@ -19,7 +20,7 @@ const WAIST: f32 = 0.30;
 /// The ship, `size` pixels wide and high.
 pub fn ship(size: usize) -> Picture {
     let mut p = Picture::new(size, size, OUTLINE);
-    // Fins: they give the tail its width, so that the box is filled at the corners that the round hull leaves.
+    // Fins: they give the tail its width and tell it from the nose.
     p.fill(|x, y| fin(x.abs(), y, 0.0), |_, _| OUTLINE);
     p.fill(|x, y| fin(x.abs(), y, RIM), |x, _| if x > 0.0 { [0xE0, 0x86, 0x10] } else { TRIM });
     // The nozzle, wider at its mouth.
@@ -45,18 +46,18 @@ fn round(x: f32, y: f32, radius: f32) -> bool {
 /// An egg with its narrow end up, from the tip of the nose to above the nozzle.
 fn hull(x: f32, y: f32, inset: f32) -> bool {
     let upper = y < 0.16;
-    let (height, power, blunt) = if upper { (1.14 - inset * 1.6, 2.2, 0.64) } else { (0.66 - inset, 2.6, 0.5) };
+    let (height, power, blunt) = if upper { (1.13 - inset * 1.6, 2.2, 0.64) } else { (0.66 - inset, 2.6, 0.5) };
     let along = (y - 0.16).abs() / height;
-    along < 1.0 && x.abs() < (0.86 - inset) * (1.0 - along.powf(power)).powf(blunt)
+    along < 1.0 && x.abs() < (0.76 - inset) * (1.0 - along.powf(power)).powf(blunt)
 }
 
 fn nozzle(x: f32, y: f32, inset: f32) -> bool {
-    (0.70..0.985 - inset).contains(&y) && x.abs() < 0.24 + (y - 0.70) * 0.42 - inset
+    (0.70..0.955 - inset).contains(&y) && x.abs() < 0.15 + (y - 0.70) * 0.2 - inset
 }
 
 /// The right fin: a swept quadrilateral.
 fn fin(x: f32, y: f32, inset: f32) -> bool {
-    let corners = [(0.62, 0.10), (0.98, 0.58), (0.93, 0.93), (0.40, 0.70)];
+    let corners = [(0.50, -0.06), (0.89, 0.36), (0.72, 0.64), (0.30, 0.74)];
     (0..4).all(|i| {
         let ((ax, ay), (bx, by)) = (corners[i], corners[(i + 1) % 4]);
         let (dx, dy) = (bx - ax, by - ay);
@@ -73,27 +74,35 @@ fn mix(a: [u8; 3], b: [u8; 3], t: f32) -> [u8; 3] {
 mod tests {
     use super::*;
 
-    /// Turned by any angle the picture reaches near all four sides of its box and hardly beyond: it fills the box well.
-    #[test]
-    fn the_ship_fills_its_box_at_every_angle() {
-        let size = 102;
-        let picture = ship(size);
-        for degrees in (0..360).step_by(15) {
-            let (sin, cos) = (degrees as f32).to_radians().sin_cos();
-            let (mut low, mut high) = ([0.0_f32; 2], [0.0_f32; 2]);
-            for y in 0..size {
-                for x in 0..size {
-                    if picture.at(x, y)[3] > 127 {
-                        let (u, v) = (x as f32 / 50.5 - 1.0, y as f32 / 50.5 - 1.0);
-                        for (axis, w) in [u * cos - v * sin, u * sin + v * cos].into_iter().enumerate() {
-                            low[axis] = low[axis].min(w);
-                            high[axis] = high[axis].max(w);
-                        }
+    /// How far the picture reaches along both axes when it is turned, in halves of its box: to the far corners of every pixel that shows
+    /// anything, and half a pixel more, over which filtering spreads it.
+    fn reaches(picture: &Picture, degrees: f32) -> [f32; 4] {
+        let size = picture.width();
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let mut reaches = [0.0_f32; 4];
+        for y in 0..size {
+            for x in (0..size).filter(|&x| picture.at(x, y)[3] > 0) {
+                for (dx, dy) in [(-0.5, -0.5), (1.5, -0.5), (-0.5, 1.5), (1.5, 1.5)] {
+                    let place = |pixel: usize, by: f32| (pixel as f32 + by) / size as f32 * 2.0 - 1.0;
+                    let (u, v) = (place(x, dx), place(y, dy));
+                    let (across, down) = (u * cos - v * sin, u * sin + v * cos);
+                    for (reach, far) in reaches.iter_mut().zip([-across, across, -down, down]) {
+                        *reach = reach.max(far);
                     }
                 }
             }
-            for reach in [-low[0], -low[1], high[0], high[1]] {
-                assert!((0.75..=1.36).contains(&reach), "at {degrees}° it reaches {reach} of half its box");
+        }
+        reaches
+    }
+
+    #[test]
+    fn nothing_drawn_of_the_ship_leaves_its_box_at_any_angle_and_it_fills_it_well() {
+        let pixels = crate::level::SHIP_PIXELS as usize * super::super::SHIP_DETAIL;
+        for picture in [ship(pixels), ship(pixels).halved()] {
+            for degrees in (0..360).step_by(5) {
+                for reach in reaches(&picture, degrees as f32) {
+                    assert!((0.75..=1.0).contains(&reach), "at {degrees}° it reaches {reach} of half its box");
+                }
             }
         }
     }

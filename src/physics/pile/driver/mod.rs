@@ -46,8 +46,6 @@ pub(super) struct Driver {
     /// Surfaces that begin later for an island, and where.
     held: Vec<Held>,
     placed: Vec<Placed>,
-    /// Whose swept boxes reach beyond where their neighbours were sought.
-    beyond: Vec<u32>,
 }
 
 impl Driver {
@@ -153,22 +151,19 @@ impl Pile {
     fn fly(&mut self, dt: f64) {
         let Self { bodies, neighbours, islands, driver, .. } = self;
         neighbours.drift(bodies, dt);
-        let inside = flight::fly(bodies, dt, self.drag);
-        if (!inside || neighbours.is_stale(bodies)) && neighbours.update(bodies, dt) {
+        flight::fly(bodies, dt, self.drag);
+        bodies.sweep();
+        // The boxes in which neighbours were sought are made for many bodies together; what an island comes to must not depend on them.
+        if neighbours.update(bodies, dt) {
             islands.renumbered();
         }
         let n = bodies.len();
         bodies.free_x.copy_from_slice(&bodies.px[..n]);
         bodies.free_y.copy_from_slice(&bodies.py[..n]);
-        bodies.sweep();
         for &(surface, [left, right, top, bottom]) in &driver.ways {
             let s = &mut bodies.swept[n + surface as usize];
             *s = [s[0].min(left), s[1].max(right), s[2].min(top), s[3].max(bottom)];
         }
-        // The boxes in which neighbours were sought are made for many bodies together; what an island comes to must not depend on them.
-        driver.beyond.clear();
-        driver.beyond.extend((0..n).filter(|&i| !bodies.sweeps_where_neighbours_are(i)).map(|i| i as u32));
-        neighbours.follow(bodies, &driver.beyond);
         neighbours.find_moving(bodies, &driver.moving);
     }
 

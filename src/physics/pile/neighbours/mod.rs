@@ -61,6 +61,8 @@ pub(super) struct Neighbours {
     surfaces: Grid,
     surface_edges: Vec<Edges>,
     near: Vec<u32>,
+    /// Whose swept boxes reach beyond where their neighbours were sought.
+    beyond: Vec<u32>,
 }
 
 impl Neighbours {
@@ -119,11 +121,6 @@ impl Neighbours {
         self.revision == revision && self.moving.is_empty()
     }
 
-    /// Whether all has to be sought anew.
-    pub fn is_stale(&self, bodies: &Bodies) -> bool {
-        self.edges.len() != bodies.len()
-    }
-
     /// A surface moves from now on: it is no longer among those that stand.
     pub fn set_moving(&mut self, surface: usize) {
         self.surface_edges[surface] = NOWHERE;
@@ -165,27 +162,23 @@ impl Neighbours {
         }
     }
 
-    /// Makes sure that all pairs that can touch on the predicted ways are known. Returns whether the bodies were renumbered.
+    /// Makes sure that all pairs that can touch on what is swept now are known. Returns whether the bodies were renumbered.
     pub fn update(&mut self, bodies: &mut Bodies, dt: f64) -> bool {
         let n = bodies.len();
-        let most = (n as f64 * LEFT) as usize;
-        if self.edges.len() == n {
-            for i in 0..n {
-                if bodies.is_allowed(i) {
-                    continue;
-                }
-                self.left += 1;
-                if self.left > most {
-                    break;
-                }
-                let mine = self.allow(bodies, i, dt);
-                self.add(bodies, i, mine);
-            }
-        }
-        let all = self.left > most || self.edges.len() != n;
+        let mut beyond = std::mem::take(&mut self.beyond);
+        beyond.clear();
+        beyond.extend((0..n).filter(|&i| !bodies.sweeps_where_neighbours_are(i)).map(|i| i as u32));
+        self.left += beyond.len();
+        let all = self.left > (n as f64 * LEFT) as usize || self.edges.len() != n;
         if all {
             self.search(bodies, dt);
+        } else {
+            for &i in &beyond {
+                let mine = self.allow(bodies, i as usize, dt);
+                self.add(bodies, i as usize, mine);
+            }
         }
+        self.beyond = beyond;
         all
     }
 

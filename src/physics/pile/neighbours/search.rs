@@ -48,6 +48,7 @@ impl Neighbours {
     pub fn search(&mut self, bodies: &mut Bodies, dt: f64) {
         self.revision += 1;
         bodies.renumber();
+        bodies.sweep();
         let n = bodies.len();
         self.skin = SKIN * bodies.hx[..n].iter().zip(&bodies.hy[..n]).map(|(x, y)| x.min(*y)).sum::<f64>() / n.max(1) as f64;
         if self.surface_edges.is_empty() {
@@ -85,19 +86,31 @@ impl Neighbours {
         }
     }
 
-    /// Gives a body a new allowed range of its centre; returns its allowed box.
+    /// Gives a body a new allowed range of its centre, in which it sweeps now and in the next steps; returns its allowed box.
     pub(super) fn allow(&self, bodies: &mut Bodies, i: usize, dt: f64) -> Edges {
         let ahead = self.horizon * dt;
         let (now, then) = (self.drifted((self.age - dt).max(0.0)), bodies.shift);
         let (x, px, y, py) = (bodies.x[i] - now.0, bodies.px[i] - then.0, bodies.y[i] - now.1, bodies.py[i] - then.1);
         let falling = self.drift.1 + self.fall * (self.age - dt).max(0.0);
-        let far_x = x + ahead * (bodies.vx[i] - self.drift.0 + 0.5 * ahead * bodies.ax[i]);
-        let far_y = y + ahead * (bodies.vy[i] - falling + 0.5 * ahead * ((bodies.free_vy[i] - bodies.vy[i]) / dt - self.fall));
-        let (left, right) = (x.min(px).min(far_x) - self.skin, x.max(px).max(far_x) + self.skin);
-        let (top, bottom) = (y.min(py).min(far_y) - self.skin, y.max(py).max(far_y) + self.skin);
+        let (ax, ay) = (bodies.ax[i], (bodies.free_vy[i] - bodies.vy[i]) / dt);
+        let far_x = x + ahead * (bodies.vx[i] - self.drift.0 + 0.5 * ahead * ax);
+        let far_y = y + ahead * (bodies.vy[i] - falling + 0.5 * ahead * (ay - self.fall));
+        // The longest ways of one step until then, of the body and of the boxes.
+        let (way_x, way_y) = ((bodies.vx[i] + ahead * ax) * dt, (bodies.vy[i] + ahead * ay) * dt);
+        let (wide, high) = bodies.margins(
+            i,
+            (bodies.px[i] - bodies.x[i]).abs().max(way_x.abs()),
+            (bodies.py[i] - bodies.y[i]).abs().max(way_y.abs()),
+        );
+        let (drift_x, drift_y) = (self.drift.0 * dt, (falling + self.fall * ahead) * dt);
+        let (wide, high) = (wide + self.skin, high + self.skin);
+        let (s, (dx, dy), hx, hy) = (bodies.swept[i], bodies.shift, bodies.hx[i], bodies.hy[i]);
+        let left = (x.min(px).min(far_x) - wide - drift_x.max(0.0)).min(s[0] + hx - dx);
+        let right = (x.max(px).max(far_x) + wide - drift_x.min(0.0)).max(s[1] - hx - dx);
+        let top = (y.min(py).min(far_y) - high - drift_y.max(0.0)).min(s[2] + hy - dy);
+        let bottom = (y.max(py).max(far_y) + high - drift_y.min(0.0)).max(s[3] - hy - dy);
         (bodies.allowed_left[i], bodies.allowed_right[i]) = (left, right);
         (bodies.allowed_top[i], bodies.allowed_bottom[i]) = (top, bottom);
-        let (hx, hy) = (bodies.hx[i], bodies.hy[i]);
         [left - hx, right + hx, top - hy, bottom + hy]
     }
 

@@ -1,0 +1,56 @@
+//! The solid world as it is drawn: one silhouette with a drafted edge. What it looks like is worked out when a level begins, in metres
+//! and without a window ([`silhouette`], [`drafting`], [`light`]); [`Terrain`] draws what is in view of it.
+
+pub mod drafting;
+pub mod light;
+pub mod silhouette;
+mod sweep;
+
+#[cfg(feature = "window")]
+mod batch;
+#[cfg(feature = "window")]
+mod paint;
+#[cfg(feature = "window")]
+mod tint;
+
+#[cfg(feature = "window")]
+pub use batch::Batch;
+#[cfg(feature = "window")]
+pub use paint::{Lamp, Terrain};
+#[cfg(feature = "window")]
+pub use tint::Tint;
+
+use crate::level::Level;
+use crate::physics::{Aabb, DVec2, Material};
+use silhouette::Silhouette;
+
+/// The index of a material in [`Material::ALL`]: the kinds of the silhouettes here.
+pub fn kind(name: &str) -> usize {
+    Material::ALL.iter().position(|material| material.name == name).unwrap_or(ROCK)
+}
+
+/// The kind of plain rock: Asphalt, of which the edge of every level is.
+pub const ROCK: usize = 0;
+/// How thick the rock is that a level is surrounded with, m.
+const RIM: f64 = 6.0;
+
+/// The solid world of a level with the rock round it, which is its edge, and with the sources of its streams, which are drawn over it:
+/// rock has no edge against them. The far side of
+/// that rock has no edge.
+pub fn mass(level: &Level) -> Silhouette {
+    let (size, all) = (level.size, level.bounds());
+    let inside = |bounds: &Aabb| Aabb::new(bounds.min.max(all.min), bounds.max.min(all.max));
+    let solids = level.world.iter().map(|solid| (inside(&solid.bounds), kind(solid.material.name)));
+    let sources = level.streams.iter().map(|stream| (inside(&stream.source), ROCK));
+    let (low, high) = (DVec2::splat(-RIM), size + RIM);
+    let rim = [
+        Aabb::new(low, DVec2::new(high.x, 0.0)),
+        Aabb::new(DVec2::new(low.x, size.y), high),
+        Aabb::new(DVec2::new(low.x, 0.0), DVec2::new(0.0, size.y)),
+        Aabb::new(DVec2::new(size.x, 0.0), DVec2::new(high.x, size.y)),
+    ];
+    let boxes: Vec<(Aabb, usize)> = rim.into_iter().map(|bounds| (bounds, ROCK)).chain(solids).chain(sources).collect();
+    let mut mass = Silhouette::new(&boxes);
+    mass.keep_edges(&all);
+    mass
+}

@@ -1,0 +1,316 @@
+//! Draws the terrain: the mass, its materials, what is drafted on it, its edge, and the light that falls on it.
+
+use super::drafting::{self, Dimension, Grain, Stroke};
+use super::light::{Lit, cast};
+use super::silhouette::{Corner, Edge, Silhouette};
+use super::{Batch, ROCK, Tint, kind, mass};
+use crate::level::Level;
+use crate::physics::{Aabb, DVec2, Material};
+use crate::view::art::{Art, Tile};
+use crate::view::camera::Viewport;
+use crate::view::canvas::{Canvas, Style};
+use crate::view::layout::{DETAILS, Vec2};
+use crate::view::theme::{faded, rgb};
+use macroquad::color::{Color, WHITE};
+use macroquad::math::Rect;
+use macroquad::shapes::draw_rectangle;
+
+/// How much of the rock covers an author's picture; materials cover more of it, so that they can be told.
+const ROCK_OVER_PICTURE: f32 = 0.45;
+const MATERIAL_OVER_PICTURE: f32 = 0.85;
+/// How deep the sheen of an edge reaches into the rock, m, and how bright it is on the edge.
+const SHEEN: f64 = 0.8;
+const SHEEN_LIGHT: f32 = 0.16;
+/// How deep light from outside reaches into the rock, m.
+const LIT_DEPTH: f64 = 1.2;
+/// Widths of the edge where it faces up and elsewhere, canvas units.
+const TOP_WIDTH: f32 = 3.0;
+const SIDE_WIDTH: f32 = 2.0;
+/// How strongly the ink is put down.
+const HATCHING: f32 = 0.5;
+const GRAIN: f32 = 0.42;
+const DIMENSION: f32 = 0.5;
+const CROSS: f32 = 0.30;
+/// Half a cross, m.
+const CROSS_REACH: f64 = 0.22;
+/// How far from the level's edge dimension lines and crosses stay, m.
+const BORDER: f64 = 1.0;
+/// Lights that stand still are worked out once, for so many of them at most.
+const MOST_LAMPS: usize = 1000;
+
+/// A light that stands still, and its colour and strength when it is drawn.
+pub type Lamp = (Aabb, f64);
+
+/// The terrain of a level.
+pub struct Terrain {
+    mass: Silhouette,
+    /// What is not plain rock, each kind by itself: where it meets other kinds.
+    seams: Vec<Edge>,
+    strokes: Vec<Stroke>,
+    grains: Vec<Grain>,
+    dimensions: Vec<(Dimension, String)>,
+    crosses: Vec<DVec2>,
+    tint: Tint,
+    /// What casts shadows.
+    opaque: Vec<Aabb>,
+    /// What each lamp lights.
+    lit: Vec<Vec<Lit>>,
+    over_picture: bool,
+}
+
+impl Terrain {
+    /// The terrain of a level. `lamps` are the boxes that glow all the time, each with the distance up to which it does (m); `texts`
+    /// where words are written.
+    pub fn new(level: &Level, lamps: impl Iterator<Item = Lamp>, texts: &[Aabb], over_picture: bool) -> Self {
+        let mass = mass(level);
+        let glass = kind("Glass");
+        let solid = level.world.iter().filter(|solid| kind(solid.material.name) != glass).map(|solid| solid.bounds);
+        let opaque: Vec<Aabb> = solid.chain(level.streams.iter().map(|stream| stream.source)).collect();
+        let sources = level.streams.iter().map(|stream| stream.source);
+        let taken: Vec<Aabb> = texts.iter().copied().chain(sources).chain(border(level.size)).collect();
+        let seams = (ROCK + 1..Material::ALL.len()).flat_map(|kind| {
+            let pieces: Vec<_> = mass.pieces().filter(|piece| piece.1 == kind).collect();
+            Silhouette::new(&pieces).edges().to_vec()
+        });
+        let dimensions = drafting::dimensions(&mass, ROCK, &taken);
+        let marked: Vec<Aabb> = taken.iter().copied().chain(dimensions.iter().map(Dimension::bounds)).collect();
+        Self {
+            seams: seams.collect(),
+            strokes: drafting::hatching(&mass, ROCK),
+            grains: drafting::grains(&mass, ROCK),
+            crosses: drafting::crosses(&mass, ROCK, level.size, &marked),
+            dimensions: dimensions.into_iter().map(|dimension| (dimension, metres(dimension.length()))).collect(),
+            tint: Tint::of(&level.name),
+            lit: lamps.take(MOST_LAMPS).map(|(bounds, reach)| cast(mass.edges(), &bounds, reach, &opaque)).collect(),
+            opaque,
+            mass,
+            over_picture,
+        }
+    }
+
+    /// The colours of the level.
+    pub const fn tint(&self) -> &Tint {
+        &self.tint
+    }
+
+    /// Draws what is in view. Words (of the dimensions) come with the layer's words.
+    pub fn draw(&self, art: &Art, view: &Viewport, canvas: &Canvas) {
+        self.draw_mass(art, view, canvas);
+        let mut batch = Batch::default();
+        self.draw_sheen(view, &mut batch);
+        self.draw_grains(view, &mut batch);
+        self.draw_hatching(view, canvas.frame().pixel, &mut batch);
+        self.draw_crosses(view, canvas.frame().pixel, &mut batch);
+        self.draw_dimensions(view, canvas, &mut batch);
+        batch.draw();
+        self.draw_edges(view);
+    }
+
+    /// Draws the light of the lamp of that index in the order in which they were given.
+    pub fn draw_lamp(&self, index: usize, colour: Color, view: &Viewport) {
+        if let Some(lit) = self.lit.get(index) {
+            draw_lit(lit, colour, view);
+        }
+    }
+
+    /// Draws the light of something that moves: a point (m) that shines up to `reach` metres far.
+    pub fn draw_moving_light(&self, at: DVec2, reach: f64, colour: Color, view: &Viewport) {
+        let source = Aabb::around(at, DVec2::ZERO);
+        if Aabb::around(at, DVec2::splat(reach)).touches(&view.visible(), 0.0) {
+            draw_lit(&cast(self.mass.edges(), &source, reach, &self.opaque), colour, view);
+        }
+    }
+
+    fn draw_mass(&self, art: &Art, view: &Viewport, canvas: &Canvas) {
+        let visible = view.visible();
+        let (rock, material) = if self.over_picture {
+            (faded(self.tint.rock, ROCK_OVER_PICTURE), MATERIAL_OVER_PICTURE)
+        } else {
+            (self.tint.rock, 1.0)
+        };
+        let level = view.level();
+        let in_level = Aabb::new(level.min.max(visible.min), level.max.min(visible.max));
+        // All of the rock, then all of the rest: a change between plain and painted shapes costs a draw call.
+        let in_view = || self.mass.pieces().filter(|(bounds, _)| bounds.overlaps(&in_level, 0.0));
+        for (bounds, _) in in_view().filter(|(_, kind)| *kind == ROCK) {
+            let area = view.rect(&Aabb::new(bounds.min.max(in_level.min), bounds.max.min(in_level.max)));
+            draw_rectangle(area.x, area.y, area.w, area.h, rock);
+        }
+        for (bounds, kind) in in_view().filter(|(_, kind)| *kind != ROCK) {
+            art.fill(Tile::Material(Material::ALL[kind].name), &bounds, view, faded(WHITE, material));
+        }
+        // Beyond the edge of a level that is smaller than the window there is rock.
+        let (all, size) = (view.rect(&level), canvas.size());
+        let around = [
+            Rect::new(0.0, 0.0, size.x, all.y),
+            Rect::new(0.0, all.bottom(), size.x, size.y - all.bottom()),
+            Rect::new(0.0, all.y, all.x, all.h),
+            Rect::new(all.right(), all.y, size.x - all.right(), all.h),
+        ];
+        for area in around.iter().filter(|area| area.w > 0.0 && area.h > 0.0) {
+            draw_rectangle(area.x, area.y, area.w, area.h, self.tint.rock);
+        }
+        let width = canvas.frame().pixel.max(1.5);
+        for edge in self.seams.iter().filter(|edge| edge.bounds().touches(&visible, 0.0)) {
+            draw_side(edge, width, faded(rgb(0x05070A), 0.55), view);
+        }
+    }
+
+    fn edges_in_view(&self, view: &Viewport) -> impl Iterator<Item = &Edge> {
+        let visible = view.visible();
+        self.mass.edges().iter().filter(move |edge| edge.bounds().touches(&visible, 0.2))
+    }
+
+    /// A light that falls off from the edge into the rock.
+    fn draw_sheen(&self, view: &Viewport, batch: &mut Batch) {
+        for edge in self.edges_in_view(view).filter(|edge| edge.kind == ROCK) {
+            let light = if edge.inward.y > 0.0 { 1.5 } else { 1.0 } * SHEEN_LIGHT;
+            let colour = faded(self.tint.ink, light);
+            batch.quad(band(edge, SHEEN.min(edge.depth * 0.5), view), [colour, colour, faded(colour, 0.0), faded(colour, 0.0)]);
+        }
+    }
+
+    fn draw_hatching(&self, view: &Viewport, pixel: f32, batch: &mut Batch) {
+        let visible = view.visible();
+        let colour = faded(self.tint.ink, HATCHING);
+        for Stroke { from, to } in &self.strokes {
+            if from.cmpge(visible.min - 1.5).all() && from.cmple(visible.max + 1.5).all() {
+                batch.stroke([view.point(*from), view.point(*to)], pixel.max(1.2), [colour, faded(colour, 0.0)]);
+            }
+        }
+    }
+
+    fn draw_grains(&self, view: &Viewport, batch: &mut Batch) {
+        let visible = view.visible();
+        for Grain { at, size } in &self.grains {
+            if at.cmpge(visible.min).all() && at.cmple(visible.max).all() {
+                let half = 0.6 + 0.7 * *size as f32;
+                let (centre, colour) = (view.point(*at), faded(self.tint.ink, GRAIN * (0.4 + 0.6 * *size as f32)));
+                let corners = [Vec2::new(-half, -half), Vec2::new(half, -half), Vec2::new(half, half), Vec2::new(-half, half)];
+                batch.quad(corners.map(|corner| centre + corner), [colour; 4]);
+            }
+        }
+    }
+
+    fn draw_crosses(&self, view: &Viewport, pixel: f32, batch: &mut Batch) {
+        let colour = faded(self.tint.ink, CROSS);
+        for at in self.crosses.iter().filter(|at| Aabb::around(**at, DVec2::ONE).touches(&view.visible(), 0.0)) {
+            for arm in [DVec2::X, DVec2::Y] {
+                let ends = [view.point(*at - arm * CROSS_REACH), view.point(*at + arm * CROSS_REACH)];
+                batch.stroke(ends, pixel.max(1.2), [colour; 2]);
+            }
+        }
+    }
+
+    fn draw_dimensions(&self, view: &Viewport, canvas: &Canvas, batch: &mut Batch) {
+        let colour = faded(self.tint.ink, DIMENSION);
+        let style = Style::new(DETAILS, faded(self.tint.ink, 0.85)).mono().centred().middle();
+        let (reach, arrow) = (canvas.frame().pixel.max(1.1), 9.0);
+        for (line, words) in self.dimensions.iter().filter(|(line, _)| line.bounds().touches(&view.visible(), 0.0)) {
+            let (from, to, back) = (view.point(line.from), view.point(line.to), line.to_edge.normalize_or_zero().as_vec2());
+            let way = (to - from).normalize_or_zero();
+            let across = way.perp();
+            let middle = (from + to) / 2.0;
+            let gap = if way.x > 0.5 { canvas.width(words, style) / 2.0 + 8.0 } else { canvas.line_height(DETAILS) * 0.5 + 2.0 };
+            batch.stroke([from, middle - way * gap], reach, [colour; 2]);
+            batch.stroke([middle + way * gap, to], reach, [colour; 2]);
+            for (tip, way) in [(from, way), (to, -way)] {
+                batch.triangle([tip, tip + way * arrow + across * 3.2, tip + way * arrow - across * 3.2], colour);
+                // From a little off the edge to a little beyond the line.
+                let edge = back * view.length(line.to_edge.length());
+                batch.stroke([tip - back * 6.0, tip + edge - back * 8.0], reach, [faded(colour, 0.7), faded(colour, 0.35)]);
+            }
+            canvas.text(words, middle, style);
+        }
+    }
+
+    /// The edge, inside the mass: what faces up last and brightest.
+    fn draw_edges(&self, view: &Viewport) {
+        let up = |edge: &&Edge| edge.inward.y > 0.5;
+        for edge in self.edges_in_view(view).filter(|edge| !up(edge)) {
+            let bright = edge_colour(edge.kind, &self.tint);
+            let shade = if Material::ALL[edge.kind].name == "Glass" { 1.0 } else { 0.85 };
+            draw_side(edge, SIDE_WIDTH, Color::new(bright.r * shade, bright.g * shade, bright.b * shade, 1.0), view);
+        }
+        for edge in self.edges_in_view(view).filter(up) {
+            draw_side(edge, TOP_WIDTH, edge_colour(edge.kind, &self.tint), view);
+        }
+    }
+}
+
+/// The outermost strips of a level of that size (m), in which nothing is drafted: they are cut off by the window's edge.
+fn border(size: DVec2) -> [Aabb; 4] {
+    [
+        Aabb::new(DVec2::ZERO, DVec2::new(size.x, BORDER)),
+        Aabb::new(DVec2::new(0.0, size.y - BORDER), size),
+        Aabb::new(DVec2::ZERO, DVec2::new(BORDER, size.y)),
+        Aabb::new(DVec2::new(size.x - BORDER, 0.0), size),
+    ]
+}
+
+/// The brightest colour of a material's edge: it tells the material where it is only seen from the side.
+fn edge_colour(kind: usize, tint: &Tint) -> Color {
+    match Material::ALL[kind].name {
+        "Glass" => rgb(0xCDEBFF),
+        "Ice" => rgb(0xE4F6FF),
+        "Wood" => rgb(0xC9A27C),
+        "Rubber" => rgb(0x6B7487),
+        "Steel" => rgb(0xB4C2D6),
+        _ => tint.edge,
+    }
+}
+
+/// A line along an edge, inside the mass, on whole pixels; where the open space has a corner it goes round it.
+fn draw_side(edge: &Edge, width: f32, colour: Color, view: &Viewport) {
+    let line = view.rect(&edge.bounds());
+    let reaches = |end: usize| if edge.corners[end] == Corner::Inner { width } else { 0.0 };
+    // The mass is on the right hand: edges that face up and right begin at their smaller end.
+    let (low, high) = if edge.along().element_sum() > 0.0 { (reaches(0), reaches(1)) } else { (reaches(1), reaches(0)) };
+    let area = if edge.inward.x == 0.0 {
+        Rect::new(line.x - low, if edge.inward.y > 0.0 { line.y } else { line.y - width }, line.w + low + high, width)
+    } else {
+        Rect::new(if edge.inward.x > 0.0 { line.x } else { line.x - width }, line.y - low, width, line.h + low + high)
+    };
+    draw_rectangle(area.x, area.y, area.w, area.h, colour);
+}
+
+/// The corners of a band behind an edge, mitred where it meets others: its outer side, then its inner one.
+fn band(edge: &Edge, depth: f64, view: &Viewport) -> [Vec2; 4] {
+    let along = edge.along();
+    let mitre = |corner: Corner| match corner {
+        Corner::Outer => depth.min(edge.length() * 0.5),
+        Corner::Inner => -depth,
+        Corner::Straight => 0.0,
+    };
+    let inner = |end: DVec2, shift: f64| view.point(end + edge.inward * depth + along * shift);
+    let (a, b) = (mitre(edge.corners[0]), -mitre(edge.corners[1]));
+    [view.point(edge.from), view.point(edge.to), inner(edge.to, b), inner(edge.from, a)]
+}
+
+fn draw_lit(lit: &[Lit], colour: Color, view: &Viewport) {
+    let visible = view.visible();
+    let mut batch = Batch::default();
+    for piece in lit {
+        let Lit { from, to, inward, depth, strength } = *piece;
+        if !Aabb::new(from.min(to), from.max(to)).touches(&visible, LIT_DEPTH) {
+            continue;
+        }
+        let corner = |at: DVec2, deep: f64| view.point(at + inward * deep);
+        let [a, b] = strength.map(|s| faded(colour, s));
+        let deep = LIT_DEPTH.min(depth * 0.75);
+        let half = |c: Color| faded(c, 0.5);
+        batch.quad(
+            [corner(from, 0.0), corner(to, 0.0), corner(to, deep), corner(from, deep)],
+            [half(a), half(b), faded(b, 0.0), faded(a, 0.0)],
+        );
+        let line = inward.as_vec2() * TOP_WIDTH;
+        batch.quad([corner(from, 0.0), corner(to, 0.0), corner(to, 0.0) + line, corner(from, 0.0) + line], [a, b, b, a]);
+    }
+    batch.draw();
+}
+
+/// A length as it stands on a drawing: metres, a decimal only where there is one.
+fn metres(length: f64) -> String {
+    let tenths = (length * 10.0).round();
+    if tenths % 10.0 == 0.0 { format!("{:.0} m", tenths / 10.0) } else { format!("{:.1} m", tenths / 10.0) }
+}

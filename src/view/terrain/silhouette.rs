@@ -1,0 +1,337 @@
+//! Solid rectangles as one mass: what they cover together, row by row without overlap, and the outline round it, as closed loops and as
+//! straight edges that know what they are made of. Plain geometry in metres, y down.
+
+use super::sweep::{Placed, Row, Span, TOUCH, rows, stop, stops};
+use crate::physics::{Aabb, DVec2};
+
+/// How an edge meets the next one of its loop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Corner {
+    /// The mass has a corner there that sticks out.
+    Outer,
+    /// The open space has.
+    Inner,
+    /// It goes straight on, of another kind.
+    Straight,
+}
+
+/// A straight piece of the outline, of one kind, with the mass on its right hand (y down).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// Where it begins, m.
+    pub from: DVec2,
+    /// Where it ends, m.
+    pub to: DVec2,
+    /// The unit vector into the mass.
+    pub inward: DVec2,
+    /// The kind of what it bounds.
+    pub kind: usize,
+    /// What it meets where it begins and where it ends.
+    pub corners: [Corner; 2],
+    /// How deep the mass is behind all of it at least, m; deeper than [`DEPTH`] counts as that.
+    pub depth: f64,
+}
+
+impl Edge {
+    /// m.
+    pub fn length(&self) -> f64 {
+        (self.to - self.from).length()
+    }
+
+    /// The unit vector from its beginning to its end.
+    pub fn along(&self) -> DVec2 {
+        (self.to - self.from).normalize_or_zero()
+    }
+
+    /// The smallest box around it.
+    pub fn bounds(&self) -> Aabb {
+        Aabb::new(self.from.min(self.to), self.from.max(self.to))
+    }
+}
+
+/// How deep behind an edge the mass is followed, m.
+pub const DEPTH: f64 = 4.0;
+
+/// The mass of some rectangles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Silhouette {
+    columns: Vec<f64>,
+    heights: Vec<f64>,
+    rows: Vec<Row>,
+    loops: Vec<Vec<DVec2>>,
+    edges: Vec<Edge>,
+}
+
+impl Silhouette {
+    /// The mass of rectangles, each of a kind; where some overlap, the kind is that of the last one.
+    pub fn new(boxes: &[(Aabb, usize)]) -> Self {
+        let boxes: Vec<&(Aabb, usize)> = boxes.iter().filter(|(bounds, _)| bounds.size().min_element() > TOUCH).collect();
+        let columns = stops(boxes.iter().flat_map(|(bounds, _)| [bounds.min.x, bounds.max.x]));
+        let heights = stops(boxes.iter().flat_map(|(bounds, _)| [bounds.min.y, bounds.max.y]));
+        let placed: Vec<Placed> = boxes
+            .iter()
+            .map(|(bounds, kind)| Placed {
+                columns: [stop(&columns, bounds.min.x), stop(&columns, bounds.max.x)],
+                rows: [stop(&heights, bounds.min.y), stop(&heights, bounds.max.y)],
+                kind: *kind,
+            })
+            .collect();
+        let rows = rows(&placed, heights.len());
+        let mut mass = Self { columns, heights, rows, loops: Vec::new(), edges: Vec::new() };
+        for corners in loops(&mass.rows) {
+            mass.loops.push(corners.iter().map(|&at| mass.point(at)).collect());
+            mass.add_edges(&corners);
+        }
+        mass
+    }
+
+    /// The rectangles that it consists of, none over another, each with its kind.
+    pub fn pieces(&self) -> impl Iterator<Item = (Aabb, usize)> {
+        self.rows.iter().flat_map(move |row| {
+            let piece = move |span: &Span| {
+                let (min, max) = (self.point((span.from, row.top)), self.point((span.to, row.bottom)));
+                (Aabb::new(min, max), span.kind)
+            };
+            row.spans.iter().map(piece)
+        })
+    }
+
+    /// The closed loops round it: clockwise round what is solid, anticlockwise round holes (y down). Where two corners touch, each
+    /// keeps its own loop.
+    pub fn loops(&self) -> &[Vec<DVec2>] {
+        &self.loops
+    }
+
+    /// The straight pieces of all loops, cut where the kind changes.
+    pub fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
+    /// Leaves out the edges that lie beyond a box.
+    pub fn keep_edges(&mut self, within: &Aabb) {
+        self.edges.retain(|edge| edge.bounds().touches(within, 0.0));
+    }
+
+    /// Whether all of a box lies in the mass and is of that kind.
+    pub fn holds(&self, bounds: &Aabb, kind: usize) -> bool {
+        let (lowest, last) = (self.heights.first(), self.heights.last());
+        let inside = lowest.is_some_and(|top| *top <= bounds.min.y) && last.is_some_and(|bottom| *bottom >= bounds.max.y);
+        let first = self.rows.partition_point(|row| self.heights[row.bottom] <= bounds.min.y);
+        inside
+            && self.rows[first..]
+                .iter()
+                .take_while(|row| self.heights[row.top] < bounds.max.y)
+                .all(|row| row.spans.iter().any(|span| span.kind == kind && self.spans_over(span, bounds.min.x, bounds.max.x)))
+    }
+
+    /// How far one can go from a point in a direction (a unit vector along neither axis) and stay in what is of that kind, m; at most
+    /// `limit`.
+    pub fn reach(&self, kind: usize, (from, direction): (DVec2, DVec2), limit: f64) -> f64 {
+        let mut gone = 0.0;
+        while gone < limit {
+            let at = from + direction * gone;
+            // Just beyond the line that it stands on.
+            let ahead = at + direction * TOUCH;
+            let Some(row) = self.row_at(ahead.y) else { break };
+            let holds = |span: &&Span| self.columns[span.from] <= ahead.x && ahead.x < self.columns[span.to];
+            let Some(span) = row.spans.iter().find(holds).filter(|span| span.kind == kind) else { break };
+            let end = |low: usize, high: usize, stops: &[f64], way: f64| if way > 0.0 { stops[high] } else { stops[low] };
+            let across = (end(span.from, span.to, &self.columns, direction.x) - at.x) / direction.x;
+            let down = (end(row.top, row.bottom, &self.heights, direction.y) - at.y) / direction.y;
+            gone += across.min(down).max(TOUCH);
+        }
+        gone.min(limit)
+    }
+
+    fn spans_over(&self, span: &Span, from: f64, to: f64) -> bool {
+        self.columns[span.from] <= from && self.columns[span.to] >= to
+    }
+
+    fn row_at(&self, y: f64) -> Option<&Row> {
+        let next = self.rows.partition_point(|row| self.heights[row.top] <= y);
+        self.rows[..next].last().filter(|row| y < self.heights[row.bottom])
+    }
+
+    fn point(&self, (column, height): (usize, usize)) -> DVec2 {
+        DVec2::new(self.columns[column], self.heights[height])
+    }
+
+    /// Cuts the sides of a loop where their kind changes.
+    fn add_edges(&mut self, corners: &[(usize, usize)]) {
+        let n = corners.len();
+        let way = |i: usize| unit(corners[i % n], corners[(i + 1) % n]);
+        for i in 0..n {
+            let (from, to) = (corners[i], corners[(i + 1) % n]);
+            let ends = [turn(way(i + n - 1), way(i)), turn(way(i), way(i + 1))];
+            let inward = right(way(i));
+            let pieces = self.kinds(from, to, inward);
+            let last = pieces.len() - 1;
+            for (j, &(a, b, kind)) in pieces.iter().enumerate() {
+                self.edges.push(Edge {
+                    from: self.point(a),
+                    to: self.point(b),
+                    inward: DVec2::new(f64::from(inward.0), f64::from(inward.1)),
+                    kind,
+                    corners: [if j == 0 { ends[0] } else { Corner::Straight }, if j == last { ends[1] } else { Corner::Straight }],
+                    depth: self.depth(a, b, inward),
+                });
+            }
+        }
+    }
+
+    /// The pieces of a side by what lies behind them, in the order in which it is walked.
+    fn kinds(&self, from: Place, to: Place, inward: (i8, i8)) -> Vec<(Place, Place, usize)> {
+        let mut pieces: Vec<(Place, Place, usize)> = Vec::new();
+        let mut add = |a: Place, b: Place, kind: usize| match pieces.last_mut() {
+            Some(last) if last.2 == kind => last.1 = b,
+            _ => pieces.push((a, b, kind)),
+        };
+        if inward.0 == 0 {
+            let (left, right) = (from.0.min(to.0), from.0.max(to.0));
+            let row = self.row_beside(from.1, inward.1);
+            let inside = row.iter().flat_map(|row| &row.spans).filter(|span| span.to > left && span.from < right);
+            let mut along: Vec<Span> =
+                inside.map(|span| Span { from: span.from.max(left), to: span.to.min(right), kind: span.kind }).collect();
+            if to.0 < from.0 {
+                along.reverse();
+                along.iter().for_each(|span| add((span.to, from.1), (span.from, from.1), span.kind));
+            } else {
+                along.iter().for_each(|span| add((span.from, from.1), (span.to, from.1), span.kind));
+            }
+        } else {
+            let (top, bottom) = (from.1.min(to.1), from.1.max(to.1));
+            let touches = |span: &&Span| if inward.0 > 0 { span.from == from.0 } else { span.to == from.0 };
+            let cut = |row: &Row| row.spans.iter().find(touches).map(|span| (row.top.max(top), row.bottom.min(bottom), span.kind));
+            let mut along: Vec<(usize, usize, usize)> = self.rows_between(top, bottom).iter().filter_map(cut).collect();
+            if to.1 < from.1 {
+                along.reverse();
+                along.iter().for_each(|&(top, bottom, kind)| add((from.0, bottom), (from.0, top), kind));
+            } else {
+                along.iter().for_each(|&(top, bottom, kind)| add((from.0, top), (from.0, bottom), kind));
+            }
+        }
+        pieces
+    }
+
+    /// The row that begins or ends at a height.
+    fn row_beside(&self, height: usize, way: i8) -> Option<&Row> {
+        let next = self.rows.partition_point(|row| row.top < height);
+        let row = if way > 0 { self.rows.get(next) } else { self.rows[..next].last() };
+        row.filter(|row| if way > 0 { row.top == height } else { row.bottom == height })
+    }
+
+    /// The rows between two heights, whole or in part.
+    fn rows_between(&self, top: usize, bottom: usize) -> &[Row] {
+        let first = self.rows.partition_point(|row| row.bottom <= top);
+        let end = self.rows.partition_point(|row| row.top < bottom);
+        &self.rows[first..end.max(first)]
+    }
+
+    /// How deep the mass is behind a side, whatever its kind, m.
+    fn depth(&self, from: Place, to: Place, inward: (i8, i8)) -> f64 {
+        if inward.0 == 0 {
+            let (left, right) = (from.0.min(to.0), from.0.max(to.0));
+            let (start, mut height) = (from.1, from.1);
+            while let Some(row) = self.row_beside(height, inward.1)
+                && row.covered().iter().any(|&(a, b)| a <= left && b >= right)
+                && (self.heights[height] - self.heights[start]).abs() < DEPTH
+            {
+                height = if inward.1 > 0 { row.bottom } else { row.top };
+            }
+            (self.heights[height] - self.heights[start]).abs().min(DEPTH)
+        } else {
+            let (top, bottom) = (from.1.min(to.1), from.1.max(to.1));
+            let behind = |row: &Row| {
+                let covered = row.covered();
+                let span = covered.iter().find(|(a, b)| if inward.0 > 0 { *a == from.0 } else { *b == from.0 });
+                span.map_or(0.0, |&(a, b)| self.columns[b] - self.columns[a])
+            };
+            self.rows_between(top, bottom).iter().map(behind).fold(DEPTH, f64::min)
+        }
+    }
+}
+
+/// A crossing of a column and a height, by their indices.
+type Place = (usize, usize);
+
+/// The loops round what the rows cover, by their corners.
+fn loops(rows: &[Row]) -> Vec<Vec<Place>> {
+    let mut sides: Vec<(Place, Place)> = Vec::new();
+    let mut above: Vec<(usize, usize)> = Vec::new();
+    for row in rows {
+        let covered = row.covered();
+        level_sides(&above, &covered, row.top, &mut sides);
+        for &(from, to) in &covered {
+            sides.push(((to, row.top), (to, row.bottom)));
+            sides.push(((from, row.bottom), (from, row.top)));
+        }
+        above = covered;
+    }
+    if let Some(last) = rows.last() {
+        level_sides(&above, &[], last.bottom, &mut sides);
+    }
+    sides.sort_unstable();
+    let mut walked = vec![false; sides.len()];
+    let mut loops = Vec::new();
+    for first in 0..sides.len() {
+        let (mut side, mut corners) = (first, Vec::new());
+        while !walked[side] {
+            walked[side] = true;
+            let next = following(&sides, side);
+            if unit(sides[side].0, sides[side].1) != unit(sides[next].0, sides[next].1) {
+                corners.push(sides[next].0);
+            }
+            side = next;
+        }
+        if !corners.is_empty() {
+            loops.push(corners);
+        }
+    }
+    loops
+}
+
+/// The sides along a height: where only what is below it is covered, and where only what is above it is.
+fn level_sides(above: &[(usize, usize)], below: &[(usize, usize)], height: usize, sides: &mut Vec<(Place, Place)>) {
+    let mut cuts: Vec<usize> = above.iter().chain(below).flat_map(|&(a, b)| [a, b]).collect();
+    cuts.sort_unstable();
+    cuts.dedup();
+    let in_it = |covered: &[(usize, usize)], cut: usize| {
+        let next = covered.partition_point(|(from, _)| *from <= cut);
+        covered[..next].last().is_some_and(|(_, to)| cut < *to)
+    };
+    for pair in cuts.windows(2) {
+        match (in_it(above, pair[0]), in_it(below, pair[0])) {
+            (false, true) => sides.push(((pair[0], height), (pair[1], height))),
+            (true, false) => sides.push(((pair[1], height), (pair[0], height))),
+            _ => {}
+        }
+    }
+}
+
+/// The side that goes on where another ends. Where two do, the one that turns to the right: round the same corner of the mass.
+fn following(sides: &[(Place, Place)], side: usize) -> usize {
+    let (from, to) = sides[side];
+    let first = sides.partition_point(|(start, _)| *start < to);
+    let mut next = (first..sides.len()).take_while(|&i| sides[i].0 == to);
+    let one = next.next().unwrap_or(side);
+    next.next().filter(|&i| unit(sides[i].0, sides[i].1) == right(unit(from, to))).unwrap_or(one)
+}
+
+/// The direction from one place to another on the same column or height.
+fn unit(from: Place, to: Place) -> (i8, i8) {
+    let sign = |a: usize, b: usize| match b.cmp(&a) {
+        std::cmp::Ordering::Greater => 1,
+        std::cmp::Ordering::Equal => 0,
+        std::cmp::Ordering::Less => -1,
+    };
+    (sign(from.0, to.0), sign(from.1, to.1))
+}
+
+/// The direction to the right hand of another (y down).
+const fn right((x, y): (i8, i8)) -> (i8, i8) {
+    (-y, x)
+}
+
+fn turn(before: (i8, i8), after: (i8, i8)) -> Corner {
+    if after == right(before) { Corner::Outer } else { Corner::Inner }
+}

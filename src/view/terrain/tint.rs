@@ -1,0 +1,83 @@
+//! The ink of a level: its rock and its paper are of one tint, so that a level is known again at a glance.
+
+use crate::view::theme::{self, rgb};
+use macroquad::color::{Color, WHITE};
+
+/// The inks, pale and calm: none is near a colour with a meaning (objectives, hazards, forces are all far more vivid).
+const INKS: [Color; 8] =
+    [rgb(0x8FA8CC), rgb(0x86B8B4), rgb(0xA9A0CF), rgb(0xB9AE94), rgb(0x9DB48E), rgb(0xC09FA6), rgb(0x8DB3C9), rgb(0xA8AAB4)];
+
+/// The colours of one level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tint {
+    /// The rock.
+    pub rock: Color,
+    /// Its edge, where it catches the light.
+    pub edge: Color,
+    /// Hatching and dimension lines.
+    pub ink: Color,
+    /// A line of the paper every metre.
+    pub fine: Color,
+    /// A line of the paper every ten metres.
+    pub heavy: Color,
+}
+
+impl Tint {
+    /// The tint of a level by its name: numbered levels take one after the other, others any, always the same.
+    pub fn of(name: &str) -> Self {
+        let number = name.parse::<usize>().unwrap_or_else(|_| {
+            name.bytes().fold(0x811C_9DC5_u32, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)) as usize
+        });
+        Self::from_ink(INKS[number.wrapping_sub(1) % INKS.len()])
+    }
+
+    fn from_ink(ink: Color) -> Self {
+        Self {
+            rock: mixed(theme::GROUND, ink, 0.17),
+            edge: mixed(ink, WHITE, 0.12),
+            ink,
+            fine: mixed(theme::GROUND, ink, 0.065),
+            heavy: mixed(theme::GROUND, ink, 0.14),
+        }
+    }
+}
+
+/// So much of the second colour mixed into the first.
+fn mixed(a: Color, b: Color, share: f32) -> Color {
+    let mix = |a: f32, b: f32| a + (b - a) * share;
+    Color::new(mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbered_levels_take_turns_and_a_name_keeps_its_tint() {
+        let first: Vec<Tint> = (1..=INKS.len()).map(|i| Tint::of(&i.to_string())).collect();
+        for (i, tint) in first.iter().enumerate() {
+            assert!(!first[..i].contains(tint), "level {} looks like one before it", i + 1);
+        }
+        assert_eq!(Tint::of("9"), Tint::of("1"));
+        assert_eq!(Tint::of("my-level"), Tint::of("my-level"));
+        assert_eq!(Tint::of("0").rock.a, 1.0);
+    }
+
+    #[test]
+    fn words_on_rock_and_its_edge_against_the_air_are_easy_to_see() {
+        // Contrast after WCAG 2: (brighter + 0.05) / (darker + 0.05) of relative luminances; words want 4.5, shapes 3.
+        let luminance = |c: Color| {
+            let linear = |v: f32| if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) };
+            0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b)
+        };
+        let contrast = |a: Color, b: Color| {
+            let (a, b) = (luminance(a), luminance(b));
+            (a.max(b) + 0.05) / (a.min(b) + 0.05)
+        };
+        for ink in INKS {
+            let tint = Tint::from_ink(ink);
+            assert!(contrast(theme::TEXT, tint.rock) > 7.0);
+            assert!(contrast(tint.edge, theme::GROUND) > 4.5 && contrast(tint.edge, tint.rock) > 3.0);
+        }
+    }
+}

@@ -1,0 +1,36 @@
+# A goal and a death box look in a liquid as they do in the air, and the rock of two levels is of two tints.
+
+for place in dry wet; do
+  mkdir "$data/levels/$place"
+  printf 'name,value\nwidth,1280\nheight,720\ngravity,0\n' >"$data/levels/$place/constants.csv"
+  printf '150,300,100,500,2000\n' >"$data/levels/$place/player.csv"
+  printf 'PLAYER,480,300,200,120\n' >"$data/levels/$place/objectives.csv"
+  printf '800,300,120,120\n' >"$data/levels/$place/obstacles.csv"
+  printf '0,600,1280,120\n' >"$data/levels/$place/world.csv"
+done
+printf '300,200,900,400,1,1,40,140,220\n' >"$data/levels/wet/fluids.csv"
+
+# Places are percent of the window: the goal with its yellow edge, the inside of the goal right of its label, the death box, the liquid.
+goal='36.5 40.5 18 18.5' inside='48 44 4 10' box='62.5 41.7 9.4 16.6' beside='56 45 5 10'
+for place in dry wet; do
+  open_game play "$place"
+  expect "$place" shows "$yellow" $goal 3
+  expect "$place" shows '#544A27' $inside 80
+  expect "$place" shows "$bad" $box 30
+  close_game
+done
+expect_same() { resembles "$1" "$2" 60 && differs "$1" "$2" 15; }
+expect_same dry wet || fail "the liquid is not to be seen, or more than it"
+shows dry '#10141B' $beside 60 || fail "the paper is not dark"
+hides wet '#10141B' $beside 20 || fail "the liquid is not to be seen"
+
+open_game play 1
+expect rock-of-1 hud
+close_game
+open_game play 2
+expect rock-of-2 hud
+close_game
+# Both show rock at the left edge of the window, in the middle of its height.
+one=$(measure "$out/rock-of-1.png" -alpha off -crop '20x20+4+600' -format '%[pixel:p{10,10}]')
+two=$(measure "$out/rock-of-2.png" -alpha off -crop '20x20+4+600' -format '%[pixel:p{10,10}]')
+[ "$one" != "$two" ] || fail "levels 1 and 2 have rock of one colour: $one"
