@@ -18,7 +18,7 @@ const ABOVE_FOOT: f32 = 24.0;
 /// How much wider than high a card looks best.
 const SHAPE: f32 = 1.3;
 /// No card is larger: a single level does not want the whole window.
-const LARGEST: Vec2 = Vec2::new(640.0, 480.0);
+const LARGEST: Vec2 = Vec2::new(900.0, 600.0);
 
 /// What a level is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

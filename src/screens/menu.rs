@@ -160,11 +160,12 @@ mod drawing {
         /// The name, and the arrows that add up to the one beneath it.
         fn draw_title(&self, canvas: &Canvas) {
             let area = title_area(canvas.frame());
-            let base = area.max().y + 6.0;
-            let (start, end) = (Vec2::new(area.min.x, base), Vec2::new(area.max().x, base));
+            let size = area.size + Vec2::new(2.0 * PADDING, 0.0);
+            let start = Vec2::new(area.min.x - PADDING, area.max().y + 6.0);
+            let end = start + Vec2::new(size.x, 0.0);
             let mut tail = start;
             for (kind, step) in ADDENDS {
-                let tip = tail + Vec2::new(step.x, -step.y) * area.size;
+                let tip = tail + Vec2::new(step.x, -step.y) * size;
                 arrows::draw_one(canvas, (tail, tip), arrows::Shown::Force(kind), 0.9);
                 tail = tip;
             }
