@@ -13,6 +13,8 @@ pub const LEVEL_TABLE: u64 = 256 << 10;
 pub const PICTURE: u64 = 16 << 20;
 /// One leaderboard: some 20 000 users. A larger one would be read and sorted for longer than a frame lasts.
 pub const SCORES: u64 = 512 << 10;
+/// The settings: some hundred players.
+pub const SETTINGS: u64 = 64 << 10;
 /// One file of charts, or the other engines' results.
 pub const CHART: u64 = 128 << 10;
 /// Recorded or written inputs: a flight of 3 hours with other keys at every tick.

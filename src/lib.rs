@@ -2,18 +2,22 @@
 //!
 //! SI units in `f64`; x to the right, y **down**; angles clockwise, in radians inside and in degrees at the edges (files, keys,
 //! the screen). Time advances in fixed ticks of 1/[`game::TICK_RATE`] s and nowhere else. Arrows point downwards only:
-//! `physics ← level ← game ← scores ← screens → view`.
+//! `physics ← level ← game ← scores ← settings ← screens → view`.
 //!
 //! - [`physics`]: the engine: bodies, named forces, contacts, impacts, motion. It knows no pixel, key, clock or file.
 //! - [`level`]: the text of a level folder becomes a valid [`level::Level`], or the list of all its problems.
 //! - [`game`]: one run of a level: controls, fuel, objectives, hazards, events, score.
 //! - [`scores`]: user names and leaderboards, and their files.
+//! - [`settings`]: what a player has set, and the file that keeps it.
 //! - [`classics`]: a tile run, a jumper, and π from collisions, each with just the model that it needs.
 //! - [`lab`]: accuracy against speed: scenes with exact answers, methods, stress tests, charts.
 //! - [`screens`]: the screens as a state machine, one file a screen; it is tested without a window.
 //! - [`view`]: drawing only: it reads the game and changes nothing in it.
 //! - [`cli`]: one file a subcommand.
 //! - [`files`]: how large each kind of file may be, and reading no more than that.
+
+// One file needs it, view/sound/output/system.rs, and says why.
+#![deny(unsafe_code)]
 
 pub mod classics;
 pub mod cli;
@@ -22,6 +26,12 @@ pub mod game;
 pub mod lab;
 pub mod level;
 pub mod physics;
+/// Random numbers for unit tests: those of the tests in `tests/`.
+#[cfg(test)]
+#[allow(dead_code)] // The other tests need more of it.
+#[path = "../tests/support/random.rs"]
+mod random;
 pub mod scores;
 pub mod screens;
+pub mod settings;
 pub mod view;

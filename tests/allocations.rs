@@ -1,36 +1,14 @@
 //! A step allocates nothing once its scratch has grown to the scene.
 
+mod support;
+
 use glam::DVec2;
 use resultant::physics::pile::{Pile, PileBody, PileDef, PileSurface};
 use resultant::physics::{Aabb, BodyDef, BodyId, FluidDef, Material, StreamDef, SurfaceDef, World, WorldDef};
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
-
-struct Counting;
-
-thread_local! {
-    /// Of this test's own thread: others run beside it.
-    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
-}
-
-fn allocations() -> usize {
-    ALLOCATIONS.get()
-}
-
-// SAFETY: every call is handed on to the system's allocator unchanged.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(at, layout) }
-    }
-}
+use support::memory::allocations;
 
 #[global_allocator]
-static ALLOCATOR: Counting = Counting;
+static ALLOCATOR: support::memory::Counting = support::memory::Counting;
 
 /// Whatever bounces.
 #[test]
@@ -60,6 +38,24 @@ fn rain(restitution: f64) {
     (0..120).for_each(|_| pile.step(1.0 / 60.0));
     let before = allocations();
     (0..300).for_each(|_| pile.step(1.0 / 60.0));
+    assert_eq!(allocations(), before);
+}
+
+/// The thread that plays must never wait for memory.
+#[cfg(feature = "window")]
+#[test]
+fn the_mixer_allocates_nothing() {
+    use resultant::view::sound::{Ambience, Cue, Mixer, Sound, desk};
+    let (desk, feed) = desk();
+    let mut mixer = Mixer::new(48_000, feed);
+    let mut samples = [0.0; 960];
+    let before = allocations();
+    for frame in 0..1200 {
+        desk.set_tune(Some(frame / 400));
+        desk.set_ambience(Ambience { engine: 1.0, wind: 0.5, liquid: 0.5, motion: 1.0 });
+        desk.play(Sound::new(Cue::ALL[frame as usize % Cue::COUNT], 1.0));
+        mixer.render(&mut samples);
+    }
     assert_eq!(allocations(), before);
 }
 

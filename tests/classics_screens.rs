@@ -269,7 +269,7 @@ fn a_climb_is_saved_on_the_jumpers_leaderboard() {
     assert_eq!(jumper(&sitting).scene().score(), score);
     sitting.click(1).frame(Input { typed: "Ada".to_owned(), ..hold(&[]) }).press(Key::Enter);
     let Screen::Leaderboard(board) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
-    assert_eq!((board.level(), board.saved(), board.board().rows()[0].score), ("jumper", Some(0), score));
+    assert_eq!((board.subject(), board.saved(), board.board().rows()[0].score), ("the Jumper", Some(0), score));
     let file = std::fs::read_to_string(sitting.folder.path().join("scores/jumper.csv")).unwrap();
     assert_eq!(file, format!("name,score\nAda,{score}\n"));
     assert_eq!(sitting.press(Key::Escape).at(), "jumper");

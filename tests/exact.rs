@@ -1,21 +1,13 @@
 //! The engine against exact answers, at the game's tick.
 
-use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, ForceKind, Guards, Material, Source, SurfaceDef, World, WorldDef};
+mod support;
 
-const TICK: f64 = 1.0 / 120.0;
-const G: f64 = 15.0;
-
-fn floor() -> SurfaceDef {
-    SurfaceDef::fixed(Aabb::new(DVec2::new(-1000.0, 0.0), DVec2::new(1000.0, 1.0)), Material::ASPHALT)
-}
-
-fn block(x: f64, mass: f64) -> BodyDef {
-    BodyDef { position: DVec2::new(x, -0.5), mass, ..BodyDef::default() }
-}
-
-fn world(bodies: Vec<BodyDef>, rest_speed: f64) -> World {
-    World::new(WorldDef { air_density: 0.0, rest_speed, bodies, surfaces: vec![floor()], ..WorldDef::default() }).unwrap()
-}
+use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Guards, Source, World, WorldDef};
+use support::scenes::{
+    bouncing, column, cradle, dart_and_target, dart_and_wall, held_by_a_wall, held_by_the_floor, pushed_row, slide, slide_in_air,
+    ten_tonnes, thrown,
+};
+use support::{G, TICK, world};
 
 fn run(world: &mut World, seconds: f64, tick: f64) {
     for _ in 0..(seconds / tick).round() as usize {
@@ -28,12 +20,7 @@ fn run(world: &mut World, seconds: f64, tick: f64) {
 #[test]
 fn parabolas_are_exact_at_any_tick() {
     for hz in [30.0, 60.0, 120.0, 240.0] {
-        let mut world = World::new(WorldDef {
-            air_density: 0.0,
-            bodies: vec![BodyDef { velocity: DVec2::new(7.0, -20.0), ..BodyDef::default() }],
-            ..WorldDef::default()
-        })
-        .unwrap();
+        let mut world = world(thrown());
         run(&mut world, 4.0, 1.0 / hz);
         let exact = DVec2::new(28.0, -80.0 + 0.5 * G * 16.0);
         assert!((world.body(BodyId(0)).position - exact).length() < 1e-9);
@@ -73,7 +60,7 @@ fn a_projectile_with_drag_agrees_with_a_fine_integration() {
 
 #[test]
 fn a_slide_ends_where_it_must_and_then_rests_exactly() {
-    let mut world = world(vec![BodyDef { velocity: DVec2::new(9.6, 0.0), ..block(0.0, 75.0) }], 1.0);
+    let mut world = world(slide());
     run(&mut world, 3.0, TICK);
     let body = world.body(BodyId(0));
     assert!((body.position.x - 9.6 * 9.6 / (2.0 * 0.65 * G)).abs() < 1e-12, "{}", body.position.x);
@@ -84,9 +71,8 @@ fn a_slide_ends_where_it_must_and_then_rests_exactly() {
 /// With drag: v′ = −a − k·v², distance ln(1 + k·v₀²/a)/2k.
 #[test]
 fn a_slide_in_air_ends_where_it_must() {
-    let def = BodyDef { velocity: DVec2::new(30.0, 0.0), ..block(0.0, 5.0) };
     let k = 0.5 * 1.2041 / 5.0;
-    let mut world = World::new(WorldDef { bodies: vec![def], surfaces: vec![floor()], ..WorldDef::default() }).unwrap();
+    let mut world = world(slide_in_air());
     run(&mut world, 6.0, TICK);
     let exact = (1.0 + k * 900.0 / (0.65 * G)).ln() / (2.0 * k);
     let found = world.body(BodyId(0)).position.x;
@@ -97,9 +83,9 @@ fn a_slide_in_air_ends_where_it_must() {
 #[test]
 fn static_friction_holds_below_its_limit_and_gives_way_above() {
     for (part, moves) in [(0.99, false), (1.02, true)] {
-        let mut world = world(vec![block(0.0, 10.0)], 1.0);
-        let force = part * 0.9 * 150.0;
-        world.set_drive(BodyId(0), DVec2::new(force, 0.0));
+        let (def, drive) = held_by_the_floor(part);
+        let (mut world, force) = (world(def), drive.x);
+        world.set_drive(BodyId(0), drive);
         run(&mut world, 10.0, TICK);
         let body = world.body(BodyId(0));
         if moves {
@@ -116,13 +102,10 @@ fn static_friction_holds_below_its_limit_and_gives_way_above() {
 /// A wall carries friction as a floor does: what is pressed against it slides down only if μ_s times the press is too little.
 #[test]
 fn what_is_pressed_against_a_wall_is_held_by_friction() {
-    let wall = SurfaceDef::fixed(Aabb::new(DVec2::new(0.0, -100.0), DVec2::new(1.0, 100.0)), Material::ASPHALT);
     for (part, moves) in [(0.99, false), (1.02, true)] {
-        let body = BodyDef { position: DVec2::new(-0.5, 0.0), mass: 10.0, ..BodyDef::default() };
-        let def = WorldDef { air_density: 0.0, bodies: vec![body], surfaces: vec![wall.clone()], ..WorldDef::default() };
-        let mut world = World::new(def).unwrap();
-        let press = 150.0 / (part * 0.9);
-        world.set_drive(BodyId(0), DVec2::new(press, 0.0));
+        let (def, drive) = held_by_a_wall(part);
+        let (mut world, press) = (world(def), drive.x);
+        world.set_drive(BodyId(0), drive);
         run(&mut world, 2.0, TICK);
         let (body, friction) = (world.body(BodyId(0)), world.forces(BodyId(0)).total(ForceKind::Friction));
         if moves {
@@ -138,7 +121,7 @@ fn what_is_pressed_against_a_wall_is_held_by_friction() {
 #[test]
 fn bounces_reach_their_apexes_and_end_when_the_series_does() {
     let (e, height) = (0.9, 1.0);
-    let mut world = world(vec![BodyDef { position: DVec2::new(0.0, -0.5 - height), restitution: e, ..BodyDef::default() }], 0.0);
+    let mut world = world(bouncing(e, height, 0.0));
     let t0 = (2.0 * height / G).sqrt();
     let end = t0 * (1.0 + e) / (1.0 - e);
     let mut energies = Vec::new();
@@ -164,7 +147,7 @@ fn bounces_reach_their_apexes_and_end_when_the_series_does() {
 
 #[test]
 fn perfect_bouncing_keeps_its_energy_for_a_minute() {
-    let mut world = world(vec![BodyDef { position: DVec2::new(0.0, -1.5), restitution: 1.0, ..BodyDef::default() }], 1.0);
+    let mut world = world(bouncing(1.0, 1.0, 1.0));
     run(&mut world, 60.0, TICK);
     let body = world.body(BodyId(0));
     let energy = (-0.5 - body.position.y) + body.velocity.y * body.velocity.y / (2.0 * G);
@@ -174,11 +157,7 @@ fn perfect_bouncing_keeps_its_energy_for_a_minute() {
 #[test]
 fn the_cradle_hands_all_motion_to_the_last() {
     for n in [3usize, 5, 10] {
-        let mut bodies: Vec<_> =
-            (0..n).map(|i| BodyDef { position: DVec2::new(i as f64, 0.0), restitution: 1.0, ..BodyDef::default() }).collect();
-        bodies[0].position.x = -1.0;
-        bodies[0].velocity.x = 3.0;
-        let mut world = World::new(WorldDef { gravity: 0.0, air_density: 0.0, bodies, ..WorldDef::default() }).unwrap();
+        let mut world = world(cradle(n));
         run(&mut world, 1.0, TICK);
         for (i, body) in world.bodies().iter().enumerate() {
             assert_eq!(body.velocity.x, if i + 1 == n { 3.0 } else { 0.0 }, "block {i} of {n}");
@@ -189,13 +168,8 @@ fn the_cradle_hands_all_motion_to_the_last() {
 #[test]
 fn columns_stand_still_and_every_reaction_is_the_weight_above() {
     for n in [10usize, 30, 100] {
-        let masses: Vec<f64> = (0..n).map(|i| 1.0 + (i * 7 % 5) as f64).collect();
-        let bodies = masses.iter().enumerate().map(|(i, &mass)| BodyDef {
-            position: DVec2::new(0.0, -0.5 - i as f64),
-            mass,
-            ..BodyDef::default()
-        });
-        let mut world = world(bodies.collect(), 1.0);
+        let mut world = world(column(n));
+        let masses: Vec<f64> = world.bodies().iter().map(|body| body.mass).collect();
         run(&mut world, 180.0, TICK);
         for i in 0..n {
             let id = BodyId(i as u32);
@@ -212,8 +186,7 @@ fn columns_stand_still_and_every_reaction_is_the_weight_above() {
 #[test]
 fn ten_tonnes_rest_and_drop_on_one_kilogram() {
     for drop in [0.0, 2.0] {
-        let heavy = BodyDef { position: DVec2::new(0.0, -1.5 - drop), mass: 10_000.0, ..BodyDef::default() };
-        let mut world = world(vec![block(0.0, 1.0), heavy], 1.0);
+        let mut world = world(ten_tonnes(drop));
         for _ in 0..600 {
             world.step(TICK);
             let overlap = world.body(BodyId(1)).position.y + 1.5;
@@ -226,13 +199,11 @@ fn ten_tonnes_rest_and_drop_on_one_kilogram() {
 #[test]
 fn a_pushed_row_moves_as_one() {
     for n in [1usize, 5, 20] {
-        let mut bodies = vec![block(0.0, 100.0)];
-        bodies.extend((1..=n).map(|i| block(i as f64, 10.0 + i as f64)));
-        let masses: Vec<f64> = bodies.iter().map(|body| body.mass).collect();
+        let (def, drive) = pushed_row(n);
+        let masses: Vec<f64> = def.bodies.iter().map(|body| body.mass).collect();
         let total: f64 = masses.iter().sum();
-        let force = 1.5 * 0.9 * total * G;
-        let mut world = world(bodies, 1.0);
-        world.set_drive(BodyId(0), DVec2::new(force, 0.0));
+        let (mut world, force) = (world(def), drive.x);
+        world.set_drive(BodyId(0), drive);
         let a = force / total - 0.65 * G;
         for tick in 1..=120 {
             world.step(TICK);
@@ -267,17 +238,10 @@ fn a_pushed_row_moves_as_one() {
 fn nothing_tunnels_at_any_speed() {
     for v in [10.0, 36.0, 400.0, 8_333.0, 1e6] {
         // Against a wall of 5 cm, and body against body of 5 cm.
-        let thin = DVec2::new(0.025, 0.5);
-        let wall = SurfaceDef::fixed(Aabb::new(DVec2::new(10.0, -5.0), DVec2::new(10.05, 5.0)), Material::STEEL);
-        let dart = BodyDef { velocity: DVec2::new(v, 0.0), half: DVec2::splat(0.025), ..BodyDef::default() };
-        let def =
-            WorldDef { gravity: 0.0, air_density: 0.0, surfaces: vec![wall], bodies: vec![dart.clone()], ..WorldDef::default() };
-        let mut world = World::new(def).unwrap();
-        run(&mut world, 2.0, TICK);
-        assert_eq!(world.body(BodyId(0)).position.x, 10.0 - 0.025);
-        let target = BodyDef { position: DVec2::new(10.0, 0.0), half: thin, mass: 3.0, ..BodyDef::default() };
-        let mut world =
-            World::new(WorldDef { gravity: 0.0, air_density: 0.0, bodies: vec![dart, target], ..WorldDef::default() }).unwrap();
+        let mut against_wall = world(dart_and_wall(v));
+        run(&mut against_wall, 2.0, TICK);
+        assert_eq!(against_wall.body(BodyId(0)).position.x, 10.0 - 0.025);
+        let mut world = world(dart_and_target(v));
         run(&mut world, 2.0, TICK);
         assert!((world.body(BodyId(1)).velocity.x / (v / 4.0) - 1.0).abs() < 1e-12);
     }

@@ -14,7 +14,8 @@ use resultant::level::{Fluid, Level, Stream};
 use resultant::physics::DVec2;
 use resultant::screens::{Attempt, Flight, Input, Key, Keys};
 use std::sync::Arc;
-use support::rooms::{area, yard};
+use support::hashes::assert_golden;
+use support::rooms::{area, crate_at, yard};
 
 /// From one instant at which keys may change to the next, s: frames of 24, 30, 60, 144 a second all end there.
 const SLOT: f64 = 1.0 / 6.0;
@@ -158,6 +159,31 @@ fn yard_with_media() -> Level {
         vec![Stream { source: area(20.0, 59.0, 30.0, 60.0), zone: area(20.0, 20.0, 30.0, 59.0), force: DVec2::new(0.0, -900.0) }];
     level.fluids = vec![Fluid { zone: area(60.0, 50.0, 90.0, 60.0), density: 900.0, viscosity: 50.0, colour: [0; 3] }];
     level
+}
+
+/// The yard with 80 crates in a heap beside the ship, more than one island is followed event by event with.
+fn crowded_yard() -> Level {
+    let mut level = yard();
+    let place = |i: u32| DVec2::new(56.0 + 1.1 * f64::from(i % 10) + 0.05 * f64::from(i / 10), 58.0 - 1.2 * f64::from(i / 10));
+    level.objects.extend((0..80).map(|i| crate_at(place(i), DVec2::ZERO, None)));
+    level
+}
+
+#[test]
+fn flights_through_a_crowd_a_liquid_and_a_stream_have_their_golden_hashes() {
+    let only = |part: fn(&mut Level)| {
+        let mut level = yard_with_media();
+        part(&mut level);
+        level
+    };
+    let levels = [
+        ("crowd", crowded_yard()),
+        ("liquid", only(|level| level.streams.clear())),
+        ("stream", only(|level| level.fluids.clear())),
+    ];
+    for (name, level) in levels {
+        assert_golden(name, the_same_at_every_rate(&level, &script(2, 30, false)));
+    }
 }
 
 /// Asserts that the script leads to the same bits at every frame rate, and returns their hash.

@@ -9,6 +9,11 @@ use resultant::physics::Aabb;
 use std::sync::Arc;
 use support::{Random, level_texts};
 
+#[global_allocator]
+static ALLOCATOR: support::memory::Counting = support::memory::Counting;
+
+/// Bytes. A tick once took 1.27 GB.
+const MOST_HELD: isize = 64 << 20;
 const LEVELS: u64 = 300;
 const TICKS: u32 = 15;
 
@@ -24,7 +29,9 @@ fn what_is_accepted_stays_finite_and_in_the_level() {
         let mut random = Random(!seed);
         for tick in 0..TICKS {
             let mut key = || random.chance(0.4);
-            game.step(Controls { thrust: key(), reverse: key(), left: key(), right: key() });
+            let controls = Controls { thrust: key(), reverse: key(), left: key(), right: key() };
+            let (held, ()) = support::memory::most_held(|| game.step(controls));
+            assert!(held < MOST_HELD, "seed {seed}, tick {tick}: {held} bytes");
             for (i, body) in game.world().bodies().iter().enumerate() {
                 let finite = body.position.is_finite() && body.velocity.is_finite() && body.acceleration.is_finite();
                 assert!(finite, "seed {seed}, tick {tick}: body {i} is {body:?}");

@@ -6,6 +6,7 @@
 
 use super::Stop;
 use crate::files;
+use serde::Serialize;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -27,6 +28,37 @@ pub fn read_text(path: &Path, at_most: u64) -> Result<String, Stop> {
 pub struct NewFile {
     path: PathBuf,
     writer: BufWriter<Place>,
+}
+
+/// A CSV file of rows, while it is written.
+pub struct Table<W: Write>(csv::Writer<W>);
+
+impl<W: Write> Table<W> {
+    /// Begins with the names of the columns, separated by commas. A row's fields may hold several cells each, so that they are not the
+    /// names.
+    pub fn new(out: W, header: &str) -> io::Result<Self> {
+        let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(out);
+        writer.write_record(header.split(',')).map_err(plain)?;
+        Ok(Self(writer))
+    }
+
+    /// Adds a row.
+    pub fn row(&mut self, row: &impl Serialize) -> io::Result<()> {
+        self.0.serialize(row).map_err(plain)
+    }
+
+    /// Ends the rows; what they were written to.
+    pub fn into_inner(self) -> io::Result<W> {
+        self.0.into_inner().map_err(|error| error.into_error())
+    }
+}
+
+/// What the system said, as it said it: whoever reads a pipe may have gone away.
+fn plain(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
 }
 
 enum Place {

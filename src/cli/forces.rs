@@ -1,9 +1,11 @@
 //! The file of forces: every single force and impact, tick by tick, with what exerts it and where it acts.
 
-use super::number::Shortest;
-use super::telemetry::{column, write_vector};
+use super::files::Table;
+use super::number::{Pair, Shortest, pair};
+use super::telemetry::column;
 use crate::game::{Game, obstacle_name, source_name};
 use crate::physics::{BodyId, DVec2, Impulse};
+use serde::Serialize;
 use std::io::{self, Write};
 
 /// The first row.
@@ -11,32 +13,52 @@ pub const HEADER: &str = "tick,time,object,kind,by,x,y,point_x,point_y";
 /// The kind of a row that tells of an impact: its vector is an impulse, N·s.
 const IMPACT: &str = "impact";
 
-/// The rows of the current tick: for each object, numbered as in the telemetry, the forces that act on it at this instant (N), and then the
-/// impacts that it felt since the tick before (N·s), in the order of their times. Points in metres.
-pub fn write_tick(out: &mut impl Write, game: &Game) -> io::Result<()> {
-    let (world, level) = (game.world(), game.level());
-    for id in (0..world.bodies().len() as u32).map(BodyId) {
-        for force in world.forces(id).forces() {
-            write_row(out, game, id, (&column(force.kind), &source_name(level, force.source)), (force.vector, force.point))?;
-        }
-        let felt = |impulse: &Impulse| Some((impulse.on(id)?, impulse.point));
-        for ((vector, by), point) in world.impulses().iter().filter_map(felt) {
-            write_row(out, game, id, (IMPACT, &obstacle_name(level, by)), (vector, point))?;
-        }
-    }
-    Ok(())
+/// A row: an instant and what acts on an object then, numbered as in the telemetry; N (an impact: N·s) and metres.
+#[derive(Serialize)]
+struct Row<'a> {
+    tick: u64,
+    time: Shortest,
+    object: u32,
+    kind: &'a str,
+    by: &'a str,
+    vector: Pair,
+    point: Pair,
 }
 
-fn write_row(
-    out: &mut impl Write,
-    game: &Game,
-    id: BodyId,
-    (kind, by): (&str, &str),
-    (vector, point): (DVec2, DVec2),
-) -> io::Result<()> {
-    write!(out, "{},{},{},{kind},{by}", game.ticks(), Shortest(game.time()), id.0)?;
-    // Adding zero turns −0 into 0: what opposes 0 is 0.
-    write_vector(out, vector + DVec2::ZERO)?;
-    write_vector(out, point)?;
-    writeln!(out)
+/// The file while it is written.
+pub struct Forces<W: Write>(Table<W>);
+
+impl<W: Write> Forces<W> {
+    /// Begins the file.
+    pub fn new(out: W) -> io::Result<Self> {
+        Ok(Self(Table::new(out, HEADER)?))
+    }
+
+    /// The rows of the current tick: for each object the forces that act on it at this instant, and then the impacts that it felt since the
+    /// tick before, in the order of their times.
+    pub fn write_tick(&mut self, game: &Game) -> io::Result<()> {
+        let (world, level) = (game.world(), game.level());
+        for id in (0..world.bodies().len() as u32).map(BodyId) {
+            for force in world.forces(id).forces() {
+                let names = (column(force.kind), source_name(level, force.source));
+                self.write_row(game, id, (&names.0, &names.1), (force.vector, force.point))?;
+            }
+            let felt = |impulse: &Impulse| Some((impulse.on(id)?, impulse.point));
+            for ((vector, by), point) in world.impulses().iter().filter_map(felt) {
+                self.write_row(game, id, (IMPACT, &obstacle_name(level, by)), (vector, point))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Ends the file.
+    pub fn into_inner(self) -> io::Result<W> {
+        self.0.into_inner()
+    }
+
+    fn write_row(&mut self, game: &Game, id: BodyId, (kind, by): (&str, &str), (vector, point): (DVec2, DVec2)) -> io::Result<()> {
+        // Adding zero turns −0 into 0: what opposes 0 is 0.
+        let vector = pair(vector + DVec2::ZERO);
+        self.0.row(&Row { tick: game.ticks(), time: Shortest(game.time()), object: id.0, kind, by, vector, point: pair(point) })
+    }
 }

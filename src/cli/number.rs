@@ -1,5 +1,7 @@
 //! How results print numbers.
 
+use crate::physics::DVec2;
+use serde::{Serialize, Serializer};
 use std::fmt;
 
 /// Magnitudes that print without an exponent: outside, the plain form fills up with zeros.
@@ -14,6 +16,20 @@ impl fmt::Display for Shortest {
         let Self(number) = self;
         if *number == 0.0 || PLAIN.contains(&number.abs()) { write!(f, "{number}") } else { write!(f, "{number:e}") }
     }
+}
+
+impl Serialize for Shortest {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_str(self)
+    }
+}
+
+/// Two cells of a row: a vector's x and y.
+pub type Pair = (Shortest, Shortest);
+
+/// A vector's cells.
+pub const fn pair(vector: DVec2) -> Pair {
+    (Shortest(vector.x), Shortest(vector.y))
 }
 
 #[cfg(test)]

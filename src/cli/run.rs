@@ -1,8 +1,10 @@
 //! `resultant run`: plays a level without a window.
 
 use super::files::{NewFile, read_text};
+use super::forces::Forces;
 use super::number::Shortest;
-use super::{Project, Status, Stop, forces, load_level, telemetry};
+use super::telemetry::Telemetry;
+use super::{Project, Status, Stop, load_level};
 use crate::files::INPUTS;
 use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Replay, SHIP, TICK_RATE, TICK_RATES};
 use crate::level::{Level, Look};
@@ -81,12 +83,11 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     let outputs =
         [("--telemetry", args.telemetry.as_deref()), ("--forces", args.forces.as_deref()), ("--record", args.record.as_deref())];
     let [telemetry, forces, record] = NewFile::create_all(outputs, &read)?;
-    let mut written = Written { telemetry, forces };
+    let mut written =
+        Written { telemetry: telemetry.map(Telemetry::new).transpose()?, forces: forces.map(Forces::new).transpose()? };
 
     let flown = fly(&mut game, inputs.unwrap_or_default(), last, &mut written)?;
-    for file in [written.telemetry, written.forces].into_iter().flatten() {
-        file.finish()?;
-    }
+    written.finish()?;
     if let Some(mut file) = record {
         write!(file, "{}", Replay::of(&game, flown))?;
         file.finish()?;
@@ -127,27 +128,27 @@ fn last_tick(args: &Args, inputs: Option<&Inputs>) -> Result<u64, Stop> {
 
 /// The files that are written while a run is flown.
 struct Written {
-    telemetry: Option<NewFile>,
-    forces: Option<NewFile>,
+    telemetry: Option<Telemetry<NewFile>>,
+    forces: Option<Forces<NewFile>>,
 }
 
 impl Written {
-    fn write_headers(&mut self) -> io::Result<()> {
+    fn write_tick(&mut self, game: &Game) -> io::Result<()> {
         if let Some(file) = &mut self.telemetry {
-            writeln!(file, "{}", telemetry::HEADER)?;
+            file.write_tick(game)?;
         }
         if let Some(file) = &mut self.forces {
-            writeln!(file, "{}", forces::HEADER)?;
+            file.write_tick(game)?;
         }
         Ok(())
     }
 
-    fn write_tick(&mut self, game: &Game) -> io::Result<()> {
-        if let Some(file) = &mut self.telemetry {
-            telemetry::write_tick(file, game)?;
+    fn finish(self) -> Result<(), Stop> {
+        if let Some(file) = self.telemetry {
+            file.into_inner()?.finish()?;
         }
-        if let Some(file) = &mut self.forces {
-            forces::write_tick(file, game)?;
+        if let Some(file) = self.forces {
+            file.into_inner()?.finish()?;
         }
         Ok(())
     }
@@ -155,7 +156,6 @@ impl Written {
 
 /// Flies and returns the controls of every tick flown.
 fn fly(game: &mut Game, inputs: Inputs, last: u64, written: &mut Written) -> io::Result<Inputs> {
-    written.write_headers()?;
     written.write_tick(game)?;
     let mut flown = Inputs::default();
     let mut playback = inputs.into_iter();

@@ -1,9 +1,11 @@
 //! The telemetry file: where everything is and what acts on it, tick by tick.
 
-use super::number::Shortest;
+use super::files::Table;
+use super::number::{Pair, Shortest, pair};
 use crate::game::{Game, SHIP};
 use crate::level::Object;
 use crate::physics::{BodyId, DVec2, ForceKind, Obstacle, World};
+use serde::Serialize;
 use std::io::{self, Write};
 
 /// The first row.
@@ -11,16 +13,47 @@ pub const HEADER: &str = "tick,time,object,kind,x,y,vx,vy,ax,ay,angle,fuel,resul
     reaction_x,reaction_y,friction_x,friction_y,air_resistance_x,air_resistance_y,wind_x,wind_y,buoyancy_x,buoyancy_y,viscous_drag_x,\
     viscous_drag_y,push_x,push_y,impulse_x,impulse_y";
 
-/// The rows of the current tick, one an object: the ship, then the objects in the level's order. Metres, m/s, m/s², N, degrees;
-/// an object has neither angle nor fuel: both are 0. All of a row speaks of its own instant, with the engine's drive of the tick that led
-/// to it; only the impulse (N·s) is that of all impacts since the row before.
-pub fn write_tick(out: &mut impl Write, game: &Game) -> io::Result<()> {
-    let (ship, impulses) = (game.ship(), impulses(game.world()));
-    write_row(out, game, (SHIP, impulses[0]), "ship", (ship.angle, ship.fuel))?;
-    for ((body, object), impulse) in (1..).zip(&game.level().objects).zip(&impulses[1..]) {
-        write_row(out, game, (BodyId(body), *impulse), kind(object), (0.0, 0.0))?;
+/// A row. Metres, m/s, m/s², N, degrees; an object has neither angle nor fuel: both are 0. All of a row speaks of its own instant, with
+/// the engine's drive of the tick that led to it; only the impulse (N·s) is that of all impacts since the row before.
+#[derive(Serialize)]
+struct Row {
+    tick: u64,
+    time: Shortest,
+    object: u32,
+    kind: &'static str,
+    position: Pair,
+    velocity: Pair,
+    acceleration: Pair,
+    angle: Shortest,
+    fuel: Shortest,
+    resultant: Pair,
+    forces: [Pair; ForceKind::ALL.len()],
+    impulse: Pair,
+}
+
+/// The file while it is written.
+pub struct Telemetry<W: Write>(Table<W>);
+
+impl<W: Write> Telemetry<W> {
+    /// Begins the file.
+    pub fn new(out: W) -> io::Result<Self> {
+        Ok(Self(Table::new(out, HEADER)?))
     }
-    Ok(())
+
+    /// The rows of the current tick, one an object: the ship, then the objects in the level's order.
+    pub fn write_tick(&mut self, game: &Game) -> io::Result<()> {
+        let (ship, impulses) = (game.ship(), impulses(game.world()));
+        self.0.row(&row(game, (SHIP, impulses[0]), "ship", (ship.angle, ship.fuel)))?;
+        for ((body, object), impulse) in (1..).zip(&game.level().objects).zip(&impulses[1..]) {
+            self.0.row(&row(game, (BodyId(body), *impulse), kind(object), (0.0, 0.0)))?;
+        }
+        Ok(())
+    }
+
+    /// Ends the file.
+    pub fn into_inner(self) -> io::Result<W> {
+        self.0.into_inner()
+    }
 }
 
 /// What each body felt of the last tick's impacts, N·s.
@@ -44,30 +77,22 @@ fn kind(object: &Object) -> &'static str {
     if object.key.is_some() { "key" } else { "object" }
 }
 
-fn write_row(
-    out: &mut impl Write,
-    game: &Game,
-    (id, impulse): (BodyId, DVec2),
-    kind: &str,
-    (angle, fuel): (f64, f64),
-) -> io::Result<()> {
+fn row(game: &Game, (id, impulse): (BodyId, DVec2), kind: &'static str, (angle, fuel): (f64, f64)) -> Row {
     let (body, forces) = (game.world().body(id), game.world().forces(id));
-    write!(out, "{},{},{},{kind}", game.ticks(), Shortest(game.time()), id.0)?;
-    for vector in [body.position, body.velocity, body.acceleration] {
-        write_vector(out, vector)?;
+    Row {
+        tick: game.ticks(),
+        time: Shortest(game.time()),
+        object: id.0,
+        kind,
+        position: pair(body.position),
+        velocity: pair(body.velocity),
+        acceleration: pair(body.acceleration),
+        angle: Shortest(angle),
+        fuel: Shortest(fuel),
+        resultant: pair(forces.resultant()),
+        forces: ForceKind::ALL.map(|kind| pair(forces.total(kind))),
+        impulse: pair(impulse),
     }
-    write!(out, ",{},{}", Shortest(angle), Shortest(fuel))?;
-    write_vector(out, forces.resultant())?;
-    for kind in ForceKind::ALL {
-        write_vector(out, forces.total(kind))?;
-    }
-    write_vector(out, impulse)?;
-    writeln!(out)
-}
-
-/// Two more cells.
-pub fn write_vector(out: &mut impl Write, vector: DVec2) -> io::Result<()> {
-    write!(out, ",{},{}", Shortest(vector.x), Shortest(vector.y))
 }
 
 #[cfg(test)]

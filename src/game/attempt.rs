@@ -175,6 +175,18 @@ impl Game {
         Ok(game)
     }
 
+    /// Lets the engine burn no fuel from now on, or again: an assist.
+    pub const fn set_lasting_fuel(&mut self, lasts: bool) {
+        self.ship.fuel_lasts = lasts;
+    }
+
+    /// Whether nothing that the player can do moves the ship any more: its tank is empty and it is at rest.
+    pub fn is_stranded(&self) -> bool {
+        let ship = self.world.body(SHIP);
+        let at_rest = ship.velocity == DVec2::ZERO && ship.acceleration == DVec2::ZERO;
+        self.outcome == Outcome::Running && self.ship.fuel == 0.0 && at_rest
+    }
+
     /// Advances the attempt by exactly one tick. Once it has ended nothing changes any more, but the events are over.
     pub fn step(&mut self, controls: Controls) {
         self.events.clear();
@@ -365,6 +377,8 @@ impl Game {
             distance: self.flight.distance,
             top_speed: self.flight.top_speed,
             peak_resultant: self.flight.peak_resultant,
+            assisted: false,
+            death: self.killed_by().map(|death| death.words(&self.level)),
             score: match self.outcome {
                 Outcome::Completed => ScoreParts::completed(time, optimal_time, self.fuel(), self.flight.collisions),
                 Outcome::Running | Outcome::Failed => ScoreParts::default(),

@@ -2,7 +2,7 @@
 
 use super::names::obstacle_name;
 use crate::level::Level;
-use crate::physics::{BodyId, Event, Obstacle};
+use crate::physics::{Aabb, BodyId, Event, Obstacle};
 
 /// What the ship was lost to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +19,21 @@ impl Death {
         match self {
             Self::Obstacle(index) => format!("obstacle {}", index + 1),
             Self::Crushed(surface) => format!("crushed by {}", obstacle_name(level, Obstacle::Surface(surface))),
+        }
+    }
+
+    /// As the player is told: what it was, and where (m from the level's left and bottom, as it counts on the screen's graph paper).
+    pub fn words(self, level: &Level) -> String {
+        let at = |bounds: Aabb| {
+            let centre = bounds.centre();
+            format!("at x = {:.0} m, y = {:.0} m", centre.x, level.size.y - centre.y)
+        };
+        match self {
+            Self::Obstacle(index) => format!("Touched a red box {}", at(level.obstacles[index])),
+            Self::Crushed(surface) => match level.world.get(surface as usize) {
+                Some(solid) => format!("Crushed by a block {}", at(solid.bounds)),
+                None => "Crushed against the edge of the level".into(),
+            },
         }
     }
 }

@@ -10,6 +10,8 @@
 //! with `#` are skipped; CRLF, a byte-order mark and spaces around a cell are accepted.
 
 use super::Controls;
+use csv::{ReaderBuilder, StringRecord, Terminator, Trim, WriterBuilder};
+use serde::{Deserialize, Serialize, Serializer};
 use std::fmt;
 
 /// The columns of the file, which are its first row.
@@ -33,10 +35,27 @@ impl fmt::Display for BadFile {
 impl std::error::Error for BadFile {}
 
 /// Keys held for a number of ticks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 struct Row {
     ticks: u64,
+    #[serde(serialize_with = "as_keys")]
     controls: Controls,
+}
+
+/// A row as it stands in the file: nothing of it is judged yet, so that every problem in it can be told.
+#[derive(Deserialize)]
+struct Cells<'a> {
+    ticks: &'a str,
+    thrust: &'a str,
+    reverse: &'a str,
+    left: &'a str,
+    right: &'a str,
+}
+
+/// Keys as four cells, 0 or 1.
+fn as_keys<S: Serializer>(controls: &Controls, to: S) -> Result<S::Ok, S::Error> {
+    let &Controls { thrust, reverse, left, right } = controls;
+    [thrust, reverse, left, right].map(u8::from).serialize(to)
 }
 
 /// The controls of every tick, from the first one on.
@@ -52,17 +71,16 @@ impl Inputs {
     /// A missing header, a wrong number of cells, ticks that are no whole number from 1, a key that is neither 0 nor 1, more than
     /// [`MOST_TICKS`] in all.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
-        let mut lines = (1..)
-            .zip(text.strip_prefix('\u{feff}').unwrap_or(text).lines())
-            .map(|(number, line)| (number, line.trim()))
-            .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'))
-            .map(|(number, line)| Line { file, number, cells: cells(line) });
-
+        let mut lines = lines(file, text).into_iter();
         let names: Vec<&str> = HEADER.split(',').collect();
         match lines.next() {
-            None => return Err(BadFile(vec![Line { file, number: 1, cells: vec![] }.problem("ticks", "nothing", HEADER_ROW)])),
+            None => {
+                let nothing = Line { file, number: 1, cells: StringRecord::new() };
+                return Err(BadFile(vec![nothing.problem("ticks", "nothing", HEADER_ROW)]));
+            }
             Some(line) if line.cells != names => {
-                return Err(BadFile(vec![line.problem("ticks", &format!("{:?}", line.cells.join(",")), HEADER_ROW)]));
+                let found = line.cells.iter().collect::<Vec<_>>().join(",");
+                return Err(BadFile(vec![line.problem("ticks", &format!("{found:?}"), HEADER_ROW)]));
             }
             Some(_) => {}
         }
@@ -102,12 +120,11 @@ impl Inputs {
 impl fmt::Display for Inputs {
     /// The text of the file, which [`Inputs::parse`] reads.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut writer = WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+        self.rows.iter().try_for_each(|row| writer.serialize(row)).map_err(|_| fmt::Error)?;
+        let rows = writer.into_inner().map_err(|_| fmt::Error)?;
         writeln!(f, "{HEADER}")?;
-        for Row { ticks, controls: Controls { thrust, reverse, left, right } } in &self.rows {
-            let [thrust, reverse, left, right] = [thrust, reverse, left, right].map(|&key| u8::from(key));
-            writeln!(f, "{ticks},{thrust},{reverse},{left},{right}")?;
-        }
-        Ok(())
+        f.write_str(&String::from_utf8_lossy(&rows))
     }
 }
 
@@ -147,12 +164,26 @@ const HEADER_ROW: &str = "the header ticks,thrust,reverse,left,right";
 struct Line<'a> {
     file: &'a str,
     number: usize,
-    cells: Vec<&'a str>,
+    cells: StringRecord,
 }
 
-/// The cells of a line. Empty ones at its end, as spreadsheets leave them, are none.
-fn cells(line: &str) -> Vec<&str> {
-    line.trim_end_matches([',', ' ', '\t']).split(',').map(str::trim).collect()
+/// The cells of each line, without the spaces around them. No cell of these files needs quotes, so that each line is one record; none may
+/// be empty.
+pub(crate) fn records(lines: &str) -> Vec<StringRecord> {
+    let mut reader = ReaderBuilder::new();
+    reader.has_headers(false).flexible(true).quoting(false).trim(Trim::All).terminator(Terminator::Any(b'\n'));
+    reader.from_reader(lines.as_bytes()).records().map(Result::unwrap_or_default).collect()
+}
+
+/// The lines that hold something: neither blank nor a comment. They keep the numbers that an editor gives them; those of the `csv` crate
+/// are off behind blank lines and comments. Empty cells at a line's end, as spreadsheets leave them, are none.
+fn lines<'a>(file: &'a str, text: &str) -> Vec<Line<'a>> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let cut = text.lines().map(|line| line.trim().trim_end_matches([',', ' ', '\t']));
+    let (numbers, rows): (Vec<usize>, Vec<&str>) =
+        (1..).zip(cut).filter(|(_, line)| !line.is_empty() && !line.starts_with('#')).unzip();
+    let rows = rows.join("\n");
+    numbers.into_iter().zip(records(&rows)).map(|(number, cells)| Line { file, number, cells }).collect()
 }
 
 impl Line<'_> {
@@ -161,28 +192,31 @@ impl Line<'_> {
     }
 
     fn row(&self, names: &[&str], problems: &mut Vec<String>) -> Option<Row> {
-        if self.cells.len() != names.len() {
+        let cells = self.cells.deserialize(None).ok().filter(|_| self.cells.len() == names.len());
+        let Some(Cells { ticks, thrust, reverse, left, right }) = cells else {
             let column = names.get(self.cells.len()).unwrap_or(&"right");
             let expected = format!("{} cells for {HEADER}", names.len());
             problems.push(self.problem(column, &format!("{} cells in the row", self.cells.len()), &expected));
             return None;
-        }
+        };
         let before = problems.len();
-        let ticks = self.cells[0].parse().ok().filter(|ticks| (1..=MOST_TICKS).contains(ticks)).unwrap_or_else(|| {
+        let ticks = ticks.parse().ok().filter(|ticks| (1..=MOST_TICKS).contains(ticks)).unwrap_or_else(|| {
             let expected = format!("a whole number from 1 to {MOST_TICKS}");
-            problems.push(self.problem("ticks", &format!("{:?}", self.cells[0]), &expected));
+            problems.push(self.problem("ticks", &format!("{ticks:?}"), &expected));
             0
         });
-        let mut key = |index: usize| match self.cells[index] {
-            "1" => true,
-            other => {
-                if other != "0" {
-                    problems.push(self.problem(names[index], &format!("{other:?}"), "0 or 1"));
-                }
-                false
+        let mut key = |column: &str, cell: &str| {
+            if cell != "0" && cell != "1" {
+                problems.push(self.problem(column, &format!("{cell:?}"), "0 or 1"));
             }
+            cell == "1"
         };
-        let controls = Controls { thrust: key(1), reverse: key(2), left: key(3), right: key(4) };
+        let controls = Controls {
+            thrust: key("thrust", thrust),
+            reverse: key("reverse", reverse),
+            left: key("left", left),
+            right: key("right", right),
+        };
         (problems.len() == before).then_some(Row { ticks, controls })
     }
 }

@@ -27,6 +27,7 @@ pub use clock::{Clock, TICKS_A_FRAME};
 pub use death::Death;
 pub use fingerprint::level_hash;
 pub use impacts::{Felt, READABLE};
+pub(crate) use inputs::records;
 pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
 pub use latch::Latch;
 pub use names::{obstacle_name, source_name};

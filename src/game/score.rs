@@ -82,6 +82,10 @@ pub struct RunResult {
     pub top_speed: f64,
     /// On the ship, N.
     pub peak_resultant: f64,
+    /// Whether the player had help: then it is not for the board.
+    pub assisted: bool,
+    /// What the ship was lost to, in words.
+    pub death: Option<String>,
     /// The total and its parts; all 0 unless the level was completed.
     pub score: ScoreParts,
 }

@@ -25,12 +25,22 @@ pub struct Ship {
     turned: i64,
     /// Ticks burnt.
     burnt: u64,
+    /// Whether the engine burns no fuel.
+    pub(super) fuel_lasts: bool,
 }
 
 impl Ship {
     /// The ship at the start of a level.
     pub(super) fn new(player: &Player) -> Self {
-        Self { angle: player.angle, previous_angle: player.angle, fuel: player.fuel, burning: 0, turned: 0, burnt: 0 }
+        Self {
+            angle: player.angle,
+            previous_angle: player.angle,
+            fuel: player.fuel,
+            burning: 0,
+            turned: 0,
+            burnt: 0,
+            fuel_lasts: false,
+        }
     }
 
     /// Obeys the keys for one tick and returns the engine's drive during it, N. Left and right cancel each other; so do thrust and
@@ -44,7 +54,7 @@ impl Ship {
         if self.burning == 0 {
             return DVec2::ZERO;
         }
-        self.burnt += 1;
+        self.burnt += u64::from(!self.fuel_lasts);
         self.fuel = (player.fuel - self.burnt as f64 * BURN_RATE / tick_rate).max(0.0);
         // Adding zero turns a negative zero into zero.
         nose(self.angle) * (f64::from(self.burning) * player.thrust) + DVec2::ZERO
@@ -63,6 +73,9 @@ impl Ship {
         write(self.burning as u64);
         write(self.turned as u64);
         write(self.burnt);
+        if self.fuel_lasts {
+            write(1);
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Bytes to rows of cells, each of which knows its line as an editor counts it.
 //!
-//! The `csv` crate is not used here: its line numbers are off after CRLF, blank lines and comments, it swallows the rest of a file
+//! The `csv` crate makes structs of the cells (see `table`), but does not cut them out of the file: its line numbers are off after CRLF, blank lines and comments, it swallows the rest of a file
 //! after a quote that is never closed, and it does not see a quoted cell behind a space. Authors need all three.
 
 use std::iter::Peekable;

@@ -3,7 +3,7 @@
 //!
 //! The way of a level: `cells` cuts a file's bytes into cells that know their line; `table` finds out which cell belongs to which
 //! column; `quantity` says which numbers are accepted; `rows` turns each file's records into typed rows; `read` puts the rows
-//! together, `placement` and `reach` look at the whole. All of that is pure: [`read()`] asks [`Files`] for bytes. Only `folder`
+//! together, `strength`, `placement` and `reach` look at the whole. All of that is pure: [`read()`] asks [`Files`] for bytes. Only `folder`
 //! knows the disk: [`load`] and [`list`].
 
 mod cells;
@@ -16,6 +16,7 @@ mod quantity;
 mod reach;
 mod read;
 mod rows;
+mod strength;
 mod table;
 mod types;
 mod world_def;

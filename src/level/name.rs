@@ -2,8 +2,12 @@
 
 /// Longest name of a new level, characters.
 const MAX_NAME: usize = 40;
-/// Leaderboards that are no level's, each with whose it is. A level of that name would share it.
-const OTHER_BOARDS: [(&str, &str); 1] = [("jumper", "the Jumper")];
+/// Files among the leaderboards that are no level's, each with what it is. A level of that name would share it.
+const OTHER_FILES: [(&str, &str); 3] = [
+    ("jumper", "the leaderboard of that name is that of the Jumper"),
+    ("players", "scores/players.csv says what the players have done"),
+    ("attempts", "scores/attempts.csv is the list of attempts"),
+];
 /// What Windows takes for a device, whatever follows behind a full stop: no folder there, and no file of scores, can have that name.
 const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "conin$", "conout$"];
 /// Devices that a digit follows.
@@ -14,7 +18,7 @@ const NUMBERED_DEVICES: [&str; 2] = ["com", "lpt"];
 pub enum NameFault {
     /// It is no word.
     NoWord,
-    /// The leaderboard of that name is another's: this one's.
+    /// The file of that name among the leaderboards is another one, for this reason.
     Board(&'static str),
     /// Windows takes it for a device.
     Device,
@@ -25,7 +29,7 @@ impl NameFault {
     pub fn expected(self) -> String {
         match self {
             Self::NoWord => format!("up to {MAX_NAME} letters, digits, - and _, the first a letter or digit"),
-            Self::Board(whose) => format!("another name, as the leaderboard of that name is that of {whose}"),
+            Self::Board(reason) => format!("another name, as {reason}"),
             Self::Device => "another name, as Windows takes that one for a device".to_owned(),
         }
     }
@@ -46,8 +50,8 @@ pub fn judge_name(name: &str) -> Result<(), NameFault> {
 /// Judges whether a name is taken by something else, in any case.
 pub(super) fn judge_taken(name: &str) -> Result<(), NameFault> {
     let lower = name.to_lowercase();
-    if let Some((_, whose)) = OTHER_BOARDS.into_iter().find(|(board, _)| *board == lower) {
-        return Err(NameFault::Board(whose));
+    if let Some((_, reason)) = OTHER_FILES.into_iter().find(|(file, _)| *file == lower) {
+        return Err(NameFault::Board(reason));
     }
     let stem = lower.split('.').next().unwrap_or_default().trim_end();
     let numbered = NUMBERED_DEVICES.iter().filter_map(|device| stem.strip_prefix(device)).any(|rest| {
@@ -73,8 +77,8 @@ mod tests {
 
     #[test]
     fn names_that_are_taken_are_none_in_any_case() {
-        for name in ["jumper", "Jumper", "JUMPER"] {
-            assert_eq!(judge_name(name), Err(NameFault::Board("the Jumper")), "{name}");
+        for name in ["jumper", "Jumper", "JUMPER", "players", "Attempts"] {
+            assert!(matches!(judge_name(name), Err(NameFault::Board(_))), "{name}");
         }
         for name in ["CON", "aux", "NUL", "prn", "COM1", "com0", "Lpt9", "com¹"] {
             assert_eq!(judge_name(name), Err(NameFault::Device), "{name}");

@@ -1,15 +1,15 @@
 //! Which numbers a level may hold, and the scale from pixels to metres.
 //!
-//! The limits are far outside anything playable. They are there so that nothing that was accepted can ever become infinite or NaN:
-//! the largest force on the smallest mass for one tick, squared, is still some hundred powers of ten below f64's largest number.
+//! The limits are far outside anything playable, and within what the physics can carry: nothing that is accepted becomes infinite or
+//! NaN, leaves the level or is lost in a rounding. What depends on two cells together is in `strength`.
 
 use crate::physics::{Aabb, DVec2};
 
 /// Farthest that anything may lie from the level's top left corner, and the largest size, m. Above it f64 resolves positions
 /// more coarsely than 1e-10 m and contacts lose their exactness.
 const MAX_DISTANCE: f64 = 1e6;
-/// Smallest side of anything, m. It must stay well above the tolerances of contacts.
-const MIN_SIZE: f64 = 1e-4;
+/// Smallest side of anything, m. It must stay well above the tolerances of contacts, also at [`MAX_DISTANCE`].
+const MIN_SIZE: f64 = 1e-3;
 
 /// A range of accepted numbers, both ends included, with its unit.
 #[derive(Clone, Copy, Debug)]
@@ -19,18 +19,20 @@ pub(super) struct Quantity {
     unit: &'static str,
 }
 
-pub(super) const MASS: Quantity = Quantity::new(1e-6, 1e9, "kg");
-pub(super) const FORCE: Quantity = Quantity::new(-1e9, 1e9, "N");
-pub(super) const THRUST: Quantity = Quantity::new(0.0, 1e9, "N");
+/// Their ratio stays a thousand times below what counts as no force when reactions are shared out (1e-12 of the largest): the weight of
+/// the lightest beside that of the heaviest is no rounding.
+pub(super) const MASS: Quantity = Quantity::new(1e-3, 1e6, "kg");
+pub(super) const FORCE: Quantity = Quantity::new(-1e7, 1e7, "N");
+pub(super) const THRUST: Quantity = Quantity::new(0.0, 1e7, "N");
 pub(super) const FUEL: Quantity = Quantity::new(0.0, 1e12, "fuel units");
 pub(super) const VELOCITY: Quantity = Quantity::new(-1e6, 1e6, "m/s");
 pub(super) const ANGLE: Quantity = Quantity::new(-1e6, 1e6, "degrees");
-pub(super) const DRAG: Quantity = Quantity::new(0.0, 1e6, "");
+pub(super) const DRAG: Quantity = Quantity::new(0.0, 1e3, "");
 pub(super) const RESTITUTION: Quantity = Quantity::new(0.0, 1.0, "");
-pub(super) const DENSITY: Quantity = Quantity::new(0.0, 1e6, "kg/m³");
+pub(super) const DENSITY: Quantity = Quantity::new(0.0, 1e5, "kg/m³");
 pub(super) const VISCOSITY: Quantity = Quantity::new(0.0, 1e6, "Pa·s");
 pub(super) const COLOUR: Quantity = Quantity::new(0.0, 255.0, "");
-pub(super) const GRAVITY: Quantity = Quantity::new(-1e6, 1e6, "N/kg");
+pub(super) const GRAVITY: Quantity = Quantity::new(-1e4, 1e4, "N/kg");
 pub(super) const OPTIMAL_TIME: Quantity = Quantity::new(1e-3, 1e9, "s");
 pub(super) const METRE: Quantity = Quantity::new(1e-3, 1e6, "pixels a metre");
 pub(super) const REST_SPEED: Quantity = Quantity::new(0.0, 1e6, "m/s");
@@ -57,7 +59,7 @@ impl Quantity {
         let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
         if self.low > 0.0 && value <= 0.0 {
             "a number above 0".to_owned() + &unit
-        } else if self.low == 0.0 && value < 0.0 && self.high > 1e3 {
+        } else if self.low == 0.0 && value < 0.0 && self.high >= 1e3 {
             "a number of 0 or more".to_owned() + &unit
         } else {
             format!("a number from {} to {}{unit}", short(self.low), short(self.high))
@@ -136,7 +138,7 @@ mod tests {
     #[test]
     fn ranges_say_what_they_want() {
         assert_eq!(MASS.parse("0"), Err("a number above 0 kg".into()));
-        assert_eq!(MASS.parse("1e-10"), Err("a number from 1e-6 to 1e9 kg".into()));
+        assert_eq!(MASS.parse("1e-10"), Err("a number from 0.001 to 1e6 kg".into()));
         assert_eq!(DRAG.parse("-1"), Err("a number of 0 or more".into()));
         assert_eq!(RESTITUTION.parse("1.01"), Err("a number from 0 to 1".into()));
         assert_eq!(RESTITUTION.parse("1"), Ok(1.0));

@@ -4,8 +4,9 @@ use super::image::{Images, png_size};
 use super::placement;
 use super::problem::{Problem, quoted};
 use super::quantity::{self as q, Quantity, Scale};
-use super::rows::{self, Placed};
-use super::table::{self, Layout, Record, Table};
+use super::rows::{self, ConstantRow, Placed};
+use super::strength;
+use super::table::{self, Layout, Record, Table, cell};
 use super::types::{Fluid, Level, Object, Objective, ObjectiveKind, Player, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Text};
 use crate::physics::{Aabb, DVec2};
 use std::io;
@@ -68,6 +69,7 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
         None => reader.plain_size(&constants),
     };
     let draft = reader.draft(size);
+    reader.problems.extend(strength::check(&draft));
     reader.problems.extend(placement::check(&draft));
     let Reader { mut problems, mut warnings, .. } = reader;
     // A level without a readable player or size has a problem already.
@@ -159,7 +161,8 @@ impl Reader<'_> {
     fn constants(&mut self) -> Constants {
         let mut given: Vec<(&str, Record)> = Vec::new();
         for record in self.table(rows::CONSTANTS).records {
-            let Some(name) = record.words("name", &mut self.problems) else { continue };
+            let row: ConstantRow = record.row();
+            let Some(name) = record.words(cell!(row.name), &mut self.problems) else { continue };
             let known = CONSTANT_NAMES.into_iter().find(|known| known.eq_ignore_ascii_case(&name));
             let Some(known) = known else {
                 let expected = format!("one of {}", CONSTANT_NAMES.join(", "));
@@ -183,7 +186,7 @@ impl Reader<'_> {
             air_density: constant("air_density", q::DENSITY).unwrap_or(1.2041),
             optimal_time: constant("optimal_time", q::OPTIMAL_TIME).unwrap_or(60.0),
             rest_speed: constant("rest_speed", q::REST_SPEED).unwrap_or(0.0),
-            title: find("title").and_then(|record| record.text("value")).filter(|title| !title.is_empty()).map(str::to_owned),
+            title: find("title").and_then(value).filter(|title| !title.is_empty()),
             width: constant("width", size),
             height: constant("height", size),
             sized: ["width", "height"].map(|name| find(name).is_some()),
@@ -193,13 +196,13 @@ impl Reader<'_> {
     /// The number in one row of constants.csv; `None` where it is not given or not accepted.
     fn constant(&mut self, record: Option<&Record>, name: &str, quantity: Quantity) -> Option<f64> {
         let record = record?;
-        let text = record.text("value")?;
+        let text = value(record)?;
         let optional = matches!(name, "metre" | "rest_speed");
         if text.is_empty() && optional {
             return None;
         }
-        let found = || if text.is_empty() { format!("nothing for {name}") } else { format!("{} for {name}", quoted(text)) };
-        quantity.parse(text).map_err(|expected| self.problems.push(record.problem("value", found(), expected))).ok()
+        let found = || if text.is_empty() { format!("nothing for {name}") } else { format!("{} for {name}", quoted(&text)) };
+        quantity.parse(&text).map_err(|expected| self.problems.push(record.problem("value", found(), expected))).ok()
     }
 
     /// The size of background.png in pixels: `None` where there is none, `Err` where it is refused.
@@ -313,6 +316,12 @@ impl Reader<'_> {
         }
         objectives
     }
+}
+
+/// What a row of constants.csv gives.
+fn value(record: &Record) -> Option<String> {
+    let ConstantRow { value, .. } = record.row();
+    value.as_str().map(str::to_owned)
 }
 
 fn items<T>(placed: Vec<Placed<T>>) -> Vec<T> {

@@ -1,13 +1,14 @@
-//! The kinds of rows: which columns each file has, and how one record becomes one thing of the level.
+//! The kinds of rows: which columns each file has, as a layout and as a struct, and how one record becomes one thing of the level.
 //!
 //! Every function reports all problems of its row before it gives up.
 
 use super::image::Images;
 use super::problem::{Problem, quoted};
 use super::quantity::{self as q, Scale};
-use super::table::{Layout, Record};
+use super::table::{CellText, Given, Layout, Record, cell};
 use super::types::{Fluid, Look, Object, ObjectiveKind, Player, Solid, Stream, Text};
 use crate::physics::{Aabb, DVec2, Material};
+use serde::Deserialize;
 
 pub(super) const CONSTANTS: Layout = Layout { file: "constants.csv", columns: "name,value" };
 pub(super) const PLAYER: Layout = Layout { file: "player.csv", columns: "x,y,mass,fuel,thrust,[air],[vx],[vy],[angle],[material]" };
@@ -24,6 +25,107 @@ pub(super) const BLOCKS: Layout = Layout { file: "objectives.csv", columns: "kin
 /// The rows OBJECT of objectives.csv; restitution and drag stand the other way round than in objects.csv.
 pub(super) const KEY_OBJECTS: Layout =
     Layout { file: "objectives.csv", columns: "kind,x,y,image,mass,r,g,b,restitution,drag,[vx],[vy],[material]" };
+
+/// A row of constants.csv.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct ConstantRow {
+    pub name: CellText,
+    pub value: CellText,
+}
+
+/// A row of player.csv.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct PlayerRow {
+    x: CellText,
+    y: CellText,
+    mass: CellText,
+    fuel: CellText,
+    thrust: CellText,
+    air: CellText,
+    vx: CellText,
+    vy: CellText,
+    angle: CellText,
+    material: CellText,
+}
+
+/// A row of world.csv or obstacles.csv, or a PLAYER or PHYS row of objectives.csv.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct BlockRow {
+    kind: CellText,
+    x: CellText,
+    y: CellText,
+    width: CellText,
+    height: CellText,
+    material: CellText,
+}
+
+/// A row of objects.csv, or an OBJECT row of objectives.csv.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct ObjectRow {
+    x: CellText,
+    y: CellText,
+    image: CellText,
+    mass: CellText,
+    r: CellText,
+    g: CellText,
+    b: CellText,
+    drag: CellText,
+    circular: CellText,
+    restitution: CellText,
+    vx: CellText,
+    vy: CellText,
+    material: CellText,
+}
+
+/// A row of hazards.csv.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct StreamRow {
+    x: CellText,
+    y: CellText,
+    width: CellText,
+    height: CellText,
+    stream_width: CellText,
+    stream_height: CellText,
+    force_x: CellText,
+    force_y: CellText,
+}
+
+/// A row of fluids.csv.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct FluidRow {
+    x: CellText,
+    y: CellText,
+    width: CellText,
+    height: CellText,
+    density: CellText,
+    viscosity: CellText,
+    r: CellText,
+    g: CellText,
+    b: CellText,
+}
+
+/// A row of texts.csv.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct TextRow {
+    x: CellText,
+    y: CellText,
+    size: CellText,
+    text: CellText,
+}
+
+/// The cells x, y, width and height of a row.
+macro_rules! place {
+    ($row:ident) => {
+        [cell!($row.x), cell!($row.y), cell!($row.width), cell!($row.height)]
+    };
+}
 
 /// A liquid's colour where the author gives none: a calm blue that stands apart from every colour with a meaning.
 const FLUID_COLOUR: [u8; 3] = [58, 110, 165];
@@ -63,7 +165,8 @@ pub(super) fn objective_layout(kind: &str) -> Option<Layout> {
 
 /// The kind of an objective block; `None` for a key object.
 pub(super) fn objective_kind(record: &Record) -> Option<ObjectiveKind> {
-    match record.text("kind")?.to_ascii_uppercase().as_str() {
+    let BlockRow { kind, .. } = record.row();
+    match kind.as_str()?.to_ascii_uppercase().as_str() {
         "PLAYER" => Some(ObjectiveKind::Player),
         "PHYS" => Some(ObjectiveKind::Physics),
         _ => None,
@@ -71,14 +174,15 @@ pub(super) fn objective_kind(record: &Record) -> Option<ObjectiveKind> {
 }
 
 pub(super) fn player(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Player> {
-    let position = point(record, scale, problems);
-    let mass = record.number("mass", q::MASS, problems);
-    let fuel = record.number("fuel", q::FUEL, problems);
-    let thrust = record.number("thrust", q::THRUST, problems);
-    let feels_air = if record.has("air") { record.boolean("air", problems) } else { Some(true) };
-    let velocity = velocity(record, problems);
-    let angle = record.number_or("angle", 0.0, q::ANGLE, problems);
-    let material = material(record, problems);
+    let row: PlayerRow = record.row();
+    let position = point(record, [cell!(row.x), cell!(row.y)], scale, problems);
+    let mass = record.number(cell!(row.mass), q::MASS, problems);
+    let fuel = record.number(cell!(row.fuel), q::FUEL, problems);
+    let thrust = record.number(cell!(row.thrust), q::THRUST, problems);
+    let feels_air = if row.air.is_given() { record.boolean(cell!(row.air), problems) } else { Some(true) };
+    let velocity = velocity(record, [cell!(row.vx), cell!(row.vy)], problems);
+    let angle = record.number_or(cell!(row.angle), 0.0, q::ANGLE, problems);
+    let material = material(record, cell!(row.material), problems);
     Some(Player {
         position: position?,
         velocity: velocity?,
@@ -92,29 +196,32 @@ pub(super) fn player(record: &Record, scale: Scale, problems: &mut Vec<Problem>)
 }
 
 pub(super) fn solid(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Solid> {
-    let bounds = rectangle(record, scale, problems);
-    let material = material(record, problems);
+    let row: BlockRow = record.row();
+    let bounds = bounds(record, place!(row), scale, problems);
+    let material = material(record, cell!(row.material), problems);
     Some(Solid { bounds: bounds?, material: material? })
 }
 
 /// A row of objects.csv, or an OBJECT row of objectives.csv.
 pub(super) fn object(record: &Record, scale: Scale, images: &mut Images, problems: &mut Vec<Problem>) -> Option<Object> {
     let is_key = record.file == KEY_OBJECTS.file;
-    let position = point(record, scale, problems);
-    let shape = record.text("image").and_then(|cell| match images.look(cell, scale) {
+    let row: ObjectRow = record.row();
+    let position = point(record, [cell!(row.x), cell!(row.y)], scale, problems);
+    let shape = row.image.as_str().and_then(|cell| match images.look(cell, scale) {
         Ok(shape) => Some(shape),
         Err((found, expected)) => {
             problems.push(record.problem("image", found, expected));
             None
         }
     });
-    let mass = record.number("mass", q::MASS, problems);
-    let key = if is_key { colour(record, None, problems).map(Some) } else { Some(None) };
-    let drag = record.number("drag", q::DRAG, problems);
-    let circular = if is_key { None } else { Some(record.boolean("circular", problems)) };
-    let restitution = record.number("restitution", q::RESTITUTION, problems);
-    let velocity = velocity(record, problems);
-    let material = material(record, problems);
+    let mass = record.number(cell!(row.mass), q::MASS, problems);
+    let channels = [cell!(row.r), cell!(row.g), cell!(row.b)];
+    let key = if is_key { colour(record, channels, None, problems).map(Some) } else { Some(None) };
+    let drag = record.number(cell!(row.drag), q::DRAG, problems);
+    let circular = if is_key { None } else { Some(record.boolean(cell!(row.circular), problems)) };
+    let restitution = record.number(cell!(row.restitution), q::RESTITUTION, problems);
+    let velocity = velocity(record, [cell!(row.vx), cell!(row.vy)], problems);
+    let material = material(record, cell!(row.material), problems);
     let (look, width, height) = shape?;
     Some(Object {
         position: position?,
@@ -131,26 +238,28 @@ pub(super) fn object(record: &Record, scale: Scale, images: &mut Images, problem
 }
 
 pub(super) fn stream(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Stream> {
-    let source = pixels(record, scale, problems);
-    let reach = ["stream_width", "stream_height"].map(|column| record.number(column, scale.coordinate(), problems));
-    let force_x = record.number("force_x", q::FORCE, problems);
-    let force_y = record.number("force_y", q::FORCE, problems);
+    let row: StreamRow = record.row();
+    let source = pixels(record, place!(row), scale, problems);
+    let (wide, high) = (cell!(row.stream_width), cell!(row.stream_height));
+    let reach = [wide, high].map(|cell| record.number(cell, scale.coordinate(), problems));
+    let force_x = record.number(cell!(row.force_x), q::FORCE, problems);
+    let force_y = record.number(cell!(row.force_y), q::FORCE, problems);
     let reach = match reach {
-        [Some(0.0), Some(0.0)] => Err(("stream_width", "0 for both stream sizes".to_owned())),
-        [Some(across), Some(0.0)] => Ok(("stream_width", DVec2::new(across, 0.0))),
-        [Some(0.0), Some(down)] => Ok(("stream_height", DVec2::new(0.0, down))),
-        [Some(across), Some(down)] => Err(("stream_height", format!("{down} beside a stream_width of {across}"))),
+        [Some(0.0), Some(0.0)] => Err((wide, "0 for both stream sizes".to_owned())),
+        [Some(across), Some(0.0)] => Ok((wide, DVec2::new(across, 0.0))),
+        [Some(0.0), Some(down)] => Ok((high, DVec2::new(0.0, down))),
+        [Some(across), Some(down)] => Err((high, format!("{down} beside a stream_width of {across}"))),
         _ => return None,
     };
     let reach = match reach {
-        Ok((column, reach)) => match scale.size().parse(&(reach.x + reach.y).abs().to_string()) {
+        Ok(((column, text), reach)) => match scale.size().parse(&(reach.x + reach.y).abs().to_string()) {
             Ok(_) => Some(reach),
             Err(expected) => {
-                problems.push(record.problem(column, quoted(record.text(column)?), format!("0 or, but for its sign, {expected}")));
+                problems.push(record.problem(column, quoted(text.as_str()?), format!("0 or, but for its sign, {expected}")));
                 None
             }
         },
-        Err((column, found)) => {
+        Err(((column, _), found)) => {
             problems.push(record.problem(column, found, "exactly one stream size other than 0"));
             None
         }
@@ -169,64 +278,73 @@ pub(super) fn stream(record: &Record, scale: Scale, problems: &mut Vec<Problem>)
 }
 
 pub(super) fn fluid(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Fluid> {
-    let zone = rectangle(record, scale, problems);
-    let density = record.number("density", q::DENSITY, problems);
-    let viscosity = record.number("viscosity", q::VISCOSITY, problems);
-    let colour = colour(record, Some(FLUID_COLOUR), problems);
+    let row: FluidRow = record.row();
+    let zone = bounds(record, place!(row), scale, problems);
+    let density = record.number(cell!(row.density), q::DENSITY, problems);
+    let viscosity = record.number(cell!(row.viscosity), q::VISCOSITY, problems);
+    let colour = colour(record, [cell!(row.r), cell!(row.g), cell!(row.b)], Some(FLUID_COLOUR), problems);
     Some(Fluid { zone: zone?, density: density?, viscosity: viscosity?, colour: colour? })
 }
 
 pub(super) fn text(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Text> {
-    let position = point(record, scale, problems);
-    let size = record.number("size", scale.size(), problems);
-    let text = record.words("text", problems);
+    let row: TextRow = record.row();
+    let position = point(record, [cell!(row.x), cell!(row.y)], scale, problems);
+    let size = record.number(cell!(row.size), scale.size(), problems);
+    let text = record.words(cell!(row.text), problems);
     Some(Text { position: position?, size: size? / scale.metre, text: text? })
 }
 
-/// The columns x, y, width and height, in metres.
+/// A row that is a block and nothing more: where it is, in metres.
 pub(super) fn rectangle(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Aabb> {
-    let (min, max) = pixels(record, scale, problems)?;
+    let row: BlockRow = record.row();
+    bounds(record, place!(row), scale, problems)
+}
+
+/// The cells x, y, width and height, in metres.
+fn bounds(record: &Record, place: [Given; 4], scale: Scale, problems: &mut Vec<Problem>) -> Option<Aabb> {
+    let (min, max) = pixels(record, place, scale, problems)?;
     Some(scale.rectangle(min, max))
 }
 
-/// The columns x, y, width and height as two corners in pixels.
-fn pixels(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<(DVec2, DVec2)> {
-    let x = record.number("x", scale.coordinate(), problems);
-    let y = record.number("y", scale.coordinate(), problems);
-    let width = record.number("width", scale.size(), problems);
-    let height = record.number("height", scale.size(), problems);
+/// The cells x, y, width and height as two corners in pixels.
+fn pixels(record: &Record, place: [Given; 4], scale: Scale, problems: &mut Vec<Problem>) -> Option<(DVec2, DVec2)> {
+    let [x, y, width, height] = place;
+    let x = record.number(x, scale.coordinate(), problems);
+    let y = record.number(y, scale.coordinate(), problems);
+    let width = record.number(width, scale.size(), problems);
+    let height = record.number(height, scale.size(), problems);
     let min = DVec2::new(x?, y?);
     Some((min, min + DVec2::new(width?, height?)))
 }
 
-/// The columns x and y, in metres.
-fn point(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<DVec2> {
-    let x = record.number("x", scale.coordinate(), problems);
-    let y = record.number("y", scale.coordinate(), problems);
+/// The cells x and y, in metres.
+fn point(record: &Record, [x, y]: [Given; 2], scale: Scale, problems: &mut Vec<Problem>) -> Option<DVec2> {
+    let x = record.number(x, scale.coordinate(), problems);
+    let y = record.number(y, scale.coordinate(), problems);
     Some(scale.metres(x?, y?))
 }
 
-/// The columns vx and vy, m/s.
-fn velocity(record: &Record, problems: &mut Vec<Problem>) -> Option<DVec2> {
-    let x = record.number_or("vx", 0.0, q::VELOCITY, problems);
-    let y = record.number_or("vy", 0.0, q::VELOCITY, problems);
+/// The cells vx and vy, m/s.
+fn velocity(record: &Record, [x, y]: [Given; 2], problems: &mut Vec<Problem>) -> Option<DVec2> {
+    let x = record.number_or(x, 0.0, q::VELOCITY, problems);
+    let y = record.number_or(y, 0.0, q::VELOCITY, problems);
     Some(DVec2::new(x?, y?))
 }
 
-/// The column material, Asphalt where it is left out.
-fn material(record: &Record, problems: &mut Vec<Problem>) -> Option<Material> {
-    if !record.has("material") {
+/// The cell material, Asphalt where it is left out.
+fn material(record: &Record, cell: Given, problems: &mut Vec<Problem>) -> Option<Material> {
+    if !cell.1.is_given() {
         return Some(Material::ASPHALT);
     }
     let names = Material::ALL.map(|material| material.name).join(", ");
-    record.parse("material", problems, |name| Material::named(name).ok_or(format!("one of {names}")))
+    record.parse(cell, problems, |name| Material::named(name).ok_or(format!("one of {names}")))
 }
 
-/// The columns r, g and b; required where there is no default.
-fn colour(record: &Record, default: Option<[u8; 3]>, problems: &mut Vec<Problem>) -> Option<[u8; 3]> {
-    let channels = [("r", 0), ("g", 1), ("b", 2)].map(|(column, i)| match default {
-        Some(default) if !record.has(column) => Some(default[i]),
-        _ => record.parse(column, problems, |text| match q::COLOUR.parse(text) {
+/// The cells r, g and b; required where there is no default.
+fn colour(record: &Record, cells: [Given; 3], default: Option<[u8; 3]>, problems: &mut Vec<Problem>) -> Option<[u8; 3]> {
+    let channels = [0, 1, 2].map(|i| match default {
+        Some(default) if !cells[i].1.is_given() => Some(default[i]),
+        _ => record.parse(cells[i], problems, |text| match q::COLOUR.parse(text) {
             // In range and whole, so the conversion is exact.
             Ok(value) if value.fract() == 0.0 => Ok(value as u8),
             _ => Err("a whole number from 0 to 255".into()),

@@ -6,6 +6,9 @@
 use super::cells::{self, Cell, Fault, Row};
 use super::problem::{Problem, quoted};
 use super::quantity::Quantity;
+use csv::StringRecord;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
 
 /// The columns of a file, or of one kind of row, in the documented order; `[name]` may be left out or left empty.
 #[derive(Clone, Copy, Debug)]
@@ -248,45 +251,81 @@ fn found(cell: &Cell) -> String {
     if cell.is_empty() { "nothing".into() } else { quoted(cell.text.trim()) }
 }
 
+/// What stands in a cell, without the spaces around it: nothing of it is judged yet. A row may have no such cell: one that may be left out,
+/// or one whose lack has been reported.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(from = "String")]
+pub(super) struct CellText(Option<String>);
+
+impl From<String> for CellText {
+    fn from(text: String) -> Self {
+        Self(Some(text))
+    }
+}
+
+impl CellText {
+    /// The text; `None` where the row has no such cell.
+    pub fn as_str(&self) -> Option<&str> {
+        self.0.as_deref()
+    }
+
+    /// Whether there is anything in it.
+    pub fn is_given(&self) -> bool {
+        self.as_str().is_some_and(|text| !text.is_empty())
+    }
+}
+
+/// A cell of a row: its column's name and what stands there.
+pub(super) type Given<'a> = (&'static str, &'a CellText);
+
+/// A field of a row with its name, which is its column's: `cell!(row.mass)`.
+macro_rules! cell {
+    ($row:ident.$column:ident) => {
+        (stringify!($column), &$row.$column)
+    };
+}
+pub(super) use cell;
+
 impl Record {
-    fn cell(&self, column: &str) -> Option<&Cell> {
-        self.cells.iter().find(|(name, _)| *name == column).map(|(_, cell)| cell)
+    /// The record's cells as a row of that type, whose fields are named like the columns. All its fields are [`CellText`] and may be missing,
+    /// so that there is such a row whatever the author wrote, and all that is wrong with it can be told.
+    pub fn row<T: DeserializeOwned + Default>(&self) -> T {
+        let cells = self.cells.iter().map(|(name, cell)| (*name, cell.text.trim()));
+        let (names, texts): (StringRecord, StringRecord) = cells.unzip();
+        texts.deserialize(Some(&names)).unwrap_or_default()
     }
 
     /// A problem in one of the record's cells.
     pub fn problem(&self, column: &str, found: impl Into<String>, expected: impl Into<String>) -> Problem {
-        Problem::new(self.file, self.cell(column).map_or(self.line, |cell| cell.line), column, found, expected)
+        let cell = self.cells.iter().find(|(name, _)| *name == column);
+        Problem::new(self.file, cell.map_or(self.line, |(_, cell)| cell.line), column, found, expected)
     }
 
-    /// The trimmed text of a cell; `None` where the row has no such cell.
-    pub fn text(&self, column: &str) -> Option<&str> {
-        self.cell(column).map(|cell| cell.text.trim())
-    }
-
-    /// Whether an optional column is given.
-    pub fn has(&self, column: &str) -> bool {
-        self.cell(column).is_some_and(|cell| !cell.is_empty())
-    }
-
-    /// The trimmed text of a required cell as `parse` understands it; `parse` answers with what is expected instead.
-    pub fn parse<T>(&self, column: &str, problems: &mut Vec<Problem>, parse: impl FnOnce(&str) -> Result<T, String>) -> Option<T> {
-        let cell = self.cell(column)?;
-        parse(cell.text.trim()).map_err(|expected| problems.push(self.problem(column, found(cell), expected))).ok()
+    /// The text of a required cell as `parse` understands it; `parse` answers with what is expected instead.
+    pub fn parse<T>(
+        &self,
+        (column, text): Given,
+        problems: &mut Vec<Problem>,
+        parse: impl FnOnce(&str) -> Result<T, String>,
+    ) -> Option<T> {
+        let text = text.as_str()?;
+        let found = || if text.is_empty() { "nothing".into() } else { quoted(text) };
+        parse(text).map_err(|expected| problems.push(self.problem(column, found(), expected))).ok()
     }
 
     /// A number in its range.
-    pub fn number(&self, column: &str, quantity: Quantity, problems: &mut Vec<Problem>) -> Option<f64> {
-        self.parse(column, problems, |text| quantity.parse(text))
+    pub fn number(&self, cell: Given, quantity: Quantity, problems: &mut Vec<Problem>) -> Option<f64> {
+        self.parse(cell, problems, |text| quantity.parse(text))
     }
 
     /// A number that may be left out.
-    pub fn number_or(&self, column: &str, default: f64, quantity: Quantity, problems: &mut Vec<Problem>) -> Option<f64> {
-        if self.has(column) { self.number(column, quantity, problems) } else { Some(default) }
+    pub fn number_or(&self, cell: Given, default: f64, quantity: Quantity, problems: &mut Vec<Problem>) -> Option<f64> {
+        if cell.1.is_given() { self.number(cell, quantity, problems) } else { Some(default) }
     }
 
     /// TRUE or FALSE in any case.
-    pub fn boolean(&self, column: &str, problems: &mut Vec<Problem>) -> Option<bool> {
-        self.parse(column, problems, |text| match text.to_ascii_lowercase().as_str() {
+    pub fn boolean(&self, cell: Given, problems: &mut Vec<Problem>) -> Option<bool> {
+        self.parse(cell, problems, |text| match text.to_ascii_lowercase().as_str() {
             "true" => Ok(true),
             "false" => Ok(false),
             _ => Err("TRUE or FALSE".into()),
@@ -294,7 +333,7 @@ impl Record {
     }
 
     /// Words: anything but nothing.
-    pub fn words(&self, column: &str, problems: &mut Vec<Problem>) -> Option<String> {
-        self.parse(column, problems, |text| if text.is_empty() { Err("text".into()) } else { Ok(text.to_owned()) })
+    pub fn words(&self, cell: Given, problems: &mut Vec<Problem>) -> Option<String> {
+        self.parse(cell, problems, |text| if text.is_empty() { Err("text".into()) } else { Ok(text.to_owned()) })
     }
 }

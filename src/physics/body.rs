@@ -94,6 +94,11 @@ impl Body {
         }
     }
 
+    /// The mean force that takes up its motion at so many m/s while it gives way by half of its smaller side, N.
+    pub(super) fn crushing_force(&self, speed: f64) -> f64 {
+        0.5 * self.mass * speed * speed / self.half.min_element()
+    }
+
     /// The box it fills, m.
     pub fn bounds(&self) -> Aabb {
         Aabb::around(self.position, self.half)

@@ -33,8 +33,30 @@ guards! {
     impacts_made_plastic,
     /// Contacts that bounced with loss so often at one instant that they bounce no more (inelastic collapse).
     collapses,
+    /// Pairs of bodies that bounced with loss so often in a tick that they bounce no more.
+    rattles,
+    /// Bodies that bounced so often in a tick on a surface that moves that they bounce no more.
+    pumping,
     /// Bodies that parted by a rounding from what they rest on so often in a tick that they were let go.
     clinging_given_up,
     /// Surfaces stopped because they would have squeezed something.
     surfaces_stopped,
+    /// Dense: steps of islands solved again because a hit threw a body further than contacts were looked for.
+    steps_grown,
+    /// Dense: steps of islands whose bodies were kept within what was looked for in the end.
+    kept_within_reach,
+    /// Dense: steps of islands in which bounces ran out of their budget: the rest of them were plastic.
+    impacts_left,
+    /// Dense: steps of islands in which merging ran out of rounds.
+    merging_ended,
+    /// Dense: steps of islands in which friction would have driven, and was left out.
+    friction_left_out,
+    /// Dense: pairs that were expected to pass each other and would have met: solved again.
+    corners_met,
+    /// Dense: coordinates that were put back to where they were.
+    put_back,
+    /// Dense: steps of islands that would have gained energy.
+    energy_taken_out,
+    /// Dense: bodies squeezed between surfaces.
+    squeezed,
 }

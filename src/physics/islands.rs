@@ -216,7 +216,7 @@ impl Scratch {
     }
 
     /// Takes over what the island came to; `known` unless its budget was used up.
-    fn scatter(&mut self, state: &State, scene: &Scene, known: bool) {
+    fn scatter(&mut self, state: &State, known: bool) {
         if known {
             self.take_contacts(state);
         }
@@ -239,7 +239,7 @@ impl Scratch {
         }
         for &(body, surface, speed) in &events.squeezed {
             let (of, by) = (&items[body as usize], &items[surface as usize]);
-            crushed.push((leader, of.id, by.id, of.body.mass * speed / scene.tick));
+            crushed.push((leader, of.id, by.id, of.body.crushing_force(speed)));
         }
         for item in &items[*movable..] {
             if !state.surfaces[item.id as usize].def.path.is_still() {
@@ -314,7 +314,8 @@ impl Advance for Tick<'_> {
         self.scratch.members.extend(store.members());
         self.scratch.members.sort_unstable();
         let count = store.len();
-        if count > Choice::MOST_BY_EVENTS || round > Choice::MOST_GROWTHS || (round == 0 && self.pauses()) {
+        let large = count > Choice::MOST_BY_EVENTS || self.scene.dense;
+        if large || round > Choice::MOST_GROWTHS || (round == 0 && self.pauses()) {
             self.guards.dense_ticks += 1;
             self.scratch.leave();
             return Verdict::Left(f64::INFINITY);
@@ -335,7 +336,7 @@ impl Advance for Tick<'_> {
                 Verdict::Grown
             }
             Outcome::Done => {
-                self.scratch.scatter(self.state, &self.scene, true);
+                self.scratch.scatter(self.state, true);
                 self.end_pauses();
                 self.bring(store);
                 let items = &self.scratch.events.items[..count];
@@ -346,11 +347,14 @@ impl Advance for Tick<'_> {
             Outcome::Busy(at) => {
                 self.guards.budgets_used_up += 1;
                 self.begin_pause();
-                self.scratch.scatter(self.state, &self.scene, false);
+                self.scratch.scatter(self.state, false);
                 for &body in &self.scratch.members {
                     self.scratch.after[body as usize].dense = true;
                 }
                 self.bring(store);
+                for item in &self.scratch.events.items[count..] {
+                    store.place_surface(item.id, (item.body.position, item.body.velocity), item.stops_at <= at);
+                }
                 Verdict::Left(self.scene.tick - at)
             }
         }
@@ -371,6 +375,10 @@ impl Advance for Tick<'_> {
         crushed.retain(|(of, ..)| *of != leader);
         met.retain(|met| met.leader != leader);
         stops.retain(|stop| stop.leader != leader);
+    }
+
+    fn stand(&mut self, surface: usize) {
+        self.scratch.stops.push(Stop { leader: NOBODY, surface: surface as u32, at: 0.0 });
     }
 
     fn disagree(&mut self, bodies: &mut Vec<u32>) {

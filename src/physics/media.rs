@@ -8,8 +8,9 @@
 //!
 //! **Waves.** A floating body is a spring of stiffness K = ρ·g·b, b its width in the liquid, and quadratic drag alone lets it bob with an
 //! amplitude that falls as 1/t only. What really stills it is that it radiates waves: a damping in proportion to its velocity (J. N. Newman,
-//! *Marine Hydrodynamics*, 6.17; damping ratios in heave of 0.1 to 0.2 for box-shaped hulls, DNV-RP-C205, 7.4). Here −2·ζ·C_d·√(K·m)·φ·u_y,
-//! so that a box of C_d = 1 that floats bobs with the damping ratio [`WAVES`], and one of C_d = 0 bobs for ever with ω = √(K/m). The factor
+//! *Marine Hydrodynamics*, MIT Press 1977; DNV-RP-C205, *Environmental conditions and environmental loads*). Its strength depends on
+//! the hull and the period of its motion; one damping ratio for all, ζ = [`WAVES`], is a choice. Here −2·ζ·C_d·√(K·m)·φ·u_y, so that a
+//! box of C_d = 1 that floats bobs with the damping ratio ζ, and one of C_d = 0 bobs for ever with ω = √(K/m). The factor
 //! φ = 2r/(1 + r)·(1 − (1 − e)⁸), r the displaced mass over the body's and e the part of its height above the surface, is 1 for what
 //! floats at its waterline, falls to 0 in proportion to the depth of what only just gets wet, and fades over the last tenths of what goes
 //! under (waves are made near the surface): no force jumps with the depth.

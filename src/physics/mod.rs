@@ -59,6 +59,7 @@ mod face;
 mod flow;
 mod forces;
 mod guards;
+mod hash;
 mod impact_time;
 mod impulse;
 mod islands;

@@ -316,15 +316,13 @@ fn gain(contact: &Contact, parts: &Parts, accelerations: &[DVec2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     /// What `face` answers is what the network answers, to the bit.
     #[test]
     fn a_body_on_one_face_has_the_same_answer_directly_and_by_the_network() {
-        let mut seed = 3u64;
-        let mut random = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1u64 << 53) as f64
-        };
+        let mut generator = Random(3);
+        let mut random = || generator.unit();
         let mut moved = 0;
         for _ in 0..5000 {
             let masses = [DVec2::splat(0.1 + 10.0 * random())];

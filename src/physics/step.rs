@@ -6,7 +6,7 @@
 use super::contact::Contact;
 use super::events::{Item, Scene};
 use super::impulse::Impulse;
-use super::islands::{Choice, Happened, Stop, Tick};
+use super::islands::{Choice, Happened, Tick};
 use super::pile::{Axis, Other, Pile};
 use super::tuning::{REPORT_SPEED, SLOP};
 use super::world::{Event, Methods, Obstacle, State, World};
@@ -30,6 +30,7 @@ impl World {
         let (now, guards) = (state.ticks, &mut records.guards);
         let scene = Scene::of(state, plan, dt);
         pile.step_with(dt, &mut Tick { state, scene, guards, scratch, pauses: &mut pauses, now, lists });
+        records.guards.add(&pile.take_guards());
         (state.pauses, state.ticks) = (pauses, now + 1);
         self.commit(dt);
         self.record();
@@ -108,7 +109,7 @@ impl World {
                 continue;
             }
             if surface.moves_within(dt) {
-                self.pile.move_surface(s, surface.at(dt).offset);
+                self.pile.lead_surface(s, surface.at(dt).offset, Some(surface.arrives(dt)));
                 self.pile.sweep_surface(s, &surface.swept(dt));
             }
             let swept = surface.swept(dt);
@@ -290,9 +291,8 @@ impl World {
             }
         }
         for squeeze in pile.squeezed() {
-            let force = state.bodies[squeeze.body].mass * squeeze.speed / dt;
+            let force = state.bodies[squeeze.body].crushing_force(squeeze.speed);
             scratch.crushed.push((u32::MAX, squeeze.body as u32, squeeze.surface as u32, force));
-            scratch.stops.push(Stop { leader: u32::MAX, surface: squeeze.surface as u32, at: 0.0 });
         }
     }
 

@@ -247,7 +247,7 @@ pub struct Surface {
     /// Whether it shall be there as soon as nothing is in its way.
     pub(super) wanted: bool,
     /// Whether it moved in the last tick: what touched it then has to know when that is over.
-    moved: bool,
+    pub(super) moved: bool,
 }
 
 impl Surface {
@@ -300,6 +300,19 @@ impl Surface {
     pub(super) fn moves_within(&self, t: f64) -> bool {
         let point = self.at(0.0);
         self.present && (point.velocity != DVec2::ZERO || point.acceleration != DVec2::ZERO || point.lasts <= t)
+    }
+
+    /// How fast it moves when it arrives where it is in `t` seconds, before the next leg of its path may begin there, m/s.
+    pub(super) fn arrives(&self, t: f64) -> DVec2 {
+        let mut from = 0.0;
+        loop {
+            let point = self.at(from);
+            let leg = t - from;
+            if point.lasts >= leg * (1.0 - CLOCK_ROUNDING) {
+                return point.velocity + point.acceleration * leg;
+            }
+            from += point.lasts;
+        }
     }
 
     /// What it sweeps within the next `t` seconds, m.

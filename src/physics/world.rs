@@ -45,7 +45,8 @@ pub enum Event {
         body: BodyId,
         /// The surface.
         by: u32,
-        /// The mean force that would have been needed to give the body the speed of the surface within the tick, N.
+        /// The mean force with which it would be crushed by half of its smaller side h at the speed v at which the surfaces close,
+        /// N: ½mv²/(h/2). Rigid things that go on would need any force; this one depends on no tick.
         force: f64,
     },
 }
@@ -130,7 +131,8 @@ impl World {
     }
 
     /// As [`World::new`] with parts of the model that the definition does not need: they cost time and change no bit, which is what
-    /// this is for showing. A plan without a part that is needed leaves its effect out.
+    /// this is for showing. A plan without a part that is needed leaves its effect out; one that is [`Plan::dense`] shows what the dense
+    /// method makes of it.
     ///
     /// # Errors
     /// As [`World::new`].
@@ -310,34 +312,6 @@ impl World {
         match self.state.bodies.get(item as usize) {
             Some(body) => body.bounds(),
             None => self.state.surfaces[item as usize - self.state.bodies.len()].bounds,
-        }
-    }
-
-    /// Feeds every bit of what decides about the future to `write`, for the state's hash. What rests, and whether contacts are known already,
-    /// is left out: it saves work and changes no bit of what comes (the tests of the plan hold it to that).
-    pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
-        let State { bodies, drives, surfaces, contacts, pauses, ticks, .. } = &self.state;
-        for body in bodies {
-            for vector in [body.position, body.velocity, body.acceleration] {
-                write(vector.x.to_bits());
-                write(vector.y.to_bits());
-            }
-        }
-        drives.iter().for_each(|drive| drive.to_array().into_iter().for_each(|value| write(value.to_bits())));
-        for surface in surfaces {
-            write(surface.clock.to_bits());
-            write(u64::from(surface.runs) | u64::from(surface.present) << 1 | u64::from(surface.wanted) << 2);
-        }
-        for contact in contacts {
-            write(u64::from(contact.lo) << 32 | u64::from(contact.hi));
-            write(contact.axis as u64);
-            for value in [contact.slides, contact.normal, contact.friction] {
-                write(value.to_bits());
-            }
-        }
-        for pause in pauses {
-            write(pause.until.saturating_sub(*ticks));
-            write(u64::from(pause.length));
         }
     }
 }

@@ -2,10 +2,12 @@
 
 use std::cmp::Reverse;
 
+use serde::Serialize;
+
 use super::{Name, ScoresError};
 
 /// One user's best score.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Row {
     /// Who.
     pub name: Name,

@@ -4,6 +4,9 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::Name;
+use super::records::Fault;
+
 /// A place in a scores file that could not be read as a row. Its text is
 /// `file:line: column "name": what was found, what is expected`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,6 +33,49 @@ impl fmt::Display for Damage {
     }
 }
 
+/// How many places that cannot be read are told; of a file that is something else altogether more would say no more.
+pub(super) const MOST_DAMAGE: usize = 1000;
+
+/// The places of one file that could not be read, as they are found.
+pub(super) struct Report<'a> {
+    path: &'a Path,
+    damage: Vec<Damage>,
+}
+
+impl<'a> Report<'a> {
+    pub fn of(path: &'a Path) -> Self {
+        Self { path, damage: Vec::new() }
+    }
+
+    pub fn add(&mut self, line: usize, column: Option<&'static str>, found: impl Into<String>, expected: impl Into<String>) {
+        let damage = |column, found, expected| Damage { path: self.path.to_owned(), line, column, found, expected };
+        match self.damage.len() {
+            0..MOST_DAMAGE => self.damage.push(damage(column, found.into(), expected.into())),
+            MOST_DAMAGE => {
+                let expected = format!("expected at most {MOST_DAMAGE} in a file; from here on they are not listed");
+                self.damage.push(damage(None, "one more place that cannot be read".to_owned(), expected));
+            }
+            _ => {}
+        }
+    }
+
+    pub fn fault(&mut self, line: usize, fault: Fault) {
+        let (found, expected) = fault.words();
+        self.add(line, None, found, expected);
+    }
+
+    /// The name in a cell, or a report about it.
+    pub fn name(&mut self, line: usize, column: &'static str, cell: &str) -> Option<Name> {
+        Name::new(cell)
+            .map_err(|error| self.add(line, Some(column), format!("{cell:?}"), format!("expected a user name: {error}")))
+            .ok()
+    }
+
+    pub fn into_all(self) -> Vec<Damage> {
+        self.damage
+    }
+}
+
 /// Why scores could not be read or saved. Whatever it was, the file on disk is as it was before.
 #[derive(Debug)]
 pub enum ScoresError {
@@ -41,7 +87,7 @@ pub enum ScoresError {
     ReadOnly(PathBuf),
     /// Another process holds the lock of the board and does not let go: with the lock file. It may be tried again.
     Busy(PathBuf),
-    /// With one row more the board would be larger than it may be.
+    /// With one row more the file would be larger than it may be.
     Full(PathBuf),
     /// The system refused something.
     File {
@@ -68,7 +114,7 @@ impl fmt::Display for ScoresError {
             Self::LevelName(name) => {
                 write!(
                     f,
-                    "the level's name {name:?} cannot name a scores file, expected a name without / \\ : and control characters"
+                    "the level's name {name:?} cannot name a scores file, expected a name without / \\ : and control characters, other than players and attempts"
                 )
             }
             Self::ReadOnly(path) => write!(f, "{}: the file is read-only, expected one that may be replaced", path.display()),
@@ -77,7 +123,7 @@ impl fmt::Display for ScoresError {
                 write!(f, "{path}: another program is saving there and does not come to an end; nothing was saved, try again")
             }
             Self::Full(path) => {
-                write!(f, "{}: the board is full, expected one that stays below {} bytes", path.display(), crate::files::SCORES)
+                write!(f, "{}: the file is full, expected one that stays below {} bytes", path.display(), crate::files::SCORES)
             }
             Self::File { attempt, path, source } => write!(f, "{}: cannot {attempt}: {source}", path.display()),
         }

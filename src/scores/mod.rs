@@ -1,16 +1,23 @@
-//! User names and leaderboards, and their files.
+//! User names, leaderboards, what each player has done, and their files.
 //!
-//! Here live the rules of a [`Name`], the order of a [`Board`], the text of a scores file ([`table`]), and [`Scores`], the folder
-//! that holds those files: the one place that reads, locks and replaces them. How a score comes about is [`crate::game`]'s, how a
-//! board looks is the screens'. Nothing here knows a particular level.
+//! Here live the rules of a [`Name`], the order of a [`Board`], what is known of [`Players`], the texts of their files ([`table`],
+//! `players`, `attempts`), and [`Scores`], the folder that holds those files. Only `disk` reads, locks and replaces them. How a score comes
+//! about is [`crate::game`]'s, how a board looks is the screens'. Nothing here knows a particular level.
 
+mod attempts;
 mod board;
+mod disk;
 mod error;
 mod folder;
 mod name;
+mod players;
+mod records;
 pub mod table;
 
+pub use attempts::AttemptRow;
 pub use board::{Board, Placement, Row};
+pub use disk::Rescue;
 pub use error::{Damage, ScoresError};
-pub use folder::{Loaded, PATIENCE, Rescue, Saved, Scores};
+pub use folder::{Loaded, PATIENCE, Saved, Scores};
 pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};
+pub use players::{Deed, Medal, Player, Players};

@@ -3,16 +3,21 @@
 use std::fmt;
 use std::str::FromStr;
 
+use serde::Serialize;
+
 /// The most characters that a name has.
 pub const NAME_MAX: usize = 15;
 /// The most characters that a text field for a name takes while one types; [`Name::new`] judges them on submit.
 pub const NAME_TYPING_MAX: usize = 40;
 
+/// What whoever has no name yet is called.
+const GUEST: &str = "Guest";
+
 /// A user name: 1 to [`NAME_MAX`] characters, the first one a letter, the others letters, digits, `-` or `_`.
 ///
 /// Letters are those of ASCII: every font draws them, no two of them look alike in different encodings, and a spreadsheet can
 /// never take such a name for a formula. Names that differ in case are different users.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 pub struct Name(String);
 
 /// Why a text is no user name. Its text is meant for the player.
@@ -46,6 +51,16 @@ impl Name {
             Some(other) => Err(NameError::NotAllowed(other)),
             None => Ok(Self(text.to_owned())),
         }
+    }
+
+    /// Whoever has not said their name yet.
+    pub fn guest() -> Self {
+        Self(GUEST.to_owned())
+    }
+
+    /// Whether it is [`Name::guest`], in any case: no one's own name.
+    pub fn is_guest(&self) -> bool {
+        self.0.eq_ignore_ascii_case(GUEST)
     }
 
     /// The name as text.

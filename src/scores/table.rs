@@ -8,45 +8,24 @@ use std::collections::hash_map::Entry;
 use std::io;
 use std::path::Path;
 
-use super::{Board, Damage, Name, Row};
+use csv::StringRecord;
+use serde::Deserialize;
+
+use super::error::Report;
+use super::{Board, Damage, Name, Row, records};
 
 /// The columns that every scores file has.
 const COLUMNS: [&str; 2] = ["name", "score"];
-/// What some editors put in front of UTF-8.
-const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
-/// How many places that cannot be read are told; of a file that is something else altogether more would say no more.
-const MOST_DAMAGE: usize = 1000;
-
 /// The board that stands in `bytes`, and every place that could not be read. `path` is only named in those.
 pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<Damage>) {
-    let mut reading = Reading { path, more_columns: Vec::new(), rows: Vec::new(), lines: HashMap::new(), damage: Vec::new() };
-    let mut rest = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
-    let (mut line, mut first, mut unclosed) = (1, true, false);
-    while !rest.is_empty() {
-        let end = match record_end(rest, unclosed) {
-            Some(end) => {
-                if !rest[..end].trim_ascii().is_empty() {
-                    reading.record(line, &rest[..end], first);
-                    first = false;
-                }
-                end
-            }
-            // Only its own line is given up, not all that follow it.
-            None => {
-                reading.damaged(
-                    line,
-                    None,
-                    "a quotation mark that is never closed",
-                    "expected a second one at the end of its cell",
-                );
-                (first, unclosed) = (false, true);
-                line_end(rest)
-            }
-        };
-        line += line_count(&rest[..end]);
-        rest = &rest[end..];
+    let mut reading = Reading { more_columns: Vec::new(), rows: Vec::new(), lines: HashMap::new(), damage: Report::of(path) };
+    for (index, (line, record)) in records::read(bytes).into_iter().enumerate() {
+        match record {
+            Ok(cells) => reading.record(line, &cells, index == 0),
+            Err(fault) => reading.damage.fault(line, fault),
+        }
     }
-    (Board::new(reading.more_columns, reading.rows), reading.damage)
+    (Board::new(reading.more_columns, reading.rows), reading.damage.into_all())
 }
 
 /// The file's bytes for a board: always with a header, always sorted, lines ending in LF.
@@ -54,60 +33,53 @@ pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<Damage>) {
 /// # Errors
 /// Those of the CSV writer, none of which writing to memory is known to cause.
 pub fn write(board: &Board) -> io::Result<Vec<u8>> {
-    let mut writer = csv::WriterBuilder::new().flexible(true).from_writer(Vec::new());
+    // The names of the further columns are not in the rows' type, so that the header is written apart.
+    let mut writer = csv::WriterBuilder::new().flexible(true).has_headers(false).from_writer(Vec::new());
     writer.write_record(COLUMNS.into_iter().chain(board.more_columns().iter().map(String::as_str)))?;
     for row in board.rows() {
-        let score = row.score.to_string();
-        writer.write_record([row.name.as_str(), &score].into_iter().chain(row.more.iter().map(String::as_str)))?;
+        writer.serialize(row)?;
     }
     writer.into_inner().map_err(|error| error.into_error())
 }
 
+/// A row as it stands in the file: nothing of it is judged yet.
+#[derive(Deserialize)]
+struct Cells<'a> {
+    name: &'a str,
+    score: &'a str,
+    #[serde(default, borrow)]
+    more: Vec<&'a str>,
+}
+
 /// What has been understood so far.
 struct Reading<'a> {
-    path: &'a Path,
     more_columns: Vec<String>,
     rows: Vec<Row>,
     /// Where in `rows` a name stands, and the line it came from.
     lines: HashMap<Name, (usize, usize)>,
-    damage: Vec<Damage>,
+    damage: Report<'a>,
 }
 
 impl Reading<'_> {
-    fn damaged(&mut self, line: usize, column: Option<&'static str>, found: impl Into<String>, expected: impl Into<String>) {
-        let damage = |column, found, expected| Damage { path: self.path.to_owned(), line, column, found, expected };
-        match self.damage.len() {
-            0..MOST_DAMAGE => self.damage.push(damage(column, found.into(), expected.into())),
-            MOST_DAMAGE => {
-                let expected = format!("expected at most {MOST_DAMAGE} in a file; from here on they are not listed");
-                self.damage.push(damage(None, "one more place that cannot be read".to_owned(), expected));
-            }
-            _ => {}
-        }
-    }
-
     /// Takes in one record, which starts at `line`; the `first` one may be the header.
-    fn record(&mut self, line: usize, bytes: &[u8], first: bool) {
-        let Ok(text) = str::from_utf8(bytes) else {
-            return self.damaged(line, None, "bytes that are no text", "expected UTF-8");
-        };
-        let cells = cells(text.trim_matches(['\r', '\n']));
-        let [name, score, more @ ..] = cells.as_slice() else {
-            return self.damaged(line, None, "1 cell", "expected at least 2: name,score");
+    fn record(&mut self, line: usize, record: &StringRecord, first: bool) {
+        let Ok(Cells { name, score, more }) = record.deserialize(None) else {
+            return self.damage.add(line, None, "1 cell", "expected at least 2: name,score");
         };
         let (name, score) = (name.trim(), score.trim());
+        let more: Vec<String> = more.into_iter().map(str::to_owned).collect();
         // Both are looked at: a user may be called "name".
         if first && name.eq_ignore_ascii_case(COLUMNS[0]) && score.eq_ignore_ascii_case(COLUMNS[1]) {
-            self.more_columns = more.to_vec();
+            self.more_columns = more;
             return;
         }
-        let valid_name = Name::new(name)
-            .map_err(|error| self.damaged(line, Some("name"), format!("{name:?}"), format!("expected a user name: {error}")));
-        let valid_score = points(score).ok_or_else(|| {
-            self.damaged(line, Some("score"), format!("{score:?}"), "expected a whole number of 1 or more, digits only")
-        });
-        if let (Ok(name), Ok(score)) = (valid_name, valid_score) {
-            self.row(line, Row { name, score, more: more.to_vec() });
+        let valid_name = self.damage.name(line, "name", name);
+        let valid_score = points(score);
+        if valid_score.is_none() {
+            self.damage.add(line, Some("score"), format!("{score:?}"), "expected a whole number of 1 or more, digits only");
+        }
+        if let (Some(name), Some(score)) = (valid_name, valid_score) {
+            self.row(line, Row { name, score, more });
         }
     }
 
@@ -124,7 +96,7 @@ impl Reading<'_> {
                 if row.score > self.rows[index].score {
                     self.rows[index] = row;
                 }
-                self.damaged(line, Some("name"), found, "expected one row a user: the higher score counts");
+                self.damage.add(line, Some("name"), found, "expected one row a user: the higher score counts");
             }
         }
     }
@@ -136,79 +108,10 @@ fn points(cell: &str) -> Option<i64> {
     cell.parse().ok().filter(|&score: &i64| digits && score >= 1)
 }
 
-/// The cells of a record without its line end. The csv crate would say the same, but a reader of it for each record takes longer than
-/// all the rest.
-fn cells(record: &str) -> Vec<String> {
-    let mut cells = vec![String::new()];
-    let mut rest = record.chars().peekable();
-    let mut quoted = rest.next_if_eq(&'"').is_some();
-    while let Some(c) = rest.next() {
-        let cell = cells.len() - 1;
-        match c {
-            '"' if quoted && rest.next_if_eq(&'"').is_some() => cells[cell].push('"'),
-            '"' if quoted => {
-                quoted = false;
-                // What stands behind a closing mark belongs to the cell as it is.
-                while let Some(plain) = rest.next_if(|&c| c != ',') {
-                    cells[cell].push(plain);
-                }
-            }
-            ',' if !quoted => {
-                cells.push(String::new());
-                quoted = rest.next_if_eq(&'"').is_some();
-            }
-            plain => cells[cell].push(plain),
-        }
-    }
-    cells
-}
-
-/// Where the first record of `bytes` ends, its line end included; `None` when a quotation mark in it is never closed.
-///
-/// This, and not the CSV reader's position, keeps the line numbers right and one stray quotation mark from swallowing all rows
-/// that follow it.
-///
-/// `unclosed` says that an earlier record was of that kind. That one is within quotes at each line end up to the file's end, and
-/// whatever is within quotes at one of them goes on like it: no record need be followed beyond its line, and reading takes time in
-/// proportion to the file's length.
-fn record_end(bytes: &[u8], unclosed: bool) -> Option<usize> {
-    let (mut quoted, mut may_open) = (false, true);
-    let mut index = 0;
-    while index < bytes.len() {
-        match bytes[index] {
-            b'"' if quoted => (quoted, may_open) = (false, true), // one right behind it opens again: a doubled mark is one mark
-            b'"' if may_open => quoted = true,
-            b'\r' | b'\n' if quoted && unclosed => return None,
-            b'\r' | b'\n' if !quoted => return Some(index + line_end(&bytes[index..])),
-            byte => may_open = byte == b',',
-        }
-        index += 1;
-    }
-    (!quoted).then_some(bytes.len())
-}
-
-/// The length of the first line of `bytes` with its end: LF, CRLF or a CR alone.
-fn line_end(bytes: &[u8]) -> usize {
-    match bytes.iter().position(|&byte| byte == b'\r' || byte == b'\n') {
-        Some(index) if bytes[index..].starts_with(b"\r\n") => index + 2,
-        Some(index) => index + 1,
-        None => bytes.len(),
-    }
-}
-
-/// How many lines `bytes` holds.
-fn line_count(mut bytes: &[u8]) -> usize {
-    let mut count = 0;
-    while !bytes.is_empty() {
-        bytes = &bytes[line_end(bytes)..];
-        count += 1;
-    }
-    count
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scores::error::MOST_DAMAGE;
 
     /// The rows as `name,score,more…` and the damage as text.
     fn reading(bytes: impl AsRef<[u8]>) -> (Vec<String>, Vec<String>) {
@@ -334,19 +237,6 @@ mod tests {
             damage[MOST_DAMAGE],
             "1.csv:1001: one more place that cannot be read, expected at most 1000 in a file; from here on they are not listed"
         );
-    }
-
-    proptest::proptest! {
-        #[test]
-        fn cells_are_those_of_the_csv_crate(record in "([a\", ]|\"\"){0,12}", from in 0_usize..2) {
-            let record = format!("x{record}");
-            let record = &record[from..];
-            let whole = record_end(record.as_bytes(), false).is_some() && !record.trim().is_empty();
-            let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(record.as_bytes());
-            if let Some(read) = reader.records().next().filter(|_| whole) {
-                proptest::prop_assert!(cells(record).iter().map(String::as_str).eq(read.unwrap().iter()), "{record:?}");
-            }
-        }
     }
 
     #[test]

@@ -1,21 +1,27 @@
 //! The one place where screens change: every [`Request`] is granted here, and what can fail in granting it lands on a screen that
 //! says why.
 
+use super::journal::{Journal, damage_text, rescue_text};
 use super::leaderboard::subject;
 use super::level_select::Entry;
 use super::library::{Library, Refusal};
 use super::{
-    Attempt, Classic, Classics, Flight, Gain, Input, Jumper, Lab, Leaderboard, LevelSelect, Menu, Purpose, Request, SaveScore,
-    Scoring, Screen, Spectator, TileRun,
+    Attempt, Classic, Classics, Credits, Facts, Flight, Fresh, Gain, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu,
+    Miniature, Players, Purpose, Request, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Way, jumper,
 };
+use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Outcome, RunResult};
-use crate::scores::{Damage, Name, PATIENCE, Placement, Saved, Scores, ScoresError};
-use std::collections::BTreeSet;
+use crate::scores::{Name, PATIENCE, Placement, Saved, Scores, ScoresError};
+use crate::settings::Settings;
+use crate::settings::file::SettingsFile;
 use std::path::PathBuf;
 use std::time::Duration;
 
 /// What is shown while another program is saving.
 const WAITING: &str = "Another game is saving there: waiting for it …";
+
+/// What is said of a flight that was watched.
+const RECORDING: &str = "A recording: what was not flown by hand is not saved.";
 
 /// Where the game's files are.
 #[derive(Clone, Debug)]
@@ -36,12 +42,16 @@ pub struct App {
     screen: Screen,
     /// How long the screen has been there, s.
     shown_for: f64,
-    /// The name that the last score was saved under.
-    user: Option<Name>,
+    /// Who plays, and what they have done.
+    journal: Journal,
+    /// What the attempt on the screen, which has ended, brought whoever flew.
+    ended: Option<String>,
     /// The level that was last chosen: where the keyboard is when the list comes back.
     last_level: Option<String>,
-    /// Levels completed in this sitting.
-    completed: BTreeSet<String>,
+    settings: Settings,
+    settings_file: SettingsFile,
+    /// What is wrong with the settings' file, a line each.
+    settings_problems: Vec<String>,
     /// How many menus there have been: each has other balls.
     menus: u64,
     /// A score that another program keeps from being saved.
@@ -58,28 +68,46 @@ struct Waiting {
 }
 
 impl App {
-    /// A sitting that begins with the menu.
+    /// A sitting that begins with the menu, of whoever played here last.
     pub fn new(places: Places) -> Self {
-        let mut app = Self {
-            library: Library::new(places.root, places.levels),
-            scores: Scores::new(places.scores),
-            screen: Screen::Menu(Box::new(Menu::new(None, 0))),
+        let scores = Scores::new(places.scores);
+        let settings_file = SettingsFile::new(places.root.join("settings.csv"));
+        let (library, journal) = (Library::new(places.root, places.levels), Journal::new(scores.clone()));
+        let (settings, settings_problems) = settings_file.load(whose(journal.current()));
+        Self {
+            settings,
+            settings_file,
+            settings_problems,
+            screen: menu(&library, &journal, 0),
+            library,
+            journal,
+            scores,
             shown_for: 0.0,
-            user: None,
+            ended: None,
             last_level: None,
-            completed: BTreeSet::new(),
             menus: 0,
             waiting: None,
-        };
-        app.screen = app.menu();
-        app
+        }
     }
 
     /// One frame; `false` when the player has chosen to quit.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
+        let settings = self.with_settings(input);
+        let open = self.update_with(&settings, spectator);
+        input.answer.set(settings.answer.get());
+        open
+    }
+
+    fn update_with(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
         self.shown_for += input.frame_time;
-        match self.update_screen(input, spectator) {
-            Some(Request::Quit) => return false,
+        self.journal.update(input.frame_time);
+        let asked = self.update_screen(input, spectator);
+        self.note_end();
+        match asked {
+            Some(Request::Quit) => {
+                self.journal.close();
+                return false;
+            }
             Some(request) => self.grant(request, spectator),
             None => self.save_what_waits(input.frame_time),
         }
@@ -87,6 +115,20 @@ impl App {
         let nothing_more = self.update_screen(&input.without_edges(), spectator);
         debug_assert!(nothing_more.is_none(), "{nothing_more:?} was asked for by no one");
         true
+    }
+
+    /// The input with what the player has set; F11 and Alt+Enter fill the screen, or give it back, and mean nothing else.
+    fn with_settings(&mut self, input: &Input) -> Input {
+        let alt_enter = input.held.has(Key::Alt) && input.pressed.has(Key::Enter);
+        if input.pressed.has(Key::F11) || alt_enter {
+            self.set(Settings { fullscreen: !self.settings.fullscreen, ..self.settings });
+        }
+        let mut input = Input { settings: self.settings, ..input.clone() };
+        input.pressed = input.pressed.without(Key::F11);
+        if alt_enter {
+            input.pressed = input.pressed.without(Key::Enter);
+        }
+        input
     }
 
     fn update_screen(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
@@ -97,17 +139,25 @@ impl App {
             Screen::Scoring(screen) => screen.update(input),
             Screen::SaveScore(screen) => screen.update(input),
             Screen::Leaderboard(screen) => screen.update(input),
+            Screen::Players(screen) => screen.update(input),
+            Screen::Credits(screen) => screen.update(input),
             Screen::Classics(screen) => screen.update(input),
             Screen::Lab(screen) => screen.update(input),
             Screen::TileRun(screen) => screen.update(input),
             Screen::Jumper(screen) => screen.update(input),
             Screen::Pi(screen) => screen.update(input),
+            Screen::Settings(screen) => screen.update(input),
         }
     }
 
     /// What is on the screen.
     pub fn screen(&self) -> &Screen {
         &self.screen
+    }
+
+    /// Who plays.
+    pub fn player(&self) -> &Name {
+        self.journal.current()
     }
 
     /// How long it has been there, s.
@@ -126,35 +176,72 @@ impl App {
             },
             Request::Attempt(attempt) => self.flight(attempt, spectator),
             Request::Score(attempt, result) => self.scoring(attempt, result),
-            Request::SaveScore(gain) => Screen::SaveScore(Box::new(SaveScore::new(gain, self.user.as_ref()))),
+            Request::SaveScore(gain) => self.save_score(gain),
             Request::Submit(gain, name) => match self.save(Waiting { gain, name, since: 0.0 }) {
-                Some(screen) => screen,
-                None => return,
+                Ok(saved) => saved,
+                Err(reason) => return self.refuse(reason),
             },
+            Request::Players => self.players(),
+            Request::Choose(name, named) => {
+                self.choose(name, named);
+                self.menu()
+            }
+            Request::Credits => Screen::Credits(Box::new(Credits::default())),
             Request::Leaderboard(level) => self.leaderboard(&level),
             Request::Classics(left) => Screen::Classics(Classics::new(left, None)),
             Request::Lab => Screen::Lab(Box::new(Lab::new(self.library.charts()))),
             Request::Classic(classic) => self.classic(classic),
             Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),
+            Request::Settings => Screen::Settings(Box::new(SettingsPanel::new(self.settings, self.settings_problems.clone()))),
+            Request::Set(settings) => return self.set(settings),
             Request::Quit => return,
         };
         self.screen = next;
         self.shown_for = 0.0;
     }
 
+    /// Takes new settings over, keeps them, and says where that failed.
+    fn set(&mut self, settings: Settings) {
+        self.settings = settings;
+        let player = whose(self.journal.current());
+        self.settings_problems = match self.settings_file.save(player, &settings) {
+            Ok(()) => self.settings_file.load(player).1,
+            Err(problem) => vec![problem],
+        };
+        match &mut self.screen {
+            Screen::Settings(screen) => screen.tell(settings, self.settings_problems.clone()),
+            Screen::Flight(screen) => screen.tell_of_settings(settings, &self.settings_problems),
+            _ => {}
+        }
+    }
+
+    /// What the player has set.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
     fn menu(&mut self) -> Screen {
         self.menus += 1;
-        let names = self.library.names();
-        let playable = |name: &&String| self.library.load(name).is_ok();
-        let open = names.iter().filter(|name| !self.is_completed(name)).find(playable);
-        let next = open.or_else(|| names.iter().find(playable));
-        Screen::Menu(Box::new(Menu::new(next.cloned(), self.menus)))
+        menu(&self.library, &self.journal, self.menus)
+    }
+
+    /// Somebody plays from now on, with the settings of theirs.
+    fn choose(&mut self, name: Name, named: bool) {
+        self.journal.choose(name, named);
+        (self.settings, self.settings_problems) = self.settings_file.load(whose(self.journal.current()));
+    }
+
+    fn players(&mut self) -> Screen {
+        self.journal.read();
+        let trouble = self.journal.trouble().map(str::to_owned);
+        Screen::Players(Box::new(Players::new(self.journal.players(), self.journal.current(), trouble)))
     }
 
     fn level_select(&self, purpose: Purpose) -> LevelSelect {
         let entry = |name: String| Entry {
-            title: self.library.load(&name).map(|level| level.title.clone()),
-            completed: self.is_completed(&name),
+            level: self.library.load(&name).map(|level| (level.title.clone(), Miniature::of(&level))),
+            best: self.journal.best(&name),
+            medal: self.journal.medal(&name),
             name,
         };
         let mut screen = LevelSelect::new(purpose, self.library.names().into_iter().map(entry).collect());
@@ -167,8 +254,12 @@ impl App {
     fn flight(&mut self, attempt: Attempt, spectator: &mut dyn Spectator) -> Screen {
         let name = attempt.level.name.clone();
         self.last_level = Some(name.clone());
+        self.ended = None;
         match Flight::new(attempt, spectator) {
-            Ok(flight) => Screen::Flight(Box::new(flight)),
+            Ok(mut flight) => {
+                flight.tell_of_settings(self.settings, &self.settings_problems);
+                Screen::Flight(Box::new(flight))
+            }
             Err(error) => self.refused(Purpose::Play, &name, vec![error.to_string()]),
         }
     }
@@ -181,11 +272,41 @@ impl App {
     }
 
     fn scoring(&mut self, attempt: Attempt, result: RunResult) -> Screen {
-        if result.outcome == Outcome::Completed {
-            self.completed.insert(result.level.clone());
-        }
         let next = self.library.after(&result.level);
-        Screen::Scoring(Box::new(Scoring::new(attempt, result, next)))
+        let remark = self.ended.clone().unwrap_or_default();
+        Screen::Scoring(Box::new(Scoring::new(attempt, result, next, remark)))
+    }
+
+    /// Takes note of the attempt on the screen, once, when it has ended. Who watches a recording has flown nothing.
+    fn note_end(&mut self) {
+        let Screen::Flight(flight) = &self.screen else { return };
+        let game = flight.game();
+        if game.outcome() == Outcome::Running {
+            self.ended = None;
+        } else if self.ended.is_none() {
+            self.ended =
+                Some(if flight.is_by_hand() { self.journal.note(game, flight.is_assisted()) } else { RECORDING.to_owned() });
+        }
+    }
+
+    /// Saves a score under the name of whoever plays, or asks for the name of who has none.
+    fn save_score(&mut self, gain: Gain) -> Screen {
+        let name = self.journal.current().clone();
+        if name.is_guest() {
+            return Screen::SaveScore(Box::new(SaveScore::new(gain, None)));
+        }
+        self.save(Waiting { gain: gain.clone(), name: name.clone(), since: 0.0 }).unwrap_or_else(|reason| {
+            let mut screen = SaveScore::new(gain, Some(&name));
+            screen.refuse(reason);
+            Screen::SaveScore(Box::new(screen))
+        })
+    }
+
+    /// Says why a score could not be saved, where its name is asked for.
+    fn refuse(&mut self, reason: String) {
+        if let Screen::SaveScore(screen) = &mut self.screen {
+            screen.refuse(reason);
+        }
     }
 
     /// A classic at its beginning, or the list of them with what is wrong.
@@ -205,71 +326,69 @@ impl App {
         let still = |waiting: &Waiting| matches!(&self.screen, Screen::SaveScore(screen) if screen.text() == waiting.name.as_str());
         let Some(mut waiting) = self.waiting.take().filter(still) else { return };
         waiting.since += frame_time;
-        if let Some(screen) = self.save(waiting) {
-            self.screen = screen;
-            self.shown_for = 0.0;
+        match self.save(waiting) {
+            Ok(saved) => (self.screen, self.shown_for) = (saved, 0.0),
+            Err(reason) => self.refuse(reason),
         }
     }
 
-    /// Saves a score; `None` when that failed or has to wait, which the screen for the name then says.
-    fn save(&mut self, waiting: Waiting) -> Option<Screen> {
+    /// Saves a score; the leaderboard then, or why that failed or has to wait.
+    fn save(&mut self, waiting: Waiting) -> Result<Screen, String> {
         let Waiting { gain, name, since } = waiting;
-        match self.scores.save_within(Duration::ZERO, &gain.board, &name, gain.points) {
-            Ok(Saved { board, placement, rescue }) => {
-                let damage = rescue.map(|rescue| {
-                    format!("{} The damaged file was kept as {}.", damage_text(&rescue.damage), rescue.kept.display())
-                });
-                let remark = match placement {
-                    Placement::Kept { best, .. } => Some(format!("Your best of {best} points stays.")),
-                    Placement::New { .. } | Placement::Raised { .. } => None,
-                };
-                let screen = Leaderboard::new(&gain.board, board, Some(&name), damage, remark);
-                self.user = Some(name);
-                Some(Screen::Leaderboard(screen))
+        let Saved { board, placement, rescue } = match self.scores.save_within(Duration::ZERO, &gain.board, &name, gain.points) {
+            Ok(saved) => saved,
+            Err(ScoresError::Busy(_)) if since < PATIENCE.as_secs_f64() => {
+                self.waiting = Some(Waiting { gain, name, since });
+                return Err(WAITING.to_owned());
             }
-            Err(error) => {
-                let error = match error {
-                    ScoresError::Busy(_) if since < PATIENCE.as_secs_f64() => {
-                        self.waiting = Some(Waiting { gain, name, since });
-                        WAITING.to_owned()
-                    }
-                    error => error.to_string(),
-                };
-                if let Screen::SaveScore(screen) = &mut self.screen {
-                    screen.refuse(error);
-                }
-                None
-            }
+            Err(error) => return Err(error.to_string()),
+        };
+        let damage = rescue.map(|rescue| rescue_text(&rescue));
+        let remark = match placement {
+            Placement::Kept { best, .. } => Some(format!("Your best of {best} points stays.")),
+            Placement::New { .. } | Placement::Raised { .. } => None,
+        };
+        if name != *self.journal.current() {
+            self.choose(name.clone(), true);
         }
+        let fresh = Fresh { name, remark };
+        Ok(Screen::Leaderboard(Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.ways)))
     }
 
     fn leaderboard(&mut self, level: &str) -> Screen {
-        self.last_level = Some(level.to_owned());
+        let (subject, back) = if level == LEADERBOARD {
+            (jumper::SUBJECT.to_owned(), Request::Classic(Classic::Jumper))
+        } else {
+            self.last_level = Some(level.to_owned());
+            let title = self.library.load(level).map_or_else(|_| level.to_owned(), |level| level.title.clone());
+            (subject(level, &title), Request::LevelSelect(Purpose::Leaderboard))
+        };
         match self.scores.load(level) {
             Ok(loaded) => {
                 let damage = (!loaded.damage.is_empty()).then(|| damage_text(&loaded.damage));
-                Screen::Leaderboard(Leaderboard::new(level, loaded.board, None, damage, None))
+                let ways = vec![Way { label: "Back", to: back }];
+                Screen::Leaderboard(Leaderboard::new(subject, loaded.board, None, damage, ways))
             }
             Err(error) => {
                 let mut screen = self.level_select(Purpose::Leaderboard);
-                screen.show(format!("The scores of {} cannot be read", subject(level)), vec![error.to_string()]);
+                screen.show(format!("The scores of {subject} cannot be read"), vec![error.to_string()]);
                 Screen::LevelSelect(screen)
             }
         }
     }
-
-    /// Whether someone has a score there, or it was completed in this sitting.
-    fn is_completed(&self, name: &str) -> bool {
-        let has_scores = || self.scores.load(name).is_ok_and(|loaded| !loaded.board.rows().is_empty());
-        self.completed.contains(name) || has_scores()
-    }
 }
 
-/// What is wrong with a scores file, in one line.
-fn damage_text(damage: &[Damage]) -> String {
-    match damage {
-        [] => String::new(),
-        [one] => format!("{one}."),
-        [first, rest @ ..] => format!("{first} (and {} more).", rest.len()),
-    }
+/// Whose settings of play hold while this one plays: a guest has none of their own.
+fn whose(player: &Name) -> &str {
+    if player.is_guest() { "" } else { player.as_str() }
+}
+
+/// The menu for whoever plays; Play opens the first level that can be played and that they have not done.
+fn menu(library: &Library, journal: &Journal, seed: u64) -> Screen {
+    let names = library.names();
+    let playable = |name: &String| Some((name.clone(), library.load(name).ok()?.title.clone()));
+    let open = names.iter().filter(|name| journal.medal(name).is_none()).find_map(playable);
+    let next = open.or_else(|| names.iter().find_map(playable));
+    let (player, trouble) = (journal.current().clone(), journal.trouble().map(str::to_owned));
+    Screen::Menu(Box::new(Menu::new(Facts { next, player, trouble }, seed)))
 }

@@ -1,16 +1,17 @@
-//! The menu's balls: the game's own engine under weak gravity, without air, on steel.
+//! What flies in the menu: the ship, which hovers by its own engine, and balls. The game's own engine under weak gravity, without air, on
+//! steel.
 
 use super::Input;
-use crate::game::{Clock, TICK_RATE};
+use super::hover::{self, Hover};
+use crate::game::{Clock, SHIP, TICK_RATE};
+
 use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
 use crate::view::layout::{Area, Frame, Vec2};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 
 /// Canvas units a metre.
-const METRE: f32 = 30.0;
-/// N/kg.
-const GRAVITY: f64 = 2.0;
+pub const METRE: f32 = 30.0;
 /// Half a ball's width, m.
 const RADIUS: f64 = 0.45;
 /// kg.
@@ -24,7 +25,7 @@ const MOST: usize = 24;
 /// How far around the pointer a free place is looked for, in ball widths.
 const SEARCH: i32 = 6;
 
-/// The balls and what they bounce off.
+/// The ship, the balls and what they bounce off.
 #[derive(Debug)]
 pub struct Balls {
     /// `None` until the first frame has told what there is.
@@ -32,7 +33,10 @@ pub struct Balls {
     obstacles: Vec<Area>,
     frame: Frame,
     clock: Clock,
-    random: Pcg32,
+    /// How long there have been balls, s. When a ball was dropped says how it flies: no two sittings are alike.
+    time: f64,
+    seed: u64,
+    hover: Hover,
 }
 
 impl Balls {
@@ -43,12 +47,15 @@ impl Balls {
             obstacles: Vec::new(),
             frame: Frame::default(),
             clock: Clock::new(TICK_RATE),
-            random: Pcg32::seed_from_u64(seed),
+            time: 0.0,
+            seed,
+            hover: Hover::default(),
         }
     }
 
     /// One frame; a right click drops a ball.
     pub fn update(&mut self, input: &Input, obstacles: &[Area]) {
+        self.time += input.frame_time;
         if self.world.is_none() || self.frame.size != input.frame.size || self.obstacles != obstacles {
             self.frame = input.frame;
             self.obstacles = obstacles.to_vec();
@@ -58,26 +65,36 @@ impl Balls {
             if self.count() >= MOST {
                 self.rebuild(1);
             }
-            let velocity = DVec2::new(self.random.random_range(-FASTEST..FASTEST), self.random.random_range(-FASTEST..FASTEST));
+            let mut random = Pcg32::seed_from_u64(self.time.to_bits() ^ self.seed);
+            let velocity = DVec2::new(random.random_range(-FASTEST..FASTEST), random.random_range(-FASTEST..FASTEST));
             self.add(metres(input.pointer), velocity);
         }
         self.clock.add(input.frame_time);
         while self.clock.tick() {
             if let Some(world) = &mut self.world {
+                let drive = self.hover.drive(world.body(SHIP));
+                world.set_drive(SHIP, drive);
                 world.step(1.0 / TICK_RATE);
             }
         }
     }
 
     fn count(&self) -> usize {
-        self.world.as_ref().map_or(0, |world| world.bodies().len())
+        self.world.as_ref().map_or(0, |world| world.bodies().len() - 1)
     }
 
-    /// Their boxes on the canvas, between the last two ticks.
+    /// The ship's centre (m, with the metres of the canvas), its angle (degrees) and how its engine burns (1 or 0), between the last two ticks.
+    pub fn ship(&self) -> Option<(DVec2, f64, f64)> {
+        let (world, alpha) = (self.world.as_ref()?, self.clock.alpha());
+        let centre = world.previous_position(SHIP).lerp(world.body(SHIP).position, alpha);
+        Some((centre, self.hover.angle(alpha), self.hover.burning()))
+    }
+
+    /// The balls' boxes on the canvas, between the last two ticks.
     pub fn areas(&self) -> impl Iterator<Item = Area> + '_ {
         let alpha = self.clock.alpha();
         self.world.iter().flat_map(move |world| {
-            world.bodies().iter().enumerate().map(move |(i, body)| {
+            world.bodies().iter().enumerate().skip(1).map(move |(i, body)| {
                 let before = world.previous_position(BodyId(i as u32));
                 let centre = before.lerp(body.position, alpha) * f64::from(METRE);
                 Area::around(centre.as_vec2(), Vec2::splat(2.0 * RADIUS as f32 * METRE))
@@ -87,13 +104,16 @@ impl Balls {
 
     /// A world of the window as it is now, with all balls but the `without` oldest ones.
     fn rebuild(&mut self, without: usize) {
-        let kept: Vec<_> = self.world.iter().flat_map(|w| w.bodies()).skip(without).map(|b| (b.position, b.velocity)).collect();
+        let balls = self.world.iter().flat_map(|world| world.bodies().iter().skip(1 + without));
+        let kept: Vec<_> = balls.map(|ball| (ball.position, ball.velocity)).collect();
+        let ship = self.world.as_ref().map(|world| (world.body(SHIP).position, world.body(SHIP).velocity));
         let solid = |area: &Area| SurfaceDef::fixed(in_metres(area), Material::STEEL);
         let def = WorldDef {
-            gravity: GRAVITY,
+            gravity: hover::GRAVITY,
             air_density: 0.0,
             bounds: Some(in_metres(&self.frame.area())),
             surfaces: self.obstacles.iter().map(solid).collect(),
+            bodies: vec![self.hover.settle(&self.obstacles.iter().map(in_metres).collect::<Vec<_>>(), ship)],
             ..WorldDef::default()
         };
         // The numbers are the program's own and in range; should the engine refuse them, the menu has no balls.

@@ -1,20 +1,29 @@
 //! Buttons by mouse and by keyboard: one press, one action.
 
-use super::input::{Input, Key};
+use super::input::{Answer, Input};
+use crate::settings::Key;
 use crate::view::layout::{Area, Vec2};
 
-/// A group of buttons; which one does what is the screen's affair, by its index.
+/// A group of buttons; which one does what is the screen's affair, by its index. One of them is highlighted: the keyboard and the pointer
+/// move the same highlight, whichever moved last.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Buttons {
     areas: Vec<Area>,
     focus: usize,
     hover: Option<usize>,
+    /// Where the pointer was; `None` before the first frame, so that a pointer that rests takes nothing from the keyboard.
+    pointer: Option<Vec2>,
 }
 
 impl Buttons {
     /// Buttons whose places are given with [`Buttons::place`]; the keyboard is on the one of that index.
     pub fn focused_on(focus: usize) -> Self {
         Self { focus, ..Self::default() }
+    }
+
+    /// Puts the keyboard on the button of that index.
+    pub fn focus_on(&mut self, focus: usize) {
+        self.focus = focus.min(self.areas.len().saturating_sub(1));
     }
 
     /// Puts the buttons where they are in this frame. The keyboard stays on a button that there is.
@@ -26,13 +35,29 @@ impl Buttons {
 
     /// Follows pointer and keys; the index of the button that was pressed.
     pub fn update(&mut self, input: &Input) -> Option<usize> {
-        self.hover = self.areas.iter().position(|area| area.contains(input.pointer));
-        if input.click && self.hover.is_some() {
-            self.focus = self.hover?;
-            return self.hover;
+        let before = (self.hover, self.focus);
+        let pressed = self.follow(input);
+        if pressed.is_some() {
+            input.answer(Answer::Pressed);
+        } else if self.focus != before.1 || self.hover != before.0 && self.hover.is_some() {
+            input.answer(Answer::Moved);
+        }
+        pressed
+    }
+
+    fn follow(&mut self, input: &Input) -> Option<usize> {
+        let under = self.areas.iter().position(|area| area.contains(input.pointer));
+        let moved = self.pointer.replace(input.pointer).is_some_and(|before| before != input.pointer);
+        if moved || input.click || under != self.hover {
+            self.hover = under.filter(|_| moved || input.click);
+            self.focus = self.hover.unwrap_or(self.focus);
+        }
+        if input.click && under.is_some() {
+            return under;
         }
         for (key, direction) in [(Key::Up, Vec2::NEG_Y), (Key::Down, Vec2::Y), (Key::Left, Vec2::NEG_X), (Key::Right, Vec2::X)] {
             if input.pressed(key) {
+                self.hover = None;
                 self.focus = self.neighbour(direction).unwrap_or(self.focus);
             }
         }
@@ -44,7 +69,7 @@ impl Buttons {
         &self.areas
     }
 
-    /// The button under the pointer.
+    /// The button under the pointer, if the pointer moved last; then it is also the one that has the keyboard.
     pub fn hover(&self) -> Option<usize> {
         self.hover
     }
@@ -83,10 +108,13 @@ mod tests {
         for (key, focus) in
             [(Key::Right, 1), (Key::Down, 4), (Key::Right, 5), (Key::Right, 5), (Key::Down, 5), (Key::Up, 2), (Key::Left, 1)]
         {
-            assert_eq!(buttons.update(&press(key)), None);
+            let (input, before) = (press(key), buttons.focus());
+            assert_eq!(buttons.update(&input), None);
             assert_eq!(buttons.focus(), focus, "{key:?}");
+            assert_eq!(input.answer.get(), (focus != before).then_some(Answer::Moved), "{key:?}");
         }
-        assert_eq!(buttons.update(&press(Key::Enter)), Some(1));
+        let enter = press(Key::Enter);
+        assert_eq!((buttons.update(&enter), enter.answer.get()), (Some(1), Some(Answer::Pressed)));
     }
 
     #[test]
@@ -96,7 +124,11 @@ mod tests {
         let at = |pointer, click| Input { pointer, click, ..Input::default() };
         let second = buttons.areas()[1].centre();
         assert_eq!(buttons.update(&at(second, false)), None);
-        assert_eq!((buttons.hover(), buttons.focus()), (Some(1), 0));
+        assert_eq!((buttons.hover(), buttons.focus()), (None, 0), "it rests there");
+        assert_eq!(buttons.update(&at(second + 1.0, false)), None);
+        assert_eq!((buttons.hover(), buttons.focus()), (Some(1), 1), "one highlight");
+        assert_eq!(buttons.update(&Input { pointer: second + 1.0, ..press(Key::Up) }), None);
+        assert_eq!((buttons.hover(), buttons.focus()), (None, 0), "one highlight");
         assert_eq!(buttons.update(&at(second, true)), Some(1));
         assert_eq!(buttons.update(&at(Vec2::ZERO, true)), None);
         assert_eq!(buttons.hover(), None);

@@ -19,7 +19,7 @@ const ALL: [Classic; 3] = [Classic::TileRun, Classic::Jumper, Classic::Pi];
 /// The words on the buttons, from top to bottom.
 pub const LABELS: [&str; 4] = ["Tile Run", "Jumper", "π from Collisions", "Back"];
 /// From the canvas' top to the first button, of the canvas' height.
-const BUTTONS_AT: f32 = 0.36;
+const BUTTONS_AT: f32 = 0.3;
 
 /// The list of classics.
 #[derive(Debug)]

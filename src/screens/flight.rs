@@ -1,14 +1,15 @@
 //! The game screen: one attempt at a level, its keys and its pause panel.
 
-use super::{Buttons, Input, Key, Purpose, Request};
-use crate::game::{Clock, Controls, Game, GameError, Inputs, Latch, Outcome, Playback};
+use super::{Buttons, Input, Key, Purpose, Request, SettingsPanel};
+use crate::game::{Clock, Controls, Game, GameError, Inputs, Latch, Outcome, Playback, RunResult};
 use crate::level::Level;
+use crate::settings::{Action, Settings};
 use std::sync::Arc;
 
 /// From the end of an attempt to its score, s: long enough to see what happened.
-const END_PAUSE: f64 = 0.9;
+const END_PAUSE: f64 = 1.2;
 /// The words on the pause panel's buttons, from top to bottom.
-pub const PAUSE_LABELS: [&str; 4] = ["Resume", "Restart", "Level Select", "Main Menu"];
+pub const PAUSE_LABELS: [&str; 5] = ["Resume", "Restart", "Settings", "Level Select", "Main Menu"];
 
 /// What is flown: a level, and the inputs that replace the keys, if any.
 #[derive(Clone, Debug)]
@@ -42,6 +43,12 @@ pub struct Flight {
     playback: Option<Playback>,
     /// The pause panel, while it is open.
     pause: Option<Buttons>,
+    /// The settings, while they are open above it.
+    settings: Option<Box<SettingsPanel>>,
+    /// What is wrong with their file.
+    settings_problems: Vec<String>,
+    /// Whether the player has had help.
+    assisted: bool,
     /// Since the attempt has ended, s.
     ended: f64,
     details: bool,
@@ -61,6 +68,9 @@ impl Flight {
             latch: Latch::default(),
             playback: attempt.inputs.as_deref().map(|inputs| inputs.clone().into_iter()),
             pause: None,
+            settings: None,
+            settings_problems: Vec::new(),
+            assisted: false,
             ended: 0.0,
             details: false,
             hitboxes: false,
@@ -74,21 +84,24 @@ impl Flight {
         if self.pause.is_some() {
             return self.update_pause(input, spectator);
         }
-        if input.pressed(Key::R) {
+        if input.acts(Action::Restart) {
             return self.restart(spectator);
         }
-        self.details ^= input.pressed(Key::Tab);
-        self.hitboxes ^= input.pressed(Key::F3);
+        self.details ^= input.acts(Action::Details);
+        self.hitboxes ^= input.acts(Action::Hitboxes);
         if self.game.outcome() != Outcome::Running {
             return self.wait_for_score(input);
         }
-        if input.pressed(Key::Escape) {
+        if input.acts(Action::Pause) {
             self.latch.clear();
             self.pause = Some(Buttons::default());
             return None;
         }
-        self.latch.frame(controls(|key| input.held(key)), controls(|key| input.pressed(key)));
-        self.clock.add(input.frame_time);
+        self.latch.frame(controls(|action| input.keeps(action)), controls(|action| input.acts(action)));
+        let assists = input.settings.assists;
+        self.assisted |= assists.any() && self.playback.is_none();
+        self.game.set_lasting_fuel(assists.lasting_fuel && self.playback.is_none());
+        self.clock.add(input.frame_time * f64::from(assists.speed) / 100.0);
         while self.game.outcome() == Outcome::Running && self.clock.tick() {
             let controls = match &mut self.playback {
                 Some(playback) => playback.next().unwrap_or_default(),
@@ -101,6 +114,16 @@ impl Flight {
         None
     }
 
+    /// Whether the keys fly, and not a recording.
+    pub fn is_by_hand(&self) -> bool {
+        self.playback.is_none()
+    }
+
+    /// Whether the player has had help.
+    pub fn is_assisted(&self) -> bool {
+        self.assisted
+    }
+
     /// The game as it stands.
     pub fn game(&self) -> &Game {
         &self.game
@@ -111,7 +134,7 @@ impl Flight {
         self.clock.alpha()
     }
 
-    /// The pause panel's buttons, while it is open: Resume, Restart, Level Select, Main Menu.
+    /// The pause panel's buttons, while it is open: Resume, Restart, Settings, Level Select, Main Menu.
     pub fn pause(&self) -> Option<&Buttons> {
         self.pause.as_ref()
     }
@@ -126,20 +149,47 @@ impl Flight {
         self.hitboxes
     }
 
+    /// The settings, while they are open above the pause panel.
+    pub fn settings(&self) -> Option<&SettingsPanel> {
+        self.settings.as_deref()
+    }
+
+    /// Takes over the settings that hold now, and what is wrong with their file.
+    pub fn tell_of_settings(&mut self, settings: Settings, problems: &[String]) {
+        self.settings_problems = problems.to_vec();
+        if let Some(panel) = &mut self.settings {
+            panel.tell(settings, problems.to_vec());
+        }
+    }
+
+    fn update_settings(&mut self, input: &Input) -> Option<Request> {
+        match self.settings.as_mut()?.update(input)? {
+            Request::Menu => {
+                self.settings = None;
+                None
+            }
+            request => Some(request),
+        }
+    }
+
     fn update_pause(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+        if self.settings.is_some() {
+            return self.update_settings(input);
+        }
         let pause = self.pause.as_mut()?;
-        pause.place(input.frame.column(PAUSE_LABELS.len(), input.frame.size.y / 2.0 - 88.0));
+        pause.place(input.frame.column(PAUSE_LABELS.len(), input.frame.size.y / 2.0 - 120.0));
         // What the overlays show stays right while paused, so they can be switched.
-        self.details ^= input.pressed(Key::Tab);
-        self.hitboxes ^= input.pressed(Key::F3);
-        if input.pressed(Key::Escape) {
+        self.details ^= input.acts(Action::Details);
+        self.hitboxes ^= input.acts(Action::Hitboxes);
+        if input.acts(Action::Pause) || input.pressed(Key::Escape) {
             self.pause = None;
             return None;
         }
         match pause.update(input)? {
             0 => self.pause = None,
             1 => return self.restart(spectator),
-            2 => return Some(Request::LevelSelect(Purpose::Play)),
+            2 => self.settings = Some(Box::new(SettingsPanel::new(input.settings, self.settings_problems.clone()))),
+            3 => return Some(Request::LevelSelect(Purpose::Play)),
             _ => return Some(Request::Menu),
         }
         None
@@ -149,14 +199,20 @@ impl Flight {
     fn wait_for_score(&mut self, input: &Input) -> Option<Request> {
         self.ended += input.frame_time;
         let over = self.ended >= END_PAUSE || input.pressed(Key::Escape) || input.pressed(Key::Enter);
-        over.then(|| Request::Score(self.attempt.clone(), self.game.result()))
+        let result = || RunResult { assisted: self.assisted, ..self.game.result() };
+        over.then(|| Request::Score(self.attempt.clone(), result()))
     }
 
     /// Begins anew, with the overlays as they are.
     fn restart(&mut self, spectator: &mut dyn Spectator) -> Option<Request> {
         match Self::new(self.attempt.clone(), spectator) {
             Ok(fresh) => {
-                *self = Self { details: self.details, hitboxes: self.hitboxes, ..fresh };
+                *self = Self {
+                    details: self.details,
+                    hitboxes: self.hitboxes,
+                    settings_problems: std::mem::take(&mut self.settings_problems),
+                    ..fresh
+                };
                 None
             }
             // A level that made a world once makes it again; should it not, the app says why.
@@ -165,8 +221,8 @@ impl Flight {
     }
 }
 
-fn controls(is: impl Fn(Key) -> bool) -> Controls {
-    Controls { thrust: is(Key::Space), reverse: is(Key::Shift), left: is(Key::Left), right: is(Key::Right) }
+fn controls(is: impl Fn(Action) -> bool) -> Controls {
+    Controls { thrust: is(Action::Thrust), reverse: is(Action::Reverse), left: is(Action::Left), right: is(Action::Right) }
 }
 
 #[cfg(feature = "window")]
@@ -179,6 +235,10 @@ mod drawing {
     impl Flight {
         /// Draws the pause panel, where it is open, above the game.
         pub fn draw_pause(&self, canvas: &Canvas) {
+            if let Some(settings) = &self.settings {
+                widgets::curtain(canvas, 1.0);
+                return settings.draw(canvas);
+            }
             let Some(pause) = &self.pause else { return };
             widgets::curtain(canvas, 0.45);
             let middle = canvas.size() / 2.0;

@@ -1,84 +1,16 @@
 //! What the player did in one frame, in canvas units and without a window.
 
+use crate::settings::{Action, Key, Keys, Settings};
 use crate::view::layout::{Frame, Vec2};
+use std::cell::Cell;
 
-/// A key that some screen understands.
+/// What the buttons made of an input, for the ear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Key {
-    /// ↑
-    Up,
-    /// ↓
-    Down,
-    /// ←
-    Left,
-    /// →
-    Right,
-    /// Enter, also that of the number pad.
-    Enter,
-    /// Esc
-    Escape,
-    /// The space bar.
-    Space,
-    /// The left Shift key.
-    Shift,
-    /// Tab
-    Tab,
-    /// F3
-    F3,
-    /// R
-    R,
-    /// A
-    A,
-    /// D
-    D,
-    /// W
-    W,
-    /// Page up
-    PageUp,
-    /// Page down
-    PageDown,
-    /// Home
-    Home,
-    /// End
-    End,
-    /// Backspace
-    Backspace,
-    /// Delete
-    Delete,
-}
-
-/// A set of keys.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Keys(u32);
-
-impl Keys {
-    /// Whether the key is in it.
-    pub fn has(self, key: Key) -> bool {
-        self.0 & (1 << key as u32) != 0
-    }
-
-    /// Adds a key.
-    pub fn add(&mut self, key: Key) {
-        self.0 |= 1 << key as u32;
-    }
-}
-
-impl std::ops::BitOr for Keys {
-    type Output = Self;
-
-    /// All keys of both.
-    fn bitor(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-}
-
-impl FromIterator<Key> for Keys {
-    fn from_iter<T: IntoIterator<Item = Key>>(keys: T) -> Self {
-        let mut set = Self::default();
-        keys.into_iter().for_each(|key| set.add(key));
-        set
-    }
+pub enum Answer {
+    /// The keyboard or the pointer went to another button.
+    Moved,
+    /// A button was pressed.
+    Pressed,
 }
 
 /// What the player did since the last frame, and what is held down now.
@@ -104,23 +36,56 @@ pub struct Input {
     pub held: Keys,
     /// Characters that were typed, in order.
     pub typed: String,
+    /// What the player has set.
+    pub settings: Settings,
+    /// What the buttons made of it: they say so with [`Input::answer`].
+    pub answer: Cell<Option<Answer>>,
 }
 
 impl Input {
     /// Whether the key went down: true in one frame for one press.
     pub fn pressed(&self, key: Key) -> bool {
-        self.pressed.has(key)
+        has(self.pressed, key)
+    }
+
+    /// Whether a key went down that does this in flight.
+    pub fn acts(&self, action: Action) -> bool {
+        self.settings.keys.does(action, self.pressed)
+    }
+
+    /// Whether a key is down that does this in flight.
+    pub fn keeps(&self, action: Action) -> bool {
+        self.settings.keys.does(action, self.held)
     }
 
     /// The same moment once everything new in it has been taken: no time has passed and nothing was pressed, turned or typed.
     pub fn without_edges(&self) -> Self {
-        Self { frame: self.frame, pointer: self.pointer, holding: self.holding, held: self.held, ..Self::default() }
+        Self {
+            frame: self.frame,
+            pointer: self.pointer,
+            holding: self.holding,
+            held: self.held,
+            settings: self.settings,
+            ..Self::default()
+        }
+    }
+
+    /// A button says what it made of this input; a press goes before a move.
+    pub fn answer(&self, answer: Answer) {
+        if self.answer.get() != Some(Answer::Pressed) {
+            self.answer.set(Some(answer));
+        }
     }
 
     /// Whether the key is down.
     pub fn held(&self, key: Key) -> bool {
-        self.held.has(key)
+        has(self.held, key)
     }
+}
+
+/// Whether a key is among those, or the button of a gamepad that does the same.
+fn has(keys: Keys, key: Key) -> bool {
+    keys.has(key) || key.on_pad().is_some_and(|pad| keys.has(pad))
 }
 
 /// Keeps what was pressed until a tick has taken it: a press shorter than a frame is not lost in a frame without a tick, and is not

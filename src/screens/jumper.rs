@@ -1,11 +1,15 @@
 //! The jumper in the window: how many climb, the climb, and what it came to.
 
 use super::input::KeyLatch;
+use super::leaderboard::Way;
 use super::{Buttons, Classic, Gain, Input, Key, Keys, Request};
 use crate::classics::jumper::scene::Keys as Held;
 use crate::classics::jumper::scene::{LEADERBOARD, Scene};
 use crate::game::{Clock, TICK_RATE};
 use crate::view::layout::{Frame, GAP, WIDE_BUTTON};
+
+/// What its leaderboard is of, in words.
+pub const SUBJECT: &str = "the Jumper";
 
 /// What a button does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -158,7 +162,14 @@ impl Jumper {
             }
             Press::SaveScore => {
                 let back = Box::new(Request::Climbed(Box::new(self.scene.clone())));
-                return Some(Request::SaveScore(Gain { board: LEADERBOARD.to_owned(), points: self.scene.score(), back }));
+                let onward = Way { label: Press::Back.label(), to: Request::Classic(Classic::Jumper) };
+                return Some(Request::SaveScore(Gain {
+                    board: LEADERBOARD.to_owned(),
+                    subject: SUBJECT.to_owned(),
+                    points: self.scene.score(),
+                    back,
+                    ways: vec![onward],
+                }));
             }
             Press::Leaderboard => return Some(Request::Leaderboard(LEADERBOARD.to_owned())),
             Press::Back => return Some(Request::Classics(Some(Classic::Jumper))),

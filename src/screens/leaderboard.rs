@@ -1,10 +1,9 @@
 //! The best of one level.
 
 use super::scroll::{Bar, Scroll, bar_beside};
-use super::{Buttons, Classic, Input, Key, Purpose, Request};
-use crate::classics::jumper::scene::LEADERBOARD;
+use super::{Buttons, Input, Key, Request};
 use crate::scores::{Board, Name};
-use crate::view::layout::{Area, Frame, ROW_BUTTON, Vec2};
+use crate::view::layout::{Area, Frame, Vec2};
 
 /// Rows a page.
 pub const PAGE: usize = 10;
@@ -15,17 +14,37 @@ const WIDTH: f32 = 720.0;
 /// From the panel's top to the first row: the columns' names.
 const HEAD: f32 = 48.0;
 /// From the canvas' top to the panel.
-const TOP: f32 = 136.0;
+const TOP: f32 = 120.0;
+/// From the panel down to the buttons.
+const FOOT: f32 = 44.0;
 
-/// What a leaderboard is of, in words.
-pub fn subject(board: &str) -> String {
-    if board == LEADERBOARD { "the Jumper".to_owned() } else { format!("level {board}") }
+/// What the leaderboard of a level is of, in words: the level's title, where it has one.
+pub fn subject(level: &str, title: &str) -> String {
+    if level == title { format!("level {level}") } else { title.to_owned() }
+}
+
+/// A button, and where it leads.
+#[derive(Clone, Debug)]
+pub struct Way {
+    /// The words on it.
+    pub label: &'static str,
+    /// Where it leads.
+    pub to: Request,
+}
+
+/// A score that was just saved.
+#[derive(Debug)]
+pub struct Fresh {
+    /// Whose.
+    pub name: Name,
+    /// What became of it, where that is not plain to see.
+    pub remark: Option<String>,
 }
 
 /// The leaderboard screen.
 #[derive(Debug)]
 pub struct Leaderboard {
-    level: String,
+    subject: String,
     board: Board,
     /// The row just saved.
     saved: Option<usize>,
@@ -34,15 +53,18 @@ pub struct Leaderboard {
     /// What became of the score, where it is not plain to see.
     remark: Option<String>,
     scroll: Scroll,
-    back: Buttons,
+    /// Where its buttons lead; the last one is the way back.
+    ways: Vec<Way>,
+    buttons: Buttons,
 }
 
 impl Leaderboard {
-    /// The board of a level; `saved` is whose row was just saved, if one was.
-    pub fn new(level: &str, board: Board, saved: Option<&Name>, damage: Option<String>, remark: Option<String>) -> Self {
-        let saved = saved.and_then(|name| board.rank(name)).map(|rank| rank - 1);
-        let mut screen =
-            Self { level: level.to_owned(), board, saved, damage, remark, scroll: Scroll::default(), back: Buttons::default() };
+    /// A board of that subject; `fresh` is what was just saved, and `ways` are its buttons, of which there is one at least.
+    pub fn new(subject: String, board: Board, fresh: Option<Fresh>, damage: Option<String>, ways: Vec<Way>) -> Self {
+        let saved = fresh.as_ref().and_then(|fresh| board.rank(&fresh.name)).map(|rank| rank - 1);
+        let remark = fresh.and_then(|fresh| fresh.remark);
+        let (scroll, buttons) = (Scroll::of_pages(), Buttons::default());
+        let mut screen = Self { subject, board, saved, damage, remark, scroll, ways, buttons };
         screen.place(&Frame::default());
         if let Some(row) = saved {
             screen.scroll.show(row);
@@ -53,19 +75,18 @@ impl Leaderboard {
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
         self.place(&input.frame);
-        self.scroll.update(input);
-        let back = match (self.level == LEADERBOARD, self.saved) {
-            (true, _) => Request::Classic(Classic::Jumper),
-            // Whoever has just saved has come to the end of the way.
-            (false, Some(_)) => Request::Menu,
-            (false, None) => Request::LevelSelect(Purpose::Leaderboard),
-        };
-        (self.back.update(input).is_some() || input.pressed(Key::Escape)).then_some(back)
+        // Beside a single button all arrows turn pages.
+        let turn = |key| if self.ways.len() > 1 { key } else { aside(key) };
+        let pressed = KEYS.into_iter().filter(|key| input.pressed(*key)).map(turn).collect();
+        let held = KEYS.into_iter().filter(|key| input.held(*key)).map(turn).collect();
+        self.scroll.update(&Input { pressed, held, ..input.clone() });
+        let way = if input.pressed(Key::Escape) { self.ways.len() - 1 } else { self.buttons.update(input)? };
+        self.ways.get(way).map(|way| way.to.clone())
     }
 
-    /// The level whose board it is.
-    pub fn level(&self) -> &str {
-        &self.level
+    /// What it is of.
+    pub fn subject(&self) -> &str {
+        &self.subject
     }
 
     /// All rows.
@@ -98,16 +119,33 @@ impl Leaderboard {
         self.scroll.bar()
     }
 
-    /// Its button: Back.
+    /// The words on its buttons.
+    pub fn labels(&self) -> impl Iterator<Item = &'static str> + '_ {
+        self.ways.iter().map(|way| way.label)
+    }
+
+    /// Its buttons; the last one is the way back.
     pub fn buttons(&self) -> &Buttons {
-        &self.back
+        &self.buttons
     }
 
     fn place(&mut self, frame: &Frame) {
         let panel = panel(frame);
         let rows = panel.min.y + HEAD;
         self.scroll.place(self.board.rows().len(), PAGE, bar_beside(panel, rows, rows + PAGE as f32 * ROW));
-        self.back.place(frame.row(1, frame.size.y - ROW_BUTTON.y - 32.0));
+        self.buttons.place(frame.row(self.ways.len(), panel.max().y + FOOT));
+    }
+}
+
+/// The keys that turn pages and scroll.
+const KEYS: [Key; 8] = [Key::Up, Key::Down, Key::Left, Key::Right, Key::PageUp, Key::PageDown, Key::Home, Key::End];
+
+/// The key that does what an arrow to the side does.
+fn aside(key: Key) -> Key {
+    match key {
+        Key::Left => Key::PageUp,
+        Key::Right => Key::PageDown,
+        other => other,
     }
 }
 
@@ -118,9 +156,9 @@ fn panel(frame: &Frame) -> Area {
 
 #[cfg(feature = "window")]
 mod drawing {
-    use super::{HEAD, LEADERBOARD, Leaderboard, PAGE, ROW, panel, subject};
+    use super::{HEAD, Leaderboard, PAGE, ROW, panel};
     use crate::view::canvas::{Canvas, Style};
-    use crate::view::layout::{Area, TEXT, Vec2};
+    use crate::view::layout::{Area, BUTTON_TEXT, HEADING, TEXT, Vec2};
     use crate::view::{theme, widgets};
 
     /// Where the columns stand, from the panel's left edge: rank (its right end), name, score (its right end).
@@ -131,7 +169,9 @@ mod drawing {
         pub fn draw(&self, canvas: &Canvas) {
             widgets::graph_paper(canvas);
             let panel = panel(canvas.frame());
-            widgets::heading(canvas, &format!("Leaderboard of {}", subject(&self.level)), panel.min.y - 72.0);
+            let heading = Vec2::new(canvas.size().x / 2.0, panel.min.y - 64.0);
+            let (words, widest) = (format!("Leaderboard of {}", self.subject), canvas.size().x - 64.0);
+            widgets::fitted(canvas, &words, heading, widest, &[HEADING, BUTTON_TEXT], theme::TEXT);
             widgets::panel(canvas, panel);
             let quiet = Style::new(TEXT, theme::QUIET).middle();
             let middle = canvas.size().x / 2.0;
@@ -146,9 +186,8 @@ mod drawing {
             } else {
                 self.draw_rows(canvas, panel, quiet);
             }
-            if let Some(area) = self.back.areas().first() {
-                let label = if self.saved.is_some() && self.level != LEADERBOARD { "Main Menu" } else { "Back" };
-                widgets::button(canvas, *area, label, self.back.hover().is_some(), true);
+            for (i, (area, label)) in self.buttons.areas().iter().zip(self.labels()).enumerate() {
+                widgets::button(canvas, *area, label, self.buttons.hover() == Some(i), self.buttons.focus() == i);
             }
         }
 

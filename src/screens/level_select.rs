@@ -1,17 +1,24 @@
-//! A grid of levels, used twice: to choose what to play and to choose whose leaderboard to see.
+//! A page of cards, one a level, used twice: to choose what to play and to choose whose leaderboard to see.
 
 use super::library::Refusal;
-use super::{Buttons, Input, Key, Problems, Request};
+use super::{Buttons, Input, Key, Miniature, Problems, Request};
+use crate::scores::Medal;
 use crate::view::layout::{Area, Frame, GAP, ROW_BUTTON, Vec2};
 
-/// Buttons across and down a page.
-const GRID: (usize, usize) = (5, 3);
 /// Levels a page.
-pub const PAGE: usize = GRID.0 * GRID.1;
-/// Slices of the canvas' width and height; a button sits at slices 1, 3, 5, …
-const SLICES: Vec2 = Vec2::new(11.0, 7.0);
-/// From the canvas' bottom to the buttons below the grid.
-const FOOT: f32 = 14.0;
+pub const PAGE: usize = 15;
+/// From the canvas' sides to the cards, and from its top: the heading.
+const SIDE: f32 = 40.0;
+const HEAD: f32 = 88.0;
+/// Between two cards.
+const BETWEEN: f32 = 24.0;
+/// From the canvas' bottom to the buttons below the cards, and from those to the cards.
+const FOOT: f32 = 24.0;
+const ABOVE_FOOT: f32 = 24.0;
+/// How much wider than high a card looks best.
+const SHAPE: f32 = 1.3;
+/// No card is larger: a single level does not want the whole window.
+const LARGEST: Vec2 = Vec2::new(640.0, 480.0);
 
 /// What a level is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,14 +30,16 @@ pub enum Purpose {
 }
 
 /// A level in the list.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
     /// Its folder's name.
     pub name: String,
-    /// Its title, or why it does not load.
-    pub title: Result<String, Refusal>,
-    /// Whether it has been completed.
-    pub completed: bool,
+    /// Its title and what it looks like, or why it does not load.
+    pub level: Result<(String, Miniature), Refusal>,
+    /// The best time of whoever plays without help, s; `None` where there is none.
+    pub best: Option<f64>,
+    /// What it has brought whoever plays.
+    pub medal: Option<Medal>,
 }
 
 /// The grid of levels.
@@ -80,7 +89,8 @@ impl LevelSelect {
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
         let presses = self.presses();
-        self.buttons.place(presses.iter().map(|press| place(*press, &input.frame)).collect());
+        let cards = cards(self.entries.len().min(PAGE), &input.frame);
+        self.buttons.place(presses.iter().map(|press| place(*press, &cards, &input.frame)).collect());
         if let Some(problems) = &mut self.problems {
             if problems.update(input) {
                 self.problems = None;
@@ -131,8 +141,8 @@ impl LevelSelect {
             Press::Previous => self.turn_to(self.page.saturating_sub(1)),
             Press::Next => self.turn_to(self.page + 1),
             Press::Level(index) => {
-                let Entry { name, title, .. } = self.entries[index].clone();
-                match (title, self.purpose) {
+                let Entry { name, level, .. } = self.entries[index].clone();
+                match (level, self.purpose) {
                     (Err(refusal), _) => self.show_problems(&name, refusal),
                     (Ok(_), Purpose::Play) => return Some(Request::Play(name)),
                     (Ok(_), Purpose::Leaderboard) => return Some(Request::Leaderboard(name)),
@@ -161,46 +171,71 @@ impl LevelSelect {
     }
 }
 
-/// Where a button is: a level at its slices, the others in the lowest gap.
-fn place(press: Press, frame: &Frame) -> Area {
-    let slice = frame.size / SLICES;
+/// The places of a page's cards: as many across as make the cards largest, all the window between the heading and the foot.
+fn cards(count: usize, frame: &Frame) -> Vec<Area> {
+    let room = Area {
+        min: Vec2::new(SIDE, HEAD),
+        size: Vec2::new(frame.size.x - 2.0 * SIDE, frame.size.y - HEAD - FOOT - ROW_BUTTON.y - ABOVE_FOOT),
+    };
+    let size = |across: usize| {
+        let grid = Vec2::new(across as f32, count.div_ceil(across) as f32);
+        (room.size - (grid - 1.0) * BETWEEN) / grid
+    };
+    // Of a card's size only as much counts as has a good shape.
+    let worth = |across: &usize| size(*across).x.min(size(*across).y * SHAPE);
+    // Of equal ones the last: the fewest across leave the fewest gaps.
+    let across = (1..=count).rev().max_by(|a, b| worth(a).total_cmp(&worth(b))).unwrap_or(1);
+    let size = size(across).min(LARGEST);
+    let down = count.div_ceil(across);
+    let place = |index: usize| {
+        let (column, row) = (index % across, index / across);
+        // The last row stands in the middle when it is not full, and so do cards that are as large as any.
+        let in_row = across.min(count - row * across);
+        let all = Vec2::new(in_row as f32, down as f32) * (size + BETWEEN) - BETWEEN;
+        let first = room.centre() - all / 2.0;
+        Area { min: first + Vec2::new(column as f32, row as f32) * (size + BETWEEN), size }
+    };
+    (0..count).map(place).collect()
+}
+
+/// Where a button is: a level's card, the others in a row below the cards.
+fn place(press: Press, cards: &[Area], frame: &Frame) -> Area {
     let below = |left: f32| Area { min: Vec2::new(left, frame.size.y - FOOT - ROW_BUTTON.y), size: ROW_BUTTON };
     match press {
-        Press::Level(index) => {
-            let (column, row) = (index % PAGE % GRID.0, index % PAGE / GRID.0);
-            Area { min: slice * Vec2::new(1.0 + 2.0 * column as f32, 1.0 + 2.0 * row as f32), size: slice }
-        }
-        Press::Back => below(slice.x),
-        Press::Previous => below(frame.size.x - slice.x - 2.0 * ROW_BUTTON.x - GAP),
-        Press::Next => below(frame.size.x - slice.x - ROW_BUTTON.x),
+        Press::Level(index) => cards[index % PAGE],
+        Press::Back => below(SIDE),
+        Press::Previous => below(frame.size.x - SIDE - 2.0 * ROW_BUTTON.x - GAP),
+        Press::Next => below(frame.size.x - SIDE - ROW_BUTTON.x),
     }
 }
 
 #[cfg(feature = "window")]
 mod drawing {
-    use super::{Entry, FOOT, LevelSelect, Press, Purpose};
+    use super::{Entry, FOOT, HEAD, LevelSelect, Press, Purpose};
+    use crate::screens::scoring::precise;
     use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, ROW_BUTTON, TEXT, Vec2};
-    use crate::view::{theme, widgets};
+    use crate::view::{medals, theme, widgets};
 
-    /// From a level's button down to the middle of its title.
-    const TITLE_BELOW: f32 = 20.0;
+    /// From a card's edge to what is on it.
+    const INSIDE: f32 = 12.0;
+    /// Height of the words below a card's picture, in lines of text.
+    const WORDS: f32 = 2.4;
 
     impl LevelSelect {
-        /// Draws the grid, and the problems above it.
+        /// Draws the cards, and the problems above them.
         pub fn draw(&self, canvas: &Canvas) {
             let frame = canvas.frame();
             widgets::graph_paper(canvas);
-            let slice = frame.size / super::SLICES;
             let heading = match self.purpose {
                 Purpose::Play => "Choose a level",
                 Purpose::Leaderboard => "Whose leaderboard?",
             };
-            widgets::heading(canvas, heading, slice.y / 2.0);
+            widgets::heading(canvas, heading, HEAD / 2.0);
             for (i, (press, area)) in self.presses().iter().zip(self.buttons.areas()).enumerate() {
                 let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
                 match press {
-                    Press::Level(index) => level(canvas, *area, &self.entries[*index], slice.x * 1.8, hover, focus),
+                    Press::Level(index) => card(canvas, *area, &self.entries[*index], hover, focus),
                     Press::Back => widgets::button(canvas, *area, "Back", hover, focus),
                     Press::Previous => widgets::button(canvas, *area, "Previous", hover && self.page > 0, focus),
                     Press::Next => widgets::button(canvas, *area, "Next", hover && self.page + 1 < self.pages(), focus),
@@ -209,7 +244,7 @@ mod drawing {
             let quiet = Style::new(TEXT, theme::QUIET).centred().middle();
             if self.pages() > 1 {
                 let page = format!("Page {} of {}", self.page + 1, self.pages());
-                canvas.text(&page, Vec2::new(frame.size.x / 2.0 - slice.x, frame.size.y - FOOT - ROW_BUTTON.y / 2.0), quiet);
+                canvas.text(&page, Vec2::new(frame.size.x / 2.0, frame.size.y - FOOT - ROW_BUTTON.y / 2.0), quiet);
             }
             if self.entries.is_empty() {
                 canvas.text("There are no levels here yet.", frame.size / 2.0, quiet);
@@ -221,26 +256,71 @@ mod drawing {
         }
     }
 
-    fn level(canvas: &Canvas, area: Area, entry: &Entry, widest: f32, hover: bool, focus: bool) {
+    /// A level's picture, its name and title, and below them what whoever plays has reached.
+    fn card(canvas: &Canvas, area: Area, entry: &Entry, hover: bool, focus: bool) {
         widgets::button_box(canvas, area, hover, focus);
-        let broken = entry.title.is_err();
-        let colour = if broken { theme::QUIET } else { theme::TEXT };
-        let centre = area.centre();
-        widgets::fitted(canvas, &entry.name, centre, area.size.x - 16.0, &[HEADING, BUTTON_TEXT, TEXT, DETAILS], colour);
-        let corner = Vec2::new(area.max().x - 18.0, area.min.y + 18.0);
-        if broken {
-            canvas.rounded(Area::around(corner, Vec2::new(4.0, 12.0)), 2.0, theme::BAD);
-            canvas.disc(corner + Vec2::new(0.0, 11.0), 2.5, theme::BAD);
-        } else if entry.completed {
-            canvas.line(corner + Vec2::new(-7.0, 0.0), corner + Vec2::new(-2.0, 5.0), 3.0, theme::GOOD);
-            canvas.line(corner + Vec2::new(-2.5, 5.0), corner + Vec2::new(7.0, -5.0), 3.0, theme::GOOD);
-        }
-        let (below, colour) = match &entry.title {
-            Ok(title) if *title == entry.name => return,
-            Ok(title) => (title.as_str(), theme::QUIET),
-            Err(_) => ("does not load", theme::BAD),
+        let line = canvas.line_height(TEXT);
+        let inner = area.inset(INSIDE);
+        let picture = Area { min: inner.min, size: Vec2::new(inner.size.x, inner.size.y - WORDS * line) };
+        let middle = |lines: f32| Vec2::new(inner.centre().x, picture.max().y + lines * line);
+        let fitted = |text: &str, lines: f32, sizes: &[f32], colour| {
+            widgets::fitted(canvas, text, middle(lines), inner.size.x, sizes, colour);
         };
-        let at = Vec2::new(centre.x, area.max().y + TITLE_BELOW);
-        widgets::fitted(canvas, below, at, widest, &[TEXT], colour);
+        match &entry.level {
+            Ok((title, miniature)) => {
+                miniature.draw(canvas, picture);
+                let named = if *title == entry.name { title.clone() } else { format!("{} · {title}", entry.name) };
+                let sizes: &[f32] = if area.size.x > 400.0 { &[BUTTON_TEXT, TEXT, DETAILS] } else { &[TEXT, DETAILS] };
+                fitted(&named, 0.9, sizes, theme::TEXT);
+                match entry.medal {
+                    Some(medal) => {
+                        let (style, at) = (Style::new(TEXT, theme::TEXT).mono().middle(), middle(1.95));
+                        let time = entry.best.map_or("with help".to_owned(), precise);
+                        let width = canvas.width(&time, style);
+                        canvas.text(&time, Vec2::new(at.x - width / 2.0 + 16.0, at.y), style);
+                        medals::draw(canvas, medal, Vec2::new(at.x - width / 2.0 - 4.0, at.y), 11.0);
+                    }
+                    None => fitted("not done yet", 1.95, &[TEXT, DETAILS], theme::QUIET),
+                }
+            }
+            Err(_) => {
+                let sign = picture.centre();
+                widgets::fitted(canvas, &entry.name, sign, picture.size.x, &[HEADING, BUTTON_TEXT, TEXT, DETAILS], theme::QUIET);
+                fitted("does not load", 0.9, &[TEXT, DETAILS], theme::BAD);
+                let corner = Vec2::new(area.max().x - 18.0, area.min.y + 22.0);
+                canvas.rounded(Area::around(corner, Vec2::new(4.0, 12.0)), 2.0, theme::BAD);
+                canvas.disc(corner + Vec2::new(0.0, 11.0), 2.5, theme::BAD);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cards_fill_the_page_whatever_their_number() {
+        for (width, height) in [(1280.0, 720.0), (900.0, 500.0), (1920.0, 1080.0), (600.0, 1000.0), (3000.0, 500.0)] {
+            let frame = Frame::of_window(Vec2::new(width, height));
+            for count in 1..=PAGE {
+                let cards = cards(count, &frame);
+                let (first, last) = (cards[0], cards[count - 1]);
+                let foot = frame.size.y - FOOT - ROW_BUTTON.y;
+                assert!(cards.iter().all(|card| card.min.x >= SIDE - 0.1 && card.max().x <= frame.size.x - SIDE + 0.1));
+                assert!(first.min.y >= HEAD - 0.1 && last.max().y <= foot - ABOVE_FOOT + 0.1);
+                for (i, card) in cards.iter().enumerate() {
+                    assert!(card.size.min_element() > 100.0, "{count} cards in {width} × {height}: {card:?}");
+                    assert!(cards[i + 1..].iter().all(|other| card.max().x < other.min.x || card.max().y < other.min.y));
+                }
+                let filled = cards.iter().map(|card| card.size.element_product()).sum::<f32>();
+                let room = (frame.size.x - 2.0 * SIDE) * (foot - ABOVE_FOOT - HEAD);
+                assert!(
+                    filled > 0.5 * room || first.size == LARGEST || count < 3,
+                    "{count} cards in {width} × {height}: {}",
+                    filled / room
+                );
+            }
+        }
     }
 }

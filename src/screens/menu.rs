@@ -1,37 +1,52 @@
-//! The main menu, with a little game of its own: a right click drops a ball.
+//! The main menu: who plays, where the ship hovers over the buttons, and a little game: a right click drops a ball.
 
 use super::balls::Balls;
 use super::level_select::Purpose;
 use super::{Buttons, Input, Key, Request};
-use crate::view::layout::{Area, Frame, GRID, TITLE, Vec2};
+use crate::scores::Name;
+use crate::view::layout::{Area, Frame, GRID, ROW_BUTTON, TITLE, Vec2};
 
-/// The words on the buttons, from top to bottom.
-pub const LABELS: [&str; 6] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Quit"];
+/// The words on the buttons of the column, from top to bottom.
+pub const LABELS: [&str; 7] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Settings", "Quit"];
 /// From the canvas' top to the middle of the title's capitals, of the canvas' height.
-const TITLE_AT: f32 = 0.2;
+const TITLE_AT: f32 = 0.115;
 /// The title's letters, in heights of its text: what balls bounce off.
 const TITLE_BOX: Vec2 = Vec2::new(4.3, 0.74);
 /// From the canvas' top to the first button, of the canvas' height.
-const BUTTONS_AT: f32 = 0.36;
+const BUTTONS_AT: f32 = 0.3;
+/// From the canvas' edges to the buttons in its lower corners.
+const CORNER: f32 = 24.0;
+/// The button that says who plays.
+const PLAYER_BUTTON: Vec2 = Vec2::new(288.0, 48.0);
+
+/// What the menu says.
+#[derive(Clone, Debug)]
+pub struct Facts {
+    /// The level that Play opens, by name and title: the first one that whoever plays has not done.
+    pub next: Option<(String, String)>,
+    /// Who plays.
+    pub player: Name,
+    /// What is wrong with the players' files.
+    pub trouble: Option<String>,
+}
 
 /// The main menu.
 #[derive(Debug)]
 pub struct Menu {
-    /// The first level that is not yet completed.
-    next: Option<String>,
+    facts: Facts,
     buttons: Buttons,
     balls: Balls,
 }
 
 impl Menu {
-    /// The menu; Play opens `next`. Whatever is random about the balls follows from `seed`.
-    pub fn new(next: Option<String>, seed: u64) -> Self {
-        Self { next, buttons: Buttons::default(), balls: Balls::new(seed) }
+    /// The menu. How balls fly follows from `seed` and from when they are dropped.
+    pub fn new(facts: Facts, seed: u64) -> Self {
+        Self { facts, buttons: Buttons::default(), balls: Balls::new(seed) }
     }
 
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
-        self.buttons.place(input.frame.column(LABELS.len(), button_top(&input.frame)));
+        self.buttons.place(places(&input.frame));
         let mut obstacles = self.buttons.areas().to_vec();
         obstacles.push(title_area(&input.frame));
         self.balls.update(input, &obstacles);
@@ -39,57 +54,147 @@ impl Menu {
             return None; // Quit is a button, so that no one leaves by one key too many.
         }
         Some(match self.buttons.update(input)? {
-            0 => self.next.clone().map_or(Request::LevelSelect(Purpose::Play), Request::Play),
+            0 => match &self.facts.next {
+                Some((name, _)) => Request::Play(name.clone()),
+                None => Request::LevelSelect(Purpose::Play),
+            },
             1 => Request::LevelSelect(Purpose::Play),
             2 => Request::LevelSelect(Purpose::Leaderboard),
             3 => Request::Classics(None),
             4 => Request::Lab,
-            _ => Request::Quit,
+            5 => Request::Settings,
+            6 => Request::Quit,
+            7 => Request::Players,
+            _ => Request::Credits,
         })
     }
 
-    /// Its buttons: Play, Level Select, Leaderboards, Classics, Lab, Quit.
+    /// Its buttons: Play, Level Select, Leaderboards, Classics, Lab, Settings, Quit; who plays; Credits.
     pub fn buttons(&self) -> &Buttons {
         &self.buttons
+    }
+
+    /// What it says.
+    pub fn facts(&self) -> &Facts {
+        &self.facts
     }
 
     /// The boxes of the balls, as they are drawn.
     pub fn balls(&self) -> Vec<Area> {
         self.balls.areas().collect()
     }
+
+    /// The ship's centre (canvas units), its angle (degrees) and how its engine burns (0 … 1), as they are drawn.
+    pub fn ship(&self) -> Option<(Vec2, f64, f64)> {
+        let (centre, angle, burning) = self.balls.ship()?;
+        Some(((centre * f64::from(super::balls::METRE)).as_vec2(), angle, burning))
+    }
 }
 
 /// The box of the title's letters.
 fn title_area(frame: &Frame) -> Area {
-    Area::around(Vec2::new(frame.size.x / 2.0, frame.size.y * TITLE_AT), TITLE_BOX * TITLE)
+    Area::around(Vec2::new(frame.size.x / 2.0, (frame.size.y * TITLE_AT).round()), TITLE_BOX * TITLE)
 }
 
-fn button_top(frame: &Frame) -> f32 {
-    (frame.size.y * BUTTONS_AT / GRID).round() * GRID
+/// The column, and a button in each lower corner.
+fn places(frame: &Frame) -> Vec<Area> {
+    let top = (frame.size.y * BUTTONS_AT / GRID).round() * GRID;
+    let foot = frame.size.y - CORNER;
+    let player = Area { min: Vec2::new(CORNER, foot - PLAYER_BUTTON.y), size: PLAYER_BUTTON };
+    let credits = Area { min: Vec2::new(frame.size.x - CORNER - ROW_BUTTON.x, foot - ROW_BUTTON.y), size: ROW_BUTTON };
+    frame.column(LABELS.len(), top).into_iter().chain([player, credits]).collect()
 }
 
 #[cfg(feature = "window")]
 mod drawing {
     use super::{LABELS, Menu, title_area};
+    use crate::physics::{DVec2, ForceKind};
+    use crate::screens::balls::METRE;
+    use crate::view::art::Art;
+    use crate::view::camera::{Viewport, Window};
     use crate::view::canvas::{Canvas, Style};
-    use crate::view::layout::{TEXT, TITLE, Vec2};
-    use crate::view::{theme, widgets};
+    use crate::view::layout::{Area, BUTTON_TEXT, PADDING, TEXT, TITLE, Vec2};
+    use crate::view::{arrows, theme, things, widgets};
 
     /// What the title says.
     const NAME: &str = "Resultant";
+    /// The arrows around the title, whose sum is the one beneath it: what each is, and how far it leads on, of the title's width and of its
+    /// height (upwards).
+    const ADDENDS: [(ForceKind, Vec2); 5] = [
+        (ForceKind::Drive, Vec2::new(-0.1, 1.1)),
+        (ForceKind::Wind, Vec2::new(0.34, 0.5)),
+        (ForceKind::Reaction, Vec2::new(0.32, 0.1)),
+        (ForceKind::AirResistance, Vec2::new(0.38, -0.45)),
+        (ForceKind::Weight, Vec2::new(0.06, -1.25)),
+    ];
 
     impl Menu {
         /// Draws the menu.
-        pub fn draw(&self, canvas: &Canvas) {
-            let frame = canvas.frame();
+        pub fn draw(&self, art: &Art, canvas: &Canvas) {
             widgets::graph_paper(canvas);
+            self.draw_title(canvas);
             for (i, area) in self.buttons.areas().iter().enumerate() {
-                widgets::button(canvas, *area, LABELS[i], self.buttons.hover() == Some(i), self.buttons.focus() == i);
+                let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
+                match LABELS.get(i) {
+                    Some(label) => widgets::button(canvas, *area, label, hover, focus),
+                    None if i == LABELS.len() => self.draw_player(canvas, *area, (hover, focus)),
+                    None => widgets::button(canvas, *area, "Credits", hover, focus),
+                }
             }
-            canvas.text(NAME, title_area(frame).centre(), Style::new(TITLE, theme::ACCENT).centred().middle());
-            let quiet = Style::new(TEXT, theme::QUIET).centred().middle();
-            canvas.text("Right click to drop a ball", Vec2::new(frame.size.x / 2.0, frame.size.y - 40.0), quiet);
+            if let (Some(play), Some((_, title))) = (self.buttons.areas().first(), &self.facts.next) {
+                let (from, y) = (play.max().x + 2.0 * PADDING, play.centre().y);
+                canvas.text(title, Vec2::new(from, y), Style::new(TEXT, theme::QUIET).middle());
+            }
+            let foot = Vec2::new(canvas.size().x / 2.0, canvas.size().y - 32.0);
+            match &self.facts.trouble {
+                Some(trouble) => widgets::fitted(canvas, trouble, foot, canvas.size().x - 640.0, &[TEXT], theme::BAD),
+                None => {
+                    let quiet = Style::new(TEXT, theme::QUIET).centred().middle();
+                    canvas.text("Right click to drop a ball", foot, quiet);
+                }
+            }
             self.balls.draw(canvas);
+            self.draw_ship(art, canvas);
+        }
+
+        /// The name, and the arrows that add up to the one beneath it.
+        fn draw_title(&self, canvas: &Canvas) {
+            let area = title_area(canvas.frame());
+            let base = area.max().y + 6.0;
+            let (start, end) = (Vec2::new(area.min.x, base), Vec2::new(area.max().x, base));
+            let mut tail = start;
+            for (kind, step) in ADDENDS {
+                let tip = tail + Vec2::new(step.x, -step.y) * area.size;
+                arrows::draw_one(canvas, (tail, tip), arrows::Shown::Force(kind), 0.9);
+                tail = tip;
+            }
+            canvas.end_layer();
+            arrows::draw_one(canvas, (start, end), arrows::Shown::Resultant, 1.0);
+            canvas.text(NAME, area.centre(), Style::new(TITLE, theme::ACCENT).centred().middle());
+            canvas.end_layer();
+        }
+
+        fn draw_player(&self, canvas: &Canvas, area: Area, (hover, focus): (bool, bool)) {
+            widgets::button_box(canvas, area, hover, focus);
+            let y = area.centre().y;
+            canvas.text("Player", Vec2::new(area.min.x + PADDING, y), Style::new(TEXT, theme::QUIET).middle());
+            let name = Style::new(BUTTON_TEXT, theme::TEXT).mono().middle();
+            canvas.text(self.facts.player.as_str(), Vec2::new(area.max().x - PADDING, y), name.right());
+        }
+
+        fn draw_ship(&self, art: &Art, canvas: &Canvas) {
+            let Some((centre, angle, burning)) = self.balls.ship() else { return };
+            let frame = canvas.frame();
+            let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
+            let metre = f64::from(METRE);
+            let view = Viewport::new(DVec2::ZERO, DVec2::ZERO, window.size / metre, metre, window);
+            things::draw_ship(
+                &things::ShipPose { centre, angle, squash: 0.0, light: macroquad::color::WHITE },
+                (burning, 1.0),
+                0.5,
+                art,
+                &view,
+            );
         }
     }
 }

@@ -7,41 +7,56 @@ mod app;
 mod balls;
 mod buttons;
 mod classics;
+mod credits;
 mod flight;
+mod hover;
 mod input;
+mod journal;
 mod jumper;
 mod lab;
 mod leaderboard;
 mod level_select;
 mod library;
 mod menu;
+mod miniature;
+mod name_field;
+#[cfg(feature = "window")]
+mod pad;
 mod pi;
+mod players;
 mod problems;
 mod save_score;
 mod scoring;
 mod scroll;
+mod settings;
 mod text_field;
 mod tile_run;
 mod toolbar;
 #[cfg(feature = "window")]
 mod window;
 
+pub use crate::settings::{Key, Keys};
 pub use app::{App, Places};
 pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
+pub use credits::Credits;
 pub use flight::{Attempt, Flight, Spectator};
-pub use input::{Input, Key, Keys};
+pub use input::{Answer, Input};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Half, Lab, Line, PAGES, Page, Shown};
-pub use leaderboard::Leaderboard;
+pub use leaderboard::{Fresh, Leaderboard, Way};
 pub use level_select::{Entry, LevelSelect, Purpose};
 pub use library::Library;
-pub use menu::Menu;
+pub use menu::{Facts, Menu};
+pub use miniature::{Miniature, Part as MiniaturePart};
+pub use name_field::{Entry as NameEntry, NameField};
 pub use pi::Pi;
+pub use players::{Candidate, Players};
 pub use problems::Problems;
 pub use save_score::{Gain, SaveScore};
 pub use scoring::{Effect, Part, Press, Scoring};
 pub use scroll::Bar;
+pub use settings::SettingsPanel;
 pub use tile_run::TileRun;
 pub use toolbar::Toolbar;
 #[cfg(feature = "window")]
@@ -50,6 +65,7 @@ pub use window::open;
 use crate::classics::jumper::scene::Scene;
 use crate::game::RunResult;
 use crate::scores::Name;
+use crate::settings::Settings;
 
 /// What is on the screen, with all that it needs.
 #[derive(Debug)]
@@ -66,6 +82,12 @@ pub enum Screen {
     SaveScore(Box<SaveScore>),
     /// The best of one level.
     Leaderboard(Leaderboard),
+    /// Who plays.
+    Players(Box<Players>),
+    /// Who and what the game is made of.
+    Credits(Box<Credits>),
+    /// Keys, volumes, the picture, help.
+    Settings(Box<SettingsPanel>),
     /// Which classic.
     Classics(Classics),
     /// Charts, stress tests, two methods side by side.
@@ -91,12 +113,22 @@ pub enum Request {
     Attempt(Attempt),
     /// An attempt has ended.
     Score(Attempt, RunResult),
-    /// A score is to be saved.
+    /// A score is to be saved, under the name of whoever plays.
     SaveScore(Gain),
     /// It is saved under that name.
     Submit(Gain, Name),
     /// The leaderboard of the level of that name, or that of the jumper.
     Leaderboard(String),
+    /// The list of players.
+    Players,
+    /// Somebody plays from now on; whether they have just said their name.
+    Choose(Name, bool),
+    /// Who and what the game is made of.
+    Credits,
+    /// The settings.
+    Settings,
+    /// They are to be these from now on; the screen stays.
+    Set(Settings),
     /// The list of classics, with the keyboard on the one that was left.
     Classics(Option<Classic>),
     /// Charts, stress tests, two methods side by side.

@@ -1,5 +1,6 @@
 //! What an attempt came to, part by part.
 
+use super::leaderboard::{Way, subject};
 use super::{Attempt, Buttons, Gain, Input, Key, Request};
 use crate::game::{Outcome, RunResult};
 use crate::view::layout::ROW_BUTTON;
@@ -57,7 +58,7 @@ impl Press {
     /// The words on it.
     pub const fn label(self) -> &'static str {
         match self {
-            Self::Replay => "Replay",
+            Self::Replay => "Try Again",
             Self::NextLevel => "Next Level",
             Self::SaveScore => "Save Score",
             Self::MainMenu => "Main Menu",
@@ -74,20 +75,25 @@ pub struct Scoring {
     next: Option<String>,
     presses: Vec<Press>,
     buttons: Buttons,
+    /// What it brought whoever flew, or why it brought nothing; in words.
+    remark: String,
 }
 
 impl Scoring {
-    /// The screen for that result; `next` is the level after this one.
-    pub fn new(attempt: Attempt, result: RunResult, next: Option<String>) -> Self {
+    /// The screen for that result; `next` is the level after this one, and `remark` says what it brought. The keyboard is where most go on:
+    /// on the next level after a success, on another try after a failure. Only what was flown by hand and without help can be saved.
+    pub fn new(attempt: Attempt, result: RunResult, next: Option<String>, remark: String) -> Self {
         let mut presses = vec![Press::Replay];
         if next.is_some() {
             presses.push(Press::NextLevel);
         }
-        if result.score.total > 0 {
+        if result.score.total > 0 && attempt.inputs.is_none() && !result.assisted {
             presses.push(Press::SaveScore);
         }
         presses.push(Press::MainMenu);
-        Self { attempt, result, next, presses, buttons: Buttons::default() }
+        let onward = if result.outcome == Outcome::Completed { presses[1] } else { Press::Replay };
+        let focus = presses.iter().position(|press| *press == onward).unwrap_or(0);
+        Self { attempt, result, next, presses, buttons: Buttons::focused_on(focus), remark }
     }
 
     /// One frame.
@@ -99,13 +105,28 @@ impl Scoring {
         Some(match self.presses[self.buttons.update(input)?] {
             Press::Replay => Request::Attempt(self.attempt.clone()),
             Press::NextLevel => Request::Play(self.next.clone()?),
-            Press::SaveScore => Request::SaveScore(Gain {
-                board: self.result.level.clone(),
-                points: self.result.score.total,
-                back: Box::new(Request::Score(self.attempt.clone(), self.result.clone())),
-            }),
+            Press::SaveScore => Request::SaveScore(self.gain()),
             Press::MainMenu => Request::Menu,
         })
+    }
+
+    /// The score, and where the leaderboard leads on once it is saved.
+    fn gain(&self) -> Gain {
+        let next = self.next.clone().map(|next| Way { label: Press::NextLevel.label(), to: Request::Play(next) });
+        let again = Way { label: Press::Replay.label(), to: Request::Attempt(self.attempt.clone()) };
+        let menu = Way { label: Press::MainMenu.label(), to: Request::Menu };
+        Gain {
+            board: self.result.level.clone(),
+            subject: subject(&self.result.level, &self.attempt.level.title),
+            points: self.result.score.total,
+            back: Box::new(Request::Score(self.attempt.clone(), self.result.clone())),
+            ways: next.into_iter().chain([again, menu]).collect(),
+        }
+    }
+
+    /// What it brought whoever flew, or why it brought nothing.
+    pub fn remark(&self) -> &str {
+        &self.remark
     }
 
     /// What the attempt came to.
@@ -178,6 +199,12 @@ pub fn minutes(seconds: f64) -> String {
     format!("{:02}:{:02}", whole / 60, whole % 60)
 }
 
+/// Minutes, seconds and hundredths, mm:ss.hh; a hundredth that has begun is not yet over.
+pub fn precise(seconds: f64) -> String {
+    let hundredths = (seconds.max(0.0) * 100.0 + 1e-6) as u64;
+    format!("{:02}:{:02}.{:02}", hundredths / 6000, hundredths / 100 % 60, hundredths % 100)
+}
+
 /// A number with its sign; the minus is a true one.
 fn signed(points: i64) -> String {
     match points {
@@ -248,10 +275,8 @@ mod drawing {
                 canvas.text(value, Vec2::new(left + 312.0, y), number.right());
                 canvas.text(unit, Vec2::new(left + 324.0, y), quiet);
             }
-            if !completed {
-                let at = Vec2::new(middle, second.max().y + 32.0);
-                canvas.text("A lost attempt scores 0 and cannot be saved.", at, quiet.centred());
-            }
+            let at = Vec2::new(middle, second.max().y + 32.0);
+            widgets::fitted(canvas, &self.remark, at, size.x - 64.0, &[TEXT], theme::QUIET);
             for (i, press) in self.presses.iter().enumerate() {
                 let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
                 if let Some(area) = self.buttons.areas().get(i) {
@@ -269,6 +294,7 @@ mod tests {
     #[test]
     fn minutes_and_signs_read_well() {
         assert_eq!([0.0, 59.99, 60.0, 3725.0].map(minutes), ["00:00", "00:59", "01:00", "62:05"]);
+        assert_eq!([0.0, 5.483_333, 59.999, 3725.5].map(precise), ["00:00.00", "00:05.48", "00:59.99", "62:05.50"]);
         assert_eq!([-500, 0, 940].map(signed), ["−500", "0", "+940"]);
     }
 }

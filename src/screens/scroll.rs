@@ -1,6 +1,7 @@
 //! A list that is longer than its window: which line is the first in view, by keys, wheel and a bar that can be dragged.
 
-use super::input::{Input, Key, Repeat};
+use super::input::{Input, Repeat};
+use crate::settings::Key;
 use crate::view::layout::{Area, Vec2};
 
 /// Lines a notch of the wheel.
@@ -36,24 +37,38 @@ pub struct Scroll {
     /// Where on the handle it was grabbed, from its top.
     grabbed: Option<f32>,
     repeat: Repeat,
+    /// Whether keys turn whole pages, each of which begins at a multiple of its length.
+    pages: bool,
 }
 
 impl Scroll {
+    /// A list whose keys turn pages.
+    pub fn of_pages() -> Self {
+        Self { pages: true, ..Self::default() }
+    }
+
     /// Says how many lines there are, how many fit, and where the bar runs.
     pub fn place(&mut self, lines: usize, page: usize, track: Area) {
         (self.lines, self.page, self.track) = (lines, page, track);
-        self.first = self.first.min(self.last_first());
+        self.first = self.first.min(self.furthest());
     }
 
     /// Brings a line into view, in the middle where that can be.
     pub fn show(&mut self, line: usize) {
-        self.first = line.saturating_sub(self.page / 2).min(self.last_first());
+        self.first =
+            if self.pages { line - line % self.page.max(1) } else { line.saturating_sub(self.page / 2).min(self.last_first()) };
     }
 
     /// Follows keys, wheel and pointer.
     pub fn update(&mut self, input: &Input) {
         for key in self.repeat.strokes(input, &KEYS) {
             match key {
+                Key::Up | Key::PageUp if self.pages => self.first = self.first.saturating_sub(1) / self.page.max(1) * self.page,
+                Key::Down | Key::PageDown if self.pages => {
+                    let next = (self.first / self.page.max(1) + 1) * self.page;
+                    // What is in view to its end has no next page.
+                    self.first = if self.first + self.page < self.lines { next } else { self.first };
+                }
                 Key::Up => self.by(-1),
                 Key::Down => self.by(1),
                 Key::PageUp => self.by(-(self.page as isize)),
@@ -64,7 +79,9 @@ impl Scroll {
             }
         }
         self.turned -= input.wheel * WHEEL_LINES;
-        self.by(self.turned.trunc() as isize);
+        if self.turned.trunc() != 0.0 {
+            self.by(self.turned.trunc() as isize);
+        }
         self.turned = self.turned.fract();
         self.drag(input);
     }
@@ -80,8 +97,9 @@ impl Scroll {
         if last == 0 {
             return None;
         }
+        let first = self.first.min(last);
         let height = (self.track.size.y * self.page as f32 / self.lines as f32).max(SHORTEST_HANDLE).min(self.track.size.y);
-        let top = self.track.min.y + (self.track.size.y - height) * self.first as f32 / last as f32;
+        let top = self.track.min.y + (self.track.size.y - height) * first as f32 / last as f32;
         let handle = Area::new(self.track.min.x, top, self.track.size.x, height);
         Some(Bar { track: self.track, handle, held: self.grabbed.is_some() })
     }
@@ -110,6 +128,13 @@ impl Scroll {
         self.first = self.first.saturating_add_signed(lines).min(self.last_first());
     }
 
+    /// The last line that can be the first in view: the first one of the last page, where there are pages.
+    fn furthest(&self) -> usize {
+        let last_page = self.lines.saturating_sub(1) / self.page.max(1) * self.page;
+        if self.pages { last_page } else { self.last_first() }
+    }
+
+    /// Where the wheel and the bar end: the view is full.
     fn last_first(&self) -> usize {
         self.lines.saturating_sub(self.page)
     }
@@ -191,6 +216,31 @@ mod tests {
         scroll.update(&press(Key::End));
         scroll.update(&Input { wheel: -5.0, ..Input::default() });
         assert_eq!((scroll.range(), scroll.bar()), (0..10, None));
+    }
+
+    #[test]
+    fn keys_turn_aligned_pages() {
+        let mut scroll = Scroll::of_pages();
+        scroll.place(24, 10, Area::new(500.0, 100.0, 12.0, 300.0));
+        let mut after = |key: Key| {
+            scroll.update(&press(key));
+            scroll.range()
+        };
+        assert_eq!([Key::Down, Key::PageDown, Key::Down].map(&mut after), [10..20, 20..24, 20..24]);
+        assert_eq!([Key::Up, Key::PageUp, Key::Up].map(&mut after), [10..20, 0..10, 0..10]);
+        scroll.update(&Input { wheel: -1.0, ..Input::default() });
+        assert_eq!(scroll.range(), 3..13, "the wheel turns lines");
+        scroll.update(&press(Key::Down));
+        assert_eq!(scroll.range(), 10..20, "and the keys are aligned again");
+        scroll.update(&Input { wheel: -1.0, ..Input::default() });
+        scroll.update(&press(Key::Up));
+        assert_eq!(scroll.range(), 10..20);
+        scroll.update(&press(Key::End));
+        assert_eq!(scroll.range(), 14..24);
+        for (line, page) in [(0, 0..10), (9, 0..10), (10, 10..20), (23, 20..24)] {
+            scroll.show(line);
+            assert_eq!(scroll.range(), page);
+        }
     }
 
     #[test]

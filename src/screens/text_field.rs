@@ -1,6 +1,7 @@
 //! One line of text that can be edited.
 
-use super::input::{Input, Key, Repeat};
+use super::input::{Input, Repeat};
+use crate::settings::Key;
 
 /// What moves and deletes.
 const KEYS: [Key; 6] = [Key::Left, Key::Right, Key::Home, Key::End, Key::Backspace, Key::Delete];

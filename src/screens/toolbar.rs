@@ -1,6 +1,6 @@
 //! A row of buttons at the foot of a scene whose arrow keys have other work: each has a key of its own.
 
-use super::{Buttons, Input, Key, Keys};
+use super::{Answer, Buttons, Input, Key, Keys};
 use crate::view::layout::{Area, Frame, GAP, ROW_BUTTON, Vec2};
 
 /// From the row to the canvas' foot and sides.
@@ -17,7 +17,11 @@ impl Toolbar {
     pub fn update(&mut self, input: &Input, keys: &[Key]) -> Option<usize> {
         self.buttons.place(places(&input.frame, keys.len()));
         let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
-        self.buttons.update(&pointer_only).or_else(|| keys.iter().position(|key| input.pressed(*key)))
+        let pressed = self.buttons.update(&pointer_only).or_else(|| keys.iter().position(|key| input.pressed(*key)));
+        if let Some(answer) = pressed.map(|_| Answer::Pressed).or(pointer_only.answer.get()) {
+            input.answer(answer);
+        }
+        pressed
     }
 
     /// The buttons.

@@ -1,11 +1,13 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
-use super::{App, Attempt, Flight, Input, Key, Keys, Places, Request, Screen, Spectator};
+use super::pad::Pads;
+use super::{Answer, App, Attempt, Flight, Input, Key, Keys, Places, Request, Screen, Spectator};
 use crate::game::Game;
 use crate::level;
+use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
 use crate::view::layout::{DESIGN, Vec2};
-use crate::view::sound::{Cue, Speaker, heard};
+use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, widgets};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
@@ -13,7 +15,7 @@ use macroquad::input::{
 };
 use macroquad::miniquad::conf::Conf;
 use macroquad::time::{get_fps, get_frame_time, get_time};
-use macroquad::window::next_frame;
+use macroquad::window::{next_frame, set_fullscreen};
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
 use std::rc::Rc;
@@ -26,29 +28,23 @@ const ATTEMPTS: u32 = 4;
 const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(150);
 /// How much one tick's time counts in the running mean that F3 shows.
 const COST_WEIGHT: f64 = 0.02;
+/// The tune of the menus.
+const MENU: &str = "0";
+macro_rules! codes {
+    ($($key:ident)*) => { &[$((KeyCode::$key, Key::$key)),*] };
+}
 /// Which key of the keyboard is which of ours.
-const KEYS: [(KeyCode, Key); 21] = [
-    (KeyCode::Up, Key::Up),
-    (KeyCode::Down, Key::Down),
-    (KeyCode::Left, Key::Left),
-    (KeyCode::Right, Key::Right),
+const KEYS: &[(KeyCode, Key)] = plain_keys!(codes);
+/// Those of which there are several.
+const MORE_KEYS: [(KeyCode, Key); 8] = [
     (KeyCode::Enter, Key::Enter),
     (KeyCode::KpEnter, Key::Enter),
-    (KeyCode::Escape, Key::Escape),
-    (KeyCode::Space, Key::Space),
     (KeyCode::LeftShift, Key::Shift),
-    (KeyCode::Tab, Key::Tab),
-    (KeyCode::F3, Key::F3),
-    (KeyCode::R, Key::R),
-    (KeyCode::A, Key::A),
-    (KeyCode::D, Key::D),
-    (KeyCode::W, Key::W),
-    (KeyCode::PageUp, Key::PageUp),
-    (KeyCode::PageDown, Key::PageDown),
-    (KeyCode::Home, Key::Home),
-    (KeyCode::End, Key::End),
-    (KeyCode::Backspace, Key::Backspace),
-    (KeyCode::Delete, Key::Delete),
+    (KeyCode::RightShift, Key::Shift),
+    (KeyCode::LeftControl, Key::Control),
+    (KeyCode::RightControl, Key::Control),
+    (KeyCode::LeftAlt, Key::Alt),
+    (KeyCode::RightAlt, Key::Alt),
 ];
 
 /// Opens the window, in a level where one is given, and returns when it is closed.
@@ -92,25 +88,46 @@ pub fn open(places: Places, start: Option<Attempt>) -> Result<(), String> {
 
 async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
     let mut canvas = Canvas::new()?;
-    let mut theatre = Theatre::new(Speaker::new().await);
+    let mut theatre = Theatre::new(Speaker::new());
     let mut app = App::new(places);
     if let Some(attempt) = start {
         app.grant(Request::Attempt(attempt), &mut theatre);
     }
+    let mut pads = Pads::new();
+    let mut fullscreen = false;
     loop {
-        canvas.begin()?;
-        let input = read_input(&canvas);
+        canvas.begin(text_scale(&app))?;
+        let input = read_input(&canvas, pads.read());
         if !app.update(&input, &mut theatre) {
             return Ok(());
         }
+        if app.settings().fullscreen != fullscreen {
+            fullscreen = app.settings().fullscreen;
+            set_fullscreen(fullscreen);
+        }
         draw(&app, &mut theatre, input.frame_time, &canvas);
-        theatre.speaker.end_frame();
+        theatre.speaker.set_volumes(volumes(app.settings()));
+        theatre.sound(app.screen(), input.answer.get());
         next_frame().await;
     }
 }
 
-fn read_input(canvas: &Canvas) -> Input {
-    let keys = |is: fn(KeyCode) -> bool| KEYS.iter().filter(|(code, _)| is(*code)).map(|(_, key)| *key).collect::<Keys>();
+/// How loud the player wants it.
+fn volumes(settings: &Settings) -> Volumes {
+    let share = |percent: u8| f32::from(percent) / 100.0;
+    Volumes { master: share(settings.master), effects: share(settings.effects), music: share(settings.music) }
+}
+
+/// How large words are on this screen: those of a flight as the player wants them; the others stand in panels made for them.
+fn text_scale(app: &App) -> f32 {
+    let scale = f32::from(app.settings().scale) / 100.0;
+    if matches!(app.screen(), Screen::Flight(flight) if flight.pause().is_none()) { scale } else { 1.0 }
+}
+
+fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
+    let keys = |is: fn(KeyCode) -> bool| {
+        KEYS.iter().chain(&MORE_KEYS).filter(|(code, _)| is(*code)).map(|(_, key)| *key).collect::<Keys>()
+    };
     Input {
         frame: *canvas.frame(),
         frame_time: f64::from(get_frame_time()),
@@ -120,30 +137,34 @@ fn read_input(canvas: &Canvas) -> Input {
         right_click: is_mouse_button_pressed(MouseButton::Right),
         // Systems disagree by a factor of 120 on what a notch is; they agree on its sign.
         wheel: mouse_wheel().1.clamp(-1.0, 1.0),
-        pressed: keys(is_key_pressed),
-        held: keys(is_key_down),
+        pressed: keys(is_key_pressed) | pad_pressed,
+        held: keys(is_key_down) | pad_held,
         typed: std::iter::from_fn(get_char_pressed).collect(),
+        ..Input::default()
     }
 }
 
 fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
     match app.screen() {
-        Screen::Menu(screen) => screen.draw(canvas),
+        Screen::Menu(screen) => screen.draw(&theatre.art, canvas),
         Screen::LevelSelect(screen) => screen.draw(canvas),
         Screen::Flight(screen) => {
-            theatre.draw(screen, frame_time, canvas);
+            theatre.draw(screen, *app.settings(), frame_time, canvas);
             screen.draw_pause(canvas);
         }
         Screen::Scoring(screen) => screen.draw(canvas),
         Screen::SaveScore(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Leaderboard(screen) => screen.draw(canvas),
+        Screen::Players(screen) => screen.draw(canvas, app.shown_for()),
+        Screen::Credits(screen) => screen.draw(canvas),
         Screen::Classics(screen) => screen.draw(canvas),
         Screen::Lab(screen) => screen.draw(canvas),
         Screen::TileRun(screen) => screen.draw(canvas),
         Screen::Jumper(screen) => screen.draw(canvas),
+        Screen::Settings(screen) => screen.draw(canvas),
         Screen::Pi(screen) => {
             if screen.collided() {
-                theatre.speaker.cue(Cue::Click, 1.0);
+                theatre.speaker.play(Sound::new(Cue::Click, 1.0));
             }
             screen.draw(canvas);
         }
@@ -159,6 +180,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
 struct Theatre {
     art: Rc<Art>,
     speaker: Speaker,
+    ear: Ear,
     view: Option<GameView>,
     tick_started: f64,
     /// Running mean of the time that a tick takes, s.
@@ -167,25 +189,58 @@ struct Theatre {
 
 impl Theatre {
     fn new(speaker: Speaker) -> Self {
-        Self { art: Rc::new(Art::new()), speaker, view: None, tick_started: 0.0, tick_cost: 0.0 }
+        Self { art: Rc::new(Art::new()), speaker, ear: Ear::default(), view: None, tick_started: 0.0, tick_cost: 0.0 }
     }
 
     /// Lets the view move on by the frame just updated, and draws it.
-    fn draw(&mut self, flight: &Flight, frame_time: f64, canvas: &Canvas) {
+    fn draw(&mut self, flight: &Flight, settings: Settings, frame_time: f64, canvas: &Canvas) {
         let Some(view) = &mut self.view else { return };
-        let overlays = Overlays { details: flight.details(), hitboxes: flight.hitboxes() };
+        let overlays = Overlays { settings, details: flight.details(), hitboxes: flight.hitboxes() };
         let passed = if flight.pause().is_some() { 0.0 } else { frame_time };
         view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
         if flight.pause().is_none() {
-            self.speaker.engine(view.burning() as f32);
+            self.speaker.surround(Ambience::of(flight.game(), view.burning()));
         }
         let figures = format!("{:>3} fps  tick {:.1} µs", get_fps(), self.tick_cost * 1e6);
         view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
     }
 }
 
+impl Theatre {
+    /// Ends the frame for the ear: buttons, and the tune that belongs to the screen.
+    fn sound(&mut self, screen: &Screen, answer: Option<Answer>) {
+        match answer {
+            Some(Answer::Pressed) => self.speaker.play(Sound::new(Cue::Press, 1.0)),
+            Some(Answer::Moved) => self.speaker.play(Sound::new(Cue::Move, 1.0)),
+            None => {}
+        }
+        if let Some(name) = music(screen) {
+            self.speaker.set_tune(Some(tune(name)));
+        }
+        self.speaker.end_frame();
+    }
+}
+
+/// By what the tune of a screen goes; `None`: as before, so that a level's stays through its scoring.
+fn music(screen: &Screen) -> Option<&str> {
+    match screen {
+        Screen::Flight(flight) => Some(&flight.game().level().name),
+        Screen::Scoring(_) | Screen::SaveScore(_) | Screen::Leaderboard(_) | Screen::Settings(_) => None,
+        Screen::TileRun(_) => Some("tile run"),
+        Screen::Jumper(_) => Some("jumper"),
+        Screen::Pi(_) => Some("pi"),
+        Screen::Menu(_)
+        | Screen::Players(_)
+        | Screen::Credits(_)
+        | Screen::LevelSelect(_)
+        | Screen::Classics(_)
+        | Screen::Lab(_) => Some(MENU),
+    }
+}
+
 impl Spectator for Theatre {
     fn begins(&mut self, game: &Game) {
+        self.ear = Ear::default();
         self.view = Some(GameView::new(game, self.art.clone(), &|path| level::read_picture(path).ok()));
         self.tick_cost = 0.0;
     }
@@ -197,9 +252,7 @@ impl Spectator for Theatre {
     fn after_tick(&mut self, game: &Game) {
         let cost = get_time() - self.tick_started;
         self.tick_cost += (cost - self.tick_cost) * COST_WEIGHT;
-        for (cue, loudness) in game.events().iter().filter_map(heard) {
-            self.speaker.cue(cue, loudness);
-        }
+        self.ear.listen(game, |sound| self.speaker.play(sound));
         if let Some(view) = &mut self.view {
             view.after_tick(game);
         }

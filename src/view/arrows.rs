@@ -4,7 +4,8 @@
 use super::boxes::covers_none;
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
-use super::facts::{Shown, by_name, impacts};
+pub use super::facts::Shown;
+use super::facts::{by_name, impacts};
 use super::layout::{Area, DETAILS, Vec2};
 use super::theme::{self, faded};
 use crate::game::{DAMAGING_SPEED, Game};
@@ -107,21 +108,28 @@ pub fn arrows(game: &Game, id: BodyId, centre: DVec2, view: &Viewport) -> Vec<Ar
 
 /// Draws arrows, without their labels.
 pub fn draw(arrows: &[Arrow], canvas: &Canvas) {
-    for arrow in arrows {
-        let resultant = arrow.shown == Shown::Resultant;
-        let (width, head_scale) = if resultant { (RESULTANT_WIDTH, 1.6) } else { (WIDTH, 1.0) };
-        let ((head, dash), colour) = (style(arrow.shown), colour(arrow.shown));
-        let along = (arrow.to - arrow.from).normalize_or_zero();
-        let tip_length = (HEAD * head_scale).min(arrow.length());
-        let neck = arrow.to - along * tip_length * 0.8;
-        canvas.line(arrow.from, neck, width + 2.0, faded(theme::GROUND, 0.55));
-        if dash.is_empty() {
-            canvas.line(arrow.from, neck, width, colour);
-        } else {
-            dashed(canvas, arrow.from, neck, dash, width, colour);
-        }
-        draw_head(canvas, head, arrow.to, along, tip_length, width, colour);
+    arrows.iter().for_each(|arrow| draw_arrow(canvas, arrow, 1.0));
+}
+
+fn draw_arrow(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
+    let resultant = arrow.shown == Shown::Resultant;
+    let (width, head_scale) = if resultant { (RESULTANT_WIDTH, 1.6) } else { (WIDTH, 1.0) };
+    let ((head, dash), colour) = (style(arrow.shown), faded(colour(arrow.shown), alpha));
+    let along = (arrow.to - arrow.from).normalize_or_zero();
+    let tip_length = (HEAD * head_scale).min(arrow.length());
+    let neck = arrow.to - along * tip_length * 0.8;
+    canvas.line(arrow.from, neck, width + 2.0, faded(theme::GROUND, 0.55 * alpha));
+    if dash.is_empty() {
+        canvas.line(arrow.from, neck, width, colour);
+    } else {
+        dashed(canvas, arrow.from, neck, dash, width, colour);
     }
+    draw_head(canvas, head, arrow.to, along, tip_length, width, colour);
+}
+
+/// Draws a single arrow from its tail to its tip, for show; `alpha` (0 … 1) is how much of it is seen.
+pub fn draw_one(canvas: &Canvas, (from, to): (Vec2, Vec2), shown: Shown, alpha: f32) {
+    draw_arrow(canvas, &Arrow { from, to, shown }, alpha);
 }
 
 /// How a kind of force is told without its colour: no two of the same head and dash. Dashes are lengths drawn and left out in turn.

@@ -97,13 +97,13 @@ impl Canvas {
         Ok(Self { fonts: Fonts::load()?, frame: Frame::default(), dpi: 1.0, lines: RefCell::new(Vec::new()) })
     }
 
-    /// Clears the window and lays the canvas out anew, after whatever size the window has now.
+    /// Clears the window and lays the canvas out anew, after whatever size the window has now, with words `text` times as large as usual.
     ///
     /// # Errors
     /// A typeface that cannot be read, in words.
-    pub fn begin(&mut self) -> Result<(), String> {
+    pub fn begin(&mut self, text: f32) -> Result<(), String> {
         self.dpi = screen_dpi_scale();
-        self.frame = Frame::of_window(Vec2::new(screen_width(), screen_height()) * self.dpi);
+        self.frame = Frame::of_window(Vec2::new(screen_width(), screen_height()) * self.dpi).with_text(text);
         self.fonts.prepare(&self.frame, self.dpi)?;
         self.lines.get_mut().clear();
         clear_background(theme::GROUND);

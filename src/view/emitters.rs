@@ -2,9 +2,9 @@
 
 use super::particles::{Look, Particle, Particles};
 use super::theme;
-use crate::game::{Game, SHIP};
+use crate::game::{Game, Outcome, SHIP};
 use crate::level::{Level, ObjectiveKind, SHIP_HALF};
-use crate::physics::{Aabb, BodyId, DVec2};
+use crate::physics::{Aabb, BodyId, DVec2, ForceKind};
 use macroquad::color::Color;
 
 /// Particles of the plume a second, at full thrust.
@@ -19,6 +19,11 @@ const OBJECTIVE_RATE: f64 = 1.3;
 const KEY_RATE: f64 = 9.0;
 /// Streaks a second and square metre of an air stream.
 const STREAM_RATE: f64 = 1.2;
+/// Streaks a second and newton of the force that a stream or the air exerts on the ship, and at most.
+const FELT_RATE: f64 = 0.12;
+const MOST_FELT: f64 = 70.0;
+/// How far around the ship the streaks of what it feels begin, m.
+const FELT_REACH: f64 = 1.6;
 /// All objectives, key objects and streams in view together emit at most this many a second: with more they thin out.
 const MOST_A_SECOND: f64 = 260.0;
 
@@ -34,6 +39,8 @@ enum Emitter {
 pub struct Emitters {
     all: Vec<(Emitter, f64)>,
     plume: f64,
+    /// Of the streaks of the air, and of those of streams.
+    felt: [f64; 2],
     /// How far the plume has grown, 0 … 1.
     strength: f64,
     /// The way the engine last burned: 1 along the nose, −1 against it.
@@ -47,7 +54,7 @@ impl Emitters {
         let all = ((0..level.objectives.len()).map(Emitter::Objective))
             .chain(keys.map(Emitter::Key))
             .chain((0..level.streams.len()).map(Emitter::Stream));
-        Self { all: all.map(|emitter| (emitter, 0.0)).collect(), plume: 0.0, strength: 0.0, way: 1.0 }
+        Self { all: all.map(|emitter| (emitter, 0.0)).collect(), plume: 0.0, felt: [0.0; 2], strength: 0.0, way: 1.0 }
     }
 
     /// How far the plume has grown (0 … 1), and whether it leaves the tail (1) or the nose (−1).
@@ -58,6 +65,7 @@ impl Emitters {
     /// Emits what falls into `frame_time` seconds, from what is in view. `ship` is where the ship is drawn.
     pub fn emit(&mut self, game: &Game, ship: DVec2, angle: f64, visible: &Aabb, frame_time: f64, particles: &mut Particles) {
         self.emit_plume(game, ship, angle, frame_time, particles);
+        self.emit_felt(game, ship, frame_time, particles);
         let rates: Vec<f64> = self.all.iter().map(|(emitter, _)| rate(*emitter, game, visible)).collect();
         let thinned = thinning(rates.iter().sum());
         for ((emitter, ready), rate) in self.all.iter_mut().zip(rates) {
@@ -65,6 +73,33 @@ impl Emitters {
             while *ready >= 1.0 {
                 *ready -= 1.0;
                 particles_of(*emitter, game, particles);
+            }
+        }
+    }
+
+    /// Streaks past the ship for the air that it feels and for the streams that pull at it: more the larger their force is.
+    fn emit_felt(&mut self, game: &Game, ship: DVec2, frame_time: f64, particles: &mut Particles) {
+        if game.outcome() != Outcome::Running {
+            return;
+        }
+        let forces = game.world().forces(SHIP);
+        for (ready, kind) in self.felt.iter_mut().zip([ForceKind::AirResistance, ForceKind::Wind]) {
+            let force = forces.total(kind);
+            let strength = force.length();
+            *ready += (strength * FELT_RATE).min(MOST_FELT) * frame_time;
+            while *ready >= 1.0 {
+                *ready -= 1.0;
+                let way = force / strength;
+                let place = way * -particles.between(0.2, 1.2) + way.perp() * particles.between(-1.0, 1.0);
+                let speed = particles.between(6.0, 10.0);
+                particles.add(Particle {
+                    position: ship + place * FELT_REACH,
+                    velocity: game.world().body(SHIP).velocity + way * speed,
+                    age: 0.0,
+                    life: 0.3,
+                    look: Look::Streak,
+                    colour: theme::force(kind),
+                });
             }
         }
     }
@@ -193,7 +228,7 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
                     age: 0.0,
                     life,
                     look: Look::Streak,
-                    colour: theme::force(crate::physics::ForceKind::Wind),
+                    colour: theme::force(ForceKind::Wind),
                 });
             }
         }

@@ -1,5 +1,5 @@
-//! What the player feels of an event: the screen's shake and red edges after a damaging hit, the lost points that float up, the ring
-//! of an objective met.
+//! What the player feels of an event: the screen's shake and red edges after a damaging hit, the flash of a death, the lost points and
+//! the praise that float up, the ring of an objective met.
 
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
@@ -16,6 +16,8 @@ const SHAKE_TIME: f64 = 0.2;
 const SHAKE_REACH: f64 = 6.0;
 /// How long the red edges stay, s.
 const FLASH_TIME: f64 = 0.35;
+/// How long the flash of a death lasts, s.
+const DEATH_FLASH: f64 = 0.14;
 /// How long the lost points float, s, and how fast, m/s.
 const FLOAT_TIME: f64 = 1.4;
 const FLOAT_SPEED: f64 = 1.3;
@@ -30,15 +32,35 @@ const RING_REACH: f64 = 4.0;
 #[derive(Default)]
 pub struct Feedback {
     hit: Option<f64>,
-    floats: Vec<(DVec2, f64)>,
+    death: Option<f64>,
+    floats: Vec<Float>,
     rings: Vec<(DVec2, Color, f64)>,
+}
+
+/// Words that float up from a point (m).
+struct Float {
+    point: DVec2,
+    words: String,
+    colour: Color,
+    age: f64,
 }
 
 impl Feedback {
     /// A damaging hit at a point (m).
     pub fn hit(&mut self, point: DVec2) {
         self.hit = Some(0.0);
-        self.floats.push((point, 0.0));
+        self.float(point, "−500".into(), theme::BAD);
+    }
+
+    /// The ship is lost.
+    pub fn death(&mut self) {
+        self.hit = Some(0.0);
+        self.death = Some(0.0);
+    }
+
+    /// Words that float up from a point (m).
+    pub fn float(&mut self, point: DVec2, words: String, colour: Color) {
+        self.floats.push(Float { point, words, colour, age: 0.0 });
     }
 
     /// A ring that spreads once from a point (m).
@@ -49,10 +71,11 @@ impl Feedback {
     /// Lets `frame_time` seconds pass.
     pub fn advance(&mut self, frame_time: f64) {
         self.hit = self.hit.map(|age| age + frame_time).filter(|age| *age < SHAKE_TIME.max(FLASH_TIME));
-        for (_, age) in &mut self.floats {
-            *age += frame_time;
+        self.death = self.death.map(|age| age + frame_time).filter(|age| *age < DEATH_FLASH);
+        for float in &mut self.floats {
+            float.age += frame_time;
         }
-        self.floats.retain(|(_, age)| *age < FLOAT_TIME);
+        self.floats.retain(|float| float.age < FLOAT_TIME);
         for (_, _, age) in &mut self.rings {
             *age += frame_time;
         }
@@ -74,21 +97,25 @@ impl Feedback {
             let spread = 1.0 - (1.0 - t).powi(3);
             canvas.ring(view.point(*centre), view.length(0.5 + RING_REACH * spread), 4.0, faded(*colour, 1.0 - t as f32));
         }
-        for (point, age) in &self.floats {
+        for Float { point, words, colour, age } in &self.floats {
             let t = (age / FLOAT_TIME) as f32;
             let at = view.point(*point - DVec2::new(0.0, 1.2 + FLOAT_SPEED * age));
             // After a hit at the edge of the screen it stays on it; under a roof it floats beside the ship instead of over it.
             let beside = if at.y < TOP { FLOAT_ASIDE * (canvas.size().x / 2.0 - at.x).signum() } else { 0.0 };
             let low = Vec2::new(48.0, TOP);
             let at = (at + Vec2::new(beside, 0.0)).clamp(low, (canvas.size() - low).max(low));
-            let style = Style::new(BUTTON_TEXT, faded(theme::BAD, (2.0 - 2.0 * t).min(1.0))).mono().centred().middle();
-            canvas.text("−500", at, style);
+            let style = Style::new(BUTTON_TEXT, faded(*colour, (2.0 - 2.0 * t).min(1.0))).mono().centred().middle();
+            canvas.text(words, at, style);
         }
     }
 
-    /// Draws the red edges of the screen.
+    /// Draws the flash of a death, and the red edges of the screen.
     pub fn draw_flash(&self, canvas: &Canvas) {
         const BANDS: usize = 12;
+        if let Some(age) = self.death {
+            let left = (1.0 - age / DEATH_FLASH) as f32;
+            draw_rectangle(0.0, 0.0, canvas.size().x, canvas.size().y, faded(theme::TEXT, 0.7 * left));
+        }
         let Some(age) = self.hit else { return };
         let left = (1.0 - age / FLASH_TIME).max(0.0) as f32;
         let (size, step) = (canvas.size(), 7.0);

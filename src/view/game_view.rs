@@ -12,10 +12,13 @@ use super::pictures::Pictures;
 use super::terrain::Terrain;
 use super::theme::faded;
 use super::things::Brushes;
+use super::touchdown::{GENTLE, Touchdown};
+use super::wreck::Wreck;
 use super::{hitboxes, hud, theme, things, world, zones};
 use crate::game::{Game, GameEvent, SHIP};
 use crate::level::SHIP_HALF;
 use crate::physics::{Aabb, BodyId, DVec2};
+use crate::settings::Settings;
 use macroquad::color::Color;
 use std::path::Path;
 use std::rc::Rc;
@@ -40,6 +43,9 @@ pub struct GameView {
     emitters: Emitters,
     feedback: Feedback,
     details: Details,
+    touchdown: Touchdown,
+    /// Once the ship is lost.
+    wreck: Option<Wreck>,
     /// Seconds shown, for what moves by itself (waves, pulses).
     time: f64,
 }
@@ -47,6 +53,8 @@ pub struct GameView {
 /// Which overlays are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Overlays {
+    /// What the player has set.
+    pub settings: Settings,
     /// Details boxes and free-body arrows (Tab).
     pub details: bool,
     /// Hitboxes and figures (F3).
@@ -72,6 +80,8 @@ impl GameView {
             emitters: Emitters::new(level),
             feedback: Feedback::default(),
             details: Details::default(),
+            touchdown: Touchdown::default(),
+            wreck: None,
             time: 0.0,
         }
     }
@@ -87,8 +97,21 @@ impl GameView {
                     let centre = game.level().objectives[*index].bounds.centre();
                     self.feedback.ring(centre, objective_colour(game, *index));
                 }
-                GameEvent::ObjectiveLost(_) | GameEvent::Completed | GameEvent::Died => {}
+                GameEvent::Completed => {
+                    let ship = game.world().body(SHIP).position;
+                    self.feedback.ring(ship, theme::GOOD);
+                    self.feedback.float(ship, "Level complete".into(), theme::GOOD);
+                }
+                GameEvent::Died => {
+                    self.feedback.death();
+                    self.feedback.ring(game.world().body(SHIP).position, theme::BAD);
+                    self.wreck = Wreck::new(game, SHIP);
+                }
+                GameEvent::ObjectiveLost(_) => {}
             }
+        }
+        if let Some(landing) = self.touchdown.after_tick(game).filter(|landing| landing.speed < GENTLE) {
+            self.feedback.float(landing.point, format!("Gentle landing: {:.1} m/s", landing.speed), theme::GOOD);
         }
     }
 
@@ -100,6 +123,11 @@ impl GameView {
         self.camera.follow(ship, game.world().body(SHIP).velocity, frame_time);
         let view = self.viewport(game, alpha, frame);
         self.particles.advance(frame_time);
+        self.particles.keep(overlays.settings.particles);
+        self.touchdown.advance(frame_time);
+        if let Some(wreck) = &mut self.wreck {
+            wreck.advance(frame_time);
+        }
         self.emitters.emit(game, ship, angle(game, alpha), &view.visible(), frame_time, &mut self.particles);
         self.feedback.advance(frame_time);
         if overlays.details {
@@ -116,7 +144,8 @@ impl GameView {
 
     /// Draws the game. `figures` is the line that the hitboxes show: frames a second and cost of a tick.
     pub fn draw(&self, game: &Game, alpha: f64, overlays: Overlays, figures: &str, canvas: &Canvas) {
-        let view = self.viewport(game, alpha, canvas.frame());
+        let shake = self.feedback.shake() * (f64::from(overlays.settings.shake) / 100.0);
+        let view = self.viewport(game, alpha, canvas.frame()).shaken(shake);
         self.draw_level(game, alpha, &view, canvas);
         canvas.end_layer();
         if overlays.hitboxes {
@@ -125,8 +154,13 @@ impl GameView {
         if overlays.details {
             self.details.draw(canvas);
         }
-        self.feedback.draw_flash(canvas);
-        hud::draw(game, canvas);
+        if overlays.settings.velocity && self.wreck.is_none() {
+            hud::draw_velocity(game.world().body(SHIP).velocity, centre(game, SHIP, alpha), &view, canvas);
+        }
+        if overlays.settings.flash {
+            self.feedback.draw_flash(canvas);
+        }
+        hud::draw(game, &overlays.settings, canvas);
         canvas.end_layer();
     }
 
@@ -150,8 +184,14 @@ impl GameView {
             let at = centre(game, id, alpha);
             things::draw_object(object, at, zones::in_liquid(&level.fluids, &Aabb::around(at, object.size * 0.5)), brushes);
         }
-        let light = zones::in_liquid(&level.fluids, &Aabb::around(ship.0, SHIP_HALF));
-        things::draw_ship(ship, plume, flicker, light, (art, view));
+        match &self.wreck {
+            Some(wreck) if !wreck.is_whole() => wreck.draw(view),
+            _ => {
+                let light = zones::in_liquid(&level.fluids, &Aabb::around(ship.0, SHIP_HALF));
+                let pose = things::ShipPose { centre: ship.0, angle: ship.1, squash: self.touchdown.squash(), light };
+                things::draw_ship(&pose, plume, flicker, art, view);
+            }
+        }
         self.feedback.draw_in_level(view, canvas);
         world::draw_texts(level, view, canvas);
     }
@@ -183,7 +223,7 @@ impl GameView {
     fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {
         let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let level = game.level();
-        Viewport::new(self.camera.focus(), centre(game, SHIP, alpha), level.size, level.metre, window).shaken(self.feedback.shake())
+        Viewport::new(self.camera.focus(), centre(game, SHIP, alpha), level.size, level.metre, window)
     }
 }
 

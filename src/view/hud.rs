@@ -1,10 +1,13 @@
-//! The head-up display: time, objectives met, fuel.
+//! The head-up display: time, objectives met, speed, fuel; and the arrow of the ship's velocity.
 
+use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
 use super::layout::{Area, DETAILS, Frame, GRID, TEXT, Vec2};
 use super::theme::{self, faded, rgb};
 use super::widgets::panel_in;
-use crate::game::Game;
+use crate::game::{DAMAGING_SPEED, Game, SHIP};
+use crate::physics::DVec2;
+use crate::settings::{Action, Settings};
 use macroquad::color::Color;
 
 /// Width and height of the fuel bar as shares of the window's.
@@ -13,7 +16,17 @@ const BAR: Vec2 = Vec2::new(0.75, 0.03);
 const FUEL_FULL: Color = rgb(0xFFB01C);
 const FUEL_EMPTY: Color = rgb(0xF2302F);
 /// Height of the panel at the top left.
-const STATUS_HEIGHT: f32 = 40.0;
+const STATUS_HEIGHT: f32 = 72.0;
+/// The gauge of speed ends here, m/s.
+const GAUGE_END: f64 = 2.0 * DAMAGING_SPEED;
+/// Length of the arrow of velocity, m of the level a m/s, and where it begins and ends, m from the ship's centre.
+const VELOCITY_SCALE: f64 = 0.22;
+const VELOCITY_START: f64 = 1.25;
+const VELOCITY_END: f64 = 6.0;
+/// Slower than this has no arrow, m/s.
+const VELOCITY_LEAST: f64 = 0.5;
+/// For how long the keys are told at the start of the first level, s.
+const HINT_TIME: f64 = 12.0;
 
 /// Where the parts stand: nothing else should cover them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,8 +46,8 @@ impl HudLayout {
             status: Area::new(
                 2.0 * GRID,
                 2.0 * GRID,
-                13.6 * frame.text_height(TEXT),
-                STATUS_HEIGHT.max(frame.text_height(TEXT) * 1.6),
+                15.2 * frame.text_height(TEXT),
+                STATUS_HEIGHT.max(frame.text_height(TEXT) * 3.2),
             ),
             fuel: Area::new(left, frame.size.y - bar.y - 2.0 * GRID, bar.x, bar.y),
         }
@@ -47,20 +60,43 @@ impl HudLayout {
 }
 
 /// Draws all of it.
-pub fn draw(game: &Game, canvas: &Canvas) {
+pub fn draw(game: &Game, settings: &Settings, canvas: &Canvas) {
     let layout = HudLayout::new(canvas.frame());
-    draw_status(game, layout.status, canvas);
+    draw_status(game, settings, layout.status, canvas);
+    if let Some(hint) = hint(game, settings) {
+        let at = Vec2::new(canvas.size().x / 2.0, layout.fuel.min.y - 2.0 * GRID - canvas.line_height(TEXT) / 2.0);
+        let style = Style::new(TEXT, theme::TEXT).centred().middle();
+        let size = Vec2::new(canvas.width(&hint, style) + 4.0 * GRID, canvas.line_height(TEXT) + GRID);
+        panel_in(canvas, Area::around(at, size), faded(theme::PANEL, 0.9), theme::PANEL_EDGE);
+        canvas.text(&hint, at, style);
+    }
     let level = &game.level().player;
     let share = if level.fuel > 0.0 { (game.ship().fuel / level.fuel).clamp(0.0, 1.0) } else { 0.0 };
     draw_fuel(share as f32, game.ship().fuel, layout.fuel, canvas);
 }
 
-fn draw_status(game: &Game, area: Area, canvas: &Canvas) {
+/// What the player is told at the bottom: how to begin again where nothing else is left, and in the first level what the keys do.
+fn hint(game: &Game, settings: &Settings) -> Option<String> {
+    let keys = &settings.keys;
+    if game.is_stranded() {
+        return Some(format!("Out of fuel – {} flies again", keys.label(Action::Restart)));
+    }
+    let first = game.level().name == "1" && game.time() < HINT_TIME && game.level().player.fuel > 0.0;
+    first.then(|| {
+        let [restart, pause, details] = [Action::Restart, Action::Pause, Action::Details].map(|action| keys.label(action));
+        format!("{restart} restarts  ·  {pause} pauses  ·  {details} shows the forces")
+    })
+}
+
+fn draw_status(game: &Game, settings: &Settings, area: Area, canvas: &Canvas) {
     panel_in(canvas, area, faded(theme::PANEL, 0.9), theme::PANEL_EDGE);
-    let middle = area.centre().y;
+    let middle = area.min.y + area.size.y * 0.29;
     let number = Style::new(TEXT, theme::TEXT).mono().middle();
     let left = area.min.x + 2.0 * GRID;
-    canvas.text(&clock(game.time()), Vec2::new(left, middle), number);
+    if settings.timer {
+        canvas.text(&clock(game.time()), Vec2::new(left, middle), number);
+    }
+    draw_speed(game, area, canvas);
     let (met, all) = (game.met().iter().filter(|met| **met).count(), game.met().len());
     let colour = if met == all { theme::GOOD } else { theme::TEXT };
     let right = area.max().x - 2.0 * GRID;
@@ -69,6 +105,45 @@ fn draw_status(game: &Game, area: Area, canvas: &Canvas) {
     canvas.text(&count, Vec2::new(right, middle), style);
     let words = Vec2::new(right - canvas.width(&count, style) - GRID, middle);
     canvas.text("Objectives", words, Style::new(TEXT, theme::QUIET).middle().right());
+}
+
+/// The ship's speed as a number and as a bar with a mark where it damages.
+fn draw_speed(game: &Game, area: Area, canvas: &Canvas) {
+    use macroquad::shapes::draw_rectangle;
+    let speed = game.world().body(SHIP).velocity.length();
+    let colour = speed_colour(speed);
+    let y = area.min.y + area.size.y * 0.72;
+    let left = area.min.x + 2.0 * GRID;
+    let words = format!("{speed:>5.1} m/s");
+    let style = Style::new(TEXT, colour).mono().middle();
+    canvas.text(&words, Vec2::new(left, y), style);
+    let start = left + canvas.width(&words, style) + 1.5 * GRID;
+    let (length, height) = (area.max().x - 2.0 * GRID - start, GRID);
+    let share = (speed / GAUGE_END).min(1.0) as f32;
+    draw_rectangle(start, y - height / 2.0, length, height, theme::GROUND);
+    draw_rectangle(start, y - height / 2.0, length * share, height, colour);
+    let mark = start + length * (DAMAGING_SPEED / GAUGE_END) as f32;
+    draw_rectangle(mark - 1.0, y - height, 2.0, 2.0 * height, theme::BAD);
+}
+
+/// Red where a hit would damage.
+fn speed_colour(speed: f64) -> Color {
+    if speed >= DAMAGING_SPEED { theme::BAD } else { theme::TEXT }
+}
+
+/// The arrow of the ship's velocity (m/s), beside the ship whose centre is drawn at `centre` (m).
+pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &Canvas) {
+    let speed = velocity.length();
+    if speed < VELOCITY_LEAST {
+        return;
+    }
+    let along = velocity / speed;
+    let length = (speed * VELOCITY_SCALE).min(VELOCITY_END);
+    let (from, to) = (view.point(centre + along * VELOCITY_START), view.point(centre + along * (VELOCITY_START + length)));
+    let colour = faded(speed_colour(speed), 0.85);
+    let (way, head) = ((to - from).normalize_or_zero(), 9.0);
+    canvas.line(from, to - way * head * 0.6, 3.0, colour);
+    canvas.convex(&[to, to - way * head + way.perp() * head * 0.5, to - way * head - way.perp() * head * 0.5], colour);
 }
 
 fn draw_fuel(share: f32, fuel: f64, area: Area, canvas: &Canvas) {
@@ -97,10 +172,11 @@ pub fn fuel_colour(share: f32) -> Color {
     Color::new(mix(FUEL_EMPTY.r, FUEL_FULL.r), mix(FUEL_EMPTY.g, FUEL_FULL.g), mix(FUEL_EMPTY.b, FUEL_FULL.b), 1.0)
 }
 
-/// A time in seconds as mm:ss; minutes go on beyond 99.
+/// A time in seconds as mm:ss.hh, hundredths that are over; minutes go on beyond 99.
 pub fn clock(time: f64) -> String {
-    let seconds = time as u64;
-    format!("{:02}:{:02}", seconds / 60, seconds % 60)
+    // A tick of 1/100 s ends at 0.29 as a binary fraction a hair below.
+    let hundredths = (time * 100.0 + 1e-6) as u64;
+    format!("{:02}:{:02}.{:02}", hundredths / 6000, hundredths / 100 % 60, hundredths % 100)
 }
 
 #[cfg(test)]
@@ -108,12 +184,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_clock_counts_whole_seconds() {
-        assert_eq!(clock(0.0), "00:00");
-        assert_eq!(clock(119.0 / 120.0), "00:00");
-        assert_eq!(clock(1.0), "00:01");
-        assert_eq!(clock(59.0 * 60.0 + 59.9), "59:59");
-        assert_eq!(clock(6000.0), "100:00");
+    fn the_clock_counts_hundredths() {
+        assert_eq!(clock(0.0), "00:00.00");
+        assert_eq!(clock(119.0 / 120.0), "00:00.99");
+        assert_eq!(clock(0.29), "00:00.29");
+        assert_eq!(clock(1.0), "00:01.00");
+        assert_eq!(clock(59.0 * 60.0 + 59.9), "59:59.90");
+        assert_eq!(clock(6000.0), "100:00.00");
     }
 
     #[test]

@@ -101,6 +101,8 @@ pub struct Frame {
     pub size: Vec2,
     /// Canvas units a physical pixel.
     pub pixel: f32,
+    /// How large words are, 1 as designed.
+    pub text: f32,
 }
 
 impl Frame {
@@ -108,7 +110,13 @@ impl Frame {
     pub fn of_window(pixels: Vec2) -> Self {
         let pixels = pixels.max(Vec2::ONE);
         let pixel = (DESIGN / pixels).max_element();
-        Self { size: pixels * pixel, pixel }
+        Self { size: pixels * pixel, pixel, text: 1.0 }
+    }
+
+    /// The same with words `text` times as large as designed.
+    #[must_use]
+    pub const fn with_text(self, text: f32) -> Self {
+        Self { text, ..self }
     }
 
     /// The whole canvas as a box.
@@ -118,7 +126,7 @@ impl Frame {
 
     /// The height at which text of that size is drawn: itself, or what is legible in a small window.
     pub fn text_height(&self, size: f32) -> f32 {
-        (size / self.pixel).round().max(SMALLEST_TEXT) * self.pixel
+        (size * self.text / self.pixel).round().max(SMALLEST_TEXT) * self.pixel
     }
 
     /// A column of `count` wide buttons whose top is at `top`, in the middle of the canvas.
@@ -138,7 +146,7 @@ impl Frame {
 
 impl Default for Frame {
     fn default() -> Self {
-        Self { size: DESIGN, pixel: 1.0 }
+        Self { size: DESIGN, pixel: 1.0, text: 1.0 }
     }
 }
 

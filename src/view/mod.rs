@@ -35,6 +35,8 @@ pub mod hitboxes;
 #[cfg(feature = "window")]
 pub mod hud;
 #[cfg(feature = "window")]
+pub mod medals;
+#[cfg(feature = "window")]
 pub mod particles;
 #[cfg(feature = "window")]
 pub mod pictures;
@@ -47,9 +49,13 @@ pub mod theme;
 #[cfg(feature = "window")]
 pub mod things;
 #[cfg(feature = "window")]
+pub mod touchdown;
+#[cfg(feature = "window")]
 pub mod widgets;
 #[cfg(feature = "window")]
 pub mod world;
+#[cfg(feature = "window")]
+pub mod wreck;
 #[cfg(feature = "window")]
 pub mod zones;
 

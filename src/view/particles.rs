@@ -71,18 +71,19 @@ impl Particle {
 /// The pool of all particles and the chance that scatters them.
 pub struct Particles {
     all: Vec<Particle>,
+    most: usize,
     random: Pcg32,
 }
 
 impl Particles {
     /// An empty pool.
     pub fn new() -> Self {
-        Self { all: Vec::with_capacity(MOST), random: Pcg32::seed_from_u64(0x5245_5355) }
+        Self { all: Vec::with_capacity(MOST), most: MOST, random: Pcg32::seed_from_u64(0x5245_5355) }
     }
 
     /// Adds a particle, unless the pool is full.
     pub fn add(&mut self, particle: Particle) {
-        if self.all.len() < MOST {
+        if self.all.len() < self.most {
             self.all.push(particle);
         }
     }
@@ -100,6 +101,12 @@ impl Particles {
             particle.velocity *= (-particle.drag() * frame_time).exp();
         }
         self.all.retain(|particle| particle.age < particle.life);
+    }
+
+    /// Keeps the pool as small as the player wants it: `share` % of what it holds at most.
+    pub fn keep(&mut self, share: u8) {
+        self.most = MOST * usize::from(share) / 100;
+        self.all.truncate(self.most);
     }
 
     /// All that live.

@@ -100,16 +100,25 @@ fn shaded(colour: Color, light: f32) -> Color {
     Color::new(colour.r * light, colour.g * light, colour.b * light, colour.a)
 }
 
-/// The ship around `centre` (m), turned clockwise by `angle` degrees, its plume grown to `strength`, out of the tail (`way` 1) or
-/// of the nose (−1); `flicker` (0 … 1) varies the flame. The ship's colours are multiplied by `light`.
-pub fn draw_ship(
-    (centre, angle): (DVec2, f64),
-    (strength, way): (f64, f64),
-    flicker: f64,
-    light: Color,
-    (art, view): (&Art, &Viewport),
-) {
-    let rotation = angle.to_radians();
+/// Tilted further than by this cosine the ship does not stand on its legs.
+const UPRIGHT: f64 = 0.9;
+
+/// How the ship is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct ShipPose {
+    /// m.
+    pub centre: DVec2,
+    /// Clockwise, degrees.
+    pub angle: f64,
+    /// How far its legs are pressed down, as a part of its height.
+    pub squash: f64,
+    /// What its colours are multiplied by.
+    pub light: Color,
+}
+
+/// The ship, its plume grown to `strength`, out of the tail (`way` 1) or of the nose (−1); `flicker` (0 … 1) varies the flame.
+pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, art: &Art, view: &Viewport) {
+    let (centre, rotation) = (ship.centre, ship.angle.to_radians());
     let (sin, cos) = rotation.sin_cos();
     let (nose, right) = (DVec2::new(sin, -cos), DVec2::new(cos, sin));
     let flames: &[(f64, f64, f64)] =
@@ -125,7 +134,12 @@ pub fn draw_ship(
             art.draw(Tile::Flame, view.point(middle), size, turn as f32, WHITE);
         }
     }
-    art.draw(Tile::Ship, view.point(centre), Vec2::splat(view.length(2.0 * SHIP_HALF.y)), rotation as f32, light);
+    // It stands where it stood: only its top comes down, and only where it stands on its legs.
+    let squash = ship.squash * ((cos - UPRIGHT) / (1.0 - UPRIGHT)).max(0.0);
+    let height = 2.0 * SHIP_HALF.y * (1.0 - squash);
+    let standing = centre + DVec2::new(0.0, SHIP_HALF.y * squash);
+    let size = Vec2::new(view.length(2.0 * SHIP_HALF.y), view.length(height));
+    art.draw(Tile::Ship, view.point(standing), size, rotation as f32, ship.light);
 }
 
 /// Where a moving box lies, not rounded to pixels: it glides.

@@ -5,7 +5,7 @@ use resultant::screens::{Input, Key, Spectator};
 
 #[test]
 fn the_pause_panel_does_what_it_says_by_mouse_and_by_keyboard() {
-    for (index, screen) in [(0, "flight"), (1, "flight"), (2, "level select"), (3, "menu")] {
+    for (index, screen) in [(0, "flight"), (1, "flight"), (2, "settings in flight"), (3, "level select"), (4, "menu")] {
         let mut sitting = Sitting::new();
         assert_eq!(sitting.fly(1).wait(0.5).press(Key::Escape).at(), "pause");
         let ticks = sitting.flight().game().ticks();

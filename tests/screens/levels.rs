@@ -1,31 +1,29 @@
 //! The list of levels, also where levels are broken or missing.
 
 use crate::sitting::{FAR_AWAY, Sitting, level};
-use resultant::screens::{Key, Press};
-use resultant::view::layout::{Area, Vec2};
+use resultant::scores::Medal;
+use resultant::screens::{Key, MiniaturePart, Press};
 use std::fs;
 use std::path::Path;
 
 #[test]
-fn levels_are_listed_in_numeric_order_in_a_grid_of_slices() {
+fn levels_are_listed_in_numeric_order_on_cards_that_fill_the_page() {
     let mut sitting = Sitting::new();
     sitting.choose(1).rest();
     let names: Vec<&str> = sitting.level_select().entries().iter().map(|entry| entry.name.as_str()).collect();
     assert_eq!(names, ["1", "2", "3", "10", "broken"]);
-    let slice = Vec2::new(1280.0 / 11.0, 720.0 / 7.0);
-    for index in 0..5 {
-        let expected = Area { min: slice * Vec2::new(1.0 + 2.0 * index as f32, 1.0), size: slice };
-        let area = sitting.buttons().areas()[index];
-        assert!((area.min - expected.min).abs().max_element() < 0.01 && (area.size - expected.size).abs().max_element() < 0.01);
-    }
-    let marked: Vec<bool> = sitting.level_select().entries().iter().map(|entry| entry.title.is_err()).collect();
+    let cards = &sitting.buttons().areas()[..5];
+    let share = cards.iter().map(|card| card.size.element_product()).sum::<f32>() / (1280.0 * 720.0);
+    assert!(share > 0.5, "five cards fill {share} of the window");
+    assert!(cards.iter().all(|card| card.size == cards[0].size));
+    let marked: Vec<bool> = sitting.level_select().entries().iter().map(|entry| entry.level.is_err()).collect();
     assert_eq!(marked, [false, false, false, false, true]);
 }
 
 #[test]
 fn the_list_comes_back_where_it_was_left() {
     let mut sitting = Sitting::new();
-    sitting.fly(3).press_all(&[Key::Escape, Key::Down, Key::Down, Key::Enter]);
+    sitting.fly(3).press_all(&[Key::Escape, Key::Down, Key::Down, Key::Down, Key::Enter]);
     assert_eq!((sitting.at(), sitting.buttons().focus()), ("level select", 3));
 }
 
@@ -43,7 +41,7 @@ fn more_than_fifteen_levels_make_pages() {
     sitting.click(12).press(Key::PageDown);
     assert_eq!(shown(&sitting), (1, 13), "no page after the last");
     assert_eq!(sitting.choose(0).flight().game().level().name, "31", "the sixteenth level of the list");
-    sitting.press(Key::Escape).click(2).press(Key::PageUp).press(Key::PageDown).click(10 + 1).rest();
+    sitting.press(Key::Escape).click(3).press(Key::PageUp).press(Key::PageDown).click(10 + 1).rest();
     assert_eq!(shown(&sitting).0, 0);
 }
 
@@ -93,4 +91,16 @@ fn without_levels_nothing_breaks() {
     assert_eq!(sitting.choose(0).at(), "level select", "there is nothing to play");
     assert!(sitting.level_select().entries().is_empty());
     assert_eq!(sitting.choose(0).at(), "menu", "Back is the only button");
+}
+
+#[test]
+fn a_card_shows_the_level_and_what_the_player_has_reached_there() {
+    let mut sitting = Sitting::new();
+    sitting.complete().press_all(&[Key::Escape, Key::Down, Key::Enter]);
+    let entries = sitting.level_select().entries();
+    assert!(entries[0].best.is_some_and(|best| best < 0.1) && entries[0].medal == Some(Medal::Bronze));
+    assert_eq!((entries[1].best, entries[1].medal), (None, None));
+    let (_, miniature) = entries[2].level.as_ref().unwrap();
+    let parts: Vec<MiniaturePart> = miniature.shapes.iter().map(|(_, part)| *part).collect();
+    assert_eq!(parts, [MiniaturePart::Deadly, MiniaturePart::PlayerObjective, MiniaturePart::Ship]);
 }

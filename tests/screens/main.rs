@@ -3,7 +3,9 @@
 mod flight;
 mod levels;
 mod menu;
+mod players;
 mod scores;
+mod settings;
 mod sitting;
 
 use resultant::screens::Key;
@@ -18,6 +20,10 @@ fn esc_goes_back_everywhere() {
     assert_eq!(esc(Sitting::new().choose(2)), "menu");
     assert_eq!(esc(Sitting::new().choose(3)), "menu");
     assert_eq!(esc(Sitting::new().choose(4)), "menu");
+    assert_eq!(esc(Sitting::new().choose(7)), "menu");
+    assert_eq!(esc(Sitting::new().become_new("ann").choose(7)), "menu");
+    assert_eq!(esc(Sitting::new().become_new("ann").choose(7).choose(1)), "players");
+    assert_eq!(esc(Sitting::new().choose(8)), "menu");
     assert_eq!(esc(Sitting::new().choose(1).choose(4)), "level select");
     assert_eq!(esc(Sitting::new().fly(1)), "pause");
     assert_eq!(esc(Sitting::new().fly(1).press(Key::Escape)), "flight");
@@ -53,9 +59,13 @@ fn every_screen_is_whole_in_every_window() {
         whole(&mut sitting);
         whole(sitting.choose(1));
         whole(sitting.choose(1).press(Key::Escape));
-        whole(sitting.choose(3).complete());
+        whole(sitting.choose(2));
+        whole(sitting.press(Key::Escape).choose(4).complete());
         whole(sitting.choose(2));
         whole(sitting.write("ann").press(Key::Enter));
         whole(sitting.press(Key::Escape).choose(3));
+        whole(sitting.press(Key::Escape).choose(8));
+        whole(sitting.press(Key::Escape).choose(7));
+        whole(sitting.choose(2));
     }
 }

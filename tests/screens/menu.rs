@@ -8,17 +8,21 @@ use std::path::Path;
 
 #[test]
 fn every_button_of_the_menu_leads_where_it_says_by_mouse_and_by_keyboard() {
-    for (index, screen) in [(0, "flight"), (1, "level select"), (2, "leaderboards"), (3, "classics"), (4, "lab")] {
+    let screens = ["flight", "level select", "leaderboards", "classics", "lab", "settings"].into_iter().enumerate();
+    for (index, screen) in screens.chain([(7, "new player"), (8, "credits")]) {
         assert_eq!(Sitting::new().click(index).at(), screen);
         assert_eq!(Sitting::new().choose(index).at(), screen);
     }
     let mut sitting = Sitting::new();
-    let quit = sitting.rest().buttons().areas()[5].centre();
+    let quit = sitting.rest().buttons().areas()[6].centre();
     assert!(!sitting.give(Input { pointer: quit, click: true, ..Input::default() }).open);
     let mut sitting = Sitting::new();
-    sitting.press_all(&[Key::Down; 9]);
-    assert_eq!(sitting.buttons().focus(), 5, "the arrows stop at the last button");
+    sitting.press_all(&[Key::Down; 6]);
+    assert_eq!(sitting.buttons().focus(), 6);
     assert!(!sitting.give(enter()).open);
+    let mut sitting = Sitting::new();
+    sitting.press_all(&[Key::Down; 9]);
+    assert_eq!(sitting.buttons().focus(), 7, "below the column is the player, and there the arrows stop");
 }
 
 #[test]
@@ -45,12 +49,16 @@ fn one_press_is_one_action_however_long_it_is_held() {
 }
 
 #[test]
-fn hover_and_focus_are_told_apart() {
+fn pointer_and_keyboard_move_one_highlight() {
     let mut sitting = Sitting::new();
     sitting.rest();
     let third = sitting.buttons().areas()[2].centre();
     sitting.press(Key::Down).point_at(third);
-    assert_eq!((sitting.buttons().hover(), sitting.buttons().focus()), (Some(2), 1));
+    assert_eq!((sitting.buttons().hover(), sitting.buttons().focus()), (Some(2), 2));
+    sitting.give(Input { pointer: third, pressed: [Key::Down].into_iter().collect(), ..Input::default() });
+    assert_eq!((sitting.buttons().hover(), sitting.buttons().focus()), (None, 3));
+    sitting.point_at(third);
+    assert_eq!((sitting.buttons().hover(), sitting.buttons().focus()), (None, 3), "a pointer that rests takes nothing");
     assert_eq!(sitting.at(), "menu");
 }
 
@@ -89,12 +97,60 @@ fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
 }
 
 #[test]
-fn play_opens_the_first_level_not_yet_completed() {
+fn the_ship_hovers_over_the_buttons_by_its_own_engine() {
+    let mut sitting = Sitting::new();
+    for size in [Vec2::new(1280.0, 720.0), Vec2::new(600.0, 1000.0), Vec2::new(2400.0, 500.0)] {
+        sitting.frame = Frame::of_window(size);
+        sitting.wait(1.0);
+        let (mut places, mut burnt) = (Vec::new(), 0.0);
+        for _ in 0..20 * 60 {
+            let (centre, angle, burning) = sitting.rest().menu().ship().expect("there is a ship");
+            assert!(angle.abs() <= 31.0 && (0.0..=1.0).contains(&burning));
+            places.push(centre);
+            burnt += burning;
+        }
+        let first = sitting.buttons().areas()[0];
+        assert!(places.iter().all(|at| at.y < first.min.y && at.y > first.min.y - 120.0), "it has left its height");
+        let (left, right) = places.iter().fold((f32::MAX, f32::MIN), |(a, b), at| (a.min(at.x), b.max(at.x)));
+        assert!(right - left > 100.0 && left > first.min.x - 200.0 && right < first.max().x + 200.0, "{left} … {right}");
+        assert!(burnt > 100.0, "nothing but the engine carries it");
+    }
+}
+
+#[test]
+fn a_ship_that_balls_knock_away_comes_back() {
+    let mut sitting = Sitting::new();
+    for i in 0..40 {
+        let (ship, ..) = sitting.menu().ship().unwrap();
+        let pointer = ship + Vec2::new(if i % 2 == 0 { 45.0 } else { -45.0 }, -20.0);
+        sitting.give(Input { pointer, right_click: true, ..Input::default() }).wait(0.5);
+    }
+    sitting.wait(40.0);
+    let (first, (ship, ..)) = (sitting.buttons().areas()[0], sitting.menu().ship().unwrap());
+    assert!(ship.y < first.min.y, "the ship is at {ship}");
+}
+
+#[test]
+fn balls_fly_differently_in_each_sitting() {
+    let flown = |later: f64| {
+        let mut sitting = Sitting::new();
+        sitting.wait(later).give(Input { pointer: Vec2::new(100.0, 300.0), right_click: true, ..Input::default() }).wait(0.3);
+        sitting.menu().balls()[0].min
+    };
+    assert_eq!(flown(0.5), flown(0.5), "nothing but when it is dropped decides");
+    assert!(flown(0.5).distance(flown(0.6)) > 1.0);
+}
+
+#[test]
+fn play_opens_the_first_level_that_the_player_has_not_done() {
     let mut sitting = Sitting::new();
     assert_eq!(sitting.choose(0).flight().game().level().name, "1");
     sitting.wait(1.5).press(Key::Escape);
     assert_eq!(sitting.at(), "menu");
-    assert_eq!(sitting.choose(0).flight().game().level().name, "2", "1 was completed in this sitting");
+    assert_eq!(sitting.menu().facts().next.as_ref().map(|next| next.0.as_str()), Some("2"));
+    assert_eq!(sitting.choose(0).flight().game().level().name, "2", "1 was completed, though no score was saved");
+    sitting.reopen();
+    assert_eq!(sitting.choose(0).flight().game().level().name, "2", "also in another sitting");
 
     let scored = |root: &Path| {
         fs::create_dir(root.join("scores")).unwrap();
@@ -102,5 +158,5 @@ fn play_opens_the_first_level_not_yet_completed() {
             fs::write(root.join(format!("scores/{level}.csv")), board(1)).unwrap();
         }
     };
-    assert_eq!(Sitting::with(scored).choose(0).flight().game().level().name, "10", "the others have scores");
+    assert_eq!(Sitting::with(scored).choose(0).flight().game().level().name, "1", "nobody else's scores count");
 }

@@ -2,20 +2,42 @@
 
 use crate::sitting::{HERE, Sitting, board, level};
 use resultant::scores::Scores;
-use resultant::screens::{Effect, Input, Key, Press};
+use resultant::screens::{Attempt, Effect, Input, Key, Press, Request};
 use resultant::view::layout::Vec2;
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 #[test]
 fn save_and_next_are_there_only_when_they_may_be_used() {
     let presses = |index: usize| Sitting::new().fly(index).wait(1.5).scoring().presses().to_vec();
     assert_eq!(presses(0), [Press::Replay, Press::NextLevel, Press::SaveScore, Press::MainMenu]);
     assert_eq!(presses(2), [Press::Replay, Press::NextLevel, Press::MainMenu], "a lost attempt cannot be saved");
+    let mut sitting = Sitting::new();
+    let flown = sitting.fly(0).flight().game().level().clone();
+    let recording = Attempt { level: Arc::new(flown), inputs: Some(Arc::default()) };
+    sitting.app.grant(Request::Attempt(recording), &mut ());
+    let watched = sitting.wait(1.5).scoring();
+    assert_eq!(watched.presses(), [Press::Replay, Press::NextLevel, Press::MainMenu], "nor one that was watched");
+    assert!(watched.result().score.total > 0 && watched.remark().contains("recording"), "{}", watched.remark());
 
     let last = |root: &Path| level(root, "z-last", HERE, "");
     let mut sitting = Sitting::with(last);
     assert_eq!(sitting.fly(5).wait(1.5).scoring().presses(), [Press::Replay, Press::SaveScore, Press::MainMenu]);
+}
+
+#[test]
+fn the_keyboard_is_where_most_go_on() {
+    let focused = |index: usize| {
+        let mut sitting = Sitting::new();
+        let focus = sitting.fly(index).wait(1.5).buttons().focus();
+        sitting.scoring().presses()[focus]
+    };
+    assert_eq!((focused(0), focused(2)), (Press::NextLevel, Press::Replay));
+    let last = |root: &Path| level(root, "z-last", HERE, "");
+    let mut sitting = Sitting::with(last);
+    let focus = sitting.fly(5).wait(1.5).buttons().focus();
+    assert_eq!(sitting.scoring().presses()[focus], Press::SaveScore, "there is no next level");
 }
 
 #[test]
@@ -97,12 +119,18 @@ fn a_score_is_saved_by_mouse_and_by_keyboard() {
 }
 
 #[test]
-fn the_name_is_kept_for_the_sitting_and_offered_again() {
+fn once_a_player_has_a_name_a_score_is_saved_with_one_press() {
     let mut sitting = Sitting::new();
-    sitting.reach_save_score().write("robert").press_all(&[Key::Enter, Key::Escape]);
-    assert_eq!(sitting.at(), "menu");
-    assert_eq!(sitting.reach_save_score().save_score().text(), "robert");
-    assert_eq!(Sitting::new().reach_save_score().save_score().text(), "", "another sitting");
+    sitting.reach_save_score().write("robert").press(Key::Enter);
+    assert_eq!(sitting.leaderboard().labels().collect::<Vec<_>>(), ["Next Level", "Try Again", "Main Menu"]);
+    assert_eq!(sitting.press(Key::Escape).at(), "menu");
+    assert_eq!(sitting.reach_save_score().at(), "leaderboard", "no name is asked for");
+    assert_eq!(sitting.choose(1).flight().game().level().name, "1");
+    sitting.reopen();
+    assert_eq!(sitting.app.player().as_str(), "robert", "nor in another sitting");
+    assert_eq!(sitting.reach_save_score().at(), "leaderboard");
+    assert_eq!(sitting.choose(0).flight().game().level().name, "2");
+    assert_eq!(sitting.scores_file("1.csv").lines().count(), 2);
 }
 
 #[test]
@@ -168,12 +196,13 @@ fn a_worse_score_says_that_the_best_stays() {
         fs::write(root.join("scores/1.csv"), "name,score\nann,30000\n").unwrap();
     });
     sitting.reach_save_score().write("ann").press(Key::Enter);
+    assert_eq!(sitting.leaderboard().subject(), "level 1");
     assert_eq!(sitting.leaderboard().saved(), Some(0));
     assert!(sitting.leaderboard().remark().is_some_and(|remark| remark.contains("30000")));
 }
 
 #[test]
-fn a_leaderboard_scrolls_by_keys_wheel_and_bar_and_never_past_its_ends() {
+fn a_leaderboard_turns_pages_by_keys_and_scrolls_by_wheel_and_bar_never_past_its_ends() {
     let mut sitting = Sitting::with(|root| {
         fs::create_dir(root.join("scores")).unwrap();
         fs::write(root.join("scores/1.csv"), board(24)).unwrap();
@@ -182,9 +211,13 @@ fn a_leaderboard_scrolls_by_keys_wheel_and_bar_and_never_past_its_ends() {
     let first = |sitting: &mut Sitting| sitting.rest().leaderboard().range().start;
     assert_eq!(sitting.leaderboard().range(), 0..10);
     assert_eq!(first(sitting.press(Key::Up)), 0);
-    assert_eq!(first(sitting.press_all(&[Key::Down; 3])), 3);
-    assert_eq!(first(sitting.press_all(&[Key::Down; 30])), 14);
+    assert_eq!(first(sitting.press(Key::Down)), 10);
+    assert_eq!(sitting.press(Key::Right).leaderboard().range(), 20..24, "aligned pages of ten");
+    assert_eq!(first(sitting.press_all(&[Key::Down; 30])), 20);
+    assert_eq!(first(sitting.press(Key::Left)), 10);
+    assert_eq!(first(sitting.press(Key::End)), 14);
     assert_eq!(first(sitting.give(Input { wheel: 1.0, ..Input::default() })), 11);
+    assert_eq!(first(sitting.press(Key::Up)), 10, "aligned again");
     for (wheel, end) in [(1.0, 0), (-1.0, 14)] {
         for _ in 0..20 {
             sitting.give(Input { wheel, ..Input::default() });

@@ -31,11 +31,20 @@ impl Sitting {
         level(folder.path(), "10", FAR_AWAY, "");
         level(folder.path(), "broken", FAR_AWAY, "380,280,wide,40\n");
         prepare(folder.path());
-        let root = folder.path().to_path_buf();
-        let places = Places { levels: root.join("levels"), scores: root.join("scores"), root };
-        let mut sitting = Self { app: App::new(places), frame: Frame::default(), folder, open: true };
+        let mut sitting = Self { app: App::new(places(&folder)), frame: Frame::default(), folder, open: true };
         sitting.rest();
         sitting
+    }
+
+    /// The game is closed and opened again.
+    pub fn reopen(&mut self) -> &mut Self {
+        self.app = App::new(places(&self.folder));
+        self.rest()
+    }
+
+    /// A file of the folder of scores.
+    pub fn scores_file(&self, name: &str) -> String {
+        fs::read_to_string(self.folder.path().join("scores").join(name)).unwrap_or_default()
     }
 
     /// One frame.
@@ -116,10 +125,16 @@ impl Sitting {
         match self.app.screen() {
             Screen::Menu(screen) => screen.buttons(),
             Screen::LevelSelect(screen) => screen.buttons(),
-            Screen::Flight(screen) => screen.pause().expect("the pause panel is open"),
+            Screen::Settings(screen) => screen.buttons(),
+            Screen::Flight(screen) => match screen.settings() {
+                Some(settings) => settings.buttons(),
+                None => screen.pause().expect("the pause panel is open"),
+            },
             Screen::Scoring(screen) => screen.buttons(),
             Screen::SaveScore(screen) => screen.buttons(),
             Screen::Leaderboard(screen) => screen.buttons(),
+            Screen::Players(screen) => screen.buttons(),
+            Screen::Credits(screen) => screen.buttons(),
             Screen::Classics(screen) => screen.buttons(),
             Screen::Lab(screen) => screen.toolbar().buttons(),
             Screen::TileRun(screen) => screen.toolbar().buttons(),
@@ -136,11 +151,16 @@ impl Sitting {
                 Purpose::Play => "level select",
                 Purpose::Leaderboard => "leaderboards",
             },
+            Screen::Settings(_) => "settings",
+            Screen::Flight(screen) if screen.settings().is_some() => "settings in flight",
             Screen::Flight(screen) if screen.pause().is_some() => "pause",
             Screen::Flight(_) => "flight",
             Screen::Scoring(_) => "scoring",
             Screen::SaveScore(_) => "save score",
             Screen::Leaderboard(_) => "leaderboard",
+            Screen::Players(screen) if screen.field().is_some() => "new player",
+            Screen::Players(_) => "players",
+            Screen::Credits(_) => "credits",
             Screen::Classics(_) => "classics",
             Screen::Lab(_) => "lab",
             Screen::TileRun(_) => "tile run",
@@ -174,6 +194,28 @@ impl Sitting {
         screen
     }
 
+    pub fn menu(&self) -> &resultant::screens::Menu {
+        let Screen::Menu(screen) = self.app.screen() else { panic!("at {}", self.at()) };
+        screen
+    }
+
+    pub fn players(&self) -> &resultant::screens::Players {
+        let Screen::Players(screen) = self.app.screen() else { panic!("at {}", self.at()) };
+        screen
+    }
+
+    /// From the menu to the field for a new player, and back to the menu as that one.
+    pub fn become_new(&mut self, name: &str) -> &mut Self {
+        self.click(7);
+        if self.at() == "players" {
+            let new = self.players().range().len();
+            self.choose(new);
+        }
+        self.write(name).press(Key::Enter);
+        assert_eq!(self.at(), "menu");
+        self
+    }
+
     /// From the menu into a level, by its index in the list.
     pub fn fly(&mut self, index: usize) -> &mut Self {
         self.choose(1).choose(index)
@@ -191,6 +233,11 @@ impl Sitting {
         let save = self.complete().scoring().presses().iter().position(|press| *press == Press::SaveScore).unwrap();
         self.choose(save)
     }
+}
+
+fn places(folder: &tempfile::TempDir) -> Places {
+    let root = folder.path().to_path_buf();
+    Places { levels: root.join("levels"), scores: root.join("scores"), root }
 }
 
 pub fn level(root: &Path, name: &str, objectives: &str, obstacles: &str) {

@@ -3,10 +3,14 @@
 
 mod build;
 pub mod dense;
+pub mod hashes;
+pub mod lanes;
 mod levels;
 mod measure;
+pub mod memory;
 mod random;
 pub mod rooms;
+pub mod scenes;
 pub mod strategies;
 
 pub use build::{BODY, G, TICK, area, block, crate_at, crowd, floor, pool, world};

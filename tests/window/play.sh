@@ -141,12 +141,26 @@ point() {
   sleep "$settle_time"
 }
 
-# level_button INDEX: where a button of level select is, from 0 along the rows, for `click`: the width is cut in 11 slices and the
-# height in 7, and the 5 × 3 buttons of a page lie on the odd ones.
-level_button() { awk "BEGIN { printf \"%.2f %.2f\", 100 * (1.5 + 2 * ($1 % 5)) / 11, 100 * (1.5 + 2 * int($1 / 5)) / 7 }"; }
+# level_button INDEX: where the card of a level is on a page of level select in a window of 1280 × 720, from 0 along the rows, for `click`:
+# as src/screens/level_select.rs lays out as many cards as there are levels.
+level_button() {
+  local count
+  count=$(find "$data/levels" -mindepth 1 -maxdepth 1 -type d | wc -l)
+  awk -v index_=$1 -v count=$((count < 15 ? count : 15)) 'BEGIN {
+    for (n = count; n >= 1; n--) {
+      down = int((count + n - 1) / n); w = (1200 - 24 * (n - 1)) / n; h = (536 - 24 * (down - 1)) / down
+      worth = w < 1.3 * h ? w : 1.3 * h
+      if (worth >= best) { best = worth; across = n; rows = down; width = w < 640 ? w : 640; height = h < 480 ? h : 480 }
+    }
+    row = int(index_ / across); in_row = count - row * across; if (in_row > across) in_row = across
+    x = 640 + (index_ % across - (in_row - 1) / 2) * (width + 24); y = 356 + (row - (rows - 1) / 2) * (height + 24)
+    printf "%.2f %.2f", 100 * x / 1280, 100 * y / 720
+  }'
+}
 
-# column_button INDEX: where a button of the column on the menu and on the list of classics is, from 0, for `click`.
-column_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (260 + 24 + 64 * $1) / 720 }"; }
+# column_button INDEX: where a button of the menu's column is, from 0, for `click`; classic_button INDEX: of the list of classics.
+column_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (216 + 24 + 64 * $1) / 720 }"; }
+classic_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (259 + 24 + 64 * $1) / 720 }"; }
 
 # resize WIDTH HEIGHT: the window, in pixels.
 resize() { xdotool windowsize --sync "$game_window" "$1" "$2"; sleep 0.3; }

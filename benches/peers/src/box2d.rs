@@ -1,7 +1,7 @@
 //! Box2D v3 through boxdd, with 4 substeps. Rotation is off by the lock *and* by a rotational inertia of 0: the lock alone gives soft,
 //! lossy contacts.
 
-use crate::engine::{Engine, Spec, V};
+use crate::engine::{Engine, Lift, Spec, V};
 use boxdd::shapes::SurfaceMaterial;
 use boxdd::{BodyId, BodyType, Foundation, MassData, MotionLocks, Position, ShapeDef, Vec2, World, WorldBuilder, shapes};
 
@@ -13,6 +13,10 @@ pub struct Box2d {
     world: World,
     ids: Vec<BodyId>,
     forces: Vec<(usize, f32)>,
+    lift: Option<(BodyId, Lift)>,
+    /// The scene, where there is water in it.
+    water: Option<Spec>,
+    time: f64,
 }
 
 impl Box2d {
@@ -61,10 +65,52 @@ impl Box2d {
         }
         let forces = spec.bodies.iter().enumerate().filter(|(_, body)| body.force != 0.0);
         let forces = forces.map(|(i, body)| (i, body.force as f32)).collect();
-        Ok(Self { world, ids, forces })
+        let mut platform = None;
+        if let Some(lift) = &spec.lift {
+            let (centre, half) = lift.place;
+            let def = world
+                .body_builder()
+                .body_type(BodyType::Kinematic)
+                .position(place(centre))
+                .build()?;
+            let id = world.create_body(def)?;
+            world
+                .body(id)?
+                .create_polygon(&solid(0.0)?, &shapes::box_polygon(half.0 as f32, half.1 as f32)?)?;
+            platform = Some((id, lift.clone()));
+        }
+        Ok(Self {
+            world,
+            ids,
+            forces,
+            lift: platform,
+            water: spec.liquid.is_some().then(|| spec.clone()),
+            time: 0.0,
+        })
+    }
+
+    /// Lets the water act, for one step.
+    fn float(&mut self) -> boxdd::Result<()> {
+        let Some(spec) = &self.water else { return Ok(()) };
+        let Some(liquid) = &spec.liquid else { return Ok(()) };
+        for (id, body) in self.ids.iter().zip(&spec.bodies) {
+            let mut rigid = self.world.body(*id)?;
+            let (at, v) = (rigid.position()?, rigid.linear_velocity()?);
+            let (at, v) = ((f64::from(at.x), f64::from(at.y)), (f64::from(v.x), f64::from(v.y)));
+            let (x, y) = liquid.force_on(body, at, v, spec.gravity);
+            rigid.apply_force_to_center(Vec2::new(x as f32, y as f32), true)?;
+        }
+        Ok(())
     }
 
     fn try_step(&mut self, dt: f64) -> boxdd::Result<()> {
+        let now = self.time;
+        self.time += dt;
+        if let Some((id, lift)) = &self.lift {
+            let speed = (lift.at(self.time).1 - lift.at(now).1) / dt;
+            self.world.body(*id)?.set_linear_velocity(Vec2::new(0.0, speed as f32))?;
+        }
+        self.float()?;
         for &(body, force) in &self.forces {
             self.world
                 .body(self.ids[body])?

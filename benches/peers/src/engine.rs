@@ -20,6 +20,55 @@ pub struct Box {
     pub force: f64,
 }
 
+/// Water.
+#[derive(Clone, Debug)]
+pub struct Liquid {
+    /// Centre and half size, m.
+    pub zone: (V, V),
+    /// kg/m³: the scene is 1 m deep.
+    pub density: f64,
+    /// Of engines that know no liquid: how fast it stops what is wholly inside, 1/s.
+    pub damping: f64,
+}
+
+impl Liquid {
+    /// What acts on a body in it besides its weight, N, for engines that know no liquid: Archimedes' force, and a linear drag by the part
+    /// that is inside.
+    pub fn force_on(&self, body: &Box, (_, y): V, (u, w): V, gravity: f64) -> V {
+        let ((_, middle), (_, half)) = self.zone;
+        let (top, bottom) = ((y - body.half.1).max(middle - half), (y + body.half.1).min(middle + half));
+        let inside = (bottom - top).max(0.0);
+        let drag = self.damping * body.mass * inside / (2.0 * body.half.1);
+        (-drag * u, -drag * w - self.density * gravity * inside * 2.0 * body.half.0)
+    }
+}
+
+/// A platform that goes up and down for ever, speeding up and slowing down at the same rate.
+#[derive(Clone, Debug)]
+pub struct Lift {
+    /// Centre at its lowest, and half size, m.
+    pub place: (V, V),
+    /// m.
+    pub rise: f64,
+    /// There and back, s.
+    pub period: f64,
+}
+
+impl Lift {
+    /// Its centre after `t` seconds, m.
+    pub fn at(&self, t: f64) -> V {
+        let way = 2.0 * (t / self.period).fract();
+        let (part, back) = (way.fract(), way >= 1.0);
+        let eased = if part < 0.5 {
+            2.0 * part * part
+        } else {
+            1.0 - 2.0 * (1.0 - part) * (1.0 - part)
+        };
+        let (x, y) = self.place.0;
+        (x, y - self.rise * if back { 1.0 - eased } else { eased })
+    }
+}
+
 /// What a scene consists of.
 #[derive(Clone, Debug)]
 pub struct Spec {
@@ -38,6 +87,10 @@ pub struct Spec {
     pub bodies: Vec<Box>,
     /// What does not: centre and half size, m.
     pub statics: Vec<(V, V)>,
+    /// Water, if there is any.
+    pub liquid: Option<Liquid>,
+    /// A platform that moves, if there is one.
+    pub lift: Option<Lift>,
 }
 
 /// An engine with a scene in it.

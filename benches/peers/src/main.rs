@@ -1,9 +1,9 @@
 //! The same scenes on Resultant, Rapier (f32 and f64) and Box2D, one thread, rotation off, 60 steps a second, everything else at its
-//! defaults. Prints a table and what falls short of the aims, and writes `results.csv`, from which `resultant chart` takes its peers'
-//! points.
+//! defaults; `README.md` says what each scene is. Prints a table and what falls short of the aims, and writes `results.csv`, from which
+//! `resultant chart` takes its peers' points.
 //!
 //! Run it with `cargo run --release` in this folder; names of scenes after `--` choose those (and write nothing). Sleep is off in all
-//! engines but for the scenes that say so in their names.
+//! engines but for the scenes that are about it.
 
 mod box2d;
 mod engine;

@@ -1,8 +1,9 @@
 //! Resultant: the exact engine for small scenes, the pile engine for piles.
 
+use crate::engine::Lift;
 use crate::engine::{Engine, Spec, V};
 use resultant::physics::pile::{Pile, PileBody, PileDef, PileSurface};
-use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, SurfaceDef, World, WorldDef};
 
 fn vector((x, y): V) -> DVec2 {
     DVec2::new(x, y)
@@ -21,6 +22,8 @@ pub struct Scenes {
     force: f64,
 }
 
+/// The viscosity of water, Pa·s.
+const WATER: f64 = 1e-3;
 /// Downwards, N: far less than the last bit of any weight.
 const NUDGE: f64 = 1e-100;
 
@@ -41,13 +44,27 @@ impl Engine for Scenes {
             mass: body.mass,
             restitution: body.restitution,
             material,
+            feels_air: spec.terminal.is_finite(),
+            // In water it counts as well, and damps what bobs.
+            drag: if spec.terminal.is_finite() {
+                body.mass * spec.gravity / (spec.terminal * spec.terminal * body.half.0)
+            } else {
+                1.0
+            },
             ..BodyDef::default()
+        });
+        let fluids = spec.liquid.iter().map(|liquid| FluidDef {
+            zone: rectangle(&liquid.zone),
+            density: liquid.density,
+            viscosity: WATER,
         });
         let surfaces = spec.statics.iter().map(|rect| SurfaceDef::fixed(rectangle(rect), material));
         let def = WorldDef {
             gravity: spec.gravity,
-            air_density: 0.0,
+            // The air has 1 kg/m³, as that of piles.
+            air_density: if spec.terminal.is_finite() { 1.0 } else { 0.0 },
             rest_speed: 0.0,
+            fluids: fluids.collect(),
             bodies: bodies.collect(),
             surfaces: surfaces.collect(),
             ..WorldDef::default()
@@ -83,7 +100,13 @@ impl Engine for Scenes {
 }
 
 /// [`Pile`].
-pub struct Piles(Pile);
+pub struct Piles {
+    pile: Pile,
+    lift: Option<Lift>,
+    /// The number of the lift among the surfaces.
+    moving: usize,
+    time: f64,
+}
 
 impl Engine for Piles {
     const NAME: &'static str = "Resultant";
@@ -102,7 +125,8 @@ impl Engine for Piles {
             drag_area: DVec2::splat(2.0 * body.mass * spec.gravity / (spec.terminal * spec.terminal)),
             ..PileBody::default()
         });
-        let surfaces = spec.statics.iter().map(|rect| PileSurface {
+        let rectangles = spec.statics.iter().chain(spec.lift.as_ref().map(|lift| &lift.place));
+        let surfaces = rectangles.map(|rect| PileSurface {
             bounds: rectangle(rect),
             static_friction: spec.friction,
             kinetic_friction: spec.friction,
@@ -115,18 +139,31 @@ impl Engine for Piles {
             sleep: spec.sleep,
             ..PileDef::default()
         };
-        Pile::new(def).ok().map(Self)
+        let mut pile = Pile::new(def).ok()?;
+        for (i, body) in spec.bodies.iter().enumerate() {
+            pile.set_force(i, DVec2::new(body.force, 0.0));
+        }
+        Some(Self {
+            pile,
+            lift: spec.lift.clone(),
+            moving: spec.statics.len(),
+            time: 0.0,
+        })
     }
 
     fn step(&mut self, dt: f64) {
-        self.0.step(dt);
+        self.time += dt;
+        if let Some(lift) = &self.lift {
+            self.pile.move_surface(self.moving, vector(lift.at(self.time)));
+        }
+        self.pile.step(dt);
     }
 
     fn position(&mut self, body: usize) -> V {
-        self.0.position(body).into()
+        self.pile.position(body).into()
     }
 
     fn velocity(&mut self, body: usize) -> V {
-        self.0.velocity(body).into()
+        self.pile.velocity(body).into()
     }
 }

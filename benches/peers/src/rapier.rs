@@ -4,13 +4,23 @@ macro_rules! rapier {
     ($module:ident, $krate:ident, $real:ty, $name:literal) => {
         /// One precision of it.
         pub mod $module {
-            use crate::engine::{Engine, Spec, V};
+            use crate::engine::{Box, Engine, Lift, Liquid, Spec, V};
             use $krate::prelude::*;
 
             /// Its world, and the handles of its bodies.
             pub struct Rapier {
                 world: PhysicsWorld,
                 handles: Vec<RigidBodyHandle>,
+                lift: Option<(RigidBodyHandle, Lift)>,
+                water: Option<Water>,
+                time: f64,
+            }
+
+            /// The water of a scene, and what is in it.
+            struct Water {
+                liquid: Liquid,
+                bodies: Vec<Box>,
+                gravity: f64,
             }
 
             fn vector((x, y): V) -> Vector {
@@ -46,10 +56,40 @@ macro_rules! rapier {
                         handle
                     });
                     let handles = handles.collect();
-                    Some(Self { world, handles })
+                    let lift = spec.lift.clone().map(|lift| {
+                        let rigid = RigidBodyBuilder::kinematic_velocity_based().translation(vector(lift.place.0));
+                        (world.insert(rigid, solid(lift.place.1, 0.0)).0, lift)
+                    });
+                    let water = spec.liquid.clone().map(|liquid| Water {
+                        liquid,
+                        bodies: spec.bodies.clone(),
+                        gravity: spec.gravity,
+                    });
+                    Some(Self {
+                        world,
+                        handles,
+                        lift,
+                        water,
+                        time: 0.0,
+                    })
                 }
 
                 fn step(&mut self, dt: f64) {
+                    let now = self.time;
+                    self.time += dt;
+                    if let Some((handle, lift)) = &self.lift {
+                        let way = lift.at(self.time).1 - lift.at(now).1;
+                        self.world.bodies[*handle].set_linvel(vector((0.0, way / dt)), true);
+                    }
+                    if let Some(water) = &self.water {
+                        for (handle, body) in self.handles.iter().zip(&water.bodies) {
+                            let rigid = &mut self.world.bodies[*handle];
+                            let (at, v) = (rigid.translation(), rigid.linvel());
+                            let (at, v) = ((f64::from(at.x), f64::from(at.y)), (f64::from(v.x), f64::from(v.y)));
+                            rigid.reset_forces(false);
+                            rigid.add_force(vector(water.liquid.force_on(body, at, v, water.gravity)), true);
+                        }
+                    }
                     self.world.integration_parameters.dt = dt as $real;
                     self.world.step();
                 }

@@ -1,6 +1,6 @@
 //! The scenes: those of the lab that every engine can run, under the lab's names, and the piles.
 
-use crate::engine::{Box, Spec};
+use crate::engine::{Box, Lift, Liquid, Spec};
 use crate::watch::Run;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -45,6 +45,8 @@ fn spec(bodies: Vec<Box>) -> Spec {
         sleep: false,
         bodies,
         statics: vec![((0.0, FLOOR), (1000.0, FLOOR))],
+        liquid: None,
+        lift: None,
     }
 }
 
@@ -207,7 +209,120 @@ pub fn all() -> Vec<Scene> {
             ..pile(name, 10.0, spec)
         });
     }
+    scenes.push(pile("islands-200", 10.0, islands()));
+    scenes.push(scene("tower-hit", "worst overlap at any step, m", 5.0, tower(), overlap));
+    scenes.push(scene(
+        "afloat-64",
+        "worst distance from the depth at which it floats after 20 s, m",
+        20.0,
+        afloat(),
+        depth,
+    ));
+    scenes.push(Scene {
+        settle: 4.0,
+        ..pile("asleep-1000", 1.0, asleep())
+    });
+    scenes.push(pile("lift", 10.0, lift()));
     scenes
+}
+
+/// Two hundred pens with five boxes each, which rain into them and bounce.
+fn islands() -> Spec {
+    let mut random = Pcg64Mcg::seed_from_u64(11);
+    let pen = |i: usize| 4.0 * (i / 5) as f64;
+    let bodies = (0..1000).map(|i| Box {
+        half: (random.random_range(0.15..0.3), random.random_range(0.15..0.3)),
+        position: (pen(i) + random.random_range(-0.5..0.5), -1.0 - 0.8 * (i % 5) as f64),
+        velocity: (random.random_range(-2.0..2.0), 0.0),
+        restitution: random.random_range(0.0..0.8),
+        ..crate_at(0.0, 0.0, 1.0)
+    });
+    let bodies = bodies.collect();
+    let walls = (0..=200).map(|k| ((4.0 * f64::from(k) - 2.0, -50.0), (0.5, 50.0)));
+    Spec {
+        statics: walls.chain([((400.0, FLOOR), (500.0, FLOOR))]).collect(),
+        ..spec(bodies)
+    }
+}
+
+/// A tower of 7 × 7 crates of 10 kg, hit at half its height by 50 kg at 15 m/s, all in air.
+fn tower() -> Spec {
+    let mut bodies: Vec<_> = (0..49).map(|i| crate_at(f64::from(i / 7), f64::from(i % 7), 10.0)).collect();
+    bodies.push(Box {
+        velocity: (15.0, -3.0),
+        ..crate_at(-6.0, 3.2, 50.0)
+    });
+    Spec {
+        terminal: 50.0,
+        ..spec(bodies)
+    }
+}
+
+/// Sixty-four crates of 30 to 70 % of the density of water, dropped into it.
+fn afloat() -> Spec {
+    let mut random = Pcg64Mcg::seed_from_u64(5);
+    let bodies = (0..64).map(|i| {
+        let half = random.random_range(0.3..0.6);
+        Box {
+            half: (half, half),
+            mass: random.random_range(300.0..700.0) * 4.0 * half * half,
+            ..crate_at(2.0 * f64::from(i) - 64.0, 1.0, 1.0)
+        }
+    });
+    let bodies = bodies.collect();
+    Spec {
+        statics: vec![((0.0, 20.0 + FLOOR), (200.0, FLOOR))],
+        liquid: Some(Liquid {
+            zone: ((0.0, 10.0), (200.0, 10.0)),
+            density: 1000.0,
+            damping: 2.0,
+        }),
+        ..spec(bodies)
+    }
+}
+
+/// A thousand crates that rest, two on each other, and ten that are pushed along a little harder than friction holds.
+fn asleep() -> Spec {
+    let resting = (0..1000).map(|i| crate_at(-2.0 * f64::from(i / 2) - 10.0, f64::from(i % 2), 1.0));
+    let pushed = (0..10).map(|i| Box {
+        velocity: (1.0, 0.0),
+        force: FRICTION * G + 0.01,
+        ..crate_at(5.0 * f64::from(i), 0.0, 1.0)
+    });
+    Spec {
+        sleep: true,
+        statics: vec![((0.0, FLOOR), (5000.0, FLOOR))],
+        ..spec(resting.chain(pushed).collect())
+    }
+}
+
+/// Three hundred boxes that rain into a shaft whose floor goes up and down by 2 m in 4 s, at 2 m/s².
+fn lift() -> Spec {
+    let rain = rain(300, 1.0..=1.0, 0.3);
+    let (floor, walls) = (rain.statics[0], rain.statics[1..].to_vec());
+    let ((x, y), (half, high)) = floor;
+    Spec {
+        statics: walls,
+        lift: Some(Lift {
+            place: ((x, y), (half - 5.0 - 1e-3, high)),
+            rise: 2.0,
+            period: 4.0,
+        }),
+        ..rain
+    }
+}
+
+/// How far a body that floats is from where Archimedes' principle has it.
+fn depth(engine: &mut dyn Run, spec: &Spec, steps: usize, step: f64) -> f64 {
+    run(engine, steps, step);
+    let off = |(i, body): (usize, &Box)| {
+        let inside = spec
+            .liquid
+            .as_ref()
+            .map_or(0.0, |liquid| body.mass / (liquid.density * 2.0 * body.half.0));
+        (engine.position(i).1 + body.half.1 - inside).abs()
+    };
+    spec.bodies.iter().enumerate().map(off).fold(0.0, f64::max)
 }
 
 /// What a scene is called when what rests may sleep.

@@ -21,6 +21,8 @@ pub struct Watched<'a, E> {
     engine: &'a mut E,
     spec: &'a Spec,
     worst: f64,
+    /// s since the start, for what moves by itself.
+    time: f64,
     /// Bodies from left to right.
     order: Vec<usize>,
     places: Vec<V>,
@@ -31,6 +33,7 @@ impl<'a, E: Engine> Watched<'a, E> {
     pub fn new(engine: &'a mut E, spec: &'a Spec) -> Self {
         let n = spec.bodies.len();
         Self {
+            time: 0.0,
             engine,
             spec,
             worst: 0.0,
@@ -55,12 +58,14 @@ impl<'a, E: Engine> Watched<'a, E> {
         }
         let left = |i: usize| places[i].0 - bodies[i].half.0;
         self.order.sort_by(|&i, &j| left(i).total_cmp(&left(j)));
+        let lift = self.spec.lift.as_ref().map(|lift| (lift.at(self.time), lift.place.1));
         for (at, &i) in self.order.iter().enumerate() {
             let ((x, y), (w, h)) = (places[i], bodies[i].half);
             let near = self.order[at + 1..].iter().take_while(|&&j| left(j) < x + w);
             let others = near
                 .map(|&j| (places[j], bodies[j].half))
-                .chain(self.spec.statics.iter().copied());
+                .chain(self.spec.statics.iter().copied())
+                .chain(lift);
             for (place, half) in others {
                 let depth = (w + half.0 - (x - place.0).abs()).min(h + half.1 - (y - place.1).abs());
                 self.worst = self.worst.max(depth);
@@ -72,6 +77,7 @@ impl<'a, E: Engine> Watched<'a, E> {
 impl<E: Engine> Run for Watched<'_, E> {
     fn step(&mut self, dt: f64) {
         self.engine.step(dt);
+        self.time += dt;
         self.look();
     }
 

@@ -10,7 +10,9 @@
 //! lines are skipped.
 
 use super::scene::Keys;
-use crate::game::TICK_RATE;
+use crate::game::{TICK_RATE, records};
+use csv::StringRecord;
+use serde::Deserialize;
 
 /// The columns of the file, which are its first row.
 const HEADER: [&str; 7] = ["ticks", "left1", "right1", "jump1", "left2", "right2", "jump2"];
@@ -26,18 +28,29 @@ pub struct Row {
     pub keys: [Keys; 2],
 }
 
+/// A row as it stands in the file; nothing of it is judged yet.
+#[derive(Deserialize)]
+struct Cells<'a> {
+    ticks: &'a str,
+    /// Three of each player.
+    keys: Vec<&'a str>,
+}
+
 /// Reads the text of a file of keys.
 ///
 /// # Errors
 /// The first problem as `LINE: MESSAGE`, to be put behind `FILE:`: another header, a wrong number of cells, ticks that are no whole
 /// number from 1 or more than a day's in all, a key that is neither 0 nor 1.
 pub fn parse(text: &str) -> Result<Vec<Row>, String> {
-    let lines = (1..).zip(text.strip_prefix('\u{feff}').unwrap_or(text).lines()).filter(|(_, line)| !line.trim().is_empty());
-    let mut lines = lines.map(|(number, line)| (number, line.split(',').map(str::trim).collect::<Vec<_>>()));
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    // The lines keep the numbers that an editor gives them; those of the csv crate are off behind blank lines.
+    let (numbers, rows): (Vec<usize>, Vec<&str>) = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty()).unzip();
+    let mut lines = numbers.into_iter().zip(records(&rows.join("\n")));
     let expected = HEADER.join(",");
-    let (number, header) = lines.next().unwrap_or((1, Vec::new()));
-    if header != HEADER && header != HEADER[..4] {
-        return Err(format!("{number}: found {:?}, expected the header {expected}", header.join(",")));
+    let (number, header) = lines.next().unwrap_or((1, StringRecord::new()));
+    if header != HEADER[..] && header != HEADER[..4] {
+        let found = header.iter().collect::<Vec<_>>().join(",");
+        return Err(format!("{number}: found {found:?}, expected the header {expected}"));
     }
     let mut total = 0;
     let read = lines.map(|(number, cells)| {
@@ -51,20 +64,20 @@ pub fn parse(text: &str) -> Result<Vec<Row>, String> {
     read.collect()
 }
 
-fn row(cells: &[&str], columns: usize) -> Result<Row, String> {
-    if cells.len() != columns {
-        return Err(format!("found {} cells, expected {columns}", cells.len()));
-    }
-    let ticks = cells[0].parse().ok().filter(|ticks| (1..=MOST_TICKS).contains(ticks));
-    let ticks =
-        ticks.ok_or_else(|| format!("column \"ticks\": found {:?}, expected a whole number from 1 to {MOST_TICKS}", cells[0]))?;
-    let key = |column: usize| match cells.get(column) {
+fn row(record: &StringRecord, columns: usize) -> Result<Row, String> {
+    let Some(Cells { ticks, keys }) = record.deserialize(None).ok().filter(|_| record.len() == columns) else {
+        return Err(format!("found {} cells, expected {columns}", record.len()));
+    };
+    let number = ticks.parse().ok().filter(|ticks| (1..=MOST_TICKS).contains(ticks));
+    let number =
+        number.ok_or_else(|| format!("column \"ticks\": found {ticks:?}, expected a whole number from 1 to {MOST_TICKS}"))?;
+    let key = |index: usize| match keys.get(index) {
         None | Some(&"0") => Ok(false),
         Some(&"1") => Ok(true),
-        Some(other) => Err(format!("column {:?}: found {other:?}, expected 0 or 1", HEADER[column])),
+        Some(other) => Err(format!("column {:?}: found {other:?}, expected 0 or 1", HEADER[index + 1])),
     };
-    let keys = |from: usize| Ok::<_, String>(Keys { left: key(from)?, right: key(from + 1)?, jump: key(from + 2)? });
-    Ok(Row { ticks, keys: [keys(1)?, keys(4)?] })
+    let player = |from: usize| Ok::<_, String>(Keys { left: key(from)?, right: key(from + 1)?, jump: key(from + 2)? });
+    Ok(Row { ticks: number, keys: [player(0)?, player(3)?] })
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Surfaces within a tick: they begin the legs of their paths, and stop for what they would squeeze.
 
-use super::item::{Motion, Next};
+use super::item::Next;
 use super::{Events, Scene};
 
 impl Events {
@@ -19,16 +19,6 @@ impl Events {
         self.halted = true;
         self.items[surface as usize].stops_at = self.now;
         self.set_out(scene, surface as usize);
-    }
-
-    /// Stops all surfaces that move: for the rest of the tick the island is taken in one step, with surfaces that stand.
-    pub(super) fn halt_all(&mut self, scene: &Scene) {
-        for i in self.movable..self.items.len() {
-            if self.items[i].motion != Motion::Still {
-                self.halt(scene, i as u32);
-            }
-        }
-        self.release();
     }
 
     /// Sets a surface on the part of its path that begins now. Concerns whatever is in contact with it.

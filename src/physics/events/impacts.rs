@@ -49,7 +49,9 @@ impl Events {
                 left -= 1;
                 self.work += WORK_OF_A_CONTACT;
                 self.guards.impacts_made_plastic += u64::from(left == 0);
-                self.touching[index].lossy_hits += u32::from(e < 1.0);
+                let contact = &mut self.touching[index];
+                contact.lossy_hits += u32::from(e < 1.0);
+                self.guards.collapses += u64::from(e < 1.0 && contact.lossy_hits == CASCADE_HITS);
                 self.bounce(scene, index, speed, e);
                 continue;
             }
@@ -212,6 +214,10 @@ impl Events {
         for item in [contact.lo, contact.hi] {
             self.items[item as usize].hits += 1;
         }
+        let fewest = self.items[contact.lo as usize].hits.min(self.items[contact.hi as usize].hits);
+        let movable = self.is_body(contact.lo) && self.is_body(contact.hi);
+        self.guards.rattles += u64::from(movable && e < 1.0 && fewest == RATTLE_HITS + 1);
+        self.guards.pumping += u64::from(!movable && !self.stands(contact.lo.max(contact.hi)) && fewest == PUMPED_HITS + 1);
         let mass = |item: u32| self.is_body(item).then(|| self.items[item as usize].body.mass);
         // The share of the velocity change that each side takes: the other's fraction of the mass.
         let (lo_share, hi_share, reduced) = match (mass(contact.lo), mass(contact.hi)) {

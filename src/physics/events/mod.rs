@@ -20,6 +20,7 @@ mod impacts;
 mod item;
 mod motions;
 mod predict;
+mod rest;
 
 use super::Plan;
 use super::contact::Contact;
@@ -53,6 +54,8 @@ pub(super) struct Scene<'a> {
     pub bounces: bool,
     /// Whether what did not change is taken over from the last tick, instead of being solved once more to the same bits.
     pub direct: bool,
+    /// Whether the dense method takes every island.
+    pub dense: bool,
     /// All surfaces of the world.
     pub surfaces: &'a [Surface],
     /// Length of the tick, s.
@@ -85,6 +88,7 @@ impl Scene<'_> {
             rest_speed: state.rest_speed,
             bounces: plan.bounces,
             direct: plan.direct,
+            dense: plan.dense,
             surfaces: &state.surfaces,
             tick,
         }
@@ -174,6 +178,9 @@ impl Events {
 
     /// Advances the island by a tick.
     pub fn advance(&mut self, scene: &Scene) -> Outcome {
+        if self.rest(scene) {
+            return Outcome::Done;
+        }
         self.begin(scene);
         let budget = scene.budget(self.movable);
         while let Some((i, next)) = self.next_event(scene) {
@@ -185,7 +192,6 @@ impl Events {
             self.work += WORK_OF_AN_ITEM;
             if self.work > budget {
                 self.stop_here(scene);
-                self.halt_all(scene);
                 return Outcome::Busy(self.now);
             }
             self.happen(scene, i, next.kind);
@@ -241,8 +247,8 @@ impl Events {
         (first.1.at <= scene.tick).then_some(first)
     }
 
-    /// Prepares the buffers, and how everything moves at the start of the tick.
-    fn begin(&mut self, scene: &Scene) {
+    /// Makes room for all items.
+    fn clear_buffers(&mut self) {
         let (all, bodies) = (self.items.len(), self.movable);
         (self.now, self.work, self.grown) = (0.0, 0, false);
         for vectors in [&mut self.masses, &mut self.free, &mut self.solved, &mut self.speeds, &mut self.means] {
@@ -259,6 +265,12 @@ impl Events {
             flags.clear();
             flags.resize(all, false);
         }
+    }
+
+    /// Prepares the buffers, and how everything moves at the start of the tick.
+    fn begin(&mut self, scene: &Scene) {
+        self.clear_buffers();
+        let (all, bodies) = (self.items.len(), self.movable);
         for i in 0..bodies {
             self.masses[i] = DVec2::splat(self.items[i].body.mass);
             self.solved[i] = self.items[i].solved;

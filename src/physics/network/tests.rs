@@ -1,5 +1,6 @@
 //! The contact network against answers by hand, and against the conditions of the minimum on random graphs.
 use super::*;
+use crate::random::Random;
 
 /// Bodies of (mass, force) in a line along the axis, one after the other.
 fn line(bodies: &[(f64, f64)], links: &[(u32, u32, Carries)]) -> Network {
@@ -72,11 +73,8 @@ fn nothing_is_ever_pulled() {
 /// The conditions that make the answer unique, on random networks: momentum, order, no pulling, limits kept.
 #[test]
 fn random_networks_satisfy_the_conditions_of_the_minimum() {
-    let mut seed = 1u64;
-    let mut random = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1u64 << 53) as f64
-    };
+    let mut generator = Random(1);
+    let mut random = || generator.unit();
     let mut squeezed = 0;
     for round in 0..3000 {
         let n = 2 + (random() * 10.0) as u32;
@@ -158,11 +156,8 @@ fn what_is_between_grounds_that_close_is_squeezed() {
 /// The direct answers for small networks are those of the blocks, to the bit.
 #[test]
 fn small_networks_have_the_same_answer_directly_and_by_blocks() {
-    let mut seed = 7u64;
-    let mut random = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1u64 << 53) as f64
-    };
+    let mut generator = Random(7);
+    let mut random = || generator.unit();
     for round in 0..2000 {
         let mut direct = Network::default();
         for _ in 0..if round % 2 == 0 { 2 } else { 4 } {

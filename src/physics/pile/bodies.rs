@@ -89,6 +89,10 @@ pub(super) struct Bodies {
     pub shift: (f64, f64),
     /// Where some would be at the end of the step, and how fast, if they touched nothing: set from outside, by their numbers there.
     pub guided: Vec<(u32, DVec2, DVec2)>,
+    /// Who of them that is in the present step, by the numbers outside.
+    pub is_guided: Vec<bool>,
+    /// Whether the air slows any.
+    pub airy: bool,
     /// Number outside → number inside.
     pub slot: Vec<u32>,
     /// Number inside → number outside.
@@ -143,6 +147,8 @@ impl Bodies {
             allowed_bottom: movable(),
             shift: (0.0, 0.0),
             guided: Vec::new(),
+            is_guided: vec![false; count],
+            airy: false,
             slot: (0..count as u32).collect(),
             id: (0..count as u32).collect(),
             order: (0..count as u32).collect(),
@@ -175,6 +181,11 @@ impl Bodies {
         self.vy[i] == self.vy[j] + skin || (j >= self.count && self.vy[i] == self.was_vy[j] + skin)
     }
 
+    /// How fast something moved across when the step began, m/s: of a surface, when the one before ended.
+    pub fn began_across(&self, j: usize) -> f64 {
+        if j < self.count { self.vx[j] } else { self.was_vx[j] }
+    }
+
     /// Whether a surface moves, moved in the step before, or runs a belt.
     pub fn carries(&self, j: usize) -> bool {
         let moved = self.was_vx[j] != 0.0 || self.was_vy[j] != 0.0;
@@ -201,6 +212,13 @@ impl Bodies {
         let (x, y, hx, hy) = (self.px[i], self.py[i], self.hx[i] + MARGIN, self.hy[i] + MARGIN);
         let s = &mut self.swept[i];
         *s = [s[0].min(x - hx), s[1].max(x + hx), s[2].min(y - hy), s[3].max(y + hy)];
+    }
+
+    /// How much further than its way, which is so wide and so high, contacts of a body are looked for, m.
+    #[inline(always)]
+    pub fn margins(&self, i: usize, wide: f64, high: f64) -> (f64, f64) {
+        let lively = MARGIN + self.bounce[i] * 0.03;
+        (lively + WAYS * wide, lively + self.bounce[i] * high)
     }
 
     /// Sets the boxes that all sweep from where they are to where they are predicted, and a margin.

@@ -8,9 +8,11 @@
 
 use super::bodies::Bodies;
 use super::clusters::{Clusters, Motion, Node};
-use super::contacts::Contacts;
+use super::contacts::{Contacts, Side};
+use super::drag::Resistance;
 use super::friction::{Friction, Grip};
-use super::report::Report;
+use super::impacts::Impacts;
+use super::report::{Edge, Report};
 
 /// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
@@ -23,6 +25,10 @@ const DRIVEN: f64 = 1e-9;
 const STILL: f64 = 1e-12;
 /// Kinetic energy gained that is no more than rounding, as a part of all.
 const ROUNDING: f64 = 1e-12;
+/// Sweeps in which what still closes in the end is parted. Fewer: a light body that heavy ones drag against a third keeps a part of its speed.
+const SWEEPS: usize = 32;
+/// Relative to the velocities: what closes more slowly does not. Smaller: rounding is swept.
+const CLOSING: f64 = 1e-12;
 /// Passes over the side contacts in one merging; each merges whole rows.
 const PASSES: usize = 16;
 
@@ -37,6 +43,9 @@ pub(super) struct Pushes {
     pushed: Vec<bool>,
     told: Vec<bool>,
     pub hits: Hits,
+    pub resistance: Resistance,
+    /// Pairs side by side, and the impulses that parted them in the end.
+    parting: Vec<Edge>,
 }
 
 /// Plastic impacts, and how fast one must close, m/s.
@@ -54,6 +63,8 @@ impl Pushes {
             pushed: vec![false; count],
             told: vec![false; count],
             hits: Hits::default(),
+            resistance: Resistance::default(),
+            parting: Vec::with_capacity(count),
         }
     }
 }
@@ -65,7 +76,7 @@ pub(super) struct Cross<'a> {
     pub friction: &'a mut Friction,
     pub clusters: &'a mut Clusters,
     pub pushes: &'a mut Pushes,
-    pub struck: &'a [f64],
+    pub impacts: &'a Impacts,
     pub report: &'a mut Report,
     pub dt: f64,
     /// Whether fewer rounds do.
@@ -76,6 +87,7 @@ impl Cross<'_> {
     /// Solves the velocities across gravity. Returns whether friction had to be left out of the merging.
     pub fn solve(&mut self, bodies: &mut Bodies) -> bool {
         self.pushes.hits.all.clear();
+        self.pushes.resistance.restore(bodies);
         if !self.begin(bodies) && !self.contacts.carried {
             self.friction.rest(self.members);
             return false;
@@ -83,6 +95,7 @@ impl Cross<'_> {
         let settled = self.rub_and_push(bodies);
         let gained = self.gains(bodies);
         if settled && !gained {
+            self.polish(bodies);
             return false;
         }
         if gained {
@@ -104,8 +117,50 @@ impl Cross<'_> {
         true
     }
 
+    /// What is side by side in the end and still closes is parted, in turns with the friction under it, contact by contact: the ways are
+    /// told, but a light body between heavy ones that drag it may have been left with any velocity.
+    fn polish(&mut self, bodies: &mut Bodies) {
+        let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
+        let Pushes { parting, .. } = &mut *self.pushes;
+        let touches = |bodies: &Bodies, side: &Side| {
+            let (a, b) = (side.first as usize, side.second as usize);
+            side.live && bodies.mean_vx[a] - bodies.mean_vx[b] - side.bound >= -slack
+        };
+        let closes = |bodies: &Bodies, side: &Side| {
+            let (u, v) = (bodies.ux[side.first as usize], bodies.ux[side.second as usize]);
+            u - v > CLOSING * (u.abs() + v.abs()) + STILL
+        };
+        if !self.contacts.sides.iter().any(|side| closes(bodies, side) && touches(bodies, side)) {
+            return;
+        }
+        parting.clear();
+        let sides = self.contacts.sides.iter().filter(|side| touches(bodies, side));
+        parting.extend(sides.map(|side| Edge { a: side.first, b: side.second, impulse: 0.0 }));
+        for _ in 0..SWEEPS {
+            let (mut most, mut fastest) = (0.0f64, 0.0f64);
+            for edge in parting.iter_mut() {
+                let (a, b) = (edge.a as usize, edge.b as usize);
+                let share = |i: usize| if i < n { 1.0 / bodies.mass[i] } else { 0.0 };
+                let (of_a, of_b) = (share(a), share(b));
+                let more = (edge.impulse + (bodies.ux[a] - bodies.ux[b]) / (of_a + of_b)).max(0.0) - edge.impulse;
+                edge.impulse += more;
+                bodies.ux[a] -= more * of_a;
+                bodies.ux[b] += more * of_b;
+                most = most.max(more.abs() * of_a.max(of_b));
+                fastest = fastest.max(bodies.ux[a].abs()).max(bodies.ux[b].abs());
+            }
+            most = most.max(self.friction.sweep(bodies));
+            if most <= CLOSING * fastest + STILL {
+                break;
+            }
+        }
+        if self.report.on {
+            self.report.sides.extend(parting.iter().filter(|edge| edge.impulse > 0.0));
+        }
+    }
+
     /// Whether there is more kinetic energy than before: friction and pushes that answer each other round by round may drive. Moving
-    /// surfaces may.
+    /// surfaces may, and what slides back.
     fn gains(&self, bodies: &Bodies) -> bool {
         let (mut before, mut after) = (0.0, 0.0);
         for &i in self.members {
@@ -113,7 +168,7 @@ impl Cross<'_> {
             before += bodies.mass[i] * bodies.free_vx[i] * bodies.free_vx[i];
             after += bodies.mass[i] * bodies.ux[i] * bodies.ux[i];
         }
-        after > before * (1.0 + ROUNDING) && !self.contacts.carried
+        after > before * (1.0 + ROUNDING) && !self.contacts.carried && !self.friction.turned
     }
 
     /// Back to friction alone.
@@ -141,6 +196,7 @@ impl Cross<'_> {
     /// Friction, and merging with friction, in turns. Returns whether nothing closes too far any more.
     fn rub_and_push(&mut self, bodies: &mut Bodies) -> bool {
         self.rub(bodies);
+        self.resist(bodies);
         for &i in self.members {
             let i = i as usize;
             self.pushes.before[i] = bodies.ux[i];
@@ -166,10 +222,26 @@ impl Cross<'_> {
         false
     }
 
+    /// Tells drag anew with the velocities that friction leaves, and friction with that.
+    fn resist(&mut self, bodies: &mut Bodies) {
+        if !bodies.airy {
+            return;
+        }
+        let Pushes { given, resistance, .. } = &mut *self.pushes;
+        if resistance.across(bodies, self.friction.gripped(), given, self.dt) {
+            self.friction.solve(bodies, &self.pushes.given);
+            self.friction.spread_ways(bodies, &self.pushes.told, self.dt);
+        }
+    }
+
     fn rub(&mut self, bodies: &mut Bodies) {
-        let Pushes { given, pushed, told, .. } = &*self.pushes;
+        let Pushes { given, pushed, told, resistance, .. } = &mut *self.pushes;
         self.friction.wake(bodies, self.members, self.contacts, given, pushed);
-        self.friction.load(bodies, self.contacts, self.struck, self.dt);
+        self.friction.touch(bodies, self.contacts, self.impacts, self.dt);
+        if bodies.airy {
+            resistance.along(bodies, self.friction.gripped(), self.dt);
+        }
+        self.friction.load(bodies, &self.impacts.struck);
         self.friction.solve(bodies, given);
         self.friction.spread_ways(bodies, told, self.dt);
     }
@@ -208,6 +280,7 @@ impl Cross<'_> {
                 continue;
             }
             rubs = true;
+            self.friction.tell(i);
             if velocity != 0.0 {
                 self.friction.drag(i);
             }

@@ -23,6 +23,7 @@ use super::place;
 use super::reach::Reach;
 use super::report::Report;
 use super::walls::{Along, Walls};
+use crate::physics::guards::Guards;
 
 /// How often a pair that was expected to pass and did not makes the step be solved again. More: slower; fewer: more is put back.
 const LOOKS: usize = 3;
@@ -36,29 +37,6 @@ const ROUNDING: f64 = 1e-12;
 const IMPACT: f64 = 2.0;
 const SMALLEST: f64 = 1e-6;
 
-/// How often a guard fired: counted, so that none is silent.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Guards {
-    /// Islands solved again because a hit threw a body further than contacts were looked for.
-    pub grown: u64,
-    /// Islands whose bodies were kept within what was looked for in the end.
-    pub clipped: u64,
-    /// Islands whose impacts ran out of their budget.
-    pub impacts: u64,
-    /// Islands in which merging along gravity ran out of rounds.
-    pub merging: u64,
-    /// Islands in which friction would have driven and was left out of the merging across.
-    pub friction: u64,
-    /// Pairs that were expected to pass each other and would have met: solved again.
-    pub corners: u64,
-    /// Coordinates that were put back to where they were.
-    pub put_back: u64,
-    /// Islands that would have gained energy.
-    pub energy: u64,
-    /// Bodies squeezed between surfaces.
-    pub squeezed: u64,
-}
-
 /// What is the same for all islands of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StepSize {
@@ -70,6 +48,8 @@ pub(super) struct StepSize {
     pub rest_speed: f64,
     /// Whether an island may no longer ask to grow.
     pub last: bool,
+    /// Whether it begins later than the others, and elsewhere than contacts were looked for.
+    pub later: bool,
 }
 
 /// What became of an island's step.
@@ -139,13 +119,19 @@ impl Dense {
         self.pushes.hits.impact = self.anchors.impact;
         self.report.sides.clear();
         self.reach.clear();
-        self.contacts.find(bodies, island, &[], size.dt, false);
-        self.walls.any = false;
+        (self.walls.any, self.impacts.any) = (false, false);
+        if size.later {
+            self.reach_out(bodies, neighbours, island, size.last);
+            if !self.reach.strangers.is_empty() {
+                return self.grow(bodies, island);
+            }
+        }
+        self.contacts.find(bodies, island, &self.reach.added, size.dt, false);
         self.anchors.any_hung = false;
         let Self { contacts, anchors, clusters, .. } = self;
         // What bounces in the air is not merged before it has.
         anchors.only_anchors = bodies.lively;
-        self.guards.merging += gravity::solve(bodies, island.members, contacts, anchors, clusters, size.dt);
+        self.guards.merging_ended += gravity::solve(bodies, island.members, contacts, anchors, clusters, size.dt);
         anchors.only_anchors = false;
         if !self.bounce(bodies, neighbours, island, size) {
             return Outcome::Grown;
@@ -155,7 +141,7 @@ impl Dense {
         for look in 0.. {
             self.solve_along(bodies, island, size.dt, look == 0 && !self.impacts.any && !self.anchors.unmerged);
             self.solve_across(bodies, island, size.dt);
-            inside = place::advance(bodies, island.members, &self.anchors.lands, size.dt, self.impacts.any);
+            inside = place::advance(bodies, island.members, &self.anchors.lands, size.dt, self.impacts.any || size.later);
             if !inside {
                 // After the last look nobody gets further than was looked for.
                 if look < LOOKS {
@@ -170,7 +156,7 @@ impl Dense {
                     }
                     inside = island.members.iter().all(|i| bodies.is_swept(*i as usize));
                 }
-                self.guards.clipped += u64::from(!inside);
+                self.guards.kept_within_reach += u64::from(!inside);
             }
             if look == LOOKS || !self.catch_passing(bodies, island) {
                 break;
@@ -198,6 +184,7 @@ impl Dense {
             island.members.iter().enumerate().for_each(|(k, i)| self.place[*i as usize] = k as u32);
             self.record(bodies, island, down);
         }
+        self.pushes.resistance.restore(bodies);
         self.walls.restore_free(bodies);
         self.impacts.restore_free(bodies, island.members);
     }
@@ -208,7 +195,7 @@ impl Dense {
         let mut around = Around { island, neighbours, reach, last: size.last };
         let (any, exhausted) = impacts.follow(bodies, (contacts, anchors), &mut around, size);
         self.followed = any && !exhausted;
-        self.guards.impacts += u64::from(exhausted);
+        self.guards.impacts_left += u64::from(exhausted);
         if !any {
             return true;
         }
@@ -230,14 +217,14 @@ impl Dense {
         walls.undo(bodies, anchors, &mut impacts.struck);
         let struck = &mut impacts.struck;
         let mut along = Along { members: island.members, contacts, anchors, clusters, struck, dt };
-        self.guards.merging += walls.solve(bodies, &mut along, report, solved);
+        self.guards.merging_ended += walls.solve(bodies, &mut along, report, solved);
     }
 
     fn solve_across(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
         let Self { contacts, friction, clusters, pushes, impacts, report, hasty, .. } = self;
-        let (struck, hasty) = (&impacts.struck, *hasty);
-        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, struck, report, dt, hasty };
-        self.guards.friction += u64::from(cross.solve(bodies));
+        let (impacts, hasty) = (&*impacts, *hasty);
+        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, impacts, report, dt, hasty };
+        self.guards.friction_left_out += u64::from(cross.solve(bodies));
     }
 
     /// Adds the plastic impacts to those that bounced, with the closing speed when touching.
@@ -272,7 +259,7 @@ impl Dense {
 
     /// Widens what was swept by those who left it.
     fn grow(&mut self, bodies: &mut Bodies, island: Island<'_>) -> Outcome {
-        self.guards.grown += 1;
+        self.guards.steps_grown += 1;
         self.grown.append(&mut self.reach.strangers);
         self.walls.undo(bodies, &mut self.anchors, &mut self.impacts.struck);
         self.impacts.undo(bodies, island.members);
@@ -313,7 +300,7 @@ impl Dense {
             // From the same predictions: free flight, and what impacts made of it.
             self.predict(bodies, island);
         }
-        self.guards.corners += caught;
+        self.guards.corners_met += caught;
         caught > 0
     }
 
@@ -362,7 +349,7 @@ impl Dense {
         if gained <= ROUNDING * (brought + left) {
             return;
         }
-        self.guards.energy += 1;
+        self.guards.energy_taken_out += 1;
         let part = if left > gained { (1.0 - gained / left).sqrt() } else { 0.0 };
         for &i in island.members {
             let i = i as usize;

@@ -14,9 +14,8 @@ use glam::DVec2;
 /// Bodies that are computed together. More: their arrays leave the fastest cache; fewer: the loops are too short.
 const BLOCK: usize = 128;
 
-/// Fills the free velocities and the predicted positions of a step of `dt` seconds. Returns whether all bodies stay within the
-/// boxes in which their neighbours were sought.
-pub(super) fn fly(bodies: &mut Bodies, dt: f64, drag: bool) -> bool {
+/// Fills the free velocities and the predicted positions of a step of `dt` seconds.
+pub(super) fn fly(bodies: &mut Bodies, dt: f64, drag: bool) {
     if drag {
         fly_through_air(bodies, dt);
     } else {
@@ -24,24 +23,11 @@ pub(super) fn fly(bodies: &mut Bodies, dt: f64, drag: bool) -> bool {
     }
     for g in 0..bodies.guided.len() {
         let (id, position, velocity) = bodies.guided[g];
+        bodies.is_guided[id as usize] = true;
         let i = bodies.slot[id as usize] as usize;
         (bodies.px[i], bodies.py[i]) = position.into();
         (bodies.free_vx[i], bodies.free_vy[i]) = velocity.into();
     }
-    stays(bodies)
-}
-
-/// Whether all predicted positions lie within the boxes in which the bodies' neighbours were sought.
-pub(super) fn stays(bodies: &Bodies) -> bool {
-    let n = bodies.len();
-    let inside_x = within(&bodies.px[..n], bodies.shift.0, &bodies.allowed_left[..n], &bodies.allowed_right[..n]);
-    inside_x && within(&bodies.py[..n], bodies.shift.1, &bodies.allowed_top[..n], &bodies.allowed_bottom[..n])
-}
-
-/// Whether every value less `shift` lies in its range.
-fn within(values: &[f64], shift: f64, low: &[f64], high: &[f64]) -> bool {
-    let inside = |value: f64, low: f64, high: f64| (value - shift >= low) & (value - shift <= high);
-    values.iter().zip(low).zip(high).fold(true, |all, ((value, low), high)| all & inside(*value, *low, *high))
 }
 
 fn fly_on_parabolas(bodies: &mut Bodies, dt: f64) {

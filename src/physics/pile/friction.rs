@@ -18,6 +18,7 @@ use super::bodies::Bodies;
 use super::clusters::Node;
 use super::contacts::Contacts;
 use super::gravity::SLACK;
+use super::impacts::Impacts;
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 5;
@@ -49,6 +50,10 @@ pub(super) struct Tight {
     pub impulse: f64,
     /// Whether the two had the same velocity at the start.
     stood: bool,
+    /// What holds once a slide has ended, N·s.
+    holds: f64,
+    /// Which part of the largest impulse acts on what slips: less than all of it where the slide turned round within the step.
+    sense: f64,
     /// Whether it is a ceiling.
     above: bool,
     /// Velocity of the skin besides that of what it belongs to, m/s.
@@ -65,6 +70,8 @@ pub(super) struct Friction {
     /// What each body carries, itself included.
     pub riders: Vec<Node>,
     loads: Vec<f64>,
+    /// Velocities across with which bodies began the step, or would have begun to have now what impacts gave them, m/s.
+    began: Vec<f64>,
     /// Who takes part, bottom-up.
     awake: Vec<u32>,
     is_awake: Vec<bool>,
@@ -75,6 +82,9 @@ pub(super) struct Friction {
     alike: bool,
     /// Whether surfaces move, which may drive.
     carried: bool,
+    /// Whether something slides back within the step: friction has turned round with it, and what it did until then is not in what the
+    /// step gives.
+    pub turned: bool,
 }
 
 impl Friction {
@@ -83,6 +93,7 @@ impl Friction {
         Self {
             riders: vec![Node::default(); all],
             loads: vec![0.0; all],
+            began: vec![0.0; all],
             is_awake: vec![false; all],
             is_gripped: vec![false; all],
             start: vec![0; all],
@@ -94,6 +105,11 @@ impl Friction {
     /// The tight contacts under a body that takes part.
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
         self.start[i] as usize..self.end[i] as usize
+    }
+
+    /// Who stands on something or carries something.
+    pub fn gripped(&self) -> &[u32] {
+        &self.gripped
     }
 
     pub fn is_awake(&self, i: usize) -> bool {
@@ -148,8 +164,8 @@ impl Friction {
         }
     }
 
-    /// Adds up the loads top-down, from what the solver changed along gravity and what `struck` bodies from above in impacts, N·s.
-    pub fn load(&mut self, bodies: &Bodies, contacts: &Contacts, struck: &[f64], dt: f64) {
+    /// Finds the tight contacts of what takes part.
+    pub fn touch(&mut self, bodies: &Bodies, contacts: &Contacts, impacts: &Impacts, dt: f64) {
         let n = bodies.len();
         let slack = contacts.tolerances.hair / dt;
         self.carried = contacts.carried;
@@ -158,8 +174,8 @@ impl Friction {
         for k in 0..self.awake.len() {
             let i = self.awake[k] as usize;
             self.start[i] = self.tight.len() as u32;
-            self.loads[i] = struck[i];
             self.is_gripped[i] = false;
+            self.began[i] = impacts.began_across(bodies, i);
             let (mean, velocity) = (bodies.mean_vy[i], bodies.uy[i]);
             for stack in &contacts.stacks[contacts.under(i)] {
                 let below = stack.below as usize;
@@ -171,11 +187,14 @@ impl Friction {
                     // What slides stops only where kinetic friction stops it; static friction holds what stands.
                     let stood = bodies.rides_across(i, below, bodies.belt[below]);
                     let dragged = pick(mine.kinetic_friction, other.kinetic_friction);
+                    let holds = pick(mine.static_friction, other.static_friction);
                     self.tight.push(Tight {
                         below: stack.below,
                         grip: Grip::Stick,
                         load: 0.0,
-                        held: if stood { pick(mine.static_friction, other.static_friction) } else { dragged },
+                        held: if stood { holds } else { dragged },
+                        holds,
+                        sense: 1.0,
                         dragged,
                         impulse: 0.0,
                         stood,
@@ -194,6 +213,13 @@ impl Friction {
             }
         }
         self.gripped.extend(self.awake.iter().filter(|i| self.is_gripped[**i as usize]));
+    }
+
+    /// Adds up the loads top-down, from what the solver changed along gravity and what `struck` bodies from above in impacts, N·s.
+    pub fn load(&mut self, bodies: &Bodies, struck: &[f64]) {
+        for &i in &self.awake {
+            self.loads[i as usize] = struck[i as usize];
+        }
         for k in (0..self.gripped.len()).rev() {
             let i = self.gripped[k] as usize;
             let load = self.loads[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
@@ -204,6 +230,7 @@ impl Friction {
                 let share = if bears(tight) { share } else { 0.0 };
                 tight.load = share;
                 tight.held *= share;
+                tight.holds *= share;
                 tight.dragged *= share;
                 if !tight.above {
                     self.loads[tight.below as usize] += share;
@@ -221,13 +248,16 @@ impl Friction {
                 let (traits, skin) = (&bodies.traits[j], bodies.skin(j, 1, true));
                 let stood = bodies.rides_across(i, j, skin);
                 let dragged = traits.kinetic_friction;
-                let held = if stood { traits.static_friction } else { dragged };
+                let holds = traits.static_friction;
+                let held = if stood { holds } else { dragged };
                 let below = ceiling.first;
                 self.tight.push(Tight {
                     below,
                     grip: Grip::Stick,
                     load: 0.0,
                     held,
+                    holds,
+                    sense: 1.0,
                     dragged,
                     impulse: 0.0,
                     stood,
@@ -250,41 +280,64 @@ impl Friction {
             let strongest = self.tight[self.under(i)].iter().reduce(|a, b| if b.held > a.held { b } else { a });
             if let Some(tight) = strongest {
                 let below = tight.below as usize;
-                let belt = tight.skin;
-                if bodies.ux[i] == bodies.ux[below] + belt {
+                let (belt, began) = (tight.skin, bodies.began_across(below));
+                if tight.sense != 1.0 && tight.grip != Grip::Stick {
+                    // It slid until it had the velocity of what carries it, and then slides back.
+                    let part = 0.5 * (1.0 - tight.sense);
+                    let turns = began + part * (bodies.ux[below] - began) + belt;
+                    mean = 0.5 * (part * (bodies.vx[i] + turns) + (1.0 - part) * (turns + bodies.ux[i]));
+                } else if bodies.ux[i] == bodies.ux[below] + belt {
                     let carried = bodies.mean_vx[below] + belt;
-                    let sliding = bodies.vx[i] - bodies.vx[below] - belt;
-                    mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * self.time_to_stop(bodies, i, sliding) };
+                    let sliding = bodies.vx[i] - began - belt;
+                    let gained = bodies.free_vx[i] - bodies.vx[i] - (bodies.ux[below] - began);
+                    mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * self.time_to_stop(i, sliding, gained) };
                 }
             }
             bodies.mean_vx[i] = mean;
         }
     }
 
-    /// How long, as a part of the step, a body that slides and stops within it slides on.
-    fn time_to_stop(&self, bodies: &Bodies, i: usize, sliding: f64) -> f64 {
+    /// How long, as a part of the step, a body that slides and stops within it slides on: `gained` is what its sliding would gain without
+    /// friction, m/s.
+    fn time_to_stop(&self, i: usize, sliding: f64, gained: f64) -> f64 {
         let dragged: f64 = self.tight[self.under(i)].iter().map(|t| t.dragged).sum();
-        let slowed = dragged.copysign(sliding) / self.riders[i].mass - (bodies.free_vx[i] - bodies.vx[i]);
+        let slowed = dragged.copysign(sliding) / self.riders[i].mass - gained;
         if slowed == 0.0 { 1.0 } else { (sliding / slowed).clamp(0.0, 1.0) }
+    }
+
+    /// Its neighbours have told a body how fast it is: it is no slide that ends by itself.
+    pub fn tell(&mut self, i: usize) {
+        let under = self.under(i);
+        self.tight[under].iter_mut().for_each(|tight| tight.stood = true);
     }
 
     /// From now on only kinetic friction acts under a body, for it is being pushed along.
     pub fn drag(&mut self, i: usize) {
         let under = self.under(i);
         for tight in &mut self.tight[under] {
-            tight.held = tight.dragged;
+            (tight.held, tight.holds) = (tight.dragged, tight.dragged);
         }
     }
 
     /// Solves the velocities across of what is gripped, from the momenta `given`; leaves in `riders` what each body carries.
+    ///
+    /// What slid at the start, faster than friction could stop the body alone, is expected to go on sliding: so what lies between bodies that slide over it is not taken for a part of both.
     pub fn solve(&mut self, bodies: &mut Bodies, given: &[f64]) {
-        for tight in &mut self.tight {
-            tight.grip = Grip::Stick;
+        for k in 0..self.gripped.len() {
+            let i = self.gripped[k] as usize;
+            for c in self.under(i) {
+                let tight = &mut self.tight[c];
+                let sliding = self.began[i] - bodies.began_across(tight.below as usize) - tight.skin;
+                let lasts = !tight.stood && bodies.mass[i] * sliding.abs() > tight.dragged;
+                tight.grip = if lasts { Grip::Slip(-sliding.signum()) } else { Grip::Stick };
+                tight.sense = 1.0;
+            }
         }
+        self.turned = false;
         for round in 0..ROUNDS {
             self.gather(bodies, given, round == 0);
             if !self.spread(bodies) {
-                if self.carried || self.dissipates(bodies, given) {
+                if self.carried || self.turned || self.dissipates(bodies, given) {
                     return;
                 }
                 break;
@@ -307,7 +360,7 @@ impl Friction {
     /// The way out where the grips do not settle: contact by contact, friction brings its two bodies together as far as its limit
     /// allows. Always dissipates, but what sticks high up is stopped only after many steps.
     fn relax(&mut self, bodies: &mut Bodies, given: &[f64]) {
-        let n = bodies.len();
+        self.turned = false;
         for &i in &self.gripped {
             let i = i as usize;
             bodies.ux[i] = given[i] / bodies.mass[i];
@@ -317,22 +370,31 @@ impl Friction {
             (tight.grip, tight.impulse) = (Grip::Stick, 0.0);
         }
         for _ in 0..SWEEPS {
-            for k in 0..self.gripped.len() {
-                let i = self.gripped[k] as usize;
-                for c in self.under(i) {
-                    let tight = &mut self.tight[c];
-                    let below = tight.below as usize;
-                    let share = |i: usize, moves: bool| if moves { 1.0 / bodies.mass[i] } else { 0.0 };
-                    let (mine, other) = (share(i, true), share(below, below < n && self.is_awake[below]));
-                    let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below] - tight.skin) / (mine + other);
-                    let more = wanted.clamp(-tight.held, tight.held) - tight.impulse;
-                    tight.impulse += more;
-                    bodies.ux[i] += more * mine;
-                    bodies.ux[below] -= more * other;
-                    self.riders[below].momentum -= more;
-                }
+            self.sweep(bodies);
+        }
+    }
+
+    /// Contact by contact, brings two bodies together as far as the limit allows. Returns the greatest change of a velocity, m/s.
+    pub fn sweep(&mut self, bodies: &mut Bodies) -> f64 {
+        let n = bodies.len();
+        let mut most = 0.0f64;
+        for k in 0..self.gripped.len() {
+            let i = self.gripped[k] as usize;
+            for c in self.under(i) {
+                let tight = &mut self.tight[c];
+                let below = tight.below as usize;
+                let share = |i: usize, moves: bool| if moves { 1.0 / bodies.mass[i] } else { 0.0 };
+                let (mine, other) = (share(i, true), share(below, below < n && self.is_awake[below]));
+                let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below] - tight.skin) / (mine + other);
+                let more = wanted.clamp(-tight.held, tight.held) - tight.impulse;
+                tight.impulse += more;
+                bodies.ux[i] += more * mine;
+                bodies.ux[below] -= more * other;
+                self.riders[below].momentum -= more;
+                most = most.max(more.abs() * mine.max(other));
             }
         }
+        most
     }
 
     /// Top-down: mass and momentum of all that sticks to a body, and what slides on it gives.
@@ -340,7 +402,8 @@ impl Friction {
         let n = bodies.len();
         for &i in &self.gripped {
             let i = i as usize;
-            self.riders[i] = Node { momentum: given[i], mass: bodies.mass[i], ..Node::default() };
+            let mass = bodies.mass[i];
+            self.riders[i] = Node { momentum: given[i], began: mass * self.began[i], mass, ..Node::default() };
         }
         for k in (0..self.gripped.len()).rev() {
             let i = self.gripped[k] as usize;
@@ -350,16 +413,21 @@ impl Friction {
                 continue;
             }
             let held: f64 = self.tight[under.clone()].iter().map(|t| t.held).sum();
-            if guess && (mine.momentum.abs() > held) && self.tight[under.clone()].iter().all(|t| t.below as usize >= n) {
-                for tight in &mut self.tight[under.clone()] {
-                    tight.grip = Grip::Slip(-mine.momentum.signum());
+            let on_surfaces = self.tight[under.clone()].iter().all(|t| t.below as usize >= n);
+            if guess && on_surfaces {
+                let first = &self.tight[under.start];
+                let sliding = mine.momentum - mine.mass * (bodies.ux[first.below as usize] + first.skin);
+                if sliding.abs() > held {
+                    for tight in self.tight[under.clone()].iter_mut().filter(|tight| tight.stood) {
+                        tight.grip = Grip::Slip(-sliding.signum());
+                    }
                 }
             }
             let mut held = 0.0;
             for tight in &mut self.tight[under.clone()] {
                 match tight.grip {
                     Grip::Slip(sign) => {
-                        tight.impulse = sign * tight.dragged;
+                        tight.impulse = sign * tight.dragged * tight.sense;
                         self.riders[i].momentum += tight.impulse;
                         if (tight.below as usize) < n {
                             self.riders[tight.below as usize].momentum -= tight.impulse;
@@ -377,10 +445,16 @@ impl Friction {
                     let part = tight.held / held;
                     let below = &mut self.riders[tight.below as usize];
                     below.momentum += part * mine.momentum;
+                    below.began += part * mine.began;
                     below.mass += part * mine.mass;
                 }
             }
         }
+    }
+
+    /// What static friction can hold of a body, by all supports to which it sticks, N·s.
+    fn holds(&self, under: std::ops::Range<usize>) -> f64 {
+        self.tight[under].iter().filter(|tight| tight.grip == Grip::Stick).map(|tight| tight.holds).sum()
     }
 
     /// Bottom-up: the velocities. Returns whether some contact had to change its grip.
@@ -408,6 +482,12 @@ impl Friction {
                 let target = carry(&self.tight[best]);
                 let impulse = mine.mass * target - mine.momentum;
                 velocity = target;
+                // What slid and has come to its end within the step is held by static friction then, which need not answer what it began with.
+                let first = mine.began - mine.mass * (bodies.began_across(self.tight[best].below as usize) + self.tight[best].skin);
+                let ends = !self.tight[best].stood && (impulse.abs() <= held || first * impulse > 0.0);
+                let (holds, needs) = if ends { (self.holds(under.clone()), impulse + first) } else { (held, impulse) };
+                // Or it slides back, for what is left of the step.
+                let sense = if ends { 1.0 - 2.0 * first.abs() / (needs.abs() + held) } else { 1.0 };
                 for c in under.clone() {
                     let other = carry(&self.tight[c]);
                     let tight = &mut self.tight[c];
@@ -418,8 +498,9 @@ impl Friction {
                     if other != target {
                         tight.grip = Grip::Slip((other - target).signum());
                         changed = true;
-                    } else if impulse.abs() > held * (1.0 + ROUNDING) {
-                        tight.grip = Grip::Slip(impulse.signum());
+                    } else if needs.abs() > holds * (1.0 + ROUNDING) {
+                        (tight.grip, tight.sense) = (Grip::Slip(needs.signum()), sense);
+                        self.turned |= ends;
                         changed = true;
                     }
                 }

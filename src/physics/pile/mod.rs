@@ -23,6 +23,7 @@ mod contacts;
 mod cross;
 mod def;
 mod dense;
+mod drag;
 mod driver;
 mod flight;
 mod friction;
@@ -36,14 +37,14 @@ mod reach;
 mod report;
 mod walls;
 
+use super::guards::Guards;
 use super::{Aabb, Sides};
 use bodies::{Bodies, Traits};
 use def::check;
 pub use def::{PileBody, PileDef, PileError, PileSurface};
 use dense::Dense;
-pub use dense::Guards;
-use driver::Driver;
 pub(in crate::physics) use driver::{Advance, Store, Verdict};
+use driver::{Driver, Target};
 use glam::DVec2;
 pub use impacts::Axis;
 use islands::Islands;
@@ -129,6 +130,7 @@ impl Pile {
                 kinetic_friction: body.kinetic_friction,
             };
         }
+        bodies.airy = def.air_density > 0.0 && def.bodies.iter().any(|body| body.drag_area != DVec2::ZERO || body.drag_round > 0.0);
         bodies.elastic = def.bodies.iter().any(|body| body.restitution == 1.0);
         bodies.lively = def.bodies.iter().any(|body| body.restitution > 0.0);
         for (j, surface) in def.surfaces.iter().enumerate() {
@@ -146,7 +148,7 @@ impl Pile {
             driver: Driver::new(n),
             down,
             gravity,
-            drag: def.air_density > 0.0 && def.bodies.iter().any(|body| body.drag_area != DVec2::ZERO || body.drag_round > 0.0),
+            drag: bodies.airy,
             rest_speed: def.rest_speed,
             may_sleep: def.sleep,
             last_dt: 0.0,
@@ -175,16 +177,31 @@ impl Pile {
 
     /// Moves a surface during the next step so that its centre is there at the end of it, m. After that it stands, unless moved again.
     pub fn move_surface(&mut self, surface: usize, centre: DVec2) {
+        self.lead_surface(surface, centre, None);
+    }
+
+    /// The same for a surface that speeds up or slows down: with how fast it moves when the step ends, m/s. What rides on it does so, too.
+    pub fn lead_surface(&mut self, surface: usize, centre: DVec2, velocity: Option<DVec2>) {
         if self.driver.add_moving(surface) {
             self.neighbours.set_moving(surface);
         }
-        self.driver.targets.push((surface as u32, centre * DVec2::new(1.0, self.down)));
+        let turned = DVec2::new(1.0, self.down);
+        let (centre, velocity) = (centre * turned, velocity.map(|velocity| velocity * turned));
+        self.driver.targets.push(Target { surface: surface as u32, centre, velocity });
     }
 
     /// Tells all that a surface sweeps in the next step, m, where it does not go straight to its end.
     pub(in crate::physics) fn sweep_surface(&mut self, surface: usize, swept: &Aabb) {
         let (top, bottom) = if self.down < 0.0 { (-swept.max.y, -swept.min.y) } else { (swept.min.y, swept.max.y) };
         self.driver.ways.push((surface as u32, [swept.min.x, swept.max.x, top, bottom]));
+    }
+
+    /// Feeds how fast surfaces moved when the last step ended to `write`: what had that velocity rides on them.
+    pub(in crate::physics) fn hash_surfaces(&self, write: &mut impl FnMut(u64)) {
+        let (n, moving) = (self.bodies.len(), &self.driver.moving);
+        for j in moving.iter().map(|j| n + *j as usize) {
+            [self.bodies.vx[j], self.bodies.vy[j]].into_iter().for_each(|value| write(value.to_bits()));
+        }
     }
 
     /// Puts a surface where it is, m, without a step.
@@ -232,9 +249,14 @@ impl Pile {
         &self.driver.squeezed
     }
 
-    /// How often each guard has fired since the start.
-    pub fn guards(&self) -> Guards {
-        self.dense.guards
+    /// How often each guard of the dense method has acted since the start.
+    pub fn guards(&self) -> &Guards {
+        &self.dense.guards
+    }
+
+    /// The same, and begins to count anew.
+    pub(in crate::physics) fn take_guards(&mut self) -> Guards {
+        std::mem::take(&mut self.dense.guards)
     }
 
     /// The number of bodies.

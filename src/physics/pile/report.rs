@@ -277,12 +277,12 @@ fn listed(bodies: &Bodies, record: &Record, touch: f64, down: f64) -> ContactImp
     let middle = |x: &[f64], h: &[f64]| 0.5 * ((x[i] - h[i]).max(x[j] - h[j]) + (x[i] + h[i]).min(x[j] + h[j]));
     let (point, impact) = match axis {
         Axis::Gravity => {
-            let closes = (bodies.vy[i] - bodies.vy[j]) * side(&bodies.y) > touch;
+            let closes = (bodies.vy[i] - bodies.vy[j]) * side(&bodies.y) > touch && !bodies.rides_along(i, j, 0.0);
             let point = DVec2::new(middle(&bodies.px, &bodies.hx), bodies.py[i] + side(&bodies.y) * bodies.hy[i]);
             (point, closes || gap(&bodies.y, &bodies.hy) > touch)
         }
         Axis::Across => {
-            let closes = (bodies.vx[i] - bodies.vx[j]) * side(&bodies.x) > touch;
+            let closes = (bodies.vx[i] - bodies.vx[j]) * side(&bodies.x) > touch && !bodies.rides_across(i, j, 0.0);
             let point = DVec2::new(bodies.px[i] + side(&bodies.x) * bodies.hx[i], middle(&bodies.py, &bodies.hy));
             (point, closes || gap(&bodies.x, &bodies.hx) > touch)
         }

@@ -151,7 +151,7 @@ impl Walls {
         let n = bodies.len();
         let (a, b, press) = (edge.a as usize, edge.b as usize, edge.impulse.max(0.0));
         let (i, j) = if a < n { (a, b) } else { (b, a) };
-        let skin = bodies.uy[j] + bodies.skin(j, 0, i == b);
+        let skin = (if j < n { bodies.uy[j] } else { bodies.mean_vy[j] }) + bodies.skin(j, 0, i == b);
         if press == 0.0 || bodies.uy[i] == skin {
             return;
         }

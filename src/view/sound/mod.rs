@@ -1,71 +1,42 @@
-//! Sounds: which event is heard as what, and how loudly. The waves are computed at the start (`waves`); where the build has no
-//! sound (on Linux without the feature `audio`) the [`Speaker`] is silent and the game is whole without it.
+//! Sound: what is heard of the game, computed as it is played; no file is read and nothing waits for it.
+//!
+//! The way of a sound: `heard` says which event is heard as what, and what the ship hears all the time ([`Ambience`]). The
+//! [`Speaker`] gathers that for a frame and writes it into a `desk` of atomics. The [`Mixer`] reads the desk and computes stereo samples:
+//! one-shot `voice`s after the `recipe`s of the cues, the `bed` of engine, wind and liquid, and the `music`. An `output` takes the samples to a
+//! device on a thread of its own. Neither side ever waits for the other, and where there is no device the desk is simply not read.
 
-#[cfg(any(feature = "audio", windows, target_os = "macos"))]
-mod loud;
-#[cfg(not(any(feature = "audio", windows, target_os = "macos")))]
-mod silent;
-#[cfg(any(feature = "audio", windows, target_os = "macos", test))]
-mod waves;
+mod bed;
+mod cue;
+mod desk;
+mod filter;
+mod heard;
+mod mixer;
+mod music;
+mod output;
+mod recipe;
+mod speaker;
+mod tune;
+mod voice;
 
-#[cfg(any(feature = "audio", windows, target_os = "macos"))]
-pub use loud::Speaker;
-#[cfg(not(any(feature = "audio", windows, target_os = "macos")))]
-pub use silent::Speaker;
+pub use cue::{Cue, Stuff};
+pub use desk::{Desk, Feed, desk};
+pub use heard::{Ambience, Ear, Sound, tune};
+pub use mixer::Mixer;
+pub use speaker::Speaker;
 
-use crate::game::{DAMAGING_SPEED, GameEvent};
-
-/// A sound that is played once.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cue {
-    /// Two things hit each other.
-    Knock,
-    /// The ship hit something so hard that it costs points.
-    Crash,
-    /// An objective is met.
-    Chime,
-    /// The level is complete.
-    Fanfare,
-    /// The ship is lost.
-    Fall,
-    /// A collision of the blocks that count π.
-    Click,
+/// How loud each part is, 0 … 1; what lies outside counts as the nearest end, and what is no number as silence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Volumes {
+    /// Everything.
+    pub master: f32,
+    /// Engine, wind, liquids, knocks, chimes, buttons.
+    pub effects: f32,
+    /// Music; at 0 none is computed.
+    pub music: f32,
 }
 
-impl Cue {
-    /// All of them; a cue's number is its place here.
-    pub const ALL: [Self; 6] = [Self::Knock, Self::Crash, Self::Chime, Self::Fanfare, Self::Fall, Self::Click];
-}
-
-/// What an event sounds like, and how loud it is (0 … 1); `None` for what is not heard.
-pub fn heard(event: &GameEvent) -> Option<(Cue, f32)> {
-    match event {
-        GameEvent::Impact { speed, .. } => Some((Cue::Knock, (speed / DAMAGING_SPEED).min(1.0) as f32)),
-        GameEvent::Crushed { .. } => Some((Cue::Knock, 1.0)),
-        GameEvent::DamagingHit { .. } => Some((Cue::Crash, 1.0)),
-        GameEvent::ObjectiveMet(_) => Some((Cue::Chime, 1.0)),
-        GameEvent::Completed => Some((Cue::Fanfare, 1.0)),
-        GameEvent::Died => Some((Cue::Fall, 1.0)),
-        GameEvent::ObjectiveLost(_) => None,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::physics::DVec2;
-
-    #[test]
-    fn harder_knocks_are_louder_and_none_is_too_loud() {
-        let knock = |speed| heard(&GameEvent::Impact { point: DVec2::ZERO, speed, normal: DVec2::NEG_Y });
-        assert_eq!(knock(5.0), Some((Cue::Knock, 0.5)));
-        assert_eq!(knock(1e9), Some((Cue::Knock, 1.0)));
-    }
-
-    #[test]
-    fn a_cue_is_found_at_its_number() {
-        for (number, cue) in Cue::ALL.into_iter().enumerate() {
-            assert_eq!(cue as usize, number);
-        }
+impl Default for Volumes {
+    fn default() -> Self {
+        Self { master: 0.9, effects: 0.9, music: 0.6 }
     }
 }

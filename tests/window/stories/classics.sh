@@ -22,10 +22,10 @@ expect classics-menu-again resembles classics-menu 3
 click $(column_button 3)
 expect classics-by-mouse resembles classics 3
 for index in 0 1 2; do
-  click $(column_button "$index")
+  click $(classic_button "$index")
   expect "classics-${scenes[index]}-by-mouse" differs classics 3
   press Escape
   expect classics-by-mouse resembles classics 3
 done
-click $(column_button 3) # Back
+click $(classic_button 3) # Back
 expect classics-menu-again resembles classics-menu 3

@@ -13,7 +13,7 @@ expect leaderboards-levels differs leaderboards-menu 3
 press Return
 expect leaderboards-top differs leaderboards-levels 3
 expect leaderboards-top shows "$yellow" 22 24 56 8 0.1
-press Down Down Down Down
+press Down
 expect leaderboards-by-key differs leaderboards-top 0.3
 press Up Up Up Up Up Up # never past the end
 expect leaderboards-top-again resembles leaderboards-top 0.3

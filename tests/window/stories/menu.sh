@@ -12,5 +12,5 @@ press Down Return
 expect menu-left differs menu-first 3
 press Escape
 expect menu-again resembles menu-first 2
-press Down Down Down Down Down Down Down Return # Quit is the last one, and the arrows stop there
+press Down Down Down Down Down Down Return # Quit is the last one of the column
 closes_itself

@@ -12,10 +12,15 @@ const LONGEST: f64 = 60.0;
 /// How far the ship shall stay from what is deadly, and from walls and roofs, m.
 const OFF_RED: f64 = 0.7;
 const OFF_WALLS: f64 = 0.4;
-/// Hits of walls in flight, of objects, and of the ground where it lands, that are gentle enough, m/s.
-const GENTLE_BUMP: f64 = 0.5;
-const GENTLE_PUSH: f64 = 3.0;
-const GENTLE_LANDING: f64 = 3.0;
+/// Hits that are gentle enough.
+const GENTLE: Hits = Hits { bump: 0.5, push: 3.0, landing: 3.0 };
+
+/// Speeds of hits of walls in flight, of objects, and of the ground where the ship lands, m/s.
+struct Hits {
+    bump: f64,
+    push: f64,
+    landing: f64,
+}
 
 /// A flight and what was seen of it.
 #[derive(Clone, Debug)]
@@ -105,11 +110,11 @@ impl Flight {
             match b {
                 Obstacle::Body(b) if a == SHIP || b == SHIP => {
                     self.hardest_push = self.hardest_push.max(speed);
-                    self.knocks += u32::from(!pushes && speed > GENTLE_BUMP);
+                    self.knocks += u32::from(!pushes && speed > GENTLE.bump);
                 }
                 Obstacle::Surface(_) if a == SHIP => {
                     self.hardest_landing = self.hardest_landing.max(speed);
-                    self.bumps += u32::from(flies && speed > GENTLE_BUMP);
+                    self.bumps += u32::from(flies && speed > GENTLE.bump);
                 }
                 _ => {}
             }
@@ -129,9 +134,9 @@ impl Flight {
             - 5.0 * f64::from(self.near_walls)
             - 200.0 * f64::from(self.bumps)
             - 600.0 * f64::from(self.knocks)
-            - 400.0 * (self.hardest_push - GENTLE_PUSH).max(0.0)
-            - 400.0 * (self.hardest_landing - GENTLE_LANDING).max(0.0)
-            - 800.0 * (self.last_speed - GENTLE_LANDING).max(0.0)
+            - 400.0 * (self.hardest_push - GENTLE.push).max(0.0)
+            - 400.0 * (self.hardest_landing - GENTLE.landing).max(0.0)
+            - 800.0 * (self.last_speed - GENTLE.landing).max(0.0)
             - 300.0 * f64::from(self.pushes_left)
             - 3e3 * self.aside
     }

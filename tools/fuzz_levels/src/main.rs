@@ -1,33 +1,88 @@
-//! `cargo run --release -- 100000 [first seed]`: so many random levels, each loaded from its texts, played for 300 ticks with random
-//! keys, and held against [`World::validate`] after every tick. It prints what failed, by kind, each with a seed.
-//! `cargo run --release -- show SEED`: the texts of one, and what becomes of it.
-//! `cargo run --release -- worst [part of a name]`: the mean and the longest tick of scenes made to be slow.
+//! Random levels, each loaded from its texts, played for 300 ticks with random keys, and held against
+//! [`World::validate`](resultant::physics::World::validate) after every tick.
+//!
+//! `cargo run --release -- fuzz 100000 --log levels.jsonl`: so many of them, a line each in the log. Stopped and called again it goes on
+//! where it was, and several may write logs of their own.
+//! `… -- summary levels.jsonl …`: what those logs hold together. `… -- show SEED`: the texts of one level, and what becomes of it.
+//! `… -- worst [part of a name]`: the mean and the longest tick of scenes made to be slow.
 
 #[path = "../../../tests/support/levels.rs"]
 mod levels;
+mod log;
+#[path = "../../../tests/support/memory.rs"]
+#[allow(dead_code)] // How often is asked elsewhere.
+mod memory;
 mod play;
 #[path = "../../../tests/support/random.rs"]
 mod random;
+mod summary;
 mod worst;
 
-use play::{End, play};
+use clap::Parser;
+use log::Log;
+use play::play;
 use random::Random;
-use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
-/// The level that is being played, for the one that never ends.
-static PRESENT: AtomicU64 = AtomicU64::new(u64::MAX);
+#[global_allocator]
+static ALLOCATOR: memory::Counting = memory::Counting;
+
 /// A level takes some milliseconds; one that takes this long is told at once.
 const PATIENCE: Duration = Duration::from_secs(20);
+/// No level is being played.
+const NONE: u64 = u64::MAX;
 
-fn main() {
-    let args: Vec<String> = std::env::args().skip(1).collect();
-    let number = |at: usize| args.get(at).and_then(|text| text.parse().ok());
-    match args.first().map(String::as_str) {
-        Some("worst") => worst::table(args.get(1).map_or("", String::as_str)),
-        Some("show") => show(number(1).expect("a seed")),
-        _ => fuzz(number(1).unwrap_or(0), number(0).expect("how many levels, or `worst`, or `show SEED`")),
+#[derive(Parser)]
+#[command(about = "Random levels, loaded, played and held against every law")]
+enum Call {
+    /// Plays levels
+    Fuzz {
+        /// How many
+        count: u64,
+        /// The first of their seeds
+        #[arg(long, default_value_t = 0)]
+        first: u64,
+        /// How many are played at once
+        #[arg(long, default_value_t = 2)]
+        threads: usize,
+        /// Keeps what came of each; those that it holds already are not played again
+        #[arg(long, default_value = "target/levels.jsonl")]
+        log: PathBuf,
+    },
+    /// Tells what logs hold
+    Summary { logs: Vec<PathBuf> },
+    /// Prints a level and what becomes of it
+    Show { seed: u64 },
+    /// Times scenes made to be slow
+    Worst {
+        #[arg(default_value = "")]
+        part: String,
+    },
+}
+
+fn main() -> ExitCode {
+    let done = match Call::parse() {
+        Call::Fuzz { count, first, threads, log } => fuzz(first, count, threads, log),
+        Call::Summary { logs } => log::read(&logs).map(|levels| summary::print(&levels)),
+        Call::Show { seed } => {
+            show(seed);
+            Ok(true)
+        }
+        Call::Worst { part } => {
+            worst::table(&part);
+            Ok(true)
+        }
+    };
+    match done {
+        Ok(well) => ExitCode::from(u8::from(!well)),
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::from(2)
+        }
     }
 }
 
@@ -38,53 +93,48 @@ fn show(seed: u64) {
     println!("{:#?}", play(seed));
 }
 
-/// What came of all levels of one kind of end.
-#[derive(Default)]
-struct Row {
-    count: u64,
-    seed: u64,
-    example: String,
+/// Whether everything held in all that the log holds in the end.
+fn fuzz(first: u64, count: u64, threads: usize, path: PathBuf) -> Result<bool, String> {
+    let log = Log::open(&path)?;
+    let left: Vec<u64> = (first..first + count).filter(|seed| !log.holds(*seed)).collect();
+    let (next, log) = (AtomicU64::new(0), Mutex::new(log));
+    let present: Vec<AtomicU64> = (0..threads.max(1)).map(|_| AtomicU64::new(NONE)).collect();
+    std::panic::set_hook(Box::new(|_| {})); // A panic is one of the things that a level can end in.
+    let work = |present: &AtomicU64| -> Result<(), String> {
+        while let Some(&seed) = left.get(next.fetch_add(1, Ordering::Relaxed) as usize) {
+            present.store(seed, Ordering::Relaxed);
+            let level = play(seed);
+            log.lock().map_err(|_| "the log was left in the middle of a line")?.add(&level)?;
+        }
+        present.store(NONE, Ordering::Relaxed);
+        Ok(())
+    };
+    let work = &work;
+    let played = std::thread::scope(|scope| {
+        let workers: Vec<_> = present.iter().map(|present| scope.spawn(move || work(present))).collect();
+        watch(&present, || workers.iter().all(|worker| worker.is_finished()));
+        workers.into_iter().try_for_each(|worker| worker.join().map_err(|_| "a thread ended early".to_owned())?)
+    });
+    played.and_then(|()| log::read(&[path])).map(|levels| summary::print(&levels))
 }
 
-fn fuzz(first: u64, count: u64) {
-    std::thread::spawn(watch);
-    std::panic::set_hook(Box::new(|_| {}));
-    let mut rows: BTreeMap<String, Row> = BTreeMap::new();
-    let (mut played, mut busy, mut slowest) = (0, 0, (0.0, 0));
-    for seed in first..first + count {
-        PRESENT.store(seed, Ordering::Relaxed);
-        let played_level = play(seed);
-        played += u64::from(!matches!(played_level.end, End::Refused));
-        busy += u64::from(played_level.budgets_used_up > 0);
-        if played_level.slowest > slowest.0 {
-            slowest = (played_level.slowest, seed);
+/// Tells which levels do not end, until all is done.
+fn watch(present: &[AtomicU64], done: impl Fn() -> bool) {
+    let (mut last, mut waited) = (vec![NONE; present.len()], Duration::ZERO);
+    const PAUSE: Duration = Duration::from_millis(100);
+    while !done() {
+        std::thread::sleep(PAUSE);
+        waited += PAUSE;
+        if waited < PATIENCE {
+            continue;
         }
-        for (kind, example) in played_level.faults {
-            let row = rows.entry(kind).or_default();
-            row.count += 1;
-            if row.count == 1 {
-                (row.seed, row.example) = (seed, example);
+        waited = Duration::ZERO;
+        for (last, now) in last.iter_mut().zip(present) {
+            let now = now.load(Ordering::Relaxed);
+            if now == *last && now != NONE {
+                eprintln!("seed {now} takes longer than {PATIENCE:?}");
             }
+            *last = now;
         }
-    }
-    println!("{count} levels, {played} of them accepted and played, {busy} of those with a budget used up");
-    println!("slowest tick: {:.3} ms, seed {}", slowest.0 * 1e3, slowest.1);
-    println!("| kind | levels | first seed | what |\n|---|---|---|---|");
-    for (kind, Row { count, seed, example }) in &rows {
-        println!("| {kind} | {count} | {seed} | {example:.300} |");
-    }
-    std::process::exit(i32::from(!rows.is_empty()));
-}
-
-/// Tells which level does not end.
-fn watch() {
-    let mut last = u64::MAX;
-    loop {
-        std::thread::sleep(PATIENCE);
-        let now = PRESENT.load(Ordering::Relaxed);
-        if now == last {
-            eprintln!("seed {now} takes longer than {PATIENCE:?}");
-        }
-        last = now;
     }
 }

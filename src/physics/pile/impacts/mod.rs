@@ -9,6 +9,10 @@
 //! On something immovable the bounces of e < 1 have a sum: once all of them end within the step, the body stays; where many would come,
 //! as many whole ones as fit are passed over in closed form. What is left after [`Impacts::budget`] impacts is left to the plastic solution.
 
+mod bounce;
+mod course;
+mod due;
+
 use super::bodies::Bodies;
 use super::contacts::Contacts;
 use super::dense::StepSize;
@@ -16,14 +20,12 @@ use super::gravity::Anchors;
 use super::islands::Island;
 use super::neighbours::Neighbours;
 use super::reach::Reach;
-use std::cmp::Ordering;
+use course::{Course, time_of_impact};
+use due::{Due, Pair};
 use std::collections::BinaryHeap;
 
 /// Impacts slower than this are none, m/s. Smaller: rounding bounces.
 const SLOWEST: f64 = 1e-9;
-/// A bounce this part of what is left of the step long, or shorter, is passed over with those that follow.
-const SHORT: f64 = 0.25;
-
 /// A pair of e < 1 that has bounced so often in one step is left to the plastic solution: such series have a sum. Fewer: bounces end
 /// early; more: inelastic collapse costs the whole budget.
 const RATTLE: u32 = 12;
@@ -50,66 +52,6 @@ pub(super) struct Impact {
     pub friction: f64,
     /// Middle of the contact, m.
     pub point: (f64, f64),
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Pair {
-    a: u32,
-    b: u32,
-    restitution: f64,
-    /// Counts how often its bodies were hit: what was due before is void.
-    version: u32,
-    /// How often it has bounced.
-    hits: u32,
-}
-
-/// A pair will touch.
-#[derive(Clone, Copy, Debug)]
-struct Due {
-    time: f64,
-    speed: f64,
-    pair: u32,
-    version: u32,
-    axis: usize,
-}
-
-impl PartialEq for Due {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Due {}
-
-impl PartialOrd for Due {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Due {
-    /// The greatest is the earliest, then the fastest, then the first of the list.
-    fn cmp(&self, other: &Self) -> Ordering {
-        (other.time.total_cmp(&self.time)).then(self.speed.total_cmp(&other.speed)).then(other.pair.cmp(&self.pair))
-    }
-}
-
-/// The motion of one body along one axis: at the step's start as if it had never been hit, and its acceleration.
-#[derive(Clone, Copy, Debug, Default)]
-struct Course {
-    at: f64,
-    velocity: f64,
-    pull: f64,
-}
-
-impl Course {
-    fn place(&self, t: f64) -> f64 {
-        self.at + (self.velocity + 0.5 * self.pull * t) * t
-    }
-
-    fn speed(&self, t: f64) -> f64 {
-        self.velocity + self.pull * t
-    }
 }
 
 /// Where bodies may be thrown.
@@ -194,6 +136,9 @@ impl Impacts {
             return (false, false);
         }
         self.gather(bodies, island, anchors);
+        for &(a, b) in &around.reach.added {
+            self.add(bodies, a, b);
+        }
         self.follow_ups += 1;
         for pair in 0..self.pairs.len() {
             self.look(bodies, pair, 0.0);
@@ -231,6 +176,11 @@ impl Impacts {
         self.restore_free(bodies, members);
         self.all.clear();
         self.any = false;
+    }
+
+    /// How fast a body was across when the step began, or would have been to have now what impacts gave it, m/s.
+    pub fn began_across(&self, bodies: &Bodies, i: usize) -> f64 {
+        if self.any && self.was_hit(i) { self.courses[0][i].velocity } else { bodies.vx[i] }
     }
 
     /// Whether a body was hit when impacts were followed last.
@@ -386,176 +336,6 @@ impl Impacts {
         }
     }
 
-    /// One impact.
-    fn bounce(&mut self, bodies: &mut Bodies, anchors: &Anchors, around: &mut Around<'_>, due: Due) {
-        let n = bodies.len();
-        let Due { time, speed, axis, .. } = due;
-        let Pair { a, b, restitution, .. } = self.pairs[due.pair as usize];
-        let (a, b) = (a as usize, b as usize);
-        let (of_a, of_b) = (self.courses[axis][a], self.courses[axis][b]);
-        let (at_a, at_b) = (of_a.place(time), of_b.place(time));
-        let side = if at_b < at_a { -1.0 } else { 1.0 };
-        // What rests is ground for what falls on it.
-        let courses = &self.courses[1];
-        let is_held = |i: usize| axis == 1 && i < n && anchors.rests[i] && courses[i].velocity == bodies.uy[i];
-        let (a_rests, b_rests) = (is_held(a), is_held(b));
-        let held = |upper: usize, rests: bool, falls: bool| falls && upper < n && rests;
-        let share = |i: usize, fixed: bool| if i < n && !fixed { 1.0 / bodies.mass[i] } else { 0.0 };
-        let (share_a, share_b) = (share(a, held(b, a_rests, side < 0.0)), share(b, held(a, b_rests, side > 0.0)));
-        if share_a + share_b == 0.0 {
-            return;
-        }
-        self.pairs[due.pair as usize].hits += 1;
-        let (until, leaves) = self.pass_over(due, restitution, share_a == 0.0 || share_b == 0.0);
-        // Relative velocity after, and what it takes.
-        let change = speed + leaves;
-        let impulse = change / (share_a + share_b);
-        let before = [of_a.speed(time), of_b.speed(time)];
-        let after = if share_b == 0.0 {
-            [before[1] - side * leaves, before[1]]
-        } else if share_a == 0.0 {
-            [before[0], before[0] + side * leaves]
-        } else {
-            [before[0] - side * impulse * share_a, before[1] + side * impulse * share_b]
-        };
-        let rub = self.rub(bodies, due, side, impulse);
-        let stirs = |i: usize, share: f64| i < n && self.still[i] && (share > 0.0 || rub != 0.0);
-        if self.skipped > 0 && (stirs(a, share_a) || stirs(b, share_b)) {
-            self.add_skipped(bodies, around.island);
-        }
-        for (i, share, rests) in [(a, share_a, a_rests), (b, share_b, b_rests)] {
-            if share > 0.0 && rests {
-                // Thrown off what carried it.
-                let pull = (bodies.free_vy[i] - bodies.vy[i]) / self.dt;
-                self.courses[1][i] = Course { at: bodies.y[i], velocity: bodies.vy[i], pull };
-                self.note_carried(bodies, i, anchors.on[i], pull * time);
-            }
-        }
-        if share_a > 0.0 {
-            let carried = if share_b == 0.0 { of_b.velocity * (until - time) } else { 0.0 };
-            self.set(bodies, a, axis, until, (at_a + carried, after[0]));
-        }
-        if share_b > 0.0 {
-            let carried = if share_a == 0.0 { of_a.velocity * (until - time) } else { 0.0 };
-            self.set(bodies, b, axis, until, (at_b + carried, after[1]));
-        }
-        for (i, rub) in [(a, rub), (b, -rub)] {
-            if rub != 0.0 && i < n {
-                let course = self.courses[1 - axis][i];
-                self.set(bodies, i, 1 - axis, time, (course.place(time), course.speed(time) + rub / bodies.mass[i]));
-            }
-        }
-        // Over whole bounces gravity has been answered too.
-        let pulled = (of_a.pull - of_b.pull) * side * (until - time) / (share_a + share_b);
-        let normal = -side * (impulse + pulled);
-        if axis == 1 {
-            for (i, share) in [(a, share_a), (b, share_b)] {
-                if share == 0.0 && i < n {
-                    self.struck[i] += normal.abs();
-                }
-            }
-        }
-        self.note(bodies, due, (normal, rub), side);
-        for i in [a, b] {
-            if i < n {
-                if !bodies.is_swept(i) {
-                    self.widen(bodies, around, i);
-                }
-                self.look_again(bodies, i, time.max(until));
-            }
-        }
-    }
-
-    /// Adds the pairs of a body that was thrown further than contacts were looked for.
-    fn widen(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize) {
-        around.reach.widen(bodies, around.neighbours, around.island, i, around.last);
-        for &(a, b) in &around.reach.new {
-            self.add(bodies, a, b);
-        }
-    }
-
-    /// When the bounces that are passed over end, and how fast the pair parts then.
-    fn pass_over(&self, due: Due, restitution: f64, fixed: bool) -> (f64, f64) {
-        let Pair { a, b, .. } = self.pairs[due.pair as usize];
-        let (of_a, of_b) = (&self.courses[due.axis][a as usize], &self.courses[due.axis][b as usize]);
-        let side = if of_b.place(due.time) < of_a.place(due.time) { -1.0 } else { 1.0 };
-        let (pull, leaves, left) = ((of_a.pull - of_b.pull) * side, restitution * due.speed, self.dt - due.time);
-        if !fixed || pull <= 0.0 {
-            return (due.time, leaves);
-        }
-        let first = 2.0 * leaves / pull;
-        if restitution < 1.0 && first <= left * (1.0 - restitution) {
-            return (due.time, 0.0);
-        }
-        if first > SHORT * left {
-            return (due.time, leaves);
-        }
-        if restitution >= 1.0 {
-            return ((due.time + (left / first).floor() * first).min(self.dt), leaves);
-        }
-        // n bounces take first·(1 − eⁿ)/(1 − e).
-        let count = (libm::log1p(-left * (1.0 - restitution) / first) / libm::log(restitution)).floor();
-        let slower = libm::pow(restitution, count);
-        ((due.time + first * (1.0 - slower) / (1.0 - restitution)).min(self.dt), leaves * slower)
-    }
-
-    /// Friction's impulse on the first of the pair, N·s.
-    fn rub(&self, bodies: &Bodies, due: Due, side: f64, impulse: f64) -> f64 {
-        let n = bodies.len();
-        let Pair { a, b, .. } = self.pairs[due.pair as usize];
-        let (a, b) = (a as usize, b as usize);
-        let across = &self.courses[1 - due.axis];
-        let sliding = across[a].speed(due.time) - across[b].speed(due.time) - bodies.skin(b, due.axis, side < 0.0);
-        let kinetic = |i: usize| bodies.traits[i].kinetic_friction;
-        let coefficient = if b < n { kinetic(a).min(kinetic(b)) } else { kinetic(b) };
-        let mass = 1.0 / (1.0 / bodies.mass[a] + if b < n { 1.0 / bodies.mass[b] } else { 0.0 });
-        -(coefficient * impulse).min(sliding.abs() * mass).copysign(sliding) * if sliding == 0.0 { 0.0 } else { 1.0 }
-    }
-
-    /// From `time` on, body i moves on from a place with a velocity.
-    fn set(&mut self, bodies: &mut Bodies, i: usize, axis: usize, time: f64, (place, speed): (f64, f64)) {
-        let dt = self.dt;
-        self.hit_in[i] = self.follow_ups;
-        let course = &mut self.courses[axis][i];
-        let old = *course;
-        if bodies.drag_wide[i] + bodies.drag_tall[i] > 0.0 {
-            let outer = if axis == 0 { bodies.ax[i] } else { bodies.ay[i] };
-            course.pull = outer + slowed(old.pull - outer, old.speed(time), speed, dt - time);
-        }
-        course.velocity = speed - course.pull * time;
-        course.at = place - (course.velocity + 0.5 * course.pull * time) * time;
-        let (p, free) = if axis == 0 { (&mut bodies.px, &mut bodies.free_vx) } else { (&mut bodies.py, &mut bodies.free_vy) };
-        let pulled = course.pull - old.pull;
-        p[i] += (course.at - old.at) + (course.velocity - old.velocity + 0.5 * pulled * dt) * dt;
-        free[i] += course.velocity - old.velocity + pulled * dt;
-    }
-
-    fn note(&mut self, bodies: &Bodies, due: Due, (normal, friction): (f64, f64), side: f64) {
-        let Pair { a, b, .. } = self.pairs[due.pair as usize];
-        let axis = if due.axis == 0 { Axis::Across } else { Axis::Gravity };
-        let place = |axis: usize, i: u32| self.courses[axis][i as usize].place(due.time);
-        let half = |axis: usize, i: u32| if axis == 0 { bodies.hx[i as usize] } else { bodies.hy[i as usize] };
-        let other = 1 - due.axis;
-        let low = (place(other, a) - half(other, a)).max(place(other, b) - half(other, b));
-        let high = (place(other, a) + half(other, a)).min(place(other, b) + half(other, b));
-        let (on, along) = (place(due.axis, a) + side * half(due.axis, a), 0.5 * (low + high));
-        let point = if due.axis == 0 { (on, along) } else { (along, on) };
-        self.all.push(Impact { a, b, axis, speed: due.speed, normal, friction, point });
-    }
-
-    /// Until a hit threw it off, what carried body i has given it this change of velocity, and taken what struck it from above.
-    fn note_carried(&mut self, bodies: &Bodies, i: usize, on: u32, change: f64) {
-        let impulse = bodies.mass[i] * change + std::mem::take(&mut self.struck[i]);
-        if on == NONE || impulse == 0.0 {
-            return;
-        }
-        if (on as usize) < bodies.len() {
-            self.struck[on as usize] += impulse;
-        }
-        let point = (bodies.x[i], bodies.y[i] + bodies.hy[i]);
-        self.all.push(Impact { a: i as u32, b: on, axis: Axis::Gravity, speed: 0.0, normal: -impulse, friction: 0.0, point });
-    }
-
     /// Looks at all pairs of a body that has been hit.
     fn look_again(&mut self, bodies: &Bodies, i: usize, now: f64) {
         let mut at = self.chain[i];
@@ -565,41 +345,5 @@ impl Impacts {
             self.look(bodies, pair, now);
             at = self.next[at as usize];
         }
-    }
-}
-
-/// The acceleration by drag after a hit, m/s²: it was `drag` at a velocity `before`, grows with the square, acts against the motion,
-/// and does not turn it round in the time `left`.
-fn slowed(drag: f64, before: f64, after: f64, left: f64) -> f64 {
-    let part = if before == 0.0 { 0.0 } else { after / before };
-    let most = if left > 0.0 { after.abs() / left } else { 0.0 };
-    -(drag * part * part).abs().min(most).copysign(after)
-}
-
-/// When a gap closes, s from now, and how fast it closes then, m/s: `closing` now, growing by `pull` a second.
-fn time_of_impact(gap: f64, closing: f64, pull: f64) -> Option<(f64, f64)> {
-    let square = closing * closing + 2.0 * pull * gap;
-    if square <= 0.0 {
-        return None;
-    }
-    let speed = square.sqrt();
-    if closing > 0.0 {
-        return Some((2.0 * gap / (closing + speed), speed));
-    }
-    (pull > 0.0).then(|| ((speed - closing) / pull, speed))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::time_of_impact;
-
-    #[test]
-    fn gaps_close_when_the_parabola_says_so() {
-        assert_eq!(time_of_impact(1.0, 1.0, 0.0), Some((1.0, 1.0)));
-        assert_eq!(time_of_impact(0.0, 3.0, 10.0), Some((0.0, 3.0)));
-        assert_eq!(time_of_impact(0.0, -3.0, 10.0), Some((0.6, 3.0)));
-        assert_eq!(time_of_impact(1.25, 0.0, 10.0), Some((0.5, 5.0)));
-        assert_eq!(time_of_impact(1.0, 1.0, -10.0), None);
-        assert_eq!(time_of_impact(1.0, -1.0, 0.0), None);
     }
 }

@@ -1,0 +1,35 @@
+//! Forces that are too strong for the masses that they act on: what two cells, each accepted by itself, come to together.
+
+use super::problem::Problem;
+use super::read::Draft;
+
+/// The most that thrust or a stream may accelerate anything, m/s²: 8 km/s and 35 m in a tick. Where more is asked for, one tick leads
+/// through a whole level, and what the result is depends on roundings.
+const MOST: f64 = 1e6;
+
+/// The ship, where its thrust is too strong for it, and every stream that is too strong for what is lightest.
+pub(super) fn check(draft: &Draft) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    if let Some(ship) = &draft.player {
+        let (thrust, mass) = (ship.item.thrust, ship.item.mass);
+        if thrust > MOST * mass {
+            let expected = format!("at most {} N, which is {MOST:e} m/s²", MOST * mass);
+            problems.push(ship.problem("thrust", format!("{thrust} N on a ship of {mass} kg"), expected));
+        }
+    }
+    let ship = draft.player.iter().map(|ship| ship.map(|ship| ship.mass));
+    let masses = ship.chain(draft.objects.iter().map(|object| object.map(|object| object.mass)));
+    let Some(lightest) = masses.min_by(|a, b| a.item.total_cmp(&b.item)) else { return problems };
+    for stream in &draft.streams {
+        let force = stream.item.force;
+        for (column, force) in [("force_x", force.x), ("force_y", force.y)] {
+            if force.abs() > MOST * lightest.item {
+                let (file, line, mass) = (lightest.file, lightest.line, lightest.item);
+                let found = format!("{force} N, with {mass} kg in {file}:{line}");
+                let expected = format!("at most {} N, which is {MOST:e} m/s² for what is lightest", MOST * mass);
+                problems.push(stream.problem(column, found, expected));
+            }
+        }
+    }
+    problems
+}

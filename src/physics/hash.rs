@@ -1,0 +1,124 @@
+//! The state's hash: every bit that decides about the future, and that can change.
+//!
+//! Each part of the state is taken apart field by field, so that one that is added is either written here or left out on purpose.
+
+use super::contact::Contact;
+use super::islands::Pause;
+use super::surface::Surface;
+use super::world::{State, World};
+use super::{Body, DVec2};
+
+impl World {
+    /// Feeds every bit of what decides about the future to `write`, for the state's hash. What rests, and whether contacts are known already,
+    /// is left out: it saves work and changes no bit of what comes (the tests of the plan hold it to that). So is what no tick changes:
+    /// liquids and streams, gravity, the paths of surfaces.
+    pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
+        let State { bodies, drives, surfaces, media: _, rest_speed: _, contacts, known: _, pauses, ticks } = &self.state;
+        bodies.iter().for_each(|body| hash_body(body, write));
+        drives.iter().for_each(|drive| hash_vector(*drive, write));
+        surfaces.iter().for_each(|surface| hash_surface(surface, write));
+        self.pile.hash_surfaces(write);
+        contacts.iter().for_each(|contact| hash_contact(contact, write));
+        for Pause { until, length } in pauses {
+            write(until.saturating_sub(*ticks));
+            write(u64::from(*length));
+        }
+    }
+}
+
+fn hash_vector(vector: DVec2, write: &mut impl FnMut(u64)) {
+    vector.to_array().into_iter().for_each(|value| write(value.to_bits()));
+}
+
+fn hash_body(body: &Body, write: &mut impl FnMut(u64)) {
+    let Body { position, velocity, acceleration, half, mass, drag, round, restitution, material, feels_air } = body;
+    [position, velocity, acceleration, half].into_iter().for_each(|vector| hash_vector(*vector, write));
+    let friction = [material.static_friction, material.kinetic_friction];
+    [*mass, *drag, *restitution].into_iter().chain(friction).for_each(|value| write(value.to_bits()));
+    write(u64::from(*round) | u64::from(*feels_air) << 1);
+}
+
+fn hash_surface(surface: &Surface, write: &mut impl FnMut(u64)) {
+    let Surface { bounds, velocity, material, present, def: _, clock, runs, wanted, moved } = surface;
+    [bounds.min, bounds.max, *velocity].into_iter().for_each(|vector| hash_vector(vector, write));
+    [material.static_friction, material.kinetic_friction, *clock].into_iter().for_each(|value| write(value.to_bits()));
+    write(u64::from(*runs) | u64::from(*present) << 1 | u64::from(*wanted) << 2 | u64::from(*moved) << 3);
+}
+
+/// What an event or a step finds out for itself about a contact is left out: the friction of its ends, and how it came about.
+fn hash_contact(contact: &Contact, write: &mut impl FnMut(u64)) {
+    let Contact { lo, hi, axis, slides, normal, friction, .. } = *contact;
+    write(u64::from(lo) << 32 | u64::from(hi));
+    write(axis as u64);
+    [slides, normal, friction].into_iter().for_each(|value| write(value.to_bits()));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Aabb, BodyDef, BodyId, Material, Path, Plan, SurfaceDef, WorldDef};
+    use super::*;
+
+    /// A lift with two crates on it, one driven, after a while.
+    fn world() -> World {
+        let path = Path::shuttle(DVec2::new(0.0, -3.0), 2.0, 0.5, 0.1);
+        let lift = SurfaceDef { path, ..SurfaceDef::fixed(Aabb::new(DVec2::ZERO, DVec2::new(9.0, 1.0)), Material::WOOD) };
+        let crate_at = |x: f64| BodyDef { position: DVec2::new(x, -0.5), ..BodyDef::default() };
+        let def = WorldDef { bodies: vec![crate_at(2.0), crate_at(5.0)], surfaces: vec![lift], ..WorldDef::default() };
+        let plan = Plan { dense: true, ..Plan::of(&def) };
+        let mut world = World::with_plan(def, plan).unwrap();
+        world.set_drive(BodyId(0), DVec2::new(30.0, 0.0));
+        (0..60).for_each(|_| world.step(1.0 / 120.0));
+        world
+    }
+
+    fn words(world: &World) -> Vec<u64> {
+        let mut words = Vec::new();
+        world.hash_state(&mut |word| words.push(word));
+        words
+    }
+
+    #[test]
+    fn every_field_of_the_state_is_in_its_hash() {
+        type Change = (&'static str, fn(&mut State));
+        let changes: [Change; 31] = [
+            ("position", |state| state.bodies[1].position.y = 0.3),
+            ("velocity", |state| state.bodies[1].velocity.x = 0.3),
+            ("acceleration", |state| state.bodies[1].acceleration.x = 0.3),
+            ("size", |state| state.bodies[1].half.y = 0.3),
+            ("mass", |state| state.bodies[1].mass = 0.3),
+            ("drag", |state| state.bodies[1].drag = 0.3),
+            ("round", |state| state.bodies[1].round ^= true),
+            ("restitution", |state| state.bodies[1].restitution = 0.3),
+            ("static friction", |state| state.bodies[1].material.static_friction = 0.33),
+            ("kinetic friction", |state| state.bodies[1].material.kinetic_friction = 0.33),
+            ("feels air", |state| state.bodies[1].feels_air ^= true),
+            ("drive", |state| state.drives[1].y = 0.3),
+            ("place of a surface", |state| state.surfaces[0].bounds.min.y = -0.3),
+            ("other end of a surface", |state| state.surfaces[0].bounds.max.x = 9.5),
+            ("velocity of a surface", |state| state.surfaces[0].velocity.y = 0.3),
+            ("static friction of a surface", |state| state.surfaces[0].material.static_friction = 0.33),
+            ("kinetic friction of a surface", |state| state.surfaces[0].material.kinetic_friction = 0.33),
+            ("clock", |state| state.surfaces[0].clock = 0.3),
+            ("runs", |state| state.surfaces[0].runs ^= true),
+            ("present", |state| state.surfaces[0].present ^= true),
+            ("wanted", |state| state.surfaces[0].wanted ^= true),
+            ("number of bodies", |state| state.bodies.truncate(1)),
+            ("lower end of a contact", |state| state.contacts[0].lo ^= 1),
+            ("upper end of a contact", |state| state.contacts[0].hi ^= 1),
+            ("axis of a contact", |state| state.contacts[0].axis ^= 1),
+            ("slide of a contact", |state| state.contacts[0].slides -= 0.5),
+            ("force of a contact", |state| state.contacts[0].normal += 0.5),
+            ("friction of a contact", |state| state.contacts[0].friction += 0.5),
+            ("number of contacts", |state| state.contacts.truncate(1)),
+            ("pause", |state| state.pauses[1].until = state.ticks + 7),
+            ("length of a pause", |state| state.pauses[1].length = 7),
+        ];
+        let before = words(&world());
+        assert_eq!(before, words(&world()));
+        for (name, change) in changes {
+            let mut world = world();
+            change(&mut world.state);
+            assert_ne!(words(&world), before, "{name}");
+        }
+    }
+}

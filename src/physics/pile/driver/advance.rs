@@ -1,0 +1,120 @@
+//! Who else may advance an island, and what it sees of it.
+
+use super::super::bodies::Bodies;
+use super::super::islands::Island;
+use super::later::Placed;
+use crate::physics::Aabb;
+use glam::DVec2;
+
+/// Who may advance an island before the dense method does.
+pub(in crate::physics) trait Advance {
+    /// Whether a body that is near nothing has to be advanced all the same: flight alone does not say where it gets.
+    fn minds(&self, body: usize) -> bool;
+
+    /// Takes an island, or leaves it. `round` is how often islands have grown in this step.
+    fn advance(&mut self, store: &mut Store<'_>, round: usize) -> Verdict;
+
+    /// Whether the contacts of an island of so many bodies are to be listed; `on` is whether those of the one before were.
+    fn lists(&self, members: usize, on: bool) -> bool;
+
+    /// What it told of the island of this body holds no longer.
+    fn forget(&mut self, body: usize);
+
+    /// A surface stands for the whole step, which is advanced from its start again.
+    fn stand(&mut self, surface: usize);
+
+    /// Bodies whose islands have to be advanced again, because others have come to something that concerns them.
+    fn disagree(&mut self, bodies: &mut Vec<u32>);
+}
+
+/// What has become of an island.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::physics) enum Verdict {
+    /// It is where it is at the end of the step; whether all of it rests.
+    Taken { rests: bool },
+    /// The dense method shall take what is left of the step, s: all of it, or less if the bodies have been brought to a later time.
+    Left(f64),
+    /// Bodies may get further than others were looked for; their swept boxes have been widened.
+    Grown,
+}
+
+/// An island, for whoever takes it, in the numbers of the outside.
+#[derive(Debug)]
+pub(in crate::physics) struct Store<'a> {
+    pub(super) bodies: &'a mut Bodies,
+    pub(super) island: Island<'a>,
+    pub(super) grown: &'a mut Vec<u32>,
+    pub(super) placed: &'a mut Vec<Placed>,
+    pub(super) down: f64,
+}
+
+impl Store<'_> {
+    /// How many bodies it has.
+    pub fn len(&self) -> usize {
+        self.island.members.len()
+    }
+
+    /// Its bodies, in no order that means anything.
+    pub fn members(&self) -> impl Iterator<Item = u32> {
+        self.island.members.iter().map(|slot| self.bodies.id[*slot as usize])
+    }
+
+    /// Appends the surfaces that they may meet, some more than once.
+    pub fn surfaces(&self, into: &mut Vec<u32>) {
+        let n = self.bodies.len() as u32;
+        for slot in self.island.members {
+            into.extend(self.island.near(*slot).iter().filter(|other| **other >= n).map(|other| other - n));
+        }
+    }
+
+    /// Where others were looked for, m.
+    pub fn swept(&self, body: u32) -> Aabb {
+        let [left, right, top, bottom] = self.bodies.swept[self.bodies.slot[body as usize] as usize];
+        let (top, bottom) = if self.down < 0.0 { (-bottom, -top) } else { (top, bottom) };
+        Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
+    }
+
+    /// Brings a body to a place (m) and velocity (m/s) at the end of the step, or where it is left.
+    pub fn bring(&mut self, body: u32, position: DVec2, velocity: DVec2) {
+        let i = self.bodies.slot[body as usize] as usize;
+        (self.bodies.px[i], self.bodies.py[i]) = (position.x, position.y * self.down);
+        (self.bodies.ux[i], self.bodies.uy[i]) = (velocity.x, velocity.y * self.down);
+    }
+
+    /// Tells where a surface is (m) and how fast it moves (m/s) when the island is left; whether it stands from then on.
+    pub fn place_surface(&mut self, surface: u32, (position, velocity): (DVec2, DVec2), stands: bool) {
+        let turned = DVec2::new(1.0, self.down);
+        self.placed.push(Placed { surface, position: position * turned, velocity: velocity * turned, stands });
+    }
+
+    /// Widens where others are looked for by `reach` (m) to all sides; the islands are found anew then.
+    pub fn widen(&mut self, body: u32, reach: DVec2) {
+        let slot = self.bodies.slot[body as usize];
+        let swept = &mut self.bodies.swept[slot as usize];
+        *swept = [swept[0] - reach.x, swept[1] + reach.x, swept[2] - reach.y, swept[3] + reach.y];
+        self.grown.push(slot);
+    }
+}
+
+/// Nobody else: every island is solved by the dense method.
+pub(super) struct AllDense;
+
+impl Advance for AllDense {
+    fn minds(&self, _: usize) -> bool {
+        false
+    }
+
+    fn advance(&mut self, _: &mut Store<'_>, _: usize) -> Verdict {
+        Verdict::Left(f64::INFINITY)
+    }
+
+    fn lists(&self, _: usize, on: bool) -> bool {
+        on
+    }
+
+    fn forget(&mut self, _: usize) {}
+
+    fn stand(&mut self, _: usize) {}
+
+    fn disagree(&mut self, _: &mut Vec<u32>) {}
+}

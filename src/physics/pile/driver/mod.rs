@@ -1,0 +1,293 @@
+//! One step of the whole store: flight, islands, and each island by the dense method, until none wants to grow.
+
+mod advance;
+mod later;
+mod sleep;
+
+use super::bodies::Bodies;
+use super::dense::{Outcome, StepSize};
+use super::flight;
+use super::impacts::Impacts;
+use super::islands::Island;
+use super::{ContactImpulse, Other, Pile, PileImpact, Squeeze};
+use advance::AllDense;
+pub(in crate::physics) use advance::{Advance, Store, Verdict};
+use glam::DVec2;
+use later::{Held, Moved, Placed};
+
+/// How often islands may grow in one step. Fewer: bodies are clipped to what was looked for.
+const GROWTHS: usize = 4;
+
+/// Where a surface is at the end of the step, m, and how fast it moves then, m/s.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Target {
+    pub surface: u32,
+    pub centre: DVec2,
+    pub velocity: Option<DVec2>,
+}
+
+/// What the driver keeps from step to step.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Driver {
+    pub events: Vec<PileImpact>,
+    /// Surfaces that have moved, and where they go next.
+    pub moving: Vec<u32>,
+    pub targets: Vec<Target>,
+    /// What they sweep on the way, where that is no straight line: left, right, top, bottom.
+    pub ways: Vec<(u32, [f64; 4])>,
+    pub squeezed: Vec<Squeeze>,
+    /// Who sleeps, by the numbers outside, and how many.
+    asleep: Vec<bool>,
+    sleepers: usize,
+    /// By slot: whether the island has to be solved again.
+    again: Vec<bool>,
+    moved: Vec<Moved>,
+    disagreeing: Vec<u32>,
+    /// Surfaces that begin later for an island, and where.
+    held: Vec<Held>,
+    placed: Vec<Placed>,
+}
+
+impl Driver {
+    pub fn new(count: usize) -> Self {
+        Self { asleep: vec![false; count], again: vec![false; count], events: Vec::with_capacity(count), ..Self::default() }
+    }
+
+    /// Notes that a surface moves. Returns whether that is new.
+    pub fn add_moving(&mut self, surface: usize) -> bool {
+        let new = !self.moving.contains(&(surface as u32));
+        if new {
+            self.moving.push(surface as u32);
+        }
+        new
+    }
+}
+
+impl Pile {
+    /// Advances the pile by `dt` seconds, > 0.
+    pub fn step(&mut self, dt: f64) {
+        self.step_with(dt, &mut AllDense);
+    }
+
+    /// The same with somebody who may take islands before the dense method does.
+    pub(in crate::physics) fn step_with<A: Advance>(&mut self, dt: f64, other: &mut A) {
+        self.driver.events.clear();
+        self.driver.squeezed.clear();
+        let moving = !self.driver.targets.is_empty()
+            || self.driver.moving.iter().any(|j| self.bodies.carries(self.bodies.len() + *j as usize));
+        if !self.driver.all_asleep() || moving {
+            self.last_dt = dt;
+            let asleep = &self.driver.asleep;
+            self.dense.report.list.retain(|contact| asleep[contact.a]);
+            self.move_surfaces(dt);
+            self.fly(dt);
+            self.solve_islands(dt, other);
+            self.stop_presses(dt, other);
+            self.bodies.commit();
+        }
+        for (id, ..) in self.bodies.guided.drain(..) {
+            self.bodies.is_guided[id as usize] = false;
+        }
+        self.driver.targets.clear();
+        self.driver.ways.clear();
+    }
+
+    fn move_surfaces(&mut self, dt: f64) {
+        let n = self.bodies.len();
+        let bodies = &mut self.bodies;
+        let still = |bodies: &mut Bodies, j: usize| {
+            (bodies.was_vx[j], bodies.was_vy[j]) = (bodies.vx[j], bodies.vy[j]);
+            (bodies.px[j], bodies.py[j]) = (bodies.x[j], bodies.y[j]);
+            set_velocity(bodies, j, (0.0, 0.0));
+        };
+        self.driver.moving.iter().for_each(|j| still(bodies, n + *j as usize));
+        for Target { surface, centre, velocity } in &self.driver.targets {
+            let j = n + *surface as usize;
+            (bodies.px[j], bodies.py[j]) = (centre.x, centre.y);
+            set_velocity(bodies, j, ((centre.x - bodies.x[j]) / dt, (centre.y - bodies.y[j]) / dt));
+            if let Some(velocity) = velocity {
+                set_final_velocity(bodies, j, (velocity.x, velocity.y));
+            }
+        }
+    }
+
+    /// Where surfaces would squeeze bodies, those that move stay for this step, and all is solved again.
+    fn stop_presses<A: Advance>(&mut self, dt: f64, other: &mut A) {
+        for _ in 0..=self.driver.moving.len() {
+            if self.dense.squeezed.is_empty() {
+                return;
+            }
+            let n = self.bodies.len();
+            for (body, surface, speed) in self.dense.squeezed.drain(..) {
+                let body = self.bodies.id[body as usize] as usize;
+                self.driver.squeezed.push(Squeeze { body, surface: surface as usize - n, speed });
+                other.stand(surface as usize - n);
+                let j = surface as usize;
+                (self.bodies.px[j], self.bodies.py[j]) = (self.bodies.x[j], self.bodies.y[j]);
+                set_velocity(&mut self.bodies, j, (0.0, 0.0));
+            }
+            self.solve_all_again(dt, other);
+        }
+        self.dense.squeezed.clear();
+    }
+
+    /// Solves all islands by the dense method from the start of the step, which free flight has left.
+    pub(super) fn solve_again(&mut self, dt: f64) {
+        self.solve_all_again(dt, &mut AllDense);
+    }
+
+    fn solve_all_again<A: Advance>(&mut self, dt: f64, other: &mut A) {
+        let n = self.bodies.len();
+        self.driver.put_back_moved(&mut self.bodies, |_| true);
+        self.bodies.px[..n].copy_from_slice(&self.bodies.free_x);
+        self.bodies.py[..n].copy_from_slice(&self.bodies.free_y);
+        self.driver.events.clear();
+        self.dense.report.list.clear();
+        self.driver.wake_all();
+        (0..n).for_each(|body| other.forget(body));
+        self.solve_islands(dt, other);
+    }
+
+    fn fly(&mut self, dt: f64) {
+        let Self { bodies, neighbours, islands, driver, .. } = self;
+        neighbours.drift(bodies, dt);
+        flight::fly(bodies, dt, self.drag);
+        bodies.sweep();
+        // The boxes in which neighbours were sought are made for many bodies together; what an island comes to must not depend on them.
+        if neighbours.update(bodies, dt) {
+            islands.renumbered();
+        }
+        let n = bodies.len();
+        bodies.free_x.copy_from_slice(&bodies.px[..n]);
+        bodies.free_y.copy_from_slice(&bodies.py[..n]);
+        for &(surface, [left, right, top, bottom]) in &driver.ways {
+            let s = &mut bodies.swept[n + surface as usize];
+            *s = [s[0].min(left), s[1].max(right), s[2].min(top), s[3].max(bottom)];
+        }
+        neighbours.find_moving(bodies, &driver.moving);
+    }
+
+    fn solve_islands<A: Advance>(&mut self, dt: f64, other: &mut A) {
+        self.driver.moved.clear();
+        let n = self.bodies.len();
+        if self.neighbours.is_empty() && !(0..n).any(|body| other.minds(body)) {
+            let bodies = &mut self.bodies;
+            let n = bodies.len();
+            bodies.ux[..n].copy_from_slice(&bodies.free_vx[..n]);
+            bodies.uy[..n].copy_from_slice(&bodies.free_vy[..n]);
+            self.driver.wake_all();
+            return;
+        }
+        self.islands.sort(&self.bodies);
+        let (mut round, mut again) = (0, false);
+        loop {
+            let Self { bodies, neighbours, islands, dense, driver, .. } = self;
+            islands.find(bodies, neighbours);
+            let whole = StepSize { dt, later: false, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
+            for k in 0..islands.len() {
+                let island = islands.get(k);
+                if again && !driver.begin_again(bodies, island, &mut dense.report.list, other) {
+                    continue;
+                }
+                let alone = island.members.len() == 1 && island.near(island.members[0]).is_empty();
+                if alone && !other.minds(bodies.id[island.members[0] as usize] as usize) {
+                    let i = island.members[0] as usize;
+                    (bodies.ux[i], bodies.uy[i]) = (bodies.free_vx[i], bodies.free_vy[i]);
+                    driver.wake(bodies.id[i] as usize);
+                    continue;
+                }
+                if driver.stays_asleep(bodies, island) {
+                    continue;
+                }
+                driver.forget(bodies, island, &mut dense.report.list);
+                driver.placed.clear();
+                let mut store = Store { bodies, island, grown: &mut dense.grown, placed: &mut driver.placed, down: self.down };
+                let left = match other.advance(&mut store, round) {
+                    Verdict::Taken { rests } => {
+                        driver.note_sleep(bodies, island, self.may_sleep && rests);
+                        continue;
+                    }
+                    Verdict::Grown => continue,
+                    Verdict::Left(left) => left.min(dt),
+                };
+                let size = StepSize { dt: left, later: left < dt, ..whole };
+                if left < dt {
+                    driver.begin_later(bodies, island, left, self.drag);
+                    driver.begin_surfaces_later(bodies, dt, left);
+                }
+                dense.report.on = other.lists(island.members.len(), dense.report.on);
+                if dense.step(bodies, neighbours, island, size) == Outcome::Done {
+                    driver.finish(bodies, island, self.may_sleep);
+                    driver.list_impacts(bodies, &dense.impacts);
+                    dense.finish(bodies, island, self.down);
+                }
+                driver.release_surfaces(bodies);
+            }
+            driver.again.fill(false);
+            again = true;
+            if dense.grown.is_empty() {
+                driver.disagreeing.clear();
+                other.disagree(&mut driver.disagreeing);
+                if driver.disagreeing.is_empty() {
+                    return;
+                }
+                driver.disagreeing.iter().for_each(|body| driver.again[bodies.slot[*body as usize] as usize] = true);
+                continue;
+            }
+            round += 1;
+            dense.grown.iter().for_each(|i| driver.again[*i as usize] = true);
+            neighbours.follow(bodies, &dense.grown);
+            neighbours.find_moving(bodies, &driver.moving);
+            dense.grown.clear();
+        }
+    }
+}
+
+impl Driver {
+    /// Whether an island of a later round has to be solved; takes back what was solved of it before.
+    fn begin_again<A: Advance>(
+        &mut self,
+        bodies: &mut Bodies,
+        island: Island<'_>,
+        report: &mut Vec<ContactImpulse>,
+        other: &mut A,
+    ) -> bool {
+        if !island.members.iter().any(|i| self.again[*i as usize]) {
+            return false;
+        }
+        self.put_back_moved(bodies, |slot| island.members.contains(&slot));
+        for &i in island.members {
+            let i = i as usize;
+            (bodies.px[i], bodies.py[i]) = (bodies.free_x[i], bodies.free_y[i]);
+            self.wake(bodies.id[i] as usize);
+            other.forget(bodies.id[i] as usize);
+        }
+        let Self { events, .. } = self;
+        let inside = |body: usize| island.members.contains(&bodies.slot[body]);
+        events.retain(|event| !inside(event.a));
+        report.retain(|contact| !inside(contact.a));
+        true
+    }
+
+    fn list_impacts(&mut self, bodies: &Bodies, impacts: &Impacts) {
+        let (n, id) = (bodies.len(), &bodies.id);
+        let other = |i: usize| if i < n { Other::Body(id[i] as usize) } else { Other::Surface(i - n) };
+        let bounced = impacts.all.iter().filter(|hit| hit.speed > 0.0).map(|hit| (hit.a, hit.b, hit.axis, hit.speed));
+        for (a, b, axis, speed) in bounced.chain(impacts.plastic.iter().copied()) {
+            self.events.push(PileImpact { a: id[a as usize] as usize, b: other(b as usize), axis, speed });
+        }
+    }
+}
+
+/// Sets the velocity of a surface throughout the step.
+fn set_velocity(bodies: &mut Bodies, j: usize, (vx, vy): (f64, f64)) {
+    (bodies.vx[j], bodies.mean_vx[j]) = (vx, vx);
+    (bodies.vy[j], bodies.mean_vy[j]) = (vy, vy);
+    set_final_velocity(bodies, j, (vx, vy));
+}
+
+/// Sets how fast a surface moves when the step ends: what rides on it does so, too.
+fn set_final_velocity(bodies: &mut Bodies, j: usize, (vx, vy): (f64, f64)) {
+    (bodies.free_vx[j], bodies.ux[j]) = (vx, vx);
+    (bodies.free_vy[j], bodies.uy[j]) = (vy, vy);
+}

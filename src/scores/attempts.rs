@@ -1,0 +1,101 @@
+//! The list of attempts: a line for each that came to an end, for spreadsheets and for people. The game only adds to it.
+//!
+//! It is written as RFC 4180 says, lines end with CRLF, in UTF-8.
+
+use std::io;
+
+use serde::{Serialize, Serializer};
+
+use super::Name;
+use super::players::harmless;
+
+/// Its first line.
+pub(super) const HEADER: &str = "level,player,result,time,fuel,hits,cause,assisted\r\n";
+
+/// An attempt that came to its end.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AttemptRow {
+    /// The level's folder name.
+    #[serde(serialize_with = "as_text")]
+    pub level: String,
+    /// Who flew.
+    pub player: Name,
+    /// `completed` or `failed`.
+    pub result: &'static str,
+    /// s.
+    #[serde(serialize_with = "as_thousandths")]
+    pub time: f64,
+    /// The fraction of the fuel left, 0 … 1.
+    #[serde(serialize_with = "as_thousandths")]
+    pub fuel: f64,
+    /// Damaging collisions.
+    pub hits: u32,
+    /// What the ship was lost to, as `resultant run` names it; empty when it was not.
+    #[serde(serialize_with = "as_text")]
+    pub cause: String,
+    /// Whether the player had help.
+    pub assisted: bool,
+}
+
+/// The attempt's line.
+///
+/// # Errors
+/// Those of the CSV writer, none of which writing to memory is known to cause.
+pub(super) fn line(attempt: &AttemptRow) -> io::Result<Vec<u8>> {
+    let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::CRLF).has_headers(false).from_writer(Vec::new());
+    writer.serialize(attempt)?;
+    writer.into_inner().map_err(|error| error.into_error())
+}
+
+/// No spreadsheet takes it for a formula.
+fn as_text<S: Serializer>(text: &str, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&harmless(text))
+}
+
+/// Three decimals, which tell any two ticks apart.
+fn as_thousandths<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
+    to.collect_str(&format_args!("{value:.3}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_opens_in_a_spreadsheet() {
+        let mut row = AttemptRow {
+            level: "Höhle, \"tief\"".to_owned(),
+            player: Name::new("ann").unwrap(),
+            result: "completed",
+            time: 5.483_333,
+            fuel: 0.85,
+            hits: 2,
+            cause: String::new(),
+            assisted: false,
+        };
+        let text = |row: &AttemptRow| String::from_utf8(line(row).unwrap()).unwrap();
+        assert_eq!(text(&row), "\"Höhle, \"\"tief\"\"\",ann,completed,5.483,0.850,2,,false\r\n");
+        for level in ["=cmd|' /C calc'!A0", "+1", "-1", "@SUM(A1)", "\t=1"] {
+            row.level = level.to_owned();
+            assert!(text(&row).trim_start_matches('"').starts_with('\''), "{}", text(&row));
+        }
+    }
+
+    #[test]
+    fn the_header_names_the_columns_of_a_line() {
+        let row = AttemptRow {
+            level: "1".to_owned(),
+            player: Name::guest(),
+            result: "failed",
+            time: 1.0,
+            fuel: 1.0,
+            hits: 0,
+            cause: "obstacle 2".to_owned(),
+            assisted: true,
+        };
+        let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::CRLF).from_writer(Vec::new());
+        writer.serialize(&row).unwrap();
+        let text = String::from_utf8(writer.into_inner().unwrap()).unwrap();
+        assert_eq!(text, format!("{HEADER}1,Guest,failed,1.000,1.000,0,obstacle 2,true\r\n"));
+    }
+}

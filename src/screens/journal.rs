@@ -1,0 +1,209 @@
+//! Who plays, and what they have done: known at once, and on disk as soon as that can be, without holding up a frame.
+
+use super::scoring::precise;
+use crate::game::{Game, Outcome};
+use crate::scores::{AttemptRow, Damage, Deed, Medal, Name, PATIENCE, Player, Players, Rescue, Scores, ScoresError};
+use std::collections::VecDeque;
+use std::time::Duration;
+
+/// From a write that failed to the next try, s.
+const RETRY: f64 = 2.0;
+
+/// What a lost attempt brings.
+const LOST: &str = "A lost attempt scores 0 and cannot be saved.";
+
+/// The players, and what waits to be written down.
+#[derive(Debug)]
+pub struct Journal {
+    scores: Scores,
+    players: Players,
+    current: Name,
+    /// What is not on disk yet.
+    deeds: Vec<Deed>,
+    attempts: VecDeque<AttemptRow>,
+    /// What was done in this sitting by whoever had no name yet.
+    by_guest: Vec<Deed>,
+    /// How long another program has kept it from being written, s.
+    waited: f64,
+    /// Until the next try, s.
+    pause: f64,
+    trouble: Option<String>,
+}
+
+impl Journal {
+    /// What is on disk; who was chosen last plays on.
+    pub fn new(scores: Scores) -> Self {
+        let mut journal = Self {
+            scores,
+            players: Players::default(),
+            current: Name::guest(),
+            deeds: Vec::new(),
+            attempts: VecDeque::new(),
+            by_guest: Vec::new(),
+            waited: 0.0,
+            pause: 0.0,
+            trouble: None,
+        };
+        journal.read();
+        if let Some(player) = journal.players.all().first() {
+            journal.current = player.name().clone();
+        }
+        journal
+    }
+
+    /// Reads what others have written meanwhile.
+    pub fn read(&mut self) {
+        match self.scores.players() {
+            Ok((players, damage)) => {
+                self.players = players;
+                self.trouble = (!damage.is_empty()).then(|| damage_text(&damage));
+            }
+            Err(error) => self.trouble = Some(error.to_string()),
+        }
+        self.deeds.iter().for_each(|deed| self.players.apply(deed));
+    }
+
+    /// Who plays.
+    pub fn current(&self) -> &Name {
+        &self.current
+    }
+
+    /// All players.
+    pub fn players(&self) -> &Players {
+        &self.players
+    }
+
+    fn player(&self) -> Option<&Player> {
+        self.players.get(&self.current)
+    }
+
+    /// The best time of whoever plays in a level, s; `None` until it is done.
+    pub fn best(&self, level: &str) -> Option<f64> {
+        self.player().and_then(|player| player.best(level))
+    }
+
+    /// What a level has brought whoever plays.
+    pub fn medal(&self, level: &str) -> Option<Medal> {
+        self.player().and_then(|player| player.medal(level))
+    }
+
+    /// What went wrong with writing or reading, while it does.
+    pub fn trouble(&self) -> Option<&str> {
+        self.trouble.as_deref()
+    }
+
+    /// Somebody plays from now on. Who has just said their name also gets what they have done in this sitting without one.
+    pub fn choose(&mut self, name: Name, named: bool) {
+        self.apply(Deed::Chosen(name.clone()));
+        if named && self.current.is_guest() {
+            for deed in std::mem::take(&mut self.by_guest) {
+                if let Deed::Done { level, time, .. } = deed {
+                    self.apply(Deed::Done { player: name.clone(), level, time });
+                }
+            }
+        }
+        self.current = name;
+        self.update(0.0);
+    }
+
+    /// Takes note of an attempt that has ended. The answer is what it brought whoever flew, in words, or why it cannot be written down.
+    pub fn note(&mut self, game: &Game, assisted: bool) -> String {
+        let (level, time, player) = (game.level().name.clone(), game.time(), self.current.clone());
+        self.attempts.push_back(AttemptRow {
+            level: level.clone(),
+            player: player.clone(),
+            result: game.outcome().name(),
+            time,
+            fuel: game.fuel(),
+            hits: game.collisions(),
+            cause: game.killed_by().map(|death| death.name(game.level())).unwrap_or_default(),
+            assisted,
+        });
+        let mut brought = game.result().death.map_or(LOST.to_owned(), |death| format!("{death}. {LOST}"));
+        if game.outcome() == Outcome::Completed {
+            let before = self.best(&level);
+            let deed = Deed::Done { player: player.clone(), level: level.clone(), time: (!assisted).then_some(time) };
+            if player.is_guest() {
+                self.by_guest.push(deed.clone());
+            }
+            self.apply(deed);
+            let time = precise(time);
+            brought = match before {
+                _ if assisted => format!("{player}: done, with help: neither time nor score is saved."),
+                None => format!("{player}: done for the first time, in {time}."),
+                Some(before) if self.best(&level) < Some(before) => {
+                    format!("{player}: your best time! It was {}, it is {time}.", precise(before))
+                }
+                Some(before) => format!("{player}: {time}, your best time is {}.", precise(before)),
+            };
+        }
+        self.update(0.0);
+        self.trouble.clone().unwrap_or(brought)
+    }
+
+    fn apply(&mut self, deed: Deed) {
+        self.players.apply(&deed);
+        self.deeds.push(deed);
+    }
+
+    /// Tries to write down what waits; one frame has passed.
+    pub fn update(&mut self, frame_time: f64) {
+        self.pause -= frame_time;
+        if self.is_written() || self.pause > 0.0 {
+            return;
+        }
+        match self.write(Duration::ZERO) {
+            Ok(()) => self.waited = 0.0,
+            Err(ScoresError::Busy(_)) if self.waited < PATIENCE.as_secs_f64() => self.waited += frame_time,
+            Err(error) => {
+                self.trouble = Some(error.to_string());
+                self.pause = RETRY;
+            }
+        }
+    }
+
+    /// Writes down what still waits, at the end of a sitting.
+    pub fn close(&mut self) {
+        if !self.is_written()
+            && let Err(error) = self.write(PATIENCE)
+        {
+            self.trouble = Some(error.to_string());
+        }
+    }
+
+    fn is_written(&self) -> bool {
+        self.deeds.is_empty() && self.attempts.is_empty()
+    }
+
+    fn write(&mut self, patience: Duration) -> Result<(), ScoresError> {
+        let mut remark = None;
+        if !self.deeds.is_empty() {
+            let (players, rescue) = self.scores.record_within(patience, &self.deeds)?;
+            self.deeds.clear();
+            self.players = players;
+            remark = rescue.map(|rescue| rescue_text(&rescue));
+        }
+        while let Some(attempt) = self.attempts.front() {
+            if let Some(kept) = self.scores.append_within(patience, attempt)? {
+                remark = Some(format!("attempts.csv did not begin with its columns: it was kept as {}.", kept.display()));
+            }
+            self.attempts.pop_front();
+        }
+        self.trouble = remark;
+        Ok(())
+    }
+}
+
+/// What is wrong with a scores file, in one line.
+pub fn damage_text(damage: &[Damage]) -> String {
+    match damage {
+        [] => String::new(),
+        [one] => format!("{one}."),
+        [first, rest @ ..] => format!("{first} (and {} more).", rest.len()),
+    }
+}
+
+/// What became of a damaged scores file, in one line.
+pub fn rescue_text(rescue: &Rescue) -> String {
+    format!("{} The damaged file was kept as {}.", damage_text(&rescue.damage), rescue.kept.display())
+}

@@ -1,0 +1,113 @@
+//! A level in small: what a card shows of it.
+
+use crate::level::{Level, ObjectiveKind, SHIP_HALF};
+use crate::physics::{Aabb, DVec2};
+
+/// The most things of a kind that are shown, the largest ones: a card has no room for more, and a page has fifteen cards.
+const MOST: usize = 160;
+
+/// What a shape stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// What is solid.
+    Solid,
+    /// A thick liquid.
+    Liquid([u8; 3]),
+    /// Where an air stream blows.
+    Stream,
+    /// A death box.
+    Deadly,
+    /// Where the ship has to go.
+    PlayerObjective,
+    /// Where a key object has to go.
+    PhysicsObjective,
+    /// A physics object.
+    Object,
+    /// A key object, in its colour.
+    Key([u8; 3]),
+    /// The ship.
+    Ship,
+}
+
+/// The shapes of a level, m, in the order in which they are drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Miniature {
+    /// The level's size, m.
+    pub size: DVec2,
+    /// What is where.
+    pub shapes: Vec<(Aabb, Part)>,
+}
+
+impl Miniature {
+    /// The level in small.
+    pub fn of(level: &Level) -> Self {
+        let mut shapes = Vec::new();
+        let mut add = |kind: Vec<(Aabb, Part)>| {
+            let mut kind = kind;
+            let area = |shape: &(Aabb, Part)| shape.0.size().element_product();
+            kind.sort_by(|a, b| area(b).total_cmp(&area(a)));
+            kind.truncate(MOST);
+            shapes.extend(kind);
+        };
+        add(level.streams.iter().map(|stream| (stream.zone, Part::Stream)).collect());
+        add(level.fluids.iter().map(|fluid| (fluid.zone, Part::Liquid(fluid.colour))).collect());
+        add(level.world.iter().map(|solid| (solid.bounds, Part::Solid)).collect());
+        add(level.streams.iter().map(|stream| (stream.source, Part::Solid)).collect());
+        add(level.obstacles.iter().map(|deadly| (*deadly, Part::Deadly)).collect());
+        let objective = |kind| match kind {
+            ObjectiveKind::Player => Part::PlayerObjective,
+            ObjectiveKind::Physics => Part::PhysicsObjective,
+        };
+        add(level.objectives.iter().map(|it| (it.bounds, objective(it.kind))).collect());
+        let object = |key: Option<[u8; 3]>| key.map_or(Part::Object, Part::Key);
+        add(level.objects.iter().map(|it| (Aabb::around(it.position, it.size * 0.5), object(it.key))).collect());
+        add(vec![(Aabb::around(level.player.position, SHIP_HALF), Part::Ship)]);
+        Self { size: level.size, shapes }
+    }
+}
+
+#[cfg(feature = "window")]
+mod drawing {
+    use super::{Miniature, Part};
+    use crate::physics::DVec2;
+    use crate::view::canvas::Canvas;
+    use crate::view::layout::{Area, Vec2};
+    use crate::view::theme::{self, faded};
+    use macroquad::color::Color;
+    use macroquad::shapes::draw_rectangle;
+
+    /// What can be acted upon is drawn at least this large, canvas units: a ship in a level of kilometres is still to be seen.
+    const LEAST: f32 = 4.0;
+
+    impl Miniature {
+        /// Draws the level as large as it fits, in the middle of the area.
+        pub fn draw(&self, canvas: &Canvas, area: Area) {
+            let scale = (f64::from(area.size.x) / self.size.x).min(f64::from(area.size.y) / self.size.y);
+            let paper = Area::around(area.centre(), (self.size * scale).as_vec2());
+            canvas.rounded(paper, 2.0, theme::GROUND);
+            let point = |metres: DVec2| paper.min + (metres * scale).as_vec2().clamp(Vec2::ZERO, paper.size);
+            for (bounds, part) in &self.shapes {
+                let (a, b) = (point(bounds.min), point(bounds.max));
+                let least = if matches!(part, Part::Solid | Part::Liquid(_) | Part::Stream) { canvas.frame().pixel } else { LEAST };
+                let size = (b - a).max(Vec2::splat(least).min(paper.size));
+                let min = ((a + b - size) / 2.0).clamp(paper.min, paper.max() - size);
+                draw_rectangle(min.x, min.y, size.x, size.y, colour(*part));
+            }
+        }
+    }
+
+    fn colour(part: Part) -> Color {
+        let own = |[r, g, b]: [u8; 3]| Color::from_rgba(r, g, b, 255);
+        match part {
+            Part::Solid => theme::SOLID,
+            Part::Liquid(colour) => faded(own(colour), 0.55),
+            Part::Stream => faded(theme::TEXT, 0.10),
+            Part::Deadly => theme::BAD,
+            Part::PlayerObjective => theme::PLAYER_OBJECTIVE,
+            Part::PhysicsObjective => theme::PHYSICS_OBJECTIVE,
+            Part::Object => theme::QUIET,
+            Part::Key(colour) => own(colour),
+            Part::Ship => theme::TEXT,
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! `settings.csv`: a row a setting, `setting,value,player`. Rows without a player hold for everyone; those with one only for him.
+//!
+//! Reading takes what it understands and tells the rest, line by line. Saving rewrites the rows of what was set and leaves every other
+//! line as it is: comments, rows of other players, and what it did not understand.
+
+use super::{Action, Item, Key, Settings};
+use crate::files::{self, SETTINGS};
+use serde::{Deserialize, Serialize};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// A row of the file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Row {
+    setting: String,
+    #[serde(default)]
+    value: String,
+    #[serde(default)]
+    player: String,
+}
+
+const HEADER: &str = "setting,value,player";
+
+/// What one row sets.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Target {
+    Key(Action),
+    Item(Item),
+}
+
+impl Target {
+    fn all() -> impl Iterator<Item = Self> {
+        Action::ALL.into_iter().map(Self::Key).chain(Item::ALL.into_iter().map(Self::Item))
+    }
+
+    const fn setting(self) -> &'static str {
+        match self {
+            Self::Key(action) => action.setting(),
+            Self::Item(item) => item.setting(),
+        }
+    }
+
+    fn named(name: &str) -> Option<Self> {
+        Self::all().find(|target| target.setting().eq_ignore_ascii_case(name))
+    }
+
+    /// Whose rows hold it, where `player` flies.
+    fn owner(self, player: &str) -> &str {
+        match self {
+            Self::Item(item) if item.is_of_play() => player,
+            Self::Item(_) | Self::Key(_) => "",
+        }
+    }
+
+    fn written(self, settings: &Settings) -> String {
+        match self {
+            Self::Item(item) => item.written(settings),
+            Self::Key(action) => {
+                let names: Vec<String> = settings.keys.of(action).into_iter().flatten().map(|key| key.to_string()).collect();
+                names.join(" ")
+            }
+        }
+    }
+
+    fn read(self, text: &str, settings: &mut Settings) -> Result<(), String> {
+        let action = match self {
+            Self::Item(item) => return item.read(text, settings),
+            Self::Key(action) => action,
+        };
+        let mut keys = [None; 2];
+        for (i, name) in text.split_whitespace().enumerate() {
+            let key = Key::named(name).filter(|key| !key.is_pad());
+            let (Some(place), Some(key)) = (keys.get_mut(i), key) else {
+                return Err("the names of at most two keys with a space between them, such as Space W".into());
+            };
+            *place = Some(key);
+        }
+        settings.keys.set(action, keys);
+        Ok(())
+    }
+}
+
+/// The settings of `text` for a player (`""` for nobody in particular), and what of it was refused, a line each.
+pub fn read(text: &str, player: &str) -> (Settings, Vec<String>) {
+    let (mut settings, mut problems) = (Settings::default(), Vec::new());
+    // First what holds for everyone, wherever it stands.
+    for own in [false, true] {
+        for (line, row) in rows(text) {
+            let row = match row {
+                Ok(row) => row,
+                Err(found) if !own => {
+                    problems.push(format!("settings.csv:{line}: found {found}, expected {HEADER}"));
+                    continue;
+                }
+                Err(_) => continue,
+            };
+            if row.player.is_empty() == own {
+                continue;
+            }
+            match check(&row) {
+                Err(problem) => problems.push(format!("settings.csv:{line}: {problem}")),
+                Ok(()) if !own || row.player == player => drop(set(&row, &mut settings)),
+                Ok(()) => {}
+            }
+        }
+    }
+    problems.sort_by_key(|problem| problem.split(':').nth(1).and_then(|line| line.parse::<usize>().ok()));
+    (settings, problems)
+}
+
+/// What is wrong with a row.
+fn check(row: &Row) -> Result<(), String> {
+    set(row, &mut Settings::default())
+}
+
+/// Sets what a row says.
+fn set(row: &Row, settings: &mut Settings) -> Result<(), String> {
+    let Some(target) = Target::named(&row.setting) else {
+        let names: Vec<&str> = Target::all().map(Target::setting).collect();
+        return Err(format!("column \"setting\": found {:?}, expected one of {}", row.setting, names.join(", ")));
+    };
+    let expected = |expected| format!("column \"value\" of {}: found {:?}, expected {expected}", target.setting(), row.value);
+    target.read(&row.value, settings).map_err(expected)
+}
+
+/// The rows of a text, with the lines on which they stand; no cell of this file goes over several lines.
+fn rows(text: &str) -> impl Iterator<Item = (usize, Result<Row, String>)> {
+    let lines = text.strip_prefix('\u{feff}').unwrap_or(text).lines().enumerate();
+    lines.filter_map(|(i, line)| Some((i + 1, row_of(line)?)))
+}
+
+/// The row on a line; `None` for blank lines, comments and the header.
+fn row_of(line: &str) -> Option<Result<Row, String>> {
+    let line = line.trim();
+    if line.trim_matches(',').is_empty() || line.starts_with('#') || line.eq_ignore_ascii_case(HEADER) {
+        return None;
+    }
+    let headers = csv::StringRecord::from(vec!["setting", "value", "player"]);
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).trim(csv::Trim::All).from_reader(line.as_bytes());
+    let mut record = csv::StringRecord::new();
+    let row = match reader.read_record(&mut record) {
+        Ok(_) if record.len() < 2 => Err(format!("{line:?}")),
+        Ok(_) => {
+            // The player may be left out.
+            record.push_field("");
+            record.truncate(headers.len());
+            record.deserialize(Some(&headers)).map_err(|_| format!("{line:?}"))
+        }
+        Err(error) => Err(error.to_string()),
+    };
+    Some(row)
+}
+
+/// `text` with the settings of a player set in it.
+fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
+    let stale = |row: &Row| Target::named(&row.setting).is_some_and(|target| row.player == target.owner(player));
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut out = String::new();
+    if !text.lines().any(|line| line.trim().eq_ignore_ascii_case(HEADER)) {
+        out = format!("{HEADER}\n");
+    }
+    for line in text.lines() {
+        let is_stale = matches!(row_of(line), Some(Ok(row)) if stale(&row) && check(&row).is_ok());
+        if !is_stale {
+            out.push_str(line);
+            out.push('\n');
+        }
+    }
+    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    for target in Target::all() {
+        let (setting, value, player) = (target.setting().into(), target.written(settings), target.owner(player).into());
+        writer.serialize(Row { setting, value, player })?;
+    }
+    let fresh = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
+    Ok(out + &String::from_utf8_lossy(&fresh))
+}
+
+/// The file.
+#[derive(Clone, Debug)]
+pub struct SettingsFile {
+    path: PathBuf,
+}
+
+impl SettingsFile {
+    /// The file at that path, which need not exist yet.
+    pub fn new(path: impl Into<PathBuf>) -> Self {
+        Self { path: path.into() }
+    }
+
+    /// Its settings for a player (`""` for nobody in particular), and what is wrong with it, a line each. Without a file they are the
+    /// defaults.
+    pub fn load(&self, player: &str) -> (Settings, Vec<String>) {
+        match files::read_text(&self.path, SETTINGS) {
+            Ok(text) => read(&text, player),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Default::default(),
+            Err(error) => (Settings::default(), vec![format!("settings.csv: {error}")]),
+        }
+    }
+
+    /// Writes the settings of a player into it: the file is the old one or the new one, whole, whatever happens meanwhile.
+    ///
+    /// # Errors
+    /// What the system refuses, with the path; the old file is untouched then.
+    pub fn save(&self, player: &str, settings: &Settings) -> Result<(), String> {
+        self.replace(player, settings).map_err(|error| format!("{}: {error}", self.path.display()))
+    }
+
+    fn replace(&self, player: &str, settings: &Settings) -> io::Result<()> {
+        let folder = self.path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        fs::create_dir_all(folder)?;
+        // Of two games that save at once, neither loses the other's rows.
+        let lock = OpenOptions::new().create(true).truncate(false).write(true).open(folder.join(".settings.csv.lock"))?;
+        lock.lock()?;
+        let text = match files::read_text(&self.path, SETTINGS) {
+            Ok(text) => text,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
+            Err(error) => return Err(error),
+        };
+        let mut fresh = tempfile::NamedTempFile::new_in(folder)?;
+        fresh.write_all(merged(&text, player, settings)?.as_bytes())?;
+        fresh.as_file().sync_all()?;
+        if let Ok(metadata) = fs::metadata(&self.path) {
+            fresh.as_file().set_permissions(metadata.permissions())?;
+        }
+        fresh.persist(&self.path)?;
+        if cfg!(unix) {
+            // The new file is in its place by now: a file system that cannot do this fails nothing.
+            drop(File::open(folder).and_then(|folder| folder.sync_all()));
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_saved_is_read_back_and_each_player_has_his_own_help() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = SettingsFile::new(folder.path().join("settings.csv"));
+        assert_eq!(file.load("ann"), (Settings::default(), vec![]));
+        let mut settings = Settings { music: 0, shake: 50, ..Settings::default() };
+        settings.assists.speed = 70;
+        settings.keys.set(Action::Thrust, [None, Some(Key::GraveAccent)]);
+        settings.keys.set(Action::Hitboxes, [None, None]);
+        file.save("ann", &settings).unwrap();
+        let mut read = settings;
+        // Keys move up into the first free place.
+        read.keys.set(Action::Thrust, [Some(Key::GraveAccent), None]);
+        assert_eq!(file.load("ann"), (read, vec![]));
+        read.assists.speed = 100;
+        assert_eq!(file.load("bob"), (read, vec![]), "volume and keys are the machine's, help is the player's");
+        file.save("bob", &Settings::default()).unwrap();
+        assert_eq!(file.load("ann").0, Settings { assists: settings.assists, ..Settings::default() });
+        let rows = fs::read_to_string(folder.path().join("settings.csv")).unwrap().lines().count();
+        file.save("bob", &Settings::default()).unwrap();
+        assert_eq!(fs::read_to_string(folder.path().join("settings.csv")).unwrap().lines().count(), rows, "nothing piles up");
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_told_by_line_and_kept() {
+        let text = "setting,value,player\n# quiet please\nvolume,0\nloudness,3\nshake,lots\n\nkey_thrust,A B C,ann\nmusic\r\nflash,off,,\n";
+        let (settings, problems) = read(text, "");
+        assert_eq!((settings.master, settings.shake, settings.flash), (0, 100, false));
+        assert_eq!(problems.len(), 4, "{problems:?}");
+        assert!(problems[0].starts_with("settings.csv:4: column \"setting\": found \"loudness\", expected one of key_thrust, "));
+        assert_eq!(
+            problems[1],
+            "settings.csv:5: column \"value\" of shake: found \"lots\", expected a whole number of percents from 0 to 100"
+        );
+        assert!(problems[2].starts_with("settings.csv:7: column \"value\" of key_thrust: found \"A B C\""));
+        assert_eq!(problems[3], "settings.csv:8: found \"music\", expected setting,value,player");
+        let merged = merged(text, "", &settings).unwrap();
+        for line in ["# quiet please", "loudness,3", "shake,lots", "key_thrust,A B C,ann", "music"] {
+            assert!(merged.lines().any(|kept| kept.trim() == line), "{line} is kept");
+        }
+        assert_eq!(merged.matches("volume,").count(), 1);
+        assert_eq!(read(&merged, "").0.master, 0);
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_written_is_told_and_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = SettingsFile::new(folder.path().join("settings.csv"));
+        fs::create_dir(folder.path().join("settings.csv")).unwrap();
+        assert!(file.save("", &Settings::default()).unwrap_err().contains("settings.csv"));
+        assert_eq!(file.load("").1.len(), 1);
+    }
+}

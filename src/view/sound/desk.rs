@@ -1,0 +1,221 @@
+//! Between the game and the thread that computes the sound: atomics only, so that neither ever waits. The game holds the [`Desk`] and
+//! writes, the mixer holds the [`Feed`] and reads. Where nobody reads, what is written is lost, as it should be.
+
+use super::{Ambience, Cue, Sound, Volumes};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
+
+/// How many sounds can be due at once: more than a frame ever brings, [`Cue::COUNT`].
+const WAITING: usize = 64;
+/// Loudness and place pass in so many steps to 1.
+const STEPS: f32 = 32_767.0;
+
+/// The desk and its feed. There is no third end: sounds go from one writer to one reader.
+pub fn desk() -> (Desk, Feed) {
+    let shared = Arc::new(Shared::default());
+    let desk = Desk(shared.clone());
+    desk.set_volumes(Volumes::default());
+    (desk, Feed(shared))
+}
+
+/// The game's end.
+#[derive(Debug)]
+pub struct Desk(Arc<Shared>);
+
+/// The mixer's end.
+#[derive(Clone, Debug)]
+pub struct Feed(Arc<Shared>);
+
+#[derive(Debug)]
+struct Shared {
+    volumes: [AtomicU32; 3],
+    ambience: [AtomicU32; 4],
+    /// The tune's number + 1; 0: none.
+    tune: AtomicU32,
+    /// Frames written so far: what no longer moves has stopped.
+    frames: AtomicU32,
+    /// A ring of sounds. `written` and `read` count them; the writer alone moves the one, the reader alone the other.
+    sounds: [AtomicU64; WAITING],
+    written: AtomicUsize,
+    read: AtomicUsize,
+}
+
+impl Default for Shared {
+    fn default() -> Self {
+        Self {
+            volumes: Default::default(),
+            ambience: Default::default(),
+            tune: AtomicU32::new(0),
+            frames: AtomicU32::new(0),
+            sounds: [const { AtomicU64::new(0) }; WAITING],
+            written: AtomicUsize::new(0),
+            read: AtomicUsize::new(0),
+        }
+    }
+}
+
+impl Desk {
+    /// How loud each part is from now on.
+    pub fn set_volumes(&self, volumes: Volumes) {
+        let Volumes { master, effects, music } = volumes;
+        store(&self.0.volumes, [master, effects, music]);
+    }
+
+    /// What is heard all the time, in the frame that ends now.
+    pub fn set_ambience(&self, ambience: Ambience) {
+        let Ambience { engine, wind, liquid, motion } = ambience;
+        store(&self.0.ambience, [engine, wind, liquid, motion]);
+        self.0.frames.fetch_add(1, Ordering::Relaxed);
+    }
+
+    /// Which tune is played, or none.
+    pub fn set_tune(&self, tune: Option<u32>) {
+        self.0.tune.store(tune.map_or(0, |tune| tune.saturating_add(1)), Ordering::Relaxed);
+    }
+
+    /// Plays a sound once; too many at a time are lost.
+    pub fn play(&self, sound: Sound) {
+        let shared = &self.0;
+        let (written, read) = (shared.written.load(Ordering::Relaxed), shared.read.load(Ordering::Acquire));
+        if written.wrapping_sub(read) < WAITING {
+            shared.sounds[written % WAITING].store(pack(sound), Ordering::Relaxed);
+            // What is below `written` can be read.
+            shared.written.store(written.wrapping_add(1), Ordering::Release);
+        }
+    }
+}
+
+impl Feed {
+    /// How loud each part is, each 0 … 1.
+    pub fn volumes(&self) -> Volumes {
+        let [master, effects, music] = load(&self.0.volumes);
+        Volumes { master, effects, music }
+    }
+
+    /// What is heard all the time, each 0 … 1.
+    pub fn ambience(&self) -> Ambience {
+        let [engine, wind, liquid, motion] = load(&self.0.ambience);
+        Ambience { engine, wind, liquid, motion }
+    }
+
+    /// Which tune is played, or none.
+    pub fn tune(&self) -> Option<u32> {
+        self.0.tune.load(Ordering::Relaxed).checked_sub(1)
+    }
+
+    /// Frames written so far.
+    pub fn frames(&self) -> u32 {
+        self.0.frames.load(Ordering::Relaxed)
+    }
+
+    /// The next sound that is due.
+    pub fn next(&self) -> Option<Sound> {
+        let shared = &self.0;
+        let (written, read) = (shared.written.load(Ordering::Acquire), shared.read.load(Ordering::Relaxed));
+        if read == written {
+            return None;
+        }
+        let sound = unpack(shared.sounds[read % WAITING].load(Ordering::Relaxed));
+        // What is below `read` can be written over.
+        shared.read.store(read.wrapping_add(1), Ordering::Release);
+        Some(sound)
+    }
+
+    /// Forgets the sounds that are due: they are of another time.
+    pub fn forget(&self) {
+        while self.next().is_some() {}
+    }
+}
+
+fn store<const N: usize>(to: &[AtomicU32; N], values: [f32; N]) {
+    for (to, value) in to.iter().zip(values) {
+        to.store(within(value, 0.0).to_bits(), Ordering::Relaxed);
+    }
+}
+
+fn load<const N: usize>(from: &[AtomicU32; N]) -> [f32; N] {
+    from.each_ref().map(|value| f32::from_bits(value.load(Ordering::Relaxed)))
+}
+
+/// From `least` to 1; what is no number becomes 0.
+fn within(value: f32, least: f32) -> f32 {
+    if value.is_nan() { 0.0 } else { value.clamp(least, 1.0) }
+}
+
+fn pack(sound: Sound) -> u64 {
+    let loudness = (within(sound.loudness, 0.0) * STEPS) as u64;
+    let place = (within(sound.place, -1.0) * STEPS + STEPS) as u64;
+    (sound.cue.number() as u64) << 32 | loudness << 16 | place
+}
+
+fn unpack(packed: u64) -> Sound {
+    let part = |shift: u32| (packed >> shift & 0xffff) as u16;
+    Sound {
+        cue: Cue::ALL[usize::from(part(32)) % Cue::COUNT],
+        loudness: f32::from(part(16)) / STEPS,
+        place: f32::from(part(0)) / STEPS - 1.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sounds_arrive_in_order_and_too_many_are_lost() {
+        let (desk, feed) = desk();
+        let sound = |i: usize| Sound { cue: Cue::ALL[i % Cue::COUNT], loudness: 0.5, place: -0.25 };
+        for round in 0..3 {
+            for i in 0..WAITING + 10 {
+                desk.play(sound(i));
+            }
+            for i in 0..WAITING {
+                let heard = feed.next().expect("it was played");
+                assert_eq!(heard.cue, sound(i).cue, "round {round}");
+                assert!((heard.loudness - 0.5).abs() < 1e-4 && (heard.place + 0.25).abs() < 1e-4);
+            }
+            assert_eq!(feed.next(), None);
+        }
+        desk.play(sound(0));
+        feed.forget();
+        assert_eq!(feed.next(), None);
+    }
+
+    #[test]
+    fn two_threads_lose_and_double_nothing_that_finds_room() {
+        let (desk, feed) = desk();
+        let writer = std::thread::spawn(move || {
+            for i in 0..20_000 {
+                while desk.0.written.load(Ordering::Relaxed) - desk.0.read.load(Ordering::Relaxed) == WAITING {
+                    std::thread::yield_now();
+                }
+                desk.play(Sound { cue: Cue::ALL[i % Cue::COUNT], loudness: 1.0, place: 0.0 });
+            }
+        });
+        for i in 0..20_000 {
+            let sound = loop {
+                match feed.next() {
+                    Some(sound) => break sound,
+                    None => std::thread::yield_now(),
+                }
+            };
+            assert_eq!(sound.cue, Cue::ALL[i % Cue::COUNT]);
+        }
+        assert!(writer.join().is_ok());
+        assert_eq!(feed.next(), None);
+    }
+
+    #[test]
+    fn what_is_out_of_range_or_no_number_is_put_right() {
+        let (desk, feed) = desk();
+        assert_eq!(feed.volumes(), Volumes::default());
+        desk.set_volumes(Volumes { master: f32::NAN, effects: 7.0, music: -1.0 });
+        assert_eq!(feed.volumes(), Volumes { master: 0.0, effects: 1.0, music: 0.0 });
+        desk.play(Sound { cue: Cue::Met, loudness: f32::INFINITY, place: f32::NAN });
+        assert_eq!(feed.next(), Some(Sound { cue: Cue::Met, loudness: 1.0, place: 0.0 }));
+        for tune in [None, Some(0), Some(7)] {
+            desk.set_tune(tune);
+            assert_eq!(feed.tune(), tune);
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! The small parts that sounds are made of: noise, filters, and values that glide instead of jumping.
+
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg32;
+use std::f32::consts::{PI, TAU};
+
+/// White noise, −1 … 1; the same from the same seed.
+#[derive(Debug)]
+pub struct Noise(Pcg32);
+
+impl Noise {
+    /// A source of its own.
+    pub fn new(seed: u64) -> Self {
+        Self(Pcg32::seed_from_u64(seed))
+    }
+
+    /// The next sample.
+    pub fn next(&mut self) -> f32 {
+        self.0.random_range(-1.0..1.0)
+    }
+
+    /// A chance value of a range.
+    pub fn between(&mut self, low: f32, high: f32) -> f32 {
+        low + (high - low) * (0.5 + 0.5 * self.next())
+    }
+}
+
+/// A value that follows its target within some time: steps are heard as cracks.
+#[derive(Clone, Copy, Debug)]
+pub struct Glide {
+    value: f32,
+    /// The part of the way that is left after a sample.
+    keeps: f32,
+}
+
+impl Glide {
+    /// At 0; after `time` s 1/e of the way is left.
+    pub fn new(rate: f32, time: f32) -> Self {
+        Self { value: 0.0, keeps: (-1.0 / (rate * time)).exp() }
+    }
+
+    /// One sample on.
+    pub fn towards(&mut self, target: f32) -> f32 {
+        self.value = target + (self.value - target) * self.keeps;
+        // Numbers too small to be normal cost a hundred times as much.
+        if self.value.abs() < 1e-12 {
+            self.value = 0.0;
+        }
+        self.value
+    }
+
+    /// Where it is.
+    pub const fn value(&self) -> f32 {
+        self.value
+    }
+
+    /// Is there at once.
+    pub const fn set(&mut self, value: f32) {
+        self.value = value;
+    }
+}
+
+/// A first-order low-pass: −6 dB an octave above its corner.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct LowPass {
+    level: f32,
+    part: f32,
+}
+
+impl LowPass {
+    /// Sets the corner frequency, Hz.
+    pub fn set(&mut self, rate: f32, corner: f32) {
+        self.part = 1.0 - (-TAU * corner / rate).exp();
+    }
+
+    /// One sample on.
+    pub fn next(&mut self, sample: f32) -> f32 {
+        self.level += self.part * (sample - self.level);
+        if self.level.abs() < 1e-12 {
+            self.level = 0.0;
+        }
+        self.level
+    }
+}
+
+/// A band-pass that can be moved while it sounds: the state-variable filter in its trapezoidal form.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BandPass {
+    first: f32,
+    second: f32,
+    g: f32,
+    k: f32,
+}
+
+impl BandPass {
+    /// Sets the centre, Hz, and how narrow it is: the centre divided by the width.
+    pub fn set(&mut self, rate: f32, centre: f32, narrowness: f32) {
+        // The tangent bends the frequencies so that the centre is met; it has a pole at half the rate.
+        self.g = (PI * (centre / rate).min(0.45)).tan();
+        self.k = 1.0 / narrowness;
+    }
+
+    /// One sample on; at the centre the gain is 1.
+    pub fn next(&mut self, sample: f32) -> f32 {
+        let a = 1.0 / (1.0 + self.g * (self.g + self.k));
+        let band = a * (self.first + self.g * (sample - self.second));
+        let low = self.second + self.g * band;
+        self.first = 2.0 * band - self.first;
+        self.second = 2.0 * low - self.second;
+        self.k * band
+    }
+}
+
+/// Keeps samples within −1 … 1: as they are up to ±0.7, bent smoothly beyond.
+pub fn limited(sample: f32) -> f32 {
+    const KNEE: f32 = 0.7;
+    let over = sample.abs() - KNEE;
+    if over <= 0.0 {
+        return sample;
+    }
+    let room = 1.0 - KNEE;
+    sample.signum() * (KNEE + room * (over / (over + room)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RATE: f32 = 48_000.0;
+
+    /// How much of a sine of that frequency passes.
+    fn gain(hertz: f32, mut filter: impl FnMut(f32) -> f32) -> f32 {
+        let mut peak = 0.0_f32;
+        for i in 0..48_000 {
+            let sample = filter((TAU * hertz * i as f32 / RATE).sin());
+            if i > 24_000 {
+                peak = peak.max(sample.abs());
+            }
+        }
+        peak
+    }
+
+    #[test]
+    fn a_low_pass_halves_the_power_at_its_corner() {
+        let passes = |hertz| {
+            let mut filter = LowPass::default();
+            filter.set(RATE, 1000.0);
+            gain(hertz, |sample| filter.next(sample))
+        };
+        assert!(passes(50.0) > 0.99);
+        assert!((passes(1000.0) - 0.5_f32.sqrt()).abs() < 0.03);
+        assert!(passes(10_000.0) < 0.15);
+    }
+
+    #[test]
+    fn a_band_pass_passes_its_centre() {
+        let passes = |hertz| {
+            let mut filter = BandPass::default();
+            filter.set(RATE, 800.0, 2.0);
+            gain(hertz, |sample| filter.next(sample))
+        };
+        assert!((passes(800.0) - 1.0).abs() < 0.01);
+        assert!(passes(200.0) < 0.2 && passes(3200.0) < 0.2);
+    }
+
+    #[test]
+    fn the_limiter_is_smooth_and_never_reaches_one() {
+        let mut last = 0.0;
+        for i in 0..10_000 {
+            let (sample, out) = (i as f32 * 0.001, limited(i as f32 * 0.001));
+            assert!(out < 1.0 && out >= last && out - last <= 0.001 + 1e-6, "{sample}");
+            assert_eq!(limited(-sample), -out);
+            last = out;
+        }
+        assert_eq!(limited(0.5), 0.5);
+    }
+
+    #[test]
+    fn a_glide_has_gone_two_thirds_of_the_way_after_its_time() {
+        let mut glide = Glide::new(RATE, 0.02);
+        for _ in 0..960 {
+            glide.towards(1.0);
+        }
+        assert!((glide.value() - 0.632).abs() < 0.01);
+    }
+}

@@ -1,0 +1,121 @@
+//! All sounds together: stereo samples from what lies on the desk.
+
+use super::bed::Bed;
+use super::filter::{Glide, LowPass, Noise, limited};
+use super::music::Music;
+use super::recipe::Recipe;
+use super::voice::{Choir, Voice};
+use super::{Ambience, Feed, Volumes};
+
+/// The desk is looked at every so many samples: 1.3 ms at 48 kHz.
+const STEP: u32 = 64;
+/// Volumes glide within so many seconds.
+const VOLUME_TIME: f32 = 0.02;
+/// When no frame has come for so long, s, the game is held up: what is heard all the time stops until it goes on.
+const HELD_UP: f32 = 0.4;
+/// Under water nothing above this is heard, Hz; in air nothing is held back.
+const UNDER_WATER: f32 = 420.0;
+const IN_AIR: f32 = 18_000.0;
+/// Effects are made so loud that a crash is just not bent by the limiter.
+const EFFECTS: f32 = 0.8;
+
+/// Computes what is heard. It allocates nothing after it has been made, and never waits.
+#[derive(Debug)]
+pub struct Mixer {
+    feed: Feed,
+    rate: f32,
+    noise: Noise,
+    choir: Choir<32>,
+    bed: Bed,
+    music: Music,
+    /// Two in a row for each side.
+    water: [[LowPass; 2]; 2],
+    /// What the desk said last.
+    volumes: Volumes,
+    ambience: Ambience,
+    tune: Option<u32>,
+    frames: u32,
+    /// Samples since the last frame.
+    held_up: u32,
+    effects_gain: Glide,
+    music_gain: Glide,
+    age: u32,
+}
+
+impl Mixer {
+    /// Silence, at `rate` samples a second, until the desk says more.
+    pub fn new(rate: u32, feed: Feed) -> Self {
+        let frames = feed.frames();
+        let rate = rate.max(8000) as f32;
+        let gain = Glide::new(rate, VOLUME_TIME);
+        feed.forget();
+        Self {
+            feed,
+            rate,
+            noise: Noise::new(0x736f_756e_6473),
+            choir: Choir::new(),
+            bed: Bed::new(rate),
+            music: Music::new(rate),
+            water: Default::default(),
+            volumes: Volumes { master: 0.0, effects: 0.0, music: 0.0 },
+            ambience: Ambience::default(),
+            tune: None,
+            frames,
+            held_up: 0,
+            effects_gain: gain,
+            music_gain: gain,
+            age: 0,
+        }
+    }
+
+    /// The next samples, left and right by turns, each within −1 … 1. An odd one at the end is silent.
+    pub fn render(&mut self, samples: &mut [f32]) {
+        let (pairs, rest) = samples.as_chunks_mut();
+        for pair in pairs {
+            *pair = self.sample();
+        }
+        rest.fill(0.0);
+    }
+
+    /// The next sample, left and right.
+    pub fn sample(&mut self) -> [f32; 2] {
+        if self.age.is_multiple_of(STEP) {
+            self.look_at_the_desk();
+        }
+        self.age = self.age.wrapping_add(1);
+        // The ear hears ratios: half of the way is half as loud when the amplitude is a quarter.
+        let Volumes { master, effects, music } = self.volumes;
+        let effects = self.effects_gain.towards(EFFECTS * (master * effects).powi(2));
+        let music = self.music_gain.towards((master * music).powi(2));
+        if let Some(bubble) = self.bed.bubble(&mut self.noise) {
+            self.choir.sing(bubble);
+        }
+        let (once, always) = (self.choir.next(&mut self.noise), self.bed.next(&self.ambience, &mut self.noise));
+        let tune = if music > 1e-5 || !self.music.is_silent() { self.music.next(self.tune, &mut self.noise) } else { [0.0; 2] };
+        std::array::from_fn(|side| {
+            let [first, second] = &mut self.water[side];
+            limited(effects * second.next(first.next(once[side] + always[side])) + music * tune[side])
+        })
+    }
+
+    fn look_at_the_desk(&mut self) {
+        self.volumes = self.feed.volumes();
+        let frames = self.feed.frames();
+        self.held_up = if frames == self.frames { self.held_up.saturating_add(STEP) } else { 0 };
+        self.frames = frames;
+        let moves = (self.held_up as f32) < HELD_UP * self.rate;
+        self.ambience = if moves { self.feed.ambience() } else { Ambience::default() };
+        // Music that nobody hears is not computed.
+        self.tune = self.feed.tune().filter(|_| self.volumes.master * self.volumes.music > 0.0);
+        while let Some(sound) = self.feed.next() {
+            // As strong on both sides together wherever it is.
+            let angle = (sound.place + 1.0) * std::f32::consts::FRAC_PI_4;
+            let gains = [angle.cos(), angle.sin()].map(|side| side * sound.loudness);
+            self.choir.sing(Voice::new(&Recipe::of(sound.cue, sound.loudness), self.rate, gains));
+        }
+        let corner = IN_AIR * (UNDER_WATER / IN_AIR).powf(self.bed.liquid());
+        for filter in self.water.as_flattened_mut() {
+            filter.set(self.rate, corner.min(0.4 * self.rate));
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! Plays a [`Tune`]: soft chords that swell, a plucked melody, and an echo that goes from side to side.
+
+use super::filter::{Glide, LowPass, Noise};
+use super::recipe::{Recipe, Tone};
+use super::tune::Tune;
+use super::voice::{Choir, Voice};
+
+/// s in which a tune fades by a factor of e when another takes its place.
+const FADE: f32 = 0.25;
+/// Below this a tune has faded.
+const GONE: f32 = 0.003;
+/// The longest echo, s, and the share of it that comes back.
+const LONGEST_ECHO: f32 = 0.8;
+const ECHO: f32 = 0.34;
+/// Amplitude of a note of the melody and of a chord.
+const MELODY: f32 = 0.16;
+const CHORD: f32 = 0.085;
+
+/// The music and where it is.
+#[derive(Debug)]
+pub struct Music {
+    rate: f32,
+    tune: Option<(u32, Tune)>,
+    gain: Glide,
+    /// Samples to the next eighth, and its number.
+    wait: f32,
+    eighth: u32,
+    choir: Choir<24>,
+    echo: Echo,
+}
+
+impl Music {
+    /// Silence.
+    pub fn new(rate: f32) -> Self {
+        let (gain, echo) = (Glide::new(rate, FADE), Echo::new(rate));
+        Self { rate, tune: None, gain, wait: 0.0, eighth: 0, choir: Choir::new(), echo }
+    }
+
+    /// Whether nothing is played.
+    pub const fn is_silent(&self) -> bool {
+        self.tune.is_none()
+    }
+
+    /// The next sample, left and right: of that tune, once the one before it has faded.
+    pub fn next(&mut self, wanted: Option<u32>, noise: &mut Noise) -> [f32; 2] {
+        let playing = self.tune.as_ref().map(|(number, _)| *number);
+        let gain = self.gain.towards(if playing == wanted && playing.is_some() { 1.0 } else { 0.0 });
+        if playing != wanted && (playing.is_none() || gain < GONE) {
+            self.choir.hush();
+            self.echo.clear();
+            self.tune = wanted.map(|number| (number, Tune::new(number)));
+            self.gain.set(0.0);
+            (self.wait, self.eighth) = (0.0, 0);
+        }
+        let Some((_, tune)) = &mut self.tune else { return [0.0; 2] };
+        self.wait -= 1.0;
+        if self.wait <= 0.0 {
+            let notes = tune.notes(self.eighth);
+            let length = tune.eighth;
+            self.wait += length * self.rate;
+            // The echo falls between the eighths.
+            self.echo.set(1.5 * length, self.rate);
+            self.eighth = self.eighth.wrapping_add(1);
+            if let Some((pitch, strength)) = notes.melody {
+                self.pluck(pitch, strength);
+            }
+            if let Some(chord) = notes.chord {
+                self.swell(chord, 16.0 * length);
+            }
+        }
+        let dry = self.choir.next(noise);
+        let wet = self.echo.next(dry);
+        [gain * (dry[0] + wet[0]), gain * (dry[1] + wet[1])]
+    }
+
+    fn pluck(&mut self, pitch: f32, strength: f32) {
+        let part = |ratio: f32, fade: f32, share: f32| {
+            let peak = MELODY * strength * share;
+            Some(Tone { at: 0.0, pitch: pitch * ratio, glide: 0.0, swell: 0.008, fade, peak })
+        };
+        let mut recipe = Recipe::default();
+        recipe.tones[0] = part(1.0, 0.5, 1.0);
+        recipe.tones[1] = part(2.0, 0.25, 0.3 * strength);
+        recipe.tones[2] = part(3.01, 0.12, 0.14 * strength);
+        let side = if self.eighth.is_multiple_of(2) { 0.58 } else { 0.42 };
+        self.choir.sing(Voice::new(&recipe, self.rate, [1.0 - side, side]));
+    }
+
+    /// A chord over `length` s. Each note is two tones that beat slowly.
+    fn swell(&mut self, chord: [f32; 3], length: f32) {
+        let mut recipe = Recipe::default();
+        for (i, to) in recipe.tones.iter_mut().enumerate() {
+            let (pitch, share) = (chord[i / 2] * [0.9988, 1.0012][i % 2], [1.0, 0.7, 0.5][i / 2]);
+            let peak = CHORD * share;
+            *to = Some(Tone { at: 0.0, pitch, glide: 0.0, swell: 0.3 * length, fade: 0.4 * length, peak });
+        }
+        self.choir.sing(Voice::new(&recipe, self.rate, [1.0, 1.0]));
+    }
+}
+
+/// An echo from the other side, duller each time.
+#[derive(Debug)]
+struct Echo {
+    /// A ring of samples, left and right.
+    past: Vec<[f32; 2]>,
+    at: usize,
+    delay: usize,
+    dull: [LowPass; 2],
+}
+
+impl Echo {
+    fn new(rate: f32) -> Self {
+        let mut dull = LowPass::default();
+        dull.set(rate, 2200.0);
+        let longest = (LONGEST_ECHO * rate) as usize + 1;
+        Self { past: vec![[0.0; 2]; longest], at: 0, delay: longest - 1, dull: [dull; 2] }
+    }
+
+    fn set(&mut self, seconds: f32, rate: f32) {
+        self.delay = ((seconds * rate) as usize).clamp(1, self.past.len() - 1);
+    }
+
+    fn next(&mut self, dry: [f32; 2]) -> [f32; 2] {
+        let from = (self.at + self.past.len() - self.delay) % self.past.len();
+        let [left, right] = self.past[from];
+        let wet = [self.dull[0].next(right) * ECHO, self.dull[1].next(left) * ECHO];
+        self.past[self.at] = [dry[0] + wet[0], dry[1] + wet[1]];
+        self.at = (self.at + 1) % self.past.len();
+        wet
+    }
+
+    fn clear(&mut self) {
+        self.past.fill([0.0; 2]);
+    }
+}

@@ -1,0 +1,275 @@
+//! The sound libraries of a Linux system, found when the game runs: PulseAudio's simple interface (which PipeWire offers as well), else
+//! ALSA's. Where neither is there, or neither has a device, there is silence.
+//!
+//! This is the game's only unsafe code. It stands on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and `alsa/asoundlib.h`
+//! (libasound 2), which both projects have kept compatible since 2007 and 2004, as the libraries' names `.so.0` and `.so.2` promise; a
+//! library that has once been loaded stays, so that its functions never vanish; and a device is used by the one thread that opened it.
+#![allow(unsafe_code)]
+
+use libloading::Library;
+use std::ffi::{CStr, c_char, c_int, c_long, c_uint, c_ulong, c_void};
+use std::ptr::{self, NonNull};
+use std::sync::OnceLock;
+
+/// Samples a second that are asked for; the libraries convert them to what the device has.
+pub const RATE: u32 = 48_000;
+/// Left and right.
+pub const CHANNELS: usize = 2;
+/// How much is on its way, ms: less and a busy machine tears it, more and it is heard late.
+pub const LATENCY: u32 = 60;
+const SAMPLE: usize = size_of::<f32>();
+/// So often a device may stumble within one block before it counts as gone.
+const STUMBLES: usize = 8;
+
+/// What was found.
+#[derive(Debug)]
+pub struct Libraries {
+    pulse: Option<Pulse>,
+    alsa: Option<Alsa>,
+}
+
+impl Libraries {
+    /// Loads what there is, once; `None` where there is nothing.
+    pub fn load() -> Option<&'static Self> {
+        static LOADED: OnceLock<Libraries> = OnceLock::new();
+        let loaded = LOADED.get_or_init(|| Self { pulse: Pulse::load("libpulse-simple.so.0"), alsa: Alsa::load("libasound.so.2") });
+        (loaded.pulse.is_some() || loaded.alsa.is_some()).then_some(loaded)
+    }
+}
+
+/// A device that takes samples.
+#[derive(Debug)]
+pub enum Device {
+    /// Through PulseAudio or PipeWire, which mix programs.
+    Pulse(&'static Pulse, NonNull<c_void>),
+    /// Through ALSA.
+    Alsa(&'static Alsa, NonNull<c_void>),
+}
+
+impl Device {
+    /// The device that the system plays on unless told otherwise.
+    pub fn open(libraries: &'static Libraries) -> Option<Self> {
+        let pulse = || libraries.pulse.as_ref().and_then(|pulse| Some(Self::Pulse(pulse, pulse.open()?)));
+        let alsa = || libraries.alsa.as_ref().and_then(|alsa| Some(Self::Alsa(alsa, alsa.open()?)));
+        pulse().or_else(alsa)
+    }
+
+    /// Hands over samples, left and right by turns, and waits until the device has taken them; `false` when it is gone.
+    pub fn write(&mut self, samples: &[f32]) -> bool {
+        match self {
+            Self::Pulse(pulse, connection) => pulse.write(*connection, samples),
+            Self::Alsa(alsa, pcm) => alsa.write(*pcm, samples),
+        }
+    }
+}
+
+impl Drop for Device {
+    fn drop(&mut self) {
+        match self {
+            // SAFETY: it was opened by this library, is open, and is not used after this.
+            Self::Pulse(pulse, connection) => unsafe { (pulse.free)(connection.as_ptr()) },
+            // SAFETY: likewise.
+            Self::Alsa(alsa, pcm) => unsafe {
+                (alsa.close)(pcm.as_ptr());
+            },
+        }
+    }
+}
+
+/// A library that stays loaded until the program ends.
+fn library(name: &str) -> Option<&'static Library> {
+    // SAFETY: loading runs the library's own initialisers; these are the system's sound libraries, which any program may load.
+    let library = unsafe { Library::new(name) }.ok()?;
+    Some(Box::leak(Box::new(library)))
+}
+
+/// A function of a library.
+///
+/// # Safety
+/// `F` must be the type of a function pointer that fits what the library has under that name.
+unsafe fn function<F: Copy>(library: &'static Library, name: &CStr) -> Option<F> {
+    // SAFETY: as the caller promises; the pointer is copied out, and the library stays.
+    unsafe { library.get::<F>(name) }.ok().map(|symbol| *symbol)
+}
+
+/// `pa_sample_spec`
+#[repr(C)]
+struct SampleSpec {
+    format: c_int,
+    rate: u32,
+    channels: u8,
+}
+
+/// `pa_buffer_attr`, in bytes; all ones: as the server likes.
+#[repr(C)]
+struct BufferAttr {
+    maxlength: u32,
+    tlength: u32,
+    prebuf: u32,
+    minreq: u32,
+    fragsize: u32,
+}
+
+/// `PA_STREAM_PLAYBACK`
+const PLAYBACK: c_int = 1;
+/// `PA_SAMPLE_FLOAT32NE`
+const PULSE_FLOAT: c_int = if cfg!(target_endian = "little") { 5 } else { 6 };
+
+type PulseNew = unsafe extern "C" fn(
+    *const c_char,
+    *const c_char,
+    c_int,
+    *const c_char,
+    *const c_char,
+    *const SampleSpec,
+    *const c_void,
+    *const BufferAttr,
+    *mut c_int,
+) -> *mut c_void;
+
+/// PulseAudio's simple interface.
+#[derive(Debug)]
+pub struct Pulse {
+    new: PulseNew,
+    write: unsafe extern "C" fn(*mut c_void, *const c_void, usize, *mut c_int) -> c_int,
+    free: unsafe extern "C" fn(*mut c_void),
+}
+
+impl Pulse {
+    fn load(name: &str) -> Option<Self> {
+        let library = library(name)?;
+        // SAFETY: the types are those of pulse/simple.h.
+        unsafe {
+            Some(Self {
+                new: function(library, c"pa_simple_new")?,
+                write: function(library, c"pa_simple_write")?,
+                free: function(library, c"pa_simple_free")?,
+            })
+        }
+    }
+
+    fn open(&self) -> Option<NonNull<c_void>> {
+        let spec = SampleSpec { format: PULSE_FLOAT, rate: RATE, channels: CHANNELS as u8 };
+        let wanted = RATE * LATENCY / 1000 * (CHANNELS * SAMPLE) as u32;
+        let buffer = BufferAttr { maxlength: u32::MAX, tlength: wanted, prebuf: u32::MAX, minreq: u32::MAX, fragsize: u32::MAX };
+        let (name, stream) = (c"Resultant", c"Game");
+        // SAFETY: the strings end with 0 and the structures live for the call; null stands for the default server, device, order of
+        // the channels, and for no interest in the error's number, as the interface allows.
+        let connection = unsafe {
+            let null = ptr::null();
+            (self.new)(null, name.as_ptr(), PLAYBACK, null, stream.as_ptr(), &spec, ptr::null(), &buffer, ptr::null_mut())
+        };
+        NonNull::new(connection)
+    }
+
+    fn write(&self, connection: NonNull<c_void>, samples: &[f32]) -> bool {
+        // SAFETY: the connection is open, and so many bytes lie there for the call.
+        unsafe { (self.write)(connection.as_ptr(), samples.as_ptr().cast(), size_of_val(samples), ptr::null_mut()) >= 0 }
+    }
+}
+
+/// `SND_PCM_STREAM_PLAYBACK`, `SND_PCM_NONBLOCK`, `SND_PCM_ACCESS_RW_INTERLEAVED`
+const ALSA_PLAYBACK: c_int = 0;
+const ALSA_NONBLOCK: c_int = 1;
+const ALSA_INTERLEAVED: c_int = 3;
+/// `SND_PCM_FORMAT_FLOAT`
+const ALSA_FLOAT: c_int = if cfg!(target_endian = "little") { 14 } else { 15 };
+
+/// `snd_local_error_handler_t`: file, line, function, number, text and a `va_list`, which every ABI of Linux passes as something that
+/// a function may leave unread.
+type ErrorHandler = unsafe extern "C" fn(*const c_char, c_int, *const c_char, c_int, *const c_char, *const c_void);
+
+/// ALSA's PCM interface.
+#[derive(Debug)]
+pub struct Alsa {
+    open: unsafe extern "C" fn(*mut *mut c_void, *const c_char, c_int, c_int) -> c_int,
+    nonblock: unsafe extern "C" fn(*mut c_void, c_int) -> c_int,
+    set_params: unsafe extern "C" fn(*mut c_void, c_int, c_int, c_uint, c_uint, c_int, c_uint) -> c_int,
+    writei: unsafe extern "C" fn(*mut c_void, *const c_void, c_ulong) -> c_long,
+    recover: unsafe extern "C" fn(*mut c_void, c_int, c_int) -> c_int,
+    close: unsafe extern "C" fn(*mut c_void) -> c_int,
+    set_error_handler: Option<unsafe extern "C" fn(Option<ErrorHandler>) -> Option<ErrorHandler>>,
+}
+
+/// ALSA would print a line for every device that it does not find.
+unsafe extern "C" fn say_nothing(_: *const c_char, _: c_int, _: *const c_char, _: c_int, _: *const c_char, _: *const c_void) {}
+
+impl Alsa {
+    fn load(name: &str) -> Option<Self> {
+        let library = library(name)?;
+        // SAFETY: the types are those of alsa/pcm.h and alsa/error.h.
+        unsafe {
+            Some(Self {
+                open: function(library, c"snd_pcm_open")?,
+                nonblock: function(library, c"snd_pcm_nonblock")?,
+                set_params: function(library, c"snd_pcm_set_params")?,
+                writei: function(library, c"snd_pcm_writei")?,
+                recover: function(library, c"snd_pcm_recover")?,
+                close: function(library, c"snd_pcm_close")?,
+                set_error_handler: function(library, c"snd_lib_error_set_local"),
+            })
+        }
+    }
+
+    fn open(&self) -> Option<NonNull<c_void>> {
+        if let Some(set) = self.set_error_handler {
+            // SAFETY: the handler is there for ever and reads nothing; it holds for this thread only.
+            unsafe { set(Some(say_nothing)) };
+        }
+        let mut pcm = ptr::null_mut();
+        // SAFETY: `pcm` takes the handle; the name ends with 0. Opened so that it does not wait for a device that another program has.
+        if unsafe { (self.open)(&mut pcm, c"default".as_ptr(), ALSA_PLAYBACK, ALSA_NONBLOCK) } < 0 {
+            return None;
+        }
+        let pcm = NonNull::new(pcm)?;
+        // SAFETY: the handle was opened just now. From here on writing waits for room.
+        let ready = unsafe {
+            (self.nonblock)(pcm.as_ptr(), 0) >= 0
+                && (self.set_params)(pcm.as_ptr(), ALSA_FLOAT, ALSA_INTERLEAVED, CHANNELS as c_uint, RATE, 1, 1000 * LATENCY) >= 0
+        };
+        if !ready {
+            // SAFETY: it is open, and is not used after this.
+            unsafe { (self.close)(pcm.as_ptr()) };
+            return None;
+        }
+        Some(pcm)
+    }
+
+    fn write(&self, pcm: NonNull<c_void>, samples: &[f32]) -> bool {
+        let (mut left, mut stumbles) = (samples, 0);
+        while left.len() >= CHANNELS {
+            if stumbles == STUMBLES {
+                return false;
+            }
+            // SAFETY: the handle is open, and so many frames of `CHANNELS` samples lie there for the call.
+            let written = unsafe { (self.writei)(pcm.as_ptr(), left.as_ptr().cast(), (left.len() / CHANNELS) as c_ulong) };
+            match usize::try_from(written) {
+                // A device that takes nothing and says nothing would hold this loop for ever.
+                Ok(0) => return false,
+                Ok(frames) => left = left.get(frames * CHANNELS..).unwrap_or_default(),
+                // Too late for the device (the machine was busy, or asleep): go on from here. Anything else: it is gone.
+                // SAFETY: the handle is open.
+                Err(_) if unsafe { (self.recover)(pcm.as_ptr(), written as c_int, 1) } < 0 => return false,
+                Err(_) => stumbles += 1,
+            }
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_library_that_is_missing_is_no_error() {
+        assert!(Pulse::load("libno-such-sound.so.0").is_none());
+        assert!(Alsa::load("libno-such-sound.so.2").is_none());
+    }
+
+    #[test]
+    fn a_library_that_is_another_is_no_error() {
+        assert!(Pulse::load("libc.so.6").is_none());
+        assert!(Alsa::load("libc.so.6").is_none());
+    }
+}

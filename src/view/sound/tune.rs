@@ -1,0 +1,150 @@
+//! The notes of the music, from a number: a scale, a pace, and motifs that come back changed. Nothing sounds here.
+
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg32;
+
+/// Eighths a bar and bars a section.
+pub const BAR: u32 = 8;
+pub const SECTION: u32 = 8;
+/// Steps of the two pentatonic scales above the root, in semitones.
+const SCALES: [[i32; 5]; 2] = [[0, 2, 4, 7, 9], [0, 3, 5, 7, 10]];
+/// The roots, Hz: from G₂ to E₃.
+const ROOTS: [f32; 6] = [98.0, 110.0, 123.47, 130.81, 146.83, 164.81];
+/// The lowest and highest degree of the melody.
+const LOWEST: i32 = 5;
+const HIGHEST: i32 = 16;
+
+/// A piece of music without an end: the same from the same number.
+#[derive(Debug)]
+pub struct Tune {
+    number: u32,
+    scale: [i32; 5],
+    root: f32,
+    /// Seconds an eighth.
+    pub eighth: f32,
+    /// The section that is played, with its motif and the degrees that its bars stand on.
+    section: u32,
+    motif: [Option<i32>; BAR as usize],
+    grounds: [i32; 4],
+}
+
+/// What begins with an eighth.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Notes {
+    /// The melody: Hz and how hard it is struck, 0 … 1.
+    pub melody: Option<(f32, f32)>,
+    /// The chord that a bar stands on: its root, fifth and octave or tenth, Hz.
+    pub chord: Option<[f32; 3]>,
+}
+
+impl Tune {
+    /// The tune of that number.
+    pub fn new(number: u32) -> Self {
+        let mut chance = Pcg32::seed_from_u64(u64::from(number));
+        let scale = SCALES[chance.random_range(0..SCALES.len())];
+        let root = ROOTS[chance.random_range(0..ROOTS.len())];
+        let eighth = 30.0 / chance.random_range(58.0..74.0_f32);
+        let mut tune = Self { number, scale, root, eighth, section: 0, motif: [None; BAR as usize], grounds: [0; 4] };
+        tune.begin_section(0);
+        tune
+    }
+
+    /// What begins with that eighth, counted from the beginning.
+    pub fn notes(&mut self, eighth: u32) -> Notes {
+        let (bar, beat) = (eighth / BAR, eighth % BAR);
+        let (section, bar) = (bar / SECTION, bar % SECTION);
+        if section != self.section {
+            self.begin_section(section);
+        }
+        let ground = self.grounds[(bar / 2) as usize % self.grounds.len()];
+        let chord = (beat == 0 && bar.is_multiple_of(2)).then(|| {
+            let third = if ground == 0 { 5 } else { 6 };
+            [ground, ground + 3, ground + third].map(|degree| self.pitch(degree))
+        });
+        Notes { melody: self.melody(section, bar, beat), chord }
+    }
+
+    /// The first four bars say the motif, answer it higher and backwards, say it again and pause; the last four do so thinned out.
+    fn melody(&self, section: u32, bar: u32, beat: u32) -> Option<(f32, f32)> {
+        let last = self.motif.len() - 1;
+        let degree = match bar % 4 {
+            0 | 2 => self.motif[beat as usize]?,
+            1 => self.motif[last - beat as usize]? + 2,
+            _ if beat < 3 => self.motif[beat as usize]?,
+            _ => return None,
+        };
+        let mut chance = self.chance(u64::from(section) << 32 | u64::from(bar * BAR + beat) << 8 | 1);
+        let kept = if bar < 4 { 0.85 } else { 0.6 };
+        chance.random_bool(kept).then(|| {
+            let strength = if beat == 0 { 1.0 } else { chance.random_range(0.45..0.85_f32) };
+            (self.pitch(degree.clamp(LOWEST, HIGHEST)), strength)
+        })
+    }
+
+    /// A walk by small steps over the scale, with rests; and what its bars stand on.
+    fn begin_section(&mut self, section: u32) {
+        self.section = section;
+        let mut chance = self.chance(u64::from(section) << 32);
+        let mut degree = chance.random_range(8..13);
+        for (beat, note) in self.motif.iter_mut().enumerate() {
+            degree = (degree + [-2, -1, -1, 1, 1, 2][chance.random_range(0..6)]).clamp(LOWEST, HIGHEST);
+            *note = (beat == 0 || chance.random_bool(0.55)).then_some(degree);
+        }
+        let second = chance.random_range(1..5);
+        self.grounds = [0, second, chance.random_range(2..4), 0];
+    }
+
+    /// The pitch of a degree of the scale, Hz; five to the octave.
+    fn pitch(&self, degree: i32) -> f32 {
+        let semitones = 12 * degree.div_euclid(5) + self.scale[degree.rem_euclid(5) as usize];
+        self.root * (semitones as f32 / 12.0).exp2()
+    }
+
+    fn chance(&self, place: u64) -> Pcg32 {
+        Pcg32::seed_from_u64(u64::from(self.number).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ place)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn first_minutes(number: u32) -> Vec<Notes> {
+        let mut tune = Tune::new(number);
+        (0..4 * SECTION * BAR).map(|eighth| tune.notes(eighth)).collect()
+    }
+
+    #[test]
+    fn a_tune_is_the_same_every_time_and_others_are_others() {
+        assert_eq!(first_minutes(3), first_minutes(3));
+        for other in [0, 1, 2, 4, 5] {
+            assert_ne!(first_minutes(3), first_minutes(other), "{other}");
+        }
+    }
+
+    #[test]
+    fn every_note_is_one_of_five_and_none_is_shrill() {
+        for number in 0..20 {
+            let tune = Tune::new(number);
+            for notes in first_minutes(number) {
+                let pitches = notes.melody.into_iter().map(|(pitch, _)| pitch).chain(notes.chord.into_iter().flatten());
+                for pitch in pitches {
+                    assert!((90.0..2000.0).contains(&pitch), "tune {number}: {pitch} Hz");
+                    let semitone = (12.0 * (pitch / tune.root).log2()).round() as i32;
+                    assert!(tune.scale.contains(&semitone.rem_euclid(12)), "tune {number}: {semitone}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn it_sings_and_rests_and_does_not_repeat_itself() {
+        for number in 0..20 {
+            let notes = first_minutes(number);
+            let sung = notes.iter().filter(|notes| notes.melody.is_some()).count();
+            assert!((notes.len() / 8..notes.len() * 3 / 4).contains(&sung), "tune {number}: {sung} of {}", notes.len());
+            let section = (SECTION * BAR) as usize;
+            assert_ne!(notes[..section], notes[section..2 * section], "tune {number}");
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! Plays a [`Recipe`], sample by sample. Nothing is allocated: voices are a fixed number of places that are used again.
+
+use super::filter::{BandPass, Noise};
+use super::recipe::{BURSTS, Burst, Recipe, TONES, Tone};
+use std::f32::consts::TAU;
+
+/// Pitches move in steps of so many samples.
+const STEP: u32 = 32;
+/// After so many times its fade (e⁻⁸ is −70 dB) a part is over; the last of it goes down to nothing over the end, s.
+const FADES: f32 = 8.0;
+const END: f32 = 0.006;
+/// No pitch lies above this share of the rate: it would be heard mirrored.
+const HIGHEST: f32 = 0.45;
+
+/// A sound that is being played.
+#[derive(Debug)]
+pub struct Voice {
+    rate: f32,
+    tones: [Option<Sine>; TONES],
+    bursts: [Option<Hiss>; BURSTS],
+    age: u32,
+    length: u32,
+    gains: [f32; 2],
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Sine {
+    tone: Tone,
+    envelope: Envelope,
+    /// A unit vector that turns: its height is the sine.
+    at: [f32; 2],
+    turn: [f32; 2],
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Hiss {
+    burst: Burst,
+    envelope: Envelope,
+    filter: BandPass,
+}
+
+/// Rises evenly from 0 to 1 and fades at the same time.
+#[derive(Clone, Copy, Debug)]
+struct Envelope {
+    begins: u32,
+    swollen: f32,
+    swells: f32,
+    level: f32,
+    keeps: f32,
+}
+
+impl Envelope {
+    fn new(rate: f32, at: f32, swell: f32, fade: f32) -> Self {
+        let swells = 1.0 / (swell * rate).max(1.0);
+        Self { begins: (at * rate) as u32, swollen: 0.0, swells, level: 1.0, keeps: (-1.0 / (fade * rate)).exp() }
+    }
+
+    fn next(&mut self) -> f32 {
+        self.swollen = (self.swollen + self.swells).min(1.0);
+        self.level *= self.keeps;
+        self.swollen * self.level
+    }
+}
+
+impl Voice {
+    /// The recipe from its beginning, at `rate` samples a second; with one gain for the left and one for the right.
+    pub fn new(recipe: &Recipe, rate: f32, gains: [f32; 2]) -> Self {
+        let ends = (recipe.tones.iter().flatten().map(|tone| tone.at + tone.swell + FADES * tone.fade))
+            .chain(recipe.bursts.iter().flatten().map(|burst| burst.at + burst.swell + FADES * burst.fade));
+        let length = (ends.fold(0.0, f32::max) * rate) as u32;
+        let sine = |tone: Tone| Sine {
+            tone,
+            envelope: Envelope::new(rate, tone.at, tone.swell, tone.fade),
+            at: [1.0, 0.0],
+            turn: [1.0, 0.0],
+        };
+        let hiss = |burst: Burst| Hiss {
+            burst,
+            envelope: Envelope::new(rate, burst.at, burst.swell, burst.fade),
+            filter: BandPass::default(),
+        };
+        Self {
+            rate,
+            tones: recipe.tones.map(|tone| tone.map(sine)),
+            bursts: recipe.bursts.map(|b| b.map(hiss)),
+            age: 0,
+            length,
+            gains,
+        }
+    }
+
+    /// How many samples are left.
+    pub const fn left(&self) -> u32 {
+        self.length - self.age
+    }
+
+    /// The next sample, left and right; `None` when it is over.
+    pub fn next(&mut self, noise: &mut Noise) -> Option<[f32; 2]> {
+        if self.age >= self.length {
+            return None;
+        }
+        if self.age.is_multiple_of(STEP) {
+            self.tune();
+        }
+        let mut sum = 0.0;
+        for Sine { tone, envelope, at, turn } in self.tones.iter_mut().flatten() {
+            if self.age >= envelope.begins {
+                let [c, s] = *turn;
+                *at = [at[0] * c - at[1] * s, at[0] * s + at[1] * c];
+                sum += tone.peak * envelope.next() * at[1];
+            }
+        }
+        for Hiss { burst, envelope, filter } in self.bursts.iter_mut().flatten() {
+            if self.age >= envelope.begins {
+                sum += burst.peak * envelope.next() * filter.next(noise.next());
+            }
+        }
+        let end = (self.left() as f32 / (END * self.rate)).min(1.0);
+        self.age += 1;
+        Some(self.gains.map(|gain| gain * end * sum))
+    }
+
+    /// Sets the pitches as they are now.
+    fn tune(&mut self) {
+        let (age, rate) = (self.age, self.rate);
+        let now = |pitch: f32, glide: f32, begins: u32| {
+            let t = age.saturating_sub(begins) as f32 / rate;
+            (pitch * (glide * t).exp2()).min(HIGHEST * rate)
+        };
+        for Sine { tone, envelope, at, turn } in self.tones.iter_mut().flatten() {
+            let (s, c) = (TAU * now(tone.pitch, tone.glide, envelope.begins) / rate).sin_cos();
+            *turn = [c, s];
+            // Rounding makes the vector longer or shorter by and by.
+            let length = at[0].hypot(at[1]);
+            *at = at.map(|side| side / length);
+        }
+        for Hiss { burst, envelope, filter } in self.bursts.iter_mut().flatten() {
+            filter.set(rate, now(burst.pitch, burst.glide, envelope.begins), burst.narrowness);
+        }
+    }
+}
+
+/// Some voices at once. When all are taken, the one that is nearest its end makes way.
+#[derive(Debug)]
+pub struct Choir<const N: usize>([Option<Voice>; N]);
+
+impl<const N: usize> Choir<N> {
+    /// Silence.
+    pub const fn new() -> Self {
+        Self([const { None }; N])
+    }
+
+    /// A voice more.
+    pub fn sing(&mut self, voice: Voice) {
+        let left = |voice: &Option<Voice>| voice.as_ref().map_or(0, Voice::left);
+        if let Some(place) = self.0.iter_mut().min_by_key(|place| left(place)) {
+            *place = Some(voice);
+        }
+    }
+
+    /// The sum of all, left and right.
+    pub fn next(&mut self, noise: &mut Noise) -> [f32; 2] {
+        let mut sum = [0.0; 2];
+        for place in &mut self.0 {
+            let Some(voice) = place else { continue };
+            match voice.next(noise) {
+                Some([left, right]) => sum = [sum[0] + left, sum[1] + right],
+                None => *place = None,
+            }
+        }
+        sum
+    }
+
+    /// Silence from now on.
+    pub fn hush(&mut self) {
+        self.0.fill_with(|| None);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::view::sound::Cue;
+
+    #[test]
+    fn a_full_choir_gives_up_the_voice_nearest_its_end() {
+        let mut choir = Choir::<2>::new();
+        let voice = |cue| Voice::new(&Recipe::of(cue, 1.0), 48_000.0, [1.0, 1.0]);
+        choir.sing(voice(Cue::Success));
+        choir.sing(voice(Cue::Move));
+        choir.sing(voice(Cue::Death));
+        let left: Vec<u32> = choir.0.iter().flatten().map(Voice::left).collect();
+        assert_eq!(left, [voice(Cue::Success).left(), voice(Cue::Death).left()]);
+    }
+
+    #[test]
+    fn a_gliding_tone_keeps_its_amplitude() {
+        let tone = Tone { at: 0.0, pitch: 100.0, glide: 1.0, swell: 0.0, fade: 1e6, peak: 0.5 };
+        let mut recipe = Recipe::default();
+        recipe.tones[0] = Some(tone);
+        let mut voice = Voice::new(&recipe, 48_000.0, [1.0, 0.5]);
+        let mut noise = Noise::new(0);
+        let mut peaks = [0.0_f32; 2];
+        for i in 0..192_000 {
+            let [left, right] = voice.next(&mut noise).expect("it does not fade");
+            if i > 180_000 {
+                peaks = [peaks[0].max(left), peaks[1].max(right)];
+            }
+        }
+        assert!((peaks[0] - 0.5).abs() < 0.01 && (peaks[1] - 0.25).abs() < 0.005, "{peaks:?}");
+    }
+}

@@ -1,0 +1,118 @@
+//! What is left of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own, so that nothing of
+//! the game changes.
+
+use super::camera::Viewport;
+use super::theme::{self, rgb};
+use crate::game::Game;
+use crate::level::{Level, SHIP_HALF};
+use crate::physics::{BodyDef, BodyId, DVec2, World, WorldDef};
+use macroquad::color::{Color, WHITE};
+use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
+
+/// How long the game holds its breath before the ship breaks, s.
+const HIT_STOP: f64 = 0.09;
+/// Pieces along each axis.
+const PIECES: u32 = 3;
+/// The share of its cell that a piece fills: pieces do not begin in each other.
+const FILLED: f64 = 0.9;
+/// How fast the pieces part from the ship's middle, m/s a metre, and the share of the ship's speed that they keep.
+const BURST: f64 = 6.0;
+const KEPT: f64 = 0.6;
+/// s, and how many of them at most in a frame: a hitch may pass pieces over, it may not freeze.
+const TICK: f64 = 1.0 / 120.0;
+const MOST_TICKS: u32 = 8;
+
+/// The pieces.
+pub struct Wreck {
+    world: World,
+    /// Since the ship was lost, s.
+    age: f64,
+    /// Of the last tick, s.
+    left: f64,
+}
+
+impl Wreck {
+    /// What the ship of a game breaks into; `None` where there is no room for pieces.
+    pub fn new(game: &Game, ship: BodyId) -> Option<Self> {
+        let body = game.world().body(ship);
+        let world = World::new(definition(game.level(), body.position, body.velocity)).ok()?;
+        Some(Self { world, age: 0.0, left: 0.0 })
+    }
+
+    /// Lets `frame_time` seconds pass.
+    pub fn advance(&mut self, frame_time: f64) {
+        self.age += frame_time;
+        if self.is_whole() {
+            return;
+        }
+        self.left = (self.left + frame_time).min(f64::from(MOST_TICKS) * TICK);
+        while self.left >= TICK {
+            self.left -= TICK;
+            self.world.step(TICK);
+        }
+    }
+
+    /// Whether the ship has not broken yet.
+    pub fn is_whole(&self) -> bool {
+        self.age < HIT_STOP
+    }
+
+    /// Draws the pieces.
+    pub fn draw(&self, view: &Viewport) {
+        for (i, body) in self.world.bodies().iter().enumerate() {
+            let area = view.rect(&body.bounds());
+            draw_rectangle(area.x, area.y, area.w, area.h, colour(i as u32));
+            draw_rectangle_lines(area.x, area.y, area.w, area.h, 2.0, theme::GROUND);
+        }
+    }
+}
+
+/// The hull is white, the belly slate, the trim orange.
+fn colour(piece: u32) -> Color {
+    match (piece % PIECES, piece / PIECES) {
+        (1, 0) => theme::ACCENT,
+        (_, 0) => WHITE,
+        (1, 1) => rgb(0x6FB7E8),
+        (_, 1) => rgb(0xE6EBF2),
+        _ => theme::SOLID_TOP,
+    }
+}
+
+/// The level with pieces for bodies.
+fn definition(level: &Level, centre: DVec2, velocity: DVec2) -> WorldDef {
+    let cell = SHIP_HALF * 2.0 / f64::from(PIECES);
+    let piece = |i: u32| {
+        let place = DVec2::new(f64::from(i % PIECES), f64::from(i / PIECES)) - 0.5 * f64::from(PIECES - 1);
+        let from_middle = place * cell;
+        BodyDef {
+            position: centre + from_middle,
+            // Each a little differently, so that the wreck has no symmetry.
+            velocity: velocity * KEPT + from_middle * BURST * (1.0 + 0.25 * f64::from(i * 5 % 7)),
+            half: cell * 0.5 * FILLED,
+            mass: level.player.mass / f64::from(PIECES * PIECES),
+            restitution: 0.4,
+            ..BodyDef::default()
+        }
+    };
+    WorldDef { bodies: (0..PIECES * PIECES).map(piece).collect(), ..level.world_def() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_pieces_take_the_ships_mass_fall_and_come_to_rest_inside_the_level() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let level = crate::level::load(&root.join("levels/1"), root).expect("it ships").level;
+        let mut world = World::new(definition(&level, level.player.position, DVec2::new(4.0, -9.0))).unwrap();
+        let mass: f64 = world.bodies().iter().map(|body| body.mass).sum();
+        assert!((mass - level.player.mass).abs() < 1e-9);
+        for _ in 0..1200 {
+            world.step(TICK);
+        }
+        for body in world.bodies() {
+            assert!(body.velocity.length() < 0.1 && level.bounds().contains(&body.bounds(), 1e-6), "{body:?}");
+        }
+    }
+}

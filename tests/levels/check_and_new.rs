@@ -1,0 +1,171 @@
+//! `resultant check` and `resultant new`.
+
+use crate::{fixtures, good, lines};
+use resultant::level;
+use resultant::physics::World;
+use std::path::Path;
+use std::process::{Command, Output};
+
+pub fn resultant(data: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_resultant")).args(arguments).arg("--data").arg(data).output().unwrap()
+}
+
+pub fn texts(output: &Output) -> (i32, String, String) {
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
+}
+
+#[test]
+fn check_prints_what_a_good_level_holds() {
+    let (code, out, err) = texts(&resultant(&fixtures(), &["check", "good_original"]));
+    let lines: Vec<&str> = out.lines().collect();
+    assert_eq!((code, err.as_str(), lines.len()), (0, "", 3), "{out}");
+    assert_eq!(lines[0], "good_original: ok");
+    let counts =
+        "1 solid, 1 object, 1 key object, 0 player objectives, 1 physics objective, 1 death box, 2 air streams, 0 liquids, 0 texts";
+    assert_eq!(lines[1], format!("  contents: {counts}"));
+    let plan = World::new(good("good_original").world_def()).unwrap().plan().parts().join("; ");
+    assert_eq!(lines[2], format!("  physics: {plan}"));
+}
+
+#[test]
+fn check_prints_problems_and_warnings_on_standard_error() {
+    let (code, out, err) = texts(&resultant(&fixtures(), &["check", "fuel_thrust_negative", "warn_unknown_constant"]));
+    assert_eq!(code, 1);
+    assert!(out.starts_with("warn_unknown_constant: ok\n"), "{out}");
+    let err: Vec<&str> = err.lines().collect();
+    assert_eq!(err[0], "fuel_thrust_negative: refused, 2 problems");
+    assert_eq!(err[1], r#"player.csv:2: column "fuel": found "-1", expected a number of 0 or more fuel units"#);
+    assert!(err[3].starts_with(r#"warn_unknown_constant: warning: constants.csv:4: column "name": "#), "{err:?}");
+    assert_eq!(texts(&resultant(&fixtures(), &["check", "warn_unknown_constant"])).0, 0);
+}
+
+#[test]
+fn check_takes_folders_and_all_levels_and_refuses_what_is_not_there() {
+    let folder = fixtures().join("levels/good_touching");
+    let (code, out, _) = texts(&resultant(&fixtures(), &["check", folder.to_str().unwrap()]));
+    assert_eq!((code, out.lines().next()), (0, Some(format!("{}: ok", folder.display()).as_str())));
+
+    let (code, out, err) = texts(&resultant(&fixtures(), &["check"]));
+    assert_eq!(code, 1);
+    assert!(out.contains("good_original: ok\n") && err.contains("player_none: refused, 1 problem\n"));
+
+    let (code, out, err) = texts(&resultant(&fixtures(), &["check", "good_original", "nowhere"]));
+    assert_eq!((code, out.as_str()), (2, ""), "nothing is checked: {err}");
+    assert!(err.contains("nowhere"), "{err}");
+    assert_eq!(texts(&resultant(tempfile::tempdir().unwrap().path(), &["check"])).0, 2);
+}
+
+#[test]
+fn new_makes_a_level_that_loads_and_touches_no_other() {
+    let project = tempfile::tempdir().unwrap();
+    let folder = project.path().join("levels").join("my-level");
+    let (code, out, err) = texts(&resultant(project.path(), &["new", "my-level"]));
+    assert_eq!((code, out, err.as_str()), (0, format!("{}\n", folder.display()), ""));
+    let loaded = level::load(&folder, project.path()).unwrap();
+    assert_eq!((loaded.level.title.as_str(), lines(&loaded.warnings)), ("my-level", String::new()));
+
+    std::fs::write(folder.join("player.csv"), "mine").unwrap();
+    assert_eq!(texts(&resultant(project.path(), &["new", "my-level"])).0, 2);
+    assert_eq!(std::fs::read_to_string(folder.join("player.csv")).unwrap(), "mine");
+    for name in ["../evil", "a/b", "", "."] {
+        let (code, out, err) = texts(&resultant(project.path(), &["new", name]));
+        assert_eq!((code, out.as_str()), (2, ""), "{name:?}: {err}");
+    }
+    assert_eq!(level::list(&project.path().join("levels")), ["my-level"]);
+}
+
+#[test]
+fn new_refuses_names_that_are_taken_by_something_else() {
+    let project = tempfile::tempdir().unwrap();
+    for (names, why) in [
+        (&["jumper", "Jumper"][..], "the leaderboard of that name is that of the Jumper"),
+        (&["CON", "aux", "NUL", "COM1", "lpt9", "Prn"], "Windows takes that one for a device"),
+    ] {
+        for name in names {
+            let (code, out, err) = texts(&resultant(project.path(), &["new", name]));
+            assert_eq!((code, out.as_str()), (2, ""), "{name}");
+            assert_eq!(err, format!("a level cannot be named {name:?}: expected another name, as {why}\n"));
+        }
+    }
+    assert!(!project.path().join("levels").exists());
+}
+
+#[test]
+fn new_makes_a_folder_whole_or_not_at_all() {
+    let project = tempfile::tempdir().unwrap();
+    let levels = project.path().join("levels");
+    std::fs::create_dir(&levels).unwrap();
+    // Whatever has the name already stays, an empty folder too.
+    std::fs::create_dir(levels.join("empty")).unwrap();
+    std::fs::write(levels.join("file"), "kept").unwrap();
+    for name in ["empty", "file"] {
+        let (code, _, err) = texts(&resultant(project.path(), &["new", name]));
+        assert_eq!(code, 2, "{name}");
+        assert!(err.contains("cannot make "), "{err}");
+    }
+    assert_eq!(std::fs::read_dir(levels.join("empty")).unwrap().count(), 0);
+    let mut names: Vec<_> = std::fs::read_dir(&levels).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(names, ["empty", "file"], "nothing is left of what was begun");
+    // What a kill in the middle leaves is hidden and is no level.
+    std::fs::create_dir(levels.join(".new-Ab3dE")).unwrap();
+    assert_eq!(level::list(&levels), ["empty"]);
+    assert_eq!(texts(&resultant(project.path(), &["new", "whole"])).0, 0);
+    assert_eq!(std::fs::read_dir(levels.join("whole")).unwrap().count(), 9);
+}
+
+/// While `new` makes one folder after the other, none is ever seen that is not whole.
+#[test]
+fn no_half_folder_is_ever_seen() {
+    let project = tempfile::tempdir().unwrap();
+    let root = project.path().to_owned();
+    let maker = std::thread::spawn(move || (0..20).all(|i| texts(&resultant(&root, &["new", &format!("l{i}")])).0 == 0));
+    while !maker.is_finished() {
+        for name in level::list(&project.path().join("levels")) {
+            let files = std::fs::read_dir(project.path().join("levels").join(&name)).unwrap().count();
+            assert_eq!(files, 9, "{name}");
+        }
+    }
+    assert!(maker.join().unwrap());
+}
+
+#[test]
+fn a_folder_with_the_name_of_another_leaderboard_is_refused_and_a_device_warned_about() {
+    let project = tempfile::tempdir().unwrap();
+    for name in ["one", "two"] {
+        assert_eq!(texts(&resultant(project.path(), &["new", name])).0, 0);
+    }
+    let levels = project.path().join("levels");
+    std::fs::rename(levels.join("one"), levels.join("Jumper")).unwrap();
+    std::fs::rename(levels.join("two"), levels.join("aux")).unwrap();
+    let (code, out, err) = texts(&resultant(project.path(), &["check"]));
+    assert_eq!(code, 1);
+    assert!(out.starts_with("aux: ok\n"), "{out}");
+    let jumper = "folder:1: column \"name\": found a level folder named \"Jumper\", expected another name, as the leaderboard of that \
+                  name is that of the Jumper\n";
+    assert!(err.contains(&format!("Jumper: refused, 1 problem\n{jumper}")), "{err}");
+    let aux = "aux: warning: folder:1: column \"name\": found a level folder named \"aux\", expected another name, as Windows takes \
+               that one for a device\n";
+    assert!(err.contains(aux), "{err}");
+    let (code, out, err) = texts(&resultant(project.path(), &["run", "Jumper"]));
+    assert_eq!((code, out.as_str(), err.as_str()), (2, "", jumper));
+}
+
+#[cfg(unix)]
+#[test]
+fn check_leaves_the_terminal_as_it_is() {
+    let project = tempfile::tempdir().unwrap();
+    assert_eq!(texts(&resultant(project.path(), &["new", "good"])).0, 0);
+    let levels = project.path().join("levels");
+    std::fs::rename(levels.join("good"), levels.join("\u{1b}[2Jgood\n1: ok\r\u{9b}31m")).unwrap();
+    std::fs::create_dir(levels.join("\u{1b}]0;bad\u{7}")).unwrap();
+    let (code, out, err) = texts(&resultant(project.path(), &["check"]));
+    assert_eq!(code, 1);
+    assert!(out.starts_with("\\u{1b}[2Jgood\\n1: ok\\r\\u{9b}31m: ok\n"), "{out}");
+    assert!(err.contains("\\u{1b}]0;bad\\u{7}: refused, "), "{err}");
+    let (_, _, lost) = texts(&resultant(project.path(), &["check", "\u{1b}[2Jlost"]));
+    for text in [out, err, lost] {
+        assert!(!text.chars().any(|c| c.is_control() && c != '\n'), "{text:?}");
+    }
+}

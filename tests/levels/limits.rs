@@ -1,0 +1,101 @@
+//! The limits that README states: each is accepted, what lies beyond is refused by file, line and column.
+
+use crate::lines;
+use crate::support::Memory;
+use resultant::level;
+
+/// A column, the least and the most that it may hold, and two numbers beyond them.
+type Limit = (&'static str, [f64; 2], [f64; 2]);
+
+/// A level of 3000 × 3000 px with one number changed.
+fn with(column: &str, value: f64) -> Memory {
+    let given = |name: &str, usual: f64| if name == column { value } else { usual };
+    let constants = [("gravity", 15.0), ("air_density", 1.2041), ("optimal_time", 60.0), ("rest_speed", 0.0), ("metre", 30.0)];
+    let constants: String = constants.iter().map(|(name, usual)| format!("{name},{}\n", given(name, *usual))).collect();
+    let side = given("side", 30.0);
+    let files = [
+        ("constants.csv", format!("name,value\nwidth,3000\nheight,3000\n{constants}")),
+        (
+            "player.csv",
+            format!(
+                "x,y,mass,fuel,thrust,vx,vy,angle\n1500,1500,{},{},{},{},0,{}\n",
+                given("mass", 100.0),
+                given("fuel", 500.0),
+                given("thrust", 3000.0),
+                given("vx", 0.0),
+                given("angle", 0.0)
+            ),
+        ),
+        ("world.csv", format!("x,y,width,height\n{},2000,{side},30\n", given("x", 600.0))),
+        (
+            "objects.csv",
+            format!(
+                "x,y,image,mass,drag,circular,restitution\n600,600,box:30x30,100,{},FALSE,{}\n",
+                given("drag", 1.0),
+                given("restitution", 0.5)
+            ),
+        ),
+        ("objectives.csv", "PLAYER,10,10,20,20\n".to_owned()),
+        (
+            "hazards.csv",
+            format!(
+                "x,y,width,height,stream_width,stream_height,force_x,force_y\n900,900,30,30,0,-90,0,{}\n",
+                given("force_y", -900.0)
+            ),
+        ),
+        (
+            "fluids.csv",
+            format!(
+                "x,y,width,height,density,viscosity\n0,2500,3000,500,{},{}\n",
+                given("density", 1000.0),
+                given("viscosity", 0.001)
+            ),
+        ),
+    ];
+    Memory(files.into())
+}
+
+const LIMITS: [Limit; 18] = [
+    ("gravity", [-1e4, 1e4], [-10001.0, 10001.0]),
+    ("air_density", [0.0, 1e5], [-0.1, 100_001.0]),
+    ("optimal_time", [1e-3, 1e9], [0.0009, 1.01e9]),
+    ("rest_speed", [0.0, 1e6], [-0.1, 1_000_001.0]),
+    ("metre", [1.0, 100.0], [0.0009, 1_000_001.0]),
+    ("mass", [1e-3, 1e6], [0.0009, 1_000_001.0]),
+    ("fuel", [0.0, 1e12], [-1.0, 1.1e12]),
+    ("thrust", [0.0, 1e7], [-1.0, 10_000_001.0]),
+    ("vx", [-1e6, 1e6], [-1_000_001.0, 1_000_001.0]),
+    ("angle", [-1e6, 1e6], [-1_000_001.0, 1_000_001.0]),
+    ("x", [-3e7, 3e7], [-3.1e7, 3.1e7]),
+    ("side", [0.03, 3e7], [0.029, 3.1e7]),
+    ("drag", [0.0, 1e3], [-0.1, 1001.0]),
+    ("restitution", [0.0, 1.0], [-0.01, 1.01]),
+    ("force_y", [-1e7, 1e7], [-10_000_001.0, 10_000_001.0]),
+    ("density", [0.0, 1e5], [-0.1, 100_001.0]),
+    ("viscosity", [0.0, 1e6], [-0.1, 1_000_001.0]),
+    ("mass", [1e-3, 1e6], [1e-300, 1e300]),
+];
+
+#[test]
+fn numbers_up_to_their_limits_are_accepted_and_those_beyond_are_named() {
+    for (column, accepted, refused) in LIMITS {
+        // A thrust of 3000 N is too much for a gram, and a metre of a pixel leaves the ship too little room: that is not the limit meant.
+        let named = |value: f64| match level::read("l", &with(column, value)) {
+            Ok(_) => String::new(),
+            Err(problems) => lines(&problems),
+        };
+        let (name, by) = match column {
+            "gravity" | "air_density" | "optimal_time" | "rest_speed" | "metre" => ("value", format!(" for {column}, expected ")),
+            "side" => ("width", ", expected ".to_owned()),
+            _ => (column, ", expected ".to_owned()),
+        };
+        let judged =
+            |told: &str| told.lines().any(|line| line.contains(&format!("column \"{name}\": found \"")) && line.contains(&by));
+        for value in accepted {
+            assert!(!judged(&named(value)), "{column} = {value}: {}", named(value));
+        }
+        for value in refused {
+            assert!(judged(&named(value)), "{column} = {value}: {:?}", named(value));
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! What loads, into what.
+
+use crate::{fixtures, good, lines, rectangle};
+use resultant::level::{self, Look, ObjectiveKind};
+use resultant::physics::{Aabb, DVec2, Material, World};
+
+#[test]
+fn a_folder_written_for_the_original_loads_unchanged() {
+    let level = good("good_original");
+    assert_eq!((level.name.as_str(), level.title.as_str()), ("good_original", "good_original"));
+    assert_eq!((level.metre, level.size), (30.0, DVec2::new(1000.0, 600.0) / 30.0));
+    assert_eq!((level.gravity, level.air_density, level.optimal_time, level.rest_speed), (15.0, 1.2041, 60.0, 0.0));
+    assert_eq!(level.background, Some(fixtures().join("levels/good_original/background.png")));
+
+    let ship = &level.player;
+    assert_eq!((ship.position, ship.velocity, ship.angle), (DVec2::splat(50.0) / 30.0, DVec2::ZERO, 0.0));
+    assert_eq!((ship.mass, ship.fuel, ship.thrust, ship.feels_air), (100.0, 500.0, 3000.0, true));
+
+    let [ball, cube] = &level.objects[..] else { panic!("{:?}", level.objects) };
+    assert_eq!((ball.position, ball.size), (DVec2::splat(100.0) / 30.0, DVec2::splat(40.0) / 30.0));
+    assert_eq!((ball.mass, ball.drag, ball.circular, ball.restitution), (150.0, 0.5, true, 0.35));
+    assert_eq!((&ball.look, ball.key), (&Look::Image(fixtures().join("assets/sprites/ball.png")), None));
+    assert_eq!((cube.position, cube.size), (DVec2::new(600.0, 100.0) / 30.0, DVec2::new(30.0, 20.0) / 30.0));
+    assert_eq!((cube.mass, cube.restitution, cube.drag, cube.circular), (75.0, 0.5, 0.1, false));
+    assert_eq!(cube.key, Some([181, 49, 201]));
+
+    assert_eq!(level.objectives.len(), 1);
+    assert_eq!(level.objectives[0].kind, ObjectiveKind::Physics);
+    assert_eq!(level.objectives[0].bounds, rectangle(550.0, 200.0, 100.0, 10.0));
+    assert_eq!(level.obstacles, [rectangle(300.0, 300.0, 20.0, 20.0)]);
+    assert_eq!((level.world[0].bounds, level.world[0].material), (rectangle(0.0, 560.0, 1000.0, 40.0), Material::ASPHALT));
+
+    let [up, left] = &level.streams[..] else { panic!("{:?}", level.streams) };
+    assert_eq!((up.source, up.force), (rectangle(700.0, 300.0, 40.0, 80.0), DVec2::new(0.0, -1200.0)));
+    assert_eq!(up.zone, rectangle(700.0, 180.0, 40.0, 120.0));
+    assert_eq!(left.zone, rectangle(750.0, 300.0, 50.0, 80.0));
+}
+
+#[test]
+fn columns_come_in_any_order_and_may_be_left_out_or_empty() {
+    let level = good("good_any_order");
+    assert_eq!((level.gravity, level.air_density, level.optimal_time, level.rest_speed), (9.81, 0.0, 30.0, 0.0));
+    assert_eq!((level.title.as_str(), level.metre, level.size), ("Any, order", 50.0, DVec2::new(20.0, 10.0)));
+    assert_eq!(level.background, None);
+    let ship = &level.player;
+    assert_eq!((ship.position, ship.velocity, ship.angle), (DVec2::new(4.0, 2.0), DVec2::new(1.0, -2.0), 45.0));
+    assert_eq!((ship.mass, ship.fuel, ship.thrust, ship.feels_air), (75.0, 0.0, 0.0, false));
+    assert_eq!([level.world[0].material, level.world[1].material], [Material::ICE, Material::ASPHALT]);
+    let ball = &level.objects[0];
+    assert_eq!((&ball.look, ball.velocity, ball.size), (&Look::Ball, DVec2::new(-3.0, 4.0), DVec2::splat(0.8)));
+    assert_eq!([ship.material, level.objects[0].material], [Material::RUBBER, Material::WOOD]);
+    assert_eq!([level.objects[1].material, level.objects[2].material], [Material::ASPHALT, Material::STEEL]);
+    assert_eq!((level.fluids[0].density, level.fluids[0].viscosity, level.fluids[0].colour), (900.0, 0.5, [1, 2, 3]));
+    assert_ne!(level.fluids[1].colour, [1, 2, 3]);
+    let zone = |i: usize| (level.streams[i].zone, level.streams[i].force);
+    let right = Aabb::new(DVec2::new(15.0, 2.0), DVec2::new(17.0, 3.0));
+    let down = Aabb::new(DVec2::new(14.0, 5.0), DVec2::new(15.0, 7.0));
+    assert_eq!([zone(0), zone(1)], [(right, DVec2::new(5.0, 0.0)), (down, DVec2::new(0.0, 5.0))]);
+    assert_eq!((level.texts[0].text.as_str(), level.texts[0].size), ("Up, then \"right\"", 0.4));
+}
+
+#[test]
+fn what_a_spreadsheet_saves_loads() {
+    let level = good("good_spreadsheet");
+    assert_eq!((level.player.mass, level.player.thrust, level.player.feels_air), (100.0, 3000.0, true));
+    assert_eq!(level.objects[0].look, Look::Image(fixtures().join("assets/sprites/ball.png")));
+    assert_eq!(level.texts[0].text, "Space, then arrows");
+    assert_eq!((level.title.as_str(), level.metre), ("good_spreadsheet", 30.0));
+}
+
+#[test]
+fn the_world_holds_the_ship_then_the_objects_and_the_source_blocks_behind_the_world() {
+    let level = good("good_original");
+    let def = level.world_def();
+    assert_eq!(def.bounds, Some(Aabb::new(DVec2::ZERO, level.size)));
+    assert_eq!(def.bodies.len(), 3);
+    assert_eq!((def.bodies[0].half, def.bodies[0].drag, def.bodies[0].restitution), (level::SHIP_HALF, 1.15, 0.0));
+    assert_eq!((def.bodies[1].mass, def.bodies[2].mass), (150.0, 75.0));
+    let surfaces: Vec<Aabb> = def.surfaces.iter().map(|surface| surface.bounds).collect();
+    assert_eq!(surfaces, [level.world[0].bounds, level.streams[0].source, level.streams[1].source]);
+    assert_eq!((def.streams[1].zone, def.streams[1].force), (level.streams[1].zone, DVec2::new(-10.0, 0.0)));
+    assert_eq!(def.bodies.iter().map(|body| body.round).collect::<Vec<_>>(), [false, true, false]);
+    assert_eq!(World::new(def).map(|world| world.bodies().len()), Ok(3));
+    let bodies = good("good_any_order").world_def().bodies;
+    let materials: Vec<_> = bodies.iter().map(|body| body.material).collect();
+    assert_eq!(materials, [Material::RUBBER, Material::WOOD, Material::ASPHALT, Material::STEEL]);
+}
+
+#[test]
+fn what_cannot_be_read_is_a_problem_too() {
+    let project = tempfile::tempdir().unwrap();
+    let missing = level::load(&project.path().join("7"), project.path()).unwrap_err();
+    assert_eq!(lines(&missing), "player.csv:1: column \"x\": found no folder \"7\", expected a level folder\n");
+
+    let folder = project.path().join("8");
+    std::fs::create_dir_all(folder.join("player.csv")).unwrap();
+    std::fs::create_dir_all(folder.join("background.png")).unwrap();
+    let problems = lines(&level::load(&folder, project.path()).unwrap_err());
+    assert!(problems.contains("player.csv:1: column \"x\": found a file that cannot be read ("), "{problems}");
+    assert!(
+        problems.contains("background.png:1: column \"image\": found \"background.png\", which cannot be read ("),
+        "{problems}"
+    );
+    assert!(!problems.contains("exactly one row"), "one cause, one problem:\n{problems}");
+}
+
+#[test]
+fn levels_are_listed_numbers_first() {
+    let levels = tempfile::tempdir().unwrap();
+    for name in ["10", "2", "tower", "1", "attic", ".hidden"] {
+        std::fs::create_dir(levels.path().join(name)).unwrap();
+    }
+    std::fs::write(levels.path().join("README.md"), "no level").unwrap();
+    assert_eq!(level::list(levels.path()), ["1", "2", "10", "attic", "tower"]);
+    assert!(level::list(&levels.path().join("none")).is_empty());
+}

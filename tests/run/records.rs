@@ -1,0 +1,170 @@
+//! Recorded runs, and `resultant verify`.
+
+use crate::program::{Data, resultant};
+use crate::{HEADER, data, read};
+use std::process::Stdio;
+
+/// The data folder with a run of `goal` recorded in it, and the record's path.
+fn recorded() -> (Data, String) {
+    let data = data();
+    let path = data.path("run.csv").to_str().unwrap().to_owned();
+    data.resultant(&["run", "goal", "--record", &path]);
+    (data, path)
+}
+
+#[test]
+fn a_recorded_run_is_verified() {
+    let data = data();
+    let inputs = data.write("in.csv", &format!("{HEADER}\n60,1,0,0,1\n60,0,1,1,0\n"));
+    let (one, two) = (data.path("one.csv"), data.path("two.csv"));
+    let [one, two] = [&one, &two].map(|path| path.to_str().unwrap());
+    let ran = data.resultant(&["run", "flight", "--inputs", &inputs, "--tick", "60", "--record", one]);
+    data.resultant(&["run", "goal", "--record", two]);
+    let again = data.resultant(&["run", "flight", "--inputs", one, "--tick", "60"]);
+    assert_eq!(ran.out, again.out, "a replay is an inputs file");
+
+    let verified = data.resultant(&["verify", one, two]);
+    assert_eq!((verified.status, verified.err.as_str()), (0, ""));
+    assert_eq!(verified.out.lines().count(), 2);
+    assert!(verified.out.contains(&format!("one.csv: ok, score 0, hash {}", ran.value("hash"))), "{}", verified.out);
+    assert!(verified.out.contains("two.csv: ok, score 20983, "), "{}", verified.out);
+}
+
+#[test]
+fn a_run_that_was_tampered_with_is_found_out() {
+    let (data, path) = recorded();
+    let path = path.as_str();
+    let good = read(&data, "run.csv");
+    assert_eq!(data.resultant(&["verify", path]).status, 0);
+    for (from, to) in [("score: 20983", "score: 20984"), ("2,0,0,0,0", "1,1,0,0,0"), ("tick_rate: 120", "tick_rate: 60")] {
+        data.write("run.csv", &good.replace(from, to));
+        let ran = data.resultant(&["verify", path]);
+        assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{to}");
+        assert!(ran.err.contains("run.csv: recorded score 2098"), "{to}: {}", ran.err);
+    }
+}
+
+#[test]
+fn a_record_tells_what_recorded_it_and_in_which_level() {
+    let (data, path) = recorded();
+    let path = path.as_str();
+    let good = read(&data, "run.csv");
+    assert!(
+        good.starts_with(concat!("# program: resultant ", env!("CARGO_PKG_VERSION"), "\n# level: goal\n# level_hash: ")),
+        "{good}"
+    );
+
+    // How the level's files are written, its words and its looks do not matter.
+    let constants = read(&data, "levels/goal/constants.csv");
+    data.write("levels/goal/constants.csv", &(constants.replace('\n', "\r\n") + "title,A goal\r\n"));
+    data.write("levels/goal/texts.csv", "10,10,20,Fly!\n");
+    assert_eq!(data.resultant(&["verify", path]).status, 0);
+    data.write("levels/goal/constants.csv", &constants);
+
+    // Another level of that name: nothing in it is near the ship, so that the flight itself is the same.
+    for (file, text) in
+        [("world.csv", "10,2000,100,10\n"), ("obstacles.csv", "10,2000,100,10\n"), ("fluids.csv", "10,2000,9,9,1,1\n")]
+    {
+        let file = format!("levels/goal/{file}");
+        data.write(&file, text);
+        let ran = data.resultant(&["verify", path]);
+        assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{file}");
+        assert!(ran.err.contains("run.csv: recorded in a level with the hash "), "{}", ran.err);
+        std::fs::remove_file(data.path(&file)).unwrap();
+    }
+    assert_eq!(data.resultant(&["verify", path]).status, 0);
+
+    // What another version has recorded is flown all the same, and named where it leads elsewhere.
+    let hash = good.lines().find(|line| line.starts_with("# level_hash: ")).unwrap();
+    let older = good.replace(concat!("resultant ", env!("CARGO_PKG_VERSION")), "resultant 0.0.1");
+    data.write("run.csv", &older);
+    assert_eq!(data.resultant(&["verify", path]).status, 0);
+    data.write("run.csv", &older.replace("score: 20983", "score: 1"));
+    assert!(data.resultant(&["verify", path]).err.contains("; recorded by resultant 0.0.1, this is resultant "));
+
+    // A record from before there were hashes.
+    data.write("run.csv", &good.replace(&format!("{hash}\n"), ""));
+    let ran = data.resultant(&["verify", path]);
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    assert!(ran.out.ends_with("; the record does not say which level of that name\n"), "{}", ran.out);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_name_with_a_line_break_writes_no_header_of_its_own() {
+    let data = data();
+    let name = "goal\n# score: 99999\n# hash: 0123456789abcdef";
+    std::fs::rename(data.path("levels/goal"), data.path("levels").join(name)).unwrap();
+    let path = data.path("run.csv");
+    let path = path.to_str().unwrap();
+    assert_eq!(data.resultant(&["run", name, "--record", path]).status, 0);
+    let ran = data.resultant(&["verify", path]);
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    assert!(ran.out.contains("ok, score 20983, "), "{}", ran.out);
+}
+
+/// A pipe whose reader has gone: of what is told nothing arrives, but how it ended does.
+#[test]
+fn a_mismatch_is_one_whoever_listens() {
+    let (data, path) = recorded();
+    let path = path.as_str();
+    data.write("wrong.csv", &read(&data, "run.csv").replace("score: 20983", "score: 20984"));
+    data.write("levels/broken/player.csv", "1,2,3\n");
+    let wrong = data.path("wrong.csv");
+    let wrong = wrong.to_str().unwrap();
+    for (args, status) in [
+        (&["verify", path, wrong][..], 1),
+        (&["verify", wrong, path], 1),
+        (&["check"], 1),
+        (&["check", "broken", "goal"], 1),
+        (&["check", "goal"], 0),
+        (&["verify", path, path], 0),
+    ] {
+        for (out_gone, err_gone) in [(true, false), (false, true), (true, true)] {
+            let stdio = |gone: bool| if gone { Stdio::from(gone_pipe()) } else { Stdio::null() };
+            let mut child = resultant();
+            child.arg("--data").arg(data.path(".")).args(args).stdout(stdio(out_gone)).stderr(stdio(err_gone));
+            assert_eq!(child.status().unwrap().code(), Some(status), "{args:?}, gone: {out_gone} {err_gone}");
+        }
+    }
+}
+
+/// The writing end of a pipe that nobody reads any more.
+fn gone_pipe() -> std::io::PipeWriter {
+    std::io::pipe().unwrap().1
+}
+
+#[test]
+fn a_long_record_tells_how_far_it_has_come() {
+    let (data, path) = recorded();
+    let path = path.as_str();
+    // Three months, of which the first seconds are watched.
+    let text = read(&data, "run.csv").replace("goal", "flight").replace("2,0,0,0,0", "1000000000,0,0,0,0");
+    let text: String = text.lines().filter(|line| !line.contains("level_hash")).map(|line| format!("{line}\n")).collect();
+    data.write("run.csv", &text);
+    let mut child = resultant();
+    child.arg("--data").arg(data.path(".")).args(["verify", path]).stdout(Stdio::null()).stderr(Stdio::piped());
+    let mut child = child.spawn().unwrap();
+    let mut line = String::new();
+    std::io::BufRead::read_line(&mut std::io::BufReader::new(child.stderr.take().unwrap()), &mut line).unwrap();
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(line.contains("run.csv: ") && line.ends_with(" of 1000000000 ticks flown\n"), "{line}");
+}
+
+#[test]
+fn a_replay_that_cannot_be_flown_is_refused_before_any_is() {
+    let (data, path) = recorded();
+    let path = path.as_str();
+    let good = read(&data, "run.csv");
+    let inputs = data.write("in.csv", &format!("{HEADER}\n3,1,0,0,0\n"));
+    let lost = data.write("lost.csv", &good.replace("level: goal", "level: nowhere"));
+    for (bad, message) in
+        [(&inputs, "in.csv:1: \"hash\": found no line"), (&lost, "no level \"nowhere\""), (&"no.csv".into(), "no.csv: ")]
+    {
+        let ran = data.resultant(&["verify", path, bad]);
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{message}");
+        assert!(ran.err.contains(message), "{}", ran.err);
+    }
+    assert_eq!(data.resultant(&["verify"]).status, 2);
+}

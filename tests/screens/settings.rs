@@ -1,0 +1,79 @@
+//! The settings: from the menu and from a flight, at once and for good; help in flight is marked.
+
+use super::sitting::Sitting;
+use resultant::screens::{Input, Key, Screen};
+use resultant::settings::Action;
+use std::fs;
+
+fn file(sitting: &Sitting) -> String {
+    fs::read_to_string(sitting.folder.path().join("settings.csv")).unwrap_or_default()
+}
+
+#[test]
+fn the_menu_and_the_pause_panel_lead_there_and_back() {
+    assert_eq!(Sitting::new().choose(5).at(), "settings");
+    assert_eq!(Sitting::new().choose(5).press(Key::Escape).at(), "menu");
+    let mut flying = Sitting::new();
+    flying.fly(1).press(Key::Escape).choose(2);
+    assert_eq!(flying.at(), "settings in flight");
+    assert_eq!(flying.press(Key::Escape).at(), "pause");
+    assert_eq!(flying.press(Key::Escape).at(), "flight", "the attempt goes on");
+}
+
+#[test]
+fn what_is_set_holds_at_once_and_after_the_game_was_closed() {
+    let mut sitting = Sitting::new();
+    sitting.choose(5).press(Key::Left).press(Key::Tab).press(Key::Enter).press(Key::T);
+    assert_eq!(sitting.app.settings().master, 70);
+    assert!(file(&sitting).contains("volume,70,\n") && file(&sitting).contains("key_thrust,T W,\n"), "{}", file(&sitting));
+    sitting.reopen();
+    assert_eq!(sitting.app.settings().master, 70);
+    assert_eq!(sitting.app.settings().keys.label(Action::Thrust), "T or W");
+}
+
+#[test]
+fn a_key_that_was_set_flies_and_the_old_one_does_not() {
+    let burning = |key: Key| {
+        let mut sitting = Sitting::new();
+        sitting.choose(5).press(Key::Tab).press(Key::Enter).press(Key::T).press(Key::Escape).press(Key::Up);
+        sitting.fly(2);
+        let held = [key].into_iter().collect();
+        sitting.give(Input { held, ..Input::default() }).give(Input { held, ..Input::default() });
+        let Screen::Flight(flight) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+        flight.game().ship().burning
+    };
+    assert_eq!([Key::T, Key::W, Key::Space, Key::PadR2].map(burning), [1, 1, 0, 1]);
+}
+
+#[test]
+fn f11_and_alt_enter_fill_the_screen_and_press_nothing_else() {
+    let mut sitting = Sitting::new();
+    sitting.press(Key::F11);
+    assert!(sitting.app.settings().fullscreen);
+    let (pressed, held) = ([Key::Enter].into_iter().collect(), [Key::Alt, Key::Enter].into_iter().collect());
+    sitting.give(Input { pressed, held, ..Input::default() });
+    assert!(!sitting.app.settings().fullscreen);
+    assert_eq!(sitting.at(), "menu");
+}
+
+#[test]
+fn a_flight_with_help_is_marked() {
+    for (steps, marked) in [(0, false), (1, true)] {
+        let mut sitting = Sitting::new();
+        sitting.choose(5);
+        sitting.press_all(&[Key::Down; 11]);
+        sitting.press_all(&[Key::Left][..steps]);
+        sitting.press(Key::Escape).complete();
+        let Screen::Scoring(scoring) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+        assert_eq!(scoring.result().assisted, marked);
+    }
+}
+
+#[test]
+fn a_file_that_is_wrong_is_told_where_it_is_set() {
+    let mut sitting = Sitting::with(|root| fs::write(root.join("settings.csv"), "setting,value,player\nvolume,loud\n").unwrap());
+    sitting.choose(5);
+    let Screen::Settings(panel) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+    let expected = "settings.csv:2: column \"value\" of volume: found \"loud\", expected a whole number of percents from 0 to 100";
+    assert_eq!(panel.problems(), [expected]);
+}

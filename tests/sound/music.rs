@@ -1,0 +1,54 @@
+//! The music: quiet, of each level its own, and none where it is switched off.
+
+use super::hearing::{FULL, Heard, Listener};
+use resultant::view::sound::{Ambience, Volumes};
+
+fn heard(tune: u32, seconds: f64) -> Heard {
+    let mut listener = Listener::new();
+    listener.desk.set_tune(Some(tune));
+    listener.hear(seconds, Ambience::default())
+}
+
+#[test]
+fn music_is_quiet_but_there_all_the_time() {
+    for tune in 0..6 {
+        let heard = heard(tune, 40.0);
+        assert!((0.02..0.12).contains(&heard.rms()) && heard.peak() < 0.6, "tune {tune}: {} {}", heard.rms(), heard.peak());
+        for from in [2.0, 10.0, 20.0, 30.0] {
+            assert!(heard.part(from, from + 8.0).rms() > 0.008, "tune {tune} from {from} s on");
+        }
+        assert!(heard.step() < 0.05, "tune {tune}: {}", heard.step());
+    }
+}
+
+#[test]
+fn tunes_are_the_same_every_time_and_others_are_others() {
+    assert!(heard(2, 5.0) == heard(2, 5.0));
+    assert!(heard(2, 5.0) != heard(3, 5.0));
+}
+
+#[test]
+fn a_tune_fades_before_the_next_begins_and_before_silence() {
+    for next in [Some(2), None] {
+        let mut listener = Listener::new();
+        listener.desk.set_tune(Some(1));
+        let steady = listener.hear(8.0, Ambience::default());
+        listener.desk.set_tune(next);
+        let change = listener.hear(4.0, Ambience::default());
+        assert!(change.part(1.2, 1.4).rms() < 0.05 * steady.rms());
+        assert!(change.step() <= steady.step().max(0.02), "{}", change.step());
+        assert_eq!(change.part(3.0, 4.0).peak() > 0.0, next.is_some());
+    }
+}
+
+#[test]
+fn music_that_is_switched_off_is_none_and_comes_back() {
+    let mut listener = Listener::new();
+    listener.desk.set_tune(Some(1));
+    listener.hear(3.0, Ambience::default());
+    listener.desk.set_volumes(Volumes { music: 0.0, ..FULL });
+    listener.hear(3.0, Ambience::default());
+    assert_eq!(listener.hear(2.0, Ambience::default()).peak(), 0.0);
+    listener.desk.set_volumes(FULL);
+    assert!(listener.hear(6.0, Ambience::default()).rms() > 0.008);
+}
