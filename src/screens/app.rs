@@ -92,13 +92,7 @@ impl App {
 
     /// One frame; `false` when the player has chosen to quit.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
-        let settings = self.with_settings(input);
-        let open = self.update_with(&settings, spectator);
-        input.answer.set(settings.answer.get());
-        open
-    }
-
-    fn update_with(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
+        let input = &self.with_settings(input);
         self.shown_for += input.frame_time;
         self.journal.update(input.frame_time);
         let asked = self.update_screen(input, spectator);

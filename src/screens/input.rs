@@ -3,6 +3,7 @@
 use crate::settings::{Action, Key, Keys, Settings};
 use crate::view::layout::{Frame, Vec2};
 use std::cell::Cell;
+use std::rc::Rc;
 
 /// What the buttons made of an input, for the ear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,8 +39,8 @@ pub struct Input {
     pub typed: String,
     /// What the player has set.
     pub settings: Settings,
-    /// What the buttons made of it: they say so with [`Input::answer`].
-    pub answer: Cell<Option<Answer>>,
+    /// What the buttons made of it, also of a copy that leaves something out: they say so with [`Input::answer`].
+    pub answer: Rc<Cell<Option<Answer>>>,
 }
 
 impl Input {

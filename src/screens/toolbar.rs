@@ -18,8 +18,8 @@ impl Toolbar {
         self.buttons.place(places(&input.frame, keys.len()));
         let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
         let pressed = self.buttons.update(&pointer_only).or_else(|| keys.iter().position(|key| input.pressed(*key)));
-        if let Some(answer) = pressed.map(|_| Answer::Pressed).or(pointer_only.answer.get()) {
-            input.answer(answer);
+        if pressed.is_some() {
+            input.answer(Answer::Pressed);
         }
         pressed
     }

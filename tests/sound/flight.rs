@@ -1,29 +1,16 @@
 //! What is heard of real flights.
 
 use super::hearing::{Listener, RATE};
+use super::support::Memory;
 use resultant::game::{Controls, Game, Inputs};
-use resultant::level::{self, Files};
+use resultant::level;
 use resultant::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, desk, tune};
-use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-/// A level's files in memory.
-struct Memory(Vec<(&'static str, &'static str)>);
-
-impl Files for Memory {
-    fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
-        let file = self.0.iter().find(|(file, _)| *file == name);
-        file.map(|(_, text)| text.as_bytes().to_vec()).ok_or_else(|| io::ErrorKind::NotFound.into())
-    }
-
-    fn project_file(&self, _: &str) -> io::Result<Vec<u8>> {
-        Err(io::ErrorKind::NotFound.into())
-    }
-}
-
 fn game(files: &[(&'static str, &'static str)]) -> Game {
-    let loaded = level::read("test", &Memory(files.to_vec())).unwrap_or_else(|problems| panic!("{problems:?}"));
+    let files = files.iter().map(|(name, text)| (*name, (*text).to_owned())).collect();
+    let loaded = level::read("test", &Memory(files)).unwrap_or_else(|problems| panic!("{problems:?}"));
     Game::new(Arc::new(loaded.level)).unwrap()
 }
 

@@ -7,4 +7,6 @@ mod device;
 mod flight;
 mod hearing;
 mod music;
+#[path = "../support/mod.rs"]
+mod support;
 mod surroundings;

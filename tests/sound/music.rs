@@ -17,7 +17,7 @@ fn music_is_quiet_but_there_all_the_time() {
         for from in [2.0, 10.0, 20.0, 30.0] {
             assert!(heard.part(from, from + 8.0).rms() > 0.008, "tune {tune} from {from} s on");
         }
-        assert!(heard.step() < 0.05, "tune {tune}: {}", heard.step());
+        assert!(heard.step() < 0.08, "tune {tune}: {}", heard.step());
     }
 }
 
@@ -36,7 +36,8 @@ fn a_tune_fades_before_the_next_begins_and_before_silence() {
         listener.desk.set_tune(next);
         let change = listener.hear(4.0, Ambience::default());
         assert!(change.part(1.2, 1.4).rms() < 0.05 * steady.rms());
-        assert!(change.step() <= steady.step().max(0.02), "{}", change.step());
+        let fading = change.part(0.0, 1.4).step();
+        assert!(fading <= steady.step(), "{fading}");
         assert_eq!(change.part(3.0, 4.0).peak() > 0.0, next.is_some());
     }
 }

@@ -18,6 +18,8 @@ const UNDER_WATER: f32 = 420.0;
 const IN_AIR: f32 = 18_000.0;
 /// Effects are made so loud that a crash is just not bent by the limiter.
 const EFFECTS: f32 = 0.8;
+/// At full volume music is nearly as loud as the engine; as it is set at first, far below it.
+const MUSIC: f32 = 1.6;
 
 /// Computes what is heard. It allocates nothing after it has been made, and never waits.
 #[derive(Debug)]
@@ -86,7 +88,7 @@ impl Mixer {
         // The ear hears ratios: half of the way is half as loud when the amplitude is a quarter.
         let Volumes { master, effects, music } = self.volumes;
         let effects = self.effects_gain.towards(EFFECTS * (master * effects).powi(2));
-        let music = self.music_gain.towards((master * music).powi(2));
+        let music = self.music_gain.towards(MUSIC * (master * music).powi(2));
         if let Some(bubble) = self.bed.bubble(&mut self.noise) {
             self.choir.sing(bubble);
         }

@@ -37,6 +37,6 @@ pub struct Volumes {
 
 impl Default for Volumes {
     fn default() -> Self {
-        Self { master: 0.9, effects: 0.9, music: 0.6 }
+        Self { master: 0.8, effects: 0.8, music: 0.5 }
     }
 }
