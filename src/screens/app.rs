@@ -92,11 +92,7 @@ impl App {
 
     /// One frame; `false` when the player has chosen to quit.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
-        let input = self.with_settings(input);
-        self.update_with(&input, spectator)
-    }
-
-    fn update_with(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
+        let input = &self.with_settings(input);
         self.shown_for += input.frame_time;
         self.journal.update(input.frame_time);
         let asked = self.update_screen(input, spectator);

@@ -112,12 +112,6 @@ async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
     }
 }
 
-/// How loud the player wants it.
-fn volumes(settings: &Settings) -> Volumes {
-    let share = |percent: u8| f32::from(percent) / 100.0;
-    Volumes { master: share(settings.master), effects: share(settings.effects), music: share(settings.music) }
-}
-
 /// How large words are on this screen: those of a flight as the player wants them; the others stand in panels made for them.
 fn text_scale(app: &App) -> f32 {
     let scale = f32::from(app.settings().scale) / 100.0;
@@ -221,11 +215,17 @@ impl Theatre {
     }
 }
 
+/// The volumes that the player has set.
+fn volumes(settings: &Settings) -> Volumes {
+    let [master, effects, music] = [settings.master, settings.effects, settings.music].map(|percent| f32::from(percent) / 100.0);
+    Volumes { master, effects, music }
+}
+
 /// By what the tune of a screen goes; `None`: as before, so that a level's stays through its scoring.
 fn music(screen: &Screen) -> Option<&str> {
     match screen {
         Screen::Flight(flight) => Some(&flight.game().level().name),
-        Screen::Scoring(_) | Screen::SaveScore(_) | Screen::Leaderboard(_) | Screen::Settings(_) => None,
+        Screen::Scoring(_) | Screen::SaveScore(_) | Screen::Leaderboard(_) => None,
         Screen::TileRun(_) => Some("tile run"),
         Screen::Jumper(_) => Some("jumper"),
         Screen::Pi(_) => Some("pi"),
@@ -234,7 +234,8 @@ fn music(screen: &Screen) -> Option<&str> {
         | Screen::Credits(_)
         | Screen::LevelSelect(_)
         | Screen::Classics(_)
-        | Screen::Lab(_) => Some(MENU),
+        | Screen::Lab(_)
+        | Screen::Settings(_) => Some(MENU),
     }
 }
 
