@@ -215,6 +215,12 @@ impl Theatre {
     }
 }
 
+/// The volumes that the player has set.
+fn volumes(settings: &Settings) -> Volumes {
+    let [master, effects, music] = [settings.master, settings.effects, settings.music].map(|percent| f32::from(percent) / 100.0);
+    Volumes { master, effects, music }
+}
+
 /// By what the tune of a screen goes; `None`: as before, so that a level's stays through its scoring.
 fn music(screen: &Screen) -> Option<&str> {
     match screen {
