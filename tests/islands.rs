@@ -4,7 +4,9 @@
 mod support;
 
 use proptest::prelude::*;
-use resultant::physics::{BodyDef, BodyId, DVec2, Event, FluidDef, Material, Obstacle, StreamDef, SurfaceDef, World, WorldDef};
+use resultant::physics::{
+    BodyDef, BodyId, DVec2, Event, FluidDef, Material, Obstacle, Path, StreamDef, SurfaceDef, World, WorldDef,
+};
 use support::strategies::cases;
 use support::{G, Random, TICK, area, bits_of_body, block, crate_at, crowd, world};
 
@@ -12,11 +14,27 @@ const TICKS: u32 = 180;
 /// m. Far enough that nothing gets there.
 const FAR: f64 = 1e5;
 
-/// A room with ledges and a crowd in it, that begins `left` metres from the origin; with `media` also with air, a pool and a fan.
-fn busy_room(seed: u64, left: f64, count: usize, media: bool) -> WorldDef {
+/// What a room has besides walls, ledges and a crowd.
+#[derive(Clone, Copy, Debug, Default)]
+struct Extras {
+    /// Air, a pool and a fan.
+    media: bool,
+    /// A lift, a belt, and a press that closes on the floor.
+    movers: bool,
+    /// Nothing bounces, and nothing feels the air.
+    dull: bool,
+}
+
+/// A room with ledges and a crowd in it, that begins `left` metres from the origin.
+fn busy_room(seed: u64, left: f64, count: usize, extras: Extras) -> WorldDef {
     let mut random = Random(seed);
     let mut bodies = crowd(&mut random, count, 6);
-    bodies.iter_mut().for_each(|body| body.position.x += left);
+    for body in &mut bodies {
+        body.position.x += left;
+        if extras.dull {
+            (body.restitution, body.feels_air) = (0.0, false);
+        }
+    }
     let wall = |x0: f64, y0: f64, x1: f64, y1: f64| block(left + x0, y0, left + x1, y1);
     let mut surfaces = vec![
         wall(-1.0, -9.0, 0.0, 12.0),
@@ -29,10 +47,18 @@ fn busy_room(seed: u64, left: f64, count: usize, media: bool) -> WorldDef {
         let ledge = area(left + x, y, left + x + random.between(0.2, 3.0), y + 0.3);
         surfaces.push(SurfaceDef::fixed(ledge, random.pick(&Material::ALL)));
     }
+    if extras.movers {
+        let mover = |x0: f64, y0: f64, x1: f64, y1: f64, path: Path| SurfaceDef { path, ..wall(x0, y0, x1, y1) };
+        let up = DVec2::new(random.between(-1.0, 1.0), -random.between(1.0, 6.0));
+        surfaces.push(mover(1.5, 11.5, 4.0, 11.9, Path::shuttle(up, random.between(0.5, 2.0), 0.2, random.between(0.01, 0.5))));
+        let down = DVec2::new(0.0, random.between(1.0, 2.9));
+        surfaces.push(mover(6.0, 8.3, 9.0, 9.0, Path::shuttle(down, random.between(0.3, 1.0), 0.1, random.between(0.01, 0.3))));
+        surfaces.push(SurfaceDef { belt: random.between(-3.0, 3.0), ..wall(9.0, 10.0, 11.0, 10.4) });
+    }
     let pool = FluidDef { zone: area(left, 10.0, left + 6.0, 12.0), density: 1000.0, viscosity: random.decades(-3.0, 2.0) };
     let fan = StreamDef { zone: area(left + 7.0, 3.0, left + 9.0, 12.0), force: DVec2::new(0.0, -300.0) };
     let def = WorldDef { air_density: 0.0, bodies, surfaces, ..WorldDef::default() };
-    if media { WorldDef { air_density: 1.2041, fluids: vec![pool], streams: vec![fan], ..def } } else { def }
+    if extras.media { WorldDef { air_density: 1.2041, fluids: vec![pool], streams: vec![fan], ..def } } else { def }
 }
 
 /// Both scenes in one world, the first one's things first.
@@ -70,10 +96,20 @@ proptest! {
     #![proptest_config(cases(12))]
 
     #[test]
-    fn what_is_far_away_changes_not_one_bit(seed in any::<u64>(), count in 1..20_usize, fx in -3000.0..3000.0f64, fy in -3000.0..0.0f64) {
-        let (def, drive) = (busy_room(seed, 0.0, count, false), DVec2::new(fx, fy));
+    fn what_is_far_away_changes_not_one_bit(
+        seed in any::<u64>(), count in 1..20_usize, fx in -3000.0..3000.0f64, fy in -3000.0..0.0f64,
+        extras in (any::<bool>(), any::<bool>(), any::<bool>()).prop_map(|(media, movers, dull)| Extras { media, movers, dull }),
+    ) {
+        let (def, drive) = (busy_room(seed, 0.0, count, extras), DVec2::new(fx, fy));
         let alone = story(def.clone(), count, drive);
-        let others = [far_bodies(1), far_bodies(10), busy_room(!seed, FAR, 20, false), with(busy_room(!seed, -FAR, 30, false), far_bodies(10))];
+        let everything = Extras { media: true, movers: true, dull: false };
+        let others = [
+            far_bodies(1),
+            far_bodies(10),
+            busy_room(!seed, FAR, 20, Extras::default()),
+            busy_room(!seed, FAR, 12, everything),
+            with(busy_room(!seed, -FAR, 30, Extras { movers: true, ..extras }), far_bodies(10)),
+        ];
         for (i, other) in others.into_iter().enumerate() {
             let beside = story(with(def.clone(), other), count, drive);
             let first = alone.iter().zip(&beside).position(|(a, b)| a != b);
@@ -82,11 +118,29 @@ proptest! {
     }
 }
 
+/// With air, a pool, a fan and surfaces that move.
 #[test]
 fn a_thousand_bodies_far_away_change_not_one_bit() {
-    let (def, drive) = (busy_room(3, 0.0, 9, true), DVec2::new(1000.0, -2000.0));
-    let alone = story(def.clone(), 9, drive);
-    let beside = story(with(def, far_bodies(1000)), 9, drive);
+    for (seed, count) in [(3, 9), (5, 16)] {
+        let (def, drive) =
+            (busy_room(seed, 0.0, count, Extras { media: true, movers: true, dull: false }), DVec2::new(1000.0, -2000.0));
+        let alone = story(def.clone(), count, drive);
+        for far in [1, 10, 1000] {
+            let beside = story(with(def.clone(), far_bodies(far)), count, drive);
+            assert_eq!(alone.iter().zip(&beside).position(|(a, b)| a != b), None, "{count} bodies beside {far}");
+        }
+    }
+}
+
+/// What floats at its depth, and what hovers where nothing pulls, rests there whatever falls far away.
+#[test]
+fn what_sleeps_near_nothing_stays_asleep() {
+    let floats = BodyDef { mass: 500.0, ..crate_at(3.0, -0.0, 500.0) };
+    let pool = FluidDef { zone: area(-10.0, 0.0, 10.0, 20.0), density: 1000.0, viscosity: 1.0 };
+    let def = WorldDef { bodies: vec![floats], fluids: vec![pool], ..WorldDef::default() };
+    let alone = story(def.clone(), 1, DVec2::ZERO);
+    assert_eq!(alone.last().map(|(bits, _)| bits[..4].to_vec()), alone.first().map(|(bits, _)| bits[..4].to_vec()));
+    let beside = story(with(def, far_bodies(1)), 1, DVec2::ZERO);
     assert_eq!(alone.iter().zip(&beside).position(|(a, b)| a != b), None);
 }
 

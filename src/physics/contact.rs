@@ -22,6 +22,8 @@ pub(super) struct Contact {
     pub lossy_hits: u32,
     /// Which way `hi` slides over `lo` along the other axis: −1, 0 (it sticks) or 1.
     pub slides: f64,
+    /// Whether it slides because static friction gave way in the last solve for forces.
+    pub gave_way: bool,
     /// Push of `lo` on `hi` along the axis, N, ≥ 0 (N·s in an impact).
     pub normal: f64,
     /// Friction of `lo` on `hi` along the other axis, N (N·s).
@@ -43,6 +45,7 @@ impl Contact {
             clings: false,
             lossy_hits: 0,
             slides: 0.0,
+            gave_way: false,
             normal: 0.0,
             friction: 0.0,
         }

@@ -18,6 +18,7 @@ use super::events::{Events, Item, Outcome, Scene};
 use super::guards::Guards;
 use super::impulse::Impulse;
 use super::pile::{Advance, Store, Verdict};
+use super::validate::Checks;
 use super::world::{Obstacle, State};
 use super::{Aabb, BodyId};
 use glam::DVec2;
@@ -37,8 +38,8 @@ impl Choice {
     const MOST_GROWTHS: usize = 3;
     /// Contacts of a dense island are listed if somebody asked for forces in the last tick, or if it has no more bodies than this.
     const ALWAYS_LISTED: usize = 256;
-    /// How often islands are advanced anew in one tick until they agree when surfaces stop that several of them meet. After that these
-    /// stand still for the whole tick, and after twice as often islands are left as they are.
+    /// How often islands are advanced anew in one tick until they agree when a surface stops that several of them meet. After that it
+    /// stands still for the whole tick, and after twice as often islands are left as they are.
     const MOST_ROUNDS: u32 = 8;
 }
 
@@ -49,6 +50,19 @@ pub(super) struct Pause {
     pub until: u64,
     /// How many ticks that was.
     pub length: u16,
+}
+
+impl Pause {
+    /// What follows for a body from how it ended tick `now`: a pause, or, if its island stayed within its budget, leave to try as often as it
+    /// likes again.
+    pub fn go_on(&mut self, after: &After, now: u64) {
+        if after.busy {
+            let length = (2 * self.length).clamp(Choice::FIRST_PAUSE, Choice::LONGEST_PAUSE);
+            *self = Self { until: now + 1 + u64::from(length), length };
+        } else if after.members > 0 && !after.dense {
+            self.length = 0;
+        }
+    }
 }
 
 /// The leader of no island.
@@ -64,6 +78,16 @@ pub(super) struct Stop {
     pub at: f64,
 }
 
+/// Islands have come to different answers about when a surface stops.
+#[derive(Clone, Copy, Debug)]
+struct Dispute {
+    surface: u32,
+    /// How often they had to be advanced anew for it.
+    rounds: u32,
+    /// Whether they have to now.
+    open: bool,
+}
+
 /// When a surface stops, s from the tick's start; infinite where it goes on.
 fn first_stop(stops: &[Stop], surface: u32) -> f64 {
     stops.iter().filter(|stop| stop.surface == surface).map(|stop| stop.at).fold(f64::INFINITY, f64::min)
@@ -77,6 +101,8 @@ pub(super) struct After {
     pub known: bool,
     /// Whether the dense method took it, or the rest of its tick.
     pub dense: bool,
+    /// Whether the budget of its island was used up.
+    pub busy: bool,
     /// How many bodies its island had, and the smallest of them; 0 where it flew or rested by itself.
     pub members: u32,
     pub leader: u32,
@@ -99,6 +125,7 @@ pub(super) struct Happened {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
     pub events: Events,
+    pub checks: Checks,
     /// How each body ends the tick.
     pub after: Vec<After>,
     /// What the islands found out, with the smallest body of the island that it came from.
@@ -110,6 +137,9 @@ pub(super) struct Scratch {
     pub stops: Vec<Stop>,
     /// Which moving surfaces each island has met, and when these stopped for it.
     met: Vec<Stop>,
+    disputes: Vec<Dispute>,
+    /// All that contacts of the dense method exert on each body, N.
+    pub pressed: Vec<f64>,
     /// Of each body and each surface behind them: its number in the present island.
     local: Vec<u32>,
     /// Bodies near the borders of zones: flight alone does not say where they get.
@@ -120,7 +150,6 @@ pub(super) struct Scratch {
     pub zones: Vec<u32>,
     /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`.
     starts: Vec<u32>,
-    rounds: u32,
 }
 
 impl Scratch {
@@ -136,7 +165,7 @@ impl Scratch {
         self.members.clear();
         self.surfaces.clear();
         self.starts.clear();
-        self.rounds = 0;
+        self.disputes.clear();
     }
 
     /// When a surface stops, s from the tick's start; infinite where it goes on.
@@ -225,7 +254,7 @@ impl Scratch {
         let Events { items, movable, .. } = events;
         for item in &items[..*movable] {
             let (acceleration, known) = (item.solved + DVec2::ZERO, known && item.known);
-            after[item.id as usize] = After { acceleration, known, dense: false, members: count, leader };
+            after[item.id as usize] = After { acceleration, known, members: count, leader, ..After::default() };
         }
         for hit in &events.hits {
             let (a, b, sign) = if hit.lo < hit.hi { (hit.lo, hit.hi, -1.0) } else { (hit.hi, hit.lo, 1.0) };
@@ -267,9 +296,6 @@ pub(super) struct Tick<'a> {
     pub scene: Scene<'a>,
     pub guards: &'a mut Guards,
     pub scratch: &'a mut Scratch,
-    pub pauses: &'a mut [Pause],
-    /// The number of the tick.
-    pub now: u64,
     /// Whether somebody asked for forces in the last tick.
     pub lists: bool,
 }
@@ -277,23 +303,7 @@ pub(super) struct Tick<'a> {
 impl Tick<'_> {
     /// Whether the event-driven method pauses for an island.
     fn pauses(&self) -> bool {
-        self.scratch.members.iter().any(|body| self.pauses[*body as usize].until > self.now)
-    }
-
-    /// Lets it pause for an island whose budget has been used up.
-    fn begin_pause(&mut self) {
-        for &body in &self.scratch.members {
-            let pause = &mut self.pauses[body as usize];
-            let length = (2 * pause.length).clamp(Choice::FIRST_PAUSE, Choice::LONGEST_PAUSE);
-            *pause = Pause { until: self.now + 1 + u64::from(length), length };
-        }
-    }
-
-    /// An island that stayed within its budget may try as often as it likes again.
-    fn end_pauses(&mut self) {
-        for &body in &self.scratch.members {
-            self.pauses[body as usize].length = 0;
-        }
+        self.scratch.members.iter().any(|body| self.state.pauses[*body as usize].until > self.state.ticks)
     }
 
     fn bring(&self, store: &mut Store<'_>) {
@@ -337,7 +347,6 @@ impl Advance for Tick<'_> {
             }
             Outcome::Done => {
                 self.scratch.scatter(self.state, true);
-                self.end_pauses();
                 self.bring(store);
                 let items = &self.scratch.events.items[..count];
                 let still = |item: &Item| item.rests(self.state.bodies[item.id as usize].position);
@@ -346,10 +355,10 @@ impl Advance for Tick<'_> {
             }
             Outcome::Busy(at) => {
                 self.guards.budgets_used_up += 1;
-                self.begin_pause();
                 self.scratch.scatter(self.state, false);
                 for &body in &self.scratch.members {
-                    self.scratch.after[body as usize].dense = true;
+                    let after = &mut self.scratch.after[body as usize];
+                    (after.dense, after.busy) = (true, true);
                 }
                 self.bring(store);
                 for item in &self.scratch.events.items[count..] {
@@ -382,18 +391,27 @@ impl Advance for Tick<'_> {
     }
 
     fn disagree(&mut self, bodies: &mut Vec<u32>) {
-        let scratch = &mut *self.scratch;
-        if scratch.stops.is_empty() || scratch.rounds >= 2 * Choice::MOST_ROUNDS {
+        let Scratch { stops, met, disputes, .. } = &mut *self.scratch;
+        if stops.is_empty() {
             return;
         }
-        scratch.rounds += 1;
-        if scratch.rounds > Choice::MOST_ROUNDS {
-            scratch.stops.iter_mut().for_each(|stop| (stop.leader, stop.at) = (NOBODY, 0.0));
-        }
-        for met in &scratch.met {
-            if met.at != scratch.stop_of(met.surface) {
-                bodies.push(met.leader);
+        // Each surface by itself: how long others take to agree about another is no concern of it.
+        let differs = |met: &Stop, stops: &[Stop]| met.at != first_stop(stops, met.surface);
+        for met in met.iter().filter(|met| differs(met, stops)) {
+            if !disputes.iter().any(|dispute| dispute.surface == met.surface) {
+                disputes.push(Dispute { surface: met.surface, rounds: 0, open: false });
             }
         }
+        for Dispute { surface, rounds, open } in disputes.iter_mut() {
+            let mine = |met: &&Stop| met.surface == *surface;
+            *open = *rounds < 2 * Choice::MOST_ROUNDS && met.iter().filter(mine).any(|met| differs(met, stops));
+            *rounds += u32::from(*open);
+            if *open && *rounds > Choice::MOST_ROUNDS {
+                let stops = stops.iter_mut().filter(|stop| stop.surface == *surface);
+                stops.for_each(|stop| (stop.leader, stop.at) = (NOBODY, 0.0));
+            }
+        }
+        let open = |surface: u32| disputes.iter().any(|dispute| dispute.open && dispute.surface == surface);
+        bodies.extend(met.iter().filter(|met| open(met.surface) && differs(met, stops)).map(|met| met.leader));
     }
 }

@@ -10,7 +10,7 @@
 use super::contact::Contact;
 use super::face;
 use super::network::{Carries, GROUND, Network, Node};
-use super::tuning::{FRICTION_ROUNDS, SPEED_TOLERANCE};
+use super::tuning::{FRICTION_PASSES, FRICTION_ROUNDS, SPEED_TOLERANCE};
 use glam::DVec2;
 
 /// What a network is made of. Bodies have the numbers from 0 on, surfaces follow.
@@ -46,6 +46,9 @@ pub(super) struct Reactions {
     leader: Vec<u32>,
     by_group: Vec<(u32, u32)>,
     group: Vec<Contact>,
+    /// How hard each contact pressed one and two rounds ago, N.
+    pressed: Vec<f64>,
+    pressed_before: Vec<f64>,
     /// The bodies that surfaces which close on them squeeze, and along which axis, by the last question asked.
     pub squeezed: Vec<(u32, usize)>,
 }
@@ -105,35 +108,65 @@ impl Reactions {
         self.by_group.chunk_by(|a, b| a.0 == b.0).count()
     }
 
-    /// One group of [`Self::accelerate`].
+    /// One group of [`Self::accelerate`]. What gives way decides how the rounds go on, and so the last bits: they begin anew with what is
+    /// known to slide, so that asking again answers the same.
     fn accelerate_group(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         self.number(contacts, parts);
+        for _ in 0..FRICTION_PASSES {
+            let rounds = self.couple_axes(contacts, parts, out);
+            if rounds <= 1 || !contacts.iter().any(|contact| contact.gave_way) {
+                return;
+            }
+        }
+    }
+
+    /// The rounds between the two axes. Returns how many it took.
+    fn couple_axes(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) -> u32 {
         for &body in &self.body_of {
             out[body as usize] = parts.free[body as usize];
         }
         for contact in contacts.iter_mut() {
-            contact.normal = 0.0;
+            (contact.normal, contact.gave_way) = (0.0, false);
         }
+        self.pressed.clear();
         for round in 0..FRICTION_ROUNDS {
-            // Of what presses on walls the first round's gravity axis has known nothing yet.
-            let mut settled = round > 0;
+            std::mem::swap(&mut self.pressed, &mut self.pressed_before);
+            self.pressed.clear();
+            self.pressed.extend(contacts.iter().map(|contact| contact.normal));
             for axis in [1, 0] {
                 self.solve_axis(axis, contacts, parts, Question::Forces);
                 for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
-                    let a = &mut out[body as usize][axis];
-                    if axis == 1 && (*a - node.acceleration).abs() > f64::EPSILON * a.abs() {
-                        settled = false;
-                    }
-                    *a = node.acceleration;
+                    out[body as usize][axis] = node.acceleration;
                 }
             }
-            // That matters only where something would slide on one.
+            if round + 1 < FRICTION_ROUNDS && hold_back(contacts, parts, out) {
+                continue;
+            }
+            // How hard something presses on walls matters only where it would slide on one, or hangs on it.
             let rubs = |contact: &Contact| {
-                let along = contact.slides != 0.0 || gain(contact, parts, out) != 0.0;
-                contact.axis == 0 && contact.normal > 0.0 && along
+                let moves = || contact.slides != 0.0 || gain(contact, parts, out) != 0.0;
+                contact.axis == 0 && (contact.friction != 0.0 || contact.normal > 0.0 && moves())
             };
-            if settled || !contacts.iter().any(rubs) {
-                break;
+            let same = |(contact, before): (&Contact, &f64)| {
+                contact.axis == 1 || (contact.normal - before).abs() <= f64::EPSILON * contact.normal
+            };
+            if contacts.iter().zip(&self.pressed).all(same) || !contacts.iter().any(rubs) {
+                return round + 1;
+            }
+            if round % 3 == 2 && round + 1 < FRICTION_ROUNDS {
+                self.extrapolate(contacts);
+            }
+        }
+        FRICTION_ROUNDS
+    }
+
+    /// Rounds between two faces come nearer to their answer by the same factor each time: three of them tell where they lead (Aitken's Δ²).
+    fn extrapolate(&self, contacts: &mut [Contact]) {
+        for ((contact, now), before) in contacts.iter_mut().zip(&self.pressed).zip(&self.pressed_before) {
+            let (step, last) = (contact.normal - now, now - before);
+            let factor = step / last;
+            if contact.axis == 0 && factor.abs() < 1.0 {
+                contact.normal = (contact.normal + step * factor / (1.0 - factor)).max(0.0);
             }
         }
     }
@@ -267,7 +300,7 @@ impl Reactions {
                 let of = |node: u32| self.network.nodes.get(node as usize).map_or(link.ground, |node| node.acceleration);
                 let slip = of(link.hi) - of(link.lo);
                 if slip != 0.0 {
-                    contact.slides = slip.signum();
+                    (contact.slides, contact.gave_way) = (slip.signum(), true);
                     gave_way = true;
                 }
             }
@@ -301,6 +334,18 @@ fn rate(parts: &Parts, item: u32, axis: usize, skin: f64) -> f64 {
 fn ground(contact: &Contact, parts: &Parts, axis: usize, skin: f64) -> f64 {
     let second = contact.lo.max(contact.hi);
     if (second as usize) < parts.masses.len() { 0.0 } else { rate(parts, second, axis, skin) }
+}
+
+/// Lets contacts stick again that gave way while the pressure on them was not yet known, and that friction would drive back now. Returns
+/// whether there are any: they have to be asked again.
+fn hold_back(contacts: &mut [Contact], parts: &Parts, accelerations: &[DVec2]) -> bool {
+    let mut any = false;
+    for contact in contacts {
+        if contact.gave_way && contact.slides * gain(contact, parts, accelerations) < 0.0 {
+            (contact.slides, contact.gave_way, any) = (0.0, false, true);
+        }
+    }
+    any
 }
 
 /// How fast `hi` gains on `lo` along the contact's face, m/s².

@@ -13,6 +13,9 @@ use super::world::{Event, Methods, Obstacle, State, World};
 use super::{Body, BodyId, zones};
 use glam::DVec2;
 
+/// Relative to all that contacts exert on a body: what rounding leaves of their balance with what acts on it besides.
+const BALANCED: f64 = 1e-9;
+
 /// m. What is nearer to a surface that changes is looked at.
 const MARGIN: f64 = 1e-3;
 
@@ -26,15 +29,26 @@ impl World {
         self.say_what_acts(dt);
         let Self { state, records, plan, scratch, pile, .. } = self;
         let lists = self.asked.replace(false);
-        let mut pauses = std::mem::take(&mut state.pauses);
-        let (now, guards) = (state.ticks, &mut records.guards);
+        let guards = &mut records.guards;
         let scene = Scene::of(state, plan, dt);
-        pile.step_with(dt, &mut Tick { state, scene, guards, scratch, pauses: &mut pauses, now, lists });
+        pile.step_with(dt, &mut Tick { state, scene, guards, scratch, lists });
         records.guards.add(&pile.take_guards());
-        (state.pauses, state.ticks) = (pauses, now + 1);
         self.commit(dt);
         self.record();
         self.go_on_paths(dt);
+        if cfg!(debug_assertions) {
+            self.assert_valid();
+        }
+    }
+
+    /// # Panics
+    /// What [`World::validate`] finds.
+    fn assert_valid(&mut self) {
+        let mut checks = std::mem::take(&mut self.scratch.checks);
+        if let Err(fault) = self.validate_with(&mut checks) {
+            panic!("after tick {}: {fault}", self.state.ticks);
+        }
+        self.scratch.checks = checks;
     }
 
     /// The forces before the first tick, of worlds that are not too large to be looked at as one island.
@@ -184,8 +198,8 @@ impl World {
 
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
-        let Self { state, scratch, pile, records, .. } = self;
-        let State { bodies, contacts, known, media, drives, .. } = state;
+        let Self { state, scratch, pile, .. } = self;
+        let State { bodies, contacts, known, media, drives, pauses, ticks, .. } = state;
         contacts.retain(|contact| {
             pile.is_sleeping(contact.lo.min(contact.hi) as usize) && scratch.after[contact.lo.min(contact.hi) as usize].members == 0
         });
@@ -193,6 +207,7 @@ impl World {
         for i in 0..bodies.len() {
             let after = &scratch.after[i];
             let body = &mut bodies[i];
+            pauses[i].go_on(after, *ticks);
             if after.members == 0 && pile.is_sleeping(i) {
                 continue;
             }
@@ -205,18 +220,17 @@ impl World {
                 body.acceleration = media.acceleration(body, &law, body.position, body.velocity);
                 known[i] = true;
             } else if after.dense {
-                // What contacts add is known when they are listed; what rests, rests.
+                // What contacts add is known when they are listed.
                 let law = media.law(body, zones::force_on(media, body, drives[i]), 0.0);
-                let rests = body.velocity == DVec2::ZERO && body.position == records.previous[i];
-                let flies = || media.acceleration(body, &law, body.position, body.velocity);
-                body.acceleration = if rests { DVec2::ZERO } else { flies() };
+                body.acceleration = media.acceleration(body, &law, body.position, body.velocity);
             } else {
                 body.acceleration = after.acceleration;
             }
         }
+        *ticks += 1;
         self.commit_dense(dt);
         self.count_methods();
-        self.state.contacts.sort_unstable_by_key(|contact| (contact.ends(), contact.axis));
+        put_in_order(&mut self.state.contacts);
     }
 
     /// Counts by which method how many bodies were advanced.
@@ -239,6 +253,8 @@ impl World {
     fn commit_dense(&mut self, dt: f64) {
         let Self { state, scratch, pile, records, .. } = self;
         let n = state.bodies.len();
+        scratch.pressed.clear();
+        scratch.pressed.resize(n, 0.0);
         for contact in pile.listed() {
             let a = contact.a;
             if scratch.after[a].members == 0 || !scratch.after[a].dense {
@@ -255,7 +271,8 @@ impl World {
                 let impulse = Impulse { a: BodyId(a as u32), b: other, vector, point: contact.point, at: dt };
                 let mut normal = DVec2::ZERO;
                 normal[axis] = contact.normal.signum();
-                let places = [state.bodies[a].position; 2];
+                let at = |item: u32| state.bodies.get(item as usize).map_or(contact.point, |body| body.position);
+                let places = [at(a as u32), at(b)];
                 let order = scratch.happened.len() as u32;
                 scratch.happened.push(Happened { island: u32::MAX, order, impulse, normal, speed: 0.0, places });
             } else {
@@ -268,12 +285,19 @@ impl World {
                 let mut felt = DVec2::ZERO;
                 (felt[axis], felt[1 - axis]) = (contact.normal / dt, contact.friction / dt);
                 for (item, sign) in [(a, 1.0), (b as usize, -1.0)] {
-                    if let Some(body) = state.bodies.get_mut(item)
-                        && !(body.velocity == DVec2::ZERO && body.position == records.previous[item])
-                    {
+                    if let Some(body) = state.bodies.get_mut(item) {
+                        scratch.pressed[item] += felt.length();
                         body.acceleration += felt * (sign / body.mass);
                     }
                 }
+            }
+        }
+        // What rests, rests exactly; unless part of what held it was an impact, which is no force.
+        for (i, _) in scratch.after.iter().enumerate().filter(|(_, after)| after.dense) {
+            let body = &mut state.bodies[i];
+            let rests = body.velocity == DVec2::ZERO && body.position == records.previous[i];
+            if rests && (body.mass * body.acceleration).length() <= BALANCED * scratch.pressed[i] {
+                body.acceleration = DVec2::ZERO;
             }
         }
         for hit in pile.impacts() {
@@ -327,6 +351,24 @@ fn hold(state: &State, pile: &mut Pile, i: usize, dt: f64) {
     let law = state.media.law(body, zones::force_on(&state.media, body, state.drives[i]), 0.0);
     let a = state.media.acceleration(body, &law, body.position, DVec2::ZERO);
     pile.guide(i, body.position + a * (0.5 * dt * dt), a * dt);
+}
+
+/// Sorts contacts by their ends, and makes one of those that tell of the same face: the dense method tells of push and friction apart. Nothing
+/// is left to how a sort treats equals, which depends on how many there are in the world.
+fn put_in_order(contacts: &mut Vec<Contact>) {
+    contacts.sort_unstable_by(|a, b| {
+        let face = (a.ends(), a.axis).cmp(&(b.ends(), b.axis));
+        face.then(b.normal.total_cmp(&a.normal)).then(a.friction.total_cmp(&b.friction)).then(a.lo.cmp(&b.lo))
+    });
+    contacts.dedup_by(|next, kept| {
+        let turned = next.lo != kept.lo;
+        let joins = next.ends() == kept.ends() && next.axis == kept.axis && (!turned || next.normal == 0.0);
+        if joins {
+            kept.normal += next.normal;
+            kept.friction += if turned { -next.friction } else { next.friction };
+        }
+        joins
+    });
 }
 
 impl State {

@@ -266,20 +266,25 @@ impl World {
     /// The forces on a body as it is now, each with its source; what its contacts carry is what the last tick ended with.
     pub fn forces(&self, id: BodyId) -> ForceManager {
         self.asked.set(true);
+        let mut forces = ForceManager::default();
+        self.list_forces(id, &mut forces);
+        forces
+    }
+
+    /// The same into a list that is there already, without asking for anything.
+    pub(super) fn list_forces(&self, id: BodyId, forces: &mut ForceManager) {
         let (i, body) = (id.index(), self.body(id));
         let state = &self.state;
-        let mut forces = ForceManager::default();
         let in_stream = |stream: usize| zones::feels(&state.media.streams[stream].zone, body, (body.position, body.velocity));
         let law = state.media.law(body, state.drives[i], 0.0);
         state.media.list(body, &law, state.drives[i], in_stream, forces.renew());
         let mut held = false;
         for contact in state.contacts.iter().filter(|contact| contact.has(id.0)) {
             held = true;
-            self.list_contact(contact, id, &mut forces);
+            self.list_contact(contact, id, forces);
         }
         // At rest it is exactly zero, where a sum in another order could be one rounding off.
         forces.close(held.then(|| body.acceleration * body.mass));
-        forces
     }
 
     /// Lists what the other end of a contact exerts on a body, N, by the name that it bears on both: a Reaction where a surface is the other

@@ -18,14 +18,20 @@ impl Events {
             let contact = self.contacts[index];
             if !(self.stays(&contact) || self.rides(&contact)) {
                 self.contacts.remove(index);
-                self.items[contact.lo as usize].known = false;
-                self.items[contact.hi as usize].known = false;
+                for item in [contact.lo, contact.hi] {
+                    self.items[item as usize].known = false;
+                    // What else they touch carries something else now.
+                    self.concern(item);
+                }
             }
         }
         for index in 0..self.contacts.len() {
-            let slides = self.slides(&self.contacts[index]);
-            if slides != 0.0 {
+            let contact = self.contacts[index];
+            let slides = self.slides(&contact);
+            if slides != 0.0 && slides != contact.slides {
                 self.contacts[index].slides = slides;
+                self.concern(contact.lo);
+                self.concern(contact.hi);
             }
         }
         // What has crossed the border of a stream just as the tick ends is on its other side.

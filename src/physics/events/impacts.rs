@@ -40,7 +40,7 @@ pub(in crate::physics) struct Hit {
 impl Events {
     /// Ends every approach of things that touch.
     pub(super) fn resolve_impacts(&mut self, scene: &Scene) {
-        if scene.bounces && self.squeezes(scene) {
+        if self.bounces && self.squeezes(scene) {
             return;
         }
         let mut left = scene.most_impacts(self.touching.len());
@@ -177,7 +177,7 @@ impl Events {
             if speed <= 0.0 && !contact.clings || speed > 0.0 && speed <= rounding && contact.closed && contact.lasts {
                 continue;
             }
-            let e = if bounces_left && scene.bounces { self.restitution(scene, contact, speed) } else { 0.0 };
+            let e = if bounces_left && self.bounces { self.restitution(scene, contact, speed) } else { 0.0 };
             // A bounce needs a closed gap, or it would lose energy; what only comes to rest may do so within the slop.
             if e > 0.0 && !contact.closed {
                 continue;

@@ -129,6 +129,8 @@ pub(super) struct Events {
     now: f64,
     work: u64,
     grown: bool,
+    /// Whether anything of the island bounces: what does elsewhere is of no concern to it.
+    bounces: bool,
     /// Whether a surface was stopped while the present event was looked at.
     halted: bool,
     touching: Vec<Contact>,
@@ -270,6 +272,7 @@ impl Events {
     /// Prepares the buffers, and how everything moves at the start of the tick.
     fn begin(&mut self, scene: &Scene) {
         self.clear_buffers();
+        self.bounces = scene.bounces && self.items[..self.movable].iter().any(|item| item.body.restitution > 0.0);
         let (all, bodies) = (self.items.len(), self.movable);
         for i in 0..bodies {
             self.masses[i] = DVec2::splat(self.items[i].body.mass);

@@ -13,7 +13,7 @@ const MOST_MOVES: usize = 8;
 
 /// How much further than predicted a body may get before its contacts are sought anew: m, and across so many times its way besides.
 /// Larger: more contacts to look at; smaller: more islands are solved again because a hit threw a body further.
-const MARGIN: f64 = 1e-2;
+pub(super) const MARGIN: f64 = 1e-2;
 const WAYS: f64 = 1.0;
 
 /// A box that overlaps none.
@@ -205,6 +205,12 @@ impl Bodies {
     pub fn is_swept(&self, i: usize) -> bool {
         let (s, x, y, hx, hy) = (&self.swept[i], self.px[i], self.py[i], self.hx[i], self.hy[i]);
         (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3])
+    }
+
+    /// Lets a body rest where it is.
+    pub fn stay(&mut self, i: usize) {
+        (self.px[i], self.py[i]) = (self.x[i], self.y[i]);
+        (self.ux[i], self.uy[i]) = (0.0, 0.0);
     }
 
     /// Widens what a body sweeps to where it is predicted now.

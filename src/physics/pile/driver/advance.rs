@@ -11,7 +11,7 @@ pub(in crate::physics) trait Advance {
     /// Whether a body that is near nothing has to be advanced all the same: flight alone does not say where it gets.
     fn minds(&self, body: usize) -> bool;
 
-    /// Takes an island, or leaves it. `round` is how often islands have grown in this step.
+    /// Takes an island, or leaves it. `round` is how often it has grown in this step.
     fn advance(&mut self, store: &mut Store<'_>, round: usize) -> Verdict;
 
     /// Whether the contacts of an island of so many bodies are to be listed; `on` is whether those of the one before were.

@@ -39,6 +39,10 @@ pub(super) struct Driver {
     /// Who sleeps, by the numbers outside, and how many.
     asleep: Vec<bool>,
     sleepers: usize,
+    /// Who fell asleep in this step.
+    fresh: Vec<u32>,
+    /// By slot: how often its island has grown in this step.
+    growths: Vec<u32>,
     /// By slot: whether the island has to be solved again.
     again: Vec<bool>,
     moved: Vec<Moved>,
@@ -50,7 +54,21 @@ pub(super) struct Driver {
 
 impl Driver {
     pub fn new(count: usize) -> Self {
-        Self { asleep: vec![false; count], again: vec![false; count], events: Vec::with_capacity(count), ..Self::default() }
+        Self { asleep: vec![false; count], again: vec![false; count], ..Self::with_room(count) }
+    }
+
+    fn with_room(count: usize) -> Self {
+        let room = || Vec::with_capacity(count);
+        Self { events: Vec::with_capacity(count), fresh: room(), growths: room(), ..Self::default() }
+    }
+
+    /// How often an island has grown in this step, or those of which it is made now. It depends on no other island.
+    fn growths_of(&self, island: Island<'_>) -> usize {
+        island.members.iter().map(|i| self.growths[*i as usize]).max().unwrap_or(0) as usize
+    }
+
+    fn note_growth(&mut self, island: Island<'_>, round: usize) {
+        island.members.iter().for_each(|i| self.growths[*i as usize] = round as u32 + 1);
     }
 
     /// Notes that a surface moves. Returns whether that is new.
@@ -73,6 +91,7 @@ impl Pile {
     pub(in crate::physics) fn step_with<A: Advance>(&mut self, dt: f64, other: &mut A) {
         self.driver.events.clear();
         self.driver.squeezed.clear();
+        self.driver.fresh.clear();
         let moving = !self.driver.targets.is_empty()
             || self.driver.moving.iter().any(|j| self.bodies.carries(self.bodies.len() + *j as usize));
         if !self.driver.all_asleep() || moving {
@@ -142,14 +161,18 @@ impl Pile {
         self.bodies.px[..n].copy_from_slice(&self.bodies.free_x);
         self.bodies.py[..n].copy_from_slice(&self.bodies.free_y);
         self.driver.events.clear();
-        self.dense.report.list.clear();
-        self.driver.wake_all();
+        let Self { dense, driver, .. } = self;
+        driver.wake_fresh();
+        dense.report.list.retain(|contact| driver.asleep[contact.a]);
+        // As wide as at first: how far others had to be looked for in between is no concern of theirs.
+        self.bodies.sweep();
+        self.look_at_surfaces();
         (0..n).for_each(|body| other.forget(body));
         self.solve_islands(dt, other);
     }
 
     fn fly(&mut self, dt: f64) {
-        let Self { bodies, neighbours, islands, driver, .. } = self;
+        let Self { bodies, neighbours, islands, .. } = self;
         neighbours.drift(bodies, dt);
         flight::fly(bodies, dt, self.drag);
         bodies.sweep();
@@ -160,6 +183,13 @@ impl Pile {
         let n = bodies.len();
         bodies.free_x.copy_from_slice(&bodies.px[..n]);
         bodies.free_y.copy_from_slice(&bodies.py[..n]);
+        self.look_at_surfaces();
+    }
+
+    /// Sets what surfaces that move sweep in this step, and finds whom they may meet there.
+    fn look_at_surfaces(&mut self) {
+        let Self { bodies, neighbours, driver, .. } = self;
+        let n = bodies.len();
         for &(surface, [left, right, top, bottom]) in &driver.ways {
             let s = &mut bodies.swept[n + surface as usize];
             *s = [s[0].min(left), s[1].max(right), s[2].min(top), s[3].max(bottom)];
@@ -172,21 +202,30 @@ impl Pile {
         let n = self.bodies.len();
         if self.neighbours.is_empty() && !(0..n).any(|body| other.minds(body)) {
             let bodies = &mut self.bodies;
-            let n = bodies.len();
             bodies.ux[..n].copy_from_slice(&bodies.free_vx[..n]);
             bodies.uy[..n].copy_from_slice(&bodies.free_vy[..n]);
-            self.driver.wake_all();
+            if self.driver.sleepers > 0 {
+                for i in 0..n {
+                    if self.driver.asleep[bodies.id[i] as usize] {
+                        bodies.stay(i);
+                    }
+                }
+            }
             return;
         }
         self.islands.sort(&self.bodies);
-        let (mut round, mut again) = (0, false);
+        self.driver.growths.clear();
+        self.driver.growths.resize(n, 0);
+        let mut again = false;
         loop {
             let Self { bodies, neighbours, islands, dense, driver, .. } = self;
             islands.find(bodies, neighbours);
-            let whole = StepSize { dt, later: false, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
             for k in 0..islands.len() {
                 let island = islands.get(k);
                 if again && !driver.begin_again(bodies, island, &mut dense.report.list, other) {
+                    continue;
+                }
+                if driver.stays_asleep(bodies, island) {
                     continue;
                 }
                 let alone = island.members.len() == 1 && island.near(island.members[0]).is_empty();
@@ -196,10 +235,10 @@ impl Pile {
                     driver.wake(bodies.id[i] as usize);
                     continue;
                 }
-                if driver.stays_asleep(bodies, island) {
-                    continue;
-                }
                 driver.forget(bodies, island, &mut dense.report.list);
+                let round = driver.growths_of(island);
+                let whole =
+                    StepSize { dt, later: false, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
                 driver.placed.clear();
                 let mut store = Store { bodies, island, grown: &mut dense.grown, placed: &mut driver.placed, down: self.down };
                 let left = match other.advance(&mut store, round) {
@@ -207,7 +246,10 @@ impl Pile {
                         driver.note_sleep(bodies, island, self.may_sleep && rests);
                         continue;
                     }
-                    Verdict::Grown => continue,
+                    Verdict::Grown => {
+                        driver.note_growth(island, round);
+                        continue;
+                    }
                     Verdict::Left(left) => left.min(dt),
                 };
                 let size = StepSize { dt: left, later: left < dt, ..whole };
@@ -220,6 +262,8 @@ impl Pile {
                     driver.finish(bodies, island, self.may_sleep);
                     driver.list_impacts(bodies, &dense.impacts);
                     dense.finish(bodies, island, self.down);
+                } else {
+                    driver.note_growth(island, round);
                 }
                 driver.release_surfaces(bodies);
             }
@@ -234,7 +278,6 @@ impl Pile {
                 driver.disagreeing.iter().for_each(|body| driver.again[bodies.slot[*body as usize] as usize] = true);
                 continue;
             }
-            round += 1;
             dense.grown.iter().for_each(|i| driver.again[*i as usize] = true);
             neighbours.follow(bodies, &dense.grown);
             neighbours.find_moving(bodies, &driver.moving);

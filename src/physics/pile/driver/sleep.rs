@@ -23,7 +23,17 @@ impl Driver {
     }
 
     pub(super) fn fall_asleep(&mut self, body: usize) {
-        self.sleepers += usize::from(!std::mem::replace(&mut self.asleep[body], true));
+        if !std::mem::replace(&mut self.asleep[body], true) {
+            self.sleepers += 1;
+            self.fresh.push(body as u32);
+        }
+    }
+
+    /// Wakes whom this step has let fall asleep.
+    pub(super) fn wake_fresh(&mut self) {
+        while let Some(body) = self.fresh.pop() {
+            self.wake(body as usize);
+        }
     }
 
     /// What was told of those that slept holds no longer.
@@ -44,11 +54,7 @@ impl Driver {
         if island.members.iter().any(|i| island.near(*i).iter().any(|j| carries(*j))) {
             return false;
         }
-        for &i in island.members {
-            let i = i as usize;
-            (bodies.px[i], bodies.py[i]) = (bodies.x[i], bodies.y[i]);
-            (bodies.ux[i], bodies.uy[i]) = (0.0, 0.0);
-        }
+        island.members.iter().for_each(|i| bodies.stay(*i as usize));
         true
     }
 

@@ -9,7 +9,7 @@
 
 mod search;
 
-use super::bodies::{Bodies, NOWHERE};
+use super::bodies::{Bodies, MARGIN, NOWHERE};
 use super::grid::{Edges, Grid, overlap};
 
 /// After this part of the bodies has left its box, all is sought anew.
@@ -78,7 +78,8 @@ impl Neighbours {
             ..Self::default()
         };
         for j in n..bodies.x.len() {
-            let (x, y, hx, hy) = (bodies.x[j], bodies.y[j], bodies.hx[j], bodies.hy[j]);
+            // The very box in which contacts of a step are looked for: who is near must not depend on how far ahead others were sought.
+            let (x, y, hx, hy) = (bodies.x[j], bodies.y[j], bodies.hx[j] + MARGIN, bodies.hy[j] + MARGIN);
             new.surface_edges.push([x - hx, x + hx, y - hy, y + hy]);
         }
         if new.surface_edges.len() > FEW_SURFACES {
