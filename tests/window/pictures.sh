@@ -104,7 +104,7 @@ told_apart() {
   local labs=()
   for place in "$@"; do
     local crop
-    crop=$(awk -v p="$place" "BEGIN { split(p, xy, \",\"); printf \"%dx%d+%d+%d\", $width * 0.012, $height * 0.012, $width * xy[1] / 100, $height * xy[2] / 100 }")
+    crop=$(awk -v p="$place" "BEGIN { split(p, xy, \",\"); printf \"%dx%d+%d+%.0f\", $width * 0.012, 2, $width * xy[1] / 100, $height * xy[2] / 100 }")
     labs+=("$(convert "$out/$name.png" -alpha off -crop "$crop" +repage -colorspace RGB -color-matrix "$(sight_matrix "$sight")" \
       -scale '1x1!' -colorspace Lab -depth 16 -format '%[fx:100*u.p{0,0}.r] %[fx:255*u.p{0,0}.g-127.5] %[fx:255*u.p{0,0}.b-127.5]' info:)")
   done

@@ -160,7 +160,7 @@ level_button() {
 
 # column_button INDEX: where a button of the menu's column is, from 0, for `click`; classic_button INDEX: of the list of classics.
 column_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (216 + 24 + 64 * $1) / 720 }"; }
-classic_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (259 + 24 + 64 * $1) / 720 }"; }
+classic_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (216 + 24 + 64 * $1) / 720 }"; }
 
 # resize WIDTH HEIGHT: the window, in pixels.
 resize() { xdotool windowsize --sync "$game_window" "$1" "$2"; sleep 0.3; }

@@ -4,7 +4,7 @@ mkdir "$data/levels/colours"
 printf 'width,1280\nheight,720\noptimal_time,10\n' >"$data/levels/colours/constants.csv"
 printf 'x,y,mass,fuel,thrust\n1180,560,100,500,3000\n' >"$data/levels/colours/player.csv"
 printf 'x,y,width,height\n0,640,1280,80\n140,300,100,100\n' >"$data/levels/colours/world.csv"
-printf 'PLAYER,400,300,100,100\nPHYS,660,300,100,100\n' >"$data/levels/colours/objectives.csv"
+printf 'PLAYER,400,300,100,100\nPHYS,660,300,100,100\nOBJECT,60,600,box:30x30,10,120,200,255,0.2,1.0\n' >"$data/levels/colours/objectives.csv"
 printf '920,300,100,100\n' >"$data/levels/colours/obstacles.csv"
 
 for palette in safe contrast; do
@@ -14,8 +14,8 @@ for palette in safe contrast; do
   sleep 1
   shot "colours-$palette"
   for sight in normal protan deutan tritan; do
-    # Rock, the ship's goal, the keys' goal, a death box: a strip along the top edge of each, where it has its own colour.
-    told_apart "colours-$palette" "$sight" 18 14.8,42.5 35,42.5 55.5,42.5 76,42.5
+    # Rock, the ship's goal, the keys' goal, a death box: its top edge, which has its own colour in full.
+    told_apart "colours-$palette" "$sight" 12 14.8,41.67 35,41.67 55.5,41.67 76,41.67
   done
   close_game
 done
