@@ -63,7 +63,8 @@ impl HudLayout {
 pub fn draw(game: &Game, settings: &Settings, canvas: &Canvas) {
     let layout = HudLayout::new(canvas.frame());
     draw_status(game, settings, layout.status, canvas);
-    if let Some(hint) = hint(game, settings) {
+    if game.is_stranded() {
+        let hint = format!("Out of fuel – {} flies again", settings.keys.label(Action::Restart));
         let at = Vec2::new(canvas.size().x / 2.0, layout.fuel.min.y - 2.0 * GRID - canvas.line_height(TEXT) / 2.0);
         let style = Style::new(TEXT, theme::text()).centred().middle();
         let size = Vec2::new(canvas.width(&hint, style) + 4.0 * GRID, canvas.line_height(TEXT) + GRID);
@@ -72,19 +73,18 @@ pub fn draw(game: &Game, settings: &Settings, canvas: &Canvas) {
     }
     let level = &game.level().player;
     let share = if level.fuel > 0.0 { (game.ship().fuel / level.fuel).clamp(0.0, 1.0) } else { 0.0 };
-    draw_fuel(share as f32, game.ship().fuel, layout.fuel, canvas);
+    let fuel = format!("Fuel {:.0} units", game.ship().fuel);
+    let words = hint(game, settings).map_or(fuel.clone(), |hint| format!("{fuel}    {hint}"));
+    draw_fuel(share as f32, &words, layout.fuel, canvas);
 }
 
-/// What the player is told at the bottom: how to begin again where nothing else is left, and in the first level what the keys do.
+/// What the keys do, as the first level tells at its start: in the fuel bar, where it hides nothing.
 fn hint(game: &Game, settings: &Settings) -> Option<String> {
-    let keys = &settings.keys;
-    if game.is_stranded() {
-        return Some(format!("Out of fuel – {} flies again", keys.label(Action::Restart)));
-    }
-    let first = game.level().name == "1" && game.time() < HINT_TIME && game.level().player.fuel > 0.0;
+    let first = game.level().name == "1" && game.time() < HINT_TIME;
     first.then(|| {
-        let [restart, pause, details] = [Action::Restart, Action::Pause, Action::Details].map(|action| keys.label(action));
-        format!("{restart} restarts  ·  {pause} pauses  ·  {details} shows the forces")
+        let label = |action| settings.keys.label(action);
+        let [restart, pause, details] = [Action::Restart, Action::Pause, Action::Details].map(label);
+        format!("{restart} restarts · {pause} pauses · {details} shows the forces")
     })
 }
 
@@ -146,7 +146,7 @@ pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &C
     canvas.convex(&[to, to - way * head + way.perp() * head * 0.5, to - way * head - way.perp() * head * 0.5], colour);
 }
 
-fn draw_fuel(share: f32, fuel: f64, area: Area, canvas: &Canvas) {
+fn draw_fuel(share: f32, words: &str, area: Area, canvas: &Canvas) {
     use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
     let (at, size) = (area.min, area.size);
     draw_rectangle(at.x, at.y, size.x, size.y, faded(theme::panel(), 0.9));
@@ -158,12 +158,11 @@ fn draw_fuel(share: f32, fuel: f64, area: Area, canvas: &Canvas) {
     }
     draw_rectangle_lines(at.x, at.y, size.x, size.y, 4.0, theme::panel_edge());
     // Dark words on the bright bar; where the bar has gone, light ones.
-    let words = format!("Fuel {fuel:.0} units");
     let style = Style::new(DETAILS, theme::ground()).mono().middle();
-    let covered = size.x * share > canvas.width(&words, style) + 2.0 * GRID;
+    let covered = size.x * share > canvas.width(words, style) + 2.0 * GRID;
     let colour = if covered { theme::ground() } else { theme::text() };
     let x = if covered { at.x + GRID } else { at.x + size.x * share + GRID };
-    canvas.text(&words, Vec2::new(x, area.centre().y), Style { colour, ..style });
+    canvas.text(words, Vec2::new(x, area.centre().y), Style { colour, ..style });
 }
 
 /// From yellow-orange when full to red when empty.
