@@ -25,13 +25,13 @@ pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::media::Liquids;
+    use crate::physics::zone_tree::ZoneList;
     use crate::physics::{Aabb, BodyDef, FluidDef, WorldDef};
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
 
     fn media(gravity: f64, air_density: f64, fluids: Vec<FluidDef>) -> Media {
-        Media { gravity, air_density, streams: Vec::new(), fluids }
+        Media::new(gravity, air_density, Vec::new(), fluids)
     }
 
     /// A body and its law for one tick, refused or not at the door.
@@ -46,7 +46,7 @@ mod tests {
         world.check().ok()?;
         let body = Body::new(def);
         let constant = DVec2::new(0.0, media.gravity) + drive / body.mass;
-        let liquids = Liquids::of(0..media.fluids.len() as u32);
+        let liquids = ZoneList::of(0..media.fluids.len() as u32);
         let law = Law { constant, air: media.air(&body), liquids };
         Some((body, law))
     }

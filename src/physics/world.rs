@@ -144,7 +144,7 @@ impl World {
             bodies: def.bodies.iter().map(Body::new).collect(),
             drives: vec![DVec2::ZERO; n],
             surfaces: def.surfaces.into_iter().map(Surface::new).collect(),
-            media: Media { gravity: def.gravity, air_density: def.air_density, streams: def.streams, fluids: def.fluids },
+            media: Media::new(def.gravity, def.air_density, def.streams, def.fluids),
             rest_speed: def.rest_speed,
             contacts: Vec::new(),
             known: vec![false; n],
