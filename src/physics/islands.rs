@@ -15,6 +15,7 @@
 
 use super::contact::Contact;
 use super::events::{Events, Item, Outcome, Scene};
+use super::flow::flow;
 use super::guards::Guards;
 use super::impulse::Impulse;
 use super::pile::{Advance, Store, Verdict};
@@ -306,6 +307,15 @@ impl Tick<'_> {
         self.scratch.members.iter().any(|body| self.state.pauses[*body as usize].until > self.state.ticks)
     }
 
+    /// Says where bodies that liquids or streams act on get in what is `left` of the tick (s): the dense method knows of none.
+    fn lead(&self, store: &mut Store<'_>, left: f64) {
+        let Events { items, movable, streams, .. } = &self.scratch.events;
+        for item in items[..*movable].iter().filter(|item| item.law.is_near_liquid() || !streams.is_empty()) {
+            let (position, velocity) = flow(self.scene.media, &item.body, &item.law, left);
+            store.lead(item.id, position, velocity);
+        }
+    }
+
     fn bring(&self, store: &mut Store<'_>) {
         for item in &self.scratch.events.items[..self.scratch.events.movable] {
             store.bring(item.id, item.body.position, item.body.velocity);
@@ -364,7 +374,9 @@ impl Advance for Tick<'_> {
                 for item in &self.scratch.events.items[count..] {
                     store.place_surface(item.id, (item.body.position, item.body.velocity), item.stops_at <= at);
                 }
-                Verdict::Left(self.scene.tick - at)
+                let left = self.scene.tick - at;
+                self.lead(store, left);
+                Verdict::Left(left)
             }
         }
     }
