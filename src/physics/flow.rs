@@ -3,10 +3,13 @@
 //! Nothing that depends on velocity or place: the parabola, exact at any step. Air alone: [`super::air`]. Near a liquid: [`super::liquid`].
 
 use super::Body;
-use super::air::fly_through;
+use super::air::fly_in_steps;
 use super::liquid::swim;
 use super::media::{Law, Media};
 use glam::DVec2;
+
+/// Work of one step through air.
+const WORK_OF_A_STEP: u64 = 20;
 
 /// Place and velocity.
 pub(super) type Pose = (DVec2, DVec2);
@@ -19,7 +22,12 @@ pub(super) fn parabola((x, v): Pose, a: DVec2, t: f64) -> Pose {
 /// Where `body` is after `t` seconds under `law`.
 pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
     let pose = (body.position, body.velocity);
-    if law.is_near_liquid() { swim(media, body, law, t) } else { fly_through(pose, law.constant, &law.air, t) }
+    if law.is_near_liquid() {
+        return swim(media, body, law, t);
+    }
+    let (end, steps) = fly_in_steps(pose, law.constant, &law.air, t);
+    media.spend(WORK_OF_A_STEP * u64::from(steps));
+    end
 }
 
 #[cfg(test)]

@@ -23,6 +23,7 @@ use super::tuning::SLOP;
 use super::zone_tree::{ZoneList, ZoneTree};
 use super::{Aabb, Body, FluidDef, Force, ForceKind, Source, StreamDef};
 use glam::DVec2;
+use std::cell::Cell;
 
 /// Stokes' law: 3π per diameter.
 const STOKES: f64 = 3.0 * std::f64::consts::PI;
@@ -31,6 +32,10 @@ const STOKES: f64 = 3.0 * std::f64::consts::PI;
 const WAVES: f64 = 0.15;
 /// Relative: what rounding leaves of a balance of forces. Smaller: what floats never comes to rest; larger: it rests beside its waterline.
 const BALANCE: f64 = 4e-14;
+
+/// What the work of a law is counted in, as in `events`: about a nanosecond. A bath, and each liquid of it.
+const WORK_OF_A_BATH: u64 = 10;
+const WORK_OF_A_LIQUID: u64 = 10;
 
 /// The media of a world.
 #[derive(Clone, Debug)]
@@ -44,6 +49,10 @@ pub(super) struct Media {
     /// Where these are.
     blowing: ZoneTree,
     wet: ZoneTree,
+    /// What it has taken so far to evaluate laws, in units of work; and what it may have taken in all before motions through liquids are told
+    /// by one step each.
+    work: Cell<u64>,
+    limit: Cell<u64>,
 }
 
 /// The law by which one body moves during one interval, contacts left out.
@@ -120,7 +129,27 @@ impl Media {
     pub fn new(gravity: f64, air_density: f64, streams: Vec<StreamDef>, fluids: Vec<FluidDef>) -> Self {
         let blowing = ZoneTree::of(streams.iter().map(|stream| stream.zone));
         let wet = ZoneTree::of(fluids.iter().map(|fluid| fluid.zone));
-        Self { gravity, air_density, streams, fluids, blowing, wet }
+        Self { gravity, air_density, streams, fluids, blowing, wet, work: Cell::new(0), limit: Cell::new(u64::MAX) }
+    }
+
+    /// Counts what it takes to evaluate a law.
+    pub fn spend(&self, work: u64) {
+        self.work.set(self.work.get() + work);
+    }
+
+    /// What has been counted, from the beginning.
+    pub fn spent(&self) -> u64 {
+        self.work.get()
+    }
+
+    /// Says how much motions through liquids may take from now on.
+    pub fn allow(&self, work: u64) {
+        self.limit.set(self.work.get().saturating_add(work));
+    }
+
+    /// Whether they have taken that.
+    pub fn is_spent(&self) -> bool {
+        self.work.get() > self.limit.get()
     }
 
     /// The drag of the air on a body.
@@ -200,6 +229,7 @@ impl Media {
 
     /// What all media do to a body at `x`.
     pub fn bath(&self, body: &Body, law: &Law, x: DVec2) -> Bath {
+        self.spend(WORK_OF_A_BATH + WORK_OF_A_LIQUID * u64::from(law.liquids.len()));
         let mut all = Bath { same_across: true, same_around: true, ..Bath::default() };
         for (_, fluid) in self.liquids(law) {
             let Some(part) = self.part(body, fluid, x) else { continue };

@@ -8,7 +8,7 @@ use super::Aabb;
 use glam::DVec2;
 
 /// Zones of a list that are named each; where there are more, those between are looked at as well.
-const FEW: usize = 16;
+const FEW: usize = 32;
 /// The node is no leaf.
 const INNER: u32 = u32::MAX;
 
@@ -44,6 +44,11 @@ impl ZoneList {
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.count == 0
+    }
+
+    /// How many [`Self::iter`] yields.
+    pub fn len(&self) -> u32 {
+        if self.count as usize <= FEW { self.count } else { self.range.1 - self.range.0 }
     }
 
     pub fn iter(&self) -> impl Iterator<Item = u32> + use<> {
