@@ -22,7 +22,7 @@ const DEATH_FLASH: f64 = 0.14;
 const FLOAT_TIME: f64 = 1.4;
 const FLOAT_SPEED: f64 = 1.3;
 /// How far down the screen the lost points stay at least, and how far beside the hit they are under a roof, canvas units.
-const TOP: f32 = 80.0;
+const TOP: f32 = 112.0;
 const FLOAT_ASIDE: f32 = 80.0;
 /// How long a ring spreads, s, and how far, m.
 const RING_TIME: f64 = 0.7;
