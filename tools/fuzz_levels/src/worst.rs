@@ -11,7 +11,9 @@ const WORST: f64 = 1e-3;
 
 /// Prints what the scenes take whose names hold that part.
 pub fn table(part: &str) {
-    println!("| scene | bodies | mean µs | worst µs | at tick | most work | budgets used up | valid |\n|---|---|---|---|---|---|---|---|");
+    println!(
+        "| scene | bodies | mean µs | worst µs | at tick | most work | budgets used up | valid |\n|---|---|---|---|---|---|---|---|"
+    );
     let mut missed = 0;
     for scene in scenes().into_iter().chain(growing()).filter(|scene| scene.name.contains(part)) {
         let runs: Vec<Run> = (0..RUNS).map(|_| run(&scene)).collect();
@@ -22,7 +24,11 @@ pub fn table(part: &str) {
         let mark = if mean > MEAN || worst > WORST { " ✗" } else { "" };
         missed += u32::from(!mark.is_empty());
         let (mean, worst, busy) = (mean * 1e6, worst * 1e6, world.guards().budgets_used_up);
-        println!("| {}{mark} | {} | {mean:.1} | {worst:.0} | {at} | {work} | {busy} | {valid} |", scene.name, scene.def.bodies.len());
+        println!(
+            "| {}{mark} | {} | {mean:.1} | {worst:.0} | {at} | {work} | {busy} | {valid} |",
+            scene.name,
+            scene.def.bodies.len()
+        );
     }
     println!("{missed} of the scenes miss a mean of {:.0} µs or a worst of {:.0} µs", MEAN * 1e6, WORST * 1e6);
 }
