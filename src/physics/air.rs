@@ -175,23 +175,26 @@ fn take((x, v): Pose, a: DVec2, step: &Step) -> Pose {
 
 /// Where something is after `t` seconds of v′ = `a` − s(v)·v.
 pub(crate) fn fly_through(pose: Pose, a: DVec2, drag: &Drag, t: f64) -> Pose {
+    fly_in_steps(pose, a, drag, t).0
+}
+
+/// The same, and how many steps that took.
+pub(crate) fn fly_in_steps(pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
     if drag.is_none() {
-        return parabola(pose, a, t);
+        return (parabola(pose, a, t), 0);
     }
     let step = any_step(t, pose.1, a, drag);
-    if step.apart == 0 { take(pose, a, &step) } else { in_parts(pose, a, drag, t) }
+    if step.apart == 0 { (take(pose, a, &step), 1) } else { in_parts(pose, a, drag, t) }
 }
 
 /// The same in as many steps as it takes.
-pub(crate) fn in_parts(mut pose: Pose, a: DVec2, drag: &Drag, t: f64) -> Pose {
+pub(crate) fn in_parts(mut pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
     let slowest = drag.rate(a).sqrt();
     let terminal = if slowest > 0.0 { a / slowest } else { DVec2::ZERO };
     let settled = |v: DVec2| slowest > 0.0 && (v - terminal).length() <= TERMINAL_TOLERANCE * terminal.length();
-    let mut left = t;
-    for _ in 0..MOST_STEPS {
-        if settled(pose.1) {
-            break;
-        }
+    let (mut left, mut steps) = (t, 0);
+    while steps < MOST_STEPS && !settled(pose.1) {
+        steps += 1;
         let fast = drag.rate(pose.1).max(slowest);
         let mut h = if fast * left > LIGHT { LIGHT * (1.0 - f64::EPSILON) / fast } else { left };
         if drag.round > 0.0 && bends(pose.1.x, pose.1.y, a.x, a.y) {
@@ -209,10 +212,10 @@ pub(crate) fn in_parts(mut pose: Pose, a: DVec2, drag: &Drag, t: f64) -> Pose {
         }
         left -= h;
         if left <= 0.0 {
-            return pose;
+            return (pose, steps);
         }
     }
-    (pose.0 + terminal * left, terminal)
+    ((pose.0 + terminal * left, terminal), steps)
 }
 
 /// The first axis along which u₀ + A·Q changes its sign before Q is `reach`, and the Q at which it does.

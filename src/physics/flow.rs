@@ -3,10 +3,13 @@
 //! Nothing that depends on velocity or place: the parabola, exact at any step. Air alone: [`super::air`]. Near a liquid: [`super::liquid`].
 
 use super::Body;
-use super::air::fly_through;
+use super::air::fly_in_steps;
 use super::liquid::swim;
 use super::media::{Law, Media};
 use glam::DVec2;
+
+/// Work of one step through air.
+const WORK_OF_A_STEP: u64 = 20;
 
 /// Place and velocity.
 pub(super) type Pose = (DVec2, DVec2);
@@ -19,19 +22,24 @@ pub(super) fn parabola((x, v): Pose, a: DVec2, t: f64) -> Pose {
 /// Where `body` is after `t` seconds under `law`.
 pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
     let pose = (body.position, body.velocity);
-    if law.is_near_liquid() { swim(media, body, law, t) } else { fly_through(pose, law.constant, &law.air, t) }
+    if law.is_near_liquid() {
+        return swim(media, body, law, t);
+    }
+    let (end, steps) = fly_in_steps(pose, law.constant, &law.air, t);
+    media.spend(WORK_OF_A_STEP * u64::from(steps));
+    end
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::media::Liquids;
+    use crate::physics::zone_tree::ZoneList;
     use crate::physics::{Aabb, BodyDef, FluidDef, WorldDef};
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
 
     fn media(gravity: f64, air_density: f64, fluids: Vec<FluidDef>) -> Media {
-        Media { gravity, air_density, streams: Vec::new(), fluids }
+        Media::new(gravity, air_density, Vec::new(), fluids)
     }
 
     /// A body and its law for one tick, refused or not at the door.
@@ -46,7 +54,7 @@ mod tests {
         world.check().ok()?;
         let body = Body::new(def);
         let constant = DVec2::new(0.0, media.gravity) + drive / body.mass;
-        let liquids = Liquids::of(0..media.fluids.len() as u32);
+        let liquids = ZoneList::of(0..media.fluids.len() as u32);
         let law = Law { constant, air: media.air(&body), liquids };
         Some((body, law))
     }

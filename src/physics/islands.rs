@@ -14,7 +14,8 @@
 //! is taken by the dense method from the start for some ticks, twice as many each time, so that trying costs little on average.
 
 use super::contact::Contact;
-use super::events::{Events, Item, Outcome, Scene};
+use super::events::{BUDGET_OF_A_FLOW, Events, Item, Outcome, Scene};
+use super::flow::flow;
 use super::guards::Guards;
 use super::impulse::Impulse;
 use super::pile::{Advance, Store, Verdict};
@@ -31,6 +32,10 @@ impl Choice {
     pub const MOST_BY_EVENTS: usize = 64;
     /// Worlds of more bodies list no contact forces before their first tick.
     pub const MOST_AT_FIRST: usize = 1024;
+    /// The budget of an island, and what each of its bodies adds to it. Larger: the worst tick lasts longer; smaller: exactness is given up
+    /// where fewer impacts fall into one tick.
+    const BUDGET: u64 = 250_000;
+    const BUDGET_OF_A_BODY: u64 = 1_500;
     /// Ticks for which an island is dense after its budget was used up for the first time, and at most.
     const FIRST_PAUSE: u16 = 8;
     const LONGEST_PAUSE: u16 = 128;
@@ -148,6 +153,8 @@ pub(super) struct Scratch {
     pub members: Vec<u32>,
     pub surfaces: Vec<u32>,
     pub zones: Vec<u32>,
+    /// What the islands of each body have used up in this tick: however often they are advanced anew, they share one budget.
+    used: Vec<u64>,
     /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`.
     starts: Vec<u32>,
 }
@@ -157,6 +164,8 @@ impl Scratch {
     pub fn begin(&mut self, bodies: usize) {
         self.after.clear();
         self.after.resize(bodies, After::default());
+        self.used.clear();
+        self.used.resize(bodies, 0);
         self.contacts.clear();
         self.happened.clear();
         self.crushed.clear();
@@ -306,6 +315,30 @@ impl Tick<'_> {
         self.scratch.members.iter().any(|body| self.state.pauses[*body as usize].until > self.state.ticks)
     }
 
+    /// Says where bodies that liquids or streams act on get in what is `left` of the tick (s): the dense method knows of none.
+    fn lead(&self, store: &mut Store<'_>, left: f64) {
+        let Events { items, movable, streams, .. } = &self.scratch.events;
+        for item in items[..*movable].iter().filter(|item| item.law.is_near_liquid() || !streams.is_empty()) {
+            self.scene.media.allow(BUDGET_OF_A_FLOW);
+            let (position, velocity) = flow(self.scene.media, &item.body, &item.law, left);
+            store.lead(item.id, position, velocity);
+        }
+    }
+
+    /// What the island may still use up in this tick, in units of work.
+    fn budget(&self) -> u64 {
+        let Scratch { members, used, .. } = &*self.scratch;
+        let whole = Choice::BUDGET + Choice::BUDGET_OF_A_BODY * members.len() as u64;
+        whole.saturating_sub(members.iter().map(|body| used[*body as usize]).sum())
+    }
+
+    /// Notes what it has used up.
+    fn use_up(&mut self, work: u64) {
+        let Scratch { members, used, .. } = &mut *self.scratch;
+        let of_each = work.div_ceil(members.len() as u64);
+        members.iter().for_each(|body| used[*body as usize] += of_each);
+    }
+
     fn bring(&self, store: &mut Store<'_>) {
         for item in &self.scratch.events.items[..self.scratch.events.movable] {
             store.bring(item.id, item.body.position, item.body.velocity);
@@ -332,7 +365,9 @@ impl Advance for Tick<'_> {
         }
         store.surfaces(&mut self.scratch.surfaces);
         self.scratch.gather(self.state, &self.scene, |body| store.swept(body));
-        let outcome = self.scratch.events.advance(&self.scene);
+        let budget = self.budget();
+        let outcome = self.scratch.events.advance(&self.scene, budget);
+        self.use_up(self.scratch.events.spent(&self.scene));
         self.guards.add(&std::mem::take(&mut self.scratch.events.guards));
         match outcome {
             Outcome::Grown => {
@@ -364,7 +399,9 @@ impl Advance for Tick<'_> {
                 for item in &self.scratch.events.items[count..] {
                     store.place_surface(item.id, (item.body.position, item.body.velocity), item.stops_at <= at);
                 }
-                Verdict::Left(self.scene.tick - at)
+                let left = self.scene.tick - at;
+                self.lead(store, left);
+                Verdict::Left(left)
             }
         }
     }

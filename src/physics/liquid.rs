@@ -34,17 +34,23 @@ const REACH: f64 = 0.7;
 const FIRST: f64 = 0.1;
 /// Runge–Kutta steps from which on exponential steps cost less.
 const STIFF_STEPS: f64 = 200.0;
-/// Steps of one call, at most. What needs more leaves and meets the surface hundreds of times within a tick; it stays where it then is until
-/// the tick's end, with its velocity, so that it gains nothing.
+/// Steps of one call, at most; or as many as media may take ([`Media::allow`]). What needs more leaves and meets the surface hundreds of times
+/// within a tick; one implicit step leads it through what is left ([`Swimmer::leap`]).
 const MOST_STEPS: u32 = 4096;
 /// How much a step grows or shrinks by its error, at most.
 const GROWTH: f64 = 4.0;
 /// Halvings of the time of a kink, at most: it is found to the last bit, also where it comes within a billionth of the step.
 const HALVINGS: u32 = 160;
+/// Halvings of the velocity that an implicit step seeks.
+const LEAP_HALVINGS: u32 = 64;
 /// The least part of a step by which the search for a kink goes on.
 const SHORTEST: f64 = 1e-12;
 /// Places on a step at which the body is looked for on another side of a kink.
 const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
+/// What a look at the side of a kink, and at each liquid for it, a step of a Runge–Kutta pair, and an exponential step come to.
+const WORK_OF_A_SIDE: u64 = 4;
+const WORK_OF_A_KINK: u64 = 4;
+const WORK_OF_A_STEP: u64 = 80;
 
 /// One body in its media.
 struct Swimmer<'a> {
@@ -59,7 +65,7 @@ pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
     let mut pose = (body.position, body.velocity);
     let (mut left, mut h) = (t, f64::INFINITY);
     for _ in 0..MOST_STEPS {
-        if left <= 0.0 {
+        if left <= 0.0 || media.is_spent() {
             break;
         }
         let (bath, constant, floats) = swimmer.look(pose);
@@ -73,6 +79,9 @@ pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
         pose = end;
         left -= taken;
         h = next;
+    }
+    if left > 0.0 {
+        pose = swimmer.leap(pose, left);
     }
     swimmer.come_to_rest(&mut pose);
     pose
@@ -104,8 +113,36 @@ impl Swimmer<'_> {
         }
     }
 
+    /// One implicit Euler step of `h` seconds. In a force that falls with the depth at which it lifts, which is what liquids do, it gains no
+    /// energy however long it is, and no speed but from constant forces; so it may be off, but leads neither away nor back.
+    fn leap(&self, (x, v): Pose, h: f64) -> Pose {
+        let constant = self.law.constant;
+        let bath = self.media.bath(self.body, self.law, x);
+        let across = (v.x + h * constant.x) / (1.0 + h * (bath.drag.rate(v) + bath.linear));
+        let beside = x.x + h * across;
+        // v′ − v − h·a(x + h·v′, v′) rises with v′: halvings find its root, within what gravity and all liquids could do to a body.
+        let excess = |speed: f64| {
+            let bath = self.media.bath(self.body, self.law, DVec2::new(beside, x.y + h * speed));
+            speed - v.y - h * bath.acceleration(constant, DVec2::new(across, speed)).y
+        };
+        let area = 4.0 * self.body.half.x * self.body.half.y;
+        let lift = self.media.liquids(self.law).fold(0.0, |sum, (_, fluid)| sum + fluid.density * area);
+        let most = h * (constant.y.abs() + self.media.gravity.abs() * lift / self.body.mass);
+        let (mut low, mut high) = (v.y.min(0.0) - most, v.y.max(0.0) + most);
+        for _ in 0..LEAP_HALVINGS {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if excess(middle) < 0.0 { low = middle } else { high = middle }
+        }
+        let down = if low.abs() < high.abs() { low } else { high };
+        (DVec2::new(beside, x.y + h * down), DVec2::new(across, down))
+    }
+
     /// On which side of all kinks a body at `x` is: four bits an axis of each liquid that it touches.
     fn side(&self, x: DVec2) -> u64 {
+        self.media.spend(WORK_OF_A_SIDE + WORK_OF_A_KINK * u64::from(self.law.liquids.len()));
         let (top_left, bottom_right) = (x - self.body.half, x + self.body.half);
         self.media.liquids(self.law).fold(0, |code: u64, (_, FluidDef { zone, .. })| {
             let touches = top_left.cmplt(zone.max).all() && bottom_right.cmpgt(zone.min).all();
@@ -179,6 +216,7 @@ impl Swimmer<'_> {
 
     fn take_stiff(&self, bath: &Bath, constant: DVec2, pose: Pose, mut h: f64, left: f64) -> (f64, Pose, f64) {
         loop {
+            self.media.spend(3 * WORK_OF_A_STEP);
             let once = linear_flow(bath, constant, pose, h);
             let middle = linear_flow(bath, constant, pose, 0.5 * h);
             let second = self.media.bath(self.body, self.law, middle.0);
@@ -256,6 +294,7 @@ impl Swimmer<'_> {
 
     /// One step of the pair of Dormand and Prince, and its error in m.
     fn dormand_prince(&self, constant: DVec2, (x, v): Pose, h: f64) -> (Pose, f64) {
+        self.media.spend(WORK_OF_A_STEP);
         let acceleration = |x: DVec2, v: DVec2| self.media.bath(self.body, self.law, x).acceleration(constant, v);
         let mut speeds = [v; 7];
         let mut pulls = [acceleration(x, v); 7];

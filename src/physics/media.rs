@@ -20,8 +20,10 @@
 
 use super::air::Drag;
 use super::tuning::SLOP;
+use super::zone_tree::{ZoneList, ZoneTree};
 use super::{Aabb, Body, FluidDef, Force, ForceKind, Source, StreamDef};
 use glam::DVec2;
+use std::cell::Cell;
 
 /// Stokes' law: 3π per diameter.
 const STOKES: f64 = 3.0 * std::f64::consts::PI;
@@ -31,8 +33,9 @@ const WAVES: f64 = 0.15;
 /// Relative: what rounding leaves of a balance of forces. Smaller: what floats never comes to rest; larger: it rests beside its waterline.
 const BALANCE: f64 = 4e-14;
 
-/// Liquids that a body may meet at once and that are listed each; where there are more, those between are looked at as well.
-const FEW_LIQUIDS: usize = 6;
+/// What the work of a law is counted in, as in `events`: about a nanosecond. A bath, and each liquid of it.
+const WORK_OF_A_BATH: u64 = 10;
+const WORK_OF_A_LIQUID: u64 = 10;
 
 /// The media of a world.
 #[derive(Clone, Debug)]
@@ -43,6 +46,13 @@ pub(super) struct Media {
     pub air_density: f64,
     pub streams: Vec<StreamDef>,
     pub fluids: Vec<FluidDef>,
+    /// Where these are.
+    blowing: ZoneTree,
+    wet: ZoneTree,
+    /// What it has taken so far to evaluate laws, in units of work; and what it may have taken in all before motions through liquids are told
+    /// by one step each.
+    work: Cell<u64>,
+    limit: Cell<u64>,
 }
 
 /// The law by which one body moves during one interval, contacts left out.
@@ -53,42 +63,13 @@ pub(super) struct Law {
     /// Drag of the air.
     pub air: Drag,
     /// The liquids that it may meet. It flies as if there were no others.
-    pub liquids: Liquids,
-}
-
-/// Some of a world's liquids, by their indices in ascending order.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Liquids {
-    few: [u32; FEW_LIQUIDS],
-    count: u32,
-    /// Where they are more: from the first of them to the last, those between included.
-    range: (u32, u32),
-}
-
-impl Liquids {
-    pub fn of(indices: impl Iterator<Item = u32>) -> Self {
-        let mut liquids = Self::default();
-        for index in indices {
-            if let Some(place) = liquids.few.get_mut(liquids.count as usize) {
-                *place = index;
-            }
-            liquids.range = (if liquids.count == 0 { index } else { liquids.range.0 }, index + 1);
-            liquids.count += 1;
-        }
-        liquids
-    }
-
-    fn iter(&self) -> impl Iterator<Item = u32> {
-        let all = self.count as usize <= FEW_LIQUIDS;
-        let range = if all { 0..0 } else { self.range.0..self.range.1 };
-        self.few.into_iter().take(if all { self.count as usize } else { 0 }).chain(range)
-    }
+    pub liquids: ZoneList,
 }
 
 impl Law {
     /// Whether some liquid is so near that it may be met.
     pub fn is_near_liquid(&self) -> bool {
-        self.liquids.count > 0
+        !self.liquids.is_empty()
     }
 
     /// Whether nothing acts that depends on place or velocity.
@@ -144,6 +125,33 @@ impl Bath {
 }
 
 impl Media {
+    /// Of zones that stay where they are.
+    pub fn new(gravity: f64, air_density: f64, streams: Vec<StreamDef>, fluids: Vec<FluidDef>) -> Self {
+        let blowing = ZoneTree::of(streams.iter().map(|stream| stream.zone));
+        let wet = ZoneTree::of(fluids.iter().map(|fluid| fluid.zone));
+        Self { gravity, air_density, streams, fluids, blowing, wet, work: Cell::new(0), limit: Cell::new(u64::MAX) }
+    }
+
+    /// Counts what it takes to evaluate a law.
+    pub fn spend(&self, work: u64) {
+        self.work.set(self.work.get() + work);
+    }
+
+    /// What has been counted, from the beginning.
+    pub fn spent(&self) -> u64 {
+        self.work.get()
+    }
+
+    /// Says how much motions through liquids may take from now on.
+    pub fn allow(&self, work: u64) {
+        self.limit.set(self.work.get().saturating_add(work));
+    }
+
+    /// Whether they have taken that.
+    pub fn is_spent(&self) -> bool {
+        self.work.get() > self.limit.get()
+    }
+
     /// The drag of the air on a body.
     pub fn air(&self, body: &Body) -> Drag {
         if body.feels_air { Drag::of(body, self.air_density) } else { Drag::default() }
@@ -156,18 +164,24 @@ impl Media {
         // Half its size besides: what others push may meet a liquid earlier.
         let reach = body.half * 1.5 + (body.velocity.abs() + constant.abs() * t) * t;
         let near = Aabb::around(body.position, reach);
-        let met = (0..).zip(&self.fluids).filter(|(_, fluid)| near.touches(&fluid.zone, 0.0)).map(|(index, _)| index);
-        Law { constant, air: self.air(body), liquids: Liquids::of(met) }
+        Law { constant, air: self.air(body), liquids: self.wet.near(&near, 0.0) }
     }
 
-    /// Appends the streams that a box touches.
+    /// Appends the streams that a box touches, in ascending order.
     pub fn streams_near(&self, near: &Aabb, into: &mut Vec<u32>) {
-        into.extend((0..).zip(&self.streams).filter(|(_, stream)| near.touches(&stream.zone, SLOP)).map(|(index, _)| index));
+        let from = into.len();
+        self.blowing.touching(near, SLOP, |stream| into.push(stream));
+        into[from..].sort_unstable();
+    }
+
+    /// The streams that a box touches, and maybe some near it, in ascending order.
+    pub fn streams_at(&self, near: &Aabb) -> impl Iterator<Item = &StreamDef> {
+        self.blowing.near(near, 2.0 * SLOP).iter().map(|stream| &self.streams[stream as usize])
     }
 
     /// Whether a box touches a liquid.
     pub fn wets(&self, near: &Aabb) -> bool {
-        self.fluids.iter().any(|fluid| near.touches(&fluid.zone, 0.0))
+        self.wet.any(near)
     }
 
     /// The liquids of a law, with their indices.
@@ -215,6 +229,7 @@ impl Media {
 
     /// What all media do to a body at `x`.
     pub fn bath(&self, body: &Body, law: &Law, x: DVec2) -> Bath {
+        self.spend(WORK_OF_A_BATH + WORK_OF_A_LIQUID * u64::from(law.liquids.len()));
         let mut all = Bath { same_across: true, same_around: true, ..Bath::default() };
         for (_, fluid) in self.liquids(law) {
             let Some(part) = self.part(body, fluid, x) else { continue };
@@ -322,11 +337,11 @@ mod tests {
     fn pool(density: f64, viscosity: f64) -> Media {
         let zone = Aabb::new(DVec2::new(-10.0, 0.0), DVec2::new(10.0, 20.0));
         let def = WorldDef { fluids: vec![FluidDef { zone, density, viscosity }], ..WorldDef::default() };
-        Media { gravity: 15.0, air_density: 1.2, streams: def.streams, fluids: def.fluids }
+        Media::new(15.0, 1.2, def.streams, def.fluids)
     }
 
     fn law(media: &Media, body: &Body) -> Law {
-        Law { constant: DVec2::new(0.0, media.gravity), air: media.air(body), liquids: Liquids::of(0..media.fluids.len() as u32) }
+        Law { constant: DVec2::new(0.0, media.gravity), air: media.air(body), liquids: ZoneList::of(0..media.fluids.len() as u32) }
     }
 
     #[test]

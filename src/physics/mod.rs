@@ -76,6 +76,7 @@ mod surface;
 mod tuning;
 mod validate;
 mod world;
+mod zone_tree;
 mod zones;
 
 pub use aabb::Aabb;

@@ -54,6 +54,11 @@ pub(super) struct Reactions {
 }
 
 impl Reactions {
+    /// What all solves so far have taken, in units of work.
+    pub fn spent(&self) -> u64 {
+        self.network.work
+    }
+
     /// Accelerations of bodies in contact (m/s²), for the bodies of the contacts; the contacts get their forces. What no contact joins is
     /// solved apart: no group's answer depends on another's.
     pub fn accelerate(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {

@@ -22,6 +22,7 @@ const MARGIN: f64 = 1e-3;
 impl World {
     /// Advances the world by exactly one tick of `dt` seconds.
     pub fn step(&mut self, dt: f64) {
+        let worked = self.worked();
         self.scratch.begin(self.state.bodies.len());
         self.clear_records();
         self.bring_back_surfaces();
@@ -36,9 +37,16 @@ impl World {
         self.commit(dt);
         self.record();
         self.go_on_paths(dt);
+        self.records.work = self.worked() - worked;
         if cfg!(debug_assertions) {
             self.assert_valid();
         }
+    }
+
+    /// What has been counted from the beginning, in units of work.
+    fn worked(&self) -> u64 {
+        let events = &self.scratch.events;
+        self.state.media.spent() + events.solving() + events.total
     }
 
     /// # Panics

@@ -6,8 +6,8 @@ use super::leaderboard::subject;
 use super::level_select::Entry;
 use super::library::{Library, Refusal};
 use super::{
-    Attempt, Classic, Classics, Credits, Facts, Flight, Fresh, Gain, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu,
-    Miniature, Players, Purpose, Request, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Way, jumper,
+    Attempt, Classic, Classics, Facts, Flight, Fresh, Gain, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Miniature,
+    Players, Purpose, Request, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Way, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Outcome, RunResult};
@@ -180,7 +180,7 @@ impl App {
                 self.choose(name, named);
                 self.menu()
             }
-            Request::Credits => Screen::Credits(Box::new(Credits::default())),
+            Request::Credits => Screen::Credits(Box::default()),
             Request::Leaderboard(level) => self.leaderboard(&level),
             Request::Classics(left) => Screen::Classics(Classics::new(left, None)),
             Request::Lab => Screen::Lab(Box::new(Lab::new(self.library.charts()))),

@@ -180,9 +180,9 @@ mod drawing {
         pub fn draw(&self, canvas: &Canvas) {
             for (i, area) in self.areas().enumerate() {
                 let (centre, radius) = (area.centre(), area.size.x / 2.0);
-                let colour = [theme::PLAYER_OBJECTIVE, theme::PHYSICS_OBJECTIVE, theme::GOOD, theme::ACCENT][i % 4];
+                let colour = [theme::player_objective(), theme::physics_objective(), theme::good(), theme::accent()][i % 4];
                 canvas.disc(centre, radius, colour);
-                canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::faded(theme::TEXT, 0.7));
+                canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::faded(theme::text(), 0.7));
             }
         }
     }

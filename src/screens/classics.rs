@@ -85,10 +85,10 @@ mod drawing {
             }
             let at = Vec2::new(canvas.size().x / 2.0, canvas.size().y * 0.8);
             match &self.problem {
-                Some(problem) => widgets::fitted(canvas, problem, at, canvas.size().x - 64.0, &[TEXT], theme::BAD),
+                Some(problem) => widgets::fitted(canvas, problem, at, canvas.size().x - 64.0, &[TEXT], theme::bad()),
                 None => {
                     let about = ABOUT[self.buttons.hover().unwrap_or(self.buttons.focus())];
-                    canvas.text(about, at, Style::new(TEXT, theme::QUIET).centred().middle());
+                    canvas.text(about, at, Style::new(TEXT, theme::quiet()).centred().middle());
                 }
             }
         }

@@ -157,15 +157,15 @@ mod drawing {
                 let y = self.panel.min.y + PADDING + (row as f32 + 0.5) * step;
                 let style = |colour| Style::new(TEXT, colour).middle();
                 match &self.lines[line] {
-                    Line::Heading(words) => canvas.text(words, Vec2::new(left, y), style(theme::ACCENT)),
+                    Line::Heading(words) => canvas.text(words, Vec2::new(left, y), style(theme::accent())),
                     Line::Licence(words) => {
-                        let mono = Style::new(DETAILS, theme::QUIET).mono().middle();
+                        let mono = Style::new(DETAILS, theme::quiet()).mono().middle();
                         canvas.text(words, Vec2::new(left, y), mono);
                     }
-                    Line::Words(words) => canvas.text(words, Vec2::new(left, y), style(theme::TEXT)),
+                    Line::Words(words) => canvas.text(words, Vec2::new(left, y), style(theme::text())),
                     Line::Part(part, licence) => {
-                        canvas.text(part, Vec2::new(left, y), style(theme::TEXT));
-                        canvas.text(licence, Vec2::new(right, y), style(theme::QUIET).right());
+                        canvas.text(part, Vec2::new(left, y), style(theme::text()));
+                        canvas.text(licence, Vec2::new(right, y), style(theme::quiet()).right());
                     }
                 }
             }

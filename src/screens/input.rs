@@ -157,6 +157,19 @@ mod tests {
     }
 
     #[test]
+    fn a_copy_answers_for_its_original_and_a_press_goes_before_a_move() {
+        let input = Input::default();
+        let copy = Input { pressed: Keys::default(), ..input.clone() };
+        copy.answer(Answer::Moved);
+        assert_eq!(input.answer.get(), Some(Answer::Moved));
+        copy.answer(Answer::Pressed);
+        input.answer(Answer::Moved);
+        assert_eq!(input.answer.get(), Some(Answer::Pressed));
+        input.without_edges().answer(Answer::Moved);
+        assert_eq!(input.answer.get(), Some(Answer::Pressed), "the same moment again answers nothing");
+    }
+
+    #[test]
     fn a_held_key_repeats_after_a_while_and_stops_when_released() {
         let mut repeat = Repeat::default();
         assert_eq!(repeat.strokes(&frame(&[Key::Down], &[Key::Down]), &[Key::Down]), [Key::Down]);

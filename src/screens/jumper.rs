@@ -214,7 +214,9 @@ mod drawing {
     use macroquad::color::Color;
 
     /// The colour of each player; the number above them tells them apart without it.
-    const PLAYERS: [Color; 2] = [theme::ACCENT, theme::TEXT];
+    fn colour_of(player: usize) -> Color {
+        if player == 0 { theme::accent() } else { theme::text() }
+    }
     /// Below the view's lower edge, canvas units: the ground, or what is left behind.
     const FOOT: f32 = 24.0;
     /// Heights that the ruler names, m.
@@ -235,20 +237,20 @@ mod drawing {
 
         fn draw_tower(&self, canvas: &Canvas, view: &View) {
             let tower = view.area(0.0, view.bottom, WIDTH, VISIBLE);
-            canvas.rounded(tower, 0.0, theme::GROUND);
+            canvas.rounded(tower, 0.0, theme::ground());
             for metre in 1..WIDTH as i32 {
                 let x = view.point(f64::from(metre), 0.0).x;
-                canvas.hairline(Vec2::new(x, tower.min.y), Vec2::new(x, tower.max().y), theme::GRID_FINE);
+                canvas.hairline(Vec2::new(x, tower.min.y), Vec2::new(x, tower.max().y), theme::grid_fine());
             }
             let (from, to) = (view.bottom.ceil() as i64, (view.bottom + VISIBLE).floor() as i64);
             for metre in from.max(0)..=to {
                 let y = view.point(0.0, metre as f64).y;
                 let named = metre % RULER_STEP == 0;
-                let colour = if named { theme::GRID_HEAVY } else { theme::GRID_FINE };
+                let colour = if named { theme::grid_heavy() } else { theme::grid_fine() };
                 canvas.hairline(Vec2::new(tower.min.x, y), Vec2::new(tower.max().x, y), colour);
                 if named && y > TEXT {
                     let at = Vec2::new(tower.max().x + PADDING, y);
-                    canvas.text(&format!("{metre} m"), at, Style::new(TEXT, theme::QUIET).mono().middle());
+                    canvas.text(&format!("{metre} m"), at, Style::new(TEXT, theme::quiet()).mono().middle());
                 }
             }
             for it in self.scene.tower().statics() {
@@ -258,21 +260,21 @@ mod drawing {
                     Kind::Wall => (view.bottom - 1.0, VISIBLE + 2.0),
                 };
                 let area = view.area(location.x, z, dimensions.x, height);
-                canvas.rounded(area, 2.0, theme::SOLID);
+                canvas.rounded(area, 2.0, theme::solid());
                 if it.kind == Kind::Platform {
-                    canvas.rounded(Area { size: Vec2::new(area.size.x, 1.5), ..area }, 0.0, theme::SOLID_TOP);
+                    canvas.rounded(Area { size: Vec2::new(area.size.x, 1.5), ..area }, 0.0, theme::solid_top());
                 }
             }
             let foot = Area { min: Vec2::new(tower.min.x, tower.max().y), size: Vec2::new(tower.size.x, FOOT) };
             if self.scene.view_bottom(1.0) > 0.0 {
                 // What is left behind is out: the edge is as red as everything that ends an attempt.
-                canvas.rounded(foot, 0.0, theme::PANEL);
+                canvas.rounded(foot, 0.0, theme::panel());
                 for (height, alpha) in [(0.45, 0.12), (0.25, 0.2), (0.08, 0.9)] {
-                    canvas.rounded(view.area(0.0, view.bottom, WIDTH, height), 0.0, theme::faded(theme::BAD, alpha));
+                    canvas.rounded(view.area(0.0, view.bottom, WIDTH, height), 0.0, theme::faded(theme::bad(), alpha));
                 }
             } else {
-                canvas.rounded(foot, 0.0, theme::SOLID);
-                canvas.rounded(Area { size: Vec2::new(foot.size.x, 2.0), ..foot }, 0.0, theme::SOLID_TOP);
+                canvas.rounded(foot, 0.0, theme::solid());
+                canvas.rounded(Area { size: Vec2::new(foot.size.x, 2.0), ..foot }, 0.0, theme::solid_top());
             }
         }
 
@@ -282,25 +284,25 @@ mod drawing {
             for (number, (player, body)) in self.scene.players().enumerate().filter(|(_, (player, _))| !player.is_out()) {
                 let place = body.previous + alpha * (body.cuboid.location - body.previous);
                 let area = view.area(place.x, place.z, PLAYER_SIZE, PLAYER_SIZE);
-                canvas.rounded(area, 3.0, PLAYERS[number]);
+                canvas.rounded(area, 3.0, colour_of(number));
                 let eye =
                     Vec2::new(area.centre().x + area.size.x * 0.22 * player.direction() as f32, area.min.y + area.size.y * 0.35);
-                canvas.disc(eye, area.size.x * 0.14, theme::GROUND);
+                canvas.disc(eye, area.size.x * 0.14, theme::ground());
                 if two {
                     let above = Vec2::new(area.centre().x, area.min.y - 12.0);
-                    canvas.text(&(number + 1).to_string(), above, Style::new(TEXT, PLAYERS[number]).mono().centred().middle());
+                    canvas.text(&(number + 1).to_string(), above, Style::new(TEXT, colour_of(number)).mono().centred().middle());
                 }
             }
         }
 
         fn draw_words(&self, canvas: &Canvas, view: &View) {
             let right = view.point(0.0, 0.0).x - 48.0;
-            let quiet = Style::new(TEXT, theme::QUIET).right().middle();
+            let quiet = Style::new(TEXT, theme::quiet()).right().middle();
             canvas.text("Height", Vec2::new(right, 48.0), quiet);
             canvas.text(
                 &format!("{} m", self.scene.score()),
                 Vec2::new(right, 84.0),
-                Style::new(HEADING, theme::TEXT).mono().right().middle(),
+                Style::new(HEADING, theme::text()).mono().right().middle(),
             );
             let keys: &[(&str, usize)] = if self.is_of_two() {
                 &[("1: A D walk, W jumps", 0), ("2: ← → walk, ↑ jumps", 1)]
@@ -309,7 +311,7 @@ mod drawing {
             };
             for (line, (words, player)) in keys.iter().enumerate() {
                 let at = Vec2::new(right, 152.0 + 28.0 * line as f32);
-                canvas.text(words, at, Style { colour: PLAYERS[*player], ..quiet }.mono());
+                canvas.text(words, at, Style { colour: colour_of(*player), ..quiet }.mono());
             }
             for (line, words) in
                 ["Jump once more in the air;", "let go early for a low jump.", "", "Esc pauses, R restarts."].iter().enumerate()
@@ -319,7 +321,7 @@ mod drawing {
             for (number, (player, _)) in self.scene.players().enumerate() {
                 if player.is_out() && self.is_of_two() {
                     let at = Vec2::new(right, 360.0 + 28.0 * number as f32);
-                    canvas.text(&format!("Player {} is out", number + 1), at, Style { colour: theme::BAD, ..quiet });
+                    canvas.text(&format!("Player {} is out", number + 1), at, Style { colour: theme::bad(), ..quiet });
                 }
             }
         }
@@ -332,10 +334,10 @@ mod drawing {
             let area = Area::new((canvas.size().x - width) / 2.0, top, width, last.max().y + 2.0 * PADDING - top);
             widgets::panel(canvas, area);
             let middle = |y: f32| Vec2::new(area.centre().x, top + y);
-            widgets::fitted(canvas, panel.heading, middle(PADDING + 24.0), width - 32.0, &[HEADING, BUTTON_TEXT], theme::TEXT);
+            widgets::fitted(canvas, panel.heading, middle(PADDING + 24.0), width - 32.0, &[HEADING, BUTTON_TEXT], theme::text());
             if self.scene.ticks() > 0 {
                 let score = format!("{} m high", self.scene.score());
-                canvas.text(&score, middle(PADDING + 64.0), Style::new(TEXT, theme::QUIET).centred().middle());
+                canvas.text(&score, middle(PADDING + 64.0), Style::new(TEXT, theme::quiet()).centred().middle());
             }
             for (i, (area, press)) in panel.buttons.areas().iter().zip(&panel.presses).enumerate() {
                 let (hover, focus) = (panel.buttons.hover() == Some(i), panel.buttons.focus() == i);

@@ -152,16 +152,16 @@ mod drawing {
             for (i, (area, (page, label))) in self.tabs.areas().iter().zip(PAGES).enumerate() {
                 let open = page == self.page;
                 widgets::button_box(canvas, *area, self.tabs.hover() == Some(i), false);
-                let colour = if open { theme::ACCENT } else { theme::QUIET };
+                let colour = if open { theme::accent() } else { theme::quiet() };
                 canvas.text(label, area.centre(), Style::new(TEXT, colour).centred().middle());
                 if open {
                     let line = Area::new(area.min.x + 16.0, area.max().y - 6.0, area.size.x - 32.0, 2.0);
-                    canvas.rounded(line, 1.0, theme::ACCENT);
+                    canvas.rounded(line, 1.0, theme::accent());
                 }
             }
             if let Some(last) = self.tabs.areas().last() {
                 let at = Vec2::new(last.max().x + 16.0, last.centre().y);
-                canvas.text("Tab", at, Style::new(TEXT, theme::ACCENT).mono().middle());
+                canvas.text("Tab", at, Style::new(TEXT, theme::accent()).mono().middle());
             }
             match self.page {
                 Page::Charts => self.charts.draw(canvas),

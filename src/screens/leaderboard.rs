@@ -171,13 +171,13 @@ mod drawing {
             let panel = panel(canvas.frame());
             let heading = Vec2::new(canvas.size().x / 2.0, panel.min.y - 64.0);
             let (words, widest) = (format!("Leaderboard of {}", self.subject), canvas.size().x - 64.0);
-            widgets::fitted(canvas, &words, heading, widest, &[HEADING, BUTTON_TEXT], theme::TEXT);
+            widgets::fitted(canvas, &words, heading, widest, &[HEADING, BUTTON_TEXT], theme::text());
             widgets::panel(canvas, panel);
-            let quiet = Style::new(TEXT, theme::QUIET).middle();
+            let quiet = Style::new(TEXT, theme::quiet()).middle();
             let middle = canvas.size().x / 2.0;
             let message = Vec2::new(middle, panel.min.y - 24.0);
             if let Some(damage) = &self.damage {
-                widgets::fitted(canvas, damage, message, canvas.size().x - 64.0, &[TEXT], theme::BAD);
+                widgets::fitted(canvas, damage, message, canvas.size().x - 64.0, &[TEXT], theme::bad());
             } else if let Some(remark) = &self.remark {
                 canvas.text(remark, message, quiet.centred());
             }
@@ -203,10 +203,10 @@ mod drawing {
                 let y = top + ROW / 2.0;
                 if self.saved == Some(index) {
                     let area = Area::new(panel.min.x + 16.0, top + 2.0, 664.0, ROW - 4.0);
-                    canvas.rounded(area, 6.0, theme::PANEL_HOVER);
-                    canvas.rounded_edge(area, 6.0, 2.0, theme::ACCENT);
+                    canvas.rounded(area, 6.0, theme::panel_hover());
+                    canvas.rounded_edge(area, 6.0, 2.0, theme::accent());
                 }
-                let colour = if index == 0 { theme::PLAYER_OBJECTIVE } else { theme::TEXT };
+                let colour = if index == 0 { theme::player_objective() } else { theme::text() };
                 let style = Style::new(TEXT, colour).mono().middle();
                 canvas.text(&(index + 1).to_string(), column(0, y), style.right());
                 canvas.text(row.name.as_str(), column(1, y), style);

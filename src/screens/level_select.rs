@@ -18,7 +18,7 @@ const ABOVE_FOOT: f32 = 24.0;
 /// How much wider than high a card looks best.
 const SHAPE: f32 = 1.3;
 /// No card is larger: a single level does not want the whole window.
-const LARGEST: Vec2 = Vec2::new(640.0, 480.0);
+const LARGEST: Vec2 = Vec2::new(900.0, 600.0);
 
 /// What a level is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -241,7 +241,7 @@ mod drawing {
                     Press::Next => widgets::button(canvas, *area, "Next", hover && self.page + 1 < self.pages(), focus),
                 }
             }
-            let quiet = Style::new(TEXT, theme::QUIET).centred().middle();
+            let quiet = Style::new(TEXT, theme::quiet()).centred().middle();
             if self.pages() > 1 {
                 let page = format!("Page {} of {}", self.page + 1, self.pages());
                 canvas.text(&page, Vec2::new(frame.size.x / 2.0, frame.size.y - FOOT - ROW_BUTTON.y / 2.0), quiet);
@@ -271,25 +271,25 @@ mod drawing {
                 miniature.draw(canvas, picture);
                 let named = if *title == entry.name { title.clone() } else { format!("{} · {title}", entry.name) };
                 let sizes: &[f32] = if area.size.x > 400.0 { &[BUTTON_TEXT, TEXT, DETAILS] } else { &[TEXT, DETAILS] };
-                fitted(&named, 0.9, sizes, theme::TEXT);
+                fitted(&named, 0.9, sizes, theme::text());
                 match entry.medal {
                     Some(medal) => {
-                        let (style, at) = (Style::new(TEXT, theme::TEXT).mono().middle(), middle(1.95));
+                        let (style, at) = (Style::new(TEXT, theme::text()).mono().middle(), middle(1.95));
                         let time = entry.best.map_or("with help".to_owned(), precise);
                         let width = canvas.width(&time, style);
                         canvas.text(&time, Vec2::new(at.x - width / 2.0 + 16.0, at.y), style);
                         medals::draw(canvas, medal, Vec2::new(at.x - width / 2.0 - 4.0, at.y), 11.0);
                     }
-                    None => fitted("not done yet", 1.95, &[TEXT, DETAILS], theme::QUIET),
+                    None => fitted("not done yet", 1.95, &[TEXT, DETAILS], theme::quiet()),
                 }
             }
             Err(_) => {
                 let sign = picture.centre();
-                widgets::fitted(canvas, &entry.name, sign, picture.size.x, &[HEADING, BUTTON_TEXT, TEXT, DETAILS], theme::QUIET);
-                fitted("does not load", 0.9, &[TEXT, DETAILS], theme::BAD);
+                widgets::fitted(canvas, &entry.name, sign, picture.size.x, &[HEADING, BUTTON_TEXT, TEXT, DETAILS], theme::quiet());
+                fitted("does not load", 0.9, &[TEXT, DETAILS], theme::bad());
                 let corner = Vec2::new(area.max().x - 18.0, area.min.y + 22.0);
-                canvas.rounded(Area::around(corner, Vec2::new(4.0, 12.0)), 2.0, theme::BAD);
-                canvas.disc(corner + Vec2::new(0.0, 11.0), 2.5, theme::BAD);
+                canvas.rounded(Area::around(corner, Vec2::new(4.0, 12.0)), 2.0, theme::bad());
+                canvas.disc(corner + Vec2::new(0.0, 11.0), 2.5, theme::bad());
             }
         }
     }

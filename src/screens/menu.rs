@@ -143,13 +143,13 @@ mod drawing {
             }
             if let (Some(play), Some((_, title))) = (self.buttons.areas().first(), &self.facts.next) {
                 let (from, y) = (play.max().x + 2.0 * PADDING, play.centre().y);
-                canvas.text(title, Vec2::new(from, y), Style::new(TEXT, theme::QUIET).middle());
+                canvas.text(title, Vec2::new(from, y), Style::new(TEXT, theme::quiet()).middle());
             }
             let foot = Vec2::new(canvas.size().x / 2.0, canvas.size().y - 32.0);
             match &self.facts.trouble {
-                Some(trouble) => widgets::fitted(canvas, trouble, foot, canvas.size().x - 640.0, &[TEXT], theme::BAD),
+                Some(trouble) => widgets::fitted(canvas, trouble, foot, canvas.size().x - 640.0, &[TEXT], theme::bad()),
                 None => {
-                    let quiet = Style::new(TEXT, theme::QUIET).centred().middle();
+                    let quiet = Style::new(TEXT, theme::quiet()).centred().middle();
                     canvas.text("Right click to drop a ball", foot, quiet);
                 }
             }
@@ -160,25 +160,26 @@ mod drawing {
         /// The name, and the arrows that add up to the one beneath it.
         fn draw_title(&self, canvas: &Canvas) {
             let area = title_area(canvas.frame());
-            let base = area.max().y + 6.0;
-            let (start, end) = (Vec2::new(area.min.x, base), Vec2::new(area.max().x, base));
+            let size = area.size + Vec2::new(2.0 * PADDING, 0.0);
+            let start = Vec2::new(area.min.x - PADDING, area.max().y + 6.0);
+            let end = start + Vec2::new(size.x, 0.0);
             let mut tail = start;
             for (kind, step) in ADDENDS {
-                let tip = tail + Vec2::new(step.x, -step.y) * area.size;
+                let tip = tail + Vec2::new(step.x, -step.y) * size;
                 arrows::draw_one(canvas, (tail, tip), arrows::Shown::Force(kind), 0.9);
                 tail = tip;
             }
             canvas.end_layer();
             arrows::draw_one(canvas, (start, end), arrows::Shown::Resultant, 1.0);
-            canvas.text(NAME, area.centre(), Style::new(TITLE, theme::ACCENT).centred().middle());
+            canvas.text(NAME, area.centre(), Style::new(TITLE, theme::accent()).centred().middle());
             canvas.end_layer();
         }
 
         fn draw_player(&self, canvas: &Canvas, area: Area, (hover, focus): (bool, bool)) {
             widgets::button_box(canvas, area, hover, focus);
             let y = area.centre().y;
-            canvas.text("Player", Vec2::new(area.min.x + PADDING, y), Style::new(TEXT, theme::QUIET).middle());
-            let name = Style::new(BUTTON_TEXT, theme::TEXT).mono().middle();
+            canvas.text("Player", Vec2::new(area.min.x + PADDING, y), Style::new(TEXT, theme::quiet()).middle());
+            let name = Style::new(BUTTON_TEXT, theme::text()).mono().middle();
             canvas.text(self.facts.player.as_str(), Vec2::new(area.max().x - PADDING, y), name.right());
         }
 

@@ -84,7 +84,7 @@ mod drawing {
         pub fn draw(&self, canvas: &Canvas, area: Area) {
             let scale = (f64::from(area.size.x) / self.size.x).min(f64::from(area.size.y) / self.size.y);
             let paper = Area::around(area.centre(), (self.size * scale).as_vec2());
-            canvas.rounded(paper, 2.0, theme::GROUND);
+            canvas.rounded(paper, 2.0, theme::ground());
             let point = |metres: DVec2| paper.min + (metres * scale).as_vec2().clamp(Vec2::ZERO, paper.size);
             for (bounds, part) in &self.shapes {
                 let (a, b) = (point(bounds.min), point(bounds.max));
@@ -99,15 +99,15 @@ mod drawing {
     fn colour(part: Part) -> Color {
         let own = |[r, g, b]: [u8; 3]| Color::from_rgba(r, g, b, 255);
         match part {
-            Part::Solid => theme::SOLID,
+            Part::Solid => theme::solid(),
             Part::Liquid(colour) => faded(own(colour), 0.55),
-            Part::Stream => faded(theme::TEXT, 0.10),
-            Part::Deadly => theme::BAD,
-            Part::PlayerObjective => theme::PLAYER_OBJECTIVE,
-            Part::PhysicsObjective => theme::PHYSICS_OBJECTIVE,
-            Part::Object => theme::QUIET,
+            Part::Stream => faded(theme::text(), 0.10),
+            Part::Deadly => theme::bad(),
+            Part::PlayerObjective => theme::player_objective(),
+            Part::PhysicsObjective => theme::physics_objective(),
+            Part::Object => theme::quiet(),
             Part::Key(colour) => own(colour),
-            Part::Ship => theme::TEXT,
+            Part::Ship => theme::text(),
         }
     }
 }

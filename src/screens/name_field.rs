@@ -137,25 +137,25 @@ mod drawing {
         pub fn draw(&self, canvas: &Canvas, (above, submit): (&str, &str), time: f64) {
             let middle = canvas.size().x / 2.0;
             let area = self.area;
-            let quiet = Style::new(TEXT, theme::QUIET).middle();
+            let quiet = Style::new(TEXT, theme::quiet()).middle();
             let widest = canvas.size().x - 64.0;
-            widgets::fitted(canvas, above, Vec2::new(middle, area.min.y - 88.0), widest, &[TEXT], theme::QUIET);
+            widgets::fitted(canvas, above, Vec2::new(middle, area.min.y - 88.0), widest, &[TEXT], theme::quiet());
             canvas.text("Your name", area.min - Vec2::new(0.0, 24.0), quiet);
             canvas.text("up to 15 characters", Vec2::new(area.max().x, area.min.y - 24.0), quiet.right());
             widgets::panel(canvas, area);
             if !self.on_buttons {
                 widgets::focus_ring(canvas, area);
             }
-            let style = Style::new(BUTTON_TEXT, theme::TEXT).mono().middle();
+            let style = Style::new(BUTTON_TEXT, theme::text()).mono().middle();
             let start = Vec2::new(area.min.x + PADDING, area.centre().y);
             canvas.text(&self.field.text(), start, style);
             if !self.on_buttons && time.fract() < 0.5 {
                 let x = start.x + canvas.width(&self.field.before_caret(), style);
-                canvas.rounded(Area::new(x, start.y - 16.0, 2.0, 32.0), 0.0, theme::ACCENT);
+                canvas.rounded(Area::new(x, start.y - 16.0, 2.0, 32.0), 0.0, theme::accent());
             }
             if let Some(error) = &self.error {
                 let at = Vec2::new(middle, area.max().y + 36.0);
-                widgets::fitted(canvas, error, at, widest, &[TEXT], theme::BAD);
+                widgets::fitted(canvas, error, at, widest, &[TEXT], theme::bad());
             }
             // On its first frame the screen has no places for its buttons yet.
             for (i, (label, area)) in [submit, "Back"].into_iter().zip(self.buttons.areas()).enumerate() {

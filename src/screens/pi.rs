@@ -145,7 +145,7 @@ mod drawing {
             };
             let words = format!("N = {}    masses 1 : {}    time {:6.3} s    speed {speed}", self.n, power(2 * self.n), self.time);
             let at = Vec2::new(canvas.size().x / 2.0, canvas.size().y - 96.0);
-            canvas.text(&words, at, Style::new(TEXT, theme::QUIET).mono().centred().middle());
+            canvas.text(&words, at, Style::new(TEXT, theme::quiet()).mono().centred().middle());
             self.toolbar.draw(
                 canvas,
                 &[("Back", "Esc"), ("Restart", "R"), ("N − 1", "←"), ("N + 1", "→"), ("Slower", "↓"), ("Faster", "↑")],
@@ -154,22 +154,22 @@ mod drawing {
 
         fn draw_blocks(&self, canvas: &Canvas) {
             let floor = canvas.size().y - FLOOR;
-            let solid = |area: Area| canvas.rounded(area, 0.0, theme::SOLID);
+            let solid = |area: Area| canvas.rounded(area, 0.0, theme::solid());
             solid(Area::new(0.0, 0.0, WALL, floor));
             solid(Area::new(0.0, floor, canvas.size().x, 10.0));
-            canvas.rounded(Area::new(WALL, floor, canvas.size().x - WALL, 2.0), 0.0, theme::SOLID_TOP);
-            canvas.rounded(Area::new(WALL - 2.0, 0.0, 2.0, floor), 0.0, theme::SOLID_TOP);
+            canvas.rounded(Area::new(WALL, floor, canvas.size().x - WALL, 2.0), 0.0, theme::solid_top());
+            canvas.rounded(Area::new(WALL - 2.0, 0.0, 2.0, floor), 0.0, theme::solid_top());
 
             let (light, heavy) = self.blocks.positions(self.time);
             let light_side = SIDE * side(1.0);
-            self.draw_block(canvas, WALL + light as f32 * METRE, 1.0, theme::PLAYER_OBJECTIVE);
-            self.draw_block(canvas, WALL + light_side + heavy as f32 * METRE, mass_ratio(self.n), theme::ACCENT);
+            self.draw_block(canvas, WALL + light as f32 * METRE, 1.0, theme::player_objective());
+            self.draw_block(canvas, WALL + light_side + heavy as f32 * METRE, mass_ratio(self.n), theme::accent());
         }
 
         fn draw_block(&self, canvas: &Canvas, left: f32, mass: f64, colour: Color) {
             let side = SIDE * side(mass);
             let area = Area::new(left, canvas.size().y - FLOOR - side, side, side);
-            canvas.rounded(area, 2.0, theme::PANEL);
+            canvas.rounded(area, 2.0, theme::panel());
             canvas.rounded_edge(area, 2.0, 3.0, colour);
             let (label, size) = if mass == 1.0 { ("1".to_owned(), TEXT) } else { (power(2 * self.n), BUTTON_TEXT) };
             let style = Style::new(size, colour).mono().centred().middle();
@@ -180,7 +180,7 @@ mod drawing {
         fn draw_counter(&self, canvas: &Canvas) {
             let (counter, right) = self.counter();
             let middle = (canvas.size().x + WALL) / 2.0;
-            let quiet = Style::new(TEXT, theme::QUIET).centred().middle();
+            let quiet = Style::new(TEXT, theme::quiet()).centred().middle();
             canvas.text("collisions", Vec2::new(middle, 40.0), quiet);
             let leading = counter.bytes().take_while(|digit| *digit == b'0').count().min(counter.len() - 1);
             let advance = TITLE * MONO_ADVANCE;
@@ -188,16 +188,16 @@ mod drawing {
             let flash = (1.0 - self.quiet_for / FLASH).max(0.0) as f32;
             for (place, digit) in counter.chars().enumerate() {
                 let colour = match place {
-                    _ if place < right => theme::GOOD,
-                    _ if place < leading => theme::PANEL_EDGE,
-                    _ => theme::TEXT,
+                    _ if place < right => theme::good(),
+                    _ if place < leading => theme::panel_edge(),
+                    _ => theme::text(),
                 };
                 let at = Vec2::new(left + advance * place as f32, 104.0);
                 canvas.text(&digit.to_string(), at, Style::new(TITLE, colour).mono().centred().middle());
             }
             let width = advance * counter.len() as f32;
             let bar = Area::new(middle - width / 2.0, 156.0, width, 4.0);
-            canvas.rounded(bar, 2.0, theme::faded(theme::ACCENT, 0.15 + 0.85 * flash));
+            canvas.rounded(bar, 2.0, theme::faded(theme::accent(), 0.15 + 0.85 * flash));
             let digits = &DIGITS[..counter.len()];
             let words = match (self.blocks.next_time(), self.behind) {
                 (None, _) => format!("No more will come: the first {} of π", plural(counter.len())),

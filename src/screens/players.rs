@@ -185,21 +185,21 @@ mod drawing {
             }
             if let Some(trouble) = &self.trouble {
                 let at = Vec2::new(list.centre().x, list.min.y - 24.0);
-                widgets::fitted(canvas, trouble, at, canvas.size().x - 64.0, &[TEXT], theme::BAD);
+                widgets::fitted(canvas, trouble, at, canvas.size().x - 64.0, &[TEXT], theme::bad());
             }
         }
 
         fn draw_row(&self, canvas: &Canvas, area: Area, candidate: &Candidate, (hover, focus): (bool, bool)) {
             widgets::button_box(canvas, area, hover, focus);
             let y = area.centre().y;
-            let colour = if candidate.name == self.current { theme::ACCENT } else { theme::TEXT };
+            let colour = if candidate.name == self.current { theme::accent() } else { theme::text() };
             let name = Style::new(BUTTON_TEXT, colour).mono().middle();
             canvas.text(candidate.name.as_str(), Vec2::new(area.min.x + PADDING, y), name);
             let done = match candidate.done {
                 1 => "1 level done".to_owned(),
                 many => format!("{many} levels done"),
             };
-            canvas.text(&done, Vec2::new(area.max().x - PADDING, y), Style::new(TEXT, theme::QUIET).right().middle());
+            canvas.text(&done, Vec2::new(area.max().x - PADDING, y), Style::new(TEXT, theme::quiet()).right().middle());
         }
     }
 }

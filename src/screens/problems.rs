@@ -113,11 +113,11 @@ mod drawing {
             let panel = self.panel;
             widgets::panel(canvas, panel);
             let at = panel.min + Vec2::new(LEFT, PADDING + 20.0);
-            canvas.text(&self.heading, at, Style::new(BUTTON_TEXT, theme::BAD).middle());
+            canvas.text(&self.heading, at, Style::new(BUTTON_TEXT, theme::bad()).middle());
             let step = canvas.line_height(DETAILS);
             for (row, line) in self.scroll.range().enumerate() {
                 let (words, begins) = &self.lines[line];
-                let colour = if *begins { theme::TEXT } else { theme::QUIET };
+                let colour = if *begins { theme::text() } else { theme::quiet() };
                 let at = panel.min + Vec2::new(LEFT, HEAD + row as f32 * step);
                 canvas.text(words, at, Style::new(DETAILS, colour).mono());
             }

@@ -3,6 +3,7 @@
 use super::leaderboard::{Way, subject};
 use super::{Attempt, Buttons, Gain, Input, Key, Request};
 use crate::game::{Outcome, RunResult};
+use crate::settings::Action;
 use crate::view::layout::ROW_BUTTON;
 
 /// What a part did to the score.
@@ -101,6 +102,10 @@ impl Scoring {
         self.buttons.place(input.frame.row(self.presses.len(), input.frame.size.y - ROW_BUTTON.y - 40.0));
         if input.pressed(Key::Escape) {
             return Some(Request::Menu);
+        }
+        // As in flight: one key, and the ship flies again.
+        if input.acts(Action::Restart) {
+            return Some(Request::Attempt(self.attempt.clone()));
         }
         Some(match self.presses[self.buttons.update(input)?] {
             Press::Replay => Request::Attempt(self.attempt.clone()),
@@ -233,10 +238,10 @@ mod drawing {
             widgets::graph_paper(canvas);
             let size = canvas.size();
             let completed = self.result.outcome == Outcome::Completed;
-            let (heading, colour) = if completed { ("Level complete", theme::GOOD) } else { ("Attempt lost", theme::BAD) };
+            let (heading, colour) = if completed { ("Level complete", theme::good()) } else { ("Attempt lost", theme::bad()) };
             let middle = size.x / 2.0;
             canvas.text(heading, Vec2::new(middle, 64.0), Style::new(HEADING, colour).centred().middle());
-            let quiet = Style::new(TEXT, theme::QUIET).middle();
+            let quiet = Style::new(TEXT, theme::quiet()).middle();
             let level = &self.attempt.level;
             let title = if level.title == level.name { format!("Level {}", level.name) } else { level.title.clone() };
             canvas.text(&title, Vec2::new(middle, 108.0), quiet.centred());
@@ -249,9 +254,9 @@ mod drawing {
             for (i, part) in self.parts().iter().enumerate() {
                 let y = panel.min.y + 34.0 + i as f32 * ROW;
                 let colour = match part.effect {
-                    Effect::Helped => theme::GOOD,
-                    Effect::Cost => theme::BAD,
-                    Effect::Nothing => theme::TEXT,
+                    Effect::Helped => theme::good(),
+                    Effect::Cost => theme::bad(),
+                    Effect::Nothing => theme::text(),
                 };
                 let words = Style::new(TEXT, colour).middle();
                 canvas.text(part.label, Vec2::new(column(0), y), words);
@@ -260,8 +265,8 @@ mod drawing {
                 canvas.text(&part.points, Vec2::new(right, y), words.mono().right());
             }
             let y = panel.min.y + 34.0 + 4.0 * ROW + 8.0;
-            canvas.line(Vec2::new(column(0), y - 28.0), Vec2::new(right, y - 28.0), 1.0, theme::PANEL_EDGE);
-            let total = Style::new(BUTTON_TEXT, theme::TEXT).middle();
+            canvas.line(Vec2::new(column(0), y - 28.0), Vec2::new(right, y - 28.0), 1.0, theme::panel_edge());
+            let total = Style::new(BUTTON_TEXT, theme::text()).middle();
             canvas.text("Score", Vec2::new(column(0), y), total);
             canvas.text(&self.result.score.total.to_string(), Vec2::new(right, y), total.mono().right());
 
@@ -271,12 +276,12 @@ mod drawing {
                 let left = second.min.x + if i % 2 == 0 { 24.0 } else { PANEL.x / 2.0 + 24.0 };
                 let y = second.min.y + 34.0 + (i / 2) as f32 * ROW;
                 canvas.text(label, Vec2::new(left, y), quiet);
-                let number = Style::new(TEXT, theme::TEXT).mono().middle();
+                let number = Style::new(TEXT, theme::text()).mono().middle();
                 canvas.text(value, Vec2::new(left + 312.0, y), number.right());
                 canvas.text(unit, Vec2::new(left + 324.0, y), quiet);
             }
             let at = Vec2::new(middle, second.max().y + 32.0);
-            widgets::fitted(canvas, &self.remark, at, size.x - 64.0, &[TEXT], theme::QUIET);
+            widgets::fitted(canvas, &self.remark, at, size.x - 64.0, &[TEXT], theme::quiet());
             for (i, press) in self.presses.iter().enumerate() {
                 let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
                 if let Some(area) = self.buttons.areas().get(i) {

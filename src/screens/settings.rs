@@ -187,7 +187,7 @@ mod drawing {
                 }
             }
             let (_, keys) = corners(canvas.frame());
-            let quiet = Style::new(TEXT, theme::QUIET).middle();
+            let quiet = Style::new(TEXT, theme::quiet()).middle();
             for (row, action) in Action::ALL.iter().enumerate() {
                 let y = self.buttons.areas().get(FIRST_KEY + 2 * row).map_or(0.0, |area| area.centre().y);
                 canvas.text(action.label(), Vec2::new(keys.x, y), quiet);
@@ -198,16 +198,16 @@ mod drawing {
         fn draw_value(&self, canvas: &Canvas, i: usize, item: Item, row: Area) {
             let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
             widgets::button_box(canvas, row, hover, focus);
-            let words = Style::new(TEXT, theme::TEXT).middle();
+            let words = Style::new(TEXT, theme::text()).middle();
             canvas.text(item.label(), Vec2::new(row.min.x + 16.0, row.centre().y), words);
             let value = value_area(row);
-            let mark = Style::new(TEXT, theme::ACCENT).middle().centred();
+            let mark = Style::new(TEXT, theme::accent()).middle().centred();
             canvas.text("‹", Vec2::new(value.min.x + 16.0, value.centre().y), mark);
             canvas.text("›", Vec2::new(value.max().x - 16.0, value.centre().y), mark);
             if let Some(share) = item.share(&self.settings) {
                 let track = Area::new(value.min.x + 32.0, value.max().y - 6.0, value.size.x - 64.0, 3.0);
-                canvas.rounded(track, 1.5, theme::PANEL_EDGE);
-                canvas.rounded(Area { size: Vec2::new(track.size.x * share, 3.0), ..track }, 1.5, theme::ACCENT);
+                canvas.rounded(track, 1.5, theme::panel_edge());
+                canvas.rounded(Area { size: Vec2::new(track.size.x * share, 3.0), ..track }, 1.5, theme::accent());
             }
             canvas.text(&item.value(&self.settings), value.centre(), words.mono().centred());
         }
@@ -217,10 +217,10 @@ mod drawing {
             widgets::button_box(canvas, area, hover, focus);
             let keys = &self.settings.keys;
             let (text, colour) = match keys.of(action)[slot] {
-                _ if self.taking == Some((action, slot)) => ("press a key".to_owned(), theme::ACCENT),
-                Some(key) if keys.conflict(action, key).is_some() => (key.label(), theme::BAD),
-                Some(key) => (key.label(), theme::TEXT),
-                None => ("–".to_owned(), theme::QUIET),
+                _ if self.taking == Some((action, slot)) => ("press a key".to_owned(), theme::accent()),
+                Some(key) if keys.conflict(action, key).is_some() => (key.label(), theme::bad()),
+                Some(key) => (key.label(), theme::text()),
+                None => ("–".to_owned(), theme::quiet()),
             };
             canvas.text(&text, area.centre(), Style::new(TEXT, colour).middle().centred());
         }
@@ -232,17 +232,17 @@ mod drawing {
                 canvas.text(text, Vec2::new(keys.x, y), Style::new(DETAILS, colour).middle());
                 y += 20.0;
             };
-            line("Tab goes to the other list, ← → change a value; Enter sets a key, Del clears it.", theme::QUIET);
-            line("A gamepad flies too: stick turns, triggers thrust, Y restarts, Start pauses.", theme::QUIET);
+            line("Tab goes to the other list, ← → change a value; Enter sets a key, Del clears it.", theme::quiet());
+            line("A gamepad flies too: stick turns, triggers thrust, Y restarts, Start pauses.", theme::quiet());
             if self.settings.assists.any() {
-                line("A flight with assists is marked and does not enter the board.", theme::ACCENT);
+                line("A flight with assists is marked and does not enter the board.", theme::accent());
             }
             for (action, key, other) in self.conflicts() {
                 let both = format!("{} does two things: {} and {}.", key.label(), action.label(), other.label());
-                line(&both, theme::BAD);
+                line(&both, theme::bad());
             }
             for problem in self.problems.iter().take(3) {
-                line(problem, theme::BAD);
+                line(problem, theme::bad());
             }
         }
 

@@ -171,11 +171,11 @@ mod drawing {
             self.draw_map(canvas, corner, side);
             for (age, &(x, y)) in self.trail.iter().rev().enumerate() {
                 let fading = 1.0 - age as f32 / super::TRAIL as f32;
-                canvas.disc(at(x, y - RUNNER), side * 0.12, theme::faded(theme::ACCENT, 0.6 * fading));
+                canvas.disc(at(x, y - RUNNER), side * 0.12, theme::faded(theme::accent(), 0.6 * fading));
             }
             let (x, y) = self.drawn_place();
-            canvas.disc(at(x, y - RUNNER), side * RUNNER as f32, theme::ACCENT);
-            canvas.ring(at(x, y - RUNNER), side * RUNNER as f32, 0.1 * side, theme::TEXT);
+            canvas.disc(at(x, y - RUNNER), side * RUNNER as f32, theme::accent());
+            canvas.ring(at(x, y - RUNNER), side * RUNNER as f32, 0.1 * side, theme::text());
             self.draw_words(canvas);
         }
 
@@ -198,33 +198,33 @@ mod drawing {
             let tile = |column: usize, row: usize, width: usize, height: f32| {
                 Area::new(corner.x + column as f32 * side, corner.y + row as f32 * side, width as f32 * side, height * side)
             };
-            canvas.rounded(tile(0, 0, widest, rows.len() as f32).inset(-4.0), 4.0, theme::SOLID);
+            canvas.rounded(tile(0, 0, widest, rows.len() as f32).inset(-4.0), 4.0, theme::solid());
             for (row, _) in rows.iter().enumerate() {
                 for (from, to, solid) in runs(widest, |column| is_solid(row, column)) {
                     if !solid {
-                        canvas.rounded(tile(from, row, to - from, 1.0), 0.0, theme::GROUND);
+                        canvas.rounded(tile(from, row, to - from, 1.0), 0.0, theme::ground());
                     }
                 }
             }
             for column in 1..widest {
                 let line = tile(column, 0, 0, rows.len() as f32);
-                canvas.hairline(line.min, line.max(), theme::faded(theme::GRID_HEAVY, 0.7));
+                canvas.hairline(line.min, line.max(), theme::faded(theme::grid_heavy(), 0.7));
             }
             for row in 1..rows.len() {
                 let line = tile(0, row, widest, 0.0);
-                canvas.hairline(line.min, line.max(), theme::faded(theme::GRID_HEAVY, 0.7));
+                canvas.hairline(line.min, line.max(), theme::faded(theme::grid_heavy(), 0.7));
                 for (from, to, top) in runs(widest, |column| is_solid(row, column) && !is_solid(row - 1, column)) {
                     if top {
-                        canvas.rounded(tile(from, row, to - from, 0.14), 0.0, theme::SOLID_TOP);
+                        canvas.rounded(tile(from, row, to - from, 0.14), 0.0, theme::solid_top());
                     }
                 }
             }
             let (column, row) = self.map.start();
-            canvas.rounded_edge(tile(column, row, 1, 1.0).inset(1.0), 3.0, 2.0, theme::PLAYER_OBJECTIVE);
+            canvas.rounded_edge(tile(column, row, 1, 1.0).inset(1.0), 3.0, 2.0, theme::player_objective());
         }
 
         fn draw_words(&self, canvas: &Canvas) {
-            let style = Style::new(TEXT, theme::QUIET).middle();
+            let style = Style::new(TEXT, theme::quiet()).middle();
             let middle = canvas.size().x / 2.0;
             let hint = match (self.watching, self.ended(), self.paused) {
                 (false, ..) => "Left and Right run, Space jumps".to_owned(),

@@ -52,8 +52,8 @@ mod drawing {
                 widgets::button_box(canvas, *area, self.buttons.hover() == Some(i), false);
                 let style = |colour| Style::new(TEXT, colour).middle();
                 let y = area.centre().y;
-                canvas.text(label, Vec2::new(area.min.x + PADDING, y), style(theme::TEXT));
-                canvas.text(key, Vec2::new(area.max().x - PADDING, y), style(theme::ACCENT).mono().right());
+                canvas.text(label, Vec2::new(area.min.x + PADDING, y), style(theme::text()));
+                canvas.text(key, Vec2::new(area.max().x - PADDING, y), style(theme::accent()).mono().right());
             }
         }
     }

@@ -8,7 +8,7 @@ use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
 use crate::view::layout::{DESIGN, Vec2};
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Volumes, tune};
-use crate::view::{Art, GameView, Overlays, icon, widgets};
+use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
     mouse_position, mouse_wheel,
@@ -96,6 +96,7 @@ async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
     let mut pads = Pads::new();
     let mut fullscreen = false;
     loop {
+        theme::wear(app.settings().palette);
         canvas.begin(text_scale(&app))?;
         let input = read_input(&canvas, pads.read());
         if !app.update(&input, &mut theatre) {

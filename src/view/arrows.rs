@@ -118,7 +118,7 @@ fn draw_arrow(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
     let along = (arrow.to - arrow.from).normalize_or_zero();
     let tip_length = (HEAD * head_scale).min(arrow.length());
     let neck = arrow.to - along * tip_length * 0.8;
-    canvas.line(arrow.from, neck, width + 2.0, faded(theme::GROUND, 0.55 * alpha));
+    canvas.line(arrow.from, neck, width + 2.0, faded(theme::ground(), 0.55 * alpha));
     if dash.is_empty() {
         canvas.line(arrow.from, neck, width, colour);
     } else {
@@ -272,7 +272,7 @@ pub fn place_labels(arrows: &[Arrow], height: f32, width: impl Fn(&str) -> f32, 
 pub fn draw_labels(arrows: &[Arrow], labels: &[Label], canvas: &Canvas) {
     for label in labels {
         let arrow = &arrows[label.arrow];
-        canvas.rounded(label.area.inset(-1.0), 3.0, faded(theme::GROUND, 0.85));
+        canvas.rounded(label.area.inset(-1.0), 3.0, faded(theme::ground(), 0.85));
         canvas.text(arrow.name(), label.area.centre(), Style::new(DETAILS, colour(arrow.shown)).centred().middle());
     }
 }

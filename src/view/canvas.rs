@@ -106,7 +106,7 @@ impl Canvas {
         self.frame = Frame::of_window(Vec2::new(screen_width(), screen_height()) * self.dpi).with_text(text);
         self.fonts.prepare(&self.frame, self.dpi)?;
         self.lines.get_mut().clear();
-        clear_background(theme::GROUND);
+        clear_background(theme::ground());
         self.use_canvas_units();
         Ok(())
     }

@@ -142,8 +142,8 @@ impl Details {
     pub fn draw(&self, canvas: &Canvas) {
         for placed in &self.boxes {
             let near = placed.object.clamp(placed.area.min, placed.area.max());
-            canvas.line(near, placed.object, 1.5, faded(theme::QUIET, 0.6));
-            canvas.disc(near, 3.0, theme::QUIET);
+            canvas.line(near, placed.object, 1.5, faded(theme::quiet(), 0.6));
+            canvas.disc(near, 3.0, theme::quiet());
         }
         arrows::draw(&self.arrows, canvas);
         for placed in &self.boxes {
@@ -157,7 +157,7 @@ impl Details {
         panel(canvas, self.legend_area);
         for (i, line) in self.legend.iter().enumerate() {
             let at = self.legend_area.min + PADDING + Vec2::new(0.0, i as f32 * canvas.line_height(DETAILS));
-            canvas.text(line, at, Style::new(DETAILS, theme::QUIET).mono());
+            canvas.text(line, at, Style::new(DETAILS, theme::quiet()).mono());
         }
     }
 }
@@ -166,20 +166,20 @@ fn draw_box(placed: &Placed, canvas: &Canvas) {
     panel(canvas, placed.area);
     let line = canvas.line_height(DETAILS);
     let at = |row: usize| placed.area.min + PADDING + Vec2::new(0.0, row as f32 * line);
-    canvas.text(&placed.facts.title, at(0), Style::new(DETAILS, theme::ACCENT).mono());
+    canvas.text(&placed.facts.title, at(0), Style::new(DETAILS, theme::accent()).mono());
     let width = number_width(&placed.facts.rows, NUMBER_WIDTH);
     let numbers = Vec2::new(NAME_WIDTH as f32 * MONO_ADVANCE * canvas.frame().text_height(DETAILS), 0.0);
     for (i, row) in placed.facts.rows.iter().enumerate() {
-        let colour = row.shown.map_or(theme::QUIET, arrows::colour);
+        let colour = row.shown.map_or(theme::quiet(), arrows::colour);
         canvas.text(row.name, at(i + 1), Style::new(DETAILS, colour).mono());
-        let colour = if matches!(row.value, Value::Vector(DVec2::ZERO) | Value::Words(_)) { theme::QUIET } else { theme::TEXT };
+        let colour = if matches!(row.value, Value::Vector(DVec2::ZERO) | Value::Words(_)) { theme::quiet() } else { theme::text() };
         canvas.text(&quantity(row, width), at(i + 1) + numbers, Style::new(DETAILS, colour).mono());
     }
 }
 
 fn panel(canvas: &Canvas, area: Area) {
-    canvas.rounded(area, CORNER, faded(theme::PANEL, 0.97));
-    canvas.rounded_edge(area, CORNER, 1.5, theme::PANEL_EDGE);
+    canvas.rounded(area, CORNER, faded(theme::panel(), 0.97));
+    canvas.rounded_edge(area, CORNER, 1.5, theme::panel_edge());
 }
 
 /// The size of a box: its longest possible line at the width of its numbers, and its lines.

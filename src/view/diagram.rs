@@ -34,7 +34,7 @@ pub fn draw(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
     axes(canvas, plot, measured);
     let tolerance = plot.upwards(plot.axes.error.part(measured.tolerance));
     let ends = [Vec2::new(plot.area.min.x, tolerance), Vec2::new(plot.area.max().x, tolerance)];
-    dashed(canvas, &ends, TOLERANCE_DASH, 2.0, theme::GOOD);
+    dashed(canvas, &ends, TOLERANCE_DASH, 2.0, theme::good());
     for (index, curve) in measured.curves.iter().enumerate() {
         let look = Look::of(index, curve);
         let colour = shade(theme::rgb(look.colour), picked.curve.is_none_or(|picked| picked == index));
@@ -46,7 +46,7 @@ pub fn draw(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
         }
     }
     for point in measured.shipped().into_iter().flat_map(|(_, points)| points) {
-        canvas.ring(plot.at(&point), RING + 1.0, 2.0, theme::ACCENT);
+        canvas.ring(plot.at(&point), RING + 1.0, 2.0, theme::accent());
     }
     if let Some((_, point)) = measured.cheapest() {
         frame(canvas, plot.at(&point));
@@ -61,24 +61,24 @@ pub fn draw(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
 fn shade(colour: Color, whole: bool) -> Color {
     let part = if whole { 1.0 } else { QUIETED };
     let mix = |a: f32, b: f32| a * part + b * (1.0 - part);
-    Color::new(mix(colour.r, theme::PANEL.r), mix(colour.g, theme::PANEL.g), mix(colour.b, theme::PANEL.b), 1.0)
+    Color::new(mix(colour.r, theme::panel().r), mix(colour.g, theme::panel().g), mix(colour.b, theme::panel().b), 1.0)
 }
 
 fn axes(canvas: &Canvas, plot: &Plot, measured: &Measured) {
     let (area, end) = (plot.area, plot.area.max());
-    let quiet = Style::new(DETAILS, theme::QUIET).middle();
+    let quiet = Style::new(DETAILS, theme::quiet()).middle();
     let upright = |x: f32, colour| canvas.hairline(Vec2::new(x, area.min.y), Vec2::new(x, end.y), colour);
     let level = |y: f32, colour| canvas.hairline(Vec2::new(area.min.x, y), Vec2::new(end.x, y), colour);
     let part = |decades: &Decades, exponent: i32| f64::from(exponent - decades.from) / f64::from(decades.to - decades.from);
-    canvas.rounded(area, 0.0, theme::GROUND);
+    canvas.rounded(area, 0.0, theme::ground());
     let (work, error) = (&plot.axes.work, &plot.axes.error);
-    work.named(NAMED).for_each(|exponent| upright(plot.across(part(work, exponent)), theme::PANEL_EDGE));
-    error.named(NAMED).for_each(|exponent| level(plot.upwards(part(error, exponent)), theme::PANEL_EDGE));
+    work.named(NAMED).for_each(|exponent| upright(plot.across(part(work, exponent)), theme::panel_edge()));
+    error.named(NAMED).for_each(|exponent| level(plot.upwards(part(error, exponent)), theme::panel_edge()));
     for edge in [area.min.x, end.x] {
-        upright(edge, theme::SOLID);
+        upright(edge, theme::solid());
     }
     for edge in [area.min.y, end.y] {
-        level(edge, theme::SOLID);
+        level(edge, theme::solid());
     }
     for exponent in work.named(NAMED) {
         canvas.text(&power(exponent), Vec2::new(plot.across(part(work, exponent)), end.y + 18.0), quiet.centred());
@@ -86,7 +86,7 @@ fn axes(canvas: &Canvas, plot: &Plot, measured: &Measured) {
     for exponent in error.named(NAMED) {
         canvas.text(&power(exponent), Vec2::new(area.min.x - 10.0, plot.upwards(part(error, exponent))), quiet.right());
     }
-    let words = Style::new(TEXT, theme::TEXT).middle();
+    let words = Style::new(TEXT, theme::text()).middle();
     canvas.text(&measured.error, Vec2::new(area.min.x, area.min.y - 22.0), words);
     canvas.text(&measured.work, Vec2::new(area.centre().x, end.y + 44.0), words.centred());
 }
@@ -113,7 +113,7 @@ fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Color) {
 }
 
 fn frame(canvas: &Canvas, at: Vec2) {
-    canvas.rounded_edge(Area::around(at, Vec2::splat(2.0 * FRAME + 2.0)), 0.0, 2.0, theme::GOOD);
+    canvas.rounded_edge(Area::around(at, Vec2::splat(2.0 * FRAME + 2.0)), 0.0, 2.0, theme::good());
 }
 
 fn legend(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
@@ -125,16 +125,16 @@ fn legend(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
     for (index, curve) in measured.curves.iter().enumerate() {
         let (area, middle, words) = places(index);
         if picked.curve == Some(index) {
-            canvas.rounded(area, 6.0, theme::PANEL_HOVER);
+            canvas.rounded(area, 6.0, theme::panel_hover());
         }
         let whole = picked.curve.is_none_or(|picked| picked == index);
         let look = Look::of(index, curve);
         let colour = shade(theme::rgb(look.colour), whole);
         stroke(canvas, &[Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y)], &look, colour);
         marker(canvas, middle, look.marker, colour);
-        canvas.text(&curve.name, words, Style::new(TEXT, shade(theme::TEXT, whole)).middle());
+        canvas.text(&curve.name, words, Style::new(TEXT, shade(theme::text(), whole)).middle());
     }
-    let quiet = Style::new(TEXT, theme::QUIET).middle();
+    let quiet = Style::new(TEXT, theme::quiet()).middle();
     let mut line = measured.curves.len();
     let mut note = |sample: &dyn Fn(Area, Vec2), text: &str| {
         let (area, middle, words) = places(line);
@@ -151,29 +151,29 @@ fn legend(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
     };
     let sample = |area: Area, middle: Vec2| {
         let ends = [Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y)];
-        dashed(canvas, &ends, TOLERANCE_DASH, 2.0, theme::GOOD);
+        dashed(canvas, &ends, TOLERANCE_DASH, 2.0, theme::good());
     };
     note(&sample, &tolerance);
     if measured.shipped().is_some() {
-        note(&|_, middle| canvas.ring(middle, RING, 2.0, theme::ACCENT), "as shipped");
+        note(&|_, middle| canvas.ring(middle, RING, 2.0, theme::accent()), "as shipped");
     }
     if measured.cheapest().is_some() {
         note(&|_, middle| frame(canvas, middle), "cheapest within the tolerance");
     }
     let points = || measured.curves.iter().flat_map(|curve| &curve.points);
     if points().any(Point::blew_up) {
-        note(&|_, middle| marker(canvas, middle, Marker::Cross, theme::QUIET), "upper edge: blew up");
+        note(&|_, middle| marker(canvas, middle, Marker::Cross, theme::quiet()), "upper edge: blew up");
     }
     if points().any(|point| point.error < LEAST_ERROR) {
         let foot = |area: Area, middle: Vec2| {
-            canvas.line(Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y), 2.0, theme::SOLID)
+            canvas.line(Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y), 2.0, theme::solid())
         };
         note(&foot, "lower edge: no error");
     }
     let better = |area: Area, middle: Vec2| {
         let (from, to) = (Vec2::new(area.min.x + 28.0, middle.y - 8.0), Vec2::new(area.min.x + 12.0, middle.y + 8.0));
-        canvas.line(from, to, 2.0, theme::QUIET);
-        canvas.convex(&[to + Vec2::new(-2.0, 2.0), to + Vec2::new(8.0, -1.0), to + Vec2::new(1.0, -8.0)], theme::QUIET);
+        canvas.line(from, to, 2.0, theme::quiet());
+        canvas.convex(&[to + Vec2::new(-2.0, 2.0), to + Vec2::new(8.0, -1.0), to + Vec2::new(1.0, -8.0)], theme::quiet());
     };
     note(&better, "lower left is better");
 }
@@ -184,7 +184,7 @@ fn tip(canvas: &Canvas, plot: &Plot, measured: &Measured, (curve, index): (usize
     let error = if point.blew_up() { "blew up".to_owned() } else { format!("error {}", with_unit(point.error, &measured.error)) };
     let lines =
         [format!("{}, step {}", curve.name, step(point.step)), format!("{}, {error}", with_unit(point.work, &measured.work))];
-    let style = Style::new(TEXT, theme::TEXT).middle();
+    let style = Style::new(TEXT, theme::text()).middle();
     let line = canvas.line_height(TEXT);
     let width = lines.iter().map(|text| canvas.width(text, style)).fold(0.0, f32::max);
     let size = Vec2::new(width + 32.0, 2.0 * line + 16.0);
@@ -194,7 +194,7 @@ fn tip(canvas: &Canvas, plot: &Plot, measured: &Measured, (curve, index): (usize
     let inside = plot.panel.inset(8.0);
     let corner = if above.y < inside.min.y { below } else { above }.clamp(inside.min, (inside.max() - size).max(inside.min));
     canvas.end_layer();
-    widgets::panel_in(canvas, Area { min: corner, size }, theme::PANEL_HOVER, theme::SOLID_TOP);
+    widgets::panel_in(canvas, Area { min: corner, size }, theme::panel_hover(), theme::solid_top());
     for (i, text) in lines.iter().enumerate() {
         canvas.text(text, corner + Vec2::new(16.0, 8.0 + (i as f32 + 0.5) * line), style);
     }

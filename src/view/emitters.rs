@@ -131,7 +131,7 @@ impl Emitters {
                 age: 0.0,
                 life,
                 look: Look::Plume,
-                colour: theme::ACCENT,
+                colour: theme::accent(),
             });
         }
     }
@@ -150,7 +150,7 @@ pub fn dust(particles: &mut Particles, point: DVec2, normal: DVec2, speed: f64) 
             age: 0.0,
             life,
             look: Look::Dust,
-            colour: theme::QUIET,
+            colour: theme::quiet(),
         });
     }
 }
@@ -158,9 +158,9 @@ pub fn dust(particles: &mut Particles, point: DVec2, normal: DVec2, speed: f64) 
 /// The colour of an objective: its kind's, or green while it is met.
 pub fn objective_colour(game: &Game, index: usize) -> Color {
     match game.level().objectives[index].kind {
-        _ if game.met()[index] => theme::GOOD,
-        ObjectiveKind::Player => theme::PLAYER_OBJECTIVE,
-        ObjectiveKind::Physics => theme::PHYSICS_OBJECTIVE,
+        _ if game.met()[index] => theme::good(),
+        ObjectiveKind::Player => theme::player_objective(),
+        ObjectiveKind::Physics => theme::physics_objective(),
     }
 }
 

@@ -22,7 +22,7 @@ const DEATH_FLASH: f64 = 0.14;
 const FLOAT_TIME: f64 = 1.4;
 const FLOAT_SPEED: f64 = 1.3;
 /// How far down the screen the lost points stay at least, and how far beside the hit they are under a roof, canvas units.
-const TOP: f32 = 80.0;
+const TOP: f32 = 112.0;
 const FLOAT_ASIDE: f32 = 80.0;
 /// How long a ring spreads, s, and how far, m.
 const RING_TIME: f64 = 0.7;
@@ -49,7 +49,7 @@ impl Feedback {
     /// A damaging hit at a point (m).
     pub fn hit(&mut self, point: DVec2) {
         self.hit = Some(0.0);
-        self.float(point, "−500".into(), theme::BAD);
+        self.float(point, "−500".into(), theme::bad());
     }
 
     /// The ship is lost.
@@ -114,14 +114,14 @@ impl Feedback {
         const BANDS: usize = 12;
         if let Some(age) = self.death {
             let left = (1.0 - age / DEATH_FLASH) as f32;
-            draw_rectangle(0.0, 0.0, canvas.size().x, canvas.size().y, faded(theme::TEXT, 0.7 * left));
+            draw_rectangle(0.0, 0.0, canvas.size().x, canvas.size().y, faded(theme::text(), 0.7 * left));
         }
         let Some(age) = self.hit else { return };
         let left = (1.0 - age / FLASH_TIME).max(0.0) as f32;
         let (size, step) = (canvas.size(), 7.0);
         for band in 0..BANDS {
             let (inset, fall) = (band as f32 * step, 1.0 - band as f32 / BANDS as f32);
-            let colour = faded(theme::BAD, 0.6 * left * fall * fall);
+            let colour = faded(theme::bad(), 0.6 * left * fall * fall);
             let (w, h) = (size.x - 2.0 * inset, size.y - 2.0 * inset - 2.0 * step);
             draw_rectangle(inset, inset, w, step, colour);
             draw_rectangle(inset, size.y - inset - step, w, step, colour);
@@ -156,7 +156,7 @@ mod tests {
     fn what_is_shown_ends() {
         let mut feedback = Feedback::default();
         feedback.hit(DVec2::ZERO);
-        feedback.ring(DVec2::ZERO, theme::GOOD);
+        feedback.ring(DVec2::ZERO, theme::good());
         for _ in 0..30 {
             feedback.advance(0.1);
         }

@@ -92,26 +92,26 @@ impl GameView {
             match event {
                 GameEvent::Impact { point, speed, normal } => dust(&mut self.particles, *point, *normal, *speed),
                 GameEvent::DamagingHit { point, .. } => self.feedback.hit(*point),
-                GameEvent::Crushed { point } => self.feedback.ring(*point, theme::BAD),
+                GameEvent::Crushed { point } => self.feedback.ring(*point, theme::bad()),
                 GameEvent::ObjectiveMet(index) => {
                     let centre = game.level().objectives[*index].bounds.centre();
                     self.feedback.ring(centre, objective_colour(game, *index));
                 }
                 GameEvent::Completed => {
                     let ship = game.world().body(SHIP).position;
-                    self.feedback.ring(ship, theme::GOOD);
-                    self.feedback.float(ship, "Level complete".into(), theme::GOOD);
+                    self.feedback.ring(ship, theme::good());
+                    self.feedback.float(ship, "Level complete".into(), theme::good());
                 }
                 GameEvent::Died => {
                     self.feedback.death();
-                    self.feedback.ring(game.world().body(SHIP).position, theme::BAD);
+                    self.feedback.ring(game.world().body(SHIP).position, theme::bad());
                     self.wreck = Wreck::new(game, SHIP);
                 }
                 GameEvent::ObjectiveLost(_) => {}
             }
         }
         if let Some(landing) = self.touchdown.after_tick(game).filter(|landing| landing.speed < GENTLE) {
-            self.feedback.float(landing.point, format!("Gentle landing: {:.1} m/s", landing.speed), theme::GOOD);
+            self.feedback.float(landing.point, format!("Gentle landing: {:.1} m/s", landing.speed), theme::good());
         }
     }
 
@@ -203,7 +203,7 @@ impl GameView {
             self.terrain.draw_lamp(index, faded(objective_colour(game, index), OBJECTIVE_LIGHT), view);
         }
         for index in 0..level.obstacles.len() {
-            self.terrain.draw_lamp(level.objectives.len() + index, faded(theme::BAD, OBSTACLE_LIGHT), view);
+            self.terrain.draw_lamp(level.objectives.len() + index, faded(theme::bad(), OBSTACLE_LIGHT), view);
         }
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
             if let Some([r, g, b]) = object.key {
@@ -216,7 +216,7 @@ impl GameView {
             let (sin, cos) = angle(game, alpha).to_radians().sin_cos();
             let flame = centre(game, SHIP, alpha) + DVec2::new(-sin, cos) * (way * (SHIP_HALF.y + 0.3));
             let light = strength * (0.8 + 0.2 * flicker);
-            self.terrain.draw_moving_light(flame, ENGINE_REACH * light, faded(theme::ACCENT, ENGINE_LIGHT * light as f32), view);
+            self.terrain.draw_moving_light(flame, ENGINE_REACH * light, faded(theme::accent(), ENGINE_LIGHT * light as f32), view);
         }
     }
 

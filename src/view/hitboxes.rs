@@ -34,10 +34,10 @@ pub fn draw(game: &Game, figures: &str, view: &Viewport, canvas: &Canvas) {
         outline(&surface.bounds, SURFACE);
     }
     for objective in &level.objectives {
-        outline(&objective.bounds, theme::PLAYER_OBJECTIVE);
+        outline(&objective.bounds, theme::player_objective());
     }
     for bounds in &level.obstacles {
-        outline(bounds, theme::BAD);
+        outline(bounds, theme::bad());
     }
     for zone in level.streams.iter().map(|s| &s.zone).chain(level.fluids.iter().map(|f| &f.zone)) {
         outline(zone, ZONE);
@@ -101,9 +101,9 @@ fn draw_figures(game: &Game, figures: &str, canvas: &Canvas) {
     let angle = number(game.ship().angle);
     let place = format!("tick {}  ship {x:.3}, {y:.3} m  {angle}°", game.ticks());
     let (line, area) = (canvas.line_height(DETAILS), figures_area(game, canvas.frame()));
-    canvas.rounded(area, GRID, faded(theme::GROUND, 0.8));
+    canvas.rounded(area, GRID, faded(theme::ground(), 0.8));
     for (i, text) in [figures.to_owned(), place].into_iter().chain(counts(game)).enumerate() {
         let at = area.min + Vec2::new(GRID, GRID * 0.5 + i as f32 * line);
-        canvas.text(&text, at, Style::new(DETAILS, theme::TEXT).mono());
+        canvas.text(&text, at, Style::new(DETAILS, theme::text()).mono());
     }
 }

@@ -63,48 +63,48 @@ impl HudLayout {
 pub fn draw(game: &Game, settings: &Settings, canvas: &Canvas) {
     let layout = HudLayout::new(canvas.frame());
     draw_status(game, settings, layout.status, canvas);
-    if let Some(hint) = hint(game, settings) {
+    if game.is_stranded() {
+        let hint = format!("Out of fuel – {} flies again", settings.keys.label(Action::Restart));
         let at = Vec2::new(canvas.size().x / 2.0, layout.fuel.min.y - 2.0 * GRID - canvas.line_height(TEXT) / 2.0);
-        let style = Style::new(TEXT, theme::TEXT).centred().middle();
+        let style = Style::new(TEXT, theme::text()).centred().middle();
         let size = Vec2::new(canvas.width(&hint, style) + 4.0 * GRID, canvas.line_height(TEXT) + GRID);
-        panel_in(canvas, Area::around(at, size), faded(theme::PANEL, 0.9), theme::PANEL_EDGE);
+        panel_in(canvas, Area::around(at, size), faded(theme::panel(), 0.9), theme::panel_edge());
         canvas.text(&hint, at, style);
     }
     let level = &game.level().player;
     let share = if level.fuel > 0.0 { (game.ship().fuel / level.fuel).clamp(0.0, 1.0) } else { 0.0 };
-    draw_fuel(share as f32, game.ship().fuel, layout.fuel, canvas);
+    let fuel = format!("Fuel {:.0} units", game.ship().fuel);
+    let words = hint(game, settings).map_or(fuel.clone(), |hint| format!("{fuel}    {hint}"));
+    draw_fuel(share as f32, &words, layout.fuel, canvas);
 }
 
-/// What the player is told at the bottom: how to begin again where nothing else is left, and in the first level what the keys do.
+/// What the keys do, as the first level tells at its start: in the fuel bar, where it hides nothing.
 fn hint(game: &Game, settings: &Settings) -> Option<String> {
-    let keys = &settings.keys;
-    if game.is_stranded() {
-        return Some(format!("Out of fuel – {} flies again", keys.label(Action::Restart)));
-    }
-    let first = game.level().name == "1" && game.time() < HINT_TIME && game.level().player.fuel > 0.0;
+    let first = game.level().name == "1" && game.time() < HINT_TIME;
     first.then(|| {
-        let [restart, pause, details] = [Action::Restart, Action::Pause, Action::Details].map(|action| keys.label(action));
-        format!("{restart} restarts  ·  {pause} pauses  ·  {details} shows the forces")
+        let label = |action| settings.keys.label(action);
+        let [restart, pause, details] = [Action::Restart, Action::Pause, Action::Details].map(label);
+        format!("{restart} restarts · {pause} pauses · {details} shows the forces")
     })
 }
 
 fn draw_status(game: &Game, settings: &Settings, area: Area, canvas: &Canvas) {
-    panel_in(canvas, area, faded(theme::PANEL, 0.9), theme::PANEL_EDGE);
+    panel_in(canvas, area, faded(theme::panel(), 0.9), theme::panel_edge());
     let middle = area.min.y + area.size.y * 0.29;
-    let number = Style::new(TEXT, theme::TEXT).mono().middle();
+    let number = Style::new(TEXT, theme::text()).mono().middle();
     let left = area.min.x + 2.0 * GRID;
     if settings.timer {
         canvas.text(&clock(game.time()), Vec2::new(left, middle), number);
     }
     draw_speed(game, area, canvas);
     let (met, all) = (game.met().iter().filter(|met| **met).count(), game.met().len());
-    let colour = if met == all { theme::GOOD } else { theme::TEXT };
+    let colour = if met == all { theme::good() } else { theme::text() };
     let right = area.max().x - 2.0 * GRID;
     let count = format!("{met}/{all}");
     let style = Style::new(TEXT, colour).mono().middle().right();
     canvas.text(&count, Vec2::new(right, middle), style);
     let words = Vec2::new(right - canvas.width(&count, style) - GRID, middle);
-    canvas.text("Objectives", words, Style::new(TEXT, theme::QUIET).middle().right());
+    canvas.text("Objectives", words, Style::new(TEXT, theme::quiet()).middle().right());
 }
 
 /// The ship's speed as a number and as a bar with a mark where it damages.
@@ -120,15 +120,15 @@ fn draw_speed(game: &Game, area: Area, canvas: &Canvas) {
     let start = left + canvas.width(&words, style) + 1.5 * GRID;
     let (length, height) = (area.max().x - 2.0 * GRID - start, GRID);
     let share = (speed / GAUGE_END).min(1.0) as f32;
-    draw_rectangle(start, y - height / 2.0, length, height, theme::GROUND);
+    draw_rectangle(start, y - height / 2.0, length, height, theme::ground());
     draw_rectangle(start, y - height / 2.0, length * share, height, colour);
     let mark = start + length * (DAMAGING_SPEED / GAUGE_END) as f32;
-    draw_rectangle(mark - 1.0, y - height, 2.0, 2.0 * height, theme::BAD);
+    draw_rectangle(mark - 1.0, y - height, 2.0, 2.0 * height, theme::bad());
 }
 
 /// Red where a hit would damage.
 fn speed_colour(speed: f64) -> Color {
-    if speed >= DAMAGING_SPEED { theme::BAD } else { theme::TEXT }
+    if speed >= DAMAGING_SPEED { theme::bad() } else { theme::text() }
 }
 
 /// The arrow of the ship's velocity (m/s), beside the ship whose centre is drawn at `centre` (m).
@@ -146,24 +146,23 @@ pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &C
     canvas.convex(&[to, to - way * head + way.perp() * head * 0.5, to - way * head - way.perp() * head * 0.5], colour);
 }
 
-fn draw_fuel(share: f32, fuel: f64, area: Area, canvas: &Canvas) {
+fn draw_fuel(share: f32, words: &str, area: Area, canvas: &Canvas) {
     use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
     let (at, size) = (area.min, area.size);
-    draw_rectangle(at.x, at.y, size.x, size.y, faded(theme::PANEL, 0.9));
+    draw_rectangle(at.x, at.y, size.x, size.y, faded(theme::panel(), 0.9));
     draw_rectangle(at.x, at.y, size.x * share, size.y, fuel_colour(share));
     // Quarters, so that the length can be read.
     for quarter in 1..4_u8 {
         let x = at.x + size.x * f32::from(quarter) / 4.0;
-        draw_rectangle(x - 1.0, at.y + size.y * 0.65, 2.0, size.y * 0.35, faded(theme::GROUND, 0.6));
+        draw_rectangle(x - 1.0, at.y + size.y * 0.65, 2.0, size.y * 0.35, faded(theme::ground(), 0.6));
     }
-    draw_rectangle_lines(at.x, at.y, size.x, size.y, 4.0, theme::PANEL_EDGE);
+    draw_rectangle_lines(at.x, at.y, size.x, size.y, 4.0, theme::panel_edge());
     // Dark words on the bright bar; where the bar has gone, light ones.
-    let words = format!("Fuel {fuel:.0} units");
-    let style = Style::new(DETAILS, theme::GROUND).mono().middle();
-    let covered = size.x * share > canvas.width(&words, style) + 2.0 * GRID;
-    let colour = if covered { theme::GROUND } else { theme::TEXT };
+    let style = Style::new(DETAILS, theme::ground()).mono().middle();
+    let covered = size.x * share > canvas.width(words, style) + 2.0 * GRID;
+    let colour = if covered { theme::ground() } else { theme::text() };
     let x = if covered { at.x + GRID } else { at.x + size.x * share + GRID };
-    canvas.text(&words, Vec2::new(x, area.centre().y), Style { colour, ..style });
+    canvas.text(words, Vec2::new(x, area.centre().y), Style { colour, ..style });
 }
 
 /// From yellow-orange when full to red when empty.

@@ -1,38 +1,178 @@
 //! The palette: a physicist's notebook at night. A colour always means the same; sizes are in [`super::layout`].
 
 use crate::physics::ForceKind;
+use crate::settings::Palette;
 use macroquad::color::Color;
+use std::sync::atomic::{AtomicU8, Ordering};
+
+/// The colours of one palette.
+struct Colours {
+    ground: Color,
+    panel: Color,
+    panel_hover: Color,
+    panel_edge: Color,
+    grid_fine: Color,
+    grid_heavy: Color,
+    solid: Color,
+    solid_top: Color,
+    text: Color,
+    quiet: Color,
+    accent: Color,
+    good: Color,
+    bad: Color,
+    player_objective: Color,
+    physics_objective: Color,
+}
+
+/// Those of the art direction.
+const STANDARD: Colours = Colours {
+    ground: rgb(0x10141B),
+    panel: rgb(0x1B2230),
+    panel_hover: rgb(0x28324A),
+    panel_edge: rgb(0x2C3648),
+    grid_fine: rgb(0x1A2130),
+    grid_heavy: rgb(0x232C3D),
+    solid: rgb(0x3A4456),
+    solid_top: rgb(0x566379),
+    text: rgb(0xE6EBF2),
+    quiet: rgb(0x93A0B4),
+    accent: rgb(0xFF9F1C),
+    good: rgb(0x4CC38A),
+    bad: rgb(0xF2555A),
+    player_objective: rgb(0xF2C744),
+    physics_objective: rgb(0xD65DB1),
+};
+
+/// What carries a meaning is told apart in normal sight and in the three common kinds of colour blindness by 15 units of CIEDE2000 at least
+/// (simulated after Machado, Oliveira and Fernandes, 2009), from each other, from words, rock and ground.
+const SAFE: Colours = Colours {
+    ground: rgb(0x10141B),
+    panel: rgb(0x1B2230),
+    panel_hover: rgb(0x28324A),
+    panel_edge: rgb(0x2C3648),
+    grid_fine: rgb(0x1A2130),
+    grid_heavy: rgb(0x232C3D),
+    solid: rgb(0x3A4456),
+    solid_top: rgb(0x566379),
+    text: rgb(0xE6EBF2),
+    quiet: rgb(0x93A0B4),
+    accent: rgb(0xDC7603),
+    good: rgb(0x63C09A),
+    bad: rgb(0xBA1617),
+    player_objective: rgb(0xF7D960),
+    physics_objective: rgb(0x9E52A5),
+};
+
+/// The same on black, with white edges.
+const HIGH_CONTRAST: Colours = Colours {
+    ground: rgb(0x000000),
+    panel: rgb(0x000000),
+    panel_hover: rgb(0x20304A),
+    panel_edge: rgb(0xC8D2E0),
+    grid_fine: rgb(0x10141B),
+    grid_heavy: rgb(0x1B2230),
+    solid: rgb(0x4A566B),
+    solid_top: rgb(0xFFFFFF),
+    text: rgb(0xFFFFFF),
+    quiet: rgb(0xD5DDE8),
+    accent: rgb(0xDC7603),
+    good: rgb(0x63C09A),
+    bad: rgb(0xBA1617),
+    player_objective: rgb(0xF7D960),
+    physics_objective: rgb(0x9E52A5),
+};
+
+/// Which palette is worn: the view's own state, that a player's setting sets once a frame.
+static WORN: AtomicU8 = AtomicU8::new(0);
+
+/// Wears a palette from now on.
+pub fn wear(palette: Palette) {
+    WORN.store(palette as u8, Ordering::Relaxed);
+}
+
+fn colours() -> &'static Colours {
+    match WORN.load(Ordering::Relaxed) {
+        0 => &STANDARD,
+        1 => &SAFE,
+        _ => &HIGH_CONTRAST,
+    }
+}
 
 /// What everything lies on.
-pub const GROUND: Color = rgb(0x10141B);
+pub fn ground() -> Color {
+    colours().ground
+}
+
 /// Panels and buttons.
-pub const PANEL: Color = rgb(0x1B2230);
+pub fn panel() -> Color {
+    colours().panel
+}
+
 /// A button under the pointer.
-pub const PANEL_HOVER: Color = rgb(0x28324A);
+pub fn panel_hover() -> Color {
+    colours().panel_hover
+}
+
 /// The edge of a panel.
-pub const PANEL_EDGE: Color = rgb(0x2C3648);
+pub fn panel_edge() -> Color {
+    colours().panel_edge
+}
+
 /// A line of the graph paper every metre.
-pub const GRID_FINE: Color = rgb(0x1A2130);
+pub fn grid_fine() -> Color {
+    colours().grid_fine
+}
+
 /// A line of the graph paper every ten metres.
-pub const GRID_HEAVY: Color = rgb(0x232C3D);
+pub fn grid_heavy() -> Color {
+    colours().grid_heavy
+}
+
 /// Whatever is solid and never moves.
-pub const SOLID: Color = rgb(0x3A4456);
+pub fn solid() -> Color {
+    colours().solid
+}
+
 /// Its top edge.
-pub const SOLID_TOP: Color = rgb(0x566379);
+pub fn solid_top() -> Color {
+    colours().solid_top
+}
+
 /// Words.
-pub const TEXT: Color = rgb(0xE6EBF2);
+pub fn text() -> Color {
+    colours().text
+}
+
 /// Words of less weight.
-pub const QUIET: Color = rgb(0x93A0B4);
+pub fn quiet() -> Color {
+    colours().quiet
+}
+
 /// The title, the ship's trim, keyboard focus, fuel.
-pub const ACCENT: Color = rgb(0xFF9F1C);
+pub fn accent() -> Color {
+    colours().accent
+}
+
 /// What helped.
-pub const GOOD: Color = rgb(0x4CC38A);
+pub fn good() -> Color {
+    colours().good
+}
+
 /// What cost, and what kills.
-pub const BAD: Color = rgb(0xF2555A);
+pub fn bad() -> Color {
+    colours().bad
+}
+
 /// An objective for the ship; the best score.
-pub const PLAYER_OBJECTIVE: Color = rgb(0xF2C744);
+pub fn player_objective() -> Color {
+    colours().player_objective
+}
+
 /// An objective for a key object.
-pub const PHYSICS_OBJECTIVE: Color = rgb(0xD65DB1);
+pub fn physics_objective() -> Color {
+    colours().physics_objective
+}
+
 /// The resultant force.
 pub const RESULTANT: Color = rgb(0xFFFFFF);
 
@@ -63,4 +203,75 @@ pub const fn faded(colour: Color, alpha: f32) -> Color {
 /// A colour written as 0xRRGGBB.
 pub const fn rgb(hex: u32) -> Color {
     Color::new(((hex >> 16) & 0xFF) as f32 / 255.0, ((hex >> 8) & 0xFF) as f32 / 255.0, (hex & 0xFF) as f32 / 255.0, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Colour blindness on linear light, after Machado, Oliveira and Fernandes (2009), full strength: none, protan, deutan, tritan.
+    const SIGHTS: [[[f64; 3]; 3]; 4] = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+        [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
+        [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]],
+    ];
+
+    /// CIELAB (D65) of a colour, seen with that sight.
+    fn lab(colour: Color, sight: &[[f64; 3]; 3]) -> [f64; 3] {
+        let linear = [colour.r, colour.g, colour.b].map(|c| {
+            let c = f64::from(c);
+            if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+        });
+        let mix = |row: &[f64; 3], of: &[f64; 3]| row.iter().zip(of).map(|(a, b)| a * b).sum::<f64>();
+        let [r, g, b] = [0, 1, 2].map(|i| mix(&sight[i], &linear).clamp(0.0, 1.0));
+        let f = |t: f64| if t > 216.0 / 24389.0 { t.cbrt() } else { (24389.0 / 27.0 * t + 16.0) / 116.0 };
+        let x = f((0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / 0.95047);
+        let y = f(0.2126729 * r + 0.7151522 * g + 0.0721750 * b);
+        let z = f((0.0193339 * r + 0.1191920 * g + 0.9503041 * b) / 1.08883);
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    /// CIEDE2000, after Sharma, Wu and Dalal (2005).
+    fn difference([l1, a1, b1]: [f64; 3], [l2, a2, b2]: [f64; 3]) -> f64 {
+        let seventh = |c: f64| (c.powi(7) / (c.powi(7) + 25f64.powi(7))).sqrt();
+        let g = 0.5 * (1.0 - seventh((a1.hypot(b1) + a2.hypot(b2)) / 2.0));
+        let (a1, a2) = (a1 * (1.0 + g), a2 * (1.0 + g));
+        let (c1, c2) = (a1.hypot(b1), a2.hypot(b2));
+        let hue = |a: f64, b: f64| b.atan2(a).to_degrees().rem_euclid(360.0);
+        let (h1, h2) = (hue(a1, b1), hue(a2, b2));
+        let turn = if c1 * c2 == 0.0 { 0.0 } else { (h2 - h1 + 180.0).rem_euclid(360.0) - 180.0 };
+        let (dl, dc, dh) = (l2 - l1, c2 - c1, 2.0 * (c1 * c2).sqrt() * (turn / 2.0).to_radians().sin());
+        let (l, c, h) = ((l1 + l2) / 2.0, (c1 + c2) / 2.0, if c1 * c2 == 0.0 { h1 + h2 } else { h1 + turn / 2.0 });
+        let cos = |degrees: f64| degrees.to_radians().cos();
+        let t = 1.0 - 0.17 * cos(h - 30.0) + 0.24 * cos(2.0 * h) + 0.32 * cos(3.0 * h + 6.0) - 0.20 * cos(4.0 * h - 63.0);
+        let rotation = 2.0 * seventh(c) * -(60.0 * (-((h.rem_euclid(360.0) - 275.0) / 25.0).powi(2)).exp()).to_radians().sin();
+        let of_l = dl / (1.0 + 0.015 * (l - 50.0).powi(2) / (20.0 + (l - 50.0).powi(2)).sqrt());
+        let (of_c, of_h) = (dc / (1.0 + 0.045 * c), dh / (1.0 + 0.015 * c * t));
+        (of_l * of_l + of_c * of_c + of_h * of_h + rotation * of_c * of_h).sqrt()
+    }
+
+    /// Two pairs of the paper's table of test data.
+    #[test]
+    fn the_difference_of_colours_is_that_of_the_paper() {
+        let is = |a, b, expected: f64| assert!((difference(a, b) - expected).abs() < 5e-5, "{}", difference(a, b));
+        is([50.0, 2.6772, -79.7751], [50.0, 0.0, -82.7485], 2.0425);
+        is([50.0, 2.5, 0.0], [61.0, -5.0, 29.0], 22.8977);
+    }
+
+    #[test]
+    fn what_carries_a_meaning_is_told_apart_with_every_sight() {
+        for (colours, least) in [(&SAFE, 15.0), (&HIGH_CONTRAST, 13.0)] {
+            let of = |c: &Colours| [c.ground, c.solid, c.text, c.good, c.bad, c.player_objective, c.physics_objective, c.accent];
+            for (kind, sight) in SIGHTS.iter().enumerate() {
+                let labs = of(colours).map(|colour| lab(colour, sight));
+                for (i, a) in labs.iter().enumerate() {
+                    for (j, b) in labs.iter().enumerate().skip(i + 1) {
+                        let apart = difference(*a, *b);
+                        assert!(apart >= least, "colours {i} and {j} with sight {kind}: {apart:.1}");
+                    }
+                }
+            }
+        }
+    }
 }

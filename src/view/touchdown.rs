@@ -49,7 +49,7 @@ impl Touchdown {
         self.last = self.last.map(|(speed, age)| (speed, age + frame_time)).filter(|(_, age)| *age < SPRING);
     }
 
-    /// By how much of its height the ship is pressed down, 0 … [`DEPTH`].
+    /// By how much of its height the ship is pressed down, 0 … 0.14.
     pub fn squash(&self) -> f64 {
         self.last.map_or(0.0, |(speed, age)| {
             let t = age / SPRING;

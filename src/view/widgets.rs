@@ -11,7 +11,7 @@ const RING_GAP: f32 = 4.0;
 
 /// A panel with its edge.
 pub fn panel(canvas: &Canvas, area: Area) {
-    panel_in(canvas, area, theme::PANEL, theme::PANEL_EDGE);
+    panel_in(canvas, area, theme::panel(), theme::panel_edge());
 }
 
 /// A panel of other colours.
@@ -22,7 +22,7 @@ pub fn panel_in(canvas: &Canvas, area: Area, fill: Color, edge: Color) {
 
 /// A button's box: hover lightens it, keyboard focus rings it.
 pub fn button_box(canvas: &Canvas, area: Area, hover: bool, focus: bool) {
-    panel_in(canvas, area, if hover { theme::PANEL_HOVER } else { theme::PANEL }, theme::PANEL_EDGE);
+    panel_in(canvas, area, if hover { theme::panel_hover() } else { theme::panel() }, theme::panel_edge());
     if focus {
         focus_ring(canvas, area);
     }
@@ -31,17 +31,17 @@ pub fn button_box(canvas: &Canvas, area: Area, hover: bool, focus: bool) {
 /// A button with its words in the middle.
 pub fn button(canvas: &Canvas, area: Area, label: &str, hover: bool, focus: bool) {
     button_box(canvas, area, hover, focus);
-    canvas.text(label, area.centre(), Style::new(BUTTON_TEXT, theme::TEXT).centred().middle());
+    canvas.text(label, area.centre(), Style::new(BUTTON_TEXT, theme::text()).centred().middle());
 }
 
 /// The ring around what has the keyboard.
 pub fn focus_ring(canvas: &Canvas, area: Area) {
-    canvas.rounded_edge(area.inset(-RING_GAP), CORNER + RING_GAP, EDGE, theme::ACCENT);
+    canvas.rounded_edge(area.inset(-RING_GAP), CORNER + RING_GAP, EDGE, theme::accent());
 }
 
 /// A screen's heading, in the middle of the canvas with its capitals around `y`.
 pub fn heading(canvas: &Canvas, text: &str, y: f32) {
-    canvas.text(text, Vec2::new(canvas.size().x / 2.0, y), Style::new(HEADING, theme::TEXT).centred().middle());
+    canvas.text(text, Vec2::new(canvas.size().x / 2.0, y), Style::new(HEADING, theme::text()).centred().middle());
 }
 
 /// A line of text around its middle that is at most `widest` wide: in the first of `sizes` that fits, else cut off with an ellipsis.
@@ -64,8 +64,8 @@ pub fn fitted(canvas: &Canvas, text: &str, middle: Vec2, widest: f32, sizes: &[f
 
 /// A scroll bar.
 pub fn scroll_bar(canvas: &Canvas, track: Area, handle: Area, held: bool) {
-    canvas.rounded(track, track.size.x / 2.0, theme::GROUND);
-    canvas.rounded(handle, handle.size.x / 2.0, if held { theme::ACCENT } else { theme::SOLID_TOP });
+    canvas.rounded(track, track.size.x / 2.0, theme::ground());
+    canvas.rounded(handle, handle.size.x / 2.0, if held { theme::accent() } else { theme::solid_top() });
 }
 
 /// The paper of the notebook: small squares, heavy lines every ten.
@@ -75,7 +75,7 @@ pub fn graph_paper(canvas: &Canvas) {
     let across = (size.x / SQUARE).ceil() as usize;
     let down = (size.y / SQUARE).ceil() as usize;
     for heavy in [false, true] {
-        let colour = if heavy { theme::GRID_HEAVY } else { theme::GRID_FINE };
+        let colour = if heavy { theme::grid_heavy() } else { theme::grid_fine() };
         let lines = |count: usize| (0..=count).filter(move |i| (i % 10 == 0) == heavy).map(|i| i as f32 * SQUARE);
         for x in lines(across) {
             canvas.hairline(Vec2::new(x, 0.0), Vec2::new(x, size.y), colour);
@@ -89,5 +89,5 @@ pub fn graph_paper(canvas: &Canvas) {
 /// Darkens everything so far and starts a layer above it.
 pub fn curtain(canvas: &Canvas, alpha: f32) {
     canvas.end_layer();
-    draw_rectangle(0.0, 0.0, canvas.size().x, canvas.size().y, theme::faded(theme::GROUND, alpha));
+    draw_rectangle(0.0, 0.0, canvas.size().x, canvas.size().y, theme::faded(theme::ground(), alpha));
 }

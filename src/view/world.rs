@@ -58,7 +58,7 @@ fn paper_lines(view: &Viewport, canvas: &Canvas, heavy: bool, colour: Color) {
 pub fn draw_texts(level: &Level, view: &Viewport, canvas: &Canvas) {
     for text in &level.texts {
         let size = nearest_size(view.length(text.size));
-        canvas.text(&text.text, view.point(text.position), Style::new(size, theme::TEXT));
+        canvas.text(&text.text, view.point(text.position), Style::new(size, theme::text()));
     }
 }
 

@@ -62,7 +62,7 @@ impl Wreck {
         for (i, body) in self.world.bodies().iter().enumerate() {
             let area = view.rect(&body.bounds());
             draw_rectangle(area.x, area.y, area.w, area.h, colour(i as u32));
-            draw_rectangle_lines(area.x, area.y, area.w, area.h, 2.0, theme::GROUND);
+            draw_rectangle_lines(area.x, area.y, area.w, area.h, 2.0, theme::ground());
         }
     }
 }
@@ -70,11 +70,11 @@ impl Wreck {
 /// The hull is white, the belly slate, the trim orange.
 fn colour(piece: u32) -> Color {
     match (piece % PIECES, piece / PIECES) {
-        (1, 0) => theme::ACCENT,
+        (1, 0) => theme::accent(),
         (_, 0) => WHITE,
         (1, 1) => rgb(0x6FB7E8),
         (_, 1) => rgb(0xE6EBF2),
-        _ => theme::SOLID_TOP,
+        _ => theme::solid_top(),
     }
 }
 

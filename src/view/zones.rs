@@ -38,7 +38,7 @@ pub fn draw_objectives(game: &Game, art: &Art, view: &Viewport, canvas: &Canvas,
         let pulse = 0.5 + 0.5 * (time * 2.6).sin() as f32;
         art.halo(area, 26.0, faded(colour, 0.28 + 0.14 * pulse));
         // Nothing behind it, no liquid and no picture, may change its colour.
-        draw_rectangle(area.x, area.y, area.w, area.h, theme::GROUND);
+        draw_rectangle(area.x, area.y, area.w, area.h, theme::ground());
         draw_rectangle(area.x, area.y, area.w, area.h, faded(colour, 0.30));
         draw_rectangle_lines(area.x, area.y, area.w, area.h, 4.0, colour);
         let label = label_place(&area, view);
@@ -46,7 +46,7 @@ pub fn draw_objectives(game: &Game, art: &Art, view: &Viewport, canvas: &Canvas,
             ObjectiveKind::Player => "Ship",
             ObjectiveKind::Physics => "Key",
         };
-        let style = Style::new(DETAILS, theme::TEXT).middle();
+        let style = Style::new(DETAILS, theme::text()).middle();
         let icon = 16.0;
         let left = label.x - (icon + 6.0 + canvas.width(name, style)) / 2.0;
         let middle = Vec2::new(left + icon / 2.0, label.y);
@@ -87,7 +87,7 @@ pub fn draw_obstacles(level: &Level, art: &Art, view: &Viewport, time: f64) {
     let pulse = 0.5 + 0.5 * (time * 4.2).sin() as f32;
     let in_view = || level.obstacles.iter().filter(|bounds| bounds.touches(&visible, 1.0));
     for bounds in in_view() {
-        art.halo(view.rect(bounds), 22.0, faded(theme::BAD, 0.42 + 0.2 * pulse));
+        art.halo(view.rect(bounds), 22.0, faded(theme::bad(), 0.42 + 0.2 * pulse));
     }
     for bounds in in_view() {
         art.fill(Tile::Hatching, bounds, view, WHITE);
@@ -148,7 +148,7 @@ pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
         let reach = area.w.min(area.h) * 0.32;
         let centre = area.center();
         let corners = [centre + way * reach, centre - way * reach + way.perp() * reach, centre - way * reach - way.perp() * reach];
-        canvas.convex(&corners, theme::TEXT);
+        canvas.convex(&corners, theme::text());
     }
 }
 

@@ -103,3 +103,16 @@ fn a_spectator_sees_every_attempt_and_every_tick() {
     sitting.give_to(Input { pressed: [Key::R].into_iter().collect(), ..Input::default() }, &mut count);
     assert_eq!(count.0, 2, "a restart is another attempt");
 }
+
+/// Level 3 is lost by its first tick.
+#[test]
+fn from_death_to_flying_again_it_is_one_key_also_on_the_screen_that_follows() {
+    let mut sitting = Sitting::new();
+    sitting.fly(2).wait(0.1);
+    assert_eq!(sitting.press(Key::R).at(), "flight");
+    assert!(sitting.flight().game().ticks() <= 2, "a fresh attempt at once");
+    sitting.wait(2.0);
+    assert_eq!(sitting.at(), "scoring");
+    assert!(sitting.scoring().remark().contains("Touched a red box at x = "), "{}", sitting.scoring().remark());
+    assert_eq!(sitting.press(Key::R).at(), "flight");
+}

@@ -11,6 +11,7 @@ pub mod memory;
 mod random;
 pub mod rooms;
 pub mod scenes;
+pub mod slow;
 pub mod strategies;
 
 pub use build::{BODY, G, TICK, area, block, crate_at, crowd, floor, pool, world};

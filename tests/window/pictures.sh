@@ -84,3 +84,36 @@ expect() {
   done
   echo "$out/$name.png: $question $*"
 }
+
+# Colour blindness as a matrix on linear light, after Machado, Oliveira and Fernandes (2009), full strength.
+sight_matrix() {
+  case $1 in
+    normal) echo '1 0 0 0 1 0 0 0 1' ;;
+    protan) echo '0.152286 1.052583 -0.204868 0.114503 0.786281 0.099216 -0.003882 -0.048116 1.051998' ;;
+    deutan) echo '0.367322 0.860646 -0.227968 0.280085 0.672501 0.047413 -0.011820 0.042940 0.968881' ;;
+    tritan) echo '1.255528 -0.076749 -0.178779 -0.078411 0.930809 0.147602 0.004733 0.691367 0.303900' ;;
+  esac
+}
+
+# told_apart NAME SIGHT LEAST X,Y…: seen with that sight, the colours around those places (percent) lie at least so far from each other in
+# CIELAB.
+told_apart() {
+  local name=$1 sight=$2 least=$3 width height place
+  shift 3
+  read -r width height < <(identify -format '%w %h\n' "$out/$name.png")
+  local labs=()
+  for place in "$@"; do
+    local crop
+    crop=$(awk -v p="$place" "BEGIN { split(p, xy, \",\"); printf \"%dx%d+%d+%.0f\", $width * 0.012, 2, $width * xy[1] / 100, $height * xy[2] / 100 }")
+    labs+=("$(convert "$out/$name.png" -alpha off -crop "$crop" +repage -colorspace RGB -color-matrix "$(sight_matrix "$sight")" \
+      -scale '1x1!' -colorspace Lab -depth 16 -format '%[fx:100*u.p{0,0}.r] %[fx:255*u.p{0,0}.g-127.5] %[fx:255*u.p{0,0}.b-127.5]' info:)")
+  done
+  local i j distance
+  for ((i = 0; i < ${#labs[@]}; i++)); do
+    for ((j = i + 1; j < ${#labs[@]}; j++)); do
+      distance=$(echo "${labs[i]} ${labs[j]}" | awk '{ print sqrt(($1-$4)^2 + ($2-$5)^2 + ($3-$6)^2) }')
+      holds "$distance >= $least" || fail "$out/$name.png: places ${*:i+1:1} and ${*:j+1:1} look alike with $sight sight: $distance"
+    done
+  done
+  echo "$out/$name.png: told_apart $sight"
+}

@@ -150,7 +150,7 @@ level_button() {
     for (n = count; n >= 1; n--) {
       down = int((count + n - 1) / n); w = (1200 - 24 * (n - 1)) / n; h = (536 - 24 * (down - 1)) / down
       worth = w < 1.3 * h ? w : 1.3 * h
-      if (worth >= best) { best = worth; across = n; rows = down; width = w < 640 ? w : 640; height = h < 480 ? h : 480 }
+      if (worth >= best) { best = worth; across = n; rows = down; width = w < 900 ? w : 900; height = h < 600 ? h : 600 }
     }
     row = int(index_ / across); in_row = count - row * across; if (in_row > across) in_row = across
     x = 640 + (index_ % across - (in_row - 1) / 2) * (width + 24); y = 356 + (row - (rows - 1) / 2) * (height + 24)
@@ -160,7 +160,7 @@ level_button() {
 
 # column_button INDEX: where a button of the menu's column is, from 0, for `click`; classic_button INDEX: of the list of classics.
 column_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (216 + 24 + 64 * $1) / 720 }"; }
-classic_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (259 + 24 + 64 * $1) / 720 }"; }
+classic_button() { awk "BEGIN { printf \"50 %.2f\", 100 * (216 + 24 + 64 * $1) / 720 }"; }
 
 # resize WIDTH HEIGHT: the window, in pixels.
 resize() { xdotool windowsize --sync "$game_window" "$1" "$2"; sleep 0.3; }

@@ -1,7 +1,7 @@
 //! What touches what at an event: contacts begin, last and end, and what meets is brought exactly together.
 
 use super::item::Motion;
-use super::{Events, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
+use super::{Events, Scene, WORK_OF_A_CONTACT, WORK_OF_A_LOOK, WORK_OF_AN_ITEM};
 use crate::physics::Aabb;
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
@@ -48,7 +48,7 @@ impl Events {
         }
         self.concerned.sort_unstable();
         self.touching.sort_unstable_by_key(Contact::ends);
-        self.work += WORK_OF_AN_ITEM * self.concerned.len() as u64;
+        self.work += (WORK_OF_AN_ITEM + WORK_OF_A_LOOK * self.items.len() as u64) * self.concerned.len() as u64;
     }
 
     /// What is known of two things that touch now.

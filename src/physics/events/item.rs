@@ -12,6 +12,9 @@ const RK4_REACH: f64 = 0.02;
 /// Runge–Kutta steps of one slide between two events, at most: its way is foreseen for half a time constant, which takes 25.
 const MOST_STEPS: f64 = 64.0;
 
+/// Work of one of them, what media do not count left out.
+const WORK_OF_A_STEP: u64 = 60;
+
 /// How something moves from one event to its next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::physics) enum Motion {
@@ -115,6 +118,8 @@ pub(in crate::physics) struct Item {
     pub slide: Option<Slide>,
     /// The way from `since` on.
     pub way: Cubic,
+    /// What its flow or slide comes to, with `since` and `until` as they were then: what has been foreseen is not sought once more.
+    end: Option<(f64, f64, Pose)>,
     /// What it sweeps from `since` to `until`, m.
     pub swept: Aabb,
     /// Where others were looked for, m.
@@ -152,6 +157,7 @@ impl Item {
             mean: body.acceleration,
             slide: None,
             way: Cubic::parabola(body.position, DVec2::ZERO, DVec2::ZERO),
+            end: None,
             swept: body.bounds(),
             searched,
             next: Next::NEVER,
@@ -193,9 +199,19 @@ impl Item {
             _ if t == 0.0 => start,
             Motion::Still => start,
             Motion::Parabola => parabola(start, self.mean, t),
+            Motion::Flow | Motion::Slide if self.is_end(at) => self.end.map_or(start, |(.., end)| end),
             Motion::Flow => flow(media, &self.body, &self.law, t),
             Motion::Slide => self.slide_on(media, t),
         }
+    }
+
+    fn is_end(&self, at: f64) -> bool {
+        self.end.is_some_and(|(since, until, _)| (since, until) == (self.since, at))
+    }
+
+    /// What was foreseen holds no longer, because something happened to it.
+    pub fn forget_end(&mut self) {
+        self.end = None;
     }
 
     /// Runge–Kutta steps of a slide, as many as its rate asks for.
@@ -204,6 +220,7 @@ impl Item {
         let Some(slide) = self.slide else { return parabola(pose, self.mean, t) };
         let reach = media.rate(&self.body, &self.law, self.body.velocity) * t;
         let steps = (reach / RK4_REACH).ceil().clamp(1.0, MOST_STEPS);
+        media.spend(WORK_OF_A_STEP * steps as u64);
         for _ in 0..steps as u32 {
             pose = rk4(pose, t / steps, |x, v| slide.hold(media.acceleration(&self.body, &self.law, x, v)));
         }
@@ -214,6 +231,10 @@ impl Item {
     pub fn foresee(&mut self, media: &Media) {
         let (x, v) = (self.body.position, self.body.velocity);
         let t = self.until - self.since;
+        self.end = None;
+        if t > 0.0 && matches!(self.motion, Motion::Flow | Motion::Slide) {
+            self.end = Some((self.since, self.until, self.pose(media, self.until)));
+        }
         self.way = match self.motion {
             Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
             // Right at once, so that things that bounce on each other thousands of times a second meet when they should; and where it ends.

@@ -7,7 +7,7 @@
 //!
 //! At an event the items concerned are brought to its instant (`collect`), impacts are resolved (`impacts`), contacts and accelerations
 //! follow (`motions`), and the next events are sought (`predict`). What it costs is counted, by what is done and not by the clock: an
-//! island that has used up its budget ([`Scene::budget`]) is handed over at that instant, and the rest of its tick is taken in one step
+//! island that has used up its budget is handed over at that instant, and the rest of its tick is taken in one step
 //! of the dense method. So no time is lost, and no tick lasts longer than its budget and one such step.
 //!
 //! Forces at the end of the tick are those of that instant: contacts are solved there once more where media act on them. The next tick
@@ -24,7 +24,7 @@ mod rest;
 
 use super::Plan;
 use super::contact::Contact;
-use super::flow::Pose;
+use super::flow::{Pose, flow};
 use super::guards::Guards;
 use super::media::Media;
 use super::reactions::Reactions;
@@ -37,13 +37,17 @@ pub(super) use item::{Item, Motion};
 use item::{Kind, Next};
 
 /// What the work of an island is counted in: about a nanosecond.
-const WORK_OF_A_ROOT: u64 = 60;
-const WORK_OF_AN_ITEM: u64 = 150;
-const WORK_OF_A_CONTACT: u64 = 120;
-/// The budget of an island, and what each of its bodies adds to it. Larger: the worst tick lasts longer; smaller: exactness is given up
-/// where fewer impacts fall into one tick.
-const BUDGET: u64 = 250_000;
-const BUDGET_OF_A_BODY: u64 = 1_500;
+const WORK_OF_A_ROOT: u64 = 45;
+const WORK_OF_AN_ITEM: u64 = 120;
+const WORK_OF_A_CONTACT: u64 = 80;
+/// What each item that an event has to look at adds to its work.
+const WORK_OF_A_LOOK: u64 = 2;
+/// As a part of a tick: what happens so near to its end is left to the next one.
+const END: f64 = 1e-12;
+/// What the free flight of a body near zones may use up in a tick.
+const BUDGET_OF_A_FLIGHT: u64 = 6_000;
+/// What the flow of a body may, where nothing but a rough answer is needed.
+pub(super) const BUDGET_OF_A_FLOW: u64 = 1_000;
 
 /// What all islands of a tick share.
 #[derive(Clone, Copy, Debug)]
@@ -93,11 +97,6 @@ impl Scene<'_> {
             tick,
         }
     }
-
-    /// What an island of so many bodies may use up in a tick.
-    fn budget(&self, bodies: usize) -> u64 {
-        BUDGET + BUDGET_OF_A_BODY * bodies as u64
-    }
 }
 
 /// How an island ended its tick.
@@ -126,8 +125,13 @@ pub(super) struct Events {
     /// Bodies squeezed by surfaces, and how fast these would have closed by the end of the tick, m/s.
     pub squeezed: Vec<(u32, u32, f64)>,
     pub guards: Guards,
+    /// What all islands so far have used up, what media and reactions count left out, in units of work.
+    pub total: u64,
     now: f64,
+    /// What the island has used up; besides what media and reactions had counted when it began; and what it may use up.
     work: u64,
+    taken_before: u64,
+    budget: u64,
     grown: bool,
     /// Whether anything of the island bounces: what does elsewhere is of no concern to it.
     bounces: bool,
@@ -180,28 +184,43 @@ impl Events {
         self.movable = 0;
     }
 
-    /// Advances the island by a tick.
-    pub fn advance(&mut self, scene: &Scene) -> Outcome {
+    /// Advances the island by a tick, within a budget. A flow through liquids in which that is used up has half as much to go on.
+    pub fn advance(&mut self, scene: &Scene, budget: u64) -> Outcome {
+        self.budget = budget;
+        scene.media.allow(budget + budget / 2);
+        self.taken_before = scene.media.spent() + self.reactions.spent();
+        let outcome = self.go_through(scene);
+        self.total += self.work;
+        outcome
+    }
+
+    fn go_through(&mut self, scene: &Scene) -> Outcome {
         if self.rest(scene) {
             return Outcome::Done;
         }
         self.begin(scene);
-        let budget = scene.budget(self.movable);
-        while let Some((i, next)) = self.next_event(scene) {
+        let budget = self.budget;
+        loop {
             if self.grown {
                 return Outcome::Grown;
             }
-            self.now = next.at;
-            // Whatever an event is, it is counted: no chain of them goes on for ever.
-            self.work += WORK_OF_AN_ITEM;
-            if self.work > budget {
+            if self.spent(scene) > budget {
+                if self.now >= scene.tick * (1.0 - END) {
+                    break;
+                }
+                // What is foreseen already is still brought to where it is now.
+                scene.media.allow(budget / 2);
                 self.stop_here(scene);
                 return Outcome::Busy(self.now);
             }
+            let Some((i, next)) = self.next_event(scene) else { break };
+            self.now = next.at;
+            // Whatever an event is, it is counted: no chain of them goes on for ever.
+            self.work += WORK_OF_AN_ITEM + WORK_OF_A_LOOK * self.items.len() as u64;
+            if self.spent(scene) > budget {
+                continue;
+            }
             self.happen(scene, i, next.kind);
-        }
-        if self.grown {
-            return Outcome::Grown;
         }
         self.now = scene.tick;
         self.stop_here(scene);
@@ -217,13 +236,28 @@ impl Events {
         self.settle(scene);
     }
 
+    /// What all solves of contacts so far have taken, in units of work.
+    pub fn solving(&self) -> u64 {
+        self.reactions.spent()
+    }
+
+    /// What the island has used up, in units of work.
+    pub fn spent(&self, scene: &Scene) -> u64 {
+        self.work + scene.media.spent() + self.reactions.spent() - self.taken_before
+    }
+
     /// Where the only body of the island gets by the end of the tick, touching nothing.
     pub fn fly(&mut self, scene: &Scene) -> Pose {
         self.contacts.clear();
         self.items[0].known = false;
-        self.advance(scene);
+        let outcome = self.advance(scene, BUDGET_OF_A_FLIGHT);
         self.hits.clear();
-        (self.items[0].body.position, self.items[0].body.velocity)
+        let item = &self.items[0];
+        if outcome == Outcome::Done {
+            return (item.body.position, item.body.velocity);
+        }
+        scene.media.allow(BUDGET_OF_A_FLOW);
+        flow(scene.media, &item.body, &item.law, scene.tick - item.since)
     }
 
     /// The greatest speed along each axis at which something moves, m/s.

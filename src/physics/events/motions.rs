@@ -56,6 +56,7 @@ impl Events {
             let (place, speed) = (self.places[i], self.speeds[i]);
             let item = &mut self.items[i];
             (item.body.position, item.body.velocity, item.since) = (place, speed, self.now);
+            item.forget_end();
             item.disturbed = true;
             if item.resume.is_some_and(|resume| resume.at <= self.now || speed[resume.axis] != 0.0) {
                 item.resume = None;
@@ -243,6 +244,7 @@ impl Events {
         let (position, velocity) = self.items[i].pose(scene.media, self.now);
         let item = &mut self.items[i];
         (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
+        item.forget_end();
         if i < self.movable {
             item.until = end_of_a_cubic(scene, item);
         }

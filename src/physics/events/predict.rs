@@ -4,7 +4,7 @@
 //! root of a polynomial; the pose at that time is then taken from the motion itself.
 
 use super::item::{Kind, Motion, Next};
-use super::{Events, Scene, WORK_OF_A_ROOT};
+use super::{Events, Scene, WORK_OF_A_LOOK, WORK_OF_A_ROOT};
 use crate::physics::contact::Contact;
 use crate::physics::impact_time::{Cubic, Polynomial, earliest, time_of_impact};
 use crate::physics::tuning::SLOP;
@@ -37,6 +37,7 @@ impl Events {
                 self.pressing.push(contact.other(i as u32));
             }
         }
+        self.work += WORK_OF_A_LOOK * self.items.len() as u64;
         for other in 0..self.items.len() {
             if other != i {
                 self.next_hit(i, other, &mut next);

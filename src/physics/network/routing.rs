@@ -1,7 +1,7 @@
 //! The general way through a block: a maximum flow from where force is left over to where it is missing, along shortest paths, and a cut
 //! where it gets stuck (Ford and Fulkerson's method in Edmonds and Karp's order).
 
-use super::{Carries, GROUND, Network, Side};
+use super::{Carries, GROUND, Network, Side, WORK_OF_A_LOOK};
 
 /// How a search reached a node: not at all, or by starting there.
 pub(super) const NOWHERE: u32 = u32::MAX;
@@ -13,6 +13,7 @@ impl Network {
     pub(super) fn route(&mut self, begin: usize, end: usize, grounded: bool, tolerance: f64) {
         while let Some(goal) = self.search(begin, end, false, grounded, tolerance) {
             self.augment(goal);
+            self.work += 2 * WORK_OF_A_LOOK * self.queue.len() as u64;
         }
         // What the search still reaches from unrouted excess cannot be held back by the rest.
         for at in begin..end {
@@ -22,6 +23,7 @@ impl Network {
         if grounded {
             while let Some(goal) = self.search(begin, end, true, grounded, tolerance) {
                 self.augment(goal);
+                self.work += 2 * WORK_OF_A_LOOK * self.queue.len() as u64;
             }
         }
         self.mark_slower(begin, end, tolerance);

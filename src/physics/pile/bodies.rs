@@ -91,6 +91,8 @@ pub(super) struct Bodies {
     pub guided: Vec<(u32, DVec2, DVec2)>,
     /// Who of them that is in the present step, by the numbers outside.
     pub is_guided: Vec<bool>,
+    /// Where bodies that have been brought to a later time of the step would be at its end, and how fast, if they touched nothing; by slot.
+    pub led: Vec<(u32, DVec2, DVec2)>,
     /// Whether the air slows any.
     pub airy: bool,
     /// Number outside → number inside.
@@ -148,6 +150,7 @@ impl Bodies {
             shift: (0.0, 0.0),
             guided: Vec::new(),
             is_guided: vec![false; count],
+            led: Vec::with_capacity(64.min(count)),
             airy: false,
             slot: (0..count as u32).collect(),
             id: (0..count as u32).collect(),

@@ -144,7 +144,7 @@ fn fly_alone(bodies: &mut Bodies, i: usize, dt: f64) {
     let a = DVec2::new(bodies.ax[i], bodies.ay[i]);
     let drag = Drag { tall: bodies.drag_tall[i], wide: bodies.drag_wide[i], round: bodies.drag_round[i] };
     let pose = (DVec2::new(bodies.x[i], bodies.y[i]), DVec2::new(bodies.vx[i], bodies.vy[i]));
-    let (x, v) = air::in_parts(pose, a, &drag, dt);
+    let ((x, v), _) = air::in_parts(pose, a, &drag, dt);
     (bodies.px[i], bodies.py[i]) = x.into();
     (bodies.free_vx[i], bodies.free_vy[i]) = v.into();
 }

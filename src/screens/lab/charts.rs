@@ -169,23 +169,23 @@ mod drawing {
             self.toolbar.draw(canvas, &labels[..]);
             let foot = panel.max().y;
             if let Some(problem) = self.problem() {
-                widgets::fitted(canvas, problem, Vec2::new(middle, foot + 42.0), widest, &[TEXT, DETAILS], theme::BAD);
+                widgets::fitted(canvas, problem, Vec2::new(middle, foot + 42.0), widest, &[TEXT, DETAILS], theme::bad());
             }
             let (Some(measured), Some(plot)) = (self.measured(), self.plot(canvas.frame())) else {
                 widgets::panel(canvas, panel);
-                canvas.text("There are no charts to show.", panel.centre(), Style::new(TEXT, theme::QUIET).centred().middle());
+                canvas.text("There are no charts to show.", panel.centre(), Style::new(TEXT, theme::quiet()).centred().middle());
                 return;
             };
             let title = Vec2::new(middle, panel.min.y - 20.0);
-            widgets::fitted(canvas, &measured.title, title, widest - 240.0, &[BUTTON_TEXT, TEXT], theme::TEXT);
+            widgets::fitted(canvas, &measured.title, title, widest - 240.0, &[BUTTON_TEXT, TEXT], theme::text());
             let count = format!("{} of {scenes}", self.scene + 1);
-            let style = Style::new(TEXT, theme::QUIET).mono().middle();
+            let style = Style::new(TEXT, theme::quiet()).mono().middle();
             canvas.text(&count, Vec2::new(panel.max().x, title.y), style.right());
             if let Some(verdict) = self.verdict() {
-                widgets::fitted(canvas, &verdict, Vec2::new(middle, foot + 18.0), widest, &[TEXT, DETAILS], theme::TEXT);
+                widgets::fitted(canvas, &verdict, Vec2::new(middle, foot + 18.0), widest, &[TEXT, DETAILS], theme::text());
             }
             if self.problem().is_none() {
-                widgets::fitted(canvas, &self.source(), Vec2::new(middle, foot + 42.0), widest, &[DETAILS], theme::QUIET);
+                widgets::fitted(canvas, &self.source(), Vec2::new(middle, foot + 42.0), widest, &[DETAILS], theme::quiet());
             }
             diagram::draw(canvas, &plot, measured, Picked { curve: self.picked(), point: self.point() });
         }

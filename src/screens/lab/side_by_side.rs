@@ -215,7 +215,9 @@ mod drawing {
     /// What the buttons of the choices say: left half, right half.
     const CHOICES: [(&str, &str); 4] = [("‹", "A"), ("›", "D"), ("‹", "←"), ("›", "→")];
     /// The colours of the two halves' boxes.
-    const COLOURS: [Color; 2] = [theme::PLAYER_OBJECTIVE, theme::ACCENT];
+    fn colour_of(half: usize) -> Color {
+        if half == 0 { theme::player_objective() } else { theme::accent() }
+    }
 
     impl SideBySide {
         /// Draws both halves and the buttons.
@@ -223,16 +225,16 @@ mod drawing {
             let middle = canvas.size().x / 2.0;
             let halves = panels(canvas.frame());
             let title = Vec2::new(middle, super::body(canvas.frame()).min.y + 20.0);
-            canvas.text(self.exhibit().title, title, Style::new(BUTTON_TEXT, theme::TEXT).centred().middle());
+            canvas.text(self.exhibit().title, title, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
             for (i, (half, panel)) in self.halves().iter().zip(halves).enumerate() {
-                self.draw_half(canvas, half, panel, COLOURS[i]);
+                self.draw_half(canvas, half, panel, colour_of(i));
             }
             for (i, (area, (arrow, key))) in self.choices.areas().iter().zip(CHOICES).enumerate() {
                 widgets::button_box(canvas, *area, self.choices.hover() == Some(i), false);
                 let (inner, outer) = (area.centre() - Vec2::new(12.0, 0.0), area.centre() + Vec2::new(12.0, 0.0));
                 let (arrow_at, key_at) = if i % 2 == 0 { (inner, outer) } else { (outer, inner) };
-                canvas.text(arrow, arrow_at, Style::new(BUTTON_TEXT, theme::TEXT).centred().middle());
-                canvas.text(key, key_at, Style::new(TEXT, theme::ACCENT).mono().centred().middle());
+                canvas.text(arrow, arrow_at, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
+                canvas.text(key, key_at, Style::new(TEXT, theme::accent()).mono().centred().middle());
             }
             let (left, right) = (halves[0], halves[1]);
             let row = Area::new(left.min.x, left.max().y, right.max().x - left.min.x, super::WORDS);
@@ -244,9 +246,9 @@ mod drawing {
 
         /// Below the halves: what the outline means at the left, the time at the right.
         fn draw_words(&self, canvas: &Canvas, row: Area) {
-            let quiet = Style::new(TEXT, theme::QUIET).middle();
+            let quiet = Style::new(TEXT, theme::quiet()).middle();
             let ghost = Area::around(Vec2::new(row.min.x + 8.0, row.centre().y), Vec2::splat(16.0));
-            canvas.rounded_edge(ghost, 0.0, 2.0, theme::GOOD);
+            canvas.rounded_edge(ghost, 0.0, 2.0, theme::good());
             canvas.text("the exact answer", Vec2::new(ghost.max().x + 10.0, row.centre().y), quiet);
             let speed = self.exhibit().speed;
             let pace = if speed < 1.0 { format!("   {} times slower than real", number(1.0 / speed)) } else { String::new() };
@@ -262,10 +264,10 @@ mod drawing {
             let stage = Area { min: panel.min, size: panel.size - Vec2::new(0.0, FOOT) };
             let place = Placing::new(&self.exhibit().view, stage.inset(8.0));
             for solid in &self.exhibit().solid {
-                place.fill(canvas, solid, theme::SOLID);
+                place.fill(canvas, solid, theme::solid());
             }
             for body in self.exact() {
-                place.edge(canvas, body, theme::GOOD);
+                place.edge(canvas, body, theme::good());
             }
             for body in half.boxes {
                 place.fill(canvas, body, theme::faded(colour, 0.35));
@@ -274,11 +276,11 @@ mod drawing {
             canvas.hairline(
                 Vec2::new(panel.min.x + 16.0, stage.max().y),
                 Vec2::new(panel.max().x - 16.0, stage.max().y),
-                theme::PANEL_EDGE,
+                theme::panel_edge(),
             );
             let y = stage.max().y + FOOT / 2.0;
-            canvas.text("error", Vec2::new(panel.centre().x - 96.0, y), Style::new(TEXT, theme::QUIET).middle());
-            let seen = if half.error <= crate::lab::TOLERANCE { theme::GOOD } else { theme::BAD };
+            canvas.text("error", Vec2::new(panel.centre().x - 96.0, y), Style::new(TEXT, theme::quiet()).middle());
+            let seen = if half.error <= crate::lab::TOLERANCE { theme::good() } else { theme::bad() };
             let number = Vec2::new(panel.centre().x + 96.0, y);
             canvas.text(&metres(half.error), number, Style::new(TEXT, seen).mono().middle().right());
         }

@@ -101,7 +101,7 @@ mod drawing {
         /// Draws the table and the button.
         pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
             let panel = panel(canvas.frame());
-            let quiet = Style::new(TEXT, theme::QUIET).middle();
+            let quiet = Style::new(TEXT, theme::quiet()).middle();
             let words = "The largest value that each method survives; ≥: all that was tried, 0: nothing.";
             canvas.text(words, Vec2::new(panel.centre().x, panel.min.y - 20.0), quiet.centred());
             widgets::panel(canvas, panel);
@@ -117,17 +117,17 @@ mod drawing {
                     Line::Test(test, parameter) => {
                         if place > 0 {
                             let (from, to) = (Vec2::new(left + COLUMNS[0], top), Vec2::new(right, top));
-                            canvas.hairline(from, to, theme::PANEL_EDGE);
+                            canvas.hairline(from, to, theme::panel_edge());
                         }
-                        canvas.text(test, at(left + COLUMNS[0]), Style::new(TEXT, theme::TEXT).middle());
+                        canvas.text(test, at(left + COLUMNS[0]), Style::new(TEXT, theme::text()).middle());
                         canvas.text(parameter, at(right), quiet.right());
                     }
                     Line::Method(row) => {
                         if row.shipped {
                             let area = Area::new(left + COLUMNS[0], top + 2.0, right - left - COLUMNS[0] + 8.0, ROW - 4.0);
-                            canvas.rounded(area, 6.0, theme::PANEL_HOVER);
+                            canvas.rounded(area, 6.0, theme::panel_hover());
                         }
-                        let name = if row.shipped { theme::ACCENT } else { theme::QUIET };
+                        let name = if row.shipped { theme::accent() } else { theme::quiet() };
                         canvas.text(&row.method, at(left + COLUMNS[1]), Style::new(TEXT, name).middle());
                         canvas.text(&row.shown(), at(right), Style::new(TEXT, colour(row)).middle().right());
                     }
@@ -141,9 +141,9 @@ mod drawing {
 
     fn colour(row: &Survival) -> macroquad::color::Color {
         match row.largest {
-            largest if largest >= row.tried => theme::GOOD,
-            0.0 => theme::BAD,
-            _ => theme::TEXT,
+            largest if largest >= row.tried => theme::good(),
+            0.0 => theme::bad(),
+            _ => theme::text(),
         }
     }
 }

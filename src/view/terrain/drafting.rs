@@ -22,7 +22,7 @@ const MOST_GRAINS: f64 = 80_000.0;
 const MEASURED: (f64, f64) = (3.0, 36.0);
 /// How deep in the rock a dimension line lies, and how much rock it needs above and below it, m.
 const DEEP: f64 = 1.5;
-const ROOM: f64 = 0.45;
+const ROOM: f64 = 0.6;
 /// One dimension line at most in each cell of the level so large, m; further ones would be noise.
 const CELL: DVec2 = DVec2::new(14.0, 9.0);
 /// The dimension lines of a level at most.

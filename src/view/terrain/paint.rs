@@ -34,7 +34,7 @@ const CROSS: f32 = 0.30;
 /// Half a cross, m.
 const CROSS_REACH: f64 = 0.22;
 /// How far from the level's edge dimension lines and crosses stay, m.
-const BORDER: f64 = 1.0;
+const BORDER: f64 = 0.5;
 /// Lights that stand still are worked out once, for so many of them at most.
 const MOST_LAMPS: usize = 1000;
 

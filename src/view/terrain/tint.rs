@@ -33,11 +33,11 @@ impl Tint {
 
     fn from_ink(ink: Color) -> Self {
         Self {
-            rock: mixed(theme::GROUND, ink, 0.17),
+            rock: mixed(theme::ground(), ink, 0.17),
             edge: mixed(ink, WHITE, 0.12),
             ink,
-            fine: mixed(theme::GROUND, ink, 0.065),
-            heavy: mixed(theme::GROUND, ink, 0.14),
+            fine: mixed(theme::ground(), ink, 0.065),
+            heavy: mixed(theme::ground(), ink, 0.14),
         }
     }
 }
@@ -76,8 +76,8 @@ mod tests {
         };
         for ink in INKS {
             let tint = Tint::from_ink(ink);
-            assert!(contrast(theme::TEXT, tint.rock) > 7.0);
-            assert!(contrast(tint.edge, theme::GROUND) > 4.5 && contrast(tint.edge, tint.rock) > 3.0);
+            assert!(contrast(theme::text(), tint.rock) > 7.0);
+            assert!(contrast(tint.edge, theme::ground()) > 4.5 && contrast(tint.edge, tint.rock) > 3.0);
         }
     }
 }

@@ -52,6 +52,7 @@ printf 'name,value\nwidth,1280\nheight,720\ntitle,At once\n' >"$data/levels/0/co
 printf 'x,y,mass,fuel,thrust\n640,360,100,500,3000\n' >"$data/levels/0/player.csv"
 printf 'PLAYER,600,330,80,60\n' >"$data/levels/0/objectives.csv"
 open_game play 0
+expect done hides "$accent" 14 90 72 10 5 # the fuel bar has gone: this is the score
 expect done shows "$good" 0 0 100 100 0.02
 press Right Return
 expect leaderboard shows "$yellow" 22 24 56 8 0.1 # the best row

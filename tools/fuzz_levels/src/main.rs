@@ -15,6 +15,8 @@ mod memory;
 mod play;
 #[path = "../../../tests/support/random.rs"]
 mod random;
+#[path = "../../../tests/support/slow.rs"]
+mod slow;
 mod summary;
 mod worst;
 

@@ -32,7 +32,7 @@ pub(in crate::physics) trait Advance {
 pub(in crate::physics) enum Verdict {
     /// It is where it is at the end of the step; whether all of it rests.
     Taken { rests: bool },
-    /// The dense method shall take what is left of the step, s: all of it, or less if the bodies have been brought to a later time.
+    /// The dense method shall take what is left of the step, s, from where the bodies have been brought; all of it, from where they began, if that is infinite.
     Left(f64),
     /// Bodies may get further than others were looked for; their swept boxes have been widened.
     Grown,
@@ -79,6 +79,13 @@ impl Store<'_> {
         let i = self.bodies.slot[body as usize] as usize;
         (self.bodies.px[i], self.bodies.py[i]) = (position.x, position.y * self.down);
         (self.bodies.ux[i], self.bodies.uy[i]) = (velocity.x, velocity.y * self.down);
+    }
+
+    /// Says where a body that was brought to a later time of the step would be at its end, m, and how fast, m/s, if it touched nothing,
+    /// where no constant force says that.
+    pub fn lead(&mut self, body: u32, position: DVec2, velocity: DVec2) {
+        let turned = DVec2::new(1.0, self.down);
+        self.bodies.led.push((self.bodies.slot[body as usize], position * turned, velocity * turned));
     }
 
     /// Tells where a surface is (m) and how fast it moves (m/s) when the island is left; whether it stands from then on.

@@ -47,6 +47,12 @@ impl Driver {
             (bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i]) = (bodies.px[i], bodies.py[i], bodies.ux[i], bodies.uy[i]);
             flight::fly_one(bodies, i, left, drag);
         }
+        for k in 0..bodies.led.len() {
+            let (slot, position, velocity) = bodies.led[k];
+            let i = slot as usize;
+            ((bodies.px[i], bodies.py[i]), (bodies.free_vx[i], bodies.free_vy[i])) = (position.into(), velocity.into());
+        }
+        bodies.led.clear();
     }
 
     /// Lets surfaces that move begin where they are when `left` of the step's `dt` seconds are left, for an island that begins then.

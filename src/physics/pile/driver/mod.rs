@@ -250,10 +250,12 @@ impl Pile {
                         driver.note_growth(island, round);
                         continue;
                     }
-                    Verdict::Left(left) => left.min(dt),
+                    Verdict::Left(left) => left,
                 };
-                let size = StepSize { dt: left, later: left < dt, ..whole };
-                if left < dt {
+                let later = left.is_finite();
+                let left = left.min(dt);
+                let size = StepSize { dt: left, later, ..whole };
+                if later {
                     driver.begin_later(bodies, island, left, self.drag);
                     driver.begin_surfaces_later(bodies, dt, left);
                 }

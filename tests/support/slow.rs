@@ -1,0 +1,251 @@
+//! Scenes made to be slow.
+
+use super::Random;
+use resultant::physics::{Aabb, BodyDef, DVec2, FluidDef, Material, Path, StreamDef, SurfaceDef, WorldDef};
+
+/// A scene, the force on its first body, N, and how it is played.
+pub struct Scene {
+    pub name: String,
+    pub def: WorldDef,
+    pub drive: DVec2,
+    pub ticks: usize,
+    /// s.
+    pub tick: f64,
+}
+
+fn area(left: f64, top: f64, right: f64, bottom: f64) -> Aabb {
+    Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
+}
+
+fn floor() -> SurfaceDef {
+    SurfaceDef::fixed(area(-1000.0, 0.0, 1000.0, 10.0), Material::ASPHALT)
+}
+
+/// All of them, of up to 64 bodies.
+pub fn scenes() -> Vec<Scene> {
+    let mut scenes = Vec::new();
+    let mut add = |name: String, def: WorldDef, drive: DVec2, ticks: usize| {
+        scenes.push(Scene { name, def, drive, ticks, tick: 1.0 / 120.0 });
+    };
+    for crates in [3, 9, 16, 25] {
+        for speed in [10.0, 25.0] {
+            let name = format!("ship at {speed} m/s into {crates} stacked crates in air");
+            add(name, stack(crates, speed), DVec2::new(3000.0, 0.0), 360);
+        }
+    }
+    for viscosity in [0.001, 1000.0] {
+        add(format!("8 × 8 wall in water, η {viscosity}"), wall(viscosity), DVec2::ZERO, 360);
+    }
+    for upper in [0.01, 0.1] {
+        add(format!("two boxes under water, the upper {upper} kg"), under_water(upper), DVec2::ZERO, 360);
+    }
+    for speed in [10.0, 100.0] {
+        for air in [0.0, 1.2041] {
+            add(format!("gas of 1e-3 … 1e3 kg at {speed} m/s, air {air}"), gas(64, speed, air), DVec2::ZERO, 240);
+        }
+    }
+    add("200 streams, 64 bodies".into(), zones(200, 0), DVec2::ZERO, 360);
+    add("200 liquids, 64 bodies".into(), zones(0, 200), DVec2::ZERO, 360);
+    add("60 boxes in a room".into(), room(60, 0.0), DVec2::new(2000.0, -2000.0), 600);
+    add("60 boxes in a room that bounce".into(), room(60, 0.8), DVec2::new(2000.0, -2000.0), 600);
+    add("three that bounce beside a fan".into(), fan(), DVec2::ZERO, 600);
+    add("e = 1 between walls at 3e5 m/s".into(), between_walls(1), DVec2::ZERO, 240);
+    add("8 with e = 1 between walls at 3e5 m/s".into(), between_walls(8), DVec2::ZERO, 240);
+    add("40 liquids all over 64 bodies".into(), soup(40), DVec2::ZERO, 120);
+    add("64 bodies in air of 1000 kg/m³".into(), WorldDef { air_density: 1000.0, ..gas(64, 10.0, 0.0) }, DVec2::ZERO, 240);
+    add("64 crates on 16 lifts".into(), lifts(), DVec2::ZERO, 360);
+    for rate in [1.0, 10.0, 30.0] {
+        for (name, def) in [("60 boxes in a room that bounce", room(60, 0.8)), ("64 boxes in 200 liquids", zones(0, 200))] {
+            let drive = DVec2::new(2000.0, -2000.0);
+            scenes.push(Scene { name: format!("{name}, {rate} Hz"), def, drive, ticks: 120, tick: 1.0 / rate });
+        }
+    }
+    scenes
+}
+
+/// Scenes that grow: a name, how many things there are, and what.
+pub fn growing() -> Vec<Scene> {
+    let scene = |name: String, def| Scene { name, def, drive: DVec2::ZERO, ticks: 120, tick: 1.0 / 120.0 };
+    let mut scenes = Vec::new();
+    for n in [64, 128, 256, 512, 1024, 2048] {
+        scenes.push(scene(format!("grows: {n} boxes that fall and pile up"), room(n, 0.3)));
+        scenes.push(scene(format!("grows: {n} boxes that fly apart from each other"), apart(n)));
+        scenes.push(scene(format!("grows: {n} boxes asleep and 10 awake"), asleep(n)));
+    }
+    for n in [10, 100, 1000, 10_000] {
+        scenes.push(scene(format!("grows: {n} surfaces under 20 boxes"), tiles(n)));
+        scenes.push(scene(format!("grows: {n} liquids far and wide around 20 boxes"), pools(n)));
+    }
+    scenes
+}
+
+fn apart(count: usize) -> WorldDef {
+    let body = |i: usize| BodyDef { position: DVec2::new(4.0 * i as f64, 0.0), drag: 1.05, ..BodyDef::default() };
+    WorldDef { bodies: (0..count).map(body).collect(), ..WorldDef::default() }
+}
+
+fn asleep(count: usize) -> WorldDef {
+    let sleeps = |i: usize| BodyDef { position: DVec2::new(1.5 * i as f64, -0.5), ..BodyDef::default() };
+    let awake = |i: usize| BodyDef { position: DVec2::new(-3.0 * i as f64 - 3.0, -60.0), ..BodyDef::default() };
+    let bodies = (0..count).map(sleeps).chain((0..10).map(awake)).collect();
+    WorldDef { bodies, surfaces: vec![SurfaceDef::fixed(area(-1e4, 0.0, 1e4, 10.0), Material::ASPHALT)], ..WorldDef::default() }
+}
+
+/// Steps of a stair, so that no two of them are one face.
+fn tiles(count: usize) -> WorldDef {
+    let tile = |i: usize| {
+        let (x, y) = (i as f64, 0.001 * (i % 7) as f64);
+        SurfaceDef::fixed(area(x, y, x + 1.0, y + 1.0), Material::ASPHALT)
+    };
+    let body = |i: usize| BodyDef {
+        position: DVec2::new(1.0 + 1.6 * (i % 5) as f64, -1.0 - 1.2 * (i / 5) as f64),
+        velocity: DVec2::new(0.3, 0.0),
+        ..BodyDef::default()
+    };
+    WorldDef { bodies: (0..20).map(body).collect(), surfaces: (0..count).map(tile).collect(), ..WorldDef::default() }
+}
+
+fn pools(count: usize) -> WorldDef {
+    let pool = |i: usize| {
+        let (x, y) = (4.0 * (i % 100) as f64, 4.0 * (i / 100) as f64);
+        FluidDef { zone: area(x, y, x + 3.0, y + 3.0), density: 1000.0, viscosity: 0.001 }
+    };
+    let body = |i: usize| BodyDef { position: DVec2::new(1.5 + 1.9 * i as f64, 0.5), mass: 500.0, ..BodyDef::default() };
+    WorldDef { bodies: (0..20).map(body).collect(), fluids: (0..count).map(pool).collect(), ..WorldDef::default() }
+}
+
+fn soup(liquids: usize) -> WorldDef {
+    let fluid = |i: usize| FluidDef {
+        zone: area(-0.1 * i as f64, 2.0 + 0.3 * i as f64, 20.0, 20.0),
+        density: 50.0 * (i % 5) as f64,
+        viscosity: 0.5 * (i % 3) as f64,
+    };
+    WorldDef { fluids: (0..liquids).map(fluid).collect(), ..room(64, 0.3) }
+}
+
+fn lifts() -> WorldDef {
+    let lift = |i: usize| SurfaceDef {
+        bounds: area(2.0 * i as f64, 0.0, 2.0 * i as f64 + 1.8, 0.5),
+        path: Path::shuttle(DVec2::new(0.0, -3.0), 1.0 + 0.1 * i as f64, 0.2, 0.1),
+        material: Material::ASPHALT,
+        ..SurfaceDef::default()
+    };
+    let body = |i: usize| BodyDef {
+        position: DVec2::new(2.0 * (i % 16) as f64 + 0.9, -0.5 - (i / 16) as f64),
+        mass: 5.0 + i as f64,
+        drag: 1.05,
+        ..BodyDef::default()
+    };
+    WorldDef { bodies: (0..64).map(body).collect(), surfaces: (0..16).map(lift).collect(), ..WorldDef::default() }
+}
+
+/// The ship flies into columns of crates as high as there are many.
+fn stack(crates: usize, speed: f64) -> WorldDef {
+    let columns = (crates as f64).sqrt() as usize;
+    let ship = BodyDef {
+        position: DVec2::new(-6.0, -0.86),
+        velocity: DVec2::new(speed, -1.0),
+        half: DVec2::splat(0.85),
+        mass: 100.0,
+        drag: 1.15,
+        ..BodyDef::default()
+    };
+    let block = |i: usize| BodyDef {
+        position: DVec2::new((i % columns) as f64 * 1.02, -0.5 - (i / columns) as f64),
+        mass: 20.0,
+        drag: 1.05,
+        ..BodyDef::default()
+    };
+    let bodies = std::iter::once(ship).chain((0..crates).map(block)).collect();
+    WorldDef { bodies, surfaces: vec![floor()], ..WorldDef::default() }
+}
+
+fn wall(viscosity: f64) -> WorldDef {
+    let block = |i: usize| BodyDef {
+        position: DVec2::new((i % 8) as f64, -0.5 - (i / 8) as f64),
+        mass: 1200.0 + 10.0 * (i % 5) as f64,
+        ..BodyDef::default()
+    };
+    let fluids = vec![FluidDef { zone: area(-50.0, -6.5, 50.0, 0.0), density: 1000.0, viscosity }];
+    let mut bodies: Vec<BodyDef> = (0..63).map(block).collect();
+    bodies.insert(
+        0,
+        BodyDef { position: DVec2::new(-5.0, -3.0), velocity: DVec2::new(8.0, 0.0), mass: 1500.0, ..BodyDef::default() },
+    );
+    WorldDef { bodies, fluids, surfaces: vec![floor()], ..WorldDef::default() }
+}
+
+fn under_water(upper: f64) -> WorldDef {
+    let fluids = vec![FluidDef { zone: area(-50.0, -20.0, 50.0, 0.0), density: 1000.0, viscosity: 0.001 }];
+    let lower = BodyDef { position: DVec2::new(0.0, -0.5), mass: 900.0, ..BodyDef::default() };
+    let upper = BodyDef { position: DVec2::new(0.3, -1.5), mass: upper, ..BodyDef::default() };
+    WorldDef { bodies: vec![lower, upper], fluids, surfaces: vec![floor()], ..WorldDef::default() }
+}
+
+fn gas(count: usize, speed: f64, air_density: f64) -> WorldDef {
+    let mut random = Random(3);
+    let body = |i: usize| BodyDef {
+        position: DVec2::new(1.0 + 1.2 * (i % 8) as f64, 1.0 + 1.2 * (i / 8) as f64),
+        velocity: DVec2::new(random.between(-speed, speed), random.between(-speed, speed)),
+        half: DVec2::splat(0.3),
+        mass: random.decades(-3.0, 3.0),
+        restitution: 1.0,
+        ..BodyDef::default()
+    };
+    let bodies = (0..count).map(body).collect();
+    WorldDef { gravity: 0.0, air_density, bounds: Some(area(0.0, 0.0, 11.0, 11.0)), bodies, ..WorldDef::default() }
+}
+
+fn zones(streams: usize, liquids: usize) -> WorldDef {
+    let mut random = Random(5);
+    let mut zone = || {
+        let (x, y) = (random.between(0.0, 18.0), random.between(0.0, 18.0));
+        area(x, y, x + random.between(0.5, 4.0), y + random.between(0.5, 4.0))
+    };
+    let streams = (0..streams).map(|i| StreamDef { zone: zone(), force: DVec2::new(20.0, -30.0) * (i % 5) as f64 }).collect();
+    let fluids = (0..liquids).map(|i| FluidDef { zone: zone(), density: 100.0 * (i % 10) as f64, viscosity: 0.5 }).collect();
+    WorldDef { streams, fluids, ..room(64, 0.3) }
+}
+
+fn room(count: usize, restitution: f64) -> WorldDef {
+    let mut random = Random(7);
+    let columns = (count as f64).sqrt().ceil().max(9.0);
+    let size = 2.0 * columns + 2.0;
+    let columns = columns as usize;
+    let body = |i: usize| BodyDef {
+        position: DVec2::new(1.2 + 2.0 * (i % columns) as f64, 1.2 + 2.0 * (i / columns) as f64),
+        velocity: DVec2::new(random.between(-6.0, 6.0), random.between(-6.0, 6.0)),
+        half: DVec2::new(random.between(0.3, 0.8), random.between(0.3, 0.8)),
+        mass: random.decades(0.0, 2.0),
+        drag: 1.05,
+        restitution: restitution * random.unit(),
+        ..BodyDef::default()
+    };
+    WorldDef { bounds: Some(area(0.0, 0.0, size, size)), bodies: (0..count).map(body).collect(), ..WorldDef::default() }
+}
+
+fn fan() -> WorldDef {
+    let ball = |i: usize| BodyDef {
+        position: DVec2::new(1.0 + 1.5 * i as f64, -2.0 - i as f64),
+        half: DVec2::splat(0.4),
+        mass: 20.0 + 15.0 * i as f64,
+        drag: 0.5,
+        round: true,
+        restitution: 0.6 + 0.1 * i as f64,
+        ..BodyDef::default()
+    };
+    let streams = vec![StreamDef { zone: area(2.0, -6.0, 4.0, 0.0), force: DVec2::new(0.0, -700.0) }];
+    let surfaces = vec![floor(), SurfaceDef::fixed(area(5.5, -8.0, 6.0, 0.0), Material::ASPHALT)];
+    WorldDef { bodies: (0..3).map(ball).collect(), streams, surfaces, ..WorldDef::default() }
+}
+
+fn between_walls(count: usize) -> WorldDef {
+    let body = |i: usize| BodyDef {
+        position: DVec2::new(5.0, 1.0 + 1.2 * i as f64),
+        velocity: DVec2::new(3e5, 0.0),
+        restitution: 1.0,
+        ..BodyDef::default()
+    };
+    let bodies = (0..count).map(body).collect();
+    WorldDef { gravity: 0.0, air_density: 0.0, bounds: Some(area(0.0, 0.0, 10.0, 12.0)), bodies, ..WorldDef::default() }
+}

@@ -1,0 +1,109 @@
+//! What a tick may take, counted and not by the clock, in scenes made to be slow; and that what is given up for it is no time. How long they
+//! take, `tools/fuzz_levels worst` shows.
+
+mod support;
+
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
+use support::slow::{Scene, scenes};
+use support::{area, worst_overlap};
+
+/// The budget of an island in units of work, what each body adds, and by how much that may be exceeded by what happens last and by bringing
+/// everything to that instant.
+const BUDGET: u64 = 250_000;
+const BUDGET_OF_A_BODY: u64 = 1_500;
+const EXCEEDED: f64 = 1.5;
+/// What each body near zones may take for its free flight, for what is left of a tick, and for each liquid in one implicit step.
+const FLIGHT_OF_A_BODY: u64 = 20_000;
+const FLIGHT_BY_A_LIQUID: u64 = 3_000;
+/// How many islands of a scene without zones use up their budgets in the same tick, at most; near zones every body may.
+const BUSY_ISLANDS: u64 = 8;
+
+fn scene(name: &str) -> Scene {
+    scenes().into_iter().find(|scene| scene.name == name).unwrap()
+}
+
+fn play(scene: &Scene, mut look: impl FnMut(&World, usize)) -> World {
+    let mut world = World::new(scene.def.clone()).unwrap();
+    for tick in 0..scene.ticks.min(120) {
+        world.set_drive(BodyId(0), scene.drive);
+        world.step(scene.tick);
+        look(&world, tick);
+    }
+    world
+}
+
+#[test]
+fn the_work_of_a_tick_is_bounded() {
+    for scene in scenes() {
+        let bodies = scene.def.bodies.len() as u64;
+        let zones = scene.def.streams.len() + scene.def.fluids.len() > 0;
+        let flight = FLIGHT_OF_A_BODY + FLIGHT_BY_A_LIQUID * scene.def.fluids.len() as u64;
+        let (islands, flights) = if zones { (bodies, flight * bodies) } else { (BUSY_ISLANDS, 0) };
+        let most = flights + (EXCEEDED * (BUDGET * islands + BUDGET_OF_A_BODY * bodies) as f64) as u64;
+        play(&scene, |world, tick| {
+            assert!(world.work() <= most, "{}, tick {tick}: {} units, more than {most}", scene.name, world.work());
+        });
+    }
+}
+
+/// What goes on in one direction gets on in it, also where the budget of its island is used up.
+#[test]
+fn no_time_is_lost_where_budgets_are_used_up() {
+    let (mut busy, mut looks) = (0, 0);
+    for scene in
+        ["40 liquids all over 64 bodies", "200 liquids, 64 bodies", "gas of 1e-3 … 1e3 kg at 10 m/s, air 1.2041"].map(scene)
+    {
+        let room = scene.def.bounds.unwrap();
+        let mut before: Vec<(DVec2, DVec2)> = scene.def.bodies.iter().map(|body| (body.position, body.velocity)).collect();
+        let world = play(&scene, |world, tick| {
+            let near: Vec<Aabb> =
+                before.iter().zip(&scene.def.bodies).map(|((place, _), body)| Aabb::around(*place, body.half + 0.2)).collect();
+            let alone =
+                |i: usize| room.contains(&near[i], 0.0) && (0..near.len()).all(|j| j == i || !near[i].touches(&near[j], 0.0));
+            for (i, (place, velocity)) in before.iter_mut().enumerate() {
+                let body = world.body(BodyId(i as u32));
+                let hit = !alone(i) || velocity.length().max(body.velocity.length()) * scene.tick > 0.2;
+                looks += u32::from(!hit);
+                for axis in 0..2 {
+                    let slowest = velocity[axis].abs().min(body.velocity[axis].abs());
+                    if !hit && slowest > 0.1 && velocity[axis] * body.velocity[axis] > 0.0 {
+                        let way = (body.position[axis] - place[axis]) * velocity[axis].signum();
+                        assert!(way > 0.25 * slowest * scene.tick, "{}, tick {tick}: body {i} went {way} m", scene.name);
+                    }
+                }
+                (*place, *velocity) = (body.position, body.velocity);
+            }
+        });
+        busy += world.guards().budgets_used_up;
+    }
+    assert!(busy > 0 && looks > 1000, "{busy} busy islands, {looks} looks");
+}
+
+/// A body that falls far away keeps every bit.
+#[test]
+fn what_falls_far_from_a_busy_island_does_not_notice() {
+    let Scene { def: gas, ticks, tick, drive, name } = scene("gas of 1e-3 … 1e3 kg at 100 m/s, air 0");
+    let body = BodyDef { position: DVec2::new(500.0, 0.0), velocity: DVec2::new(0.3, -2.0), ..BodyDef::default() };
+    let walls =
+        [area(-1.0, -1.0, 12.0, 0.0), area(-1.0, 11.0, 12.0, 12.0), area(-1.0, 0.0, 0.0, 11.0), area(11.0, 0.0, 12.0, 11.0)]
+            .map(|bounds| SurfaceDef::fixed(bounds, Material::ASPHALT));
+    let open = WorldDef { bounds: None, surfaces: walls.into(), ..gas };
+    let of = |bodies: Vec<BodyDef>| Scene { def: WorldDef { bodies, ..open.clone() }, name: name.clone(), ticks, tick, drive };
+    let mut lonely = Vec::new();
+    play(&of(vec![body.clone()]), |world, _| lonely.push(world.body(BodyId(0)).position));
+    let mut bodies = open.bodies.clone();
+    let far = BodyId(bodies.len() as u32);
+    bodies.push(body);
+    let world = play(&of(bodies), |world, tick| assert_eq!(world.body(far).position, lonely[tick], "tick {tick}"));
+    assert!(world.guards().budgets_used_up > 0, "the gas is not busy: {:?}", world.guards());
+}
+
+/// Where an island is left before anything of it has happened, others are led where its bodies get.
+#[test]
+fn what_many_liquids_leave_to_the_dense_method_does_not_overlap() {
+    let world = play(&scene("200 liquids, 64 bodies"), |world, tick| {
+        let overlap = worst_overlap(world);
+        assert!(overlap <= 1e-6, "tick {tick}: {overlap} m");
+    });
+    assert!(world.guards().budgets_used_up > 0, "{:?}", world.guards());
+}
