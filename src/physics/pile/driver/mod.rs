@@ -261,7 +261,8 @@ impl Pile {
                 }
                 dense.report.on = other.lists(island.members.len(), dense.report.on);
                 if dense.step(bodies, neighbours, island, size) == Outcome::Done {
-                    driver.finish(bodies, island, self.may_sleep);
+                    // What stands still for the rest of a step may have moved before.
+                    driver.finish(bodies, island, self.may_sleep && !later);
                     driver.list_impacts(bodies, &dense.impacts);
                     dense.finish(bodies, island, self.down);
                 } else {
