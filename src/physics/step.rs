@@ -38,7 +38,7 @@ impl World {
         self.record();
         self.go_on_paths(dt);
         self.records.work = self.worked() - worked;
-        if cfg!(debug_assertions) {
+        if cfg!(all(feature = "validate", debug_assertions)) {
             self.assert_valid();
         }
     }
@@ -49,8 +49,10 @@ impl World {
         self.state.media.spent() + events.solving() + events.total
     }
 
+    /// For tests.
+    ///
     /// # Panics
-    /// What [`World::validate`] finds.
+    /// [`World::validate`] finds something.
     fn assert_valid(&mut self) {
         let mut checks = std::mem::take(&mut self.scratch.checks);
         if let Err(fault) = self.validate_with(&mut checks) {

@@ -46,21 +46,12 @@ const STANDARD: Colours = Colours {
 /// What carries a meaning is told apart in normal sight and in the three common kinds of colour blindness by 15 units of CIEDE2000 at least
 /// (simulated after Machado, Oliveira and Fernandes, 2009), from each other, from words, rock and ground.
 const SAFE: Colours = Colours {
-    ground: rgb(0x10141B),
-    panel: rgb(0x1B2230),
-    panel_hover: rgb(0x28324A),
-    panel_edge: rgb(0x2C3648),
-    grid_fine: rgb(0x1A2130),
-    grid_heavy: rgb(0x232C3D),
-    solid: rgb(0x3A4456),
-    solid_top: rgb(0x566379),
-    text: rgb(0xE6EBF2),
-    quiet: rgb(0x93A0B4),
     accent: rgb(0xDC7603),
     good: rgb(0x63C09A),
     bad: rgb(0xBA1617),
     player_objective: rgb(0xF7D960),
     physics_objective: rgb(0x9E52A5),
+    ..STANDARD
 };
 
 /// The same on black, with white edges.
@@ -75,11 +66,7 @@ const HIGH_CONTRAST: Colours = Colours {
     solid_top: rgb(0xFFFFFF),
     text: rgb(0xFFFFFF),
     quiet: rgb(0xD5DDE8),
-    accent: rgb(0xDC7603),
-    good: rgb(0x63C09A),
-    bad: rgb(0xBA1617),
-    player_objective: rgb(0xF7D960),
-    physics_objective: rgb(0x9E52A5),
+    ..SAFE
 };
 
 /// Which palette is worn: the view's own state, that a player's setting sets once a frame.
