@@ -3,7 +3,7 @@
 mod support;
 
 use resultant::game::{BURN_RATE, Controls, Game, GameError, GameEvent, Outcome, ROTATION_RATE, SHIP, TICK_RATE};
-use resultant::level::{Level, ObjectiveKind};
+use resultant::level::{Level, Objective, ObjectiveKind};
 use resultant::physics::DVec2;
 use std::sync::Arc;
 use support::rooms::{area, crate_at, objective, room};
@@ -179,6 +179,76 @@ fn a_physics_objective_waits_for_a_key_object() {
     let mut game = start(level);
     game.step(NONE);
     assert_eq!(game.met(), [false], "the ship is no key object");
+}
+
+#[test]
+fn a_hold_wants_the_ship_for_so_long_without_a_break() {
+    let pad = || Objective { hold: 0.5, ..objective(ObjectiveKind::Player, area(49.0, 50.85, 51.0, 51.0)) };
+    for tick_rate in [30.0, 60.0, 120.0, 144.0] {
+        let level = Level { objectives: vec![pad()], ..room() };
+        let mut game = Game::with_tick_rate(Arc::new(level), tick_rate).unwrap();
+        assert_eq!((game.met(), game.held(0)), (&[false][..], 0.0));
+        let half = (tick_rate / 2.0) as u32;
+        fly(&mut game, NONE, half - 1);
+        assert_eq!(game.outcome(), Outcome::Running);
+        assert!((game.held(0) - f64::from(half - 1) / f64::from(half)).abs() < 1e-12);
+        fly(&mut game, NONE, 1);
+        assert_eq!((game.outcome(), game.held(0)), (Outcome::Completed, 1.0), "{tick_rate} ticks a second");
+    }
+    // Flying through is no landing: 2.7 m at 12 m/s take 0.225 s.
+    let through = Objective { hold: 0.25, ..objective(ObjectiveKind::Player, area(52.0, 49.0, 53.0, 51.0)) };
+    let mut game = start(Level { objectives: vec![through], ..moving(12.0, 0.0) });
+    let mut most = 0.0f64;
+    for _ in 0..60 {
+        game.step(NONE);
+        most = most.max(game.held(0));
+        assert_eq!(game.met(), [false]);
+    }
+    assert!(most > 0.8 && game.held(0) == 0.0, "once it has left, nothing is held: {most}");
+}
+
+#[test]
+fn what_is_held_is_part_of_the_state() {
+    let level = |hold| {
+        let pad = Objective { hold, ..objective(ObjectiveKind::Player, area(49.0, 50.85, 51.0, 51.0)) };
+        Level { objectives: vec![pad, objective(ObjectiveKind::Player, area(0.0, 0.0, 1.0, 1.0))], ..room() }
+    };
+    let mut games = [start(level(5.0)), start(level(5.0))];
+    games.iter_mut().for_each(|game| fly(game, NONE, 10));
+    assert_eq!(games[0].hash(), games[1].hash());
+    games[0].step(NONE);
+    assert_ne!(games[0].hash(), games[1].hash());
+}
+
+#[test]
+fn turns_are_taken_in_order_and_kept() {
+    // From 50 m to the right: the first lies behind the second, so that the second is passed in vain at first.
+    let gate = |order, x: f64| Objective { order: Some(order), ..objective(ObjectiveKind::Player, area(x, 49.0, x + 1.0, 51.0)) };
+    let level = Level { objectives: vec![gate(2, 53.0), gate(1, 58.0), gate(2, 62.0)], ..moving(12.0, 0.0) };
+    let mut game = start(level);
+    assert_eq!([0, 1, 2].map(|index| game.is_open(index)), [false, true, false]);
+    let mut met = Vec::new();
+    for _ in 0..180 {
+        game.step(NONE);
+        met.extend(game.events().iter().filter_map(|event| match event {
+            GameEvent::ObjectiveMet(index) => Some(*index),
+            GameEvent::ObjectiveLost(_) => panic!("what has had its turn stays met"),
+            _ => None,
+        }));
+    }
+    assert_eq!((met, game.met()), (vec![1, 2], &[false, true, true][..]));
+}
+
+#[test]
+fn a_key_of_another_colour_does_not_fit() {
+    for (colour, met) in [([255, 0, 255], true), ([255, 0, 254], false)] {
+        let block = objective(ObjectiveKind::Physics, area(10.0, 10.0, 11.0, 11.0));
+        let mut level = Level { objectives: vec![Objective { colour: Some(colour), ..block }], ..room() };
+        level.objects = vec![crate_at(DVec2::new(10.5, 9.5), DVec2::ZERO, Some([255, 0, 255]))];
+        let mut game = start(level);
+        game.step(NONE);
+        assert_eq!(game.met(), [met], "{colour:?}");
+    }
 }
 
 #[test]

@@ -40,9 +40,9 @@ const FILES: [(&str, &str); 9] = [
     ),
     (
         "objectives.csv",
-        "# PLAYER,x,y,width,height: where the ship must be. PHYS,x,y,width,height: where a key object must be.\n\
+        "# PLAYER,x,y,width,height,hold: where the ship must be, and for how many seconds. PHYS,…: the same for a key object.\n\
          # OBJECT,x,y,image,mass,r,g,b,restitution,drag,vx,vy,material: a key object.\n\
-         PLAYER,1120,430,100,10\n",
+         PLAYER,1120,430,100,10,1\n",
     ),
     ("obstacles.csv", "# Death boxes.\nx,y,width,height\n900,660,120,20\n"),
     (

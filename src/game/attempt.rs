@@ -3,9 +3,10 @@
 use super::death::{Death, crushed};
 use super::hash::Fnv1a;
 use super::impacts::{Felt, Impacts, READABLE};
-use super::touch::{TOUCH, sweep_touches};
+use super::objectives::Objectives;
+use super::touch::sweep_touches;
 use super::{Controls, RunResult, ScoreParts, Ship};
-use crate::level::{Level, ObjectiveKind, SHIP_HALF};
+use crate::level::{Level, SHIP_HALF};
 use crate::physics::{Aabb, BodyId, DVec2, DefError, Event, Obstacle, World};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -125,7 +126,7 @@ pub struct Game {
     ship: Ship,
     outcome: Outcome,
     ticks: u64,
-    met: Vec<bool>,
+    objectives: Objectives,
     flight: Flight,
     events: Vec<GameEvent>,
     /// What can still be read of impacts, and what is being squeezed: for those who look on, no rule asks.
@@ -159,11 +160,11 @@ impl Game {
         };
         let mut game = Self {
             tick_rate,
+            objectives: Objectives::new(&level, &world, tick_rate),
             world,
             ship: Ship::new(&level.player),
             outcome: Outcome::Running,
             ticks: 0,
-            met: Vec::new(),
             flight,
             events: Vec::new(),
             impacts: Impacts::default(),
@@ -171,7 +172,6 @@ impl Game {
             level,
         };
         game.remember_impacts();
-        game.met = (0..game.level.objectives.len()).map(|index| game.is_met(index)).collect();
         Ok(game)
     }
 
@@ -248,27 +248,10 @@ impl Game {
 
     /// Finds out which objectives are met and tells what has changed.
     fn note_objectives(&mut self) {
-        for index in 0..self.met.len() {
-            let met = self.is_met(index);
-            if met != self.met[index] {
-                self.met[index] = met;
-                self.events.push(if met { GameEvent::ObjectiveMet(index) } else { GameEvent::ObjectiveLost(index) });
-            }
-        }
-    }
-
-    fn is_met(&self, index: usize) -> bool {
-        let objective = &self.level.objectives[index];
-        let touches = |body: BodyId| self.world.body(body).bounds().touches(&objective.bounds, TOUCH);
-        match objective.kind {
-            ObjectiveKind::Player => touches(SHIP),
-            ObjectiveKind::Physics => self.keys().any(touches),
-        }
-    }
-
-    /// The bodies of the key objects.
-    fn keys(&self) -> impl Iterator<Item = BodyId> {
-        (1..).zip(&self.level.objects).filter(|(_, object)| object.key.is_some()).map(|(body, _)| BodyId(body))
+        let Self { level, world, objectives, events, .. } = self;
+        objectives.note(level, world, |index, met| {
+            events.push(if met { GameEvent::ObjectiveMet(index) } else { GameEvent::ObjectiveLost(index) });
+        });
     }
 
     /// Ends the attempt where it ends. Death goes first.
@@ -276,7 +259,7 @@ impl Game {
         if self.death().is_some() {
             self.outcome = Outcome::Failed;
             self.events.push(GameEvent::Died);
-        } else if !self.met.is_empty() && self.met.iter().all(|&met| met) {
+        } else if self.objectives.are_all_met() {
             self.outcome = Outcome::Completed;
             self.events.push(GameEvent::Completed);
         }
@@ -348,7 +331,17 @@ impl Game {
 
     /// Whether each objective of the level is met now.
     pub fn met(&self) -> &[bool] {
-        &self.met
+        self.objectives.met()
+    }
+
+    /// Which part of its hold time an objective has been touched for, 0 … 1.
+    pub fn held(&self, index: usize) -> f64 {
+        self.objectives.held(&self.level.objectives[index], index)
+    }
+
+    /// Whether it is an objective's turn.
+    pub fn is_open(&self, index: usize) -> bool {
+        self.objectives.is_open(&self.level, index)
     }
 
     /// What happened in the last tick.
@@ -369,8 +362,8 @@ impl Game {
             outcome: self.outcome,
             time,
             optimal_time,
-            objectives_met: self.met.iter().filter(|&&met| met).count(),
-            objectives_all: self.met.len(),
+            objectives_met: self.met().iter().filter(|&&met| met).count(),
+            objectives_all: self.met().len(),
             collisions: self.flight.collisions,
             fuel: self.fuel(),
             fuel_used: self.level.player.fuel - self.ship.fuel,
@@ -392,7 +385,7 @@ impl Game {
         let mut write = |word| hash.write(word);
         write(self.ticks);
         write(self.outcome as u64);
-        self.met.iter().for_each(|&met| write(u64::from(met)));
+        self.objectives.hash_state(&self.level, &mut write);
         self.ship.hash_state(&mut write);
         write(u64::from(self.flight.collisions));
         for value in [self.flight.distance, self.flight.top_speed, self.flight.peak_resultant] {

@@ -36,9 +36,15 @@ pub fn level_hash(level: &Level) -> u64 {
         hash.numbers(&[*static_friction, *kinetic_friction]);
     });
     hash.each(objects, Hash::object);
-    hash.each(objectives, |hash, Objective { kind, bounds }| {
+    hash.each(objectives, |hash, Objective { kind, bounds, hold, order, colour }| {
         hash.0.write(*kind as u64);
         hash.area(bounds);
+        hash.given("hold", *hold != 0.0, |hash| hash.numbers(&[*hold]));
+        hash.given("order", order.is_some(), |hash| hash.0.write(u64::from(order.unwrap_or_default())));
+        hash.given("colour", colour.is_some(), |hash| hash.colour(colour.unwrap_or_default()));
+    });
+    hash.given("keys", objectives.iter().any(|objective| objective.colour.is_some()), |hash| {
+        objects.iter().filter_map(|object| object.key).for_each(|key| hash.colour(key));
     });
     hash.each(obstacles, Hash::area);
     hash.each(streams, |hash, Stream { source, zone, force }| {
@@ -66,6 +72,18 @@ impl Hash {
 
     fn area(&mut self, Aabb { min, max }: &Aabb) {
         self.vectors(&[*min, *max]);
+    }
+
+    /// Something that older levels do not have: nothing is written where it is not given, so that their hashes stay what they were.
+    fn given(&mut self, name: &str, given: bool, write: impl FnOnce(&mut Self)) {
+        if given {
+            name.bytes().for_each(|byte| self.0.write(u64::from(byte)));
+            write(self);
+        }
+    }
+
+    fn colour(&mut self, colour: [u8; 3]) {
+        colour.into_iter().for_each(|channel| self.0.write(u64::from(channel)));
     }
 
     /// How many there are, and each of them.

@@ -17,6 +17,7 @@ mod impacts;
 mod inputs;
 mod latch;
 mod names;
+mod objectives;
 mod replay;
 mod score;
 mod ship;

@@ -34,6 +34,7 @@ pub(super) const VISCOSITY: Quantity = Quantity::new(0.0, 1e6, "Pa·s");
 pub(super) const COLOUR: Quantity = Quantity::new(0.0, 255.0, "");
 pub(super) const GRAVITY: Quantity = Quantity::new(-1e4, 1e4, "N/kg");
 pub(super) const OPTIMAL_TIME: Quantity = Quantity::new(1e-3, 1e9, "s");
+pub(super) const HOLD: Quantity = Quantity::new(0.0, 1e6, "s");
 pub(super) const METRE: Quantity = Quantity::new(1e-3, 1e6, "pixels a metre");
 pub(super) const REST_SPEED: Quantity = Quantity::new(0.0, 1e6, "m/s");
 

@@ -303,8 +303,8 @@ impl Reader<'_> {
             if kind == ObjectiveKind::Physics {
                 first_physics.get_or_insert(record);
             }
-            let bounds = rows::rectangle(record, self.scale, &mut self.problems);
-            objectives.extend(bounds.map(|bounds| Placed::new(record, Objective { kind, bounds })));
+            let objective = rows::objective(kind, record, self.scale, &mut self.problems);
+            objectives.extend(objective.map(|objective| Placed::new(record, objective)));
         }
         // A row that could not be read may be what is missing: then its own problem is enough.
         let all_read = table.records.len() == table.lines.len();

@@ -6,7 +6,7 @@ use super::image::Images;
 use super::problem::{Problem, quoted};
 use super::quantity::{self as q, Scale};
 use super::table::{CellText, Given, Layout, Record, cell};
-use super::types::{Fluid, Look, Object, ObjectiveKind, Player, Solid, Stream, Text};
+use super::types::{Fluid, Look, Object, Objective, ObjectiveKind, Player, Solid, Stream, Text};
 use crate::physics::{Aabb, DVec2, Material};
 use serde::Deserialize;
 
@@ -21,7 +21,7 @@ pub(super) const HAZARDS: Layout =
 pub(super) const FLUIDS: Layout = Layout { file: "fluids.csv", columns: "x,y,width,height,density,viscosity,[r],[g],[b]" };
 pub(super) const TEXTS: Layout = Layout { file: "texts.csv", columns: "x,y,size,text" };
 /// The rows PLAYER and PHYS of objectives.csv, and what all its rows begin with.
-pub(super) const BLOCKS: Layout = Layout { file: "objectives.csv", columns: "kind,x,y,width,height" };
+pub(super) const BLOCKS: Layout = Layout { file: "objectives.csv", columns: "kind,x,y,width,height,[hold],[order],[r],[g],[b]" };
 /// The rows OBJECT of objectives.csv; restitution and drag stand the other way round than in objects.csv.
 pub(super) const KEY_OBJECTS: Layout =
     Layout { file: "objectives.csv", columns: "kind,x,y,image,mass,r,g,b,restitution,drag,[vx],[vy],[material]" };
@@ -50,7 +50,7 @@ struct PlayerRow {
     material: CellText,
 }
 
-/// A row of world.csv or obstacles.csv, or a PLAYER or PHYS row of objectives.csv.
+/// A row of world.csv or obstacles.csv, and what tells the kinds of objectives.csv apart.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 struct BlockRow {
@@ -60,6 +60,21 @@ struct BlockRow {
     width: CellText,
     height: CellText,
     material: CellText,
+}
+
+/// A PLAYER or PHYS row of objectives.csv.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct ObjectiveRow {
+    x: CellText,
+    y: CellText,
+    width: CellText,
+    height: CellText,
+    hold: CellText,
+    order: CellText,
+    r: CellText,
+    g: CellText,
+    b: CellText,
 }
 
 /// A row of objects.csv, or an OBJECT row of objectives.csv.
@@ -130,6 +145,9 @@ macro_rules! place {
 /// A liquid's colour where the author gives none: a calm blue that stands apart from every colour with a meaning.
 const FLUID_COLOUR: [u8; 3] = [58, 110, 165];
 
+/// The largest number of a turn.
+const MOST_TURNS: u32 = 1000;
+
 /// A thing of the level and the row that it comes from.
 #[derive(Clone, Debug)]
 pub(super) struct Placed<T> {
@@ -171,6 +189,24 @@ pub(super) fn objective_kind(record: &Record) -> Option<ObjectiveKind> {
         "PHYS" => Some(ObjectiveKind::Physics),
         _ => None,
     }
+}
+
+/// A PLAYER or PHYS row of objectives.csv.
+pub(super) fn objective(kind: ObjectiveKind, record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Objective> {
+    let row: ObjectiveRow = record.row();
+    let bounds = bounds(record, place!(row), scale, problems);
+    let hold = record.number_or(cell!(row.hold), 0.0, q::HOLD, problems);
+    let order = if row.order.is_given() { record.whole(cell!(row.order), (1, MOST_TURNS), problems).map(Some) } else { Some(None) };
+    let channels = [cell!(row.r), cell!(row.g), cell!(row.b)];
+    let colour = match channels.iter().find(|(_, text)| text.is_given()) {
+        None => Some(None),
+        Some((column, text)) if kind == ObjectiveKind::Player => {
+            problems.push(record.problem(column, quoted(text.as_str()?), "nothing: only key objects have a colour that can fit"));
+            None
+        }
+        Some(_) => colour(record, channels, None, problems).map(Some),
+    };
+    Some(Objective { kind, bounds: bounds?, hold: hold?, order: order?, colour: colour? })
 }
 
 pub(super) fn player(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Player> {

@@ -323,6 +323,14 @@ impl Record {
         if cell.1.is_given() { self.number(cell, quantity, problems) } else { Some(default) }
     }
 
+    /// A whole number, both ends included.
+    pub fn whole(&self, cell: Given, (low, high): (u32, u32), problems: &mut Vec<Problem>) -> Option<u32> {
+        self.parse(cell, problems, |text| {
+            let number = text.parse().ok().filter(|number| (low..=high).contains(number));
+            number.ok_or_else(|| format!("a whole number from {low} to {high}"))
+        })
+    }
+
     /// TRUE or FALSE in any case.
     pub fn boolean(&self, cell: Given, problems: &mut Vec<Problem>) -> Option<bool> {
         self.parse(cell, problems, |text| match text.to_ascii_lowercase().as_str() {

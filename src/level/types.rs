@@ -132,6 +132,24 @@ pub struct Objective {
     pub kind: ObjectiveKind,
     /// Where it is.
     pub bounds: Aabb,
+    /// How long it has to be touched without a break before it is met, s.
+    pub hold: f64,
+    /// Its turn: it waits for those with smaller numbers, and stays met once it is. `None`: it is met whenever it is touched.
+    pub order: Option<u32>,
+    /// The colour of the only key objects that fit; any fits where there is none.
+    pub colour: Option<[u8; 3]>,
+}
+
+impl Objective {
+    /// One that is met as soon as it is touched, and as long as it is.
+    pub const fn new(kind: ObjectiveKind, bounds: Aabb) -> Self {
+        Self { kind, bounds, hold: 0.0, order: None, colour: None }
+    }
+
+    /// Whether a key object of that colour fits.
+    pub fn fits(&self, key: [u8; 3]) -> bool {
+        self.colour.is_none_or(|colour| colour == key)
+    }
 }
 
 /// An air stream.

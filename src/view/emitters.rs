@@ -159,6 +159,8 @@ pub fn dust(particles: &mut Particles, point: DVec2, normal: DVec2, speed: f64) 
 pub fn objective_colour(game: &Game, index: usize) -> Color {
     match game.level().objectives[index].kind {
         _ if game.met()[index] => theme::good(),
+        // Its turn has not come.
+        _ if !game.is_open(index) => theme::quiet(),
         ObjectiveKind::Player => theme::player_objective(),
         ObjectiveKind::Physics => theme::physics_objective(),
     }

@@ -46,9 +46,10 @@ pub fn draw_objectives(game: &Game, art: &Art, view: &Viewport, canvas: &Canvas,
             ObjectiveKind::Player => "Ship",
             ObjectiveKind::Physics => "Key",
         };
+        let name = objective.order.map_or(name.to_owned(), |turn| format!("{turn}. {name}"));
         let style = Style::new(DETAILS, theme::text()).middle();
-        let icon = 16.0;
-        let left = label.x - (icon + 6.0 + canvas.width(name, style)) / 2.0;
+        let icon = if objective.hold > 0.0 { 28.0 } else { 16.0 };
+        let left = label.x - (icon + 6.0 + canvas.width(&name, style)) / 2.0;
         let middle = Vec2::new(left + icon / 2.0, label.y);
         if game.met()[index] {
             canvas.line(middle + Vec2::new(-6.0, 0.0), middle + Vec2::new(-1.0, 5.0), 3.0, colour);
@@ -56,10 +57,33 @@ pub fn draw_objectives(game: &Game, art: &Art, view: &Viewport, canvas: &Canvas,
         } else {
             match objective.kind {
                 ObjectiveKind::Player => art.draw(Tile::Ship, middle, Vec2::splat(20.0), 0.0, WHITE),
-                ObjectiveKind::Physics => diamond(canvas, middle, 7.0, colour),
+                ObjectiveKind::Physics => match objective.colour {
+                    Some([r, g, b]) => {
+                        diamond(canvas, middle, 9.0, colour);
+                        diamond(canvas, middle, 6.5, Color::from_rgba(r, g, b, 255));
+                    }
+                    None => diamond(canvas, middle, 7.0, colour),
+                },
+            }
+            if objective.hold > 0.0 {
+                ring(canvas, middle, 1.0, faded(colour, 0.35));
+                ring(canvas, middle, game.held(index) as f32, theme::good());
             }
         }
-        canvas.text(name, Vec2::new(left + icon + 6.0, label.y), style);
+        canvas.text(&name, Vec2::new(left + icon + 6.0, label.y), style);
+    }
+}
+
+/// A part (0 … 1) of a ring round an icon, clockwise from the top.
+fn ring(canvas: &Canvas, centre: Vec2, part: f32, colour: Color) {
+    const SIDES: usize = 36;
+    const RADIUS: f32 = 14.0;
+    let at = |side: usize| {
+        let angle = std::f32::consts::TAU * (side as f32 / SIDES as f32).min(part) - std::f32::consts::FRAC_PI_2;
+        centre + Vec2::from_angle(angle) * RADIUS
+    };
+    for side in 0..(part * SIDES as f32).ceil() as usize {
+        canvas.line(at(side), at(side + 1), 3.0, colour);
     }
 }
 

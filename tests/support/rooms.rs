@@ -52,7 +52,7 @@ pub fn yard() -> Level {
 
 /// An objective block.
 pub fn objective(kind: ObjectiveKind, bounds: Aabb) -> Objective {
-    Objective { kind, bounds }
+    Objective::new(kind, bounds)
 }
 
 /// A box of 1 m × 1 m and 10 kg; a key object where it has a colour.
