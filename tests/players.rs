@@ -1,6 +1,7 @@
 //! The files of players and of attempts on disk: what is left there when files are damaged, writes fail, many processes write at once, or
 //! one is killed in the middle.
 
+use resultant::game::Medals;
 use resultant::scores::{AttemptRow, Deed, Name, PATIENCE, Scores, ScoresError};
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
@@ -47,7 +48,7 @@ fn name(text: &str) -> Name {
 }
 
 fn done(player: &str, level: &str, time: f64) -> Deed {
-    Deed::Done { player: name(player), level: level.to_owned(), time: Some(time) }
+    Deed::Done { player: name(player), level: level.to_owned(), time: Some(time), medals: Medals::default() }
 }
 
 fn attempt(player: &str, level: &str) -> AttemptRow {
@@ -74,7 +75,8 @@ fn deeds_of_two_games_are_merged() {
     two.record_within(PATIENCE, &[Deed::Chosen(name("bob")), done("ann", "1", 8.0), done("bob", "2", 5.0)]).unwrap();
     let (players, rescue) = one.record_within(PATIENCE, &[done("ann", "1", 8.5), done("ann", "3", 1.0)]).unwrap();
     assert_eq!(rescue, None);
-    let expected = "player,level,time\nbob,,\nbob,2,5.000\nann,,\nann,1,8.000\nann,3,1.000\n";
+    let expected =
+        "player,level,time,medal,mark\nbob,,,,\nbob,2,5.000,bronze,\nann,,,,\nann,1,8.000,bronze,\nann,3,1.000,bronze,\n";
     assert_eq!(fixture.text("players.csv"), expected);
     assert_eq!(one.players().unwrap(), (players, vec![]));
     assert_eq!(fixture.names(), ["players.csv"]);

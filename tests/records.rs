@@ -83,6 +83,7 @@ fn names_words_and_looks_do_not() {
         changed(|level| level.title = "Other".into()),
         changed(|level| level.metre = 60.0),
         changed(|level| level.texts.clear()),
+        changed(|level| level.awards.gold = Some(9.0)),
         changed(|level| level.background = Some("background.png".into())),
         changed(|level| level.objects[0].look = Look::Ball),
         changed(|level| level.fluids[0].colour = [0; 3]),

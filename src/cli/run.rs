@@ -6,7 +6,7 @@ use super::number::Shortest;
 use super::telemetry::Telemetry;
 use super::{Project, Status, Stop, load_level};
 use crate::files::INPUTS;
-use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Replay, SHIP, TICK_RATE, TICK_RATES};
+use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE, TICK_RATES};
 use crate::level::{Level, Look};
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -89,7 +89,7 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     let flown = fly(&mut game, inputs.unwrap_or_default(), last, &mut written)?;
     written.finish()?;
     if let Some(mut file) = record {
-        write!(file, "{}", Replay::of(&game, flown))?;
+        write!(file, "{}", flown.finish(&game))?;
         file.finish()?;
     }
     print(&game, out)?;
@@ -154,15 +154,15 @@ impl Written {
     }
 }
 
-/// Flies and returns the controls of every tick flown.
-fn fly(game: &mut Game, inputs: Inputs, last: u64, written: &mut Written) -> io::Result<Inputs> {
+/// Flies and returns the record of it.
+fn fly(game: &mut Game, inputs: Inputs, last: u64, written: &mut Written) -> io::Result<Recorder> {
     written.write_tick(game)?;
-    let mut flown = Inputs::default();
+    let mut flown = Recorder::default();
     let mut playback = inputs.into_iter();
     while game.outcome() == Outcome::Running && game.ticks() < last {
         let controls = playback.next().unwrap_or_default();
         game.step(controls);
-        flown.record(controls);
+        flown.note(game, controls);
         written.write_tick(game)?;
     }
     Ok(flown)

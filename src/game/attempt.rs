@@ -4,6 +4,7 @@ use super::death::{Death, crushed};
 use super::hash::Fnv1a;
 use super::impacts::{Felt, Impacts, READABLE};
 use super::objectives::Objectives;
+use super::pushes::{APART, Pushes};
 use super::touch::sweep_touches;
 use super::{Controls, RunResult, ScoreParts, Ship};
 use crate::level::{Level, SHIP_HALF};
@@ -127,6 +128,7 @@ pub struct Game {
     outcome: Outcome,
     ticks: u64,
     objectives: Objectives,
+    pushes: Pushes,
     flight: Flight,
     events: Vec<GameEvent>,
     /// What can still be read of impacts, and what is being squeezed: for those who look on, no rule asks.
@@ -161,6 +163,7 @@ impl Game {
         let mut game = Self {
             tick_rate,
             objectives: Objectives::new(&level, &world, tick_rate),
+            pushes: Pushes::new(level.objects.len()),
             world,
             ship: Ship::new(&level.player),
             outcome: Outcome::Running,
@@ -212,7 +215,9 @@ impl Game {
             from = to;
         }
         self.flight.top_speed = self.flight.top_speed.max(self.world.body(SHIP).velocity.length());
-        self.flight.peak_resultant = self.flight.peak_resultant.max(self.world.forces(SHIP).resultant().length());
+        let forces = self.world.forces(SHIP);
+        self.flight.peak_resultant = self.flight.peak_resultant.max(forces.resultant().length());
+        self.pushes.note(self.ticks, APART * self.tick_rate, &forces, self.world.impulses());
     }
 
     /// Keeps impacts for as long as they are to be read.
@@ -365,6 +370,7 @@ impl Game {
             objectives_met: self.met().iter().filter(|&&met| met).count(),
             objectives_all: self.met().len(),
             collisions: self.flight.collisions,
+            pushes: self.pushes.count(),
             fuel: self.fuel(),
             fuel_used: self.level.player.fuel - self.ship.fuel,
             distance: self.flight.distance,
@@ -391,6 +397,7 @@ impl Game {
         for value in [self.flight.distance, self.flight.top_speed, self.flight.peak_resultant] {
             write(value.to_bits());
         }
+        self.pushes.hash_state(&mut write);
         self.world.hash_state(&mut write);
         hash.finish()
     }

@@ -13,6 +13,8 @@ pub fn level_hash(level: &Level) -> u64 {
         metre: _,
         texts: _,
         background: _,
+        // What is earned is worked out from a result, whenever it is asked for.
+        awards: _,
         size,
         gravity,
         air_density,

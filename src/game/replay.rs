@@ -6,22 +6,30 @@
 //! # level: 1
 //! # level_hash: 0123456789abcdef
 //! # tick_rate: 120
+//! # outcome: completed
+//! # time: 5.25
 //! # score: 17342
 //! # hash: 0123456789abcdef
+//! # hash 1: 123456789abcdef0
 //! ticks,thrust,reverse,left,right
 //! 60,1,0,0,0
 //! ```
 //!
-//! The first and the third line are not in records of before there were any; such a record is flown in whatever level has its name.
+//! `hash` is that of the last state, `hash 1` that after the first second, and so on: they tell in which second a flight departs.
+//! Program, level's hash, outcome, time and the hashes of the seconds are not in records of before there were any; a record without a
+//! level's hash is flown in whatever level has its name.
 
-use super::{BadFile, Game, GameError, Inputs, Outcome, TICK_RATES, level_hash};
+use super::notes::{Ended, Hex, LevelName, Notes, Seconds, TickRate, written};
+use super::{BadFile, Controls, Game, GameError, Inputs, Outcome, level_hash};
 use crate::level::Level;
 use std::fmt;
-use std::str::FromStr;
 use std::sync::Arc;
 
 /// This program, as records name it.
 pub const PROGRAM: &str = concat!("resultant ", env!("CARGO_PKG_VERSION"));
+
+/// The most seconds that have a hash each, an hour of them; of what is longer the end tells. More would outgrow the file's inputs.
+pub const MOST_SECONDS: usize = 3600;
 
 /// A recorded run.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,10 +42,16 @@ pub struct Replay {
     pub level_hash: Option<u64>,
     /// Ticks a second.
     pub tick_rate: f64,
+    /// How it ended, where that is written down.
+    pub outcome: Option<Outcome>,
+    /// How long it took, s, where that is written down.
+    pub time: Option<f64>,
     /// The score it came to.
     pub score: i64,
     /// The hash of the last state.
     pub hash: u64,
+    /// The hash after each whole second, as far as they are written down.
+    pub seconds: Vec<u64>,
     /// The controls from the first tick on.
     pub inputs: Inputs,
 }
@@ -47,6 +61,15 @@ pub struct Replay {
 pub enum Mismatch {
     /// The level is another one, by its hash; it was not flown.
     Level(u64, u64),
+    /// It leads elsewhere from this second on, the first being 1; the hashes of the state after it. The rest was not flown.
+    Second(usize, u64, u64),
+    /// The same state, but not what is written of how and when it ended.
+    Result {
+        /// Where it is written down.
+        outcome: (Option<Outcome>, Outcome),
+        /// In thousandths of a second, where it is written down.
+        time: (Option<u64>, u64),
+    },
     /// It leads elsewhere.
     End {
         /// Points.
@@ -62,6 +85,15 @@ impl fmt::Display for Mismatch {
             Self::Level(recorded, here) => {
                 write!(f, "recorded in a level with the hash {recorded:016x}, the level of that name here has the hash {here:016x}")
             }
+            Self::Second(second, recorded, flown) => {
+                write!(f, "departs in second {second}: recorded hash {recorded:016x} after it, flown {flown:016x}")
+            }
+            Self::Result { outcome, time } => {
+                let seconds = |thousandths: u64| thousandths as f64 / 1000.0;
+                let recorded = outcome.0.map_or("nothing", Outcome::name);
+                let at = time.0.map(|time| format!(" at {} s", seconds(time))).unwrap_or_default();
+                write!(f, "recorded {recorded}{at}, flown {} at {} s", outcome.1.name(), seconds(time.1))
+            }
             Self::End { score, hash } => {
                 write!(f, "recorded score {} and hash {:016x}, flown score {} and hash {:016x}", score.0, hash.0, score.1, hash.1)
             }
@@ -69,20 +101,58 @@ impl fmt::Display for Mismatch {
     }
 }
 
-impl Replay {
-    /// The record of a game that was played with these inputs.
-    pub fn of(game: &Game, inputs: Inputs) -> Self {
-        Self {
+/// Records a run while it is flown.
+#[derive(Clone, Debug, Default)]
+pub struct Recorder {
+    inputs: Inputs,
+    seconds: Vec<u64>,
+}
+
+impl Recorder {
+    /// Takes up the tick that was just made with these controls.
+    pub fn note(&mut self, game: &Game, controls: Controls) {
+        self.inputs.record(controls);
+        if self.seconds.len() < MOST_SECONDS && ended_second(game).is_some() {
+            self.seconds.push(game.hash());
+        }
+    }
+
+    /// The controls so far.
+    pub const fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// The record of the game, as far as it was played.
+    pub fn finish(self, game: &Game) -> Replay {
+        let result = game.result();
+        Replay {
             program: Some(PROGRAM.to_owned()),
             level: game.level().name.clone(),
             level_hash: Some(level_hash(game.level())),
             tick_rate: game.tick_rate(),
-            score: game.result().score.total,
+            outcome: Some(result.outcome),
+            time: Some(result.time),
+            score: result.score.total,
             hash: game.hash(),
-            inputs,
+            seconds: self.seconds,
+            inputs: self.inputs,
         }
     }
+}
 
+/// The second that the last tick brought to its end, from 1 on.
+fn ended_second(game: &Game) -> Option<usize> {
+    let second = |ticks: u64| (ticks as f64 / game.tick_rate()) as usize;
+    let now = second(game.ticks());
+    (now > second(game.ticks().saturating_sub(1))).then_some(now)
+}
+
+/// In whole thousandths, which tell any two ticks of the game apart and do not depend on how a number was written.
+fn thousandths(seconds: f64) -> u64 {
+    (seconds * 1000.0).round() as u64
+}
+
+impl Replay {
     /// Reads the text of a replay file; `file` is its name in messages.
     ///
     /// # Errors
@@ -94,15 +164,19 @@ impl Replay {
         let level = notes.find("level", "a level's name", &mut problems);
         let level_hash = notes.find_any("level_hash", "16 hex digits", &mut problems);
         let tick_rate = notes.find("tick_rate", "1 to 1000000 ticks a second", &mut problems);
+        let outcome = notes.find_any("outcome", "completed, failed or running", &mut problems);
+        let time = notes.find_any("time", "seconds, 0 or more", &mut problems);
         let score = notes.find("score", "points", &mut problems);
         let hash = notes.find("hash", "16 hex digits", &mut problems);
+        let seconds = notes.seconds(&mut problems);
         let inputs = Inputs::parse(file, text).map_err(|BadFile(found)| problems.extend(found)).ok();
         match (level, tick_rate, score, hash, inputs) {
             (Some(LevelName(level)), Some(TickRate(tick_rate)), Some(score), Some(Hex(hash)), Some(inputs))
                 if problems.is_empty() =>
             {
                 let level_hash = level_hash.map(|Hex(hash)| hash);
-                Ok(Self { program, level, level_hash, tick_rate, score, hash, inputs })
+                let (outcome, time) = (outcome.map(|Ended(outcome)| outcome), time.map(|Seconds(time)| time));
+                Ok(Self { program, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs })
             }
             _ => Err(BadFile(problems)),
         }
@@ -125,17 +199,35 @@ impl Replay {
         {
             game.step(controls);
             watch(&game);
+            if let Some(second) = ended_second(&game)
+                && let Some(&recorded) = self.seconds.get(second - 1)
+                && recorded != game.hash()
+            {
+                return Ok(Err(Mismatch::Second(second, recorded, game.hash())));
+            }
         }
-        let (score, hash) = (game.result().score.total, game.hash());
-        let same = (score, hash) == (self.score, self.hash);
-        Ok(if same { Ok(()) } else { Err(Mismatch::End { score: (self.score, score), hash: (self.hash, hash) }) })
+        Ok(self.compare(&game))
+    }
+
+    /// Whether a game that was flown to its end came to what is recorded.
+    fn compare(&self, game: &Game) -> Result<(), Mismatch> {
+        let (result, hash) = (game.result(), game.hash());
+        let (score, outcome) = (result.score.total, result.outcome);
+        if (score, hash) != (self.score, self.hash) {
+            return Err(Mismatch::End { score: (self.score, score), hash: (self.hash, hash) });
+        }
+        let (recorded, time) = (self.time.map(thousandths), thousandths(result.time));
+        if self.outcome.is_some_and(|recorded| recorded != outcome) || recorded.is_some_and(|recorded| recorded != time) {
+            return Err(Mismatch::Result { outcome: (self.outcome, outcome), time: (recorded, time) });
+        }
+        Ok(())
     }
 }
 
 impl fmt::Display for Replay {
     /// The text of the file, which [`Replay::parse`] reads.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { program, level, level_hash, tick_rate, score, hash, inputs } = self;
+        let Self { program, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs } = self;
         if let Some(program) = program {
             writeln!(f, "# program: {program}")?;
         }
@@ -143,118 +235,18 @@ impl fmt::Display for Replay {
         if let Some(level_hash) = level_hash {
             writeln!(f, "# level_hash: {level_hash:016x}")?;
         }
-        write!(f, "# tick_rate: {tick_rate}\n# score: {score}\n# hash: {hash:016x}\n{inputs}")
-    }
-}
-
-/// The comments of a replay file.
-struct Notes<'a> {
-    file: &'a str,
-    /// Number, name and value of each line `# name: value`.
-    lines: Vec<(usize, (&'a str, &'a str))>,
-}
-
-impl<'a> Notes<'a> {
-    fn of(file: &'a str, text: &'a str) -> Self {
-        let note = |line: &'a str| {
-            let (key, value) = line.trim().trim_start_matches('\u{feff}').strip_prefix('#')?.split_once(':')?;
-            Some((key.trim(), value.trim()))
-        };
-        let lines = (1..).zip(text.lines()).filter_map(|(number, line)| Some((number, note(line)?)));
-        Self { file, lines: lines.collect() }
-    }
-
-    /// The first line `# name: value`, and its number.
-    fn line(&self, name: &str) -> Option<(usize, &str)> {
-        self.lines.iter().find(|(_, (key, _))| *key == name).map(|&(number, (_, value))| (number, value))
-    }
-
-    /// The value of a line that has to be there.
-    fn find<T: FromStr>(&self, name: &str, expected: &str, problems: &mut Vec<String>) -> Option<T> {
-        if self.line(name).is_none() {
-            problems.push(format!("{}:1: {name:?}: found no line \"# {name}: …\", expected {expected}", self.file));
+        writeln!(f, "# tick_rate: {tick_rate}")?;
+        if let Some(outcome) = outcome {
+            writeln!(f, "# outcome: {}", outcome.name())?;
         }
-        self.find_any(name, expected, problems)
-    }
-
-    /// The value of a line that may be missing.
-    fn find_any<T: FromStr>(&self, name: &str, expected: &str, problems: &mut Vec<String>) -> Option<T> {
-        let (line, value) = self.line(name)?;
-        let bad = |_| problems.push(format!("{}:{line}: {name:?}: found {value:?}, expected {expected}", self.file));
-        value.parse().map_err(bad).ok()
-    }
-}
-
-/// A level's name on its line: as it is, or in quotes where it would not come back whole.
-fn written(level: &str) -> String {
-    let plain =
-        level.trim() == level && !level.starts_with('"') && !level.chars().any(|c| c.is_control() || LINE_ENDS.contains(&c));
-    if plain { level.to_owned() } else { format!("{level:?}") }
-}
-
-/// What some programs take for the end of a line, besides control characters.
-const LINE_ENDS: [char; 2] = ['\u{2028}', '\u{2029}'];
-
-/// What [`written`] has written.
-struct LevelName(String);
-
-impl FromStr for LevelName {
-    type Err = ();
-
-    fn from_str(text: &str) -> Result<Self, ()> {
-        match text.strip_prefix('"') {
-            None if text.is_empty() => Err(()),
-            None => Ok(Self(text.to_owned())),
-            Some(rest) => unquoted(rest.strip_suffix('"').ok_or(())?).map(Self).ok_or(()),
+        if let Some(time) = time {
+            writeln!(f, "# time: {time}")?;
         }
-    }
-}
-
-/// The text between the quotes of its debug form; `None` where it is none.
-fn unquoted(text: &str) -> Option<String> {
-    let (mut name, mut rest) = (String::new(), text.chars());
-    while let Some(c) = rest.next() {
-        name.push(match (c, c == '\\') {
-            (_, true) => match rest.next()? {
-                'n' => '\n',
-                'r' => '\r',
-                't' => '\t',
-                '0' => '\0',
-                'u' => {
-                    let (digits, after) = rest.as_str().strip_prefix('{')?.split_once('}')?;
-                    rest = after.chars();
-                    char::from_u32(u32::from_str_radix(digits, 16).ok()?)?
-                }
-                plain @ ('\\' | '"' | '\'') => plain,
-                _ => return None,
-            },
-            ('"', false) => return None,
-            (plain, false) => plain,
-        });
-    }
-    Some(name)
-}
-
-/// A tick rate that a game can be given.
-struct TickRate(f64);
-
-impl FromStr for TickRate {
-    type Err = ();
-
-    fn from_str(text: &str) -> Result<Self, ()> {
-        text.parse().ok().filter(|rate| TICK_RATES.contains(rate)).map(Self).ok_or(())
-    }
-}
-
-/// 64 bits as 16 hex digits.
-struct Hex(u64);
-
-impl FromStr for Hex {
-    type Err = ();
-
-    fn from_str(text: &str) -> Result<Self, ()> {
-        let digits = text.len() == 16 && text.bytes().all(|byte| byte.is_ascii_hexdigit());
-        digits.then(|| u64::from_str_radix(text, 16).ok()).flatten().map(Self).ok_or(())
+        write!(f, "# score: {score}\n# hash: {hash:016x}\n")?;
+        for (second, hash) in (1..).zip(seconds) {
+            writeln!(f, "# hash {second}: {hash:016x}")?;
+        }
+        inputs.fmt(f)
     }
 }
 
@@ -271,15 +263,18 @@ mod tests {
             level: "up: and away".into(),
             level_hash: Some(0x1f),
             tick_rate: 59.94,
+            outcome: Some(Outcome::Completed),
+            time: Some(5.25),
             score: 17_342,
             hash: 0xabc,
+            seconds: vec![1, 2],
             inputs,
         }
     }
 
     #[test]
     fn a_record_from_before_levels_had_hashes_is_read() {
-        let old = Replay { program: None, level_hash: None, ..replay() };
+        let old = Replay { program: None, level_hash: None, outcome: None, time: None, seconds: vec![], ..replay() };
         let text = old.to_string();
         assert!(text.starts_with("# level: up: and away\n# tick_rate: 59.94\n# score: 17342\n"), "{text}");
         assert_eq!(Replay::parse("run.csv", &text), Ok(old));
@@ -304,7 +299,7 @@ mod tests {
         ] {
             let named = Replay { level: name.into(), ..replay() };
             let text = named.to_string();
-            assert_eq!(text.lines().count(), 8, "{text}");
+            assert_eq!(text.lines().count(), 12, "{text}");
             assert_eq!(Replay::parse("run.csv", &text), Ok(named), "{text}");
         }
         for line in ["", "\"", "\"a", "\"a\"b\"", "\"\\q\"", "\"\\u{}\"", "\"\\u{d800}\"", "\"\\"] {
@@ -319,6 +314,24 @@ mod tests {
         assert_eq!(Replay::parse("run.csv", &text), Ok(replay()));
         assert_eq!(Replay::parse("run.csv", &format!("\u{feff}{}", text.replace('\n', "\r\n"))), Ok(replay()));
         assert_eq!(Inputs::parse("run.csv", &text), Ok(replay().inputs));
+    }
+
+    #[test]
+    fn no_second_is_left_out() {
+        let told = |text: String| Replay::parse("run.csv", &text).unwrap_err().0;
+        let text = replay().to_string();
+        assert_eq!(told(text.replace("# hash 1:", "# hash 3:")), [r#"run.csv:9: found "hash 3", expected "hash 1""#]);
+        assert_eq!(
+            told(text.replace("# hash 2: 000", "# hash 2: ")),
+            [r#"run.csv:10: "hash 2": found "0000000000002", expected 16 hex digits"#]
+        );
+        assert_eq!(
+            told(text.replace("completed", "won").replace("5.25", "-5")),
+            [
+                r#"run.csv:5: "outcome": found "won", expected completed, failed or running"#,
+                r#"run.csv:6: "time": found "-5", expected seconds, 0 or more"#,
+            ]
+        );
     }
 
     #[test]

@@ -72,6 +72,8 @@ pub struct RunResult {
     pub objectives_all: usize,
     /// Damaging collisions.
     pub collisions: u32,
+    /// Pushes of objects by the ship: touches of one that are less than half a second apart are one.
+    pub pushes: u32,
     /// Fraction of the fuel left, 0 … 1; 0 where the level gives none.
     pub fuel: f64,
     /// Fuel units used.

@@ -6,6 +6,7 @@
 //! together, `strength`, `placement` and `reach` look at the whole. All of that is pure: [`read()`] asks [`Files`] for bytes. Only `folder`
 //! knows the disk: [`load`] and [`list`].
 
+mod awards;
 mod cells;
 mod folder;
 mod image;
@@ -21,6 +22,7 @@ mod table;
 mod types;
 mod world_def;
 
+pub use awards::{Awards, Mark};
 pub use folder::{list, load};
 pub use image::read_picture;
 pub use name::{NameFault, judge_name};

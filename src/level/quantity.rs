@@ -39,7 +39,7 @@ pub(super) const METRE: Quantity = Quantity::new(1e-3, 1e6, "pixels a metre");
 pub(super) const REST_SPEED: Quantity = Quantity::new(0.0, 1e6, "m/s");
 
 impl Quantity {
-    const fn new(low: f64, high: f64, unit: &'static str) -> Self {
+    pub const fn new(low: f64, high: f64, unit: &'static str) -> Self {
         Self { low, high, unit }
     }
 

@@ -1,5 +1,6 @@
 //! A level folder's files, put together: a valid level, or everything that is wrong with it.
 
+use super::awards::{self, Awards};
 use super::image::{Images, png_size};
 use super::placement;
 use super::problem::{Problem, quoted};
@@ -92,6 +93,7 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
             air_density: constants.air_density,
             optimal_time: constants.optimal_time,
             rest_speed: constants.rest_speed,
+            awards: constants.awards,
             player: player.item.clone(),
             world: items(draft.world),
             objects: items(draft.objects),
@@ -112,6 +114,7 @@ struct Constants {
     air_density: f64,
     optimal_time: f64,
     rest_speed: f64,
+    awards: Awards,
     title: Option<String>,
     width: Option<f64>,
     height: Option<f64>,
@@ -120,6 +123,11 @@ struct Constants {
 }
 
 const CONSTANT_NAMES: [&str; 8] = ["gravity", "air_density", "optimal_time", "title", "metre", "rest_speed", "width", "height"];
+
+/// All that constants.csv can name.
+fn constant_names() -> impl Iterator<Item = &'static str> {
+    CONSTANT_NAMES.into_iter().chain(awards::SETTINGS.map(|(name, _)| name))
+}
 
 struct Reader<'a> {
     files: &'a dyn Files,
@@ -163,9 +171,9 @@ impl Reader<'_> {
         for record in self.table(rows::CONSTANTS).records {
             let row: ConstantRow = record.row();
             let Some(name) = record.words(cell!(row.name), &mut self.problems) else { continue };
-            let known = CONSTANT_NAMES.into_iter().find(|known| known.eq_ignore_ascii_case(&name));
+            let known = constant_names().find(|known| known.eq_ignore_ascii_case(&name));
             let Some(known) = known else {
-                let expected = format!("one of {}", CONSTANT_NAMES.join(", "));
+                let expected = format!("one of {}", constant_names().collect::<Vec<_>>().join(", "));
                 self.warnings.push(record.problem("name", format!("the unknown constant {}", quoted(&name)), expected));
                 continue;
             };
@@ -180,12 +188,15 @@ impl Reader<'_> {
         let metre = self.constant(find("metre"), "metre", q::METRE).unwrap_or(metre);
         self.scale = Scale { metre };
         let size = self.scale.size();
+        let awards = awards::SETTINGS.map(|(name, quantity)| Some((name, find(name)?, self.constant(find(name), name, quantity)?)));
+        let awards = Awards::of(&awards.into_iter().flatten().collect::<Vec<_>>(), &mut self.problems);
         let mut constant = |name: &str, quantity: Quantity| self.constant(find(name), name, quantity);
         Constants {
             gravity: constant("gravity", q::GRAVITY).unwrap_or(15.0),
             air_density: constant("air_density", q::DENSITY).unwrap_or(1.2041),
             optimal_time: constant("optimal_time", q::OPTIMAL_TIME).unwrap_or(60.0),
             rest_speed: constant("rest_speed", q::REST_SPEED).unwrap_or(0.0),
+            awards,
             title: find("title").and_then(value).filter(|title| !title.is_empty()),
             width: constant("width", size),
             height: constant("height", size),

@@ -1,5 +1,6 @@
 //! A level as the rest of the game knows it: in metres, checked, ready to play.
 
+use super::awards::Awards;
 use crate::physics::{Aabb, DVec2, Material};
 
 /// The ship's height, m: it fixes the scale.
@@ -30,6 +31,8 @@ pub struct Level {
     pub optimal_time: f64,
     /// m/s.
     pub rest_speed: f64,
+    /// What its medals ask for.
+    pub awards: Awards,
     /// The ship.
     pub player: Player,
     /// Solid, immovable rectangles.

@@ -20,4 +20,4 @@ pub use disk::Rescue;
 pub use error::{Damage, ScoresError};
 pub use folder::{Loaded, PATIENCE, Saved, Scores};
 pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};
-pub use players::{Deed, Medal, Player, Players};
+pub use players::{Deed, Player, Players};

@@ -1,15 +1,16 @@
 //! What each player has done, and the text of the file that keeps it.
 //!
 //! ```text
-//! player,level,time
-//! ann,,
-//! ann,1,5.483
-//! ann,2,
-//! bob,,
+//! player,level,time,medal,mark
+//! ann,,,,
+//! ann,1,5.483,gold,TRUE
+//! ann,2,,bronze,
+//! bob,,,,
 //! ```
 //!
-//! A row without a level says that there is such a player; a row with one says that they have completed it, and how fast at best, if ever
-//! without help. Who was chosen last comes first. What cannot be a row becomes a [`Damage`] and spoils none of the others.
+//! A row without a level says that there is such a player; a row with one says that they have completed it, how fast at best, if ever
+//! without help, and what it has brought them. What was earned stays, whatever the level asks for later. Files of before there were medals
+//! have the first three columns: what is done is bronze. Who was chosen last comes first. What cannot be a row becomes a [`Damage`] and spoils none of the others.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -21,25 +22,30 @@ use serde::{Deserialize, Serialize};
 
 use super::error::Report;
 use super::{Damage, Name, records};
+use crate::game::{Medal, Medals};
 
 /// The columns of the file, which are its first row.
-const HEADER: [&str; 3] = ["player", "level", "time"];
+const HEADER: [&str; 5] = ["player", "level", "time", "medal", "mark"];
+/// How many of them there were before there were medals.
+const OLD_COLUMNS: usize = 3;
 /// Thousandths of a second: more than any two ticks of the game need to be told apart.
 const STEPS: f64 = 1000.0;
 
-/// What a level has brought a player.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Medal {
-    /// It is done.
-    Bronze,
+/// What a player has of a level that is done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Done {
+    /// The best time without help, s.
+    time: Option<f64>,
+    medal: Medal,
+    mark: bool,
 }
 
 /// One player.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Player {
     name: Name,
-    /// The levels that are done, each with the best time without help, s.
-    done: BTreeMap<String, Option<f64>>,
+    /// The levels that are done.
+    done: BTreeMap<String, Done>,
 }
 
 impl Player {
@@ -55,12 +61,12 @@ impl Player {
 
     /// The best time in a level without help, s; `None` where there is none.
     pub fn best(&self, level: &str) -> Option<f64> {
-        self.done.get(level).copied().flatten()
+        self.done.get(level).and_then(|done| done.time)
     }
 
-    /// What a level has brought; `None` until it is done.
-    pub fn medal(&self, level: &str) -> Option<Medal> {
-        self.done.contains_key(level).then_some(Medal::Bronze)
+    /// What a level has brought; nothing until it is done.
+    pub fn medals(&self, level: &str) -> Medals {
+        self.done.get(level).map_or_else(Medals::default, |done| Medals { medal: Some(done.medal), mark: done.mark })
     }
 
     /// How many levels are done.
@@ -68,12 +74,10 @@ impl Player {
         self.done.len()
     }
 
-    fn complete(&mut self, level: &str, time: Option<f64>) {
-        let best = self.done.entry(level.to_owned()).or_insert(time);
-        *best = match (*best, time) {
-            (Some(best), Some(time)) => Some(best.min(time)),
-            (best, time) => best.or(time),
-        };
+    fn complete(&mut self, level: &str, new: Done) {
+        let done = self.done.entry(level.to_owned()).or_insert(new);
+        let time = done.time.into_iter().chain(new.time).reduce(f64::min);
+        *done = Done { time, medal: done.medal.max(new.medal), mark: done.mark || new.mark };
     }
 }
 
@@ -90,6 +94,8 @@ pub enum Deed {
         level: String,
         /// s, 0 or more and finite; `None` for a flight with help, whose time does not count.
         time: Option<f64>,
+        /// What the flight earned; bronze at least.
+        medals: Medals,
     },
 }
 
@@ -117,9 +123,11 @@ impl Players {
                 let index = self.index(name);
                 self.players[..=index].rotate_right(1);
             }
-            Deed::Done { player, level, time } => {
+            Deed::Done { player, level, time, medals } => {
                 if time.is_none_or(|time| time.is_finite() && time >= 0.0) {
-                    self.player(player).complete(level, time.map(|time| (time * STEPS).round() / STEPS));
+                    let time = time.map(|time| (time * STEPS).round() / STEPS);
+                    let medal = medals.medal.unwrap_or(Medal::Bronze);
+                    self.player(player).complete(level, Done { time, medal, mark: medals.mark });
                 }
             }
         }
@@ -147,6 +155,8 @@ struct Cells<'a> {
     level: Cow<'a, str>,
     #[serde(borrow)]
     time: Cow<'a, str>,
+    medal: &'a str,
+    mark: &'a str,
 }
 
 /// The players that stand in `bytes`, and every place that could not be read. `path` is only named in those.
@@ -155,12 +165,18 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> (Players, Vec<Damage>) {
     let mut damage = Report::of(path);
     for (index, (line, record)) in records::read(bytes).into_iter().enumerate() {
         match record {
-            Ok(record) if index == 0 && record.iter().map(str::trim).eq(HEADER) => {}
+            Ok(record) if index == 0 && is_header(&record) => {}
             Ok(record) => row(&mut players, line, record, &mut damage),
             Err(fault) => damage.fault(line, fault),
         }
     }
     (players, damage.into_all())
+}
+
+/// Whether a row names the columns, those of today or those of before there were medals.
+fn is_header(record: &StringRecord) -> bool {
+    let used = record.iter().map(str::trim).filter(|cell| !cell.is_empty());
+    used.clone().eq(HEADER) || used.eq(HEADER.into_iter().take(OLD_COLUMNS))
 }
 
 /// Takes in one row. Spreadsheets leave empty cells at its end or cut them off.
@@ -171,13 +187,14 @@ fn row(players: &mut Players, line: usize, mut record: StringRecord, damage: &mu
     }
     record.truncate(used);
     (used..HEADER.len()).for_each(|_| record.push_field(""));
-    let Ok(Cells { player, level, time }) = record.deserialize(None) else { return };
+    let Ok(Cells { player, level, time, medal, mark }) = record.deserialize(None) else { return };
     let Some(name) = damage.name(line, HEADER[0], player.trim()) else { return };
-    let (level, time) = (unharmed(level.trim()), time.trim());
+    let (level, time, medal, mark) = (unharmed(level.trim()), time.trim(), medal.trim(), mark.trim());
     let seconds = seconds(time);
     if level.is_empty() {
-        if !time.is_empty() {
-            damage.add(line, Some("level"), "nothing beside a time", "expected a level's name");
+        let beside = [("time", time), ("medal", medal), ("mark", mark)].into_iter().find(|(_, cell)| !cell.is_empty());
+        if let Some((what, _)) = beside {
+            damage.add(line, Some("level"), format!("nothing beside a {what}"), "expected a level's name");
         } else {
             players.player(&name);
         }
@@ -186,11 +203,21 @@ fn row(players: &mut Players, line: usize, mut record: StringRecord, damage: &mu
     if seconds.is_none() && !time.is_empty() {
         return damage.add(line, Some("time"), format!("{time:?}"), "expected seconds such as 12.5, 0 or more, or nothing");
     }
-    if players.get(&name).is_some_and(|player| player.medal(level).is_some()) {
+    let medal = match Medal::ALL.into_iter().find(|known| known.name().eq_ignore_ascii_case(medal)) {
+        Some(medal) => medal,
+        None if medal.is_empty() => Medal::Bronze,
+        None => return damage.add(line, Some("medal"), format!("{medal:?}"), "expected bronze, silver, gold or nothing"),
+    };
+    let mark = match mark.to_ascii_uppercase().as_str() {
+        "TRUE" => true,
+        "FALSE" | "" => false,
+        _ => return damage.add(line, Some("mark"), format!("{mark:?}"), "expected TRUE, FALSE or nothing"),
+    };
+    if players.get(&name).is_some_and(|player| player.medals(level).medal.is_some()) {
         let found = format!("\"{name}\" in level {level:?} again");
-        damage.add(line, Some("level"), found, "expected one row a player and level: the shorter time counts");
+        damage.add(line, Some("level"), found, "expected one row a player and level: the best of both counts");
     }
-    players.player(&name).complete(level, seconds);
+    players.player(&name).complete(level, Done { time: seconds, medal, mark });
 }
 
 /// A time cell: a plain number of seconds; `None` for anything else.
@@ -208,10 +235,11 @@ pub(super) fn write(players: &Players) -> io::Result<Vec<u8>> {
     writer.write_record(HEADER)?;
     for Player { name, done } in &players.players {
         let player = name.as_str();
-        writer.serialize(Cells { player, level: "".into(), time: "".into() })?;
-        for (level, time) in done {
+        writer.serialize(Cells { player, level: "".into(), time: "".into(), medal: "", mark: "" })?;
+        for (level, Done { time, medal, mark }) in done {
             let time = time.map(|time| format!("{time:.3}")).unwrap_or_default();
-            writer.serialize(Cells { player, level: harmless(level), time: time.into() })?;
+            let (medal, mark) = (medal.name().to_ascii_lowercase(), if *mark { "TRUE" } else { "" });
+            writer.serialize(Cells { player, level: harmless(level), time: time.into(), medal: &medal, mark })?;
         }
     }
     writer.into_inner().map_err(|error| error.into_error())
@@ -236,7 +264,11 @@ mod tests {
     }
 
     fn done(player: &str, level: &str, time: f64) -> Deed {
-        Deed::Done { player: name(player), level: level.to_owned(), time: Some(time) }
+        Deed::Done { player: name(player), level: level.to_owned(), time: Some(time), medals: Medals::default() }
+    }
+
+    fn earned(player: &str, medal: Medal, mark: bool) -> Deed {
+        Deed::Done { player: name(player), level: "fast".to_owned(), time: Some(9.0), medals: Medals { medal: Some(medal), mark } }
     }
 
     fn reading(text: &str) -> (String, Vec<String>) {
@@ -254,7 +286,9 @@ mod tests {
             done("ann", "=cmd", 2.0),
             done("ann", "'quoted'", 2.0),
             done("ann", "a, \"b\"", 2.5),
-            Deed::Done { player: name("ann"), level: "helped".into(), time: None },
+            Deed::Done { player: name("ann"), level: "helped".into(), time: None, medals: Medals::default() },
+            earned("ann", Medal::Silver, true),
+            earned("ann", Medal::Gold, false),
             Deed::Chosen(name("bob")),
         ] {
             players.apply(&deed);
@@ -262,7 +296,10 @@ mod tests {
         let text = String::from_utf8(write(&players).unwrap()).unwrap();
         assert_eq!(
             text,
-            "player,level,time\nbob,,\nann,,\nann,''quoted',2.000\nann,1,5.483\nann,'=cmd,2.000\nann,\"a, \"\"b\"\"\",2.500\nann,helped,\n"
+            concat!(
+                "player,level,time,medal,mark\nbob,,,,\nann,,,,\nann,''quoted',2.000,bronze,\nann,1,5.483,bronze,\nann,'=cmd,2.000,bronze,\n",
+                "ann,\"a, \"\"b\"\"\",2.500,bronze,\nann,fast,9.000,gold,TRUE\nann,helped,,bronze,\n"
+            )
         );
         assert_eq!(read(Path::new("players.csv"), text.as_bytes()), (players, vec![]));
     }
@@ -274,7 +311,10 @@ mod tests {
             players.apply(&deed);
         }
         let ann = players.get(&name("ann")).unwrap();
-        assert_eq!((ann.best("1"), ann.medal("1"), ann.medal("2"), ann.done()), (Some(7.0), Some(Medal::Bronze), None, 1));
+        assert_eq!(
+            (ann.best("1"), ann.medals("1").medal, ann.medals("2").medal, ann.done()),
+            (Some(7.0), Some(Medal::Bronze), None, 1)
+        );
         assert!(players.get(&name("bob")).is_none(), "nothing that is no time is written down");
     }
 
@@ -290,7 +330,10 @@ mod tests {
     #[test]
     fn what_editors_do_to_a_file_is_no_damage() {
         let (written, damage) = reading("\u{feff}player,level,time\r\n\r\n ann , 1 , 7 \r\nbob\r\n");
-        assert_eq!((written.as_str(), damage.len()), ("player,level,time\nann,,\nann,1,7.000\nbob,,\n", 0));
+        assert_eq!((written.as_str(), damage.len()), ("player,level,time,medal,mark\nann,,,,\nann,1,7.000,bronze,\nbob,,,,\n", 0));
+        let (written, damage) = reading("player,level,time,medal,mark,\r\nann,1,7,Gold,true,\r\nann,2,,,\r\n");
+        assert_eq!(written, "player,level,time,medal,mark\nann,,,,\nann,1,7.000,gold,TRUE\nann,2,,bronze,\n");
+        assert_eq!(damage.len(), 0, "{damage:?}");
     }
 
     #[test]
@@ -304,16 +347,19 @@ mod tests {
             ("bob,1,-5", "players.csv:3: column \"time\": \"-5\", expected seconds such as 12.5, 0 or more, or nothing"),
             ("bob,1,inf", "players.csv:3: column \"time\": \"inf\", expected seconds such as 12.5, 0 or more, or nothing"),
             ("bob,,5", "players.csv:3: column \"level\": nothing beside a time, expected a level's name"),
-            ("bob,1,5,x", "players.csv:3: 4 cells, expected at most 3: player,level,time"),
+            ("bob,,,gold", "players.csv:3: column \"level\": nothing beside a medal, expected a level's name"),
+            ("bob,1,5,x", "players.csv:3: column \"medal\": \"x\", expected bronze, silver, gold or nothing"),
+            ("bob,1,5,gold,x", "players.csv:3: column \"mark\": \"x\", expected TRUE, FALSE or nothing"),
+            ("bob,1,5,gold,TRUE,x", "players.csv:3: 6 cells, expected at most 5: player,level,time,medal,mark"),
             (
                 "ann,1,9",
-                "players.csv:3: column \"level\": \"ann\" in level \"1\" again, expected one row a player and level: the shorter time counts",
+                "players.csv:3: column \"level\": \"ann\" in level \"1\" again, expected one row a player and level: the best of both counts",
             ),
             ("\"bob,1,5", "players.csv:3: a quotation mark that is never closed, expected a second one at the end of its cell"),
         ] {
             let (written, damage) = reading(&format!("player,level,time\nann,1,7\n{line}\ncid,2,8\n"));
             assert_eq!(damage, [report], "{line}");
-            assert!(written.contains("ann,1,7.000\n") && written.contains("cid,2,8.000\n"), "{written}");
+            assert!(written.contains("ann,1,7.000,bronze,\n") && written.contains("cid,2,8.000,bronze,\n"), "{written}");
         }
     }
 }

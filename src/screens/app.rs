@@ -10,8 +10,9 @@ use super::{
     Players, Purpose, Request, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Way, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
-use crate::game::{Outcome, RunResult};
-use crate::scores::{Name, PATIENCE, Placement, Saved, Scores, ScoresError};
+use crate::game::{Medals, Outcome, RunResult};
+use crate::level::Awards;
+use crate::scores::{Board, Name, PATIENCE, Placement, Saved, Scores, ScoresError};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
 use std::path::PathBuf;
@@ -232,11 +233,12 @@ impl App {
     }
 
     fn level_select(&self, purpose: Purpose) -> LevelSelect {
-        let entry = |name: String| Entry {
-            level: self.library.load(&name).map(|level| (level.title.clone(), Miniature::of(&level))),
-            best: self.journal.best(&name),
-            medal: self.journal.medal(&name),
-            name,
+        let entry = |name: String| {
+            let (level, best) = (self.library.load(&name), self.journal.best(&name));
+            let awards = level.as_ref().map_or_else(|_| Awards::default(), |level| level.awards);
+            let medals = self.journal.medals(&name).with_best(&awards, best);
+            let level = level.map(|level| (level.title.clone(), Miniature::of(&level)));
+            Entry { level, best, awards, medals, name }
         };
         let mut screen = LevelSelect::new(purpose, self.library.names().into_iter().map(entry).collect());
         if let Some(name) = &self.last_level {
@@ -346,7 +348,16 @@ impl App {
             self.choose(name.clone(), true);
         }
         let fresh = Fresh { name, remark };
-        Ok(Screen::Leaderboard(Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.ways)))
+        let medals = self.medals(&gain.board, &board);
+        Ok(Screen::Leaderboard(Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.ways).with_medals(medals)))
+    }
+
+    /// What a level has brought each of those on its board.
+    fn medals(&self, level: &str, board: &Board) -> Vec<Medals> {
+        let awards = self.library.load(level).map_or_else(|_| Awards::default(), |level| level.awards);
+        let player = |name: &Name| self.journal.players().get(name);
+        let medals = |name: &Name| player(name).map(|player| player.medals(level).with_best(&awards, player.best(level)));
+        board.rows().iter().map(|row| medals(&row.name).unwrap_or_default()).collect()
     }
 
     fn leaderboard(&mut self, level: &str) -> Screen {
@@ -361,7 +372,8 @@ impl App {
             Ok(loaded) => {
                 let damage = (!loaded.damage.is_empty()).then(|| damage_text(&loaded.damage));
                 let ways = vec![Way { label: "Back", to: back }];
-                Screen::Leaderboard(Leaderboard::new(subject, loaded.board, None, damage, ways))
+                let medals = self.medals(level, &loaded.board);
+                Screen::Leaderboard(Leaderboard::new(subject, loaded.board, None, damage, ways).with_medals(medals))
             }
             Err(error) => {
                 let mut screen = self.level_select(Purpose::Leaderboard);
@@ -381,7 +393,7 @@ fn whose(player: &Name) -> &str {
 fn menu(library: &Library, journal: &Journal, seed: u64) -> Screen {
     let names = library.names();
     let playable = |name: &String| Some((name.clone(), library.load(name).ok()?.title.clone()));
-    let open = names.iter().filter(|name| journal.medal(name).is_none()).find_map(playable);
+    let open = names.iter().filter(|name| journal.medals(name).medal.is_none()).find_map(playable);
     let next = open.or_else(|| names.iter().find_map(playable));
     let (player, trouble) = (journal.current().clone(), journal.trouble().map(str::to_owned));
     Screen::Menu(Box::new(Menu::new(Facts { next, player, trouble }, seed)))

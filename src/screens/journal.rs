@@ -1,8 +1,8 @@
 //! Who plays, and what they have done: known at once, and on disk as soon as that can be, without holding up a frame.
 
 use super::scoring::precise;
-use crate::game::{Game, Outcome};
-use crate::scores::{AttemptRow, Damage, Deed, Medal, Name, PATIENCE, Player, Players, Rescue, Scores, ScoresError};
+use crate::game::{Game, Medals, Outcome, RunResult};
+use crate::scores::{AttemptRow, Damage, Deed, Name, PATIENCE, Player, Players, Rescue, Scores, ScoresError};
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -83,8 +83,8 @@ impl Journal {
     }
 
     /// What a level has brought whoever plays.
-    pub fn medal(&self, level: &str) -> Option<Medal> {
-        self.player().and_then(|player| player.medal(level))
+    pub fn medals(&self, level: &str) -> Medals {
+        self.player().map(|player| player.medals(level)).unwrap_or_default()
     }
 
     /// What went wrong with writing or reading, while it does.
@@ -97,8 +97,8 @@ impl Journal {
         self.apply(Deed::Chosen(name.clone()));
         if named && self.current.is_guest() {
             for deed in std::mem::take(&mut self.by_guest) {
-                if let Deed::Done { level, time, .. } = deed {
-                    self.apply(Deed::Done { player: name.clone(), level, time });
+                if let Deed::Done { level, time, medals, .. } = deed {
+                    self.apply(Deed::Done { player: name.clone(), level, time, medals });
                 }
             }
         }
@@ -122,7 +122,8 @@ impl Journal {
         let mut brought = game.result().death.map_or(LOST.to_owned(), |death| format!("{death}. {LOST}"));
         if game.outcome() == Outcome::Completed {
             let before = self.best(&level);
-            let deed = Deed::Done { player: player.clone(), level: level.clone(), time: (!assisted).then_some(time) };
+            let medals = Medals::of(&game.level().awards, &RunResult { assisted, ..game.result() });
+            let deed = Deed::Done { player: player.clone(), level: level.clone(), time: (!assisted).then_some(time), medals };
             if player.is_guest() {
                 self.by_guest.push(deed.clone());
             }

@@ -2,6 +2,7 @@
 
 use super::scroll::{Bar, Scroll, bar_beside};
 use super::{Buttons, Input, Key, Request};
+use crate::game::Medals;
 use crate::scores::{Board, Name};
 use crate::view::layout::{Area, Frame, Vec2};
 
@@ -46,6 +47,8 @@ pub struct Fresh {
 pub struct Leaderboard {
     subject: String,
     board: Board,
+    /// What the level has brought each of them, row by row; none where that is not known.
+    medals: Vec<Medals>,
     /// The row just saved.
     saved: Option<usize>,
     /// What is wrong with the scores file.
@@ -64,12 +67,23 @@ impl Leaderboard {
         let saved = fresh.as_ref().and_then(|fresh| board.rank(&fresh.name)).map(|rank| rank - 1);
         let remark = fresh.and_then(|fresh| fresh.remark);
         let (scroll, buttons) = (Scroll::of_pages(), Buttons::default());
-        let mut screen = Self { subject, board, saved, damage, remark, scroll, ways, buttons };
+        let mut screen = Self { subject, board, medals: Vec::new(), saved, damage, remark, scroll, ways, buttons };
         screen.place(&Frame::default());
         if let Some(row) = saved {
             screen.scroll.show(row);
         }
         screen
+    }
+
+    /// The same with what the level has brought each of them, row by row.
+    #[must_use]
+    pub fn with_medals(self, medals: Vec<Medals>) -> Self {
+        Self { medals, ..self }
+    }
+
+    /// What the level has brought whoever is in a row.
+    pub fn medals(&self, row: usize) -> Medals {
+        self.medals.get(row).copied().unwrap_or_default()
     }
 
     /// One frame.
@@ -157,10 +171,14 @@ fn panel(frame: &Frame) -> Area {
 #[cfg(feature = "window")]
 mod drawing {
     use super::{HEAD, Leaderboard, PAGE, ROW, panel};
+    use crate::level::Awards;
     use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, HEADING, TEXT, Vec2};
-    use crate::view::{theme, widgets};
+    use crate::view::{medals, theme, widgets};
 
+    /// Where the medals stand, from the panel's left edge, and how large they are.
+    const MEDALS: f32 = 480.0;
+    const RADIUS: f32 = 12.0;
     /// Where the columns stand, from the panel's left edge: rank (its right end), name, score (its right end).
     const COLUMNS: [f32; 3] = [96.0, 144.0, 664.0];
 
@@ -210,6 +228,8 @@ mod drawing {
                 let style = Style::new(TEXT, colour).mono().middle();
                 canvas.text(&(index + 1).to_string(), column(0, y), style.right());
                 canvas.text(row.name.as_str(), column(1, y), style);
+                let first = Vec2::new(panel.min.x + MEDALS, y);
+                medals::draw_earned(canvas, self.medals(index), &Awards::default(), first, RADIUS);
                 canvas.text(&row.score.to_string(), column(2, y), style.right());
             }
             if let Some(bar) = self.scroll.bar() {

@@ -2,7 +2,8 @@
 
 use super::library::Refusal;
 use super::{Buttons, Input, Key, Miniature, Problems, Request};
-use crate::scores::Medal;
+use crate::game::Medals;
+use crate::level::Awards;
 use crate::view::layout::{Area, Frame, GAP, ROW_BUTTON, Vec2};
 
 /// Levels a page.
@@ -38,8 +39,10 @@ pub struct Entry {
     pub level: Result<(String, Miniature), Refusal>,
     /// The best time of whoever plays without help, s; `None` where there is none.
     pub best: Option<f64>,
+    /// What its medals ask for.
+    pub awards: Awards,
     /// What it has brought whoever plays.
-    pub medal: Option<Medal>,
+    pub medals: Medals,
 }
 
 /// The grid of levels.
@@ -272,13 +275,16 @@ mod drawing {
                 let named = if *title == entry.name { title.clone() } else { format!("{} · {title}", entry.name) };
                 let sizes: &[f32] = if area.size.x > 400.0 { &[BUTTON_TEXT, TEXT, DETAILS] } else { &[TEXT, DETAILS] };
                 fitted(&named, 0.9, sizes, theme::text());
-                match entry.medal {
-                    Some(medal) => {
+                match entry.medals.medal {
+                    Some(_) => {
                         let (style, at) = (Style::new(TEXT, theme::text()).mono().middle(), middle(1.95));
                         let time = entry.best.map_or("with help".to_owned(), precise);
                         let width = canvas.width(&time, style);
-                        canvas.text(&time, Vec2::new(at.x - width / 2.0 + 16.0, at.y), style);
-                        medals::draw(canvas, medal, Vec2::new(at.x - width / 2.0 - 4.0, at.y), 11.0);
+                        // The medals go before the time, and all of it stands in the middle.
+                        let room = 28.0 * medals::offered(&entry.awards) as f32;
+                        let left = at.x - (room + width) / 2.0;
+                        canvas.text(&time, Vec2::new(left + room + 2.0, at.y), style);
+                        medals::draw_earned(canvas, entry.medals, &entry.awards, Vec2::new(left + 11.0, at.y), 11.0);
                     }
                     None => fitted("not done yet", 1.95, &[TEXT, DETAILS], theme::quiet()),
                 }

@@ -2,7 +2,7 @@
 
 use super::leaderboard::{Way, subject};
 use super::{Attempt, Buttons, Gain, Input, Key, Request};
-use crate::game::{Outcome, RunResult};
+use crate::game::{Goal, Outcome, RunResult, goals};
 use crate::settings::Action;
 use crate::view::layout::ROW_BUTTON;
 
@@ -186,6 +186,11 @@ impl Scoring {
         ]
     }
 
+    /// What the level offers, and how the flight stands to each.
+    pub fn goals(&self) -> Vec<Goal> {
+        goals(&self.attempt.level.awards, &self.result)
+    }
+
     /// How efficient the solution was: label, value and unit.
     pub fn efficiency(&self) -> [(&'static str, String, &'static str); 4] {
         let result = &self.result;
@@ -224,13 +229,21 @@ mod drawing {
     use super::{Effect, Scoring};
     use crate::game::Outcome;
     use crate::view::canvas::{Canvas, Style};
-    use crate::view::layout::{Area, BUTTON_TEXT, HEADING, TEXT, Vec2};
-    use crate::view::{theme, widgets};
+    use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
+    use crate::view::{medals, theme, widgets};
 
     /// The panel and where its columns stand, from its left edge.
     const PANEL: Vec2 = Vec2::new(880.0, 248.0);
     const COLUMNS: [f32; 3] = [24.0, 400.0, 424.0];
     const ROW: f32 = 44.0;
+    /// From one panel to the next.
+    const BETWEEN: f32 = 10.0;
+    /// The panels of the medals and of the figures, and from row to row of the latter.
+    const MEDALS: f32 = 68.0;
+    const FIGURES: f32 = 96.0;
+    const FIGURE: f32 = 40.0;
+    /// A medal, and from its edge to its words.
+    const RADIUS: f32 = 18.0;
 
     impl Scoring {
         /// Draws the score and its parts.
@@ -240,13 +253,13 @@ mod drawing {
             let completed = self.result.outcome == Outcome::Completed;
             let (heading, colour) = if completed { ("Level complete", theme::good()) } else { ("Attempt lost", theme::bad()) };
             let middle = size.x / 2.0;
-            canvas.text(heading, Vec2::new(middle, 64.0), Style::new(HEADING, colour).centred().middle());
+            canvas.text(heading, Vec2::new(middle, 44.0), Style::new(HEADING, colour).centred().middle());
             let quiet = Style::new(TEXT, theme::quiet()).middle();
             let level = &self.attempt.level;
             let title = if level.title == level.name { format!("Level {}", level.name) } else { level.title.clone() };
-            canvas.text(&title, Vec2::new(middle, 108.0), quiet.centred());
+            canvas.text(&title, Vec2::new(middle, 88.0), quiet.centred());
 
-            let top = ((size.y - 720.0) / 2.0).max(0.0) + 144.0;
+            let top = ((size.y - 720.0) / 2.0).max(0.0) + 116.0;
             let panel = Area::new((size.x - PANEL.x) / 2.0, top, PANEL.x, PANEL.y);
             widgets::panel(canvas, panel);
             let column = |i: usize| panel.min.x + COLUMNS[i];
@@ -270,22 +283,48 @@ mod drawing {
             canvas.text("Score", Vec2::new(column(0), y), total);
             canvas.text(&self.result.score.total.to_string(), Vec2::new(right, y), total.mono().right());
 
-            let second = Area::new(panel.min.x, panel.max().y + 16.0, PANEL.x, 112.0);
+            let offers = Area::new(panel.min.x, panel.max().y + BETWEEN, PANEL.x, MEDALS);
+            widgets::panel(canvas, offers);
+            self.draw_goals(canvas, offers);
+
+            let second = Area::new(panel.min.x, offers.max().y + BETWEEN, PANEL.x, FIGURES);
             widgets::panel(canvas, second);
             for (i, (label, value, unit)) in self.efficiency().iter().enumerate() {
                 let left = second.min.x + if i % 2 == 0 { 24.0 } else { PANEL.x / 2.0 + 24.0 };
-                let y = second.min.y + 34.0 + (i / 2) as f32 * ROW;
+                let y = second.min.y + 28.0 + (i / 2) as f32 * FIGURE;
                 canvas.text(label, Vec2::new(left, y), quiet);
                 let number = Style::new(TEXT, theme::text()).mono().middle();
                 canvas.text(value, Vec2::new(left + 312.0, y), number.right());
                 canvas.text(unit, Vec2::new(left + 324.0, y), quiet);
             }
-            let at = Vec2::new(middle, second.max().y + 32.0);
+            let at = Vec2::new(middle, second.max().y + 30.0);
             widgets::fitted(canvas, &self.remark, at, size.x - 64.0, &[TEXT], theme::quiet());
             for (i, press) in self.presses.iter().enumerate() {
                 let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
                 if let Some(area) = self.buttons.areas().get(i) {
                     widgets::button(canvas, *area, press.label(), hover, focus);
+                }
+            }
+        }
+
+        /// Draws what the level offers beside each other: what each asks for, and whether it is earned or what is missing.
+        fn draw_goals(&self, canvas: &Canvas, panel: Area) {
+            let goals = self.goals();
+            let wide = panel.size.x / goals.len().max(1) as f32;
+            for (i, goal) in goals.iter().enumerate() {
+                let left = panel.min.x + i as f32 * wide + 16.0;
+                let y = panel.centre().y;
+                medals::draw(canvas, goal.prize, goal.missing.is_none(), Vec2::new(left + RADIUS, y), RADIUS);
+                let words = Vec2::new(left + 2.0 * RADIUS + 12.0, wide - 2.0 * RADIUS - 36.0);
+                let line = |text: &str, y: f32, colour| {
+                    let style = Style::new(TEXT, colour).middle();
+                    let size = if canvas.width(text, style) > words.y { DETAILS } else { TEXT };
+                    canvas.text(text, Vec2::new(words.x, y), Style::new(size, colour).middle());
+                };
+                line(&goal.asks, y - 13.0, theme::text());
+                match &goal.missing {
+                    None => line("earned", y + 13.0, theme::good()),
+                    Some(missing) => line(missing, y + 13.0, theme::quiet()),
                 }
             }
         }

@@ -1,24 +1,60 @@
-//! Medals, made of arrows: a ring, and in it the arrow that leads up.
+//! Medals, made of arrows: a ring, and in it one, two or three of them that lead up, so that colour is not the only cue; for a level's own
+//! mark four that lead out.
 
 use super::canvas::Canvas;
 use super::layout::Vec2;
 use super::theme;
-use crate::scores::Medal;
+use crate::game::{Medal, Medals, Prize};
+use crate::level::Awards;
 use macroquad::color::Color;
 
+/// From one to the next in a row, in radii.
+const APART: f32 = 2.4;
+
 /// The colour of a medal.
-const fn colour(medal: Medal) -> Color {
-    match medal {
-        Medal::Bronze => theme::rgb(0xC98A4B),
+fn colour(prize: Prize) -> Color {
+    match prize {
+        Prize::Medal(Medal::Bronze) => theme::rgb(0xC98A4B),
+        Prize::Medal(Medal::Silver) => theme::rgb(0xBCC7D1),
+        Prize::Medal(Medal::Gold) => theme::rgb(0xF4C542),
+        Prize::Mark => theme::rgb(0x6FD3C1),
     }
 }
 
-/// Draws a medal around a point.
-pub fn draw(canvas: &Canvas, medal: Medal, centre: Vec2, radius: f32) {
-    let colour = colour(medal);
-    canvas.disc(centre, radius, theme::faded(colour, 0.25));
+/// Draws a medal around a point; one that is not earned yet is a shadow of itself.
+pub fn draw(canvas: &Canvas, prize: Prize, earned: bool, centre: Vec2, radius: f32) {
+    let colour = if earned { colour(prize) } else { theme::faded(theme::quiet(), 0.45) };
+    if earned {
+        canvas.disc(centre, radius, theme::faded(colour, 0.25));
+    }
     canvas.ring(centre, radius, radius * 0.2, colour);
-    let at = |x: f32, y: f32| centre + Vec2::new(x, y) * radius;
-    canvas.line(at(0.0, 0.5), at(0.0, -0.1), radius * 0.22, colour);
-    canvas.convex(&[at(0.0, -0.6), at(0.42, 0.0), at(-0.42, 0.0)], colour);
+    let up = Vec2::new(0.0, -1.0);
+    let arrow = |from: Vec2, along: Vec2, size: f32| {
+        let at = |forward: f32, aside: f32| centre + (from + along * forward * size + along.perp() * aside * size) * radius;
+        canvas.line(at(-0.5, 0.0), at(0.1, 0.0), radius * 0.22 * size, colour);
+        canvas.convex(&[at(0.6, 0.0), at(0.0, 0.42), at(0.0, -0.42)], colour);
+    };
+    match prize {
+        Prize::Medal(Medal::Bronze) => arrow(Vec2::ZERO, up, 1.0),
+        Prize::Medal(Medal::Silver) => [-0.3, 0.3].into_iter().for_each(|x| arrow(Vec2::new(x, 0.0), up, 0.75)),
+        Prize::Medal(Medal::Gold) => {
+            [(-0.42, 0.2), (0.0, -0.12), (0.42, 0.2)].into_iter().for_each(|(x, y)| arrow(Vec2::new(x, y), up, 0.62));
+        }
+        Prize::Mark => [up, -up, up.perp(), -up.perp()].into_iter().for_each(|along| arrow(along * 0.36, along, 0.5)),
+    }
+}
+
+/// How many a level offers to be shown beside each other: its best medal so far, and its mark.
+pub fn offered(awards: &Awards) -> usize {
+    1 + usize::from(awards.mark.is_some())
+}
+
+/// Draws what has been earned of a level, the first one around `first` and the others to its right.
+pub fn draw_earned(canvas: &Canvas, medals: Medals, awards: &Awards, first: Vec2, radius: f32) {
+    if let Some(medal) = medals.medal {
+        draw(canvas, Prize::Medal(medal), true, first, radius);
+    }
+    if medals.mark || awards.mark.is_some() {
+        draw(canvas, Prize::Mark, medals.mark, first + Vec2::new(APART * radius, 0.0), radius);
+    }
 }

@@ -1,7 +1,7 @@
 //! The list of levels, also where levels are broken or missing.
 
 use crate::sitting::{FAR_AWAY, Sitting, level};
-use resultant::scores::Medal;
+use resultant::game::Medal;
 use resultant::screens::{Key, MiniaturePart, Press};
 use std::fs;
 use std::path::Path;
@@ -98,8 +98,8 @@ fn a_card_shows_the_level_and_what_the_player_has_reached_there() {
     let mut sitting = Sitting::new();
     sitting.complete().press_all(&[Key::Escape, Key::Down, Key::Enter]);
     let entries = sitting.level_select().entries();
-    assert!(entries[0].best.is_some_and(|best| best < 0.1) && entries[0].medal == Some(Medal::Bronze));
-    assert_eq!((entries[1].best, entries[1].medal), (None, None));
+    assert!(entries[0].best.is_some_and(|best| best < 0.1) && entries[0].medals.medal == Some(Medal::Bronze));
+    assert_eq!((entries[1].best, entries[1].medals.medal), (None, None));
     let (_, miniature) = entries[2].level.as_ref().unwrap();
     let parts: Vec<MiniaturePart> = miniature.shapes.iter().map(|(_, part)| *part).collect();
     assert_eq!(parts, [MiniaturePart::Deadly, MiniaturePart::PlayerObjective, MiniaturePart::Ship]);

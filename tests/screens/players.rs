@@ -1,14 +1,15 @@
 //! Who plays, and what they have done.
 
 use crate::sitting::{Sitting, level};
-use resultant::scores::{Medal, Scores};
+use resultant::game::Medal;
+use resultant::scores::Scores;
 use resultant::screens::{Input, Key};
 use std::fs;
 
 /// How many levels of the list are done.
 fn done(sitting: &mut Sitting) -> usize {
     sitting.choose(1).rest();
-    let done = sitting.level_select().entries().iter().filter(|entry| entry.medal == Some(Medal::Bronze)).count();
+    let done = sitting.level_select().entries().iter().filter(|entry| entry.medals.medal == Some(Medal::Bronze)).count();
     sitting.press(Key::Escape);
     done
 }
@@ -31,7 +32,7 @@ fn what_a_player_has_done_follows_the_player() {
     assert_eq!(sitting.app.player().as_str(), "ann");
     assert_eq!(done(&mut sitting), 1);
     assert_eq!(sitting.menu().facts().next.as_ref().unwrap().0, "2");
-    assert!(sitting.scores_file("players.csv").starts_with("player,level,time\nann,,\nann,1,0.0"));
+    assert!(sitting.scores_file("players.csv").starts_with("player,level,time,medal,mark\nann,,,,\nann,1,0.0"));
 }
 
 #[test]

@@ -2,13 +2,14 @@
 
 use crate::pilot::Pilot;
 use crate::plan::{Kind, Plan};
-use resultant::game::{Controls, Game, Inputs, Outcome, RunResult, SHIP, TICK_RATE};
-use resultant::level::{Level, ObjectiveKind, SHIP_HALF};
+use crate::sight::Sight;
+use resultant::game::{Controls, Game, Inputs, Medals, Outcome, RunResult, SHIP, TICK_RATE};
+use resultant::level::{Level, Mark, ObjectiveKind, SHIP_HALF};
 use resultant::physics::{Aabb, DVec2, Event, Obstacle};
 use std::sync::Arc;
 
 /// No flight takes longer, s.
-const LONGEST: f64 = 60.0;
+pub const LONGEST: f64 = 60.0;
 /// How far the ship shall stay from what is deadly, and from walls and roofs, m.
 const OFF_RED: f64 = 0.7;
 const OFF_WALLS: f64 = 0.4;
@@ -20,6 +21,30 @@ struct Hits {
     bump: f64,
     push: f64,
     landing: f64,
+}
+
+/// What a flight is to show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aim {
+    /// That the level can be completed with care: cleanly, off red, with keys that bear small changes.
+    Careful,
+    /// That gold can be reached.
+    Gold,
+    /// That the level's own mark can be earned.
+    Mark,
+}
+
+impl Aim {
+    pub const ALL: [Self; 3] = [Self::Careful, Self::Gold, Self::Mark];
+
+    /// The name of its plan and of its record.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Careful => "careful",
+            Self::Gold => "gold",
+            Self::Mark => "mark",
+        }
+    }
 }
 
 /// A flight and what was seen of it.
@@ -56,7 +81,7 @@ impl Flight {
     /// Flies by the plan.
     pub fn by_plan(level: &Arc<Level>, plan: &Plan) -> Self {
         let mut game = new_game(level);
-        let mut pilot = Pilot::new(plan, &game);
+        let mut pilot = Pilot::new(plan, &Sight::clear(&game));
         let mut flight = Self {
             inputs: Inputs::default(),
             result: game.result(),
@@ -77,7 +102,7 @@ impl Flight {
         // What goes on for twice its time will not do any more.
         let longest = (2.0 * plan.settings.par).min(LONGEST);
         while game.outcome() == Outcome::Running && game.time() < longest {
-            let controls = pilot.keys(&game);
+            let controls = pilot.keys(&Sight::clear(&game));
             flight.inputs.record(controls);
             flight.last_speed = game.world().body(SHIP).velocity.length();
             game.step(controls);
@@ -93,7 +118,7 @@ impl Flight {
         flight.steps = pilot.step();
         let left = &plan.steps[flight.steps.min(plan.steps.len())..];
         flight.pushes_left = left.iter().filter(|step| step.kind == Kind::Push).count() as u32;
-        flight.distance = pilot.distance(&game);
+        flight.distance = pilot.distance(&Sight::clear(&game));
         flight
     }
 
@@ -121,12 +146,27 @@ impl Flight {
         }
     }
 
-    /// What the flight is worth: the game's points, less what makes it a worse example. Below 0 where the level was not completed.
-    pub fn worth(&self) -> f64 {
+    /// What the flight is worth for its aim. Below 0 where the level was not completed.
+    pub fn worth(&self, aim: Aim, level: &Level) -> f64 {
         if self.result.outcome != Outcome::Completed {
             let died = f64::from(u8::from(self.result.outcome == Outcome::Failed));
             return 1e3 * self.steps as f64 - 10.0 * self.distance.min(90.0) - 200.0 * died - 1e6;
         }
+        let result = &self.result;
+        let clean = 1e5 - 2e3 * f64::from(result.collisions);
+        match (aim, level.awards.mark) {
+            (Aim::Careful, _) | (Aim::Mark, None) => self.worth_of_care(),
+            // A second is worth more than a few rows.
+            (Aim::Gold, _) => clean - 1e3 * result.time - self.rows as f64,
+            (Aim::Mark, Some(Mark::Hits(_))) => clean - 10.0 * result.time,
+            (Aim::Mark, Some(Mark::Fuel(_))) => clean + 1e4 * result.fuel - 10.0 * result.time,
+            (Aim::Mark, Some(Mark::Pushes(_))) => clean - 1e3 * f64::from(result.pushes) - 10.0 * result.time,
+            (Aim::Mark, Some(Mark::Speed(_))) => clean - 1e3 * result.top_speed - 10.0 * result.time,
+        }
+    }
+
+    /// The game's points, less what makes it a worse example.
+    fn worth_of_care(&self) -> f64 {
         self.result.score.total as f64
             - 5.0 * self.rows as f64
             - 2e3 * f64::from(self.result.collisions)
@@ -141,12 +181,34 @@ impl Flight {
             - 3e3 * self.aside
     }
 
-    /// Whether it can be recorded: completed in its time, without damage, far enough off red.
-    pub fn is_clean(&self, par: f64) -> bool {
-        let result = &self.result;
-        result.outcome == Outcome::Completed && result.collisions == 0 && result.time <= par && self.red >= OFF_RED - 0.1
+    /// What keeps it from being recorded; `None` where nothing does.
+    pub fn lacks(&self, aim: Aim, level: &Level, par: f64) -> Option<String> {
+        let (result, awards) = (&self.result, &level.awards);
+        if result.outcome != Outcome::Completed || result.collisions > 0 {
+            return Some(format!("{} with {} damaging hits", result.outcome.name(), result.collisions));
+        }
+        let time = result.time;
+        match (aim, awards.gold) {
+            (Aim::Careful, _) if time > par => Some(format!("{time:.3} s, its par is {par} s")),
+            (Aim::Careful, _) if self.red < OFF_RED - 0.1 => Some(format!("{:.2} m off red", self.red)),
+            (Aim::Careful, Some(gold)) if time <= gold => Some(format!("{time:.3} s, which is gold ({gold} s)")),
+            (Aim::Careful, _) => None,
+            (Aim::Gold, None) => Some(format!("{time:.3} s; the level says no time for gold")),
+            (Aim::Gold, Some(gold)) if time > gold => Some(format!("{time:.3} s, gold is {gold} s")),
+            (Aim::Gold, Some(gold)) if time < SPARE_FOR_GOLD * gold => {
+                Some(format!("{time:.3} s: gold should be at most {:.2} s, it is {gold} s", time / SPARE_FOR_GOLD))
+            }
+            (Aim::Gold, Some(_)) => None,
+            (Aim::Mark, _) => {
+                let mark = awards.mark.map_or("none".to_owned(), resultant::game::words);
+                (!Medals::of(awards, result).mark).then(|| format!("the level's mark: {mark}"))
+            }
+        }
     }
 }
+
+/// The recorded flight for gold takes at least this share of the time for gold: gold needs a good line.
+pub const SPARE_FOR_GOLD: f64 = 0.9;
 
 /// Changes a quantity of a level by a share of itself, the start by metres.
 pub type Change = fn(&mut Level, f64);

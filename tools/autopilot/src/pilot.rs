@@ -5,7 +5,8 @@
 //! the engine burns for such a share of the beats as its part along the nose asks for.
 
 use crate::plan::{Kind, Plan, Step};
-use resultant::game::{Controls, Game, ROTATION_RATE, SHIP};
+use crate::sight::Sight;
+use resultant::game::{Controls, ROTATION_RATE, SHIP};
 use resultant::physics::{BodyId, DVec2, ForceKind};
 
 /// The share of the engine's acceleration that the wanted one has upwards at least: falling is left to gravity, the nose stays up.
@@ -44,7 +45,7 @@ pub struct Pilot<'a> {
 }
 
 impl<'a> Pilot<'a> {
-    pub fn new(plan: &'a Plan, game: &Game) -> Self {
+    pub fn new(plan: &'a Plan, sight: &Sight) -> Self {
         let mut pilot = Self {
             plan,
             step: 0,
@@ -57,7 +58,7 @@ impl<'a> Pilot<'a> {
             reverse: false,
             left: 0,
         };
-        pilot.begin(0, game);
+        pilot.begin(0, sight);
         pilot
     }
 
@@ -68,7 +69,7 @@ impl<'a> Pilot<'a> {
 
     /// Whether the ship is meant to be in free flight.
     pub fn flies(&self) -> bool {
-        self.plan.steps.get(self.step).is_some_and(|step| step.kind == Kind::Fly)
+        self.plan.steps.get(self.step).is_some_and(|step| matches!(step.kind, Kind::Fly | Kind::Hover))
     }
 
     /// Whether it is meant to push something.
@@ -77,17 +78,17 @@ impl<'a> Pilot<'a> {
     }
 
     /// How far the ship is from the place of its step, m.
-    pub fn distance(&self, game: &Game) -> f64 {
-        place(self.current(), game).distance(game.world().body(SHIP).position)
+    pub fn distance(&self, sight: &Sight) -> f64 {
+        place(self.current(), sight).distance(sight.position)
     }
 
     /// The keys of the next tick.
-    pub fn keys(&mut self, game: &Game) -> Controls {
+    pub fn keys(&mut self, sight: &Sight) -> Controls {
         if self.left == 0 {
-            while self.step < self.plan.steps.len() && self.is_done(game) {
-                self.begin(self.step + 1, game);
+            while self.step < self.plan.steps.len() && self.is_done(sight) {
+                self.begin(self.step + 1, sight);
             }
-            self.decide(game);
+            self.decide(sight);
         }
         self.left -= 1;
         let controls = Controls { thrust: self.thrust, reverse: self.reverse, left: self.turn < 0, right: self.turn > 0 };
@@ -100,92 +101,95 @@ impl<'a> Pilot<'a> {
         &self.plan.steps[self.step.min(self.plan.steps.len() - 1)]
     }
 
-    fn begin(&mut self, step: usize, game: &Game) {
+    fn begin(&mut self, step: usize, sight: &Sight) {
         self.step = step;
-        self.from = game.world().body(SHIP).position;
-        self.since = game.ticks();
-        self.pushed_from = game.world().body(BodyId(self.current().object)).position.x;
+        self.from = sight.position;
+        self.since = sight.game.ticks();
+        self.pushed_from = sight.body(BodyId(self.current().object)).position.x;
     }
 
-    fn is_done(&self, game: &Game) -> bool {
-        let (step, ship) = (self.current(), game.world().body(SHIP));
-        let (to, tolerance) = (place(step, game), step.tolerance / game.level().metre);
+    fn is_done(&self, sight: &Sight) -> bool {
+        let (step, velocity) = (self.current(), sight.velocity);
+        let (to, tolerance) = (place(step, sight), step.tolerance / sight.game.level().metre);
+        let waited = || (sight.game.ticks() - self.since) as f64 >= step.seconds * sight.game.tick_rate();
         match step.kind {
             Kind::Fly => {
-                let off = ship.position.distance(to);
-                off <= tolerance || (off <= PASSED * tolerance && (to - ship.position).dot(to - self.from) < 0.0)
+                let off = sight.position.distance(to);
+                off <= tolerance || (off <= PASSED * tolerance && (to - sight.position).dot(to - self.from) < 0.0)
             }
             Kind::Land => {
-                ship.velocity.x.abs() < LANDED
-                    && ship.velocity.y.abs() < 0.1 * LANDED
-                    && to.y - ship.position.y < SET_DOWN
-                    && (to.x - ship.position.x).abs() <= tolerance
+                velocity.x.abs() < LANDED
+                    && velocity.y.abs() < 0.1 * LANDED
+                    && to.y - sight.position.y < SET_DOWN
+                    && (to.x - sight.position.x).abs() <= tolerance
             }
             Kind::Push => {
-                let object = game.world().body(BodyId(step.object));
+                let object = sight.body(BodyId(step.object));
                 let way = (to.x - self.pushed_from).signum();
                 (object.position.x - to.x) * way >= 0.0 || (step.speed > 0.0 && object.velocity.x * way >= step.speed)
             }
-            Kind::Stop => ship.velocity.dot(game.ship().nose()) <= step.speed,
-            Kind::Hold => (game.ticks() - self.since) as f64 >= step.seconds * game.tick_rate(),
+            Kind::Stop => velocity.dot(resultant::game::nose(sight.angle)) <= step.speed,
+            Kind::Hold | Kind::Hover => waited(),
+            Kind::Wait => sight.body(BodyId(step.object)).position.distance(to) <= tolerance || (step.seconds > 0.0 && waited()),
         }
     }
 
     /// Chooses what is held during the next beat.
-    fn decide(&mut self, game: &Game) {
+    fn decide(&mut self, sight: &Sight) {
         let step = self.current();
         let over = self.step >= self.plan.steps.len();
-        let (ship, to) = (game.world().body(SHIP), place(step, game));
+        let (velocity, to) = (sight.velocity, place(step, sight));
         let beat = self.plan.settings.beat;
         self.reverse = step.kind == Kind::Stop && !over;
         match step.kind {
-            Kind::Fly => self.steer(game, wanted_velocity(self.plan, to - ship.position, if over { 0.0 } else { step.speed })),
+            Kind::Fly => self.steer(sight, wanted_velocity(self.plan, to - sight.position, if over { 0.0 } else { step.speed })),
+            Kind::Hover => self.steer(sight, wanted_velocity(self.plan, to - sight.position, 0.0)),
             Kind::Land => {
-                let away = to - ship.position;
+                let away = to - sight.position;
                 if away.y < SET_DOWN
-                    && ship.velocity.length() < 1.0 + step.speed
-                    && away.x.abs() < step.tolerance / game.level().metre
+                    && velocity.length() < 1.0 + step.speed
+                    && away.x.abs() < step.tolerance / sight.game.level().metre
                 {
-                    self.turn_to(game, 0.0, beat);
+                    self.turn_to(sight, 0.0, beat);
                     (self.thrust, self.owed) = (false, 0.0);
                 } else {
                     let sideways = wanted_velocity(self.plan, DVec2::new(away.x, 0.0), 0.0);
                     let down = wanted_velocity(self.plan, DVec2::new(0.0, away.y.max(1e-3)), step.speed);
-                    self.steer(game, sideways + down);
+                    self.steer(sight, sideways + down);
                 }
             }
             Kind::Push if !over => {
                 let way = (to.x - self.pushed_from).signum();
-                self.turn_to(game, 90.0 * way, PUSH_BEAT);
-                let closing = (ship.velocity.x - game.world().body(BodyId(step.object)).velocity.x) * way;
+                self.turn_to(sight, 90.0 * way, PUSH_BEAT);
+                let closing = (velocity.x - sight.body(BodyId(step.object)).velocity.x) * way;
                 self.thrust = self.turn == 0 && closing < CLOSING;
                 self.owed = 0.0;
             }
-            Kind::Push | Kind::Stop | Kind::Hold => {
+            Kind::Push | Kind::Stop | Kind::Hold | Kind::Wait => {
                 (self.turn, self.thrust, self.left) = (0, false, PUSH_BEAT);
             }
         }
     }
 
     /// Turns and burns for a beat so that the ship's velocity becomes the wanted one.
-    fn steer(&mut self, game: &Game, mut wanted: DVec2) {
+    fn steer(&mut self, sight: &Sight, mut wanted: DVec2) {
         let settings = &self.plan.settings;
-        let (ship, forces, player) = (game.world().body(SHIP), game.world().forces(SHIP), &game.level().player);
+        let (forces, player) = (sight.game.world().forces(SHIP), &sight.game.level().player);
         let others = [ForceKind::Weight, ForceKind::Wind, ForceKind::AirResistance, ForceKind::Buoyancy, ForceKind::ViscousDrag];
         let others: DVec2 = others.map(|kind| forces.total(kind)).into_iter().sum();
         if forces.total(ForceKind::Reaction).y < 0.0 {
             wanted.y = wanted.y.min(-TAKE_OFF);
         }
         let full = player.thrust / player.mass;
-        let engine = (wanted - ship.velocity) * settings.grip - others / player.mass;
+        let engine = (wanted - sight.velocity) * settings.grip - others / player.mass;
 
         // What the engine is to do downwards it does backwards, where the plan lets it: the nose stays up.
         let backwards = settings.reverse > 0.0 && engine.y > UPRIGHT * full;
         let nose = if backwards { -engine } else { engine };
         let lean = libm::atan2(nose.x, (-nose.y).max(UPRIGHT * full)).to_degrees();
-        self.turn_to(game, lean.clamp(-settings.tilt, settings.tilt), settings.beat);
+        self.turn_to(sight, lean.clamp(-settings.tilt, settings.tilt), settings.beat);
 
-        let angle = game.ship().angle + f64::from(self.turn) * degrees_a_tick(game);
+        let angle = sight.angle + f64::from(self.turn) * degrees_a_tick(sight);
         let along = engine.dot(resultant::game::nose(angle)) / full;
         self.owed = (self.owed + along.clamp(-settings.reverse, 1.0)).clamp(-1.5, 1.5);
         (self.thrust, self.reverse) = (self.owed >= 0.5, self.owed <= -0.5);
@@ -193,23 +197,23 @@ impl<'a> Pilot<'a> {
     }
 
     /// Turns towards an angle for at most a beat, in whole multiples of the plan's smallest turn.
-    fn turn_to(&mut self, game: &Game, angle: f64, beat: u32) {
+    fn turn_to(&mut self, sight: &Sight, angle: f64, beat: u32) {
         let grain = f64::from(self.plan.settings.turn.min(beat));
-        let error = (angle - game.ship().angle + 180.0).rem_euclid(360.0) - 180.0;
+        let error = (angle - sight.angle + 180.0).rem_euclid(360.0) - 180.0;
         let most = (f64::from(beat) / grain).floor();
-        let turns = (error / degrees_a_tick(game) / grain).round().clamp(-most, most);
+        let turns = (error / degrees_a_tick(sight) / grain).round().clamp(-most, most);
         self.turn = (turns * grain) as i32;
         self.left = beat;
     }
 }
 
 /// Where a step leads, m.
-fn place(step: &Step, game: &Game) -> DVec2 {
-    DVec2::new(step.x, step.y) / game.level().metre
+fn place(step: &Step, sight: &Sight) -> DVec2 {
+    DVec2::new(step.x, step.y) / sight.game.level().metre
 }
 
-fn degrees_a_tick(game: &Game) -> f64 {
-    ROTATION_RATE / game.tick_rate()
+fn degrees_a_tick(sight: &Sight) -> f64 {
+    ROTATION_RATE / sight.game.tick_rate()
 }
 
 /// As fast as can be braked to `speed` over the way that is left.

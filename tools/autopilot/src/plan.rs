@@ -14,8 +14,12 @@ pub enum Kind {
     Push,
     /// To brake by thrusting backwards, until the ship moves no faster along its nose.
     Stop,
-    /// To stay for a while.
+    /// To press nothing for a while.
     Hold,
+    /// To press nothing until an object comes to a place, or for a while.
+    Wait,
+    /// To stay at a place in the air for a while.
+    Hover,
 }
 
 /// A row of the plan. Lengths in pixels, everything else in SI units.
@@ -26,7 +30,7 @@ pub struct Step {
     pub y: f64,
     pub speed: f64,
     pub tolerance: f64,
-    /// The body that is pushed: 1 is the level's first object.
+    /// The body that is pushed or waited for: 1 is the level's first object.
     pub object: u32,
     pub seconds: f64,
 }
@@ -71,8 +75,15 @@ enum Line {
 
 const HEADER: &str = "step,x,y,speed,tolerance,object,seconds";
 const SETTINGS: [&str; 8] = ["beat", "turn", "grip", "brake", "top_speed", "tilt", "reverse", "par"];
-const KINDS: [(&str, Kind); 5] =
-    [("fly", Kind::Fly), ("land", Kind::Land), ("push", Kind::Push), ("stop", Kind::Stop), ("hold", Kind::Hold)];
+const KINDS: [(&str, Kind); 7] = [
+    ("fly", Kind::Fly),
+    ("land", Kind::Land),
+    ("push", Kind::Push),
+    ("stop", Kind::Stop),
+    ("hold", Kind::Hold),
+    ("wait", Kind::Wait),
+    ("hover", Kind::Hover),
+];
 
 impl Settings {
     fn get(&self, name: &str) -> f64 {
@@ -133,8 +144,10 @@ impl Plan {
                 plan.steps.push(Step { kind, x, y, speed, tolerance, object: cell(5)? as u32, seconds: cell(6)? });
             } else {
                 return Err(format!(
-                    "line {number}: found {:?}, expected a setting ({SETTINGS:?}) or fly, land, push, stop, hold",
-                    cells[0]
+                    "line {number}: found {:?}, expected a setting ({}) or a step ({})",
+                    cells[0],
+                    SETTINGS.join(", "),
+                    KINDS.map(|(name, _)| name).join(", ")
                 ));
             }
         }
@@ -179,7 +192,12 @@ impl Plan {
                     }
                 }
                 Kind::Stop => {}
-                Kind::Hold => vary(&mut step.seconds, 0.3, 0.05, 0.0),
+                Kind::Hold | Kind::Wait => vary(&mut step.seconds, 0.3, 0.05, 0.0),
+                Kind::Hover => {
+                    vary(&mut step.x, 20.0, 1.0, 0.0);
+                    vary(&mut step.y, 20.0, 1.0, 0.0);
+                    vary(&mut step.seconds, 0.3, 0.05, 0.0);
+                }
             }
         }
         if random.random_bool(0.1) {
@@ -187,6 +205,24 @@ impl Plan {
         }
         if random.random_bool(0.1) {
             plan.settings.turn = [5, 10][random.random_range(0..2)];
+        }
+        plan
+    }
+}
+
+impl Plan {
+    /// The plan as one sees it who misjudges every place by up to three times `spread` pixels, most by about that.
+    pub fn misjudged(&self, spread: f64, random: &mut impl Rng) -> Self {
+        let mut plan = self.clone();
+        let mut off = || (0..4).map(|_| random.random_range(-1.0..1.0)).sum::<f64>() * 0.866 * spread;
+        for step in &mut plan.steps {
+            let (x, y) = (off(), off());
+            if step.x != 0.0 {
+                step.x += x;
+            }
+            if step.y != 0.0 {
+                step.y += y;
+            }
         }
         plan
     }

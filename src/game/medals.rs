@@ -1,0 +1,227 @@
+//! What a completed flight earns: bronze for its end, silver and gold for its time, and the level's own mark.
+
+use super::{Outcome, RunResult};
+use crate::level::{Awards, Mark};
+
+/// A time or a speed that is over by less than this is not over, s and m/s: a tenth is no binary number. Far below a tick.
+const ROUNDING: f64 = 1e-9;
+
+/// What a level brings for being done, and for being done fast; the better ones are greater.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Medal {
+    /// It is done.
+    Bronze,
+    /// In the level's time for silver.
+    Silver,
+    /// In the level's time for gold.
+    Gold,
+}
+
+impl Medal {
+    /// All of them, the least first.
+    pub const ALL: [Self; 3] = [Self::Bronze, Self::Silver, Self::Gold];
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Bronze => "Bronze",
+            Self::Silver => "Silver",
+            Self::Gold => "Gold",
+        }
+    }
+
+    /// What a flight of that time brings where it completes the level; without a time, as it is with help, bronze.
+    pub fn for_time(awards: &Awards, time: Option<f64>) -> Self {
+        let within = |limit: Option<f64>| limit.zip(time).is_some_and(|(limit, time)| time <= limit + ROUNDING);
+        match (within(awards.gold), within(awards.silver)) {
+            (true, _) => Self::Gold,
+            (false, true) => Self::Silver,
+            (false, false) => Self::Bronze,
+        }
+    }
+}
+
+/// What a level has brought: a medal, and whether its own mark.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Medals {
+    /// The best one.
+    pub medal: Option<Medal>,
+    /// The level's own mark.
+    pub mark: bool,
+}
+
+impl Medals {
+    /// What a flight earns. One with help earns bronze alone.
+    pub fn of(awards: &Awards, result: &RunResult) -> Self {
+        if result.outcome != Outcome::Completed {
+            return Self::default();
+        }
+        let medal = Medal::for_time(awards, (!result.assisted).then_some(result.time));
+        Self { medal: Some(medal), mark: !result.assisted && awards.mark.is_some_and(|mark| lacks(mark, result).is_none()) }
+    }
+
+    /// With what the best time of a level that is done is worth, as the level stands now: it may have been flown before the level had
+    /// medals for it.
+    #[must_use]
+    pub fn with_best(self, awards: &Awards, time: Option<f64>) -> Self {
+        Self { medal: self.medal.map(|medal| medal.max(Medal::for_time(awards, time))), ..self }
+    }
+}
+
+/// What can be earned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Prize {
+    /// A medal.
+    Medal(Medal),
+    /// The level's own mark.
+    Mark,
+}
+
+/// Something that a level offers, and how a flight stands to it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Goal {
+    /// What it is.
+    pub prize: Prize,
+    /// What it asks for, in words.
+    pub asks: String,
+    /// What is missing, in words; `None` where it is earned.
+    pub missing: Option<String>,
+}
+
+/// All that a level offers, and how a flight stands to each.
+pub fn goals(awards: &Awards, result: &RunResult) -> Vec<Goal> {
+    let completed = result.outcome == Outcome::Completed;
+    let unless = |lacks: Option<String>| match (completed, result.assisted) {
+        (false, _) => Some("not completed".to_owned()),
+        (true, true) => Some("not with help".to_owned()),
+        (true, false) => lacks,
+    };
+    let bronze = (!completed).then(|| "not completed".to_owned());
+    let timed = |medal, limit: f64| {
+        let late = result.time - limit;
+        let lacks = (late > ROUNDING).then(|| format!("{late:.2} s too slow"));
+        Goal { prize: Prize::Medal(medal), asks: format!("within {limit} s"), missing: unless(lacks) }
+    };
+    let mark = |mark| Goal { prize: Prize::Mark, asks: words(mark), missing: unless(lacks(mark, result)) };
+    [Goal { prize: Prize::Medal(Medal::Bronze), asks: "level complete".to_owned(), missing: bronze }]
+        .into_iter()
+        .chain(awards.silver.map(|limit| timed(Medal::Silver, limit)))
+        .chain(awards.gold.map(|limit| timed(Medal::Gold, limit)))
+        .chain(awards.mark.map(mark))
+        .collect()
+}
+
+/// What a mark asks for, in words.
+pub fn words(mark: Mark) -> String {
+    match mark {
+        Mark::Hits(0) => "no damaging hit".to_owned(),
+        Mark::Hits(most) => format!("at most {}", counted(most, "damaging hit")),
+        Mark::Fuel(least) => format!("{least} % of the fuel left"),
+        Mark::Pushes(0) => "no object pushed".to_owned(),
+        Mark::Pushes(most) => format!("at most {}", count_pushes(most)),
+        Mark::Speed(most) => format!("never above {most} m/s"),
+    }
+}
+
+/// What a completed flight lacks for a mark, in words; `None` where it lacks nothing.
+fn lacks(mark: Mark, result: &RunResult) -> Option<String> {
+    match mark {
+        Mark::Hits(most) => (result.collisions > most).then(|| counted(result.collisions, "damaging hit")),
+        Mark::Fuel(least) => {
+            let left = result.fuel * 100.0;
+            (left < least - ROUNDING).then(|| format!("{:.1} % left", (left * 10.0).floor() / 10.0))
+        }
+        Mark::Pushes(most) => (result.pushes > most).then(|| count_pushes(result.pushes)),
+        Mark::Speed(most) => {
+            (result.top_speed > most + ROUNDING).then(|| format!("{:.1} m/s", (result.top_speed * 10.0).ceil() / 10.0))
+        }
+    }
+}
+
+fn counted(n: u32, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
+}
+
+fn count_pushes(n: u32) -> String {
+    format!("{n} push{}", if n == 1 { "" } else { "es" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::ScoreParts;
+
+    const AWARDS: Awards = Awards { silver: Some(9.0), gold: Some(7.5), mark: Some(Mark::Fuel(60.0)) };
+
+    fn flight(time: f64, fuel: f64) -> RunResult {
+        RunResult {
+            level: String::new(),
+            outcome: Outcome::Completed,
+            time,
+            optimal_time: 60.0,
+            objectives_met: 1,
+            objectives_all: 1,
+            collisions: 2,
+            pushes: 1,
+            fuel,
+            fuel_used: 0.0,
+            distance: 0.0,
+            top_speed: 12.34,
+            peak_resultant: 0.0,
+            assisted: false,
+            death: None,
+            score: ScoreParts::default(),
+        }
+    }
+
+    #[test]
+    fn what_a_flight_earns() {
+        let of = |result: RunResult| Medals::of(&AWARDS, &result);
+        let medals = |medal, mark| Medals { medal: Some(medal), mark };
+        assert_eq!(of(flight(7.5, 0.6)), medals(Medal::Gold, true));
+        assert_eq!(of(flight(7.6, 0.599)), medals(Medal::Silver, false));
+        assert_eq!(of(flight(9.1, 1.0)), medals(Medal::Bronze, true));
+        assert_eq!(of(RunResult { assisted: true, ..flight(1.0, 1.0) }), medals(Medal::Bronze, false));
+        assert_eq!(of(RunResult { outcome: Outcome::Failed, ..flight(1.0, 1.0) }), Medals::default());
+        assert_eq!(Medals::of(&Awards::default(), &flight(1.0, 1.0)), medals(Medal::Bronze, false), "bronze alone");
+    }
+
+    #[test]
+    fn an_old_best_time_is_worth_what_it_would_be_now() {
+        let bronze = Medals { medal: Some(Medal::Bronze), mark: false };
+        assert_eq!(bronze.with_best(&AWARDS, Some(8.0)).medal, Some(Medal::Silver));
+        assert_eq!(bronze.with_best(&AWARDS, None), bronze);
+        assert_eq!(Medals::default().with_best(&AWARDS, None), Medals::default());
+    }
+
+    #[test]
+    fn each_line_says_what_is_asked_for_and_what_is_missing() {
+        let lines = |awards: &Awards, result: &RunResult| {
+            goals(awards, result).into_iter().map(|goal| (goal.asks, goal.missing.unwrap_or_default())).collect::<Vec<_>>()
+        };
+        let line = |asks: &str, missing: &str| (asks.to_owned(), missing.to_owned());
+        assert_eq!(
+            lines(&AWARDS, &flight(8.0, 0.4567)),
+            [
+                line("level complete", ""),
+                line("within 9 s", ""),
+                line("within 7.5 s", "0.50 s too slow"),
+                line("60 % of the fuel left", "45.6 % left")
+            ]
+        );
+        for (mark, asks, missing) in [
+            (Mark::Hits(0), "no damaging hit", "2 damaging hits"),
+            (Mark::Hits(1), "at most 1 damaging hit", "2 damaging hits"),
+            (Mark::Hits(2), "at most 2 damaging hits", ""),
+            (Mark::Pushes(0), "no object pushed", "1 push"),
+            (Mark::Pushes(2), "at most 2 pushes", ""),
+            (Mark::Speed(12.0), "never above 12 m/s", "12.4 m/s"),
+        ] {
+            let awards = Awards { mark: Some(mark), ..Awards::default() };
+            assert_eq!(lines(&awards, &flight(8.0, 1.0))[1..], [line(asks, missing)]);
+            assert_eq!(Medals::of(&awards, &flight(8.0, 1.0)).mark, missing.is_empty());
+        }
+        let lost = RunResult { outcome: Outcome::Failed, ..flight(8.0, 1.0) };
+        assert!(goals(&AWARDS, &lost).iter().all(|goal| goal.missing.as_deref() == Some("not completed")));
+    }
+}

@@ -1,0 +1,164 @@
+//! The comments of a record, `# name: value`: finding them, and what their values may be.
+
+use super::replay::MOST_SECONDS;
+use super::{Outcome, TICK_RATES};
+use std::str::FromStr;
+
+/// The comments of a replay file.
+pub(super) struct Notes<'a> {
+    file: &'a str,
+    /// Number, name and value of each line `# name: value`.
+    lines: Vec<(usize, (&'a str, &'a str))>,
+}
+
+impl<'a> Notes<'a> {
+    pub fn of(file: &'a str, text: &'a str) -> Self {
+        let note = |line: &'a str| {
+            let (key, value) = line.trim().trim_start_matches('\u{feff}').strip_prefix('#')?.split_once(':')?;
+            Some((key.trim(), value.trim()))
+        };
+        let lines = (1..).zip(text.lines()).filter_map(|(number, line)| Some((number, note(line)?)));
+        Self { file, lines: lines.collect() }
+    }
+
+    /// The first line `# name: value`, and its number.
+    fn line(&self, name: &str) -> Option<(usize, &str)> {
+        self.lines.iter().find(|(_, (key, _))| *key == name).map(|&(number, (_, value))| (number, value))
+    }
+
+    /// The hashes of the seconds: from the first on, none left out.
+    pub fn seconds(&self, problems: &mut Vec<String>) -> Vec<u64> {
+        let mut hashes = Vec::new();
+        for &(line, (key, value)) in &self.lines {
+            let Some(second) = key.strip_prefix("hash ") else { continue };
+            let next = hashes.len() + 1;
+            if second.trim() != next.to_string() || next > MOST_SECONDS {
+                let expected = if next > MOST_SECONDS { "no more of them".to_owned() } else { format!("\"hash {next}\"") };
+                problems.push(format!("{}:{line}: found {key:?}, expected {expected}", self.file));
+                break;
+            }
+            match value.parse() {
+                Ok(Hex(hash)) => hashes.push(hash),
+                Err(()) => {
+                    problems.push(format!("{}:{line}: {key:?}: found {value:?}, expected 16 hex digits", self.file));
+                    break;
+                }
+            }
+        }
+        hashes
+    }
+
+    /// The value of a line that has to be there.
+    pub fn find<T: FromStr>(&self, name: &str, expected: &str, problems: &mut Vec<String>) -> Option<T> {
+        if self.line(name).is_none() {
+            problems.push(format!("{}:1: {name:?}: found no line \"# {name}: …\", expected {expected}", self.file));
+        }
+        self.find_any(name, expected, problems)
+    }
+
+    /// The value of a line that may be missing.
+    pub fn find_any<T: FromStr>(&self, name: &str, expected: &str, problems: &mut Vec<String>) -> Option<T> {
+        let (line, value) = self.line(name)?;
+        let bad = |_| problems.push(format!("{}:{line}: {name:?}: found {value:?}, expected {expected}", self.file));
+        value.parse().map_err(bad).ok()
+    }
+}
+
+/// A level's name on its line: as it is, or in quotes where it would not come back whole.
+pub(super) fn written(level: &str) -> String {
+    let plain =
+        level.trim() == level && !level.starts_with('"') && !level.chars().any(|c| c.is_control() || LINE_ENDS.contains(&c));
+    if plain { level.to_owned() } else { format!("{level:?}") }
+}
+
+/// What some programs take for the end of a line, besides control characters.
+const LINE_ENDS: [char; 2] = ['\u{2028}', '\u{2029}'];
+
+/// What [`written`] has written.
+pub(super) struct LevelName(pub String);
+
+impl FromStr for LevelName {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        match text.strip_prefix('"') {
+            None if text.is_empty() => Err(()),
+            None => Ok(Self(text.to_owned())),
+            Some(rest) => unquoted(rest.strip_suffix('"').ok_or(())?).map(Self).ok_or(()),
+        }
+    }
+}
+
+/// The text between the quotes of its debug form; `None` where it is none.
+fn unquoted(text: &str) -> Option<String> {
+    let (mut name, mut rest) = (String::new(), text.chars());
+    while let Some(c) = rest.next() {
+        name.push(match (c, c == '\\') {
+            (_, true) => match rest.next()? {
+                'n' => '\n',
+                'r' => '\r',
+                't' => '\t',
+                '0' => '\0',
+                'u' => {
+                    let (digits, after) = rest.as_str().strip_prefix('{')?.split_once('}')?;
+                    rest = after.chars();
+                    char::from_u32(u32::from_str_radix(digits, 16).ok()?)?
+                }
+                plain @ ('\\' | '"' | '\'') => plain,
+                _ => return None,
+            },
+            ('"', false) => return None,
+            (plain, false) => plain,
+        });
+    }
+    Some(name)
+}
+
+/// A tick rate that a game can be given.
+pub(super) struct TickRate(pub f64);
+
+impl FromStr for TickRate {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        text.parse().ok().filter(|rate| TICK_RATES.contains(rate)).map(Self).ok_or(())
+    }
+}
+
+/// How a run ended, by its name.
+pub(super) struct Ended(pub Outcome);
+
+impl FromStr for Ended {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        [Outcome::Running, Outcome::Completed, Outcome::Failed]
+            .into_iter()
+            .find(|outcome| outcome.name() == text)
+            .map(Self)
+            .ok_or(())
+    }
+}
+
+/// A time, s.
+pub(super) struct Seconds(pub f64);
+
+impl FromStr for Seconds {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        text.parse().ok().filter(|time: &f64| time.is_finite() && *time >= 0.0).map(Self).ok_or(())
+    }
+}
+
+/// 64 bits as 16 hex digits.
+pub(super) struct Hex(pub u64);
+
+impl FromStr for Hex {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        let digits = text.len() == 16 && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+        digits.then(|| u64::from_str_radix(text, 16).ok()).flatten().map(Self).ok_or(())
+    }
+}

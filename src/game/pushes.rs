@@ -1,0 +1,50 @@
+//! How often the ship has pushed objects: what a mark for few pushes counts.
+
+use super::SHIP;
+use crate::physics::{ForceManager, Impulse, Obstacle, Source};
+
+/// Touches of the ship and one object that are less than this apart are one push, s. Shorter, and what bounces along before the ship
+/// counts again and again; longer, and a nudge that was thought over counts as one with the nudge before it.
+pub const APART: f64 = 0.5;
+
+/// The pushes so far. One begins when the ship touches an object that it has not touched for [`APART`], whichever of the two moves.
+#[derive(Clone, Debug)]
+pub struct Pushes {
+    count: u32,
+    /// The tick after the last one in which each object was touched; 0 for never.
+    touched: Vec<u64>,
+}
+
+impl Pushes {
+    /// None yet, of so many objects.
+    pub fn new(objects: usize) -> Self {
+        Self { count: 0, touched: vec![0; objects] }
+    }
+
+    /// How many there were.
+    pub const fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// Takes up the contacts of a tick: the forces on the ship at its end, and the impacts in it. `apart` is [`APART`] in ticks.
+    pub fn note(&mut self, tick: u64, apart: f64, forces: &ForceManager, impulses: &[Impulse]) {
+        let pressing = forces.forces().iter().filter_map(|force| if let Source::Body(by) = force.source { Some(by) } else { None });
+        let hitting = impulses.iter().filter_map(|impulse| match impulse.on(SHIP) {
+            Some((_, Obstacle::Body(by))) => Some(by),
+            Some((_, Obstacle::Surface(_))) | None => None,
+        });
+        for body in pressing.chain(hitting) {
+            let Some(last) = self.touched.get_mut(body.index().wrapping_sub(1)) else { continue };
+            self.count += u32::from(*last == 0 || (tick + 1 - *last) as f64 >= apart);
+            *last = tick + 1;
+        }
+    }
+
+    /// Feeds every bit of the state to `write`; before the first push there is none.
+    pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
+        if self.count > 0 {
+            write(u64::from(self.count));
+            self.touched.iter().for_each(|&tick| write(tick));
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! Making a level's flights: by their plans as they stand, or where those no longer do by a bounded search over their numbers.
+
+use crate::flight::{Aim, CHANGES, Flight, again, bears};
+use crate::plan::Plan;
+use crate::sight::Sight;
+use crate::{difficulty, pilot, plan_file, plan_of, project};
+use rand::SeedableRng;
+use rand_pcg::Pcg32;
+use resultant::game::{Game, Outcome, Recorder, SHIP};
+use resultant::level::Level;
+use std::path::Path;
+use std::sync::Arc;
+
+/// How many variations of a plan are tried where the plan does not do.
+const TRIALS: u32 = 3000;
+/// By what share of itself each quantity may change without moving a careful flight's end by a tick, and without losing it.
+const SAME: f64 = 1e-5;
+const LATE: f64 = 1e-3;
+/// What the search finds bears so many times as much.
+const SPARE: f64 = 3.0;
+
+/// What it is worth, in points, that all flights of an unsteady hand succeed: who flies with care takes the line that forgives most.
+const STEADY: f64 = 2e4;
+/// The seeds of those flights, none of which the measure of difficulty has.
+const UNSTEADY: std::ops::Range<u64> = 1001..1017;
+
+/// How flights are made.
+pub struct Options {
+    /// The only flight that is wanted, by its name.
+    pub only: Option<String>,
+    /// Variations to be tried in any case.
+    pub trials: Option<u32>,
+    pub seed: u64,
+    /// Whether the plan is written, too.
+    pub keep: bool,
+    pub trace: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { only: None, trials: None, seed: 1, keep: false, trace: false }
+    }
+}
+
+/// Flies a level for each aim and records the flights; what went wrong with one keeps no other from being made.
+pub fn record(level: &Arc<Level>, options: &Options) -> Result<(), String> {
+    let wanted = |aim: &Aim| options.only.as_deref().is_none_or(|only| only == aim.name());
+    let made = Aim::ALL.into_iter().filter(wanted).map(|aim| make(level, aim, options).map_err(|problem| (aim, problem)));
+    let failed: Vec<String> =
+        made.filter_map(Result::err).map(|(aim, problem)| format!("{}: not recorded: {problem}", aim.name())).collect();
+    if failed.is_empty() { Ok(()) } else { Err(failed.join("\n")) }
+}
+
+fn make(level: &Arc<Level>, aim: Aim, options: &Options) -> Result<(), String> {
+    // The careful plan is where the others begin.
+    let plan = plan_of(&level.name, aim).or_else(|problem| plan_of(&level.name, Aim::Careful).map_err(|_| problem))?;
+    if options.trace {
+        trace(level, &plan);
+    }
+    let (mut flight, mut plan) = (Flight::by_plan(level, &plan), plan);
+    let lacks = |flight: &Flight, plan: &Plan| {
+        let firm = || aim != Aim::Careful || bears(level, &flight.inputs, SAME, LATE);
+        flight.lacks(aim, level, plan.settings.par).or_else(|| (!firm()).then(|| "its keys bear no small change".to_owned()))
+    };
+    let trials = options.trials.unwrap_or(if lacks(&flight, &plan).is_none() { 0 } else { TRIALS });
+    if trials > 0 {
+        report("as planned", aim, level, &flight);
+        let enough = |flight: &Flight, plan: &Plan| options.trials.is_none() && lacks(flight, plan).is_none();
+        (flight, plan) = Search { level, aim, trials, seed: options.seed }.climb((flight, plan), enough);
+    }
+    report(&level.name, aim, level, &flight);
+    if options.keep {
+        write(&plan_file(&level.name, aim), &plan.to_string())?;
+    }
+    if let Some(problem) = lacks(&flight, &plan) {
+        return Err(problem);
+    }
+    let name = format!("{}.replay.csv", aim.name());
+    write(&project().join("levels").join(&level.name).join("flights").join(name), &replay(level, &flight)?)?;
+    if aim == Aim::Careful {
+        write(&project().join("tests/inputs").join(&level.name).with_extension("csv"), &flight.inputs.to_string())?;
+    }
+    Ok(())
+}
+
+/// The flight's record, from flying its keys again.
+fn replay(level: &Arc<Level>, flight: &Flight) -> Result<String, String> {
+    let mut game = Game::new(Arc::clone(level)).map_err(|error| error.to_string())?;
+    let mut recorder = Recorder::default();
+    for controls in flight.inputs.clone() {
+        game.step(controls);
+        recorder.note(&game, controls);
+    }
+    Ok(recorder.finish(&game).to_string())
+}
+
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    let folder = path.parent().unwrap_or(path);
+    std::fs::create_dir_all(folder)
+        .and_then(|()| std::fs::write(path, text))
+        .map_err(|error| format!("{}: {error}", path.display()))
+}
+
+/// A search for a better plan.
+struct Search<'a> {
+    level: &'a Arc<Level>,
+    aim: Aim,
+    trials: u32,
+    seed: u64,
+}
+
+impl Search<'_> {
+    /// Climbs from a plan to better ones, until one is good enough. A careful flight that does not bear small changes never replaces one
+    /// that does.
+    fn climb(&self, begin: (Flight, Plan), enough: impl Fn(&Flight, &Plan) -> bool) -> (Flight, Plan) {
+        let mut random = Pcg32::seed_from_u64(self.seed);
+        let mut best_rank = self.rank(&begin.0, &begin.1, (false, f64::NEG_INFINITY));
+        let mut best = begin;
+        for trial in 0..self.trials {
+            let plan = best.1.varied(&mut random);
+            let flight = Flight::by_plan(self.level, &plan);
+            let rank = self.rank(&flight, &plan, best_rank);
+            if rank > best_rank {
+                let result = &flight.result;
+                eprintln!(
+                    "trial {trial}: worth {:.0}, {:.3} s, fuel {:.3}, {} rows",
+                    rank.1, result.time, result.fuel, flight.rows
+                );
+                (best, best_rank) = ((flight, plan), rank);
+                if enough(&best.0, &best.1) {
+                    break;
+                }
+            }
+        }
+        best
+    }
+
+    /// Whether a flight bears small changes, and what it is worth. What is costly to find out is not asked where the flight stays behind the
+    /// best one anyhow.
+    fn rank(&self, flight: &Flight, plan: &Plan, best: (bool, f64)) -> (bool, f64) {
+        let worth = flight.worth(self.aim, self.level);
+        if self.aim != Aim::Careful || worth < -1e5 {
+            return (worth >= -1e5, worth);
+        }
+        if best.0 && worth + STEADY <= best.1 {
+            return (false, worth);
+        }
+        let worth = worth + STEADY * difficulty::share(self.level, plan, UNSTEADY);
+        if best.0 && worth <= best.1 {
+            return (false, worth);
+        }
+        (bears(self.level, &flight.inputs, SPARE * SAME, SPARE * LATE), worth)
+    }
+}
+
+fn report(name: &str, aim: Aim, level: &Level, flight: &Flight) {
+    let result = &flight.result;
+    println!(
+        "{name} {}: {} in {:.3} s, score {}, damaging hits {}, pushes {}, fuel {:.3}, top speed {:.1} m/s, {} rows, steps {}, {:.2} m to go, worth {:.0}",
+        aim.name(),
+        result.outcome.name(),
+        result.time,
+        result.score.total,
+        result.collisions,
+        result.pushes,
+        result.fuel,
+        result.top_speed,
+        flight.rows,
+        flight.steps,
+        flight.distance,
+        flight.worth(aim, level),
+    );
+    println!(
+        "  off red {:.2} m, ticks near walls {}, bumps {}, knocks {}, hardest on objects {:.2}, on the ground {:.2}, at the end {:.2} m/s, {:.2} aside",
+        flight.red,
+        flight.near_walls,
+        flight.bumps,
+        flight.knocks,
+        flight.hardest_push,
+        flight.hardest_landing,
+        flight.last_speed,
+        flight.aside,
+    );
+    if aim != Aim::Careful {
+        return;
+    }
+    for by in [1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+        let worst = CHANGES.map(|(what, change)| {
+            let both = [by, -by].map(|by| again(level, &flight.inputs, change, by));
+            format!("{what} {:?}/{:?}", both[0], both[1])
+        });
+        println!("  changed by {by:e}: {}", worst.join(", "));
+    }
+}
+
+/// Prints where the ship is, ten times a second.
+fn trace(level: &Arc<Level>, plan: &Plan) {
+    let Ok(mut game) = Game::new(Arc::clone(level)) else { return };
+    let mut pilot = pilot::Pilot::new(plan, &Sight::clear(&game));
+    while game.outcome() == Outcome::Running && game.time() < 2.0 * plan.settings.par {
+        let controls = pilot.keys(&Sight::clear(&game));
+        game.step(controls);
+        if game.ticks() % 12 == 0 {
+            let ship = game.world().body(SHIP);
+            let (at, v) = (ship.position * level.metre, ship.velocity);
+            let objects: Vec<String> = (1..=level.objects.len())
+                .map(|index| (game.world().bodies()[index].position * level.metre, game.world().bodies()[index].velocity))
+                .map(|(at, v)| format!("({:.0}, {:.0}; {:.1}, {:.1})", at.x, at.y, v.x, v.y))
+                .collect();
+            eprintln!(
+                "{:6.2} s step {} at ({:.0}, {:.0}) v ({:.1}, {:.1}) angle {} thrust {} objects {}",
+                game.time(),
+                pilot.step(),
+                at.x,
+                at.y,
+                v.x,
+                v.y,
+                game.ship().angle,
+                u8::from(controls.thrust),
+                objects.join(" "),
+            );
+        }
+    }
+}
