@@ -20,8 +20,9 @@ const HIDDEN: &str = ".new-";
 const FILES: [(&str, &str); 9] = [
     (
         "constants.csv",
-        "# All settings; width and height (pixels) are not needed once there is a background.png.\n\
-         name,value\ntitle,{name}\ngravity,15\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nwidth,1280\nheight,720\n",
+        "# All settings; width and height (pixels) are not needed once there is a background.png. silver and gold (s) and one mark\n\
+         # (mark_hits, mark_fuel, mark_pushes or mark_speed) are what the level's medals ask for.\n\
+         name,value\ntitle,{name}\ngravity,15\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
     ),
     (
         "player.csv",

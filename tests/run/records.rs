@@ -45,6 +45,29 @@ fn a_run_that_was_tampered_with_is_found_out() {
 }
 
 #[test]
+fn it_is_told_in_which_second_a_flight_departs_and_how_it_should_have_ended() {
+    let data = data();
+    let inputs = data.write("in.csv", &format!("{HEADER}\n150,1,0,0,0\n150,0,0,0,0\n100,1,0,1,0\n"));
+    let path = data.path("run.csv").to_str().unwrap().to_owned();
+    data.resultant(&["run", "flight", "--inputs", &inputs, "--record", &path]);
+    let good = read(&data, "run.csv");
+    assert_eq!(good.lines().filter(|line| line.starts_with("# hash ")).count(), 3, "{good}");
+    assert!(good.contains("\n# outcome: running\n# time: 3.3333333333333335\n# score: 0\n# hash: "), "{good}");
+    for (from, to, why) in [
+        ("150,1,0,0,0", "150,0,1,0,0", "run.csv: departs in second 1: recorded hash "),
+        ("150,0,0,0,0", "149,0,0,0,0\n1,0,0,1,0", "run.csv: departs in second 3: recorded hash "),
+        ("100,1,0,1,0", "99,1,0,1,0", "run.csv: recorded score 0 and hash "),
+        ("outcome: running", "outcome: failed", "run.csv: recorded failed at 3.333 s, flown running at 3.333 s"),
+        ("time: 3.3", "time: 2.3", "run.csv: recorded running at 2.333 s, flown running at 3.333 s"),
+    ] {
+        data.write("run.csv", &good.replace(from, to));
+        let ran = data.resultant(&["verify", &path]);
+        assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{to}");
+        assert!(ran.err.starts_with(why) || ran.err.contains(&format!("/{why}")), "{to}: {}", ran.err);
+    }
+}
+
+#[test]
 fn a_record_tells_what_recorded_it_and_in_which_level() {
     let (data, path) = recorded();
     let path = path.as_str();

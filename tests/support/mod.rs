@@ -1,6 +1,7 @@
 //! What the tests of the engine share: random numbers, what scenes are built from, and what is measured of them.
 #![allow(dead_code, unused_imports)] // Each test takes what it needs.
 
+pub mod adversary;
 mod build;
 pub mod dense;
 pub mod hashes;
