@@ -3,6 +3,7 @@
 use super::death::{Death, crushed};
 use super::hash::Fnv1a;
 use super::impacts::{Felt, Impacts, READABLE};
+use super::mechanisms::{Change, Mechanisms};
 use super::objectives::Objectives;
 use super::touch::sweep_touches;
 use super::{Controls, RunResult, ScoreParts, Ship};
@@ -71,6 +72,12 @@ pub enum GameEvent {
     ObjectiveMet(usize),
     /// … is no longer met.
     ObjectiveLost(usize),
+    /// The switch of that index in `Level::switches` has been pressed, or let go.
+    Switched(usize, bool),
+    /// The block of that index in `Level::world` has broken.
+    Broke(usize),
+    /// The pod of that index in `Level::pods` has been taken.
+    Refuelled(usize),
     /// All were met.
     Completed,
     /// Something begins to be squeezed.
@@ -127,6 +134,7 @@ pub struct Game {
     outcome: Outcome,
     ticks: u64,
     objectives: Objectives,
+    mechanisms: Mechanisms,
     flight: Flight,
     events: Vec<GameEvent>,
     /// What can still be read of impacts, and what is being squeezed: for those who look on, no rule asks.
@@ -151,7 +159,8 @@ impl Game {
         if !TICK_RATES.contains(&tick_rate) {
             return Err(GameError::TickRate(tick_rate));
         }
-        let world = World::new(level.world_def()).map_err(GameError::World)?;
+        let mut world = World::new(level.world_def()).map_err(GameError::World)?;
+        let mechanisms = Mechanisms::new(&level, &mut world);
         let flight = Flight {
             collisions: 0,
             distance: 0.0,
@@ -161,6 +170,7 @@ impl Game {
         let mut game = Self {
             tick_rate,
             objectives: Objectives::new(&level, &world, tick_rate),
+            mechanisms,
             world,
             ship: Ship::new(&level.player),
             outcome: Outcome::Running,
@@ -200,6 +210,7 @@ impl Game {
         self.measure();
         self.note_impacts();
         self.note_crushed();
+        self.note_mechanisms();
         self.note_objectives();
         self.judge();
     }
@@ -244,6 +255,25 @@ impl Game {
         }
         self.squeezed.clear();
         self.squeezed.extend(crushed(self.world.events()).map(|(body, _)| body));
+    }
+
+    /// Works what switches work, breaks what breaks, and takes up pods.
+    fn note_mechanisms(&mut self) {
+        let Self { level, world, mechanisms, events, .. } = self;
+        mechanisms.note(level, world, |change| {
+            events.push(match change {
+                Change::Switch(index, pressed) => GameEvent::Switched(index, pressed),
+                Change::Broke(index) => GameEvent::Broke(index),
+            });
+        });
+        for index in 0..self.level.pods.len() {
+            let full = self.ship.fuel >= self.level.player.fuel;
+            let touched = !full && !self.mechanisms.is_taken(index) && self.has_touched(&self.level.pods[index].bounds);
+            if touched && self.mechanisms.take_pod(index) {
+                self.ship.refuel(self.level.pods[index].fuel, &self.level.player);
+                self.events.push(GameEvent::Refuelled(index));
+            }
+        }
     }
 
     /// Finds out which objectives are met and tells what has changed.
@@ -291,6 +321,11 @@ impl Game {
     /// The world; object i of the level is body i + 1.
     pub fn world(&self) -> &World {
         &self.world
+    }
+
+    /// Switches, fragile blocks and pods.
+    pub fn mechanisms(&self) -> &Mechanisms {
+        &self.mechanisms
     }
 
     /// The ship.
@@ -366,7 +401,7 @@ impl Game {
             objectives_all: self.met().len(),
             collisions: self.flight.collisions,
             fuel: self.fuel(),
-            fuel_used: self.level.player.fuel - self.ship.fuel,
+            fuel_used: self.ship.fuel_used(),
             distance: self.flight.distance,
             top_speed: self.flight.top_speed,
             peak_resultant: self.flight.peak_resultant,
@@ -391,6 +426,7 @@ impl Game {
         for value in [self.flight.distance, self.flight.top_speed, self.flight.peak_resultant] {
             write(value.to_bits());
         }
+        self.mechanisms.hash_state(&mut write);
         self.world.hash_state(&mut write);
         hash.finish()
     }
