@@ -155,8 +155,12 @@ fn script(seed: u64, slots: usize, pauses: bool) -> Script {
 /// The yard with a stream and a liquid.
 fn yard_with_media() -> Level {
     let mut level = yard();
-    level.streams =
-        vec![Stream { source: area(20.0, 59.0, 30.0, 60.0), zone: area(20.0, 20.0, 30.0, 59.0), force: DVec2::new(0.0, -900.0) }];
+    level.streams = vec![Stream {
+        source: area(20.0, 59.0, 30.0, 60.0),
+        zone: area(20.0, 20.0, 30.0, 59.0),
+        force: DVec2::new(0.0, -900.0),
+        name: None,
+    }];
     level.fluids = vec![Fluid { zone: area(60.0, 50.0, 90.0, 60.0), density: 900.0, viscosity: 50.0, colour: [0; 3] }];
     level
 }
@@ -174,8 +178,12 @@ fn flights_through_a_crowd_a_liquid_and_a_stream_have_their_golden_hashes() {
     // The ship begins in the liquid and in the stream, and a crate is in either, too.
     let (mut liquid, mut stream) = (yard(), yard());
     liquid.fluids = vec![Fluid { zone: area(40.0, 45.0, 70.0, 60.0), density: 900.0, viscosity: 50.0, colour: [0; 3] }];
-    stream.streams =
-        vec![Stream { source: area(40.0, 59.0, 52.0, 60.0), zone: area(40.0, 20.0, 52.0, 59.0), force: DVec2::new(40.0, -900.0) }];
+    stream.streams = vec![Stream {
+        source: area(40.0, 59.0, 52.0, 60.0),
+        zone: area(40.0, 20.0, 52.0, 59.0),
+        force: DVec2::new(40.0, -900.0),
+        name: None,
+    }];
     let levels = [("crowd", crowded_yard()), ("liquid", liquid), ("stream", stream)];
     let hashes = levels.map(|(name, level)| (name, the_same_at_every_rate(&level, &script(2, 30, false))));
     hashes.into_iter().for_each(|(name, hash)| assert_golden(name, hash));

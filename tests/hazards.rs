@@ -14,7 +14,7 @@ const THRUST: Controls = Controls { thrust: true, ..NONE };
 const HALF: f64 = 0.85;
 
 fn solid(left: f64, top: f64, right: f64, bottom: f64) -> Solid {
-    Solid { bounds: area(left, top, right, bottom), material: Material::ASPHALT }
+    Solid::new(area(left, top, right, bottom), Material::ASPHALT)
 }
 
 /// The room with a floor at y = 60 m and the ship `gap` metres above it, moving.
@@ -85,7 +85,7 @@ fn floor_and_wall_at_once_are_one_hit_and_one_after_the_other_are_two() {
         let mut level = above_floor(53.0 - 50.0 - HALF, DVec2::splat(12.0));
         level.world.push(solid(wall, 40.0, wall + 1.0, 60.0));
         for solid in &mut level.world {
-            solid.material = Material { name: "Smooth", static_friction: 0.0, kinetic_friction: 0.0 };
+            solid.material = Material { name: "Smooth", static_friction: 0.0, kinetic_friction: 0.0, ..Material::ASPHALT };
         }
         let mut game = Game::new(Arc::new(level)).unwrap();
         (0..240).for_each(|_| game.step(NONE));
@@ -129,7 +129,7 @@ fn a_damaging_collision_costs_five_hundred_points() {
 fn wind_is_felt_while_the_zone_is_touched_and_the_same_by_all() {
     let mut level = room();
     let zone = area(45.0, 45.0, 60.0, 55.0);
-    level.streams = vec![Stream { source: area(44.0, 45.0, 45.0, 55.0), zone, force: DVec2::new(1200.0, 0.0) }];
+    level.streams = vec![Stream { source: area(44.0, 45.0, 45.0, 55.0), zone, force: DVec2::new(1200.0, 0.0), name: None }];
     level.objects = vec![crate_at(DVec2::new(48.0, 53.0), DVec2::ZERO, None)];
     let mut game = Game::new(Arc::new(level)).unwrap();
     let mut left = [false; 2];

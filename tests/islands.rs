@@ -45,7 +45,7 @@ fn busy_room(seed: u64, left: f64, count: usize, extras: Extras) -> WorldDef {
     for _ in 0..random.below(4) {
         let (x, y) = (random.between(0.0, 8.0), random.between(8.0, 11.0));
         let ledge = area(left + x, y, left + x + random.between(0.2, 3.0), y + 0.3);
-        surfaces.push(SurfaceDef::fixed(ledge, random.pick(&Material::ALL)));
+        surfaces.push(SurfaceDef::fixed(ledge, random.pick(&Material::FIRM)));
     }
     if extras.movers {
         let mover = |x0: f64, y0: f64, x1: f64, y1: f64, path: Path| SurfaceDef { path, ..wall(x0, y0, x1, y1) };

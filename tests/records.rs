@@ -11,10 +11,10 @@ use support::rooms::{area, crate_at, objective, room};
 fn full() -> Level {
     let zone = area(1.0, 2.0, 3.0, 4.0);
     Level {
-        world: vec![Solid { bounds: zone, material: Material::ASPHALT }],
+        world: vec![Solid::new(zone, Material::ASPHALT)],
         objects: vec![crate_at(DVec2::new(9.0, 9.0), DVec2::ZERO, None)],
         obstacles: vec![zone],
-        streams: vec![Stream { source: zone, zone, force: DVec2::X }],
+        streams: vec![Stream { source: zone, zone, force: DVec2::X, name: None }],
         fluids: vec![Fluid { zone, density: 900.0, viscosity: 1.0, colour: [1, 2, 3] }],
         texts: vec![Text { position: DVec2::ZERO, size: 1.0, text: "Up!".into() }],
         ..room()

@@ -45,6 +45,7 @@ fn movers(pull: f64) -> impl Strategy<Value = Vec<SurfaceDef>> {
             sides: if kind == 1 { Sides::TOP } else { Sides::ALL },
             belt: if kind == 2 { 0.0 } else { belt },
             present: true,
+            ..SurfaceDef::default()
         };
         list.into_iter().map(surface).collect()
     })

@@ -26,10 +26,12 @@ fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Writ
     let all = if args.levels.is_empty() { level::list(&project.levels()) } else { Vec::new() };
     let names = if args.levels.is_empty() { &all } else { &args.levels };
     if names.is_empty() {
-        return Err(Stop::Refused(format!("no level folder in {}", project.levels().display())));
+        let levels = project.levels();
+        let why = std::fs::read_dir(&levels).err().map_or(String::new(), |error| format!(", which cannot be read: {error}"));
+        return Err(Stop::Refused(format!("no level folder in {}{why}", levels.display())));
     }
     let folders = names.iter().map(|name| project.level_folder(name)).collect::<Result<Vec<PathBuf>, Stop>>()?;
-    let mut status = Status::Done;
+    let (mut status, mut refused) = (Status::Done, 0);
     for (name, folder) in names.iter().map(shown).zip(folders) {
         let problems = match level::load(&folder, project.root()) {
             Ok(loaded) => match World::new(loaded.level.world_def()) {
@@ -41,11 +43,14 @@ fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Writ
             },
             Err(problems) => problems.iter().map(ToString::to_string).collect(),
         };
-        status = Status::Wrong;
+        (status, refused) = (Status::Wrong, refused + 1);
         writeln!(err, "{name}: refused, {}", count(problems.len(), "problem", "problems"))?;
         for problem in problems {
             writeln!(err, "{problem}")?;
         }
+    }
+    if names.len() > 1 {
+        writeln!(out, "{} levels: {} ok, {refused} refused", names.len(), names.len() - refused)?;
     }
     Ok(status)
 }
@@ -62,6 +67,14 @@ fn describe(name: &str, loaded: &Loaded, world: &World, out: &mut dyn Write, err
 
 fn contents(level: &Level) -> String {
     let keys = level.objects.iter().filter(|object| object.key.is_some()).count();
+    let newer = [
+        (level.movers.len(), "mover", "movers"),
+        (level.doors.len(), "door", "doors"),
+        (level.switches.len(), "switch", "switches"),
+        (level.fields.len(), "gravity zone", "gravity zones"),
+        (level.pods.len(), "pod", "pods"),
+        (level.decoration.len(), "decoration", "decorations"),
+    ];
     let objectives = |kind| level.objectives.iter().filter(|objective| objective.kind == kind).count();
     [
         count(level.world.len(), "solid", "solids"),
@@ -74,6 +87,9 @@ fn contents(level: &Level) -> String {
         count(level.fluids.len(), "liquid", "liquids"),
         count(level.texts.len(), "text", "texts"),
     ]
+    .into_iter()
+    .chain(newer.into_iter().filter(|(n, ..)| *n > 0).map(|(n, one, many)| count(n, one, many)))
+    .collect::<Vec<_>>()
     .join(", ")
 }
 

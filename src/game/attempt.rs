@@ -3,6 +3,7 @@
 use super::death::{Death, crushed};
 use super::hash::Fnv1a;
 use super::impacts::{Felt, Impacts, READABLE};
+use super::mechanisms::{Change, Mechanisms};
 use super::objectives::Objectives;
 use super::pushes::{APART, Pushes};
 use super::touch::sweep_touches;
@@ -72,6 +73,12 @@ pub enum GameEvent {
     ObjectiveMet(usize),
     /// … is no longer met.
     ObjectiveLost(usize),
+    /// The switch of that index in `Level::switches` has been pressed, or let go.
+    Switched(usize, bool),
+    /// The block of that index in `Level::world` has broken.
+    Broke(usize),
+    /// The pod of that index in `Level::pods` has been taken.
+    Refuelled(usize),
     /// All were met.
     Completed,
     /// Something begins to be squeezed.
@@ -129,6 +136,7 @@ pub struct Game {
     ticks: u64,
     objectives: Objectives,
     pushes: Pushes,
+    mechanisms: Mechanisms,
     flight: Flight,
     events: Vec<GameEvent>,
     /// What can still be read of impacts, and what is being squeezed: for those who look on, no rule asks.
@@ -153,7 +161,8 @@ impl Game {
         if !TICK_RATES.contains(&tick_rate) {
             return Err(GameError::TickRate(tick_rate));
         }
-        let world = World::new(level.world_def()).map_err(GameError::World)?;
+        let mut world = World::new(level.world_def()).map_err(GameError::World)?;
+        let mechanisms = Mechanisms::new(&level, &mut world);
         let flight = Flight {
             collisions: 0,
             distance: 0.0,
@@ -164,6 +173,7 @@ impl Game {
             tick_rate,
             objectives: Objectives::new(&level, &world, tick_rate),
             pushes: Pushes::new(level.objects.len()),
+            mechanisms,
             world,
             ship: Ship::new(&level.player),
             outcome: Outcome::Running,
@@ -203,6 +213,7 @@ impl Game {
         self.measure();
         self.note_impacts();
         self.note_crushed();
+        self.note_mechanisms();
         self.note_objectives();
         self.judge();
     }
@@ -251,6 +262,25 @@ impl Game {
         self.squeezed.extend(crushed(self.world.events()).map(|(body, _)| body));
     }
 
+    /// Works what switches work, breaks what breaks, and takes up pods.
+    fn note_mechanisms(&mut self) {
+        let Self { level, world, mechanisms, events, .. } = self;
+        mechanisms.note(level, world, |change| {
+            events.push(match change {
+                Change::Switch(index, pressed) => GameEvent::Switched(index, pressed),
+                Change::Broke(index) => GameEvent::Broke(index),
+            });
+        });
+        for index in 0..self.level.pods.len() {
+            let full = self.ship.fuel >= self.level.player.fuel;
+            let touched = !full && !self.mechanisms.is_taken(index) && self.has_touched(&self.level.pods[index].bounds);
+            if touched && self.mechanisms.take_pod(index) {
+                self.ship.refuel(self.level.pods[index].fuel, &self.level.player);
+                self.events.push(GameEvent::Refuelled(index));
+            }
+        }
+    }
+
     /// Finds out which objectives are met and tells what has changed.
     fn note_objectives(&mut self) {
         let Self { level, world, objectives, events, .. } = self;
@@ -296,6 +326,11 @@ impl Game {
     /// The world; object i of the level is body i + 1.
     pub fn world(&self) -> &World {
         &self.world
+    }
+
+    /// Switches, fragile blocks and pods.
+    pub fn mechanisms(&self) -> &Mechanisms {
+        &self.mechanisms
     }
 
     /// The ship.
@@ -372,7 +407,7 @@ impl Game {
             collisions: self.flight.collisions,
             pushes: self.pushes.count(),
             fuel: self.fuel(),
-            fuel_used: self.level.player.fuel - self.ship.fuel,
+            fuel_used: self.ship.fuel_used(),
             distance: self.flight.distance,
             top_speed: self.flight.top_speed,
             peak_resultant: self.flight.peak_resultant,
@@ -398,6 +433,7 @@ impl Game {
             write(value.to_bits());
         }
         self.pushes.hash_state(&mut write);
+        self.mechanisms.hash_state(&mut write);
         self.world.hash_state(&mut write);
         hash.finish()
     }

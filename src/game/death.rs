@@ -1,7 +1,7 @@
 //! What ended an attempt, and what was squeezed.
 
 use super::names::obstacle_name;
-use crate::level::Level;
+use crate::level::{Level, SurfaceOf};
 use crate::physics::{Aabb, BodyId, Event, Obstacle};
 
 /// What the ship was lost to.
@@ -30,9 +30,15 @@ impl Death {
         };
         match self {
             Self::Obstacle(index) => format!("Touched a red box {}", at(level.obstacles[index])),
-            Self::Crushed(surface) => match level.world.get(surface as usize) {
-                Some(solid) => format!("Crushed by a block {}", at(solid.bounds)),
-                None => "Crushed against the edge of the level".into(),
+            Self::Crushed(surface) => match level.surface(surface as usize) {
+                SurfaceOf::World(index) => format!("Crushed by a block {}", at(level.world[index].bounds)),
+                SurfaceOf::Source(index) => format!("Crushed by a block {}", at(level.streams[index].source)),
+                SurfaceOf::Mover(index) => {
+                    format!("Crushed by a moving block that starts {}", at(level.movers[index].solid.bounds))
+                }
+                SurfaceOf::Door(index) => format!("Crushed by a door {}", at(level.doors[index].bounds)),
+                SurfaceOf::Plate(index) => format!("Crushed against a plate {}", at(level.switches[index].bounds)),
+                SurfaceOf::Edge(_) => "Crushed against the edge of the level".into(),
             },
         }
     }

@@ -1,8 +1,8 @@
 //! Which level a run was flown in: a hash of all that a flight and its score depend on.
 
 use super::hash::Fnv1a;
-use crate::level::{Fluid, Level, Object, Objective, Player, Solid, Stream};
-use crate::physics::{Aabb, DVec2, Material};
+use crate::level::{Field, Fluid, Level, Mover, Object, Objective, Player, Pod, Solid, Stream, Switch, Work};
+use crate::physics::{Aabb, DVec2, Leg, Material, Path, Sides};
 
 /// The hash of a level. Its name, its words and how things look are left out, and so is how its files are written: two levels with the
 /// same hash are flown alike. Whatever is added to a level has to be named here, on one side or the other.
@@ -15,28 +15,32 @@ pub fn level_hash(level: &Level) -> u64 {
         background: _,
         // What is earned is worked out from a result, whenever it is asked for.
         awards: _,
+        decoration: _,
         size,
         gravity,
+        gravity_x,
         air_density,
         optimal_time,
         rest_speed,
         player,
         world,
+        movers,
+        doors,
+        switches,
         objects,
         objectives,
         obstacles,
         streams,
         fluids,
+        fields,
+        pods,
     } = level;
     let mut hash = Hash(Fnv1a::new());
     hash.vectors(&[*size]);
     hash.numbers(&[*gravity, *air_density, *optimal_time, *rest_speed]);
     hash.player(player);
-    hash.each(world, |hash, Solid { bounds, material }| {
-        let Material { name: _, static_friction, kinetic_friction } = material;
-        hash.area(bounds);
-        hash.numbers(&[*static_friction, *kinetic_friction]);
-    });
+    hash.given("gravity_x", *gravity_x != 0.0, |hash| hash.numbers(&[*gravity_x]));
+    hash.each(world, Hash::solid);
     hash.each(objects, Hash::object);
     hash.each(objectives, |hash, Objective { kind, bounds, hold, order, colour }| {
         hash.0.write(*kind as u64);
@@ -49,14 +53,30 @@ pub fn level_hash(level: &Level) -> u64 {
         objects.iter().filter_map(|object| object.key).for_each(|key| hash.colour(key));
     });
     hash.each(obstacles, Hash::area);
-    hash.each(streams, |hash, Stream { source, zone, force }| {
+    hash.each(streams, |hash, Stream { source, zone, force, name }| {
         hash.area(source);
         hash.area(zone);
         hash.vectors(&[*force]);
+        hash.name(name.as_deref());
     });
     hash.each(fluids, |hash, Fluid { zone, density, viscosity, colour: _ }| {
         hash.area(zone);
         hash.numbers(&[*density, *viscosity]);
+    });
+    hash.given("movers", !movers.is_empty(), |hash| hash.each(movers, Hash::mover));
+    hash.given("doors", !doors.is_empty(), |hash| hash.each(doors, Hash::solid));
+    hash.given("switches", !switches.is_empty(), |hash| hash.each(switches, Hash::switch));
+    hash.given("fields", !fields.is_empty(), |hash| {
+        hash.each(fields, |hash, Field { zone, strength }| {
+            hash.area(zone);
+            hash.vectors(&[*strength]);
+        });
+    });
+    hash.given("pods", !pods.is_empty(), |hash| {
+        hash.each(pods, |hash, Pod { bounds, fuel }| {
+            hash.area(bounds);
+            hash.numbers(&[*fuel]);
+        });
     });
     hash.0.finish()
 }
@@ -94,8 +114,49 @@ impl Hash {
         things.iter().for_each(|thing| write(self, thing));
     }
 
-    fn material(&mut self, Material { name: _, static_friction, kinetic_friction }: &Material) {
+    fn material(&mut self, Material { name: _, static_friction, kinetic_friction, restitution }: &Material) {
         self.numbers(&[*static_friction, *kinetic_friction]);
+        self.given("bounces", *restitution != 0.0, |hash| hash.numbers(&[*restitution]));
+    }
+
+    /// What switches find it by.
+    fn name(&mut self, name: Option<&str>) {
+        self.given("name", name.is_some(), |hash| {
+            name.unwrap_or_default().bytes().for_each(|byte| hash.0.write(u64::from(byte)));
+        });
+    }
+
+    fn solid(&mut self, Solid { bounds, material, sides, belt, breaks, name }: &Solid) {
+        let Sides { left, right, top, bottom } = *sides;
+        self.area(bounds);
+        self.material(material);
+        self.given("sides", *sides != Sides::ALL, |hash| {
+            [left, right, top, bottom].into_iter().for_each(|solid| hash.0.write(u64::from(solid)));
+        });
+        self.given("belt", *belt != 0.0, |hash| hash.numbers(&[*belt]));
+        self.given("breaks", breaks.is_some(), |hash| hash.numbers(&[breaks.unwrap_or_default()]));
+        self.name(name.as_deref());
+    }
+
+    /// Its stops and its route are in its path.
+    fn mover(&mut self, Mover { solid, stops: _, route: _, path: Path { legs, repeats } }: &Mover) {
+        self.solid(solid);
+        self.each(legs, |hash, Leg { duration, velocity, acceleration }| {
+            hash.numbers(&[*duration]);
+            hash.vectors(&[*velocity, *acceleration]);
+        });
+        self.0.write(u64::from(*repeats));
+    }
+
+    fn switch(&mut self, Switch { bounds, works, weight, by, latch }: &Switch) {
+        self.area(bounds);
+        self.each(works, |hash, Work { name, inverted }| {
+            hash.name(Some(name));
+            hash.0.write(u64::from(*inverted));
+        });
+        self.given("weight", weight.is_some(), |hash| hash.numbers(&[weight.unwrap_or_default()]));
+        self.0.write(*by as u64);
+        self.0.write(*latch as u64);
     }
 
     fn player(&mut self, player: &Player) {
@@ -107,11 +168,12 @@ impl Hash {
     }
 
     fn object(&mut self, object: &Object) {
-        let Object { position, velocity, size, mass, drag, restitution, circular, look: _, key, material } = object;
+        let Object { position, velocity, size, mass, drag, restitution, circular, look: _, key, material, weightless } = object;
         self.vectors(&[*position, *velocity, *size]);
         self.numbers(&[*mass, *drag, *restitution]);
         self.material(material);
         self.0.write(u64::from(*circular));
         self.0.write(u64::from(key.is_some()));
+        self.given("weightless", *weightless, |_| {});
     }
 }

@@ -1,19 +1,23 @@
 //! What exerts a force in a level, by name: bodies as the telemetry numbers them, all else as the level's files count their rows.
 
-use crate::level::Level;
+use crate::level::{Level, SurfaceOf};
 use crate::physics::{Obstacle, Source};
 
 /// The edges of a level in the engine's order.
 const EDGES: [&str; 4] = ["edge left", "edge right", "edge top", "edge bottom"];
 
 /// What exerts a force: `gravity`, `engine`, `air`; `stream N`, `fluid N` and `world N`, the Nth row of hazards.csv, fluids.csv and
-/// world.csv; `hazard N`, the source block of stream N; `edge left` (`right`, `top`, `bottom`); `object N`, of which 0 is the ship.
+/// world.csv; likewise `mover N`, `door N`, `switch N` (its plate) and `gravity N`; `hazard N`, the source block of stream N; `edge left`
+/// (`right`, `top`, `bottom`); `object N`, of which 0 is the ship.
 pub fn source_name(level: &Level, source: Source) -> String {
     match source {
         Source::Gravity => "gravity".to_owned(),
         Source::Engine => "engine".to_owned(),
         Source::Air => "air".to_owned(),
         Source::Stream(index) => format!("stream {}", index + 1),
+        // The level's own sideways gravity comes behind the zones.
+        Source::Field(index) if index as usize >= level.fields.len() => "gravity".to_owned(),
+        Source::Field(index) => format!("gravity {}", index + 1),
         Source::Fluid(index) => format!("fluid {}", index + 1),
         Source::Surface(index) => surface_name(level, index as usize),
         Source::Body(body) => format!("object {}", body.0),
@@ -28,14 +32,13 @@ pub fn obstacle_name(level: &Level, obstacle: Obstacle) -> String {
     }
 }
 
-/// The surfaces of a level's world are those of world.csv, the source blocks of the streams and the four edges.
 fn surface_name(level: &Level, index: usize) -> String {
-    let (world, streams) = (level.world.len(), level.streams.len());
-    if index < world {
-        return format!("world {}", index + 1);
-    }
-    match index - world {
-        hazard if hazard < streams => format!("hazard {}", hazard + 1),
-        edge => EDGES[(edge - streams).min(EDGES.len() - 1)].to_owned(),
+    match level.surface(index) {
+        SurfaceOf::World(index) => format!("world {}", index + 1),
+        SurfaceOf::Source(index) => format!("hazard {}", index + 1),
+        SurfaceOf::Mover(index) => format!("mover {}", index + 1),
+        SurfaceOf::Door(index) => format!("door {}", index + 1),
+        SurfaceOf::Plate(index) => format!("switch {}", index + 1),
+        SurfaceOf::Edge(index) => EDGES[index].to_owned(),
     }
 }

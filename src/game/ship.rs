@@ -23,8 +23,10 @@ pub struct Ship {
     /// Ticks rotated clockwise minus ticks rotated anticlockwise. Angle and fuel are counted, not added up, so that they stay
     /// free of rounding that grows with the flight.
     turned: i64,
-    /// Ticks burnt.
+    /// Ticks burnt since the tank was last filled, how much was in it then, and what had been used before, fuel units.
     burnt: u64,
+    filled: f64,
+    used: f64,
     /// Whether the engine burns no fuel.
     pub(super) fuel_lasts: bool,
 }
@@ -39,6 +41,8 @@ impl Ship {
             burning: 0,
             turned: 0,
             burnt: 0,
+            filled: player.fuel,
+            used: 0.0,
             fuel_lasts: false,
         }
     }
@@ -55,9 +59,21 @@ impl Ship {
             return DVec2::ZERO;
         }
         self.burnt += u64::from(!self.fuel_lasts);
-        self.fuel = (player.fuel - self.burnt as f64 * BURN_RATE / tick_rate).max(0.0);
+        self.fuel = (self.filled - self.burnt as f64 * BURN_RATE / tick_rate).max(0.0);
         // Adding zero turns a negative zero into zero.
         nose(self.angle) * (f64::from(self.burning) * player.thrust) + DVec2::ZERO
+    }
+
+    /// Takes up fuel, as much of it as the tank holds.
+    pub(super) fn refuel(&mut self, fuel: f64, player: &Player) {
+        self.used = self.fuel_used();
+        self.fuel += fuel.min((player.fuel - self.fuel).max(0.0));
+        (self.filled, self.burnt) = (self.fuel, 0);
+    }
+
+    /// Fuel units burnt.
+    pub(super) fn fuel_used(&self) -> f64 {
+        self.used + (self.filled - self.fuel)
     }
 
     /// The unit vector along the nose.
@@ -75,6 +91,10 @@ impl Ship {
         write(self.burnt);
         if self.fuel_lasts {
             write(1);
+        }
+        if self.used != 0.0 {
+            write(self.used.to_bits());
+            write(self.filled.to_bits());
         }
     }
 }

@@ -17,6 +17,8 @@ pub(super) enum Fault {
     NotUtf8,
     /// The whole file is UTF-16.
     Utf16,
+    /// The whole file is a spreadsheet's own, and no text.
+    Workbook,
 }
 
 /// A cell without the spaces and the quotes around it.
@@ -44,8 +46,8 @@ pub(super) struct Row {
 /// All rows that hold something; blank lines, rows of empty cells and lines that start with `#` are skipped. Lines end with LF,
 /// CRLF or CR; a UTF-8 byte-order mark is passed over.
 pub(super) fn rows(bytes: &[u8]) -> Vec<Row> {
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        return vec![Row { line: 1, cells: vec![Cell { text: String::new(), line: 1, fault: Some(Fault::Utf16) }] }];
+    if let Some(fault) = fault_of_file(bytes) {
+        return vec![Row { line: 1, cells: vec![Cell { text: String::new(), line: 1, fault: Some(fault) }] }];
     }
     let text = String::from_utf8_lossy(bytes);
     let damaged = matches!(text, std::borrow::Cow::Owned(_));
@@ -57,11 +59,27 @@ pub(super) fn rows(bytes: &[u8]) -> Vec<Row> {
                 cell.fault = cell.fault.or(Some(Fault::NotUtf8));
             }
         }
-        if row.cells.iter().any(|cell| !cell.is_empty()) {
+        // A spreadsheet puts a comment with a comma in quotes.
+        let comment = row.cells[0].fault.is_none() && row.cells[0].text.trim_start().starts_with('#');
+        if !comment && row.cells.iter().any(|cell| !cell.is_empty()) {
             rows.push(row);
         }
     }
     rows
+}
+
+/// What is wrong with a file as a whole.
+fn fault_of_file(bytes: &[u8]) -> Option<Fault> {
+    /// How all files begin that are zipped, as those of spreadsheets are.
+    const ZIP: [u8; 4] = [b'P', b'K', 3, 4];
+    let marked = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
+    // Every other byte of plain letters in UTF-16 is 0; there is none in any text of ours.
+    let zeros = bytes.iter().filter(|byte| **byte == 0).count();
+    match () {
+        () if bytes.starts_with(&ZIP) => Some(Fault::Workbook),
+        () if marked || zeros * 3 > bytes.len() => Some(Fault::Utf16),
+        () => None,
+    }
 }
 
 struct Scanner<'a> {

@@ -2,7 +2,7 @@
 
 use super::name::{self, NameFault};
 use super::problem::{Problem, quoted};
-use super::read::{BACKGROUND, Files, Loaded, read};
+use super::read::{Files, Loaded, read};
 use super::rows;
 use super::table::Layout;
 use super::types::Look;
@@ -11,7 +11,7 @@ use std::cmp::Ordering;
 use std::io;
 use std::path::Path;
 
-/// Loads the level in `folder`; images are looked up under `project`, the folder that holds `assets/` and `levels/`. The paths in
+/// Loads the level in `folder`; images are looked up there, then under `project`, the folder that holds `assets/` and `levels/`. The paths in
 /// the level can be opened as they are.
 ///
 /// # Errors
@@ -33,10 +33,14 @@ pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     loaded.warnings.extend(fault.map(|(_, problem)| problem));
     let level = &mut loaded.level;
     level.background = level.background.take().map(|path| folder.join(path));
-    for object in &mut level.objects {
-        if let Look::Image(path) = &mut object.look {
-            *path = project.join(&*path);
-        }
+    let images = level.objects.iter_mut().filter_map(|object| match &mut object.look {
+        Look::Image(path) => Some(path),
+        Look::Box | Look::Ball => None,
+    });
+    for path in images.chain(level.decoration.iter_mut().map(|picture| &mut picture.image)) {
+        // As they were looked for.
+        let own = folder.join(&*path);
+        *path = if own.exists() { own } else { project.join(&*path) };
     }
     Ok(loaded)
 }
@@ -51,7 +55,23 @@ struct Disk<'a> {
 
 impl Files for Disk<'_> {
     fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
-        files::read(&self.folder.join(name), if name == BACKGROUND { files::PICTURE } else { files::LEVEL_TABLE })
+        let table = name.ends_with(".csv");
+        let path = self.folder.join(name);
+        let read = files::read(&path, if table { files::LEVEL_TABLE } else { files::PICTURE });
+        match read {
+            // A link that leads nowhere is no file that is not there.
+            Err(error) if error.kind() == io::ErrorKind::NotFound && path.is_symlink() => {
+                Err(io::Error::other("a link to a file that is not there"))
+            }
+            read => read,
+        }
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(self.folder).into_iter().flatten().flatten();
+        let mut names: Vec<String> = entries.filter_map(|entry| entry.file_name().into_string().ok()).collect();
+        names.sort_unstable();
+        names
     }
 
     fn project_file(&self, path: &str) -> io::Result<Vec<u8>> {

@@ -45,10 +45,19 @@ impl<'a> Images<'a> {
                 return Ok((look, width, height));
             }
         }
+        if let Some((shape, _)) =
+            cell.split_once(':').filter(|(shape, _)| shape.len() > 1 && shape.chars().all(char::is_alphabetic))
+        {
+            let expected = "box:40x40, ball:40x40 or a PNG's path";
+            return Err((format!("{}, with the unknown shape {}", quoted(cell), quoted(shape)), expected.into()));
+        }
         let path = project_path(cell)?;
         let (files, pixels) = (self.files, &mut self.pixels);
         let read = || {
-            let size = png_size(files.project_file(&path), cell)?;
+            // A level's own pictures go with its folder.
+            let own = files.level_file(&path);
+            let missing = own.as_ref().is_err_and(|error| error.kind() == io::ErrorKind::NotFound);
+            let size = png_size(if missing { files.project_file(&path) } else { own }, cell)?;
             *pixels += (size.0 * size.1) as u64;
             if *pixels > MOST_PIXELS_IN_ALL {
                 let found = format!("{}, with which the level's pictures have {pixels} pixels", quoted(cell));
@@ -73,7 +82,7 @@ fn plain_size(text: &str, scale: Scale) -> Option<(f64, f64)> {
 
 /// The path with forward slashes, if it cannot lead out of the project on any system.
 fn project_path(cell: &str) -> Result<String, Refusal> {
-    let expected = "a PNG's path from the project's folder, or box:40x40, or ball:40x40";
+    let expected = "a PNG's path from the level's or the project's folder, or box:40x40, or ball:40x40";
     if cell.is_empty() {
         return Err(("nothing".into(), expected.into()));
     }
@@ -92,6 +101,9 @@ pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Resul
         io::ErrorKind::NotFound => (format!("no file {}", quoted(name)), expected()),
         _ => (format!("{}, which cannot be read ({error})", quoted(name)), expected()),
     })?;
+    if let Some(kind) = other_picture(bytes.as_ref()) {
+        return Err((format!("{}, which is a {kind} picture", quoted(name)), expected()));
+    }
     let damaged = |_| (format!("{}, which is no PNG or is damaged", quoted(name)), expected());
     let mut decoder = png::Decoder::new(io::Cursor::new(bytes.as_ref()));
     // What is written beside the picture could unfold to anything.
@@ -107,6 +119,13 @@ pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Resul
     // is drawn.
     decoder.read_info().and_then(|mut reader| reader.finish()).map_err(damaged)?;
     Ok((f64::from(width), f64::from(height)))
+}
+
+/// The name of another kind of picture, by how its files begin.
+fn other_picture(bytes: &[u8]) -> Option<&'static str> {
+    let begins: [(&[u8], &str); 5] =
+        [(&[0xff, 0xd8, 0xff], "JPEG"), (b"GIF8", "GIF"), (b"BM", "BMP"), (b"RIFF", "WebP"), (b"<svg", "SVG")];
+    begins.into_iter().find(|(begin, _)| bytes.starts_with(begin)).map(|(_, kind)| kind)
 }
 
 /// The bytes of a picture that is to be unpacked, judged anew: the file may be another one than when its level was loaded.

@@ -2,24 +2,33 @@
 //! but drawing; drawing, rules and physics do not live here.
 //!
 //! The way of a level: `cells` cuts a file's bytes into cells that know their line; `table` finds out which cell belongs to which
-//! column; `quantity` says which numbers are accepted; `rows` turns each file's records into typed rows; `read` puts the rows
-//! together, `strength`, `placement` and `reach` look at the whole. All of that is pure: [`read()`] asks [`Files`] for bytes. Only `folder`
+//! column; `quantity` says which numbers are accepted; `rows`, `blocks` and `extras` turn each file's records into typed rows; `read`
+//! puts the rows together, `names`, `strength`, `placement`, `reach` and `winnable` look at the whole. All of that is pure: [`read()`] asks [`Files`] for bytes. Only `folder`
 //! knows the disk: [`load`] and [`list`].
 
 mod awards;
+mod blocks;
 mod cells;
+mod constants;
+mod extras;
 mod folder;
 mod image;
 mod name;
+mod names;
+mod nearest;
 mod placement;
 mod problem;
 mod quantity;
 mod reach;
 mod read;
+mod route;
 mod rows;
+mod shade;
 mod strength;
 mod table;
 mod types;
+mod winnable;
+mod wiring;
 mod world_def;
 
 pub use awards::{Awards, Mark};
@@ -29,6 +38,7 @@ pub use name::{NameFault, judge_name};
 pub use problem::Problem;
 pub use read::{Files, Loaded, read};
 pub use types::{
-    Fluid, Level, Look, Object, Objective, ObjectiveKind, Player, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream,
-    Text,
+    Decoration, Field, Fluid, Latch, Level, Look, Mover, Object, Objective, ObjectiveKind, Player, Pod, Presser, Route, SHIP_DRAG,
+    SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Switch, Text, Work,
 };
+pub use wiring::{SurfaceOf, Wire, Worked};

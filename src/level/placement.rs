@@ -4,8 +4,8 @@ use super::problem::Problem;
 use super::reach;
 use super::read::Draft;
 use super::rows::Placed;
-use super::types::{Player, SHIP_HALF};
-use crate::physics::{Aabb, DVec2};
+use super::types::{Player, SHIP_HALF, Solid};
+use crate::physics::{Aabb, DVec2, Sides};
 
 /// How far things may overlap at the start, m: what rounding pixels to metres can make of things that touch. Larger, and the
 /// engine would have to push things apart at the first tick.
@@ -17,7 +17,20 @@ type Named = (&'static str, Placed<Aabb>);
 /// The ship and every object that start outside the level or inside something solid: one problem a body.
 pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     let mut solids: Vec<Named> = Vec::new();
-    solids.extend(draft.world.iter().map(|solid| ("the solid", solid.map(|solid| solid.bounds))));
+    solids.extend(
+        draft
+            .world
+            .iter()
+            .filter(|solid| solid.item.sides == Sides::ALL)
+            .map(|solid| ("the solid", solid.map(|solid| solid.bounds))),
+    );
+    solids.extend(draft.movers.iter().map(|mover| ("the mover", mover.map(|mover| mover.solid.bounds))));
+    // A door that is open at the start closes once nothing is in its way.
+    let works = || draft.switches.iter().flat_map(|switch| &switch.item.works);
+    let open = |door: &Solid| works().any(|work| work.inverted && Some(&work.name) == door.name.as_ref());
+    solids.extend(draft.doors.iter().filter(|door| !open(&door.item)).map(|door| ("the door", door.map(|door| door.bounds))));
+    let plates = draft.switches.iter().filter(|switch| switch.item.weight.is_some());
+    solids.extend(plates.map(|plate| ("the plate", plate.map(|plate| plate.bounds))));
     solids.extend(draft.streams.iter().map(|stream| ("the source block", stream.map(|stream| stream.source))));
     let mut bodies: Vec<Named> = Vec::new();
     bodies.extend(draft.player.iter().map(|ship| ("the ship", ship.map(|ship| Aabb::around(ship.position, SHIP_HALF)))));
@@ -28,11 +41,40 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
         if let Some(problem) = outside(name, body, draft) {
             problems.push(problem);
         } else if let Some((what, other)) = others.find(|(_, other)| other.item.overlaps(&body.item, OVERLAP)) {
-            let found = format!("{name} inside {what} of {}:{}", other.file, other.line);
-            problems.push(body.problem("x", found, "a start in free space"));
+            let (column, deep, side) = depth(&body.item, &other.item, draft.scale.metre);
+            let found = format!("{name} {deep} pixels inside {what} of {}:{}", other.file, other.line);
+            problems.push(body.problem(column, found, format!("a start in free space, such as {deep} pixels further {side}")));
         }
     }
+    for mover in &draft.movers {
+        let half = mover.item.solid.bounds.size() * 0.5;
+        let beyond = mover.item.stops.iter().enumerate().find_map(|(index, stop)| {
+            let block = mover.map(|_| Aabb::around(*stop, half));
+            let name = if index == 0 { "the mover".to_owned() } else { format!("way point {index} of the mover") };
+            let problem = outside(&name, &block, draft)?;
+            let column = if index == 0 { problem.column.clone() } else { "way_points".to_owned() };
+            Some(Problem { column, ..problem })
+        });
+        problems.extend(beyond);
+    }
     problems
+}
+
+/// How far a body is in another, in pixels, along the shorter way out: its column, and to which side that leads.
+fn depth(body: &Aabb, other: &Aabb, metre: f64) -> (&'static str, String, &'static str) {
+    let ways = [
+        ("x", body.max.x - other.min.x, "left"),
+        ("x", other.max.x - body.min.x, "right"),
+        ("y", body.max.y - other.min.y, "up"),
+        ("y", other.max.y - body.min.y, "down"),
+    ];
+    let (column, metres, side) = ways.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(ways[0]);
+    let pixels = metres * metre;
+    // Four digits, however little it is.
+    let decimals = (3 - pixels.log10().floor() as i32).clamp(0, 9) as usize;
+    let text = format!("{pixels:.decimals$}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text };
+    (column, text, side)
 }
 
 /// The problem of a body that reaches out of the level, if it does.
@@ -41,24 +83,34 @@ fn outside(name: &str, body: &Placed<Aabb>, draft: &Draft) -> Option<Problem> {
     let metre = draft.scale.metre;
     let (min, max) = (body.item.min, body.item.max);
     let out = |min: f64, max: f64, size: f64| min < -OVERLAP || max > size / metre + OVERLAP;
-    let (column, size) = match (out(min.x, max.x, size.x), out(min.y, max.y, size.y)) {
-        (true, _) => ("x", size.x),
-        (_, true) => ("y", size.y),
+    let (column, size, side) = match (out(min.x, max.x, size.x), out(min.y, max.y, size.y)) {
+        (true, _) => ("x", size.x, "width"),
+        (_, true) => ("y", size.y, "height"),
         _ => return None,
     };
     let found = format!("{name} outside the level");
-    Some(body.problem(column, found, format!("all of it between 0 and {size} pixels")))
+    Some(body.problem(column, found, format!("all of it between 0 and {size} pixels, the level's {side}")))
 }
 
 /// The objects that nobody can reach from the ship's start in a level of that size in metres.
 pub(super) fn warn(draft: &Draft, player: &Player, size: DVec2) -> Vec<Problem> {
-    let space = reach::Space {
-        level: Aabb::new(DVec2::ZERO, size),
-        solids: draft.world.iter().map(|solid| solid.item.bounds).chain(draft.streams.iter().map(|s| s.item.source)).collect(),
-        slack: OVERLAP,
-    };
     let bodies = draft.objects.iter().map(|object| (object.item.position, object.item.size * 0.5)).collect::<Vec<_>>();
-    let unreached = space.unreached((player.position, SHIP_HALF), &bodies);
+    let unreached = space(draft, size).unreached((player.position, SHIP_HALF), &bodies);
     let expected = "a way for the ship, or for something that it can push";
     unreached.into_iter().map(|i| draft.objects[i].problem("x", "an object that no one can reach", expected)).collect()
+}
+
+/// Where things can be that fly, in a level of that size in metres: wherever there is no rock.
+pub(super) fn space(draft: &Draft, size: DVec2) -> reach::Space {
+    reach::Space {
+        level: Aabb::new(DVec2::ZERO, size),
+        solids: draft
+            .world
+            .iter()
+            .filter(|solid| solid.item.is_rock())
+            .map(|solid| solid.item.bounds)
+            .chain(draft.streams.iter().map(|s| s.item.source))
+            .collect(),
+        slack: OVERLAP,
+    }
 }

@@ -11,9 +11,9 @@ const QUOTED_CHARACTERS: usize = 40;
 pub struct Problem {
     /// The file's name in the level folder.
     pub file: String,
-    /// The line as an editor counts it, from 1; 1 where the whole file is meant.
+    /// The line as an editor counts it, from 1; 1 where a whole table is meant, 0 in what is no table.
     pub line: usize,
-    /// The column's name; for a cell beyond the last column its number, counted from 1.
+    /// The column's name; for a cell beyond the last column its number, counted from 1; empty in what is no table.
     pub column: String,
     /// What was found.
     pub found: String,
@@ -34,9 +34,19 @@ impl Problem {
     }
 }
 
+impl Problem {
+    /// The problem with a file that has no lines and columns.
+    pub(super) fn of_file(file: &str, found: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self::new(file, 0, "", found, expected)
+    }
+}
+
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { file, line, column, found, expected } = self;
+        if *line == 0 {
+            return write!(f, "{file}: found {found}, expected {expected}");
+        }
         write!(f, "{file}:{line}: column {}: found {found}, expected {expected}", quoted(column))
     }
 }

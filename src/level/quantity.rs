@@ -3,13 +3,14 @@
 //! The limits are far outside anything playable, and within what the physics can carry: nothing that is accepted becomes infinite or
 //! NaN, leaves the level or is lost in a rounding. What depends on two cells together is in `strength`.
 
+use super::route::SHORTEST;
 use crate::physics::{Aabb, DVec2};
 
 /// Farthest that anything may lie from the level's top left corner, and the largest size, m. Above it f64 resolves positions
 /// more coarsely than 1e-10 m and contacts lose their exactness.
 const MAX_DISTANCE: f64 = 1e6;
 /// Smallest side of anything, m. It must stay well above the tolerances of contacts, also at [`MAX_DISTANCE`].
-const MIN_SIZE: f64 = 1e-3;
+pub(super) const MIN_SIZE: f64 = 1e-3;
 
 /// A range of accepted numbers, both ends included, with its unit.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +18,8 @@ pub(super) struct Quantity {
     low: f64,
     high: f64,
     unit: &'static str,
+    /// Nothing between 0 and this.
+    gap: f64,
 }
 
 /// Their ratio stays a thousand times below what counts as no force when reactions are shared out (1e-12 of the largest): the weight of
@@ -35,12 +38,20 @@ pub(super) const COLOUR: Quantity = Quantity::new(0.0, 255.0, "");
 pub(super) const GRAVITY: Quantity = Quantity::new(-1e4, 1e4, "N/kg");
 pub(super) const OPTIMAL_TIME: Quantity = Quantity::new(1e-3, 1e9, "s");
 pub(super) const HOLD: Quantity = Quantity::new(0.0, 1e6, "s");
+/// Faster than anything that one could ride on or see.
+pub(super) const SPEED: Quantity = Quantity::new(1e-3, 1e3, "m/s");
+pub(super) const BELT: Quantity = Quantity::new(-1e3, 1e3, "m/s");
+pub(super) const PERIOD: Quantity = Quantity::new(1e-2, 1e6, "s");
+/// Of a mover: nothing, or as long as the engine's shortest leg.
+pub(super) const PAUSE: Quantity = Quantity { gap: SHORTEST, ..Quantity::new(0.0, 1e6, "s") };
+pub(super) const IMPULSE: Quantity = Quantity::new(1e-3, 1e9, "N·s");
+pub(super) const LOAD: Quantity = Quantity::new(1e-3, 1e9, "N");
 pub(super) const METRE: Quantity = Quantity::new(1e-3, 1e6, "pixels a metre");
 pub(super) const REST_SPEED: Quantity = Quantity::new(0.0, 1e6, "m/s");
 
 impl Quantity {
     pub const fn new(low: f64, high: f64, unit: &'static str) -> Self {
-        Self { low, high, unit }
+        Self { low, high, unit, gap: 0.0 }
     }
 
     /// The number that a cell holds.
@@ -51,6 +62,9 @@ impl Quantity {
         let value = number(text)?;
         if value < self.low || value > self.high {
             return Err(self.range(value));
+        }
+        if value > 0.0 && value < self.gap {
+            return Err(format!("0, or at least {} {}", short(self.gap), self.unit));
         }
         Ok(value)
     }

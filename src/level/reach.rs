@@ -78,6 +78,22 @@ impl Space {
         unreached
     }
 
+    /// Whether a `(centre, half)` body can get somewhere from where it touches a box; also where the level is too large to say, or where the
+    /// body starts in something.
+    pub fn gets_to(&self, (centre, half): (DVec2, DVec2), target: &Aabb) -> bool {
+        let edges = 2 * self.solids.len() + 2;
+        if (2 * edges + 1) * (2 * edges + 1) > MOST_CELLS {
+            return true;
+        }
+        let grid = self.grid(half);
+        let part = grid.part_at(centre);
+        let reach = half + self.slack;
+        let along = |edges: &[f64], low: f64, high: f64| Grid::cell(edges, low)..=Grid::cell(edges, high);
+        let mut near = along(&grid.y, target.min.y - reach.y, target.max.y + reach.y)
+            .flat_map(|row| along(&grid.x, target.min.x - reach.x, target.max.x + reach.x).map(move |column| (row, column)));
+        part == 0 || near.any(|(row, column)| grid.parts[row * grid.columns() + column] == part)
+    }
+
     fn grid(&self, half: DVec2) -> Grid {
         let grown: Vec<Aabb> = self
             .solids

@@ -1,14 +1,19 @@
 //! A level folder's files, put together: a valid level, or everything that is wrong with it.
 
-use super::awards::{self, Awards};
+use super::constants::Constants;
 use super::image::{Images, png_size};
 use super::placement;
-use super::problem::{Problem, quoted};
-use super::quantity::{self as q, Quantity, Scale};
-use super::rows::{self, ConstantRow, Placed};
+use super::problem::Problem;
+use super::quantity::Scale;
+use super::rows::{self, Placed};
+use super::shade;
 use super::strength;
-use super::table::{self, Layout, Record, Table, cell};
-use super::types::{Fluid, Level, Object, Objective, ObjectiveKind, Player, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Text};
+use super::table::{self, Layout, Record, Table};
+use super::types::{
+    Decoration, Field, Fluid, Level, Mover, Object, Objective, ObjectiveKind, Player, Pod, Solid, Stream, Switch, Text,
+};
+use super::winnable;
+use super::{blocks, extras, names};
 use crate::physics::{Aabb, DVec2};
 use std::io;
 use std::path::PathBuf;
@@ -29,6 +34,11 @@ pub trait Files {
     /// # Errors
     /// As [`Files::level_file`].
     fn project_file(&self, path: &str) -> io::Result<Vec<u8>>;
+
+    /// The names of all files of the level folder, as far as they can be told.
+    fn names(&self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// A level that can be played, and what is odd about it.
@@ -46,13 +56,21 @@ pub(super) struct Draft {
     pub size: Option<DVec2>,
     pub scale: Scale,
     pub player: Option<Placed<Player>>,
+    /// N/kg, downwards and to the right.
+    pub gravity: [f64; 2],
     pub world: Vec<Placed<Solid>>,
+    pub movers: Vec<Placed<Mover>>,
+    pub doors: Vec<Placed<Solid>>,
+    pub switches: Vec<Placed<Switch>>,
     /// Those of objects.csv, then the key objects.
     pub objects: Vec<Placed<Object>>,
     pub objectives: Vec<Placed<Objective>>,
     pub obstacles: Vec<Placed<Aabb>>,
     pub streams: Vec<Placed<Stream>>,
     pub fluids: Vec<Placed<Fluid>>,
+    pub fields: Vec<Placed<Field>>,
+    pub pods: Vec<Placed<Pod>>,
+    pub decoration: Vec<Placed<Decoration>>,
     pub texts: Vec<Placed<Text>>,
 }
 
@@ -63,15 +81,23 @@ pub(super) struct Draft {
 /// Every problem in every file, in the order of files and lines.
 pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     let mut reader = Reader { files, scale: Scale { metre: 1.0 }, problems: Vec::new(), warnings: Vec::new() };
+    reader.strays();
     let constants = reader.constants();
     let background = reader.background();
     let size = match background {
-        Some(size) => size.ok(),
+        Some(size) => {
+            reader.sizes_that_are_not_used(&constants, size);
+            size.ok()
+        }
         None => reader.plain_size(&constants),
     };
-    let draft = reader.draft(size);
+    let draft = reader.draft(size, [constants.gravity, constants.gravity_x]);
+    reader.problems.extend(names::check(&draft));
     reader.problems.extend(strength::check(&draft));
     reader.problems.extend(placement::check(&draft));
+    if let (Some(player), Some(size), true) = (&draft.player, draft.size, reader.problems.is_empty()) {
+        reader.problems.extend(winnable::check(&draft, &player.item, size / draft.scale.metre));
+    }
     let Reader { mut problems, mut warnings, .. } = reader;
     // A level without a readable player or size has a problem already.
     let (Some(player), Some(size), true) = (&draft.player, draft.size, problems.is_empty()) else {
@@ -82,6 +108,7 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
         }
         return Err(problems);
     };
+    warnings.extend(names::warn(&draft));
     warnings.extend(placement::warn(&draft, &player.item, size / draft.scale.metre));
     Ok(Loaded {
         level: Level {
@@ -90,17 +117,24 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
             metre: draft.scale.metre,
             size: size / draft.scale.metre,
             gravity: constants.gravity,
+            gravity_x: constants.gravity_x,
             air_density: constants.air_density,
             optimal_time: constants.optimal_time,
             rest_speed: constants.rest_speed,
             awards: constants.awards,
             player: player.item.clone(),
             world: items(draft.world),
+            movers: items(draft.movers),
+            doors: items(draft.doors),
+            switches: items(draft.switches),
             objects: items(draft.objects),
             objectives: items(draft.objectives),
             obstacles: items(draft.obstacles),
             streams: items(draft.streams),
             fluids: items(draft.fluids),
+            fields: items(draft.fields),
+            pods: items(draft.pods),
+            decoration: items(draft.decoration),
             texts: items(draft.texts),
             background: background.map(|_| PathBuf::from(BACKGROUND)),
         },
@@ -108,32 +142,12 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     })
 }
 
-/// The settings of constants.csv.
-struct Constants {
-    gravity: f64,
-    air_density: f64,
-    optimal_time: f64,
-    rest_speed: f64,
-    awards: Awards,
-    title: Option<String>,
-    width: Option<f64>,
-    height: Option<f64>,
-    /// Whether width and height are given, whatever they hold.
-    sized: [bool; 2],
-}
-
-const CONSTANT_NAMES: [&str; 8] = ["gravity", "air_density", "optimal_time", "title", "metre", "rest_speed", "width", "height"];
-
-/// All that constants.csv can name.
-fn constant_names() -> impl Iterator<Item = &'static str> {
-    CONSTANT_NAMES.into_iter().chain(awards::SETTINGS.map(|(name, _)| name))
-}
-
-struct Reader<'a> {
+/// What is being read, and what has been found out.
+pub(super) struct Reader<'a> {
     files: &'a dyn Files,
-    scale: Scale,
-    problems: Vec<Problem>,
-    warnings: Vec<Problem>,
+    pub scale: Scale,
+    pub problems: Vec<Problem>,
+    pub warnings: Vec<Problem>,
 }
 
 impl Reader<'_> {
@@ -149,8 +163,19 @@ impl Reader<'_> {
         }
     }
 
+    /// Names what lies in the folder and is no file of a level.
+    fn strays(&mut self) {
+        for file in self.files.names() {
+            match names::stray(&file) {
+                Some(Err(problem)) => self.problems.push(problem),
+                Some(Ok(warning)) => self.warnings.push(warning),
+                None => {}
+            }
+        }
+    }
+
     /// An optional file's rows.
-    fn table(&mut self, layout: Layout) -> Table {
+    pub fn table(&mut self, layout: Layout) -> Table {
         let Some(bytes) = self.bytes(layout) else { return Table::default() };
         let table = table::read(layout, &bytes, &mut self.problems);
         if table.lines.is_empty() {
@@ -163,57 +188,6 @@ impl Reader<'_> {
     fn things<T>(&mut self, layout: Layout, read: impl Fn(&Record, Scale, &mut Vec<Problem>) -> Option<T>) -> Vec<Placed<T>> {
         let records = self.table(layout).records;
         records.iter().filter_map(|record| Some(Placed::new(record, read(record, self.scale, &mut self.problems)?))).collect()
-    }
-
-    /// Reads the constants, and sets the scale.
-    fn constants(&mut self) -> Constants {
-        let mut given: Vec<(&str, Record)> = Vec::new();
-        for record in self.table(rows::CONSTANTS).records {
-            let row: ConstantRow = record.row();
-            let Some(name) = record.words(cell!(row.name), &mut self.problems) else { continue };
-            let known = constant_names().find(|known| known.eq_ignore_ascii_case(&name));
-            let Some(known) = known else {
-                let expected = format!("one of {}", constant_names().collect::<Vec<_>>().join(", "));
-                self.warnings.push(record.problem("name", format!("the unknown constant {}", quoted(&name)), expected));
-                continue;
-            };
-            if given.iter().any(|(earlier, _)| *earlier == known) {
-                self.problems.push(record.problem("name", format!("{} a second time", quoted(known)), "each constant once"));
-            } else {
-                given.push((known, record));
-            }
-        }
-        let find = |name: &str| given.iter().find(|(given, _)| *given == name).map(|(_, record)| record);
-        let metre = SHIP_PIXELS / SHIP_HEIGHT;
-        let metre = self.constant(find("metre"), "metre", q::METRE).unwrap_or(metre);
-        self.scale = Scale { metre };
-        let size = self.scale.size();
-        let awards = awards::SETTINGS.map(|(name, quantity)| Some((name, find(name)?, self.constant(find(name), name, quantity)?)));
-        let awards = Awards::of(&awards.into_iter().flatten().collect::<Vec<_>>(), &mut self.problems);
-        let mut constant = |name: &str, quantity: Quantity| self.constant(find(name), name, quantity);
-        Constants {
-            gravity: constant("gravity", q::GRAVITY).unwrap_or(15.0),
-            air_density: constant("air_density", q::DENSITY).unwrap_or(1.2041),
-            optimal_time: constant("optimal_time", q::OPTIMAL_TIME).unwrap_or(60.0),
-            rest_speed: constant("rest_speed", q::REST_SPEED).unwrap_or(0.0),
-            awards,
-            title: find("title").and_then(value).filter(|title| !title.is_empty()),
-            width: constant("width", size),
-            height: constant("height", size),
-            sized: ["width", "height"].map(|name| find(name).is_some()),
-        }
-    }
-
-    /// The number in one row of constants.csv; `None` where it is not given or not accepted.
-    fn constant(&mut self, record: Option<&Record>, name: &str, quantity: Quantity) -> Option<f64> {
-        let record = record?;
-        let text = value(record)?;
-        let optional = matches!(name, "metre" | "rest_speed");
-        if text.is_empty() && optional {
-            return None;
-        }
-        let found = || if text.is_empty() { format!("nothing for {name}") } else { format!("{} for {name}", quoted(&text)) };
-        quantity.parse(&text).map_err(|expected| self.problems.push(record.problem("value", found(), expected))).ok()
     }
 
     /// The size of background.png in pixels: `None` where there is none, `Err` where it is refused.
@@ -229,7 +203,18 @@ impl Reader<'_> {
             }
             Ok(DVec2::new(width, height))
         });
-        Some(size.map_err(|(found, expected)| self.problems.push(Problem::new(BACKGROUND, 1, "image", found, expected))))
+        Some(size.map_err(|(found, expected)| self.problems.push(Problem::of_file(BACKGROUND, found, expected))))
+    }
+
+    /// Says so where constants.csv gives another size than the background.
+    fn sizes_that_are_not_used(&mut self, constants: &Constants, background: Result<DVec2, ()>) {
+        let Ok(DVec2 { x, y }) = background else { return };
+        for (name, given, used) in [("width", constants.width, x), ("height", constants.height, y)] {
+            if let Some(given) = given.filter(|given| *given != used) {
+                let expected = format!("{used}, the {name} of {BACKGROUND}, which is used");
+                self.warnings.push(rows::CONSTANTS.problem(1, format!("a {name} of {given}"), expected));
+            }
+        }
     }
 
     /// The size in pixels that constants.csv gives.
@@ -241,29 +226,63 @@ impl Reader<'_> {
         Some(DVec2::new(constants.width?, constants.height?))
     }
 
-    fn draft(&mut self, size: Option<DVec2>) -> Draft {
+    fn draft(&mut self, size: Option<DVec2>, gravity: [f64; 2]) -> Draft {
         let mut images = Images::new(self.files);
         let scale = self.scale;
         let player = self.player();
-        let world = self.things(rows::WORLD, rows::solid);
+        let world = self.things(blocks::WORLD, blocks::solid);
         let mut objects = Vec::new();
         for record in self.table(rows::OBJECTS).records {
             let object = rows::object(&record, scale, &mut images, &mut self.problems);
             objects.extend(object.map(|object| Placed::new(&record, object)));
         }
         let objectives = self.objectives(&mut objects, &mut images);
+        let streams = self.streams(&world);
+        let mut decoration = Vec::new();
+        for record in self.table(extras::DECORATION).records {
+            let picture = extras::decoration(&record, scale, &mut images, &mut self.problems);
+            decoration.extend(picture.map(|picture| Placed::new(&record, picture)));
+        }
         Draft {
             size,
             scale,
+            gravity,
             player,
             world,
+            movers: self.things(blocks::MOVERS, blocks::mover),
+            doors: self.things(blocks::DOORS, blocks::solid),
+            switches: self.things(blocks::SWITCHES, blocks::switch),
             objects,
             objectives,
             obstacles: self.things(rows::OBSTACLES, rows::rectangle),
-            streams: self.things(rows::HAZARDS, rows::stream),
+            streams,
             fluids: self.things(rows::FLUIDS, rows::fluid),
+            fields: self.things(extras::GRAVITY, extras::field),
+            pods: self.things(extras::PODS, extras::pod),
+            decoration,
             texts: self.things(rows::TEXTS, rows::text),
         }
+    }
+
+    /// The streams; those that are shaded end at the first solid in their way.
+    fn streams(&mut self, world: &[Placed<Solid>]) -> Vec<Placed<Stream>> {
+        let mut streams = Vec::new();
+        for placed in self.things(rows::HAZARDS, rows::stream) {
+            let (mut stream, shaded) = placed.item.clone();
+            if shaded {
+                let solids = world.iter().map(|solid| solid.item.bounds);
+                match shade::shaded(&stream, solids) {
+                    Some(zone) => stream.zone = zone,
+                    None => self.problems.push(placed.problem(
+                        "shaded",
+                        "TRUE, with a solid right before the source block",
+                        "free space before it",
+                    )),
+                }
+            }
+            streams.push(placed.map(|_| stream));
+        }
+        streams
     }
 
     /// Exactly one row of player.csv.
@@ -281,7 +300,8 @@ impl Reader<'_> {
             self.problems.push(rows::PLAYER.problem(1, "no row", one));
         }
         for (i, line) in table.lines.iter().enumerate().skip(1) {
-            self.problems.push(rows::PLAYER.problem(*line, format!("row {}", i + 1), one));
+            let found = format!("{} row", if i == 1 { "a second" } else { "one more" });
+            self.problems.push(rows::PLAYER.problem(*line, found, one));
         }
         let mut players = Vec::new();
         for record in &table.records {
@@ -329,18 +349,11 @@ impl Reader<'_> {
     }
 }
 
-/// What a row of constants.csv gives.
-fn value(record: &Record) -> Option<String> {
-    let ConstantRow { value, .. } = record.row();
-    value.as_str().map(str::to_owned)
-}
-
 fn items<T>(placed: Vec<Placed<T>>) -> Vec<T> {
     placed.into_iter().map(|placed| placed.item).collect()
 }
 
 /// Problems are listed file by file, in the order in which levels.md names the files.
 fn file_order(file: &str) -> usize {
-    let files = ["constants.csv", "player.csv", "world.csv", "objects.csv", "objectives.csv", "obstacles.csv", "hazards.csv"];
-    files.iter().position(|known| *known == file).unwrap_or(files.len())
+    names::FILES.iter().position(|known| *known == file).unwrap_or(names::FILES.len())
 }

@@ -2,29 +2,30 @@
 //!
 //! Every function reports all problems of its row before it gives up.
 
+use super::blocks;
 use super::image::Images;
+use super::nearest::meant;
 use super::problem::{Problem, quoted};
 use super::quantity::{self as q, Scale};
 use super::table::{CellText, Given, Layout, Record, cell};
-use super::types::{Fluid, Look, Object, Objective, ObjectiveKind, Player, Solid, Stream, Text};
+use super::types::{Fluid, Look, Object, Objective, ObjectiveKind, Player, Stream, Text};
 use crate::physics::{Aabb, DVec2, Material};
 use serde::Deserialize;
 
 pub(super) const CONSTANTS: Layout = Layout { file: "constants.csv", columns: "name,value" };
 pub(super) const PLAYER: Layout = Layout { file: "player.csv", columns: "x,y,mass,fuel,thrust,[air],[vx],[vy],[angle],[material]" };
-pub(super) const WORLD: Layout = Layout { file: "world.csv", columns: "x,y,width,height,[material]" };
 pub(super) const OBJECTS: Layout =
-    Layout { file: "objects.csv", columns: "x,y,image,mass,drag,circular,restitution,[vx],[vy],[material]" };
+    Layout { file: "objects.csv", columns: "x,y,image,mass,drag,circular,restitution,[vx],[vy],[material],[weightless]" };
 pub(super) const OBSTACLES: Layout = Layout { file: "obstacles.csv", columns: "x,y,width,height" };
 pub(super) const HAZARDS: Layout =
-    Layout { file: "hazards.csv", columns: "x,y,width,height,stream_width,stream_height,force_x,force_y" };
+    Layout { file: "hazards.csv", columns: "x,y,width,height,stream_width,stream_height,force_x,force_y,[shaded],[name]" };
 pub(super) const FLUIDS: Layout = Layout { file: "fluids.csv", columns: "x,y,width,height,density,viscosity,[r],[g],[b]" };
 pub(super) const TEXTS: Layout = Layout { file: "texts.csv", columns: "x,y,size,text" };
 /// The rows PLAYER and PHYS of objectives.csv, and what all its rows begin with.
 pub(super) const BLOCKS: Layout = Layout { file: "objectives.csv", columns: "kind,x,y,width,height,[hold],[order],[r],[g],[b]" };
 /// The rows OBJECT of objectives.csv; restitution and drag stand the other way round than in objects.csv.
 pub(super) const KEY_OBJECTS: Layout =
-    Layout { file: "objectives.csv", columns: "kind,x,y,image,mass,r,g,b,restitution,drag,[vx],[vy],[material]" };
+    Layout { file: "objectives.csv", columns: "kind,x,y,image,mass,r,g,b,restitution,drag,[vx],[vy],[material],[weightless]" };
 
 /// A row of constants.csv.
 #[derive(Debug, Default, Deserialize)]
@@ -50,7 +51,7 @@ struct PlayerRow {
     material: CellText,
 }
 
-/// A row of world.csv or obstacles.csv, and what tells the kinds of objectives.csv apart.
+/// A row of obstacles.csv, and what tells the kinds of objectives.csv apart.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 struct BlockRow {
@@ -59,7 +60,6 @@ struct BlockRow {
     y: CellText,
     width: CellText,
     height: CellText,
-    material: CellText,
 }
 
 /// A PLAYER or PHYS row of objectives.csv.
@@ -94,6 +94,7 @@ struct ObjectRow {
     vx: CellText,
     vy: CellText,
     material: CellText,
+    weightless: CellText,
 }
 
 /// A row of hazards.csv.
@@ -108,6 +109,8 @@ struct StreamRow {
     stream_height: CellText,
     force_x: CellText,
     force_y: CellText,
+    shaded: CellText,
+    name: CellText,
 }
 
 /// A row of fluids.csv.
@@ -141,6 +144,7 @@ macro_rules! place {
         [cell!($row.x), cell!($row.y), cell!($row.width), cell!($row.height)]
     };
 }
+pub(super) use place;
 
 /// A liquid's colour where the author gives none: a calm blue that stands apart from every colour with a meaning.
 const FLUID_COLOUR: [u8; 3] = [58, 110, 165];
@@ -231,13 +235,6 @@ pub(super) fn player(record: &Record, scale: Scale, problems: &mut Vec<Problem>)
     })
 }
 
-pub(super) fn solid(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Solid> {
-    let row: BlockRow = record.row();
-    let bounds = bounds(record, place!(row), scale, problems);
-    let material = material(record, cell!(row.material), problems);
-    Some(Solid { bounds: bounds?, material: material? })
-}
-
 /// A row of objects.csv, or an OBJECT row of objectives.csv.
 pub(super) fn object(record: &Record, scale: Scale, images: &mut Images, problems: &mut Vec<Problem>) -> Option<Object> {
     let is_key = record.file == KEY_OBJECTS.file;
@@ -258,6 +255,7 @@ pub(super) fn object(record: &Record, scale: Scale, images: &mut Images, problem
     let restitution = record.number(cell!(row.restitution), q::RESTITUTION, problems);
     let velocity = velocity(record, [cell!(row.vx), cell!(row.vy)], problems);
     let material = material(record, cell!(row.material), problems);
+    let weightless = if row.weightless.is_given() { record.boolean(cell!(row.weightless), problems) } else { Some(false) };
     let (look, width, height) = shape?;
     Some(Object {
         position: position?,
@@ -270,10 +268,12 @@ pub(super) fn object(record: &Record, scale: Scale, images: &mut Images, problem
         look,
         material: material?,
         key: key?,
+        weightless: weightless?,
     })
 }
 
-pub(super) fn stream(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Stream> {
+/// A row of hazards.csv: the stream, and whether it ends at the first solid in its way.
+pub(super) fn stream(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<(Stream, bool)> {
     let row: StreamRow = record.row();
     let source = pixels(record, place!(row), scale, problems);
     let (wide, high) = (cell!(row.stream_width), cell!(row.stream_height));
@@ -300,6 +300,8 @@ pub(super) fn stream(record: &Record, scale: Scale, problems: &mut Vec<Problem>)
             None
         }
     };
+    let shaded = if row.shaded.is_given() { record.boolean(cell!(row.shaded), problems) } else { Some(false) };
+    let name = if row.name.is_given() { blocks::name(record, cell!(row.name), problems).map(Some) } else { Some(None) };
     let ((min, max), reach) = (source?, reach?);
     // The zone lies before the side that it blows from and is as wide as that side.
     let beyond = |reach: f64, min: f64, max: f64| match reach {
@@ -310,7 +312,8 @@ pub(super) fn stream(record: &Record, scale: Scale, problems: &mut Vec<Problem>)
     let (left, right) = beyond(reach.x, min.x, max.x);
     let (top, bottom) = beyond(reach.y, min.y, max.y);
     let zone = scale.rectangle(DVec2::new(left, top), DVec2::new(right, bottom));
-    Some(Stream { source: scale.rectangle(min, max), zone, force: DVec2::new(force_x?, force_y?) })
+    let source = scale.rectangle(min, max);
+    Some((Stream { source, zone, force: DVec2::new(force_x?, force_y?), name: name? }, shaded?))
 }
 
 pub(super) fn fluid(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -> Option<Fluid> {
@@ -337,7 +340,7 @@ pub(super) fn rectangle(record: &Record, scale: Scale, problems: &mut Vec<Proble
 }
 
 /// The cells x, y, width and height, in metres.
-fn bounds(record: &Record, place: [Given; 4], scale: Scale, problems: &mut Vec<Problem>) -> Option<Aabb> {
+pub(super) fn bounds(record: &Record, place: [Given; 4], scale: Scale, problems: &mut Vec<Problem>) -> Option<Aabb> {
     let (min, max) = pixels(record, place, scale, problems)?;
     Some(scale.rectangle(min, max))
 }
@@ -354,7 +357,7 @@ fn pixels(record: &Record, place: [Given; 4], scale: Scale, problems: &mut Vec<P
 }
 
 /// The cells x and y, in metres.
-fn point(record: &Record, [x, y]: [Given; 2], scale: Scale, problems: &mut Vec<Problem>) -> Option<DVec2> {
+pub(super) fn point(record: &Record, [x, y]: [Given; 2], scale: Scale, problems: &mut Vec<Problem>) -> Option<DVec2> {
     let x = record.number(x, scale.coordinate(), problems);
     let y = record.number(y, scale.coordinate(), problems);
     Some(scale.metres(x?, y?))
@@ -368,12 +371,15 @@ fn velocity(record: &Record, [x, y]: [Given; 2], problems: &mut Vec<Problem>) ->
 }
 
 /// The cell material, Asphalt where it is left out.
-fn material(record: &Record, cell: Given, problems: &mut Vec<Problem>) -> Option<Material> {
+pub(super) fn material(record: &Record, cell: Given, problems: &mut Vec<Problem>) -> Option<Material> {
     if !cell.1.is_given() {
         return Some(Material::ASPHALT);
     }
     let names = Material::ALL.map(|material| material.name).join(", ");
-    record.parse(cell, problems, |name| Material::named(name).ok_or(format!("one of {names}")))
+    record.parse(cell, problems, |name| {
+        let known = || Material::ALL.iter().map(|material| material.name);
+        Material::named(name).ok_or_else(|| format!("one of {names}{}", meant(name, known())))
+    })
 }
 
 /// The cells r, g and b; required where there is no default.

@@ -4,6 +4,7 @@
 //! been reported, by itself or before.
 
 use super::cells::{self, Cell, Fault, Row};
+use super::nearest::meant;
 use super::problem::{Problem, quoted};
 use super::quantity::Quantity;
 use csv::StringRecord;
@@ -82,6 +83,18 @@ pub(super) fn read(layout: Layout, bytes: &[u8], problems: &mut Vec<Problem>) ->
     let rows = cells::rows(bytes);
     let mut columns: Vec<Option<Column>> = layout.columns().map(Some).collect();
     let mut rows = rows.as_slice();
+    if let Some(problem) = rows.first().and_then(|first| separator_said(layout, first)) {
+        problems.push(problem);
+        return Table { records: Vec::new(), lines: rows.iter().map(|row| row.line).collect() };
+    }
+    if let Some((first, rest)) = rows.split_first()
+        && is_foreign_header(layout, first)
+    {
+        let names: Vec<&str> = first.cells.iter().map(|cell| cell.text.trim()).filter(|name| !name.is_empty()).collect();
+        let found = format!("a header of unknown names, {}", quoted(&names.join(",")));
+        problems.push(layout.problem(first.line, found, format!("the columns {}", layout.columns)));
+        return Table { records: Vec::new(), lines: rest.iter().map(|row| row.line).collect() };
+    }
     if let Some((first, rest)) = rows.split_first()
         && is_header(layout, first)
     {
@@ -141,7 +154,15 @@ pub(super) fn read_by_kind(
                 table.records.extend(record(layout, &columns, row, problems));
             }
             None if kind.fault.is_some() => report_faults(kinds, &[], row, problems),
-            None => problems.push(Problem::new(kinds.file, kind.line, kinds.first(), found(kind), "PLAYER, PHYS or OBJECT")),
+            None if kind.text.trim().eq_ignore_ascii_case(kinds.first()) => {
+                let found = "a header with its columns in another order";
+                let expected = format!("{}: the columns of these rows never change places", kinds.columns);
+                problems.push(Problem::new(kinds.file, kind.line, kinds.first(), found, expected));
+            }
+            None => {
+                let expected = format!("PLAYER, PHYS or OBJECT{}", meant(&kind.text, ["PLAYER", "PHYS", "OBJECT"]));
+                problems.push(Problem::new(kinds.file, kind.line, kinds.first(), found(kind), expected));
+            }
         }
     }
     table
@@ -151,6 +172,27 @@ pub(super) fn read_by_kind(
 fn is_header(layout: Layout, row: &Row) -> bool {
     let named = |cell: &Cell| layout.find(&cell.text).is_some();
     row.cells.first().is_some_and(named) || row.cells.iter().filter(|cell| named(cell)).count() >= 2
+}
+
+/// Whether a first row is a header none of whose names is known: where numbers belong there are only words.
+fn is_foreign_header(layout: Layout, row: &Row) -> bool {
+    let word = |cell: &Cell| cell.fault.is_none() && cell.text.trim().chars().all(|c| c.is_alphabetic() || c == '_' || c == ' ');
+    let numbers = layout.columns.starts_with("x,y,");
+    let [x, y, ..] = &row.cells[..] else { return false };
+    numbers && !is_header(layout, row) && [x, y].into_iter().all(|cell| word(cell) && !cell.is_empty() && !is_numberlike(cell))
+}
+
+/// Words that some programs write for numbers.
+fn is_numberlike(cell: &Cell) -> bool {
+    cell.text.trim().parse::<f64>().is_ok()
+}
+
+/// The problem of a first row `sep=;`, by which some spreadsheets say how cells are separated.
+fn separator_said(layout: Layout, row: &Row) -> Option<Problem> {
+    let said = row.cells[0].text.trim().to_lowercase();
+    let separator = said.strip_prefix("sep=")?;
+    let found = format!("{}, cells separated by something else than commas", quoted(&format!("sep={separator}")));
+    Some(layout.problem(row.line, found, "a file saved with commas between the cells, numbers with a decimal point"))
 }
 
 /// The columns in the order of the header; `None` for one that is not known.
@@ -163,7 +205,10 @@ fn header(layout: Layout, row: &Row, problems: &mut Vec<Problem>) -> Vec<Option<
             problems.push(Problem::new(layout.file, cell.line, cell.text.trim(), found, expected));
         };
         match known {
-            None => report("an unknown column".into(), format!("the columns {}", layout.columns)),
+            None => {
+                let known = layout.columns().map(|column| column.name);
+                report("an unknown column".into(), format!("the columns {}{}", layout.columns, meant(&cell.text, known)));
+            }
             Some(column) if columns.contains(&Some(column)) => report("the same column twice".into(), "each column once".into()),
             Some(_) => {}
         }
@@ -241,6 +286,7 @@ fn report_faults(layout: Layout, columns: &[Option<Column>], row: &Row, problems
             Some(Fault::AfterQuote) => ("text after a closing quote", "a comma after it (a quote within quotes is written twice)"),
             Some(Fault::NotUtf8) => ("letters that are not UTF-8", "a file saved as UTF-8"),
             Some(Fault::Utf16) => ("a file saved as UTF-16", "a file saved as UTF-8"),
+            Some(Fault::Workbook) => ("a spreadsheet's own file (xlsx, ods)", "a file that the spreadsheet saved as CSV"),
         };
         problems.push(Problem::new(layout.file, cell.line, name, found, expected));
     }

@@ -1,7 +1,7 @@
 //! A level as the rest of the game knows it: in metres, checked, ready to play.
 
 use super::awards::Awards;
-use crate::physics::{Aabb, DVec2, Material};
+use crate::physics::{Aabb, DVec2, Material, Path, Sides};
 
 /// The ship's height, m: it fixes the scale.
 pub const SHIP_HEIGHT: f64 = 1.7;
@@ -23,8 +23,10 @@ pub struct Level {
     pub metre: f64,
     /// Width and height, m.
     pub size: DVec2,
-    /// N/kg.
+    /// N/kg, downwards.
     pub gravity: f64,
+    /// N/kg, to the right.
+    pub gravity_x: f64,
     /// kg/m³.
     pub air_density: f64,
     /// s.
@@ -37,6 +39,12 @@ pub struct Level {
     pub player: Player,
     /// Solid, immovable rectangles.
     pub world: Vec<Solid>,
+    /// Blocks that go along a way.
+    pub movers: Vec<Mover>,
+    /// Blocks that switches open.
+    pub doors: Vec<Solid>,
+    /// What works doors, movers, streams and belts.
+    pub switches: Vec<Switch>,
     /// Those of objects.csv, then the key objects, each in file order.
     pub objects: Vec<Object>,
     /// Objective blocks.
@@ -47,6 +55,12 @@ pub struct Level {
     pub streams: Vec<Stream>,
     /// Liquids.
     pub fluids: Vec<Fluid>,
+    /// Zones with a gravity of their own, besides that of the level.
+    pub fields: Vec<Field>,
+    /// Fuel to be picked up.
+    pub pods: Vec<Pod>,
+    /// Pictures that nothing touches.
+    pub decoration: Vec<Decoration>,
     /// Words in the level.
     pub texts: Vec<Text>,
     /// The path of background.png, where there is one.
@@ -77,10 +91,102 @@ pub struct Player {
 /// A solid rectangle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// Where it is.
+    /// Where it is, at the start.
     pub bounds: Aabb,
     /// What it is made of.
     pub material: Material,
+    /// From which sides it is solid.
+    pub sides: Sides,
+    /// The speed of its skin, m/s, clockwise around it: the top runs to the right.
+    pub belt: f64,
+    /// It breaks when something hits it with more than this, N·s.
+    pub breaks: Option<f64>,
+    /// What switches call it; several things may share a name.
+    pub name: Option<String>,
+}
+
+impl Solid {
+    /// A plain block.
+    pub const fn new(bounds: Aabb, material: Material) -> Self {
+        Self { bounds, material, sides: Sides::ALL, belt: 0.0, breaks: None, name: None }
+    }
+
+    /// Whether it is solid all around and stays so: part of the mass that a level is cut out of.
+    pub fn is_rock(&self) -> bool {
+        self.sides == Sides::ALL && self.breaks.is_none()
+    }
+}
+
+/// What a mover does at the end of its way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Route {
+    /// It goes back the way it came, for ever.
+    Back,
+    /// It goes straight to its start and begins again, for ever.
+    Round,
+    /// It stays there.
+    Once,
+}
+
+/// A block that goes along a way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mover {
+    /// The block as it is at the start.
+    pub solid: Solid,
+    /// Where its centre stops, the start first, m.
+    pub stops: Vec<DVec2>,
+    /// What it does at the end.
+    pub route: Route,
+    /// How it goes.
+    pub path: Path,
+}
+
+/// Who works a switch by touching it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Presser {
+    /// The ship or any object.
+    Any,
+    /// The ship.
+    Ship,
+    /// A key object.
+    Key,
+    /// Any object, but not the ship.
+    Object,
+}
+
+/// How long a switch stays on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Latch {
+    /// While it is pressed.
+    Held,
+    /// For ever, once it has been pressed.
+    Latched,
+    /// Until it is pressed again.
+    Toggled,
+}
+
+/// What a switch does to the things of a name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Work {
+    /// Their name.
+    pub name: String,
+    /// Whether they are on while it is off, and off while it is on.
+    pub inverted: bool,
+}
+
+/// A switch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Switch {
+    /// Where it is.
+    pub bounds: Aabb,
+    /// What it works.
+    pub works: Vec<Work>,
+    /// It is a solid plate, pressed by more than this, N. `None`: an area that only has to be touched.
+    pub weight: Option<f64>,
+    /// Who can press it.
+    pub by: Presser,
+    /// How long it stays on.
+    pub latch: Latch,
 }
 
 /// How an object is drawn.
@@ -117,6 +223,8 @@ pub struct Object {
     pub material: Material,
     /// A key object's colour; `None` for an ordinary object.
     pub key: Option<[u8; 3]>,
+    /// Whether no gravity acts on it.
+    pub weightless: bool,
 }
 
 /// What an objective waits for.
@@ -164,6 +272,8 @@ pub struct Stream {
     pub zone: Aabb,
     /// N.
     pub force: DVec2,
+    /// What switches call it.
+    pub name: Option<String>,
 }
 
 /// A zone of thick liquid.
@@ -177,6 +287,35 @@ pub struct Fluid {
     pub viscosity: f64,
     /// Red, green, blue.
     pub colour: [u8; 3],
+}
+
+/// A zone with a gravity of its own, which adds to that of the level.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// Where it is.
+    pub zone: Aabb,
+    /// N/kg.
+    pub strength: DVec2,
+}
+
+/// Fuel to be picked up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pod {
+    /// Where it is.
+    pub bounds: Aabb,
+    /// Fuel units.
+    pub fuel: f64,
+}
+
+/// A picture that nothing touches.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decoration {
+    /// Where it is.
+    pub bounds: Aabb,
+    /// The picture's path.
+    pub image: std::path::PathBuf,
+    /// Whether it covers what moves.
+    pub in_front: bool,
 }
 
 /// Words written in the level.

@@ -1,7 +1,11 @@
 //! A level as the engine sees it.
 
-use super::types::{Level, SHIP_DRAG, SHIP_HALF};
-use crate::physics::{Aabb, BodyDef, DVec2, FluidDef, Material, StreamDef, SurfaceDef, WorldDef};
+use super::types::{Level, SHIP_DRAG, SHIP_HALF, Solid};
+use super::wiring::Worked;
+use crate::physics::{Aabb, BodyDef, DVec2, FieldDef, FluidDef, Material, StreamDef, SurfaceDef, WorldDef};
+
+/// How far beyond the level its own sideways gravity reaches, in sizes of the level: nothing comes near the end of it.
+const BEYOND: f64 = 2.0;
 
 impl Level {
     /// The edge of the level, m.
@@ -9,8 +13,8 @@ impl Level {
         Aabb::new(DVec2::ZERO, self.size)
     }
 
-    /// How the level's world begins. Body 0 is the ship, body i + 1 is object i; the surfaces are those of the world, then the
-    /// source blocks of the streams (Asphalt); stream i and liquid i are the level's.
+    /// How the level's world begins, with everything that a switch works as it is before the first one is pressed; but streams blow. Body 0
+    /// is the ship, body i + 1 is object i; the surfaces are told apart by [`Level::surface`]; stream i and liquid i are the level's.
     pub fn world_def(&self) -> WorldDef {
         let ship = BodyDef {
             position: self.player.position,
@@ -32,17 +36,17 @@ impl Level {
             round: object.circular,
             restitution: object.restitution,
             material: object.material,
+            weightless: object.weightless,
             ..BodyDef::default()
         });
-        let world = self.world.iter().map(|solid| SurfaceDef::fixed(solid.bounds, solid.material));
-        let sources = self.streams.iter().map(|stream| SurfaceDef::fixed(stream.source, Material::ASPHALT));
         WorldDef {
             gravity: self.gravity,
             air_density: self.air_density,
             rest_speed: self.rest_speed,
             bounds: Some(self.bounds()),
-            surfaces: world.chain(sources).collect(),
+            surfaces: self.surfaces(),
             streams: self.streams.iter().map(|stream| StreamDef { zone: stream.zone, force: stream.force }).collect(),
+            fields: self.fields(),
             fluids: self
                 .fluids
                 .iter()
@@ -50,5 +54,37 @@ impl Level {
                 .collect(),
             bodies: std::iter::once(ship).chain(objects).collect(),
         }
+    }
+
+    /// In the order of [`Level::surface`].
+    fn surfaces(&self) -> Vec<SurfaceDef> {
+        let off: Vec<bool> = vec![false; self.switches.len()];
+        let wires = self.wires();
+        let starts_on = |worked| wires.iter().find(|wire| wire.worked == worked).map(|wire| wire.is_on(&off));
+        let block =
+            |solid: &Solid| SurfaceDef { sides: solid.sides, belt: solid.belt, ..SurfaceDef::fixed(solid.bounds, solid.material) };
+        let world = self.world.iter().enumerate().map(|(i, solid)| {
+            let runs = starts_on(Worked::Belt(i)).unwrap_or(true);
+            SurfaceDef { belt: if runs { solid.belt } else { 0.0 }, ..block(solid) }
+        });
+        let sources = self.streams.iter().map(|stream| SurfaceDef::fixed(stream.source, Material::ASPHALT));
+        let movers = self.movers.iter().enumerate().map(|(i, mover)| {
+            let runs = starts_on(Worked::Mover(i)).unwrap_or(true);
+            SurfaceDef { path: mover.path.clone(), runs, ..block(&mover.solid) }
+        });
+        let doors = self.doors.iter().enumerate().map(|(i, door)| {
+            let open = starts_on(Worked::Door(i)).unwrap_or(false);
+            SurfaceDef { present: !open, ..block(door) }
+        });
+        let plates = self.plates().map(|switch| SurfaceDef::fixed(self.switches[switch].bounds, Material::STEEL));
+        world.chain(sources).chain(movers).chain(doors).chain(plates).collect()
+    }
+
+    /// Those of gravity.csv, then the level's own sideways gravity, if there is any.
+    fn fields(&self) -> Vec<FieldDef> {
+        let zones = self.fields.iter().map(|field| FieldDef { zone: field.zone, strength: field.strength });
+        let everywhere = Aabb::new(-self.size * BEYOND, self.size * (1.0 + BEYOND));
+        let sideways = FieldDef { zone: everywhere, strength: DVec2::new(self.gravity_x, 0.0) };
+        zones.chain((self.gravity_x != 0.0).then_some(sideways)).collect()
     }
 }

@@ -35,6 +35,8 @@ pub struct BodyDef {
     pub material: Material,
     /// Whether air resistance acts on it.
     pub feels_air: bool,
+    /// Whether no gravity acts on it.
+    pub weightless: bool,
 }
 
 impl Default for BodyDef {
@@ -49,6 +51,7 @@ impl Default for BodyDef {
             restitution: 0.0,
             material: Material::ASPHALT,
             feels_air: true,
+            weightless: false,
         }
     }
 }
@@ -76,6 +79,8 @@ pub struct Body {
     pub material: Material,
     /// Whether air resistance acts on it.
     pub feels_air: bool,
+    /// Whether no gravity acts on it.
+    pub weightless: bool,
 }
 
 impl Body {
@@ -88,9 +93,10 @@ impl Body {
             mass: def.mass,
             drag: def.drag,
             round: def.round,
-            restitution: def.restitution,
+            restitution: def.restitution.max(def.material.restitution),
             material: def.material,
             feels_air: def.feels_air,
+            weightless: def.weightless,
         }
     }
 

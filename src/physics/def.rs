@@ -23,6 +23,15 @@ pub struct FluidDef {
     pub viscosity: f64,
 }
 
+/// A zone with a gravity of its own, besides that of the world: a field that accelerates every body that touches it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FieldDef {
+    /// Where it is, m.
+    pub zone: Aabb,
+    /// N/kg.
+    pub strength: DVec2,
+}
+
 /// How a world begins.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorldDef {
@@ -38,6 +47,8 @@ pub struct WorldDef {
     pub surfaces: Vec<SurfaceDef>,
     /// Air streams.
     pub streams: Vec<StreamDef>,
+    /// Fields of gravity besides that of the world; they add up.
+    pub fields: Vec<FieldDef>,
     /// Liquids.
     pub fluids: Vec<FluidDef>,
     /// What moves.
@@ -53,6 +64,7 @@ impl Default for WorldDef {
             bounds: None,
             surfaces: Vec::new(),
             streams: Vec::new(),
+            fields: Vec::new(),
             fluids: Vec::new(),
             bodies: Vec::new(),
         }
@@ -93,6 +105,10 @@ impl WorldDef {
             rectangle("a stream", &stream.zone)?;
             vector("a stream's force", stream.force)?;
         }
+        for field in &self.fields {
+            rectangle("a field", &field.zone)?;
+            vector("a field's strength", field.strength)?;
+        }
         for fluid in &self.fluids {
             rectangle("a liquid", &fluid.zone)?;
             number("a liquid's density", fluid.density, 0.0)?;
@@ -112,12 +128,14 @@ impl BodyDef {
         number("a body's half height", self.half.y, SMALLEST)?;
         number("a body's mass", self.mass, SMALLEST)?;
         number("a drag coefficient", self.drag, 0.0)?;
-        number("a restitution", self.restitution, 0.0)?;
-        if self.restitution > 1.0 {
-            return Err(DefError(format!("a restitution is {}, expected 0 … 1", self.restitution)));
-        }
+        restitution(self.restitution)?;
         material(&self.material)
     }
+}
+
+fn restitution(value: f64) -> Result<(), DefError> {
+    number("a restitution", value, 0.0)?;
+    if value <= 1.0 { Ok(()) } else { Err(DefError(format!("a restitution is {value}, expected 0 … 1"))) }
 }
 
 pub(super) fn number(what: &str, value: f64, least: f64) -> Result<(), DefError> {
@@ -143,6 +161,7 @@ pub(super) fn rectangle(what: &str, bounds: &Aabb) -> Result<(), DefError> {
 pub(super) fn material(material: &Material) -> Result<(), DefError> {
     number("a static friction", material.static_friction, 0.0)?;
     number("a kinetic friction", material.kinetic_friction, 0.0)?;
+    restitution(material.restitution)?;
     if material.kinetic_friction <= material.static_friction {
         return Ok(());
     }

@@ -39,7 +39,7 @@ mod tests {
     use proptest::test_runner::FileFailurePersistence;
 
     fn media(gravity: f64, air_density: f64, fluids: Vec<FluidDef>) -> Media {
-        Media::new(gravity, air_density, Vec::new(), fluids)
+        Media::new(gravity, air_density, (&[], &[]), fluids)
     }
 
     /// A body and its law for one tick, refused or not at the door.

@@ -67,6 +67,8 @@ pub enum Source {
     Air,
     /// The air stream of that index in [`super::WorldDef::streams`].
     Stream(u32),
+    /// The field of that index in [`super::WorldDef::fields`].
+    Field(u32),
     /// The liquid of that index in [`super::WorldDef::fluids`].
     Fluid(u32),
     /// The immovable surface of that index in [`super::World::surfaces`].

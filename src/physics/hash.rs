@@ -10,13 +10,14 @@ use super::{Body, DVec2};
 
 impl World {
     /// Feeds every bit of what decides about the future to `write`, for the state's hash. What rests, and whether contacts are known already,
-    /// is left out: it saves work and changes no bit of what comes (the tests of the plan hold it to that). So is what no tick changes:
-    /// liquids and streams, gravity, the paths of surfaces.
+    /// is left out: it saves work and changes no bit of what comes (the tests of the plan hold it to that). So is what never changes:
+    /// liquids, zones, gravity, the paths of surfaces; and of streams and belts what is as it was at the start.
     pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
-        let State { bodies, drives, surfaces, media: _, rest_speed: _, contacts, known: _, pauses, ticks } = &self.state;
+        let State { bodies, drives, surfaces, media, rest_speed: _, contacts, known: _, pauses, ticks } = &self.state;
         bodies.iter().for_each(|body| hash_body(body, write));
         drives.iter().for_each(|drive| hash_vector(*drive, write));
         surfaces.iter().for_each(|surface| hash_surface(surface, write));
+        (0..).zip(&media.streams).filter(|(_, stream)| !stream.blows).for_each(|(s, _)| write(s));
         self.pile.hash_surfaces(write);
         contacts.iter().for_each(|contact| hash_contact(contact, write));
         for Pause { until, length } in pauses {
@@ -31,17 +32,20 @@ fn hash_vector(vector: DVec2, write: &mut impl FnMut(u64)) {
 }
 
 fn hash_body(body: &Body, write: &mut impl FnMut(u64)) {
-    let Body { position, velocity, acceleration, half, mass, drag, round, restitution, material, feels_air } = body;
+    let Body { position, velocity, acceleration, half, mass, drag, round, restitution, material, feels_air, weightless } = body;
     [position, velocity, acceleration, half].into_iter().for_each(|vector| hash_vector(*vector, write));
     let friction = [material.static_friction, material.kinetic_friction];
     [*mass, *drag, *restitution].into_iter().chain(friction).for_each(|value| write(value.to_bits()));
-    write(u64::from(*round) | u64::from(*feels_air) << 1);
+    write(u64::from(*round) | u64::from(*feels_air) << 1 | u64::from(*weightless) << 2);
 }
 
 fn hash_surface(surface: &Surface, write: &mut impl FnMut(u64)) {
-    let Surface { bounds, velocity, material, present, def: _, clock, runs, wanted, moved } = surface;
+    let Surface { bounds, velocity, material, present, def, clock, belt, runs, wanted, moved } = surface;
     [bounds.min, bounds.max, *velocity].into_iter().for_each(|vector| hash_vector(vector, write));
     [material.static_friction, material.kinetic_friction, *clock].into_iter().for_each(|value| write(value.to_bits()));
+    if *belt != def.belt {
+        write(belt.to_bits());
+    }
     write(u64::from(*runs) | u64::from(*present) << 1 | u64::from(*wanted) << 2 | u64::from(*moved) << 3);
 }
 
@@ -80,7 +84,7 @@ mod tests {
     #[test]
     fn every_field_of_the_state_is_in_its_hash() {
         type Change = (&'static str, fn(&mut State));
-        let changes: [Change; 31] = [
+        let changes: [Change; 33] = [
             ("position", |state| state.bodies[1].position.y = 0.3),
             ("velocity", |state| state.bodies[1].velocity.x = 0.3),
             ("acceleration", |state| state.bodies[1].acceleration.x = 0.3),
@@ -91,6 +95,7 @@ mod tests {
             ("restitution", |state| state.bodies[1].restitution = 0.3),
             ("static friction", |state| state.bodies[1].material.static_friction = 0.33),
             ("kinetic friction", |state| state.bodies[1].material.kinetic_friction = 0.33),
+            ("weightless", |state| state.bodies[1].weightless ^= true),
             ("feels air", |state| state.bodies[1].feels_air ^= true),
             ("drive", |state| state.drives[1].y = 0.3),
             ("place of a surface", |state| state.surfaces[0].bounds.min.y = -0.3),
@@ -102,6 +107,7 @@ mod tests {
             ("runs", |state| state.surfaces[0].runs ^= true),
             ("present", |state| state.surfaces[0].present ^= true),
             ("wanted", |state| state.surfaces[0].wanted ^= true),
+            ("belt", |state| state.surfaces[0].belt = 0.3),
             ("number of bodies", |state| state.bodies.truncate(1)),
             ("lower end of a contact", |state| state.contacts[0].lo ^= 1),
             ("upper end of a contact", |state| state.contacts[0].hi ^= 1),

@@ -21,7 +21,8 @@
 use super::air::Drag;
 use super::tuning::SLOP;
 use super::zone_tree::{ZoneList, ZoneTree};
-use super::{Aabb, Body, FluidDef, Force, ForceKind, Source, StreamDef};
+use super::zones::{Stream, fall};
+use super::{Aabb, Body, FieldDef, FluidDef, Force, ForceKind, Source, StreamDef};
 use glam::DVec2;
 use std::cell::Cell;
 
@@ -44,7 +45,8 @@ pub(super) struct Media {
     pub gravity: f64,
     /// kg/m³.
     pub air_density: f64,
-    pub streams: Vec<StreamDef>,
+    /// Air streams, and behind them fields.
+    pub streams: Vec<Stream>,
     pub fluids: Vec<FluidDef>,
     /// Where these are.
     blowing: ZoneTree,
@@ -126,7 +128,9 @@ impl Bath {
 
 impl Media {
     /// Of zones that stay where they are.
-    pub fn new(gravity: f64, air_density: f64, streams: Vec<StreamDef>, fluids: Vec<FluidDef>) -> Self {
+    pub fn new(gravity: f64, air_density: f64, (streams, fields): (&[StreamDef], &[FieldDef]), fluids: Vec<FluidDef>) -> Self {
+        let streams: Vec<Stream> =
+            (0..).zip(streams).map(Stream::of_stream).chain((0..).zip(fields).map(Stream::of_field)).collect();
         let blowing = ZoneTree::of(streams.iter().map(|stream| stream.zone));
         let wet = ZoneTree::of(fluids.iter().map(|fluid| fluid.zone));
         Self { gravity, air_density, streams, fluids, blowing, wet, work: Cell::new(0), limit: Cell::new(u64::MAX) }
@@ -152,6 +156,11 @@ impl Media {
         self.work.get() > self.limit.get()
     }
 
+    /// Gravity of the world on a body, N/kg downwards.
+    fn gravity_on(&self, body: &Body) -> f64 {
+        if body.weightless { 0.0 } else { self.gravity }
+    }
+
     /// The drag of the air on a body.
     pub fn air(&self, body: &Body) -> Drag {
         if body.feels_air { Drag::of(body, self.air_density) } else { Drag::default() }
@@ -160,7 +169,8 @@ impl Media {
     /// The law of a body for the next `t` seconds, under a `force` (N) that is not its weight. It depends on nothing but the body itself: what
     /// else is near must change no bit of its motion.
     pub fn law(&self, body: &Body, force: DVec2, t: f64) -> Law {
-        let constant = DVec2::new(0.0, self.gravity) + force / body.mass;
+        let push = force / body.mass;
+        let constant = DVec2::new(0.0 + push.x, fall(self.gravity_on(body), push.y));
         // Half its size besides: what others push may meet a liquid earlier.
         let reach = body.half * 1.5 + (body.velocity.abs() + constant.abs() * t) * t;
         let near = Aabb::around(body.position, reach);
@@ -175,7 +185,7 @@ impl Media {
     }
 
     /// The streams that a box touches, and maybe some near it, in ascending order.
-    pub fn streams_at(&self, near: &Aabb) -> impl Iterator<Item = &StreamDef> {
+    pub fn streams_at(&self, near: &Aabb) -> impl Iterator<Item = &Stream> {
         self.blowing.near(near, 2.0 * SLOP).iter().map(|stream| &self.streams[stream as usize])
     }
 
@@ -293,11 +303,11 @@ impl Media {
                 out.push(Force { kind, source, vector, point: x });
             }
         };
-        add(ForceKind::Weight, Source::Gravity, DVec2::new(0.0, mass * self.gravity));
+        add(ForceKind::Weight, Source::Gravity, DVec2::new(0.0, mass * self.gravity_on(body)));
         add(ForceKind::Drive, Source::Engine, drive);
         for (i, stream) in self.streams.iter().enumerate() {
             if in_stream(i) {
-                add(ForceKind::Wind, Source::Stream(i as u32), stream.force);
+                add(stream.kind, stream.source, stream.on(body));
             }
         }
         let mut dry = 1.0;
@@ -337,7 +347,7 @@ mod tests {
     fn pool(density: f64, viscosity: f64) -> Media {
         let zone = Aabb::new(DVec2::new(-10.0, 0.0), DVec2::new(10.0, 20.0));
         let def = WorldDef { fluids: vec![FluidDef { zone, density, viscosity }], ..WorldDef::default() };
-        Media::new(15.0, 1.2, def.streams, def.fluids)
+        Media::new(15.0, 1.2, (&[], &[]), def.fluids)
     }
 
     fn law(media: &Media, body: &Body) -> Law {

@@ -52,6 +52,7 @@
 mod aabb;
 mod air;
 mod body;
+mod changes;
 mod contact;
 mod def;
 mod events;
@@ -81,7 +82,7 @@ mod zones;
 
 pub use aabb::Aabb;
 pub use body::{Body, BodyDef, BodyId};
-pub use def::{DefError, FluidDef, StreamDef, WorldDef};
+pub use def::{DefError, FieldDef, FluidDef, StreamDef, WorldDef};
 pub use forces::{Force, ForceKind, ForceManager, Source};
 pub use glam::DVec2;
 pub use guards::Guards;

@@ -8,7 +8,7 @@ use super::WorldDef;
 pub struct Plan {
     /// Some body feels the air.
     pub air: bool,
-    /// There are air streams.
+    /// There are air streams, or fields of gravity.
     pub streams: bool,
     /// There are liquids.
     pub liquids: bool,
@@ -34,11 +34,12 @@ impl Plan {
         let pairs = def.bodies.len() > 1;
         Self {
             air: def.air_density > 0.0 && def.bodies.iter().any(|body| body.feels_air && body.drag > 0.0),
-            streams: !def.streams.is_empty(),
+            streams: !(def.streams.is_empty() && def.fields.is_empty()),
             liquids: !def.fluids.is_empty(),
             pairs,
             contacts: pairs || !def.surfaces.is_empty() || def.bounds.is_some(),
-            bounces: def.bodies.iter().any(|body| body.restitution > 0.0),
+            bounces: def.bodies.iter().any(|body| body.restitution.max(body.material.restitution) > 0.0)
+                || def.surfaces.iter().any(|surface| surface.material.restitution > 0.0),
             direct: true,
             dense: false,
         }
@@ -56,7 +57,7 @@ impl Plan {
             (!drag, "motion: exact parabolas"),
             (drag, "motion: one exact step through air, finer ones for light things and in liquids"),
             (self.air, "air resistance"),
-            (self.streams, "air streams"),
+            (self.streams, "air streams and gravity zones"),
             (self.liquids, "liquids"),
             (self.direct, "sleep, and direct answers where nothing changes"),
             (self.contacts && !self.dense, "contacts: islands, event by event within a budget, else in one dense step"),

@@ -105,8 +105,13 @@ impl World {
     /// Something about a surface has changed: whatever touches it has to be looked at.
     pub(super) fn disturb_around(&mut self, surface: usize) {
         let bounds = self.state.surfaces[surface].bounds;
+        self.disturb_in(&bounds);
+    }
+
+    /// Something about a place has changed: whatever touches it has to be looked at.
+    pub(super) fn disturb_in(&mut self, bounds: &super::Aabb) {
         for i in 0..self.state.bodies.len() {
-            if self.state.bodies[i].bounds().touches(&bounds, MARGIN) {
+            if self.state.bodies[i].bounds().touches(bounds, MARGIN) {
                 self.disturb(i as u32);
             }
         }
@@ -189,7 +194,7 @@ impl World {
                 let stream = &state.media.streams[stream as usize];
                 minds |= !stream.zone.contains(&near, 0.0);
                 if zones::feels(&stream.zone, body, pose) {
-                    force += stream.force;
+                    force += stream.on(body);
                 }
             }
             pile.set_force(i, force);

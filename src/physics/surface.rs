@@ -197,6 +197,8 @@ pub struct SurfaceDef {
     pub belt: f64,
     /// Whether it is there from the start.
     pub present: bool,
+    /// Whether it goes along its path from the start.
+    pub runs: bool,
 }
 
 impl Default for SurfaceDef {
@@ -208,6 +210,7 @@ impl Default for SurfaceDef {
             sides: Sides::ALL,
             belt: 0.0,
             present: true,
+            runs: true,
         }
     }
 }
@@ -242,6 +245,8 @@ pub struct Surface {
     pub(super) def: SurfaceDef,
     /// How long it has been on its way, s.
     pub(super) clock: f64,
+    /// How fast its belt runs now, m/s.
+    pub(super) belt: f64,
     /// Whether its path goes on.
     pub(super) runs: bool,
     /// Whether it shall be there as soon as nothing is in its way.
@@ -259,7 +264,8 @@ impl Surface {
             present: def.present,
             wanted: def.present,
             clock: 0.0,
-            runs: true,
+            belt: def.belt,
+            runs: def.runs,
             moved: false,
             def,
         };

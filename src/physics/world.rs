@@ -145,7 +145,7 @@ impl World {
             bodies: def.bodies.iter().map(Body::new).collect(),
             drives: vec![DVec2::ZERO; n],
             surfaces: def.surfaces.into_iter().map(Surface::new).collect(),
-            media: Media::new(def.gravity, def.air_density, def.streams, def.fluids),
+            media: Media::new(def.gravity, def.air_density, (&def.streams, &def.fields), def.fluids),
             rest_speed: def.rest_speed,
             contacts: Vec::new(),
             known: vec![false; n],
@@ -181,36 +181,9 @@ impl World {
         self.plan.pairs |= n > 0;
         self.plan.contacts |= self.plan.pairs;
         self.plan.air |= media.air_density > 0.0 && def.feels_air && def.drag > 0.0;
-        self.plan.bounces |= def.restitution > 0.0;
+        self.plan.bounces |= def.restitution.max(def.material.restitution) > 0.0;
         *self.pile = pile_of(&self.state, self.plan.direct)?;
         Ok(BodyId(n))
-    }
-
-    /// Sets the force of a body's engine (N) from the next tick on. A force that is not finite is none.
-    pub fn set_drive(&mut self, body: BodyId, force: DVec2) {
-        let force = if force.is_finite() { force } else { DVec2::ZERO };
-        if self.state.drives[body.index()] != force {
-            self.state.drives[body.index()] = force;
-            self.disturb(body.0);
-        }
-    }
-
-    /// Lets a surface go on along its path, or wait where it is.
-    pub fn set_running(&mut self, surface: usize, runs: bool) {
-        if self.state.surfaces[surface].runs != runs {
-            self.state.surfaces[surface].runs = runs;
-            self.disturb_around(surface);
-        }
-    }
-
-    /// Takes a surface away, or brings it back as soon as no body is in its way.
-    pub fn set_present(&mut self, surface: usize, present: bool) {
-        self.state.surfaces[surface].wanted = present;
-        if !present && self.state.surfaces[surface].present {
-            self.state.surfaces[surface].present = false;
-            self.pile.set_present(surface, false);
-            self.disturb_around(surface);
-        }
     }
 
     /// All bodies, by [`BodyId::index`].
@@ -360,8 +333,12 @@ fn pile_of(state: &State, sleep: bool) -> Result<Pile, DefError> {
     .map_err(|error| DefError(error.0))?;
     for (s, surface) in state.surfaces.iter().enumerate() {
         pile.set_sides(s, surface.def.sides);
-        pile.set_belt(s, surface.def.belt);
+        pile.set_belt(s, surface.belt);
+        pile.set_restitution(s, surface.material.restitution);
         pile.set_present(s, surface.present);
+    }
+    for (i, _) in state.bodies.iter().enumerate().filter(|(_, body)| body.weightless) {
+        pile.set_weightless(i);
     }
     Ok(pile)
 }

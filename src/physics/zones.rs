@@ -1,11 +1,56 @@
-//! Whether a body is in a zone, and when it crosses the border of one.
+//! Zones that push what touches them: whether a body is in one, what it feels there, and when it crosses the border.
 
 use super::flow::Pose;
 use super::impact_time::{Cubic, earliest};
 use super::media::Media;
 use super::tuning::SLOP;
-use super::{Aabb, Body};
+use super::{Aabb, Body, FieldDef, ForceKind, Source, StreamDef};
 use glam::DVec2;
+
+/// A zone that pushes whatever touches it: an air stream, or a field of gravity.
+#[derive(Clone, Debug)]
+pub(super) struct Stream {
+    pub zone: Aabb,
+    /// N, on all alike.
+    force: DVec2,
+    /// N/kg.
+    strength: DVec2,
+    /// Whether it does so now.
+    pub blows: bool,
+    pub kind: ForceKind,
+    pub source: Source,
+}
+
+impl Stream {
+    pub fn of_stream((index, def): (u32, &StreamDef)) -> Self {
+        let (zone, force) = (def.zone, def.force);
+        Self { zone, force, strength: DVec2::ZERO, blows: true, kind: ForceKind::Wind, source: Source::Stream(index) }
+    }
+
+    pub fn of_field((index, def): (u32, &FieldDef)) -> Self {
+        let (zone, strength) = (def.zone, def.strength);
+        Self { zone, force: DVec2::ZERO, strength, blows: true, kind: ForceKind::Weight, source: Source::Field(index) }
+    }
+
+    /// The force on a body that touches it, N.
+    pub fn on(&self, body: &Body) -> DVec2 {
+        match (self.blows, self.kind) {
+            (false, _) => DVec2::ZERO,
+            (true, ForceKind::Weight) if body.weightless => DVec2::ZERO,
+            (true, ForceKind::Weight) => self.strength * body.mass,
+            (true, _) => self.force,
+        }
+    }
+}
+
+/// Relative: what rounding leaves of weight and a force that holds it, which is no force.
+const HELD: f64 = 4.0 * f64::EPSILON;
+
+/// The acceleration along y by gravity and by a force per mass, m/s²: exactly none where they balance but for rounding.
+pub(super) fn fall(gravity: f64, force: f64) -> f64 {
+    let sum = gravity + force;
+    if sum.abs() <= HELD * gravity.abs() { 0.0 } else { sum }
+}
 
 /// m. So far from a border it is clear on which side something is.
 const CLEAR: f64 = 2.0 * SLOP;
@@ -18,13 +63,13 @@ pub(super) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> boo
     (0..2).all(|axis| gap[axis] < -SLOP || (gap[axis] <= SLOP && velocity[axis] * apart[axis].signum() <= 0.0))
 }
 
-/// The force of a body's engine and of all streams that it feels, N.
+/// The force of a body's engine, and of all streams and fields that it feels, N.
 pub(super) fn force_on(media: &Media, body: &Body, drive: DVec2) -> DVec2 {
     let pose = (body.position, body.velocity);
     media
         .streams_at(&body.bounds())
         .filter(|stream| feels(&stream.zone, body, pose))
-        .fold(drive, |force, stream| force + stream.force)
+        .fold(drive, |force, stream| force + stream.on(body))
 }
 
 /// When a body on a way enters a zone or, from `inside`, leaves it. What begins at the border itself has crossed it once it is clear of it.

@@ -135,6 +135,7 @@ impl Balls {
             restitution: BOUNCE,
             material: Material::STEEL,
             feels_air: false,
+            ..BodyDef::default()
         };
         if let Some(world) = &mut self.world {
             // As above: a refusal costs a ball.

@@ -52,6 +52,8 @@ impl Miniature {
         add(level.streams.iter().map(|stream| (stream.zone, Part::Stream)).collect());
         add(level.fluids.iter().map(|fluid| (fluid.zone, Part::Liquid(fluid.colour))).collect());
         add(level.world.iter().map(|solid| (solid.bounds, Part::Solid)).collect());
+        let blocks = level.movers.iter().map(|mover| &mover.solid).chain(&level.doors);
+        add(blocks.map(|block| (block.bounds, Part::Solid)).collect());
         add(level.streams.iter().map(|stream| (stream.source, Part::Solid)).collect());
         add(level.obstacles.iter().map(|deadly| (*deadly, Part::Deadly)).collect());
         let objective = |kind| match kind {

@@ -180,6 +180,7 @@ fn rate(emitter: Emitter, game: &Game, visible: &Aabb) -> f64 {
             (bounds, (OBJECTIVE_RATE * 2.0 * bounds.size().element_sum()).min(30.0))
         }
         Emitter::Key(i) => (game.world().body(body(i)).bounds(), KEY_RATE),
+        Emitter::Stream(i) if !game.world().blows(i) => return 0.0,
         Emitter::Stream(i) => {
             let zone = &level.streams[i].zone;
             let shown = (zone.max.min(visible.max) - zone.min.max(visible.min)).max(DVec2::ZERO);

@@ -14,7 +14,7 @@ use super::theme::faded;
 use super::things::Brushes;
 use super::touchdown::{GENTLE, Touchdown};
 use super::wreck::Wreck;
-use super::{hitboxes, hud, theme, things, world, zones};
+use super::{decoration, hitboxes, hud, mechanisms, names, theme, things, world, zones};
 use crate::game::{Game, GameEvent, Outcome, SHIP};
 use crate::level::SHIP_HALF;
 use crate::physics::{Aabb, BodyId, DVec2};
@@ -107,7 +107,19 @@ impl GameView {
                     self.feedback.ring(game.world().body(SHIP).position, theme::bad());
                     self.wreck = Wreck::new(game, SHIP);
                 }
-                GameEvent::ObjectiveLost(_) => {}
+                GameEvent::Broke(index) => {
+                    let block = game.level().world[*index].bounds;
+                    self.feedback.ring(block.centre(), theme::text());
+                    mechanisms::debris(&mut self.particles, &block);
+                }
+                GameEvent::Refuelled(index) => {
+                    let pod = &game.level().pods[*index];
+                    self.feedback.float(pod.bounds.centre(), format!("+{:.0} fuel", pod.fuel), theme::accent());
+                }
+                GameEvent::Switched(index, true) => {
+                    self.feedback.ring(game.level().switches[*index].bounds.centre(), theme::text())
+                }
+                GameEvent::Switched(_, false) | GameEvent::ObjectiveLost(_) => {}
             }
         }
         if let Some(landing) = self.touchdown.after_tick(game).filter(|landing| landing.speed < GENTLE) {
@@ -155,6 +167,8 @@ impl GameView {
             hitboxes::draw(game, figures, &view, canvas);
         }
         if overlays.details {
+            names::draw(game, &view, canvas);
+            canvas.end_layer();
             self.details.draw(canvas);
         }
         if overlays.settings.velocity && self.wreck.is_none() {
@@ -172,15 +186,19 @@ impl GameView {
         let (ship, plume) = ((centre(game, SHIP, alpha), angle(game, alpha)), self.emitters.plume());
         let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
         world::draw_ground(level, self.terrain.tint(), &self.pictures, view, canvas);
-        zones::draw_streams(level, view, canvas, time);
+        decoration::draw(level, false, &self.pictures, view);
+        mechanisms::draw_fields(level, view, canvas, time);
+        zones::draw_streams(game, view, canvas, time);
         // Below everything that could be in them: see there.
         zones::draw_fluids(level, view, canvas, time);
         zones::draw_objectives(game, art, view, canvas, time);
+        mechanisms::draw_areas(game, view, canvas, time);
         // Smoke and dust vanish behind what is solid.
         self.particles.draw(art, view);
         self.terrain.draw(art, view, canvas);
         self.draw_lights(game, alpha, flicker, view);
         zones::draw_sources(level, view, canvas);
+        mechanisms::draw(game, alpha, art, view, canvas, time);
         zones::draw_obstacles(level, art, view, time);
         let brushes = Brushes { art, pictures: &self.pictures, view, canvas };
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
@@ -195,6 +213,7 @@ impl GameView {
                 things::draw_ship(&pose, plume, flicker, art, view);
             }
         }
+        decoration::draw(level, true, &self.pictures, view);
         self.feedback.draw_in_level(view, canvas);
         world::draw_texts(level, view, canvas);
     }

@@ -17,6 +17,8 @@ pub mod camera;
 #[cfg(feature = "window")]
 pub mod canvas;
 #[cfg(feature = "window")]
+pub mod decoration;
+#[cfg(feature = "window")]
 pub mod details;
 #[cfg(feature = "window")]
 pub mod diagram;
@@ -35,7 +37,11 @@ pub mod hitboxes;
 #[cfg(feature = "window")]
 pub mod hud;
 #[cfg(feature = "window")]
+pub mod mechanisms;
+#[cfg(feature = "window")]
 pub mod medals;
+#[cfg(feature = "window")]
+pub mod names;
 #[cfg(feature = "window")]
 pub mod particles;
 #[cfg(feature = "window")]

@@ -20,7 +20,8 @@ impl Pictures {
             Look::Image(path) => Some(path),
             Look::Box | Look::Ball => None,
         });
-        for path in sprites.chain(&level.background) {
+        let decoration = level.decoration.iter().map(|picture| &picture.image);
+        for path in sprites.chain(decoration).chain(&level.background) {
             if !textures.contains_key(path)
                 && let Some(image) = read(path).and_then(|bytes| Image::from_file_with_format(&bytes, None).ok())
             {

@@ -143,7 +143,7 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, art
 }
 
 /// Where a moving box lies, not rounded to pixels: it glides.
-fn exact(bounds: &Aabb, view: &Viewport) -> Rect {
+pub fn exact(bounds: &Aabb, view: &Viewport) -> Rect {
     let (min, max) = (view.point(bounds.min), view.point(bounds.max));
     Rect::new(min.x, min.y, max.x - min.x, max.y - min.y)
 }

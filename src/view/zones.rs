@@ -122,10 +122,11 @@ pub fn draw_obstacles(level: &Level, art: &Art, view: &Viewport, time: f64) {
     }
 }
 
-/// The streams' zones and, over them, the chevrons that wander with the wind.
-pub fn draw_streams(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
+/// The zones of the streams that blow and, over them, the chevrons that wander with the wind.
+pub fn draw_streams(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
     let visible = view.visible();
-    for stream in level.streams.iter().filter(|stream| stream.zone.touches(&visible, 0.0)) {
+    let blowing = game.level().streams.iter().enumerate().filter(|(index, _)| game.world().blows(*index));
+    for (_, stream) in blowing.filter(|(_, stream)| stream.zone.touches(&visible, 0.0)) {
         let zone = view.rect(&stream.zone);
         let colour = theme::force(crate::physics::ForceKind::Wind);
         draw_rectangle(zone.x, zone.y, zone.w, zone.h, faded(colour, 0.055));

@@ -125,8 +125,11 @@ proptest! {
                 prop_assert!(!problems.is_empty());
                 for problem in problems {
                     let text = problem.to_string();
-                    let place = format!("{}:{}: column \"", problem.file, problem.line);
-                    prop_assert!(problem.line > 0 && text.starts_with(&place), "{text}");
+                    let place = match problem.line {
+                        0 => format!("{}: found ", problem.file),
+                        line => format!("{}:{line}: column \"", problem.file),
+                    };
+                    prop_assert!(text.starts_with(&place), "{text}");
                     prop_assert!(!text.contains(['\n', '\r']), "{text}");
                 }
             }

@@ -112,7 +112,7 @@ fn new_makes_a_folder_whole_or_not_at_all() {
     std::fs::create_dir(levels.join(".new-Ab3dE")).unwrap();
     assert_eq!(level::list(&levels), ["empty"]);
     assert_eq!(texts(&resultant(project.path(), &["new", "whole"])).0, 0);
-    assert_eq!(std::fs::read_dir(levels.join("whole")).unwrap().count(), 9);
+    assert_eq!(std::fs::read_dir(levels.join("whole")).unwrap().count(), 14);
 }
 
 /// While `new` makes one folder after the other, none is ever seen that is not whole.
@@ -124,7 +124,7 @@ fn no_half_folder_is_ever_seen() {
     while !maker.is_finished() {
         for name in level::list(&project.path().join("levels")) {
             let files = std::fs::read_dir(project.path().join("levels").join(&name)).unwrap().count();
-            assert_eq!(files, 9, "{name}");
+            assert_eq!(files, 14, "{name}");
         }
     }
     assert!(maker.join().unwrap());

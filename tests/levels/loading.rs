@@ -1,8 +1,8 @@
 //! What loads, into what.
 
 use crate::{fixtures, good, lines, rectangle};
-use resultant::level::{self, Look, ObjectiveKind};
-use resultant::physics::{Aabb, DVec2, Material, World};
+use resultant::level::{self, Latch, Look, ObjectiveKind, Presser, Route, SurfaceOf, Work};
+use resultant::physics::{Aabb, DVec2, Material, Sides, World};
 
 #[test]
 fn a_folder_written_for_the_original_loads_unchanged() {
@@ -87,6 +87,57 @@ fn the_world_holds_the_ship_then_the_objects_and_the_source_blocks_behind_the_wo
 }
 
 #[test]
+fn what_there_is_to_build_with() {
+    let level = good("good_blocks");
+    let [floor, platform, belt, glass, mat] = &level.world[..] else { panic!("{:?}", level.world) };
+    assert_eq!((floor.sides, floor.belt, floor.breaks, &floor.name), (Sides::ALL, 0.0, None, &None));
+    assert_eq!((platform.sides, belt.belt, belt.name.as_deref()), (Sides::TOP, 2.5, Some("mill")));
+    assert_eq!((glass.breaks, mat.material), (Some(120.5), Material::TRAMPOLINE));
+    let mover = &level.movers[0];
+    let stops = [(30.0, 415.0), (230.0, 415.0), (230.0, 315.0)].map(|(x, y)| DVec2::new(x, y) / 30.0);
+    assert_eq!((&mover.stops[..], mover.route), (&stops[..], Route::Round));
+    assert_eq!((level.doors[0].name.as_deref(), level.doors[0].material), (Some("gate"), Material::STEEL));
+    let work = |name: &str, inverted| Work { name: name.into(), inverted };
+    let [plate, area] = &level.switches[..] else { panic!("{:?}", level.switches) };
+    assert_eq!(
+        (plate.weight, plate.latch, &plate.works),
+        (Some(250.0), Latch::Latched, &vec![work("gate", false), work("mill", true)])
+    );
+    assert_eq!((area.weight, area.latch, area.by), (None, Latch::Toggled, Presser::Key));
+    // The door does not shade; nothing of the world is in the way.
+    assert_eq!((level.streams[0].name.as_deref(), level.streams[0].zone.min.x), (Some("fan"), 940.0 / 30.0));
+    assert_eq!((level.fields[0].strength, level.pods[0].fuel), (DVec2::new(0.0, -9.5), 125.0));
+    assert!(level.objects[0].weightless);
+    let surfaces: Vec<SurfaceOf> = (0..14).map(|index| level.surface(index)).collect();
+    let kinds =
+        (0..5).map(SurfaceOf::World).chain([SurfaceOf::Source(0), SurfaceOf::Mover(0), SurfaceOf::Door(0), SurfaceOf::Plate(0)]);
+    let kinds: Vec<SurfaceOf> = kinds.chain((0..4).map(SurfaceOf::Edge)).chain([SurfaceOf::Edge(3)]).collect();
+    assert_eq!(surfaces, kinds);
+    assert!(kinds[..13].iter().enumerate().all(|(index, of)| level.surface_index(*of) == index));
+    let def = level.world_def();
+    assert_eq!(def.surfaces.len(), 9);
+    assert_eq!((def.surfaces[2].belt, def.surfaces[6].runs, def.surfaces[7].present), (2.5, false, true));
+    assert!(World::new(def).is_ok());
+}
+
+#[test]
+fn pictures_of_a_level_may_lie_in_its_own_folder() {
+    let level = good("good_own_image");
+    let own = fixtures().join("levels/good_own_image");
+    assert_eq!(level.objects[0].look, Look::Image(own.join("own.png")));
+    assert_eq!(level.objects[1].look, Look::Image(fixtures().join("assets/sprites/ball.png")));
+    let [behind, front] = &level.decoration[..] else { panic!("{:?}", level.decoration) };
+    assert_eq!((&behind.image, behind.in_front, front.in_front), (&own.join("art/cube.png"), false, true));
+    assert_eq!(behind.bounds, rectangle(10.0, 10.0, 30.0, 20.0));
+}
+
+#[test]
+fn comments_may_be_quoted_and_padded() {
+    let level = good("good_comments");
+    assert_eq!((level.world.len(), level.texts[0].text.as_str()), (2, "# no comment"));
+}
+
+#[test]
 fn what_cannot_be_read_is_a_problem_too() {
     let project = tempfile::tempdir().unwrap();
     let missing = level::load(&project.path().join("7"), project.path()).unwrap_err();
@@ -97,10 +148,7 @@ fn what_cannot_be_read_is_a_problem_too() {
     std::fs::create_dir_all(folder.join("background.png")).unwrap();
     let problems = lines(&level::load(&folder, project.path()).unwrap_err());
     assert!(problems.contains("player.csv:1: column \"x\": found a file that cannot be read ("), "{problems}");
-    assert!(
-        problems.contains("background.png:1: column \"image\": found \"background.png\", which cannot be read ("),
-        "{problems}"
-    );
+    assert!(problems.contains("background.png: found \"background.png\", which cannot be read ("), "{problems}");
     assert!(!problems.contains("exactly one row"), "one cause, one problem:\n{problems}");
 }
 

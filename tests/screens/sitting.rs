@@ -15,7 +15,7 @@ pub struct Sitting {
 }
 
 pub const PLAYER: &str = "x,y,mass,fuel,thrust\n400,300,100,500,3000\n";
-pub const HERE: &str = "PLAYER,380,280,40,40\n";
+pub const HERE: &str = "PLAYER,380,280,40,40,0.001\n";
 pub const FAR_AWAY: &str = "PLAYER,10,10,20,20\n";
 
 impl Sitting {
@@ -27,7 +27,7 @@ impl Sitting {
         let folder = tempfile::tempdir().unwrap();
         level(folder.path(), "1", HERE, "");
         level(folder.path(), "2", FAR_AWAY, "");
-        level(folder.path(), "3", FAR_AWAY, "380,280,40,40\n");
+        level(folder.path(), "3", FAR_AWAY, "380,325.501,40,40\n");
         level(folder.path(), "10", FAR_AWAY, "");
         level(folder.path(), "broken", FAR_AWAY, "380,280,wide,40\n");
         prepare(folder.path());

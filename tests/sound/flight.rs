@@ -20,7 +20,7 @@ fn above(floor: &'static str) -> Game {
         ("constants.csv", "name,value\nwidth,600\nheight,600\n"),
         ("player.csv", "x,y,mass,fuel,thrust\n300,300,100,500,3000\n"),
         ("world.csv", floor),
-        ("objectives.csv", "PLAYER,-90,-90,1,1\n"),
+        ("objectives.csv", "PLAYER,0,0,1,1\n"),
     ])
 }
 
@@ -85,7 +85,7 @@ fn death_is_heard_once() {
         ("constants.csv", "name,value\nwidth,600\nheight,600\n"),
         ("player.csv", "x,y,mass,fuel,thrust\n300,300,100,500,3000\n"),
         ("obstacles.csv", "x,y,width,height\n0,500,600,30\n"),
-        ("objectives.csv", "PLAYER,-90,-90,1,1\n"),
+        ("objectives.csv", "PLAYER,0,0,1,1\n"),
     ]);
     let heard = listen(&mut game, 400);
     assert_eq!(heard.iter().filter(|sound| sound.cue == Cue::Death).count(), 1, "{heard:?}");
@@ -113,7 +113,7 @@ fn a_dive_splashes_once_and_is_heard_under_water() {
         ("constants.csv", "name,value\nwidth,600\nheight,1200\n"),
         ("player.csv", "x,y,mass,fuel,thrust\n300,300,4000,500,3000\n"),
         ("fluids.csv", "x,y,width,height,density,viscosity\n0,500,600,700,1000,0.001\n"),
-        ("objectives.csv", "PLAYER,-90,-90,1,1\n"),
+        ("objectives.csv", "PLAYER,0,0,1,1\n"),
     ]);
     let heard = listen(&mut game, 300);
     assert_eq!(heard.iter().filter(|sound| sound.cue == Cue::Splash).count(), 1, "{heard:?}");

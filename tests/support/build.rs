@@ -50,7 +50,7 @@ pub fn crowd(random: &mut Random, count: usize, columns: usize) -> Vec<BodyDef> 
         drag: random.between(0.0, 2.0),
         round: random.chance(0.3),
         restitution: if random.chance(0.5) { random.unit() } else { 0.0 },
-        material: random.pick(&Material::ALL),
+        material: random.pick(&Material::FIRM),
         ..BodyDef::default()
     };
     (0..count).map(body).collect()

@@ -49,7 +49,7 @@ impl Lane {
     /// A scene of this kind.
     pub fn scene(self, seed: u64) -> Scene {
         let mut random = Random(seed);
-        let ground = SurfaceDef::fixed(area(-1000.0, 0.0, 1000.0, 1.0), random.pick(&Material::ALL));
+        let ground = SurfaceDef::fixed(area(-1000.0, 0.0, 1000.0, 1.0), random.pick(&Material::FIRM));
         let def = WorldDef { air_density: 0.0, rest_speed: 0.0, surfaces: vec![ground], ..WorldDef::default() };
         let mut scene = Scene { name: format!("{self:?} {seed}"), def, drive: DVec2::ZERO, seconds: 2.0 };
         self.fill(&mut scene, &mut random);
@@ -93,7 +93,7 @@ impl Lane {
             }
             Self::PushingWall => {
                 let path = Path::steady(DVec2::new(random.between(1.0, 8.0), 0.0));
-                let wall = SurfaceDef::fixed(area(-4.0, -6.0, -3.0, -0.001), random.pick(&Material::ALL));
+                let wall = SurfaceDef::fixed(area(-4.0, -6.0, -3.0, -0.001), random.pick(&Material::FIRM));
                 def.surfaces.push(SurfaceDef { path, ..wall });
                 let restitution = if random.chance(0.5) { 0.0 } else { random.unit() };
                 def.bodies.push(BodyDef { restitution, ..body(random, 0.0, 0.0) });
@@ -101,7 +101,7 @@ impl Lane {
             Self::PressedToAWall => {
                 let first = body(random, 0.0, 2.0);
                 let wall = area(first.half.x, -60.0, first.half.x + 1.0, 0.0);
-                def.surfaces.push(SurfaceDef::fixed(wall, random.pick(&Material::ALL)));
+                def.surfaces.push(SurfaceDef::fixed(wall, random.pick(&Material::FIRM)));
                 *drive = DVec2::new(random.between(0.5, 3.0) * first.mass * G, 0.0);
                 def.bodies.push(first);
             }
@@ -131,7 +131,7 @@ impl Lane {
                 def.bodies.push(BodyDef { mass, velocity: DVec2::new(speed, 0.0), ..first });
             }
             Self::Table => {
-                def.surfaces.push(SurfaceDef::fixed(area(-5.0, -3.0, 0.5, -2.5), random.pick(&Material::ALL)));
+                def.surfaces.push(SurfaceDef::fixed(area(-5.0, -3.0, 0.5, -2.5), random.pick(&Material::FIRM)));
                 def.bodies.push(BodyDef { velocity: DVec2::new(random.between(3.0, 6.0), 0.0), ..body(random, 0.0, 3.0) });
             }
         }
@@ -142,7 +142,7 @@ impl Lane {
 fn body(random: &mut Random, x: f64, height: f64) -> BodyDef {
     let half = DVec2::new(random.between(0.2, 0.6), random.between(0.2, 0.6));
     let mass = random.decades(0.0, 1.0);
-    BodyDef { position: DVec2::new(x, -half.y - height), half, mass, material: random.pick(&Material::ALL), ..BodyDef::default() }
+    BodyDef { position: DVec2::new(x, -half.y - height), half, mass, material: random.pick(&Material::FIRM), ..BodyDef::default() }
 }
 
 /// A stack of so many.

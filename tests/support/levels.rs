@@ -70,7 +70,7 @@ impl Author {
             ("objects.csv", self.objects()),
             ("fluids.csv", self.fluids()),
             // No attempt ends before its time.
-            ("objectives.csv", format!("PLAYER,{},{},1,1\n", -9.0 * self.metre, -9.0 * self.metre)),
+            ("objectives.csv", format!("PLAYER,0,0,{},{},1e6\n", level.x * self.metre, level.y * self.metre)),
         ];
         Memory(files)
     }

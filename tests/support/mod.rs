@@ -14,6 +14,7 @@ pub mod rooms;
 pub mod scenes;
 pub mod slow;
 pub mod strategies;
+pub mod written;
 
 pub use build::{BODY, G, TICK, area, block, crate_at, crowd, floor, pool, world};
 pub use levels::{Memory, level_texts};

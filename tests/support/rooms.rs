@@ -13,6 +13,7 @@ pub fn room() -> Level {
         metre: 30.0,
         size: DVec2::splat(100.0),
         gravity: 0.0,
+        gravity_x: 0.0,
         air_density: 0.0,
         optimal_time: 60.0,
         rest_speed: 1.0,
@@ -28,11 +29,17 @@ pub fn room() -> Level {
             material: Material::ASPHALT,
         },
         world: vec![],
+        movers: vec![],
+        doors: vec![],
+        switches: vec![],
         objects: vec![],
         objectives: vec![objective(ObjectiveKind::Player, area(98.0, 98.0, 99.0, 99.0))],
         obstacles: vec![],
         streams: vec![],
         fluids: vec![],
+        fields: vec![],
+        pods: vec![],
+        decoration: vec![],
         texts: vec![],
         background: None,
     }
@@ -42,7 +49,7 @@ pub fn room() -> Level {
 pub fn yard() -> Level {
     let mut level = room();
     (level.gravity, level.air_density) = (15.0, 1.2041);
-    level.world = vec![Solid { bounds: area(0.0, 60.0, 100.0, 61.0), material: Material::ASPHALT }];
+    level.world = vec![Solid::new(area(0.0, 60.0, 100.0, 61.0), Material::ASPHALT)];
     level.objects = vec![
         crate_at(DVec2::new(55.0, 59.5), DVec2::new(-1.0, 0.0), Some([255, 0, 255])),
         crate_at(DVec2::new(45.0, 40.0), DVec2::new(3.0, 0.0), None),
@@ -69,5 +76,6 @@ pub fn crate_at(position: DVec2, velocity: DVec2, key: Option<[u8; 3]>) -> Objec
         look: Look::Box,
         material: Material::ASPHALT,
         key,
+        weightless: false,
     }
 }

@@ -13,7 +13,7 @@ pub fn cases(cases: u32) -> ProptestConfig {
 
 /// Any of the game's materials.
 pub fn materials() -> impl Strategy<Value = Material> + Clone {
-    (0..Material::ALL.len()).prop_map(|i| Material::ALL[i])
+    (0..Material::FIRM.len()).prop_map(|i| Material::FIRM[i])
 }
 
 /// Up to five blocks of any material: the ranges of their left and top edges, widths and heights, m.

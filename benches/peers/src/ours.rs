@@ -36,6 +36,7 @@ impl Engine for Scenes {
             name: "",
             static_friction: spec.friction,
             kinetic_friction: spec.friction,
+            restitution: 0.0,
         };
         let bodies = spec.bodies.iter().map(|body| BodyDef {
             position: vector(body.position),

@@ -178,11 +178,10 @@ impl Item {
         let stand_in = Body::new(&BodyDef {
             position: bounds.centre(),
             half: bounds.size() * 0.5,
-            restitution: 0.0,
             material: surface.material,
             ..BodyDef::default()
         });
-        let (sides, belt) = (surface.def.sides, surface.def.belt);
+        let (sides, belt) = (surface.def.sides, surface.belt);
         Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, *bounds, true) }
     }
 

@@ -310,7 +310,7 @@ impl Events {
     /// Prepares the buffers, and how everything moves at the start of the tick.
     fn begin(&mut self, scene: &Scene) {
         self.clear_buffers();
-        self.bounces = scene.bounces && self.items[..self.movable].iter().any(|item| item.body.restitution > 0.0);
+        self.bounces = scene.bounces && self.items.iter().any(|item| item.body.restitution > 0.0);
         let (all, bodies) = (self.items.len(), self.movable);
         for i in 0..bodies {
             self.masses[i] = DVec2::splat(self.items[i].body.mass);

@@ -74,7 +74,7 @@ impl Events {
         for &stream in &self.streams {
             let stream = &scene.media.streams[stream as usize];
             if zones::feels(&stream.zone, &item.body, (item.body.position, item.body.velocity)) {
-                force += stream.force;
+                force += stream.on(&item.body);
             }
         }
         item.law = scene.media.law(&item.body, force, scene.tick - self.now);

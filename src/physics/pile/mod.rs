@@ -38,6 +38,7 @@ mod report;
 mod walls;
 
 use super::guards::Guards;
+use super::zones::fall;
 use super::{Aabb, Sides};
 use bodies::{Bodies, Traits};
 use def::check;
@@ -95,6 +96,8 @@ pub struct Pile {
     /// 1, or −1 if gravity points to smaller y: inside, y grows along gravity.
     down: f64,
     gravity: f64,
+    /// Those on which gravity does not act, by body; empty where it acts on all.
+    weightless: Vec<bool>,
     drag: bool,
     rest_speed: f64,
     may_sleep: bool,
@@ -148,6 +151,7 @@ impl Pile {
             driver: Driver::new(n),
             down,
             gravity,
+            weightless: Vec::new(),
             drag: bodies.airy,
             rest_speed: def.rest_speed,
             may_sleep: def.sleep,
@@ -161,7 +165,8 @@ impl Pile {
     pub fn set_force(&mut self, body: usize, force: DVec2) {
         let i = self.bodies.slot[body] as usize;
         let ax = force.x / self.bodies.mass[i];
-        let ay = self.gravity + force.y * self.down / self.bodies.mass[i];
+        let gravity = if self.weightless.get(body).is_some_and(|weightless| *weightless) { 0.0 } else { self.gravity };
+        let ay = fall(gravity, force.y * self.down / self.bodies.mass[i]);
         if ax != self.bodies.ax[i] || ay != self.bodies.ay[i] {
             (self.bodies.ax[i], self.bodies.ay[i]) = (ax, ay);
             self.driver.wake(body);
@@ -218,6 +223,24 @@ impl Pile {
     /// The contacts of the last step that were listed.
     pub(in crate::physics) fn listed(&self) -> &[ContactImpulse] {
         &self.dense.report.list
+    }
+
+    /// Says that gravity does not act on a body. Its force has to be set anew after that.
+    pub fn set_weightless(&mut self, body: usize) {
+        self.weightless.resize(self.bodies.len(), false);
+        self.weightless[body] = true;
+        self.set_force(body, DVec2::ZERO);
+    }
+
+    /// Lets a surface throw back what hits it, 0 … 1.
+    pub fn set_restitution(&mut self, surface: usize, restitution: f64) {
+        let j = self.bodies.len() + surface;
+        self.bodies.traits[j].restitution = restitution;
+        self.bodies.elastic |= restitution == 1.0;
+        self.bodies.lively |= restitution > 0.0;
+        // Whatever falls on it may fly as far as if it bounced itself.
+        let n = self.bodies.len();
+        self.bodies.bounce[..n].iter_mut().for_each(|bounce| *bounce = bounce.max(restitution));
     }
 
     /// Makes a surface a belt, m/s: clockwise around it, the upper side runs to the right. Wakes all.

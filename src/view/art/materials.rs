@@ -1,4 +1,4 @@
-//! The six materials as square patterns that tile, and the two movable plain shapes: all slate, each told by its texture.
+//! The materials as square patterns that tile, and the two movable plain shapes: all slate, each told by its texture.
 
 use super::paint::{Picture, noise};
 
@@ -17,6 +17,7 @@ pub fn pattern(material: &str) -> Picture {
         "Rubber" => rubber(),
         "Wood" => wood(),
         "Glass" => glass(),
+        "Trampoline" => trampoline(),
         _ => asphalt(),
     }
 }
@@ -90,6 +91,15 @@ fn rubber() -> Picture {
         let fold = (x % 48).abs_diff(24);
         let chevron = if (y + 48 - fold) % 24 < 8 { 15.0 } else { 0.0 };
         light([34.0, 38.0, 47.0], chevron + (noise(x, y, 31) - 0.5) * 3.0)
+    })
+}
+
+/// A warm mat with a zigzag of springs.
+fn trampoline() -> Picture {
+    painted(|x, y| {
+        let fold = (x % 32).abs_diff(16);
+        let spring = if (y + 32 - fold) % 32 < 5 { 46.0 } else { 0.0 };
+        light([92.0, 58.0, 84.0], spring + (noise(x / 2, y / 2, 51) - 0.5) * 5.0)
     })
 }
 

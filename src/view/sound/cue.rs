@@ -2,7 +2,7 @@
 
 use crate::physics::Material;
 
-/// What a knock sounds like: the six materials that a level can name.
+/// What a knock sounds like: the materials that a level can name; what bounces hardly sounds, either.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stuff {
     /// A dull thud.
@@ -20,13 +20,14 @@ pub enum Stuff {
 }
 
 impl Stuff {
-    /// All of them, in the order of [`Material::ALL`].
+    /// All of them, in the order of [`Material::FIRM`].
     pub const ALL: [Self; 6] = [Self::Asphalt, Self::Steel, Self::Ice, Self::Rubber, Self::Wood, Self::Glass];
 
     /// What something of that material sounds like: as asphalt where the name is none of ours.
     pub fn of(material: &Material) -> Self {
-        let found = Material::ALL.iter().position(|known| known.name == material.name);
-        found.map_or(Self::Asphalt, |place| Self::ALL[place])
+        let found = Material::FIRM.iter().position(|known| known.name == material.name);
+        let other = if material.restitution > 0.0 { Self::Rubber } else { Self::Asphalt };
+        found.map_or(other, |place| Self::ALL[place])
     }
 }
 
@@ -115,9 +116,10 @@ mod tests {
 
     #[test]
     fn every_material_has_a_sound_of_its_own_name() {
-        for material in Material::ALL {
+        for material in Material::FIRM {
             assert_eq!(format!("{:?}", Stuff::of(&material)), material.name);
         }
         assert_eq!(Stuff::of(&Material { name: "Moss", ..Material::ICE }), Stuff::Asphalt);
+        assert_eq!(Stuff::of(&Material::TRAMPOLINE), Stuff::Rubber);
     }
 }

@@ -16,7 +16,7 @@ mod tint;
 #[cfg(feature = "window")]
 pub use batch::Batch;
 #[cfg(feature = "window")]
-pub use paint::{Lamp, Terrain};
+pub use paint::{Lamp, Terrain, material_edge};
 #[cfg(feature = "window")]
 pub use tint::Tint;
 
@@ -35,12 +35,12 @@ pub const ROCK: usize = 0;
 const RIM: f64 = 6.0;
 
 /// The solid world of a level with the rock round it, which is its edge, and with the sources of its streams, which are drawn over it:
-/// rock has no edge against them. The far side of
+/// rock has no edge against them; without what moves, opens, breaks or is solid from one side only. The far side of
 /// that rock has no edge.
 pub fn mass(level: &Level) -> Silhouette {
     let (size, all) = (level.size, level.bounds());
     let inside = |bounds: &Aabb| Aabb::new(bounds.min.max(all.min), bounds.max.min(all.max));
-    let solids = level.world.iter().map(|solid| (inside(&solid.bounds), kind(solid.material.name)));
+    let solids = level.world.iter().filter(|solid| solid.is_rock()).map(|solid| (inside(&solid.bounds), kind(solid.material.name)));
     let sources = level.streams.iter().map(|stream| (inside(&stream.source), ROCK));
     let (low, high) = (DVec2::splat(-RIM), size + RIM);
     let rim = [

@@ -64,7 +64,8 @@ impl Terrain {
     pub fn new(level: &Level, lamps: impl Iterator<Item = Lamp>, texts: &[Aabb], over_picture: bool) -> Self {
         let mass = mass(level);
         let glass = kind("Glass");
-        let solid = level.world.iter().filter(|solid| kind(solid.material.name) != glass).map(|solid| solid.bounds);
+        let solid =
+            level.world.iter().filter(|solid| solid.is_rock() && kind(solid.material.name) != glass).map(|solid| solid.bounds);
         let opaque: Vec<Aabb> = solid.chain(level.streams.iter().map(|stream| stream.source)).collect();
         let sources = level.streams.iter().map(|stream| stream.source);
         let taken: Vec<Aabb> = texts.iter().copied().chain(sources).chain(border(level.size)).collect();
@@ -250,14 +251,20 @@ fn border(size: DVec2) -> [Aabb; 4] {
 
 /// The brightest colour of a material's edge: it tells the material where it is only seen from the side.
 fn edge_colour(kind: usize, tint: &Tint) -> Color {
-    match Material::ALL[kind].name {
+    material_edge(Material::ALL[kind].name).unwrap_or(tint.edge)
+}
+
+/// The same by a material's name; `None` for plain rock.
+pub fn material_edge(name: &str) -> Option<Color> {
+    Some(match name {
         "Glass" => rgb(0xCDEBFF),
         "Ice" => rgb(0xE4F6FF),
         "Wood" => rgb(0xC9A27C),
         "Rubber" => rgb(0x6B7487),
         "Steel" => rgb(0xB4C2D6),
-        _ => tint.edge,
-    }
+        "Trampoline" => rgb(0xE39AD0),
+        _ => return None,
+    })
 }
 
 /// A line along an edge, inside the mass, on whole pixels; where the open space has a corner it goes round it.

@@ -50,7 +50,7 @@ close_game
 mkdir "$data/levels/0"
 printf 'name,value\nwidth,1280\nheight,720\ntitle,At once\n' >"$data/levels/0/constants.csv"
 printf 'x,y,mass,fuel,thrust\n640,360,100,500,3000\n' >"$data/levels/0/player.csv"
-printf 'PLAYER,600,330,80,60\n' >"$data/levels/0/objectives.csv"
+printf 'PLAYER,600,330,80,60,0.001\n' >"$data/levels/0/objectives.csv"
 open_game play 0
 expect done hides "$accent" 14 90 72 10 5 # the fuel bar has gone: this is the score
 expect done shows "$good" 0 0 100 100 0.02

@@ -1,0 +1,144 @@
+//! What a level's switches, fragile blocks and pods have come to, tick by tick.
+//!
+//! After each tick of the world it is found out who presses which switch; what the switches work follows from the next tick on. A fragile
+//! block takes the blow that breaks it, and is gone after that tick.
+
+use super::SHIP;
+use super::touch::TOUCH;
+use crate::level::{Latch, Level, Presser, SurfaceOf, Switch, Wire, Worked};
+use crate::physics::{BodyId, Obstacle, World};
+
+/// The state of a level's mechanisms.
+#[derive(Clone, Debug)]
+pub struct Mechanisms {
+    /// Whether each switch is pressed, and whether it is on.
+    pressed: Vec<bool>,
+    on: Vec<bool>,
+    wires: Vec<Wire>,
+    /// Whether what each wire works is on.
+    works: Vec<bool>,
+    /// The blocks of the world that can break, and of all which have.
+    fragile: Vec<usize>,
+    broken: Vec<bool>,
+    taken: Vec<bool>,
+}
+
+/// What changed in a tick.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// The switch of that index in `Level::switches` has been pressed, or let go.
+    Switch(usize, bool),
+    /// The block of that index in `Level::world` has broken.
+    Broke(usize),
+}
+
+impl Mechanisms {
+    /// Those of a level before the first tick; sets the world as its switches are.
+    pub fn new(level: &Level, world: &mut World) -> Self {
+        let off = vec![false; level.switches.len()];
+        let wires = level.wires();
+        let works: Vec<bool> = wires.iter().map(|wire| wire.is_on(&off)).collect();
+        for (wire, on) in wires.iter().zip(&works) {
+            work(wire.worked, *on, level, world);
+        }
+        let fragile = (0..level.world.len()).filter(|&block| level.world[block].breaks.is_some()).collect();
+        let (broken, taken) = (vec![false; level.world.len()], vec![false; level.pods.len()]);
+        Self { pressed: off.clone(), on: off, wires, works, fragile, broken, taken }
+    }
+
+    /// Looks at a tick's end and works what is worked; tells of each thing that has changed.
+    pub fn note(&mut self, level: &Level, world: &mut World, mut changed: impl FnMut(Change)) {
+        for (index, switch) in level.switches.iter().enumerate() {
+            let pressed = is_pressed(switch, index, level, world);
+            let pushed = pressed && !self.pressed[index];
+            self.on[index] = match switch.latch {
+                Latch::Held => pressed,
+                Latch::Latched => self.on[index] || pressed,
+                Latch::Toggled => self.on[index] != pushed,
+            };
+            if pressed != self.pressed[index] {
+                self.pressed[index] = pressed;
+                changed(Change::Switch(index, pressed));
+            }
+        }
+        for (wire, on) in self.wires.iter().zip(&mut self.works) {
+            if wire.is_on(&self.on) != *on {
+                *on = !*on;
+                work(wire.worked, *on, level, world);
+            }
+        }
+        for &index in &self.fragile {
+            let breaks = level.world[index].breaks.filter(|_| !self.broken[index]);
+            let surface = Obstacle::Surface(index as u32);
+            let hit = |least: f64| world.impulses().iter().any(|impulse| impulse.b == surface && impulse.vector.length() > least);
+            if breaks.is_some_and(hit) {
+                self.broken[index] = true;
+                world.set_present(index, false);
+                changed(Change::Broke(index));
+            }
+        }
+    }
+
+    /// Takes a pod, if it is still there.
+    pub fn take_pod(&mut self, index: usize) -> bool {
+        !std::mem::replace(&mut self.taken[index], true)
+    }
+
+    /// Whether each switch is on.
+    pub fn on(&self) -> &[bool] {
+        &self.on
+    }
+
+    /// Whether a switch is pressed now.
+    pub fn is_pressed(&self, switch: usize) -> bool {
+        self.pressed[switch]
+    }
+
+    /// Whether something is on; what no switch works is, but for doors: they are closed.
+    pub fn is_on(&self, worked: Worked) -> bool {
+        let found = self.wires.iter().position(|wire| wire.worked == worked);
+        found.map_or(!matches!(worked, Worked::Door(_)), |wire| self.works[wire])
+    }
+
+    /// Whether a block of the world has broken.
+    pub fn is_broken(&self, block: usize) -> bool {
+        self.broken[block]
+    }
+
+    /// Whether a pod has been taken.
+    pub fn is_taken(&self, pod: usize) -> bool {
+        self.taken[pod]
+    }
+
+    /// Feeds every bit of the state to `write`. Levels without mechanisms have none.
+    pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
+        let broken = self.fragile.iter().map(|&block| &self.broken[block]);
+        let flags = self.pressed.iter().chain(&self.on).chain(&self.works).chain(broken).chain(&self.taken);
+        flags.for_each(|flag| write(u64::from(*flag)));
+    }
+}
+
+/// Sets something as the switches want it.
+fn work(worked: Worked, on: bool, level: &Level, world: &mut World) {
+    match worked {
+        Worked::Mover(index) => world.set_running(level.surface_index(SurfaceOf::Mover(index)), on),
+        Worked::Door(index) => world.set_present(level.surface_index(SurfaceOf::Door(index)), !on),
+        Worked::Belt(index) => world.set_belt(index, if on { level.world[index].belt } else { 0.0 }),
+        Worked::Stream(index) => world.set_blowing(index, on),
+    }
+}
+
+/// Whether a switch is pressed as a tick ends: a plate by what weighs on it, an area by who touches it.
+fn is_pressed(switch: &Switch, index: usize, level: &Level, world: &World) -> bool {
+    if let Some(weight) = switch.weight {
+        return world.load_on(level.surface_index(SurfaceOf::Plate(index))) > weight;
+    }
+    let counts = |body: BodyId| match switch.by {
+        Presser::Any => true,
+        Presser::Ship => body == SHIP,
+        Presser::Object => body != SHIP,
+        Presser::Key => body.index().checked_sub(1).is_some_and(|object| level.objects[object].key.is_some()),
+    };
+    let bodies = (0..world.bodies().len() as u32).map(BodyId);
+    bodies.filter(|body| counts(*body)).any(|body| world.body(body).bounds().touches(&switch.bounds, TOUCH))
+}

@@ -1,0 +1,119 @@
+//! Whether a level can be won at all, and has not been won or lost before it begins. What might be possible counts as possible: doors are
+//! open, nothing is too heavy, and movers are anywhere.
+
+use super::placement::space;
+use super::problem::{Problem, quoted};
+use super::read::Draft;
+use super::rows::Placed;
+use super::types::{Objective, ObjectiveKind, Player, SHIP_HALF};
+use crate::physics::{Aabb, DVec2};
+
+/// What touches by less than this far, m, touches: as the rules have it.
+const TOUCH: f64 = 1e-9;
+
+/// A thing that can meet an objective: where it starts, and half its size.
+type Body = (DVec2, DVec2);
+
+/// Everything that cannot be won, in a level of that size in metres.
+pub(super) fn check(draft: &Draft, player: &Player, size: DVec2) -> Vec<Problem> {
+    let ship = (player.position, SHIP_HALF);
+    let mut problems = starts(draft, ship);
+    problems.extend(unreachable(draft, ship, size));
+    if problems.is_empty() {
+        problems.extend(apart(draft));
+        problems.extend(too_few_keys(draft));
+    }
+    problems
+}
+
+/// The bodies that fit an objective.
+fn fitting<'a>(draft: &'a Draft, objective: &'a Objective, ship: Body) -> impl Iterator<Item = Body> + 'a {
+    let player = objective.kind == ObjectiveKind::Player;
+    let keys = draft.objects.iter().filter(move |object| !player && object.item.key.is_some_and(|key| objective.fits(key)));
+    player.then_some(ship).into_iter().chain(keys.map(|key| (key.item.position, key.item.size * 0.5)))
+}
+
+fn touches((centre, half): Body, bounds: &Aabb) -> bool {
+    Aabb::around(centre, half).touches(bounds, TOUCH)
+}
+
+/// A start that is the end.
+fn starts(draft: &Draft, ship: Body) -> Vec<Problem> {
+    let deadly = draft.obstacles.iter().filter(|deadly| touches(ship, &deadly.item));
+    let mut problems: Vec<Problem> =
+        deadly.map(|deadly| deadly.problem("x", "a death box that touches the ship at its start", "a start off red")).collect();
+    let met = |objective: &Objective| {
+        objective.hold == 0.0 && fitting(draft, objective, ship).any(|body| touches(body, &objective.bounds))
+    };
+    if let Some(first) = draft.objectives.first()
+        && draft.objectives.iter().all(|objective| met(&objective.item))
+    {
+        problems.push(first.problem("x", "objectives that are all met at the start", "something to do"));
+    }
+    problems
+}
+
+/// Objectives that nothing which fits can get to.
+fn unreachable(draft: &Draft, ship: Body, size: DVec2) -> Vec<Problem> {
+    let space = space(draft, size);
+    let mut problems = Vec::new();
+    for placed in &draft.objectives {
+        let objective = &placed.item;
+        let mut bodies = fitting(draft, objective, ship).peekable();
+        if bodies.peek().is_none() {
+            // Without any key at all that is said elsewhere.
+            if let Some(colour) = objective.colour {
+                let found =
+                    format!("{}, the colour of no key object", quoted(&colour.map(|channel| channel.to_string()).join(",")));
+                problems.push(placed.problem("r", found, "the r, g and b of an OBJECT row"));
+            }
+            continue;
+        }
+        if bodies.any(|body| space.gets_to(body, &objective.bounds)) {
+            continue;
+        }
+        let who = if objective.kind == ObjectiveKind::Player { "the ship" } else { "a key object that fits" };
+        problems.push(placed.problem(
+            "x",
+            format!("an objective that {who} cannot get to"),
+            "a way to it, in the level and out of solids",
+        ));
+    }
+    problems
+}
+
+/// Objectives for the ship that lie too far apart to be touched at once.
+fn apart(draft: &Draft) -> Option<Problem> {
+    let at_once = |objective: &&Placed<Objective>| objective.item.kind == ObjectiveKind::Player && objective.item.order.is_none();
+    let mut pads = draft.objectives.iter().filter(at_once);
+    let mut room = grown(&pads.next()?.item.bounds, SHIP_HALF);
+    for pad in pads {
+        let bounds = grown(&pad.item.bounds, SHIP_HALF);
+        room = Aabb { min: room.min.max(bounds.min), max: room.max.min(bounds.max) };
+        if (room.max - room.min).min_element() < -TOUCH {
+            let found = "a second objective for the ship, too far from the others to touch all at once";
+            return Some(pad.problem("x", found, "objectives side by side, or a number in the column order for each"));
+        }
+    }
+    None
+}
+
+/// More objectives for keys than keys, none of which can touch two at once.
+fn too_few_keys(draft: &Draft) -> Option<Problem> {
+    let at_once = |objective: &&Placed<Objective>| objective.item.kind == ObjectiveKind::Physics && objective.item.order.is_none();
+    let wanted: Vec<&Placed<Objective>> = draft.objectives.iter().filter(at_once).collect();
+    let keys: Vec<DVec2> = draft.objects.iter().filter(|object| object.item.key.is_some()).map(|key| key.item.size * 0.5).collect();
+    let shared = |half: &DVec2| {
+        let rooms: Vec<Aabb> = wanted.iter().map(|objective| grown(&objective.item.bounds, *half)).collect();
+        rooms.iter().enumerate().any(|(i, room)| rooms[..i].iter().any(|other| room.touches(other, TOUCH)))
+    };
+    if wanted.len() <= keys.len() || keys.iter().any(shared) {
+        return None;
+    }
+    let found = format!("objective {} for key objects, with {} of these", keys.len() + 1, keys.len());
+    Some(wanted[keys.len()].problem("kind", found, "a key object for each, or a number in the column order"))
+}
+
+fn grown(bounds: &Aabb, by: DVec2) -> Aabb {
+    Aabb::new(bounds.min - by, bounds.max + by)
+}

@@ -1,0 +1,113 @@
+//! What switches work, found by name; and which of a world's surfaces is which.
+
+use super::types::Level;
+
+/// Something that switches work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Worked {
+    /// A mover: it goes on its way while it is on.
+    Mover(usize),
+    /// A door: it is open while it is on.
+    Door(usize),
+    /// The belt of that block of the world: it runs while it is on.
+    Belt(usize),
+    /// An air stream: it blows while it is on.
+    Stream(usize),
+}
+
+/// Something that is worked, and by what.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wire {
+    /// What.
+    pub worked: Worked,
+    /// The switches, each with whether it works the other way round. It is on while one of them says so.
+    pub by: Vec<(usize, bool)>,
+}
+
+impl Wire {
+    /// Whether it is on, by the states of all switches.
+    pub fn is_on(&self, switches: &[bool]) -> bool {
+        self.by.iter().any(|&(switch, inverted)| switches[switch] != inverted)
+    }
+}
+
+/// What a surface of a level's world is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SurfaceOf {
+    /// The block of that index in `Level::world`.
+    World(usize),
+    /// The source block of that stream.
+    Source(usize),
+    /// That mover.
+    Mover(usize),
+    /// That door.
+    Door(usize),
+    /// The plate of that switch.
+    Plate(usize),
+    /// An edge of the level: left, right, top, bottom.
+    Edge(usize),
+}
+
+impl Level {
+    /// Everything that switches work.
+    pub fn wires(&self) -> Vec<Wire> {
+        let belt = |index: usize| (self.world[index].belt != 0.0).then_some(Worked::Belt(index));
+        let named = (0..self.movers.len()).map(|i| (&self.movers[i].solid.name, Some(Worked::Mover(i))));
+        let named = named.chain((0..self.doors.len()).map(|i| (&self.doors[i].name, Some(Worked::Door(i)))));
+        let named = named.chain((0..self.world.len()).map(|i| (&self.world[i].name, belt(i))));
+        let named = named.chain((0..self.streams.len()).map(|i| (&self.streams[i].name, Some(Worked::Stream(i)))));
+        let wire = |name: &str, worked| {
+            let works = |(switch, of): (usize, &super::Switch)| {
+                of.works.iter().filter(|work| work.name == name).map(move |work| (switch, work.inverted)).collect::<Vec<_>>()
+            };
+            let by: Vec<(usize, bool)> = self.switches.iter().enumerate().flat_map(works).collect();
+            (!by.is_empty()).then_some(Wire { worked, by })
+        };
+        named.filter_map(|(name, worked)| wire(name.as_deref()?, worked?)).collect()
+    }
+
+    /// What a surface of the level's world is, by its index there.
+    pub fn surface(&self, index: usize) -> SurfaceOf {
+        let mut left = index;
+        let mut within = |count: usize| {
+            let inside = left < count;
+            left -= if inside { 0 } else { count };
+            inside
+        };
+        if within(self.world.len()) {
+            return SurfaceOf::World(index);
+        }
+        for (count, kind) in [
+            (self.streams.len(), SurfaceOf::Source as fn(usize) -> SurfaceOf),
+            (self.movers.len(), SurfaceOf::Mover),
+            (self.doors.len(), SurfaceOf::Door),
+        ] {
+            if within(count) {
+                return kind(left);
+            }
+        }
+        match self.plates().nth(left) {
+            Some(switch) => SurfaceOf::Plate(switch),
+            None => SurfaceOf::Edge((left - self.plates().count()).min(3)),
+        }
+    }
+
+    /// The index of a surface in the level's world.
+    pub fn surface_index(&self, of: SurfaceOf) -> usize {
+        let before = [self.world.len(), self.streams.len(), self.movers.len(), self.doors.len(), self.plates().count()];
+        let after = |kinds: usize| before[..kinds].iter().sum::<usize>();
+        match of {
+            SurfaceOf::World(index) => index,
+            SurfaceOf::Source(index) => after(1) + index,
+            SurfaceOf::Mover(index) => after(2) + index,
+            SurfaceOf::Door(index) => after(3) + index,
+            SurfaceOf::Plate(index) => after(4) + self.plates().take_while(|switch| *switch < index).count(),
+            SurfaceOf::Edge(index) => after(5) + index,
+        }
+    }
+
+    /// The switches that are plates.
+    pub(super) fn plates(&self) -> impl Iterator<Item = usize> {
+        (0..self.switches.len()).filter(|&switch| self.switches[switch].weight.is_some())
+    }
+}

@@ -1,0 +1,66 @@
+//! What can be changed in a world between ticks: engines, and what switches work. Whatever it concerns is looked at anew.
+
+use super::BodyId;
+use super::world::World;
+use glam::DVec2;
+
+impl World {
+    /// Sets the force of a body's engine (N) from the next tick on. A force that is not finite is none.
+    pub fn set_drive(&mut self, body: BodyId, force: DVec2) {
+        let force = if force.is_finite() { force } else { DVec2::ZERO };
+        if self.state.drives[body.index()] != force {
+            self.state.drives[body.index()] = force;
+            self.disturb(body.0);
+        }
+    }
+
+    /// Lets a surface go on along its path, or wait where it is.
+    pub fn set_running(&mut self, surface: usize, runs: bool) {
+        if self.state.surfaces[surface].runs != runs {
+            self.state.surfaces[surface].runs = runs;
+            self.disturb_around(surface);
+        }
+    }
+
+    /// Takes a surface away, or brings it back as soon as no body is in its way.
+    pub fn set_present(&mut self, surface: usize, present: bool) {
+        self.state.surfaces[surface].wanted = present;
+        if !present && self.state.surfaces[surface].present {
+            self.state.surfaces[surface].present = false;
+            self.pile.set_present(surface, false);
+            self.disturb_around(surface);
+        }
+    }
+
+    /// Sets how fast the belt of a surface runs, m/s: see [`SurfaceDef::belt`].
+    pub fn set_belt(&mut self, surface: usize, speed: f64) {
+        let speed = if speed.is_finite() { speed } else { 0.0 };
+        if self.state.surfaces[surface].belt != speed {
+            self.state.surfaces[surface].belt = speed;
+            self.pile.set_belt(surface, speed);
+            self.disturb_around(surface);
+        }
+    }
+
+    /// Lets an air stream blow, or not.
+    pub fn set_blowing(&mut self, stream: usize, blows: bool) {
+        if self.state.media.streams[stream].blows != blows {
+            self.state.media.streams[stream].blows = blows;
+            let zone = self.state.media.streams[stream].zone;
+            self.disturb_in(&zone);
+        }
+    }
+
+    /// Whether an air stream blows.
+    pub fn blows(&self, stream: usize) -> bool {
+        self.state.media.streams[stream].blows
+    }
+
+    /// The force with which what lies on a surface presses down on it, N, as the last tick ended.
+    pub fn load_on(&self, surface: usize) -> f64 {
+        self.asked.set(true);
+        let item = (self.state.bodies.len() + surface) as u32;
+        let below = self.state.contacts.iter().filter(|contact| contact.axis == 1 && contact.hi == item);
+        below.map(|contact| contact.normal).sum()
+    }
+}

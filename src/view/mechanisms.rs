@@ -1,0 +1,354 @@
+//! What moves by itself, opens, breaks, runs or is to be picked up: drafted like the world, but never to be taken for it. Blocks that move
+//! have a dashed track with a tick at each way point; doors are barred; belts run with chevrons; what is solid from one side has one thick
+//! side; what is fragile is cracked.
+
+use super::art::{Art, Tile};
+use super::camera::Viewport;
+use super::canvas::{Canvas, Style};
+use super::layout::{DETAILS, Vec2};
+use super::particles::{Look, Particle, Particles};
+use super::terrain::material_edge;
+use super::theme::{self, faded, rgb};
+use super::things::exact;
+use crate::game::Game;
+use crate::level::{Level, Mover, Route, Solid, SurfaceOf, Worked};
+use crate::physics::{Aabb, DVec2, ForceKind, Material, Sides};
+use macroquad::color::Color;
+use macroquad::math::Rect;
+use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
+
+/// The body of what moves or opens: bluer and lighter than any rock.
+const WORKS: Color = rgb(0x3D5878);
+const WORKS_EDGE: Color = rgb(0x9CC3EE);
+/// A dash and the gap after it, canvas units.
+const DASH: [f32; 2] = [7.0, 5.0];
+/// Between two chevrons of a belt, m, and their height.
+const CHEVRON_STEP: f64 = 0.5;
+const CHEVRON: f64 = 0.22;
+/// Between two arrows of a gravity zone, m.
+const ARROW_STEP: f64 = 2.0;
+
+/// The gravity zones: faint, with arrows the way that things fall in them.
+pub fn draw_fields(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
+    let (visible, colour) = (view.visible(), theme::force(ForceKind::Weight));
+    for field in level.fields.iter().filter(|field| field.zone.touches(&visible, 0.0)) {
+        let area = view.rect(&field.zone);
+        draw_rectangle(area.x, area.y, area.w, area.h, faded(colour, 0.07));
+        dashed_outline(canvas, &area, faded(colour, 0.6));
+        let pull = field.strength + DVec2::new(level.gravity_x, level.gravity);
+        let way = pull.normalize_or_zero();
+        let drift = way * ((time * 0.8).rem_euclid(1.0) * ARROW_STEP * 0.25);
+        let shown = Aabb::new(field.zone.min.max(visible.min), field.zone.max.min(visible.max));
+        for x in marks(shown.min.x, shown.max.x) {
+            for y in marks(shown.min.y, shown.max.y) {
+                let at = DVec2::new(x, y) + drift;
+                if way == DVec2::ZERO {
+                    canvas.ring(view.point(DVec2::new(x, y)), 4.0, 1.5, faded(colour, 0.5));
+                } else if field.zone.contains(&Aabb::around(at, DVec2::splat(0.3)), 0.0) {
+                    arrow(canvas, view, at, way * 0.5, faded(colour, 0.5));
+                }
+            }
+        }
+    }
+}
+
+/// The middles of a grid's cells between two coordinates, m.
+fn marks(from: f64, to: f64) -> impl Iterator<Item = f64> {
+    let first = (from / ARROW_STEP).floor() as i64;
+    (first..=(to / ARROW_STEP).ceil() as i64).map(|i| (i as f64 + 0.5) * ARROW_STEP)
+}
+
+/// What only has to be touched: the areas of switches, and pods.
+pub fn draw_areas(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
+    let (level, visible) = (game.level(), view.visible());
+    for (index, switch) in level.switches.iter().enumerate() {
+        if switch.weight.is_some() || !switch.bounds.touches(&visible, 1.0) {
+            continue;
+        }
+        let (area, colour) = (view.rect(&switch.bounds), lamp_colour(game, index));
+        draw_rectangle(area.x, area.y, area.w, area.h, faded(colour, if game.mechanisms().on()[index] { 0.22 } else { 0.08 }));
+        dashed_outline(canvas, &area, colour);
+        lamp(canvas, area.center(), colour, game.mechanisms().is_pressed(index));
+    }
+    for (index, pod) in level.pods.iter().enumerate() {
+        if !game.mechanisms().is_taken(index) && pod.bounds.touches(&visible, 1.0) {
+            draw_pod(&view.rect(&pod.bounds), canvas, time);
+        }
+    }
+}
+
+/// A canister with a drop on it, which glows.
+fn draw_pod(area: &Rect, canvas: &Canvas, time: f64) {
+    let pulse = 0.5 + 0.5 * (time * 3.1).sin() as f32;
+    let round = (area.w.min(area.h) * 0.3).min(10.0);
+    let all = super::layout::Area { min: area.point(), size: area.size() };
+    canvas.rounded(all, round, faded(theme::accent(), 0.25 + 0.15 * pulse));
+    canvas.rounded_edge(all, round, 2.5, theme::accent());
+    let (middle, size) = (area.center(), area.w.min(area.h) * 0.24);
+    canvas.disc(middle + Vec2::new(0.0, size * 0.35), size * 0.8, theme::accent());
+    canvas.convex(
+        &[middle + Vec2::new(0.0, -size * 1.3), middle + Vec2::new(size * 0.72, 0.0), middle + Vec2::new(-size * 0.72, 0.0)],
+        theme::accent(),
+    );
+}
+
+/// Everything that is solid and no rock. `alpha` is how far the frame lies between the last tick but one and the last.
+pub fn draw(game: &Game, alpha: f64, art: &Art, view: &Viewport, canvas: &Canvas, time: f64) {
+    let level = game.level();
+    for mover in &level.movers {
+        draw_track(mover, view, canvas);
+    }
+    for (index, solid) in level.world.iter().enumerate() {
+        if game.mechanisms().is_broken(index) || !solid.bounds.touches(&view.visible(), 1.0) {
+            continue;
+        }
+        let area = view.rect(&solid.bounds);
+        if solid.sides != Sides::ALL {
+            draw_one_way(solid, &area, canvas);
+        } else if solid.breaks.is_some() {
+            art.fill(Tile::Material(solid.material.name), &solid.bounds, view, faded(theme::text(), 0.8));
+            draw_cracks(solid, &area, canvas);
+        }
+        let runs = game.mechanisms().is_on(Worked::Belt(index));
+        draw_skin(solid, &solid.bounds, runs, (view, canvas), time);
+    }
+    for (index, mover) in level.movers.iter().enumerate() {
+        let surface = &game.world().surfaces()[level.surface_index(SurfaceOf::Mover(index))];
+        let back = -surface.velocity * ((1.0 - alpha) / game.tick_rate());
+        let bounds = Aabb::new(surface.bounds.min + back, surface.bounds.max + back);
+        draw_mover(mover, &bounds, (view, canvas), time);
+    }
+    for (index, door) in level.doors.iter().enumerate() {
+        let surface = &game.world().surfaces()[level.surface_index(SurfaceOf::Door(index))];
+        draw_door(door, surface.present, view, canvas);
+    }
+    for (index, switch) in level.switches.iter().enumerate() {
+        if let Some(weight) = switch.weight {
+            let area = view.rect(&switch.bounds);
+            draw_plate(&area, lamp_colour(game, index), game.mechanisms().is_pressed(index), canvas);
+            let style = Style::new(DETAILS, theme::quiet()).mono().centred().middle();
+            canvas.text(&format!("> {weight:.0} N"), Vec2::new(area.center().x, area.bottom() + 12.0), style);
+        }
+    }
+}
+
+/// The way of a mover: dashed, with a tick at each stop.
+fn draw_track(mover: &Mover, view: &Viewport, canvas: &Canvas) {
+    let colour = faded(WORKS_EDGE, 0.55);
+    let closes = (mover.route == Route::Round).then(|| mover.stops[0]);
+    let stops: Vec<DVec2> = mover.stops.iter().copied().chain(closes).collect();
+    for pair in stops.windows(2) {
+        let [from, to] = [pair[0], pair[1]].map(|stop| view.point(stop));
+        dashed(canvas, from, to, colour);
+        let across = (to - from).normalize_or_zero().perp() * 7.0;
+        for end in [from, to] {
+            canvas.line(end - across, end + across, 2.0, colour);
+        }
+    }
+}
+
+fn draw_mover(mover: &Mover, bounds: &Aabb, (view, canvas): (&Viewport, &Canvas), time: f64) {
+    if !bounds.touches(&view.visible(), 1.0) {
+        return;
+    }
+    let area = exact(bounds, view);
+    if mover.solid.sides == Sides::ALL {
+        draw_rectangle(area.x, area.y, area.w, area.h, WORKS);
+        draw_rectangle_lines(area.x, area.y, area.w, area.h, 5.0, edge_of(mover.solid.material));
+        // Two corner marks, as on a sliding carriage.
+        let reach = (area.w.min(area.h) * 0.22).min(9.0);
+        for (corner, side) in [(area.point(), 1.0), (area.point() + area.size(), -1.0)] {
+            let at = corner + Vec2::splat(6.0) * side;
+            canvas.convex(&[at, at + Vec2::new(reach * side, 0.0), at + Vec2::new(0.0, reach * side)], faded(WORKS_EDGE, 0.8));
+        }
+    } else {
+        draw_one_way(&mover.solid, &area, canvas);
+    }
+    draw_skin(&mover.solid, bounds, true, (view, canvas), time);
+}
+
+/// A door: barred where it is closed, its frame where it is open.
+fn draw_door(door: &Solid, closed: bool, view: &Viewport, canvas: &Canvas) {
+    if !door.bounds.touches(&view.visible(), 1.0) {
+        return;
+    }
+    let area = view.rect(&door.bounds);
+    let upright = area.h >= area.w;
+    let (long, thin) = if upright { (area.h, area.w) } else { (area.w, area.h) };
+    let piece = |from: f32, length: f32| match upright {
+        true => Rect::new(area.x, area.y + from, area.w, length),
+        false => Rect::new(area.x + from, area.y, length, area.h),
+    };
+    if !closed {
+        dashed_outline(canvas, &area, faded(WORKS_EDGE, 0.55));
+        // What is left of the leaves.
+        for leaf in [piece(0.0, thin.min(long * 0.1)), piece(long - thin.min(long * 0.1), thin.min(long * 0.1))] {
+            draw_rectangle(leaf.x, leaf.y, leaf.w, leaf.h, WORKS);
+            draw_rectangle_lines(leaf.x, leaf.y, leaf.w, leaf.h, 3.0, WORKS_EDGE);
+        }
+        return;
+    }
+    draw_rectangle(area.x, area.y, area.w, area.h, WORKS);
+    let bars = (long / 14.0).floor().max(1.0);
+    for bar in 0..bars as usize {
+        let at = piece(long / bars * (bar as f32 + 0.3), long / bars * 0.4);
+        draw_rectangle(at.x, at.y, at.w, at.h, rgb(0x22334A));
+    }
+    draw_rectangle_lines(area.x, area.y, area.w, area.h, 4.0, edge_of(door.material));
+    let seam = piece(long * 0.5 - 1.5, 3.0);
+    draw_rectangle(seam.x, seam.y, seam.w, seam.h, theme::ground());
+}
+
+/// A plate: its cap stands out above it until it is pressed.
+fn draw_plate(area: &Rect, colour: Color, pressed: bool, canvas: &Canvas) {
+    draw_rectangle(area.x, area.y, area.w, area.h, rgb(0x2A3344));
+    draw_rectangle_lines(area.x, area.y, area.w, area.h, 3.0, WORKS_EDGE);
+    let cap = if pressed { 3.0 } else { (area.h * 0.45).clamp(4.0, 9.0) };
+    draw_rectangle(area.x + 3.0, area.y, area.w - 6.0, cap, colour);
+    lamp(canvas, Vec2::new(area.center().x, area.y + area.h * 0.68), colour, pressed);
+}
+
+/// The colour of a switch: green while it is on.
+fn lamp_colour(game: &Game, switch: usize) -> Color {
+    if game.mechanisms().on()[switch] { theme::good() } else { WORKS_EDGE }
+}
+
+fn lamp(canvas: &Canvas, at: Vec2, colour: Color, pressed: bool) {
+    canvas.ring(at, 6.0, 2.0, colour);
+    if pressed {
+        canvas.disc(at, 3.5, colour);
+    }
+}
+
+/// One thick side, from which it is solid, and teeth that point the way through.
+fn draw_one_way(solid: &Solid, area: &Rect, canvas: &Canvas) {
+    let (a, b) = (area.point(), area.point() + area.size());
+    let colour = edge_of(solid.material);
+    draw_rectangle(area.x, area.y, area.w, area.h, faded(WORKS, 0.30));
+    let Sides { left, right, top, .. } = solid.sides;
+    let (from, to, through) = match (left, right, top) {
+        (true, ..) => (a, Vec2::new(a.x, b.y), Vec2::new(-1.0, 0.0)),
+        (_, true, _) => (Vec2::new(b.x, a.y), b, Vec2::new(1.0, 0.0)),
+        (_, _, true) => (a, Vec2::new(b.x, a.y), Vec2::new(0.0, -1.0)),
+        _ => (Vec2::new(a.x, b.y), b, Vec2::new(0.0, 1.0)),
+    };
+    let (along, inset) = ((to - from).normalize_or_zero(), -through * 2.5);
+    canvas.line(from + inset, to + inset, 5.0, colour);
+    let teeth = ((to - from).length() / 22.0).floor().max(1.0);
+    for tooth in 0..teeth as usize {
+        let at = from.lerp(to, (tooth as f32 + 0.5) / teeth) - through * 12.0;
+        for side in [-1.0, 1.0] {
+            canvas.line(at + through * 4.0, at + along * (4.0 * side), 1.5, faded(colour, 0.7));
+        }
+    }
+}
+
+/// What runs or throws back: chevrons along a belt's upper and lower side, a zigzag on what bounces.
+fn draw_skin(solid: &Solid, bounds: &Aabb, runs: bool, (view, canvas): (&Viewport, &Canvas), time: f64) {
+    if solid.belt != 0.0 {
+        let drift = if runs { (time * solid.belt).rem_euclid(CHEVRON_STEP) } else { 0.0 };
+        let colour = if runs { theme::text() } else { theme::quiet() };
+        draw_chevrons(bounds, (bounds.min.y + CHEVRON * 0.75, drift, solid.belt.signum()), (view, canvas), faded(colour, 0.75));
+        if bounds.size().y > 4.0 * CHEVRON {
+            let back = (CHEVRON_STEP - drift).rem_euclid(CHEVRON_STEP);
+            let place = (bounds.max.y - CHEVRON * 0.75, back, -solid.belt.signum());
+            draw_chevrons(bounds, place, (view, canvas), faded(colour, 0.75));
+        }
+    }
+    if solid.belt != 0.0 {
+        let area = exact(bounds, view);
+        for y in [area.y + 1.0, area.bottom() - 1.0] {
+            canvas.line(Vec2::new(area.x, y), Vec2::new(area.right(), y), 2.0, edge_of(solid.material));
+        }
+    }
+    if solid.material.restitution > 0.0 {
+        let (low, high) = (bounds.min.y + 0.16, bounds.min.y + 0.04);
+        let points = (bounds.size().x / 0.2).floor().max(2.0);
+        let at = |i: f64, y: f64| view.point(DVec2::new(bounds.min.x + bounds.size().x * i / points, y));
+        for i in 0..points as usize {
+            let (a, b) = if i % 2 == 0 { (low, high) } else { (high, low) };
+            canvas.line(at(i as f64, a), at(i as f64 + 1.0, b), 2.5, edge_of(solid.material));
+        }
+    }
+}
+
+/// Chevrons along a height (m) that point to a side, each so far from the place that it has at rest (m).
+fn draw_chevrons(bounds: &Aabb, (y, drift, side): (f64, f64, f64), (view, canvas): (&Viewport, &Canvas), colour: Color) {
+    let visible = view.visible();
+    let strip = Aabb::new(DVec2::new(bounds.min.x, y - CHEVRON * 0.7), DVec2::new(bounds.max.x, y + CHEVRON * 0.7));
+    if !strip.touches(&visible, 0.0) {
+        return;
+    }
+    let band = view.rect(&strip);
+    draw_rectangle(band.x, band.y, band.w, band.h, rgb(0x10151E));
+    let mut x = bounds.min.x + drift;
+    while x < bounds.max.x {
+        let tip = DVec2::new(x + side * CHEVRON * 0.3, y);
+        let inside = |x: f64| x > bounds.min.x + 0.05 && x < bounds.max.x - 0.05;
+        let tail = x - side * CHEVRON * 0.3;
+        if inside(tip.x) && inside(tail) && x > visible.min.x - 1.0 && x < visible.max.x + 1.0 {
+            for up in [-1.0, 1.0] {
+                canvas.line(view.point(tip), view.point(DVec2::new(tail, y + up * CHEVRON * 0.5)), 2.0, colour);
+            }
+        }
+        x += CHEVRON_STEP;
+    }
+}
+
+/// Cracks from the middle to the sides, always the same in one block.
+fn draw_cracks(solid: &Solid, area: &Rect, canvas: &Canvas) {
+    const CRACKS: [[f32; 2]; 5] = [[0.05, 0.0], [0.95, 0.12], [1.0, 0.85], [0.3, 1.0], [0.0, 0.6]];
+    let colour = rgb(0x0A0D12);
+    let at = |[x, y]: [f32; 2]| area.point() + area.size() * Vec2::new(x, y);
+    let middle = [0.47, 0.52];
+    for (i, end) in CRACKS.into_iter().enumerate() {
+        let bend = if i % 2 == 0 { 0.09 } else { -0.07 };
+        let knee = [(middle[0] + end[0]) * 0.5 + bend, (middle[1] + end[1]) * 0.5 - bend];
+        canvas.line(at(middle), at(knee), 2.5, colour);
+        canvas.line(at(knee), at(end), 1.5, colour);
+    }
+    dashed_outline(canvas, area, edge_of(solid.material));
+}
+
+/// Pieces of a block that has broken.
+pub fn debris(particles: &mut Particles, block: &Aabb) {
+    let count = (block.size().x * block.size().y * 14.0).clamp(12.0, 60.0) as usize;
+    for _ in 0..count {
+        let part = DVec2::new(particles.between(0.0, 1.0), particles.between(0.0, 1.0));
+        let velocity = DVec2::new(particles.between(-3.0, 3.0), particles.between(-3.0, 1.0));
+        let life = particles.between(0.4, 1.0) as f32;
+        let position = block.min + part * block.size();
+        particles.add(Particle { position, velocity, age: 0.0, life, look: Look::Dust, colour: theme::quiet() });
+    }
+}
+
+/// The colour of an edge by its material.
+fn edge_of(material: Material) -> Color {
+    material_edge(material.name).unwrap_or(WORKS_EDGE)
+}
+
+fn arrow(canvas: &Canvas, view: &Viewport, at: DVec2, way: DVec2, colour: Color) {
+    let [tail, tip] = [at - way * 0.5, at + way * 0.5].map(|end| view.point(end));
+    let back = (tail - tip) * 0.4;
+    canvas.line(tail, tip, 1.5, colour);
+    for side in [-1.0, 1.0] {
+        canvas.line(tip, tip + back + back.perp() * (0.7 * side), 1.5, colour);
+    }
+}
+
+fn dashed_outline(canvas: &Canvas, area: &Rect, colour: Color) {
+    let (a, b) = (area.point(), area.point() + area.size());
+    let corners = [a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)];
+    for i in 0..4 {
+        dashed(canvas, corners[i], corners[(i + 1) % 4], colour);
+    }
+}
+
+fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, colour: Color) {
+    let (length, way) = ((to - from).length(), (to - from).normalize_or_zero());
+    let mut at = 0.0;
+    while at < length {
+        canvas.line(from + way * at, from + way * (at + DASH[0]).min(length), 2.0, colour);
+        at += DASH[0] + DASH[1];
+    }
+}
