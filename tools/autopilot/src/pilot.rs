@@ -73,7 +73,7 @@ impl<'a> Pilot<'a> {
 
     /// Whether it is meant to push something.
     pub fn pushes(&self) -> bool {
-        self.plan.steps.get(self.step).is_some_and(|step| step.kind == Kind::Push)
+        self.plan.steps.get(self.step).is_some_and(|step| matches!(step.kind, Kind::Push | Kind::Ram))
     }
 
     /// How far the ship is from the place of its step, m.
@@ -126,9 +126,19 @@ impl<'a> Pilot<'a> {
                 let way = (to.x - self.pushed_from).signum();
                 (object.position.x - to.x) * way >= 0.0 || (step.speed > 0.0 && object.velocity.x * way >= step.speed)
             }
+            Kind::Ram => {
+                let way = (to.x - self.pushed_from).signum();
+                let late = step.seconds > 0.0 && self.lasted(game) >= step.seconds;
+                late || (game.world().body(BodyId(step.object)).position.x - to.x) * way >= 0.0
+            }
             Kind::Stop => ship.velocity.dot(game.ship().nose()) <= step.speed,
-            Kind::Hold => (game.ticks() - self.since) as f64 >= step.seconds * game.tick_rate(),
+            Kind::Hold => self.lasted(game) >= step.seconds,
         }
+    }
+
+    /// For how long the step has been taken, s.
+    fn lasted(&self, game: &Game) -> f64 {
+        (game.ticks() - self.since) as f64 / game.tick_rate()
     }
 
     /// Chooses what is held during the next beat.
@@ -161,7 +171,13 @@ impl<'a> Pilot<'a> {
                 self.thrust = self.turn == 0 && closing < CLOSING;
                 self.owed = 0.0;
             }
-            Kind::Push | Kind::Stop | Kind::Hold => {
+            Kind::Ram if !over => {
+                let way = (to.x - self.pushed_from).signum();
+                self.turn_to(game, 90.0 * way, PUSH_BEAT);
+                self.thrust = self.turn == 0 && ship.velocity.x * way < step.speed;
+                self.owed = 0.0;
+            }
+            Kind::Push | Kind::Ram | Kind::Stop | Kind::Hold => {
                 (self.turn, self.thrust, self.left) = (0, false, PUSH_BEAT);
             }
         }

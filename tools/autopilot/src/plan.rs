@@ -12,6 +12,8 @@ pub enum Kind {
     Land,
     /// To push an object along the ground.
     Push,
+    /// To run into an object and go on pushing.
+    Ram,
     /// To brake by thrusting backwards, until the ship moves no faster along its nose.
     Stop,
     /// To stay for a while.
@@ -71,8 +73,14 @@ enum Line {
 
 const HEADER: &str = "step,x,y,speed,tolerance,object,seconds";
 const SETTINGS: [&str; 8] = ["beat", "turn", "grip", "brake", "top_speed", "tilt", "reverse", "par"];
-const KINDS: [(&str, Kind); 5] =
-    [("fly", Kind::Fly), ("land", Kind::Land), ("push", Kind::Push), ("stop", Kind::Stop), ("hold", Kind::Hold)];
+const KINDS: [(&str, Kind); 6] = [
+    ("fly", Kind::Fly),
+    ("land", Kind::Land),
+    ("push", Kind::Push),
+    ("ram", Kind::Ram),
+    ("stop", Kind::Stop),
+    ("hold", Kind::Hold),
+];
 
 impl Settings {
     fn get(&self, name: &str) -> f64 {
@@ -133,7 +141,7 @@ impl Plan {
                 plan.steps.push(Step { kind, x, y, speed, tolerance, object: cell(5)? as u32, seconds: cell(6)? });
             } else {
                 return Err(format!(
-                    "line {number}: found {:?}, expected a setting ({SETTINGS:?}) or fly, land, push, stop, hold",
+                    "line {number}: found {:?}, expected a setting ({SETTINGS:?}) or fly, land, push, ram, stop, hold",
                     cells[0]
                 ));
             }
@@ -178,6 +186,7 @@ impl Plan {
                         vary(&mut step.speed, 0.5, 0.1, 0.5);
                     }
                 }
+                Kind::Ram => vary(&mut step.speed, 0.5, 0.1, 0.5),
                 Kind::Stop => {}
                 Kind::Hold => vary(&mut step.seconds, 0.3, 0.05, 0.0),
             }
