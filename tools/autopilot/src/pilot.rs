@@ -74,7 +74,7 @@ impl<'a> Pilot<'a> {
 
     /// Whether it is meant to push something.
     pub fn pushes(&self) -> bool {
-        self.plan.steps.get(self.step).is_some_and(|step| step.kind == Kind::Push)
+        self.plan.steps.get(self.step).is_some_and(|step| matches!(step.kind, Kind::Push | Kind::Ram))
     }
 
     /// How far the ship is from the place of its step, m.
@@ -128,6 +128,11 @@ impl<'a> Pilot<'a> {
                 let way = (to.x - self.pushed_from).signum();
                 (object.position.x - to.x) * way >= 0.0 || (step.speed > 0.0 && object.velocity.x * way >= step.speed)
             }
+            Kind::Ram => {
+                let way = (to.x - self.pushed_from).signum();
+                let late = step.seconds > 0.0 && waited();
+                late || (sight.body(BodyId(step.object)).position.x - to.x) * way >= 0.0
+            }
             Kind::Stop => velocity.dot(resultant::game::nose(sight.angle)) <= step.speed,
             Kind::Hold | Kind::Hover => waited(),
             Kind::Wait => sight.body(BodyId(step.object)).position.distance(to) <= tolerance || (step.seconds > 0.0 && waited()),
@@ -165,7 +170,13 @@ impl<'a> Pilot<'a> {
                 self.thrust = self.turn == 0 && closing < CLOSING;
                 self.owed = 0.0;
             }
-            Kind::Push | Kind::Stop | Kind::Hold | Kind::Wait => {
+            Kind::Ram if !over => {
+                let way = (to.x - self.pushed_from).signum();
+                self.turn_to(sight, 90.0 * way, PUSH_BEAT);
+                self.thrust = self.turn == 0 && velocity.x * way < step.speed;
+                self.owed = 0.0;
+            }
+            Kind::Push | Kind::Ram | Kind::Stop | Kind::Hold | Kind::Wait => {
                 (self.turn, self.thrust, self.left) = (0, false, PUSH_BEAT);
             }
         }

@@ -12,6 +12,8 @@ pub enum Kind {
     Land,
     /// To push an object along the ground.
     Push,
+    /// To run into an object and go on pushing.
+    Ram,
     /// To brake by thrusting backwards, until the ship moves no faster along its nose.
     Stop,
     /// To press nothing for a while.
@@ -75,10 +77,11 @@ enum Line {
 
 const HEADER: &str = "step,x,y,speed,tolerance,object,seconds";
 const SETTINGS: [&str; 8] = ["beat", "turn", "grip", "brake", "top_speed", "tilt", "reverse", "par"];
-const KINDS: [(&str, Kind); 7] = [
+const KINDS: [(&str, Kind); 8] = [
     ("fly", Kind::Fly),
     ("land", Kind::Land),
     ("push", Kind::Push),
+    ("ram", Kind::Ram),
     ("stop", Kind::Stop),
     ("hold", Kind::Hold),
     ("wait", Kind::Wait),
@@ -191,6 +194,7 @@ impl Plan {
                         vary(&mut step.speed, 0.5, 0.1, 0.5);
                     }
                 }
+                Kind::Ram => vary(&mut step.speed, 0.5, 0.1, 0.5),
                 Kind::Stop => {}
                 Kind::Hold | Kind::Wait => vary(&mut step.seconds, 0.3, 0.05, 0.0),
                 Kind::Hover => {
