@@ -12,9 +12,10 @@ fn with(column: &str, value: f64) -> Memory {
     let given = |name: &str, usual: f64| if name == column { value } else { usual };
     let constants = [("gravity", 15.0), ("air_density", 1.2041), ("optimal_time", 60.0), ("rest_speed", 0.0), ("metre", 30.0)];
     let constants: String = constants.iter().map(|(name, usual)| format!("{name},{}\n", given(name, *usual))).collect();
+    let award = if AWARDS.contains(&column) { format!("{column},{value}\n") } else { String::new() };
     let side = given("side", 30.0);
     let files = [
-        ("constants.csv", format!("name,value\nwidth,3000\nheight,3000\n{constants}")),
+        ("constants.csv", format!("name,value\nwidth,3000\nheight,3000\n{constants}{award}")),
         (
             "player.csv",
             format!(
@@ -55,7 +56,16 @@ fn with(column: &str, value: f64) -> Memory {
     Memory(files.into())
 }
 
-const LIMITS: [Limit; 18] = [
+/// What a level's medals ask for.
+const AWARDS: [&str; 6] = ["silver", "gold", "mark_hits", "mark_fuel", "mark_pushes", "mark_speed"];
+
+const LIMITS: [Limit; 24] = [
+    ("silver", [1e-3, 1e9], [0.0009, 1.01e9]),
+    ("gold", [1e-3, 1e9], [0.0009, 1.01e9]),
+    ("mark_hits", [0.0, 1e6], [-1.0, 1_000_001.0]),
+    ("mark_fuel", [0.0, 100.0], [-0.1, 100.1]),
+    ("mark_pushes", [0.0, 1e6], [-1.0, 1_000_001.0]),
+    ("mark_speed", [1e-3, 1e6], [0.0009, 1_000_001.0]),
     ("gravity", [-1e4, 1e4], [-10001.0, 10001.0]),
     ("air_density", [0.0, 1e5], [-0.1, 100_001.0]),
     ("optimal_time", [1e-3, 1e9], [0.0009, 1.01e9]),
@@ -85,6 +95,7 @@ fn numbers_up_to_their_limits_are_accepted_and_those_beyond_are_named() {
             Err(problems) => lines(&problems),
         };
         let (name, by) = match column {
+            name if AWARDS.contains(&name) => ("value", format!(" for {column}, expected ")),
             "gravity" | "air_density" | "optimal_time" | "rest_speed" | "metre" => ("value", format!(" for {column}, expected ")),
             "side" => ("width", ", expected ".to_owned()),
             _ => (column, ", expected ".to_owned()),

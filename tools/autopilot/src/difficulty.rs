@@ -25,7 +25,8 @@ const LATEST: u32 = 4;
 /// Flies a level and prints how often that went well.
 pub fn measure(level: &Arc<Level>) -> Result<(), String> {
     let plan = plan_of(&level.name, Aim::Careful)?;
-    let ends: Vec<(Outcome, u32)> = (1..=FLIGHTS).map(|seed| fly(level, &plan, seed)).collect();
+    let longest = (2.0 * plan.settings.par).min(LONGEST);
+    let ends: Vec<(Outcome, u32)> = (1..=FLIGHTS).map(|seed| fly(level, &plan, seed, longest)).collect();
     let count = |wanted: Outcome| ends.iter().filter(|(outcome, _)| *outcome == wanted).count();
     let done = count(Outcome::Completed);
     let clean = ends.iter().filter(|(outcome, hits)| *outcome == Outcome::Completed && *hits == 0).count();
@@ -39,14 +40,14 @@ pub fn measure(level: &Arc<Level>) -> Result<(), String> {
     Ok(())
 }
 
-/// The share of the flights with these seeds that complete the level without a damaging hit.
-pub fn share(level: &Arc<Level>, plan: &Plan, seeds: std::ops::Range<u64>) -> f64 {
+/// The share of the flights with these seeds that complete the level without a damaging hit within `longest` seconds.
+pub fn share(level: &Arc<Level>, plan: &Plan, seeds: std::ops::Range<u64>, longest: f64) -> f64 {
     let all = seeds.clone().count();
-    seeds.filter(|seed| fly(level, plan, *seed) == (Outcome::Completed, 0)).count() as f64 / all as f64
+    seeds.filter(|seed| fly(level, plan, *seed, longest) == (Outcome::Completed, 0)).count() as f64 / all as f64
 }
 
 /// One unsteady flight: how it ended, and with how many damaging hits.
-fn fly(level: &Arc<Level>, plan: &Plan, seed: u64) -> (Outcome, u32) {
+fn fly(level: &Arc<Level>, plan: &Plan, seed: u64, longest: f64) -> (Outcome, u32) {
     let mut random = Pcg32::seed_from_u64(seed);
     let plan = plan.misjudged(SPREAD, &mut random);
     let Ok(mut game) = Game::new(Arc::clone(level)) else { return (Outcome::Failed, 0) };
@@ -54,7 +55,7 @@ fn fly(level: &Arc<Level>, plan: &Plan, seed: u64) -> (Outcome, u32) {
     let mut pilot = Pilot::new(&plan, &Sight::clear(&game));
     let mut hands = Hands::default();
     let late = (DELAY * game.tick_rate()) as usize;
-    while game.outcome() == Outcome::Running && game.time() < (2.0 * plan.settings.par).min(LONGEST) {
+    while game.outcome() == Outcome::Running && game.time() < longest {
         let wanted = pilot.keys(&Sight::late(&seen[0], &game));
         game.step(hands.press(wanted, &mut random));
         seen.push_back(game.clone());

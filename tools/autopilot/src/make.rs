@@ -24,6 +24,9 @@ const STEADY: f64 = 2e4;
 /// The seeds of those flights, none of which the measure of difficulty has.
 const UNSTEADY: std::ops::Range<u64> = 1001..1017;
 
+/// How many times the plan's own time they may take.
+const AT_LEISURE: f64 = 1.5;
+
 /// How flights are made.
 pub struct Options {
     /// The only flight that is wanted, by its name.
@@ -145,7 +148,7 @@ impl Search<'_> {
         if best.0 && worth + STEADY <= best.1 {
             return (false, worth);
         }
-        let worth = worth + STEADY * difficulty::share(self.level, plan, UNSTEADY);
+        let worth = worth + STEADY * difficulty::share(self.level, plan, UNSTEADY, AT_LEISURE * flight.result.time);
         if best.0 && worth <= best.1 {
             return (false, worth);
         }
