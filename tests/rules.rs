@@ -353,6 +353,28 @@ fn a_result_tells_the_flight() {
 }
 
 #[test]
+fn a_push_begins_when_an_object_is_touched_that_was_not_for_half_a_second() {
+    let mut level = moving(2.0, 0.0);
+    level.player.angle = 90.0;
+    level.objects = vec![crate_at(DVec2::new(51.6, 50.0), DVec2::ZERO, None), crate_at(DVec2::new(53.6, 50.0), DVec2::ZERO, None)];
+    let mut game = start(level);
+    let pushes = |game: &Game| game.result().pushes;
+    assert_eq!(pushes(&game), 0);
+    fly(&mut game, NONE, 30);
+    assert_eq!(pushes(&game), 1, "it was met after an eighth of a second");
+    fly(&mut game, THRUST, 60);
+    assert_eq!(pushes(&game), 1, "pushing on is the same push, and what is pushed along pushes the next one itself");
+    fly(&mut game, REVERSE, 6);
+    fly(&mut game, NONE, 6);
+    fly(&mut game, THRUST, 24);
+    assert_eq!(pushes(&game), 1, "it was let go of too shortly");
+    fly(&mut game, REVERSE, 12);
+    fly(&mut game, NONE, 60);
+    fly(&mut game, THRUST, 60);
+    assert_eq!(pushes(&game), 2);
+}
+
+#[test]
 fn top_speed_is_kept() {
     let mut game = start(moving(0.0, 1.0));
     fly(&mut game, THRUST, 12);

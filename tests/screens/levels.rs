@@ -1,7 +1,7 @@
 //! The list of levels, also where levels are broken or missing.
 
 use crate::sitting::{FAR_AWAY, Sitting, level};
-use resultant::game::Medal;
+use resultant::game::{Medal, Medals};
 use resultant::screens::{Key, MiniaturePart, Press};
 use std::fs;
 use std::path::Path;
@@ -103,4 +103,30 @@ fn a_card_shows_the_level_and_what_the_player_has_reached_there() {
     let (_, miniature) = entries[2].level.as_ref().unwrap();
     let parts: Vec<MiniaturePart> = miniature.shapes.iter().map(|(_, part)| *part).collect();
     assert_eq!(parts, [MiniaturePart::Deadly, MiniaturePart::PlayerObjective, MiniaturePart::Ship]);
+}
+
+#[test]
+fn medals_are_in_the_scoring_on_the_card_and_on_the_board() {
+    let mut sitting = Sitting::with(|root| {
+        let constants = "width,800\nheight,600\noptimal_time,10\nsilver,5\ngold,0.001\nmark_hits,0\n";
+        fs::write(root.join("levels/1/constants.csv"), constants).unwrap();
+        fs::create_dir_all(root.join("scores")).unwrap();
+        // A best time from before there were medals.
+        fs::write(root.join("scores/players.csv"), "player,level,time\nann,,\nann,1,4\n").unwrap();
+    });
+    let silver = Medals { medal: Some(Medal::Silver), mark: false };
+    sitting.press_all(&[Key::Down, Key::Enter]);
+    assert_eq!(sitting.level_select().entries()[0].medals, silver, "what the old time is worth now");
+    sitting.press(Key::Escape).complete();
+    let goals = sitting.scoring().goals();
+    let earned: Vec<bool> = goals.iter().map(|goal| goal.missing.is_none()).collect();
+    assert_eq!(earned, [true, true, false, true], "{goals:?}");
+    assert!(goals[2].missing.as_ref().unwrap().ends_with("s too slow"));
+
+    let silver_and_mark = Medals { mark: true, ..silver };
+    let save = sitting.scoring().presses().iter().position(|press| *press == Press::SaveScore).unwrap();
+    sitting.choose(save);
+    assert_eq!(sitting.leaderboard().medals(0), silver_and_mark);
+    assert!(sitting.scores_file("players.csv").starts_with("player,level,time,medal,mark\nann,,,,\nann,1,0.0"));
+    assert!(sitting.scores_file("players.csv").contains(",silver,TRUE\n"), "{}", sitting.scores_file("players.csv"));
 }
