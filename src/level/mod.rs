@@ -28,6 +28,7 @@ mod table;
 mod types;
 mod winnable;
 mod wiring;
+mod words;
 mod world_def;
 
 pub use folder::{list, load};
