@@ -70,7 +70,7 @@ const FILES: [(&str, &str); 14] = [
         "switches.csv",
         "# What works doors, movers, streams and belts by their names (!name: the other way round): plates that weigh N, or areas.\n\
          # by: any, ship, key, object; stays: held, latched, toggled.\n\
-         x,y,width,height,works,weight,by,stays\n60,480,60,60,gate,,ship,latched\n760,640,60,40,!fan,,object,held\n",
+         x,y,width,height,works,weight,by,stays\n60,360,60,60,gate,,ship,latched\n760,640,60,40,!fan,,object,held\n",
     ),
     (
         "gravity.csv",

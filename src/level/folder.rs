@@ -92,7 +92,7 @@ pub fn list(levels: &Path) -> Vec<String> {
     names
 }
 
-/// Numbers before words, numbers by value (however long they are), everything else by name.
+/// Numbers before words, numbers by value (however long they are), everything else by name, with the numbers in it by value.
 fn by_number_then_name(a: &str, b: &str) -> Ordering {
     let digits = |name: &str| !name.is_empty() && name.bytes().all(|b| b.is_ascii_digit());
     let value = |name: &str| {
@@ -103,13 +103,35 @@ fn by_number_then_name(a: &str, b: &str) -> Ordering {
         (true, true) => value(a).cmp(&value(b)).then_with(|| a.cmp(b)),
         (true, false) => Ordering::Less,
         (false, true) => Ordering::Greater,
-        (false, false) => a.cmp(b),
+        (false, false) => runs(a).cmp(&runs(b)).then_with(|| a.cmp(b)),
     }
+}
+
+/// A name in runs of digits and of other letters; digits come first and count by their value: lev2 is before lev10.
+fn runs(name: &str) -> Vec<(bool, usize, &str)> {
+    let mut runs = Vec::new();
+    let mut rest = name;
+    while let Some(first) = rest.chars().next() {
+        let digits = first.is_ascii_digit();
+        let end = rest.find(|c: char| c.is_ascii_digit() != digits).unwrap_or(rest.len());
+        let (run, after) = rest.split_at(end);
+        let value = run.trim_start_matches('0');
+        runs.push(if digits { (false, value.len(), value) } else { (true, 0, run) });
+        rest = after;
+    }
+    runs
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_in_names_count_by_value() {
+        let mut names = ["lev100", "lev2b", "lev10", "lev1", "lev", "level", "lev2"];
+        names.sort_by(|a, b| by_number_then_name(a, b));
+        assert_eq!(names, ["lev", "lev1", "lev2", "lev2b", "lev10", "lev100", "level"]);
+    }
 
     #[test]
     fn numbers_come_first_and_by_value() {

@@ -29,6 +29,7 @@ mod table;
 mod types;
 mod winnable;
 mod wiring;
+mod words;
 mod world_def;
 
 pub use awards::{Awards, Mark};

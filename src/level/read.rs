@@ -13,6 +13,7 @@ use super::types::{
     Decoration, Field, Fluid, Level, Mover, Object, Objective, ObjectiveKind, Player, Pod, Solid, Stream, Switch, Text,
 };
 use super::winnable;
+use super::words;
 use super::{blocks, extras, names};
 use crate::physics::{Aabb, DVec2};
 use std::io;
@@ -109,6 +110,7 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
         return Err(problems);
     };
     warnings.extend(names::warn(&draft));
+    warnings.extend(words::warn(&draft, size / draft.scale.metre));
     warnings.extend(placement::warn(&draft, &player.item, size / draft.scale.metre));
     Ok(Loaded {
         level: Level {

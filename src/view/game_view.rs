@@ -213,6 +213,7 @@ impl GameView {
                 things::draw_ship(&pose, plume, flicker, art, view);
             }
         }
+        zones::draw_holds(game, ship.0, view, canvas);
         decoration::draw(level, true, &self.pictures, view);
         self.feedback.draw_in_level(view, canvas);
         world::draw_texts(level, view, canvas);

@@ -16,6 +16,9 @@ use macroquad::shapes::{draw_rectangle, draw_rectangle_lines, draw_triangle};
 
 /// From an objective's edge to its label, canvas units.
 const LABEL_GAP: f32 = 14.0;
+/// The rings of hold times: round an objective's icon, canvas units; and round what is held, m.
+const ICON_RING: f32 = 14.0;
+const HOLD_RING: f64 = 1.45;
 /// Width and height of a wave on a liquid's surface, canvas units; the height in both directions together.
 const WAVE_LENGTH: f32 = 52.0;
 const WAVE_HEIGHT: f32 = 5.0;
@@ -66,21 +69,37 @@ pub fn draw_objectives(game: &Game, art: &Art, view: &Viewport, canvas: &Canvas,
                 },
             }
             if objective.hold > 0.0 {
-                ring(canvas, middle, 1.0, faded(colour, 0.35));
-                ring(canvas, middle, game.held(index) as f32, theme::good());
+                ring(canvas, (middle, ICON_RING), 1.0, faded(colour, 0.35));
+                ring(canvas, (middle, ICON_RING), game.held(index) as f32, theme::good());
             }
         }
         canvas.text(&name, Vec2::new(left + icon + 6.0, label.y), style);
     }
 }
 
-/// A part (0 … 1) of a ring round an icon, clockwise from the top.
-fn ring(canvas: &Canvas, centre: Vec2, part: f32, colour: Color) {
+/// The rings of what is being held, round the ship (drawn at `ship`, m) or the block that waits for a key: over all that moves, for a ship
+/// that stands on a pad hides its label.
+pub fn draw_holds(game: &Game, ship: DVec2, view: &Viewport, canvas: &Canvas) {
+    for (index, objective) in game.level().objectives.iter().enumerate() {
+        let held = game.held(index) as f32;
+        if held > 0.0 && !game.met()[index] {
+            let at = match objective.kind {
+                ObjectiveKind::Player => ship,
+                ObjectiveKind::Physics => objective.bounds.centre(),
+            };
+            let place = (view.point(at), view.length(HOLD_RING));
+            ring(canvas, place, 1.0, faded(objective_colour(game, index), 0.3));
+            ring(canvas, place, held, theme::good());
+        }
+    }
+}
+
+/// A part (0 … 1) of a ring of some radius round a point, clockwise from the top.
+fn ring(canvas: &Canvas, (centre, radius): (Vec2, f32), part: f32, colour: Color) {
     const SIDES: usize = 36;
-    const RADIUS: f32 = 14.0;
     let at = |side: usize| {
         let angle = std::f32::consts::TAU * (side as f32 / SIDES as f32).min(part) - std::f32::consts::FRAC_PI_2;
-        centre + Vec2::from_angle(angle) * RADIUS
+        centre + Vec2::from_angle(angle) * radius
     };
     for side in 0..(part * SIDES as f32).ceil() as usize {
         canvas.line(at(side), at(side + 1), 3.0, colour);

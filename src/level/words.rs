@@ -1,0 +1,46 @@
+//! Words that cannot be read as they were meant: warnings.
+
+use super::problem::{Problem, quoted};
+use super::read::Draft;
+use crate::physics::DVec2;
+
+/// The least that a line of letters is wide, in its height a letter: only what runs out in any case is told.
+const NARROWEST: f64 = 0.36;
+
+/// Texts with letters that the game's typefaces do not have, and texts that run out of a level of that size in metres.
+pub(super) fn warn(draft: &Draft, size: DVec2) -> Vec<Problem> {
+    let mut warnings = Vec::new();
+    for text in &draft.texts {
+        let words = &text.item.text;
+        if let Some(letter) = words.chars().find(|letter| !is_drawn(*letter)) {
+            let found = format!("{}, which would be drawn as a box", quoted(&letter.to_string()));
+            warnings.push(text.problem("text", found, "letters of Latin, Greek or Cyrillic, signs and arrows, on one line"));
+        }
+        let end = text.item.position + DVec2::new(words.chars().count() as f64 * NARROWEST, 1.0) * text.item.size;
+        let out = text.item.position.cmplt(DVec2::ZERO).any() || end.cmpgt(size + text.item.size * 0.5).any();
+        if out {
+            warnings.push(text.problem("x", format!("{}, which runs out of the level", quoted(words)), "words that end within it"));
+        }
+    }
+    warnings
+}
+
+/// Whether the typefaces may have a letter: none of the scripts that they lack, no line break.
+fn is_drawn(letter: char) -> bool {
+    let lacking = matches!(u32::from(letter),
+        0x0590..=0x109F | 0x1100..=0x11FF | 0x2E80..=0xA4CF | 0xA960..=0xD7FF | 0xF900..=0xFAFF | 0xFB50..=0xFDFF | 0x1F000..);
+    !letter.is_control() && !lacking
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_drawn;
+
+    #[test]
+    fn what_the_typefaces_lack_is_known() {
+        assert!("Über → 10 m/s², Ωж ≥ ½ ✓".chars().all(is_drawn));
+        for letter in ['日', '한', 'ع', 'ש', '😀', '\n', '\u{7}'] {
+            assert!(!is_drawn(letter), "{letter:?}");
+        }
+    }
+}
