@@ -91,7 +91,9 @@ fn a_damaged_file_of_players_is_kept_aside_and_no_sound_row_is_lost() {
     assert_eq!((players.all().len(), damage.iter().map(|damage| damage.line).collect::<Vec<_>>()), (2, vec![3, 4]));
     let (_, rescue) = fixture.scores().record_within(PATIENCE, &[done("dan", "1", 1.0)]).unwrap();
     assert_eq!(fs::read_to_string(rescue.unwrap().kept).unwrap(), damaged);
-    assert!(fixture.text("players.csv").contains("ann,1,7.000,bronze,\ncid,,,,\ncid,2,8.000,bronze,\ndan,,,,\ndan,1,1.000,bronze,\n"));
+    assert!(
+        fixture.text("players.csv").contains("ann,1,7.000,bronze,\ncid,,,,\ncid,2,8.000,bronze,\ndan,,,,\ndan,1,1.000,bronze,\n")
+    );
 }
 
 #[test]
