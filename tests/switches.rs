@@ -3,7 +3,7 @@
 
 mod support;
 
-use resultant::game::{BURN_RATE, Controls, Game, GameEvent, Inputs, Replay, SHIP, level_hash, source_name};
+use resultant::game::{BURN_RATE, Controls, Game, GameEvent, Recorder, SHIP, level_hash, source_name};
 use resultant::level::{SurfaceOf, Worked};
 use resultant::physics::{BodyId, DVec2, ForceKind};
 use std::sync::Arc;
@@ -118,15 +118,15 @@ fn switches_are_part_of_the_state_and_of_records() {
         ("pods.csv", "0,700,120,30,100\n"),
     ];
     let level = Arc::new(written(&files));
-    let mut inputs = Inputs::default();
+    let mut recorder = Recorder::default();
     let mut game = Game::new(Arc::clone(&level)).unwrap();
     for tick in 0..400 {
         let controls = if tick < 100 { THRUST } else { Controls::default() };
         game.step(controls);
-        inputs.record(controls);
+        recorder.note(&game, controls);
     }
     assert!(game.mechanisms().on()[0] != game.mechanisms().is_pressed(0) || game.mechanisms().is_taken(0));
-    let replay = Replay::of(&game, inputs);
+    let replay = recorder.finish(&game);
     assert_eq!(replay.verify(level, |_| {}), Ok(Ok(())));
     let mut other = begun(&files);
     let before = other.hash();

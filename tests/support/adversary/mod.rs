@@ -2,10 +2,9 @@
 //! level's author cannot have meant: places that let no ship go, ways out of the level, broken rules, and ways round the level's idea.
 
 mod player;
-#[path = "../random.rs"]
-mod random;
 mod way;
 
+use super::random::Random;
 use player::{Player, Style, wanted};
 use resultant::game::{Controls, Game, Outcome, ROTATION_RATE, SHIP};
 use resultant::level::Level;

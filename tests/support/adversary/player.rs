@@ -1,6 +1,6 @@
 //! Players who mean no good: one hits keys at random, one heads for the objectives by the shortest way, one goes anywhere.
 
-use super::random::Random;
+use super::Random;
 use super::way::{Space, Way};
 use resultant::game::{Controls, Game, ROTATION_RATE, SHIP};
 use resultant::level::{Level, ObjectiveKind};

@@ -9,6 +9,9 @@ mod flight;
 mod make;
 mod pilot;
 mod plan;
+#[path = "../../../tests/support/random.rs"]
+#[allow(dead_code)]
+mod random;
 mod sight;
 
 use make::Options;
