@@ -116,7 +116,7 @@ pub fn words(mark: Mark) -> String {
     match mark {
         Mark::Hits(0) => "no damaging hit".to_owned(),
         Mark::Hits(most) => format!("at most {}", counted(most, "damaging hit")),
-        Mark::Fuel(least) => format!("{least} % of the fuel left"),
+        Mark::Fuel(least) => format!("{least} % fuel left"),
         Mark::Pushes(0) => "no object pushed".to_owned(),
         Mark::Pushes(most) => format!("at most {}", count_pushes(most)),
         Mark::Speed(most) => format!("never above {most} m/s"),
@@ -206,7 +206,7 @@ mod tests {
                 line("level complete", ""),
                 line("within 9 s", ""),
                 line("within 7.5 s", "0.50 s too slow"),
-                line("60 % of the fuel left", "45.6 % left")
+                line("60 % fuel left", "45.6 % left")
             ]
         );
         for (mark, asks, missing) in [

@@ -315,7 +315,7 @@ mod drawing {
                 let left = panel.min.x + i as f32 * wide + 16.0;
                 let y = panel.centre().y;
                 medals::draw(canvas, goal.prize, goal.missing.is_none(), Vec2::new(left + RADIUS, y), RADIUS);
-                let words = Vec2::new(left + 2.0 * RADIUS + 12.0, wide - 2.0 * RADIUS - 36.0);
+                let words = Vec2::new(left + 2.0 * RADIUS + 12.0, wide - 2.0 * RADIUS - 32.0);
                 let line = |text: &str, y: f32, colour| {
                     let style = Style::new(TEXT, colour).middle();
                     let size = if canvas.width(text, style) > words.y { DETAILS } else { TEXT };

@@ -5,7 +5,7 @@ use crate::plan::{Kind, Plan};
 use crate::sight::Sight;
 use resultant::game::{Controls, Game, Inputs, Medals, Outcome, RunResult, SHIP, TICK_RATE};
 use resultant::level::{Level, Mark, ObjectiveKind, SHIP_HALF};
-use resultant::physics::{Aabb, DVec2, Event, Obstacle};
+use resultant::physics::{Aabb, DVec2, Event, Guards, Obstacle};
 use std::sync::Arc;
 
 /// No flight takes longer, s.
@@ -75,6 +75,8 @@ pub struct Flight {
     pub aside: f64,
     /// The speed at the end, m/s.
     pub last_speed: f64,
+    /// Whether a guard of the engine had to give something up.
+    pub given_up: bool,
 }
 
 impl Flight {
@@ -98,6 +100,7 @@ impl Flight {
             hardest_landing: 0.0,
             aside: 0.0,
             last_speed: 0.0,
+            given_up: false,
         };
         // What goes on for twice its time will not do any more.
         let longest = (2.0 * plan.settings.par).min(LONGEST);
@@ -112,6 +115,7 @@ impl Flight {
         let wanted = level.objectives.iter().filter(|objective| objective.kind == ObjectiveKind::Player);
         let shared = wanted.map(|objective| ship.max.x.min(objective.bounds.max.x) - ship.min.x.max(objective.bounds.min.x));
         flight.aside = shared.fold(0.0, |aside: f64, shared| aside.max(1.0 - shared / (2.0 * SHIP_HALF.x)));
+        flight.given_up = Guards { islands_grown: 0, ..*game.world().guards() } != Guards::default();
         flight.result = game.result();
         flight.ticks = game.ticks();
         flight.rows = flight.inputs.to_string().lines().count() - 1;
@@ -153,7 +157,7 @@ impl Flight {
             return 1e3 * self.steps as f64 - 10.0 * self.distance.min(90.0) - 200.0 * died - 1e6;
         }
         let result = &self.result;
-        let clean = 1e5 - 2e3 * f64::from(result.collisions);
+        let clean = 1e5 - 2e3 * f64::from(result.collisions) - 5e3 * f64::from(u8::from(self.given_up));
         match (aim, level.awards.mark) {
             (Aim::Careful, _) | (Aim::Mark, None) => self.worth_of_care(),
             // A second is worth more than a few rows.
@@ -186,6 +190,9 @@ impl Flight {
         let (result, awards) = (&self.result, &level.awards);
         if result.outcome != Outcome::Completed || result.collisions > 0 {
             return Some(format!("{} with {} damaging hits", result.outcome.name(), result.collisions));
+        }
+        if self.given_up {
+            return Some("the engine had to give something up".to_owned());
         }
         let time = result.time;
         match (aim, awards.gold) {
