@@ -147,8 +147,8 @@ pub(super) struct Scratch {
     pub pressed: Vec<f64>,
     /// Of each body and each surface behind them: its number in the present island.
     local: Vec<u32>,
-    /// Bodies near the borders of zones: flight alone does not say where they get.
-    pub minds: Vec<bool>,
+    /// Bodies that stand still although nothing holds them: they may fall asleep.
+    pub floats: Vec<bool>,
     /// Of the present island: its bodies, and the surfaces and streams near it.
     pub members: Vec<u32>,
     pub surfaces: Vec<u32>,
@@ -348,7 +348,7 @@ impl Tick<'_> {
 
 impl Advance for Tick<'_> {
     fn minds(&self, body: usize) -> bool {
-        self.scratch.minds[body]
+        self.scratch.floats[body]
     }
 
     fn advance(&mut self, store: &mut Store<'_>, round: usize) -> Verdict {

@@ -50,7 +50,9 @@
 //! Tolerances that several files share stand in `tuning`, the others beside what they serve, each with what breaks when it changes.
 
 mod aabb;
+mod acting;
 mod air;
+mod bath;
 mod body;
 mod contact;
 mod def;

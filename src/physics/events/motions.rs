@@ -27,7 +27,8 @@ const SHORTEST_IN_LIQUID: f64 = 1.0 / 64.0;
 fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
     let (reach, shortest) =
         if item.law.is_near_liquid() { (CUBIC_REACH_IN_LIQUID, SHORTEST_IN_LIQUID) } else { (CUBIC_REACH, SHORTEST) };
-    let rate = scene.media.rate(&item.body, &item.law, item.body.velocity);
+    let pose = (item.body.position, item.body.velocity);
+    let rate = scene.media.rate(&item.body, &item.law, pose, scene.tick - item.since);
     (item.since + (reach / rate).max(scene.tick * shortest)).min(scene.tick)
 }
 
