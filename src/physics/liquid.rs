@@ -28,8 +28,9 @@ use glam::DVec2;
 const TOLERANCE: f64 = 1e-10;
 /// The same of a stiff step.
 const STIFF_TOLERANCE: f64 = 1e-8;
-/// Rate × time of one Runge–Kutta step, at most: its stability ends at 1.0 for what bobs and 3.3 for what is damped.
+/// Rate × time of one Runge–Kutta step, at most, for what bobs and for what is damped: its stability ends at 1.0 and at 3.3.
 const REACH: f64 = 0.7;
+const DAMPED_REACH: f64 = 2.5;
 /// Rate × time of the first of some exponential steps.
 const FIRST: f64 = 0.1;
 /// Runge–Kutta steps from which on exponential steps cost less.
@@ -180,11 +181,12 @@ impl Swimmer<'_> {
         }
         let answer = bath.answer(pose.1);
         let rate = answer.drag.max_element() + answer.lift.sqrt();
+        let most = (REACH / answer.lift.sqrt()).min(DAMPED_REACH / answer.drag.max_element());
         if (bath.linear + bath.waves + bath.stiffness.sqrt()) * left > STIFF_STEPS * REACH {
             let h = if h < left { h } else { FIRST / rate };
             self.take_stiff(regime, bath, constant, pose, (h.min(left), left))
         } else {
-            self.take_explicit(regime, bath, constant, pose, (h.min(REACH / rate).min(left), left))
+            self.take_explicit(regime, bath, constant, pose, (h.min(most).min(left), left))
         }
     }
 

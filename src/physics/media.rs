@@ -20,12 +20,16 @@
 
 use super::air::Drag;
 use super::bath::{Regime, STOKES, Stiffness, WAVES};
+use super::displaced::Displaced;
 use super::flow::Pose;
 use super::tuning::SLOP;
 use super::zone_tree::{ZoneList, ZoneTree};
 use super::{Aabb, Body, FluidDef, Force, ForceKind, Source, StreamDef};
 use glam::DVec2;
 use std::cell::Cell;
+
+/// What a search for liquids comes to, in units of work as in `events`: about a nanosecond.
+const WORK_OF_A_SEARCH: u64 = 60;
 
 /// The media of a world.
 #[derive(Clone, Debug)]
@@ -52,8 +56,11 @@ pub(super) struct Law {
     pub constant: DVec2,
     /// Drag of the air.
     pub air: Drag,
-    /// The liquids that it may meet. It flies as if there were no others.
+    /// The liquids that it may meet: all that touch this box, m.
     pub liquids: ZoneList,
+    pub near: Aabb,
+    /// What it displaces of them around where it was when that was last asked for.
+    pub displaced: Displaced,
 }
 
 impl Law {
@@ -108,7 +115,21 @@ impl Media {
         // Half its size besides: what others push may meet a liquid earlier.
         let reach = body.half * 1.5 + (body.velocity.abs() + constant.abs() * t) * t;
         let near = Aabb::around(body.position, reach);
-        Law { constant, air: self.air(body), liquids: self.wet.near(&near, 0.0) }
+        let mut law = Law { constant, air: self.air(body), liquids: self.wet.near(&near, 0.0), near, ..Law::default() };
+        if law.is_near_liquid() {
+            self.follow(&mut law, body, body.position);
+        }
+        law
+    }
+
+    /// Lets a law be that of the body at `x`; also where that is further than buoyancy was thought to drive it.
+    pub fn follow(&self, law: &mut Law, body: &Body, x: DVec2) {
+        if !law.near.contains(&Aabb::around(x, body.half), 0.0) {
+            self.spend(WORK_OF_A_SEARCH);
+            law.near = Aabb::around(x, law.near.size() * 0.5);
+            law.liquids = self.wet.near(&law.near, 0.0);
+        }
+        law.displaced = Displaced::new(self, body, x, (&law.liquids, &law.near));
     }
 
     /// Appends the streams that a box touches, in ascending order.
@@ -191,7 +212,7 @@ impl Media {
         }
         let mut dry = 1.0;
         for i in law.liquids.iter() {
-            let alone = Law { liquids: ZoneList::only(i), ..Law::default() };
+            let alone = Law { air: Drag::default(), liquids: ZoneList::only(i), displaced: Displaced::default(), ..*law };
             let part = Regime::new(self, body, &alone, x).bath(x);
             if part.fraction == 0.0 {
                 continue;
@@ -230,7 +251,13 @@ mod tests {
     }
 
     fn law(media: &Media, body: &Body) -> Law {
-        Law { constant: DVec2::new(0.0, media.gravity), air: media.air(body), liquids: ZoneList::of(0..media.fluids.len() as u32) }
+        Law {
+            constant: DVec2::new(0.0, media.gravity),
+            air: media.air(body),
+            liquids: ZoneList::of(0..media.fluids.len() as u32),
+            near: Aabb::around(DVec2::ZERO, DVec2::splat(1e30)),
+            displaced: Displaced::default(),
+        }
     }
 
     #[test]

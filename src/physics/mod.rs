@@ -56,6 +56,7 @@ mod bath;
 mod body;
 mod contact;
 mod def;
+mod displaced;
 mod events;
 mod face;
 mod flow;
