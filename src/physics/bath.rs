@@ -5,6 +5,7 @@ use super::air::Drag;
 use super::displaced::Displaced;
 use super::media::{Law, Media};
 use glam::DVec2;
+use std::borrow::Cow;
 use std::ops::Deref;
 
 /// Stokes' law: 3π per diameter.
@@ -67,7 +68,7 @@ pub(super) struct Regime<'a> {
     media: &'a Media,
     body: &'a Body,
     /// What it holds to be displaced is so around the place.
-    law: Law,
+    law: Cow<'a, Law>,
     /// Quadratic drag, Stokes' drag and buoyancy of what is displaced, each per kg/m or Pa·s·m².
     drag: Drag,
     stokes: f64,
@@ -85,12 +86,12 @@ impl Deref for Regime<'_> {
 
 impl<'a> Regime<'a> {
     /// Around `x`.
-    pub fn new(media: &'a Media, body: &'a Body, law: &Law, x: DVec2) -> Self {
+    pub fn new(media: &'a Media, body: &'a Body, law: &'a Law, x: DVec2) -> Self {
         let (half, per_mass) = (body.half, 1.0 / body.mass);
         let per_area = 1.0 / (4.0 * half.x * half.y);
         let (drag, stokes) = (Drag::of(body, per_area), STOKES * (half.x + half.y) * per_mass * per_area);
         let lift = media.gravity * per_mass;
-        let mut all = Self { media, body, law: *law, drag, stokes, lift, per_area };
+        let mut all = Self { media, body, law: Cow::Borrowed(law), drag, stokes, lift, per_area };
         all.follow(x);
         all
     }
@@ -99,7 +100,7 @@ impl<'a> Regime<'a> {
     #[inline]
     pub fn follow(&mut self, x: DVec2) -> &Self {
         if !self.holds(x) {
-            self.media.follow(&mut self.law, self.body, x);
+            self.media.follow(self.law.to_mut(), self.body, x);
         }
         self
     }

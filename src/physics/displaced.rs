@@ -17,7 +17,7 @@ use glam::{BVec2, DVec2};
 const SLIVER: f64 = 1e-12;
 const SLIVER_OF_A_PLACE: f64 = 16.0 * f64::EPSILON;
 /// m. What is so near beyond a kink has just met it: its forces are off by as much of the body's height, for as long as that takes.
-const AT_A_KINK: f64 = 1e-9;
+const AT_A_KINK: f64 = 1e-11;
 /// Surfaces that cut a body and are kept with a regime. More: it takes longer to set up; fewer: all liquids are asked more often.
 const MOST_CUTS: usize = 6;
 
@@ -126,7 +126,7 @@ pub(super) struct Displaced {
     /// Where they hold, m: between kinks.
     low: DVec2,
     high: DVec2,
-    sliver: f64,
+    sliver: DVec2,
     /// The areas inside all liquids, m², their masses, kg/m, and the same with viscosities, by the distance from the centre.
     area: Bilinear,
     mass: Bilinear,
@@ -143,7 +143,7 @@ impl Default for Displaced {
         let (low, high, none) = (DVec2::INFINITY, DVec2::NEG_INFINITY, Bilinear::default());
         let (area, mass, thick) = (none, none, none);
         let (cuts, count, leaves) = ([Cut::default(); MOST_CUTS], 0, false);
-        Self { centre: DVec2::ZERO, low, high, sliver: 0.0, area, mass, thick, cuts, count, leaves }
+        Self { centre: DVec2::ZERO, low, high, sliver: DVec2::ZERO, area, mass, thick, cuts, count, leaves }
     }
 }
 
@@ -151,7 +151,7 @@ impl Displaced {
     /// By `body` at `x`, of these `liquids`: all that touch the box `near`.
     pub fn new(media: &Media, body: &Body, x: DVec2, (liquids, near): (&ZoneList, &Aabb)) -> Self {
         media.spend(WORK + WORK_OF_A_LIQUID * u64::from(liquids.len()));
-        let sliver = SLIVER + SLIVER_OF_A_PLACE * (x.abs() + body.half).max_element();
+        let sliver = SLIVER + SLIVER_OF_A_PLACE * (x.abs() + body.half);
         let (low, high) = (near.min + body.half, near.max - body.half);
         let mut all = Self { centre: x, low, high, sliver, ..Self::default() };
         let down = media.gravity >= 0.0;
@@ -236,7 +236,7 @@ impl Displaced {
     }
 
     /// Whether it holds at `x`, or within `margin` of where it does.
-    fn holds_within(&self, x: DVec2, margin: f64) -> bool {
+    fn holds_within(&self, x: DVec2, margin: DVec2) -> bool {
         x.cmpge(self.low - margin).all() && x.cmple(self.high + margin).all()
     }
 
@@ -247,7 +247,7 @@ impl Displaced {
 
     /// Whether it holds wherever something gets that starts at `x` and moves by no more than `way` along either axis.
     pub fn holds_around(&self, x: DVec2, way: DVec2) -> bool {
-        self.holds_within(x - way, 0.0) && self.holds_within(x + way, 0.0)
+        self.holds_within(x - way, DVec2::ZERO) && self.holds_within(x + way, DVec2::ZERO)
     }
 
     /// Whether it holds at `x`, or ends so near that it does not matter.
@@ -258,7 +258,7 @@ impl Displaced {
     /// When a way leaves it within `h` seconds, if it does.
     pub fn end_of(&self, way: &Cubic, h: f64) -> Option<f64> {
         let end = |axis: usize| {
-            let (path, low, high) = (way.axis(axis), self.low[axis] - self.sliver, self.high[axis] + self.sliver);
+            let (path, low, high) = (way.axis(axis), self.low[axis] - self.sliver[axis], self.high[axis] + self.sliver[axis]);
             let (least, most) = path.bounds(h);
             let falls = if least < low { path.falls_through(low, 0.0, h) } else { None };
             let rises = if most > high { path.rises_through(high, 0.0, h) } else { None };

@@ -25,7 +25,7 @@ use super::tuning::TERMINAL_TOLERANCE;
 use glam::DVec2;
 
 /// m. Error of one step, at most, by its own estimate. Larger: the tick shows in a splash; smaller: more steps for digits nobody sees.
-const TOLERANCE: f64 = 1e-10;
+const TOLERANCE: f64 = 1e-9;
 /// The same of a stiff step.
 const STIFF_TOLERANCE: f64 = 1e-8;
 /// Rate × time of one Runge–Kutta step, at most, for what bobs and for what is damped: its stability ends at 1.0 and at 3.3.
@@ -38,8 +38,9 @@ const STIFF_STEPS: f64 = 200.0;
 /// Steps of one call, at most; or as many as media may take ([`Media::allow`]). What needs more leaves and meets the surface hundreds of times
 /// within a tick; one implicit step leads it through what is left ([`Swimmer::leap`]).
 const MOST_STEPS: u32 = 4096;
-/// How much a step grows or shrinks by its error, at most.
-const GROWTH: f64 = 4.0;
+/// How much a step grows or shrinks by its error, at most, and what of that it does to be sure.
+const GROWTH: f64 = 3.0;
+const CAUTION: f64 = 0.75;
 /// How often the end of an exact step is brought nearer to the kink that it passes.
 const MOST_CUTS: u32 = 8;
 /// Halvings of the time at which a stiff step meets a kink, at most.
@@ -206,7 +207,7 @@ impl Swimmer<'_> {
             let fits = error <= tolerance;
             // A step too short to resolve anything is taken as it is.
             if !fits && h > shortest {
-                h *= step_factor(error / tolerance, 0.2).min(0.5);
+                h *= step_factor((error / tolerance).sqrt().sqrt()).min(0.5);
                 (next, to_kink) = (h, false);
                 continue;
             }
@@ -216,7 +217,7 @@ impl Swimmer<'_> {
                     (h, to_kink) = (kink.max(shortest), true);
                 }
                 _ if to_kink || h >= left => return (h, end, next),
-                _ => return (h, end, h * step_factor(error / tolerance, 0.2)),
+                _ => return (h, end, h * step_factor((error / tolerance).sqrt().sqrt())),
             }
         }
     }
@@ -229,7 +230,7 @@ impl Swimmer<'_> {
             let second = regime.bath(middle.0);
             let end = linear_flow(&second, constant, middle, 0.5 * h);
             let error = (once.0 - end.0).abs().max_element();
-            let factor = step_factor(error / STIFF_TOLERANCE, 0.5);
+            let factor = step_factor((error / STIFF_TOLERANCE).sqrt());
             if error <= STIFF_TOLERANCE || h <= left * f64::EPSILON {
                 let flow = |t: f64| {
                     let beyond = t - 0.5 * h;
@@ -332,9 +333,10 @@ fn linear_flow(bath: &Bath, constant: DVec2, (x, v): Pose, t: f64) -> Pose {
     (x + DVec2::new(across.0, down.0), DVec2::new(across.1, down.1))
 }
 
-/// By what factor the next step may be longer, given the error of this one as a part of what is allowed.
-fn step_factor(error: f64, power: f64) -> f64 {
-    if error > 0.0 { (0.9 * libm::pow(error, -power)).clamp(1.0 / GROWTH, GROWTH) } else { GROWTH }
+/// By what factor the next step may be longer, given a root of the error of this one as a part of what is allowed: the fourth root stands for
+/// the fifth, which takes longer to find; up to [`GROWTH`] that errs on the side of caution.
+fn step_factor(root: f64) -> f64 {
+    (CAUTION / root).clamp(1.0 / GROWTH, GROWTH)
 }
 
 /// The stages of the pair; the last row is its result.

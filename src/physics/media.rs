@@ -108,10 +108,15 @@ impl Media {
         if body.feels_air { Drag::of(body, self.air_density) } else { Drag::default() }
     }
 
+    /// All that is constant of what acts on a body under a `force` (N) that is not its weight, m/s².
+    pub fn constant(&self, body: &Body, force: DVec2) -> DVec2 {
+        DVec2::new(0.0, self.gravity) + force / body.mass
+    }
+
     /// The law of a body for the next `t` seconds, under a `force` (N) that is not its weight. It depends on nothing but the body itself: what
     /// else is near must change no bit of its motion.
     pub fn law(&self, body: &Body, force: DVec2, t: f64) -> Law {
-        let constant = DVec2::new(0.0, self.gravity) + force / body.mass;
+        let constant = self.constant(body, force);
         // Half its size besides: what others push may meet a liquid earlier.
         let reach = body.half * 1.5 + (body.velocity.abs() + constant.abs() * t) * t;
         let near = Aabb::around(body.position, reach);
@@ -205,10 +210,8 @@ impl Media {
         };
         add(ForceKind::Weight, Source::Gravity, DVec2::new(0.0, mass * self.gravity));
         add(ForceKind::Drive, Source::Engine, drive);
-        for (i, stream) in self.streams.iter().enumerate() {
-            if in_stream(i) {
-                add(ForceKind::Wind, Source::Stream(i as u32), stream.force);
-            }
+        for i in self.streams_at(&body.bounds()).iter().filter(|i| in_stream(*i as usize)) {
+            add(ForceKind::Wind, Source::Stream(i), self.streams[i as usize].force);
         }
         let mut dry = 1.0;
         for i in law.liquids.iter() {

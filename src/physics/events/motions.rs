@@ -71,13 +71,7 @@ impl Events {
     /// The law of a body's motion from now on.
     pub(super) fn renew_law(&mut self, scene: &Scene, i: usize) {
         let item = &mut self.items[i];
-        let mut force = item.drive;
-        for &stream in &self.streams {
-            let stream = &scene.media.streams[stream as usize];
-            if zones::feels(&stream.zone, &item.body, (item.body.position, item.body.velocity)) {
-                force += stream.force;
-            }
-        }
+        let force = if self.streams.is_empty() { item.drive } else { zones::force_on(scene.media, &item.body, item.drive) };
         item.law = scene.media.law(&item.body, force, scene.tick - self.now);
     }
 
