@@ -47,10 +47,8 @@ const MOST_CUTS: u32 = 8;
 const HALVINGS: u32 = 100;
 /// Places on a stiff step at which the body is looked for beyond a kink.
 const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
-/// Trials of the velocity that an implicit step seeks, at most; which of them halve what is left, where Newton's method does not get on; and
-/// what is exact enough, as a part of it.
-const LEAP_TRIALS: u32 = 60;
-const LEAP_HALVES: u32 = 4;
+/// Trials of the velocity that an implicit step seeks, at most; and what is exact enough, as a part of it.
+const LEAP_TRIALS: u32 = 100;
 const LEAP_TOLERANCE: f64 = 1e-13;
 /// What a step of the Runge–Kutta pair comes to, baths left out, and three quarters of an exponential one.
 const WORK_OF_A_STEP: u64 = 80;
@@ -140,7 +138,8 @@ impl Swimmer<'_> {
         let most = h * (constant.y.abs() + self.media.gravity.abs() * lift / self.body.mass);
         let (mut low, mut high) = (v.y.min(0.0) - most, v.y.max(0.0) + most);
         let mut down = v.y;
-        for trial in 1..=LEAP_TRIALS {
+        let mut found = false;
+        for _ in 0..LEAP_TRIALS {
             let (over, slope) = excess(down);
             if over < 0.0 {
                 low = down
@@ -148,13 +147,17 @@ impl Swimmer<'_> {
                 high = down
             }
             let newton = down - over / slope;
-            let inside = newton > low && newton < high && trial % LEAP_HALVES != 0;
+            let inside = newton > low && newton < high;
             let next = if inside { newton } else { 0.5 * (low + high) };
-            let found = (next - down).abs() <= LEAP_TOLERANCE * down.abs();
+            found = (next - down).abs() <= LEAP_TOLERANCE * down.abs();
             down = next;
-            if found || over == 0.0 {
+            if found {
                 break;
             }
+        }
+        if !found {
+            // The slower end of where it is gains nothing.
+            down = if low.abs() < high.abs() { low } else { high };
         }
         (DVec2::new(beside, x.y + h * down), DVec2::new(across, down))
     }
