@@ -36,6 +36,9 @@ impl Choice {
     /// where fewer impacts fall into one tick.
     const BUDGET: u64 = 250_000;
     const BUDGET_OF_A_BODY: u64 = 1_500;
+    /// What the budget of an island of few comes to for each body: so many bodies as one island may have, in however many islands they are,
+    /// stay within what one island may.
+    const BUDGET_OF_EACH_OF_FEW: u64 = 50_000;
     /// Ticks for which an island is dense after its budget was used up for the first time, and at most.
     const FIRST_PAUSE: u16 = 8;
     const LONGEST_PAUSE: u16 = 128;
@@ -147,8 +150,8 @@ pub(super) struct Scratch {
     pub pressed: Vec<f64>,
     /// Of each body and each surface behind them: its number in the present island.
     local: Vec<u32>,
-    /// Bodies near the borders of zones: flight alone does not say where they get.
-    pub minds: Vec<bool>,
+    /// Bodies that stand still although nothing holds them: they may fall asleep.
+    pub floats: Vec<bool>,
     /// Of the present island: its bodies, and the surfaces and streams near it.
     pub members: Vec<u32>,
     pub surfaces: Vec<u32>,
@@ -328,7 +331,8 @@ impl Tick<'_> {
     /// What the island may still use up in this tick, in units of work.
     fn budget(&self) -> u64 {
         let Scratch { members, used, .. } = &*self.scratch;
-        let whole = Choice::BUDGET + Choice::BUDGET_OF_A_BODY * members.len() as u64;
+        let count = members.len() as u64;
+        let whole = (Choice::BUDGET + Choice::BUDGET_OF_A_BODY * count).min(Choice::BUDGET_OF_EACH_OF_FEW * count);
         whole.saturating_sub(members.iter().map(|body| used[*body as usize]).sum())
     }
 
@@ -348,7 +352,7 @@ impl Tick<'_> {
 
 impl Advance for Tick<'_> {
     fn minds(&self, body: usize) -> bool {
-        self.scratch.minds[body]
+        self.scratch.floats[body]
     }
 
     fn advance(&mut self, store: &mut Store<'_>, round: usize) -> Verdict {

@@ -50,10 +50,13 @@
 //! Tolerances that several files share stand in `tuning`, the others beside what they serve, each with what breaks when it changes.
 
 mod aabb;
+mod acting;
 mod air;
+mod bath;
 mod body;
 mod contact;
 mod def;
+mod displaced;
 mod events;
 mod face;
 mod flow;

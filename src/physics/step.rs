@@ -7,7 +7,7 @@ use super::contact::Contact;
 use super::events::{Item, Scene};
 use super::impulse::Impulse;
 use super::islands::{Choice, Happened, Tick};
-use super::pile::{Axis, Other, Pile};
+use super::pile::{Axis, Other};
 use super::tuning::{REPORT_SPEED, SLOP};
 use super::world::{Event, Methods, Obstacle, State, World};
 use super::{Body, BodyId, zones};
@@ -158,54 +158,6 @@ impl World {
         }
     }
 
-    /// Tells the store what acts on each body besides its weight and the air, and where it gets where no constant force says that.
-    fn say_what_acts(&mut self, dt: f64) {
-        let Self { state, plan, scratch, pile, .. } = self;
-        scratch.minds.clear();
-        scratch.minds.resize(state.bodies.len(), false);
-        if !(plan.streams || plan.liquids) {
-            for (i, drive) in state.drives.iter().enumerate() {
-                pile.set_force(i, *drive);
-                if plan.air {
-                    hold(state, pile, i, dt);
-                }
-            }
-            return;
-        }
-        let scene = Scene::of(state, plan, dt);
-        for i in 0..state.bodies.len() {
-            if pile.is_sleeping(i) {
-                continue;
-            }
-            let body = &state.bodies[i];
-            let pose = (body.position, body.velocity);
-            let reach = body.half * 1.5 + (body.velocity.abs() + (body.acceleration.abs() + state.media.gravity.abs()) * dt) * dt;
-            let near = super::Aabb::around(body.position, reach);
-            let mut force = state.drives[i];
-            let mut minds = false;
-            scratch.zones.clear();
-            state.media.streams_near(&near, &mut scratch.zones);
-            for &stream in &scratch.zones {
-                let stream = &state.media.streams[stream as usize];
-                minds |= !stream.zone.contains(&near, 0.0);
-                if zones::feels(&stream.zone, body, pose) {
-                    force += stream.force;
-                }
-            }
-            pile.set_force(i, force);
-            if minds || state.media.wets(&near) {
-                scratch.minds[i] = true;
-                scratch.members.clear();
-                scratch.surfaces.clear();
-                scratch.members.push(i as u32);
-                scratch.gather(state, &scene, |_| near);
-                let (position, velocity) = scratch.events.fly(&scene);
-                pile.guide(i, position, velocity);
-            }
-            hold(state, pile, i, dt);
-        }
-    }
-
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
         let Self { state, scratch, pile, .. } = self;
@@ -350,17 +302,6 @@ impl World {
             records.events.push(Event::Crushed { body: BodyId(body), by, force });
         }
     }
-}
-
-/// What is held meets no drag on a way that it does not go: its contacts have to bear all that pulls at it.
-fn hold(state: &State, pile: &mut Pile, i: usize, dt: f64) {
-    let body = &state.bodies[i];
-    if body.velocity != DVec2::ZERO || body.acceleration != DVec2::ZERO || pile.is_sleeping(i) {
-        return;
-    }
-    let law = state.media.law(body, zones::force_on(&state.media, body, state.drives[i]), 0.0);
-    let a = state.media.acceleration(body, &law, body.position, DVec2::ZERO);
-    pile.guide(i, body.position + a * (0.5 * dt * dt), a * dt);
 }
 
 /// Sorts contacts by their ends, and makes one of those that tell of the same face: the dense method tells of push and friction apart. Nothing

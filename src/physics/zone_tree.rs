@@ -30,6 +30,13 @@ impl ZoneList {
         list
     }
 
+    /// Of one.
+    pub fn only(index: u32) -> Self {
+        let mut list = Self::default();
+        list.add(index);
+        list
+    }
+
     fn add(&mut self, index: u32) {
         let count = self.count as usize;
         if count < FEW {
@@ -51,10 +58,11 @@ impl ZoneList {
         if self.count as usize <= FEW { self.count } else { self.range.1 - self.range.0 }
     }
 
-    pub fn iter(&self) -> impl Iterator<Item = u32> + use<> {
+    pub fn iter(&self) -> impl Iterator<Item = u32> {
         let all = self.count as usize <= FEW;
-        let range = if all { 0..0 } else { self.range.0..self.range.1 };
-        self.few.into_iter().take(if all { self.count as usize } else { 0 }).chain(range)
+        let (few, range) =
+            if all { (&self.few[..self.count as usize], 0..0) } else { (&self.few[..0], self.range.0..self.range.1) };
+        few.iter().copied().chain(range)
     }
 }
 

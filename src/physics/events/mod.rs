@@ -45,7 +45,7 @@ const WORK_OF_A_LOOK: u64 = 2;
 /// As a part of a tick: what happens so near to its end is left to the next one.
 const END: f64 = 1e-12;
 /// What the free flight of a body near zones may use up in a tick.
-const BUDGET_OF_A_FLIGHT: u64 = 6_000;
+pub(super) const BUDGET_OF_A_FLIGHT: u64 = 20_000;
 /// What the flow of a body may, where nothing but a rough answer is needed.
 pub(super) const BUDGET_OF_A_FLOW: u64 = 1_000;
 

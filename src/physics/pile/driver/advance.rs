@@ -8,7 +8,7 @@ use glam::DVec2;
 
 /// Who may advance an island before the dense method does.
 pub(in crate::physics) trait Advance {
-    /// Whether a body that is near nothing has to be advanced all the same: flight alone does not say where it gets.
+    /// Whether a body that is near nothing has to be advanced all the same: it stands still, and may fall asleep.
     fn minds(&self, body: usize) -> bool;
 
     /// Takes an island, or leaves it. `round` is how often it has grown in this step.
