@@ -155,17 +155,37 @@ pub(super) struct Scratch {
     pub zones: Vec<u32>,
     /// What the islands of each body have used up in this tick: however often they are advanced anew, they share one budget.
     used: Vec<u64>,
-    /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`.
-    starts: Vec<u32>,
+    /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`. Emptied where they change.
+    pub starts: Vec<u32>,
+    /// Contacts that the tick has found.
+    pub fresh: Vec<Contact>,
+    /// Whom the tick has to look at.
+    pub awake: Vec<u32>,
 }
 
 impl Scratch {
-    /// For a tick of so many bodies.
+    /// Before the first tick.
     pub fn begin(&mut self, bodies: usize) {
         self.after.clear();
-        self.after.resize(bodies, After::default());
-        self.used.clear();
-        self.used.resize(bodies, 0);
+        self.begin_tick(bodies, &[]);
+        self.starts.clear();
+    }
+
+    /// For a tick of so many bodies: what the last one has left of those that it looked at is forgotten.
+    pub fn begin_tick(&mut self, bodies: usize, looked_at: &[u32]) {
+        if self.after.len() == bodies {
+            for &i in looked_at {
+                let i = i as usize;
+                (self.after[i], self.used[i], self.minds[i]) = (After::default(), 0, false);
+            }
+        } else {
+            self.after.clear();
+            self.after.resize(bodies, After::default());
+            self.used.clear();
+            self.used.resize(bodies, 0);
+            self.minds.clear();
+            self.minds.resize(bodies, false);
+        }
         self.contacts.clear();
         self.happened.clear();
         self.crushed.clear();
@@ -173,7 +193,6 @@ impl Scratch {
         self.met.clear();
         self.members.clear();
         self.surfaces.clear();
-        self.starts.clear();
         self.disputes.clear();
     }
 
@@ -182,9 +201,12 @@ impl Scratch {
         first_stop(&self.stops, surface)
     }
 
-    /// Finds where the contacts of each body begin.
-    fn index(&mut self, state: &State) {
+    /// Finds where the contacts of each body begin, unless that is known.
+    pub fn index(&mut self, state: &State) {
         let n = state.bodies.len();
+        if self.starts.len() == n + 1 {
+            return;
+        }
         self.starts.clear();
         let mut at = 0;
         for i in 0..=n as u32 {
@@ -199,9 +221,7 @@ impl Scratch {
     /// the contacts known; `searched` says where others were looked for.
     pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
         let n = state.bodies.len();
-        if self.starts.is_empty() {
-            self.index(state);
-        }
+        self.index(state);
         let Self { events, local, members, surfaces, stops, starts, .. } = self;
         events.clear();
         members.sort_unstable();

@@ -23,7 +23,7 @@ impl World {
     /// Advances the world by exactly one tick of `dt` seconds.
     pub fn step(&mut self, dt: f64) {
         let worked = self.worked();
-        self.scratch.begin(self.state.bodies.len());
+        self.scratch.begin_tick(self.state.bodies.len(), self.pile.looked_at());
         self.clear_records();
         self.bring_back_surfaces();
         self.move_surfaces(dt);
@@ -78,6 +78,7 @@ impl World {
         scratch.events.begin_world(&scene);
         scratch.take_contacts(state);
         state.contacts.extend(scratch.contacts.drain(..).map(|(_, contact)| contact));
+        scratch.starts.clear();
         for item in &scratch.events.items[..n] {
             state.bodies[item.id as usize].acceleration = item.solved + DVec2::ZERO;
         }
@@ -87,9 +88,9 @@ impl World {
         self.records.events.clear();
         self.records.impulses.clear();
         self.records.corners.clear();
-        for (i, (previous, body)) in self.records.previous.iter_mut().zip(&self.state.bodies).enumerate() {
-            if !self.pile.is_sleeping(i) {
-                *previous = body.position;
+        for &i in self.pile.looked_at() {
+            if !self.pile.is_sleeping(i as usize) {
+                self.records.previous[i as usize] = self.state.bodies[i as usize].position;
             }
         }
     }
@@ -114,10 +115,16 @@ impl World {
 
     /// Brings back surfaces that are wanted and in the way of nothing.
     fn bring_back_surfaces(&mut self) {
-        for s in 0..self.state.surfaces.len() {
+        for k in (0..self.awaited.len()).rev() {
+            let s = self.awaited[k] as usize;
             let surface = &self.state.surfaces[s];
             let free = |body: &Body| !body.bounds().overlaps(&surface.bounds, SLOP);
-            if surface.wanted && !surface.present && self.state.bodies.iter().all(free) {
+            let awaited = surface.wanted && !surface.present;
+            if awaited && !self.state.bodies.iter().all(free) {
+                continue;
+            }
+            self.awaited.swap_remove(k);
+            if awaited {
                 self.state.surfaces[s].present = true;
                 self.pile.set_present(s, true);
                 self.disturb_around(s);
@@ -127,7 +134,8 @@ impl World {
 
     /// Tells where surfaces go, and wakes whatever one may touch that moves within the next `dt` seconds.
     fn move_surfaces(&mut self, dt: f64) {
-        for s in 0..self.state.surfaces.len() {
+        for k in 0..self.on_paths.len() {
+            let s = self.on_paths[k] as usize;
             let surface = &self.state.surfaces[s];
             if !surface.concerns(dt) {
                 continue;
@@ -146,14 +154,12 @@ impl World {
     }
 
     fn go_on_paths(&mut self, dt: f64) {
-        for (s, surface) in self.state.surfaces.iter_mut().enumerate() {
-            if surface.def.path.is_still() {
-                continue;
-            }
-            let stop = self.scratch.stop_of(s as u32);
+        for &s in &self.on_paths {
+            let surface = &mut self.state.surfaces[s as usize];
+            let stop = self.scratch.stop_of(s);
             surface.go_on(dt.min(stop));
             if stop < dt {
-                self.pile.place_surface(s, surface.bounds.centre());
+                self.pile.place_surface(s as usize, surface.bounds.centre());
             }
         }
     }
@@ -161,20 +167,17 @@ impl World {
     /// Tells the store what acts on each body besides its weight and the air, and where it gets where no constant force says that.
     fn say_what_acts(&mut self, dt: f64) {
         let Self { state, plan, scratch, pile, .. } = self;
-        scratch.minds.clear();
-        scratch.minds.resize(state.bodies.len(), false);
-        if !(plan.streams || plan.liquids) {
-            for (i, drive) in state.drives.iter().enumerate() {
-                pile.set_force(i, *drive);
+        let mut awake = std::mem::take(&mut scratch.awake);
+        awake.clear();
+        awake.extend(pile.looked_at().iter().filter(|body| !pile.is_sleeping(**body as usize)));
+        let scene = Scene::of(state, plan, dt);
+        for &i in &awake {
+            let i = i as usize;
+            if !(plan.streams || plan.liquids) {
+                pile.set_force(i, state.drives[i]);
                 if plan.air {
                     hold(state, pile, i, dt);
                 }
-            }
-            return;
-        }
-        let scene = Scene::of(state, plan, dt);
-        for i in 0..state.bodies.len() {
-            if pile.is_sleeping(i) {
                 continue;
             }
             let body = &state.bodies[i];
@@ -204,17 +207,15 @@ impl World {
             }
             hold(state, pile, i, dt);
         }
+        scratch.awake = awake;
     }
 
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
         let Self { state, scratch, pile, .. } = self;
-        let State { bodies, contacts, known, media, drives, pauses, ticks, .. } = state;
-        contacts.retain(|contact| {
-            pile.is_sleeping(contact.lo.min(contact.hi) as usize) && scratch.after[contact.lo.min(contact.hi) as usize].members == 0
-        });
-        contacts.extend(scratch.contacts.iter().map(|&(_, contact)| contact));
-        for i in 0..bodies.len() {
+        let State { bodies, known, media, drives, pauses, ticks, .. } = state;
+        for &i in pile.looked_at() {
+            let i = i as usize;
             let after = &scratch.after[i];
             let body = &mut bodies[i];
             pauses[i].go_on(after, *ticks);
@@ -238,15 +239,45 @@ impl World {
             }
         }
         *ticks += 1;
+        self.scratch.fresh.clear();
+        self.scratch.fresh.extend(self.scratch.contacts.iter().map(|&(_, contact)| contact));
         self.commit_dense(dt);
         self.count_methods();
-        put_in_order(&mut self.state.contacts);
+        put_in_order(&mut self.scratch.fresh);
+        self.take_contacts();
+    }
+
+    /// Puts the contacts that this tick has found in place of those known before of the same bodies. Of what sleeps they stay.
+    fn take_contacts(&mut self) {
+        let Self { state, scratch, pile, .. } = self;
+        scratch.index(state);
+        let over = |body: u32| !pile.is_sleeping(body as usize) || scratch.after[body as usize].members > 0;
+        let of = |body: u32| scratch.starts[body as usize] as usize..scratch.starts[body as usize + 1] as usize;
+        let before: usize = pile.looked_at().iter().filter(|body| over(**body)).map(|body| of(*body).len()).sum();
+        // Where the same touch as before, each takes the place of its own.
+        let alike = |new: &[Contact]| {
+            let old = &state.contacts[of(new[0].ends().0)];
+            old.len() == new.len() && old.iter().zip(new).all(|(old, new)| (old.lo, old.hi, old.axis) == (new.lo, new.hi, new.axis))
+        };
+        let by_body = |a: &Contact, b: &Contact| a.ends().0 == b.ends().0;
+        if before == scratch.fresh.len() && scratch.fresh.chunk_by(by_body).all(alike) {
+            for new in scratch.fresh.chunk_by(by_body) {
+                state.contacts[of(new[0].ends().0)].copy_from_slice(new);
+            }
+            return;
+        }
+        state.contacts.retain(|contact| !over(contact.ends().0));
+        state.contacts.extend_from_slice(&scratch.fresh);
+        put_in_order(&mut state.contacts);
+        scratch.starts.clear();
     }
 
     /// Counts by which method how many bodies were advanced.
     fn count_methods(&mut self) {
-        let mut methods = Methods::default();
-        for (i, after) in self.scratch.after.iter().enumerate() {
+        let aside = self.state.bodies.len() - self.pile.looked_at().len();
+        let mut methods = Methods { asleep: aside as u32, ..Methods::default() };
+        for &i in self.pile.looked_at() {
+            let (i, after) = (i as usize, &self.scratch.after[i as usize]);
             let count = match (after.members, after.dense) {
                 (0, _) if self.pile.is_sleeping(i) => &mut methods.asleep,
                 (0, _) => &mut methods.free,
@@ -263,8 +294,8 @@ impl World {
     fn commit_dense(&mut self, dt: f64) {
         let Self { state, scratch, pile, records, .. } = self;
         let n = state.bodies.len();
-        scratch.pressed.clear();
         scratch.pressed.resize(n, 0.0);
+        pile.looked_at().iter().for_each(|i| scratch.pressed[*i as usize] = 0.0);
         for contact in pile.listed() {
             let a = contact.a;
             if scratch.after[a].members == 0 || !scratch.after[a].dense {
@@ -291,7 +322,7 @@ impl World {
                 let mut lasting = Contact { lasts: true, ..Contact::between(lo, hi, axis) };
                 (lasting.normal, lasting.friction) = (contact.normal.abs() / dt, sign * contact.friction / dt);
                 (lasting.static_friction, lasting.kinetic_friction) = state.friction_of(a, contact.b);
-                state.contacts.push(lasting);
+                scratch.fresh.push(lasting);
                 let mut felt = DVec2::ZERO;
                 (felt[axis], felt[1 - axis]) = (contact.normal / dt, contact.friction / dt);
                 for (item, sign) in [(a, 1.0), (b as usize, -1.0)] {
@@ -303,7 +334,8 @@ impl World {
             }
         }
         // What rests, rests exactly; unless part of what held it was an impact, which is no force.
-        for (i, _) in scratch.after.iter().enumerate().filter(|(_, after)| after.dense) {
+        for &i in pile.looked_at().iter().filter(|i| scratch.after[**i as usize].dense) {
+            let i = i as usize;
             let body = &mut state.bodies[i];
             let rests = body.velocity == DVec2::ZERO && body.position == records.previous[i];
             if rests && (body.mass * body.acceleration).length() <= BALANCED * scratch.pressed[i] {

@@ -84,6 +84,9 @@ pub struct World {
     /// Buffers, kept so that a tick allocates nothing once warm.
     pub(super) scratch: Box<Scratch>,
     pub(super) plan: Plan,
+    /// Surfaces that have paths, and those that come back as soon as nothing is in their way.
+    pub(super) on_paths: Vec<u32>,
+    pub(super) awaited: Vec<u32>,
     /// Whether somebody has asked for forces since the last tick.
     pub(super) asked: Cell<bool>,
 }
@@ -155,7 +158,9 @@ impl World {
         let previous = state.bodies.iter().map(|body| body.position).collect();
         let records = Records { previous, ..Records::default() };
         let pile = Box::new(pile_of(&state, plan.direct)?);
-        let mut world = Self { pile, scratch: Box::default(), state, records, plan, asked: Cell::new(true) };
+        let on_paths = (0..).zip(&state.surfaces).filter(|(_, surface)| !surface.def.path.is_still()).map(|(s, _)| s).collect();
+        let awaited = Vec::with_capacity(state.surfaces.len());
+        let mut world = Self { pile, scratch: Box::default(), state, records, plan, on_paths, awaited, asked: Cell::new(true) };
         world.begin();
         Ok(world)
     }
@@ -206,6 +211,9 @@ impl World {
     /// Takes a surface away, or brings it back as soon as no body is in its way.
     pub fn set_present(&mut self, surface: usize, present: bool) {
         self.state.surfaces[surface].wanted = present;
+        if present && !self.state.surfaces[surface].present && !self.awaited.contains(&(surface as u32)) {
+            self.awaited.push(surface as u32);
+        }
         if !present && self.state.surfaces[surface].present {
             self.state.surfaces[surface].present = false;
             self.pile.set_present(surface, false);

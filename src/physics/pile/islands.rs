@@ -67,6 +67,8 @@ pub(super) struct Islands {
     swept: Vec<[f64; 4]>,
     revision: u64,
     same_order: bool,
+    /// Whether others are looked at than when they were brought into order.
+    others_in_it: bool,
 }
 
 impl Islands {
@@ -87,13 +89,44 @@ impl Islands {
             swept: Vec::new(),
             revision: 0,
             same_order: false,
+            others_in_it: false,
         }
     }
 
-    /// Bodies were renumbered: begins with their new order.
+    /// Bodies were renumbered, and all are looked at: begins with their new order.
     pub fn renumbered(&mut self) {
-        self.order.iter_mut().enumerate().for_each(|(i, slot)| *slot = i as u32);
+        self.order.clear();
+        self.order.extend(0..self.place.len() as u32);
         self.revision = 0;
+        self.others_in_it = false;
+    }
+
+    /// Something else than the bodies has changed: the islands have to be found anew.
+    pub fn forget(&mut self) {
+        self.revision = 0;
+    }
+
+    /// Chooses whose islands are found: those of these slots, who meet nobody else.
+    pub fn look_at(&mut self, slots: &[u32]) {
+        if slots.len() == self.place.len() && self.order.len() == slots.len() {
+            return;
+        }
+        self.spare.clear();
+        self.spare.extend_from_slice(&self.order);
+        self.spare.sort_unstable();
+        if self.spare == slots {
+            return;
+        }
+        self.others_in_it = true;
+        // What is left out is of no island.
+        self.order.iter().for_each(|i| self.parent[*i as usize] = *i);
+        self.order.clear();
+        self.order.extend_from_slice(slots);
+    }
+
+    /// Whether they have to be brought into order again, because others are looked at.
+    pub fn are_others(&self) -> bool {
+        self.others_in_it
     }
 
     /// The number of islands.
@@ -110,10 +143,11 @@ impl Islands {
 
     /// Brings the bodies into their order, once a step.
     pub fn sort(&mut self, bodies: &Bodies) {
-        self.same_order = self.put_in_order(bodies) == 0;
+        self.same_order = self.put_in_order(bodies) == 0 && !self.others_in_it;
         if self.same_order && self.revision != 0 {
             return;
         }
+        self.others_in_it = false;
         for (k, i) in self.order.iter().enumerate() {
             self.place[*i as usize] = k as u32;
         }
@@ -121,11 +155,18 @@ impl Islands {
 
     /// Finds the islands of all bodies, from the boxes that they sweep.
     pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
-        if self.same_order && neighbours.is_as_in(self.revision) && self.swept == bodies.swept {
+        let Self { order, swept, .. } = self;
+        let same = |(i, swept): (&u32, &[f64; 4])| bodies.swept[*i as usize] == *swept;
+        if self.same_order
+            && neighbours.is_as_in(self.revision)
+            && order.len() == swept.len()
+            && order.iter().zip(&*swept).all(same)
+        {
             return;
         }
         self.revision = neighbours.revision;
-        self.swept.clone_from(&bodies.swept);
+        swept.clear();
+        swept.extend(order.iter().map(|i| bodies.swept[*i as usize]));
         self.join(bodies, neighbours);
         if !self.turned.is_empty() {
             self.turn();
@@ -166,7 +207,7 @@ impl Islands {
     fn join(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
         let Self { order, place, parent, ranges, others, turned, later, .. } = self;
         let n = bodies.len();
-        parent.iter_mut().enumerate().for_each(|(i, parent)| *parent = i as u32);
+        order.iter().for_each(|i| parent[*i as usize] = *i);
         others.clear();
         turned.clear();
         for (k, &i) in order.iter().enumerate() {
@@ -204,9 +245,8 @@ impl Islands {
             parent[i as usize] = root as u32;
             ranges[i as usize] = (from as u32, others.len() as u32);
         }
-        // Parents have lower numbers: one pass makes every parent a root.
-        for i in 0..n {
-            parent[i] = parent[parent[i] as usize];
+        for &i in &*order {
+            parent[i as usize] = first(parent, i as usize) as u32;
         }
     }
 
@@ -234,7 +274,8 @@ impl Islands {
         let Self { order, parent, members, begins, island_of_root, .. } = self;
         begins.clear();
         begins.push(0);
-        island_of_root.fill(NONE);
+        order.iter().for_each(|i| island_of_root[parent[*i as usize] as usize] = NONE);
+        members.resize(order.len(), 0);
         // Neighbours in the order are mostly of one island: counted run by run.
         let (mut last, mut run) = (usize::MAX, 0);
         for &i in &*order {
