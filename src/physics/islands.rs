@@ -108,6 +108,8 @@ pub(super) struct After {
     pub dense: bool,
     /// Whether the budget of its island was used up.
     pub busy: bool,
+    /// What else pulls at it, m/s², if its contacts were solved for rest.
+    pub held: Option<DVec2>,
     /// How many bodies its island had, and the smallest of them; 0 where it flew or rested by itself.
     pub members: u32,
     pub leader: u32,
@@ -234,7 +236,8 @@ impl Scratch {
             local[i] = events.items.len() as u32;
             let searched = searched(body);
             everything = everything.union(&searched);
-            events.items.push(Item::body(body, &state.bodies[i], state.drives[i], searched, state.known[i]));
+            let known = (state.known[i], state.held[i]);
+            events.items.push(Item::body(body, &state.bodies[i], state.drives[i], searched, known));
         }
         events.movable = members.len();
         for &s in &*surfaces {
@@ -283,7 +286,7 @@ impl Scratch {
         let Events { items, movable, .. } = events;
         for item in &items[..*movable] {
             let (acceleration, known) = (item.solved + DVec2::ZERO, known && item.known);
-            after[item.id as usize] = After { acceleration, known, members: count, leader, ..After::default() };
+            after[item.id as usize] = After { acceleration, known, held: item.held, members: count, leader, ..After::default() };
         }
         for hit in &events.hits {
             let (a, b, sign) = if hit.lo < hit.hi { (hit.lo, hit.hi, -1.0) } else { (hit.hi, hit.lo, 1.0) };

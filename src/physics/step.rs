@@ -95,8 +95,14 @@ impl World {
         }
     }
 
-    /// Something about a body has changed: it has to be looked at.
+    /// Something about a body, or what it touches, has changed: it has to be looked at.
     pub(super) fn disturb(&mut self, body: u32) {
+        self.state.held[body as usize] = None;
+        self.look_again(body);
+    }
+
+    /// What pulls at a body may have changed: it has to be looked at.
+    pub(super) fn look_again(&mut self, body: u32) {
         let i = body as usize;
         self.state.known[i] = false;
         self.pile.wake(i);
@@ -213,7 +219,7 @@ impl World {
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
         let Self { state, scratch, pile, .. } = self;
-        let State { bodies, known, media, drives, pauses, ticks, .. } = state;
+        let State { bodies, known, held, media, drives, pauses, ticks, .. } = state;
         for &i in pile.looked_at() {
             let i = i as usize;
             let after = &scratch.after[i];
@@ -223,7 +229,7 @@ impl World {
                 continue;
             }
             (body.position, body.velocity) = (pile.position(i), pile.velocity(i));
-            known[i] = after.known;
+            (known[i], held[i]) = (after.known, after.held);
             if after.members == 0 {
                 // It flew by itself.
                 let force = zones::force_on(media, body, drives[i]);

@@ -104,6 +104,8 @@ pub(super) struct State {
     pub contacts: Vec<Contact>,
     /// Whether contacts and acceleration of a body are those of now.
     pub known: Vec<bool>,
+    /// What else pulled at each body, m/s², when its contacts were last solved for rest, if they still carry what they did then.
+    pub held: Vec<Option<DVec2>>,
     /// Whose islands are dense for a while, because their budgets were used up.
     pub pauses: Vec<Pause>,
     /// Ticks since the world began.
@@ -152,6 +154,7 @@ impl World {
             rest_speed: def.rest_speed,
             contacts: Vec::new(),
             known: vec![false; n],
+            held: vec![None; n],
             pauses: vec![Pause::default(); n],
             ticks: 0,
         };
@@ -171,11 +174,12 @@ impl World {
     /// As [`World::new`].
     pub fn add_body(&mut self, def: BodyDef) -> Result<BodyId, DefError> {
         def.check()?;
-        let State { bodies, drives, contacts, known, pauses, media, .. } = &mut self.state;
+        let State { bodies, drives, contacts, known, held, pauses, media, .. } = &mut self.state;
         let n = bodies.len() as u32;
         bodies.push(Body::new(&def));
         drives.push(DVec2::ZERO);
         known.push(false);
+        held.push(None);
         pauses.push(Pause::default());
         self.records.previous.push(def.position);
         // Contacts count surfaces on from the number of bodies.
@@ -196,7 +200,7 @@ impl World {
         let force = if force.is_finite() { force } else { DVec2::ZERO };
         if self.state.drives[body.index()] != force {
             self.state.drives[body.index()] = force;
-            self.disturb(body.0);
+            self.look_again(body.0);
         }
     }
 

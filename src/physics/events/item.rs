@@ -132,6 +132,8 @@ pub(in crate::physics) struct Item {
     pub clung: u32,
     /// Whether contacts and accelerations are known with which the tick begins, and after it, those with which the next one does.
     pub known: bool,
+    /// What else pulled at it, m/s², when its contacts were solved for rest, if they carry what they did then.
+    pub held: Option<DVec2>,
     /// Whether something of it changed since the tick's start.
     pub disturbed: bool,
     /// Of a surface: from which sides it is solid, and the speed of its belt.
@@ -142,8 +144,8 @@ pub(in crate::physics) struct Item {
 }
 
 impl Item {
-    /// A body as a tick begins.
-    pub fn body(id: u32, body: &Body, drive: DVec2, searched: Aabb, known: bool) -> Self {
+    /// A body as a tick begins, with what is known of it.
+    pub fn body(id: u32, body: &Body, drive: DVec2, searched: Aabb, (known, held): (bool, Option<DVec2>)) -> Self {
         Self {
             id,
             surface: false,
@@ -165,6 +167,7 @@ impl Item {
             hits: 0,
             clung: 0,
             known,
+            held,
             disturbed: false,
             sides: Sides::ALL,
             belt: 0.0,
@@ -183,7 +186,7 @@ impl Item {
             ..BodyDef::default()
         });
         let (sides, belt) = (surface.def.sides, surface.def.belt);
-        Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, *bounds, true) }
+        Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, *bounds, (true, None)) }
     }
 
     /// Whether it does not move.

@@ -141,7 +141,7 @@ impl Pile {
     /// Looks also at those, set aside, whose boxes the boxes of the slots from number `from` on reach, and at whom these reach.
     fn rouse_reached(&mut self, from: usize) {
         let Self { driver, bodies, neighbours, islands, .. } = self;
-        let (mut next, known) = (from, driver.slots.len());
+        let mut next = from;
         while next < driver.slots.len() && !driver.looks_at_all() {
             let i = driver.slots[next] as usize;
             next += 1;
@@ -153,7 +153,7 @@ impl Pile {
                 }
             }
         }
-        if driver.slots.len() > known {
+        if driver.slots.len() > from {
             islands.look_at(&driver.slots);
         }
     }
