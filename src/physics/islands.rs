@@ -236,8 +236,7 @@ impl Scratch {
             local[i] = events.items.len() as u32;
             let searched = searched(body);
             everything = everything.union(&searched);
-            let known = (state.known[i], state.held[i]);
-            events.items.push(Item::body(body, &state.bodies[i], state.drives[i], searched, known));
+            events.items.push(Item::body(body, &state.bodies[i], state.drives[i], searched, state.known[i]));
         }
         events.movable = members.len();
         for &s in &*surfaces {
@@ -387,6 +386,10 @@ impl Advance for Tick<'_> {
             return Verdict::Left(f64::INFINITY);
         }
         store.surfaces(&mut self.scratch.surfaces);
+        if self.is_held_as_before() {
+            store.stay();
+            return Verdict::Taken { rests: true };
+        }
         self.scratch.gather(self.state, &self.scene, |body| store.swept(body));
         let budget = self.budget();
         let outcome = self.scratch.events.advance(&self.scene, budget);

@@ -60,6 +60,7 @@ mod flow;
 mod forces;
 mod guards;
 mod hash;
+mod held;
 mod impact_time;
 mod impulse;
 mod islands;

@@ -132,7 +132,7 @@ pub(in crate::physics) struct Item {
     pub clung: u32,
     /// Whether contacts and accelerations are known with which the tick begins, and after it, those with which the next one does.
     pub known: bool,
-    /// What else pulled at it, m/s², when its contacts were solved for rest, if they carry what they did then.
+    /// What else pulls at it, m/s², if its contacts were solved for rest.
     pub held: Option<DVec2>,
     /// Whether something of it changed since the tick's start.
     pub disturbed: bool,
@@ -144,8 +144,8 @@ pub(in crate::physics) struct Item {
 }
 
 impl Item {
-    /// A body as a tick begins, with what is known of it.
-    pub fn body(id: u32, body: &Body, drive: DVec2, searched: Aabb, (known, held): (bool, Option<DVec2>)) -> Self {
+    /// A body as a tick begins.
+    pub fn body(id: u32, body: &Body, drive: DVec2, searched: Aabb, known: bool) -> Self {
         Self {
             id,
             surface: false,
@@ -167,7 +167,7 @@ impl Item {
             hits: 0,
             clung: 0,
             known,
-            held,
+            held: None,
             disturbed: false,
             sides: Sides::ALL,
             belt: 0.0,
@@ -186,7 +186,7 @@ impl Item {
             ..BodyDef::default()
         });
         let (sides, belt) = (surface.def.sides, surface.def.belt);
-        Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, *bounds, (true, None)) }
+        Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, *bounds, true) }
     }
 
     /// Whether it does not move.

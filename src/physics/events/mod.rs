@@ -315,7 +315,6 @@ impl Events {
         for i in 0..bodies {
             self.masses[i] = DVec2::splat(self.items[i].body.mass);
             self.solved[i] = self.items[i].solved;
-            self.items[i].held = None;
         }
         for i in 0..bodies {
             self.renew_law(scene, i);

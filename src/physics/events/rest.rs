@@ -1,8 +1,8 @@
 //! An island that rests and goes on resting, although something about it was changed: an engine that pushes against what holds.
 //!
 //! Nothing moves, so nothing meets: if those that were changed still touch what they touched, the forces are solved once, and where they leave
-//! everything at rest that is the whole tick. Otherwise the tick is gone through as any other. Where the same pulls at everything as when
-//! rest was solved the last time, to the bit, nothing is solved: it would come to the same bits.
+//! everything at rest that is the whole tick. Otherwise the tick is gone through as any other. What pulls at everything then is noted: while it
+//! stays the same, not even that is done (`super::super::held`).
 
 use super::item::Motion;
 use super::{Events, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
@@ -33,7 +33,7 @@ impl Events {
             self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
             self.solved[i] = self.free[i];
         }
-        if !self.is_held_as_before() && !self.solve_rest() {
+        if !self.solve_rest() {
             return false;
         }
         self.work = WORK_OF_AN_ITEM * self.items.len() as u64 + WORK_OF_A_CONTACT * self.contacts.len() as u64;
@@ -45,12 +45,6 @@ impl Events {
             item.motion = Motion::Still;
         }
         true
-    }
-
-    /// Whether contacts carry already what keeps everything at rest.
-    fn is_held_as_before(&self) -> bool {
-        let bits = |a: DVec2| [a.x.to_bits(), a.y.to_bits()];
-        self.items.iter().zip(&self.free).all(|(item, free)| item.held.is_some_and(|held| bits(held) == bits(*free)))
     }
 
     /// Solves what the contacts have to carry. Returns whether everything rests then; if not, they are as they were.

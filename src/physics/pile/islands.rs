@@ -11,6 +11,9 @@ use std::cmp::Ordering;
 /// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
 const MOST_MOVES: usize = 8;
 
+/// Boxes that are compared at once.
+const BLOCK: usize = 32;
+
 /// No island yet.
 const NONE: u32 = u32::MAX;
 
@@ -155,23 +158,36 @@ impl Islands {
 
     /// Finds the islands of all bodies, from the boxes that they sweep.
     pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
-        let Self { order, swept, .. } = self;
-        let same = |(i, swept): (&u32, &[f64; 4])| bodies.swept[*i as usize] == *swept;
-        if self.same_order
-            && neighbours.is_as_in(self.revision)
-            && order.len() == swept.len()
-            && order.iter().zip(&*swept).all(same)
-        {
+        if self.same_order && neighbours.is_as_in(self.revision) && self.sweep_the_same(bodies) {
             return;
         }
         self.revision = neighbours.revision;
-        swept.clear();
-        swept.extend(order.iter().map(|i| bodies.swept[*i as usize]));
+        self.swept.clear();
+        if self.order.len() == bodies.len() {
+            self.swept.extend_from_slice(&bodies.swept[..bodies.len()]);
+        } else {
+            self.swept.extend(self.order.iter().map(|i| bodies.swept[*i as usize]));
+        }
         self.join(bodies, neighbours);
         if !self.turned.is_empty() {
             self.turn();
         }
         self.gather();
+    }
+
+    /// Whether all that are looked at sweep what they did when islands were found last.
+    fn sweep_the_same(&self, bodies: &Bodies) -> bool {
+        let Self { order, swept, .. } = self;
+        // Block by block without a branch inside: vector code.
+        let differ = |a: &[f64; 4], b: &[f64; 4]| (0..4).fold(0, |bits, k| bits | (a[k].to_bits() ^ b[k].to_bits()));
+        let alike = |(a, b): (&[[f64; 4]], &[[f64; 4]])| a.iter().zip(b).fold(0, |bits, (a, b)| bits | differ(a, b)) == 0;
+        if swept.len() != order.len() {
+            return false;
+        }
+        if order.len() == bodies.len() {
+            return bodies.swept[..order.len()].chunks(BLOCK).zip(swept.chunks(BLOCK)).all(alike);
+        }
+        order.iter().zip(swept).all(|(i, swept)| differ(&bodies.swept[*i as usize], swept) == 0)
     }
 
     /// Bottom-up, equal heights by the numbers outside. Returns how many moves it took.
