@@ -64,6 +64,7 @@ mod held;
 mod impact_time;
 mod impulse;
 mod islands;
+mod known_contacts;
 mod liquid;
 mod material;
 mod media;

@@ -236,20 +236,16 @@ impl Bodies {
     /// Sets the boxes that these bodies sweep from where they are to where they are predicted, and a margin.
     pub fn sweep(&mut self, slots: &[u32]) {
         if slots.len() == self.count {
-            return self.sweep_all();
+            return self.sweep_range(0, self.count);
         }
         for &i in slots {
             self.sweep_range(i as usize, i as usize + 1);
         }
     }
 
-    /// The same for all bodies.
-    pub fn sweep_all(&mut self) {
-        self.sweep_range(0, self.count);
-    }
-
+    /// The same for those of a range.
     #[inline(always)]
-    fn sweep_range(&mut self, from: usize, to: usize) {
+    pub fn sweep_range(&mut self, from: usize, to: usize) {
         let (x, px, hx) = (&self.x[from..to], &self.px[from..to], &self.hx[from..to]);
         let (y, py, hy) = (&self.y[from..to], &self.py[from..to], &self.hy[from..to]);
         let bounce = &self.bounce[from..to];

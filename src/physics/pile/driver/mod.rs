@@ -2,13 +2,13 @@
 
 mod advance;
 mod later;
+mod look;
 mod sleep;
 
 use super::bodies::Bodies;
 use super::dense::{Outcome, StepSize};
-use super::flight;
 use super::impacts::Impacts;
-use super::islands::{Island, apart};
+use super::islands::Island;
 use super::{ContactImpulse, Other, Pile, PileImpact, Squeeze};
 use advance::AllDense;
 pub(in crate::physics) use advance::{Advance, Store, Verdict};
@@ -67,7 +67,13 @@ impl Driver {
 
     fn with_room(count: usize) -> Self {
         let room = || Vec::with_capacity(count);
-        Self { events: Vec::with_capacity(count), fresh: room(), growths: room(), slots: room(), ..Self::default() }
+        Self {
+            events: Vec::with_capacity(count),
+            fresh: room(),
+            growths: room(),
+            slots: Vec::with_capacity(2 * count),
+            ..Self::default()
+        }
     }
 
     /// How often an island has grown in this step, or those of which it is made now. It depends on no other island.
@@ -118,44 +124,6 @@ impl Pile {
         }
         self.driver.targets.clear();
         self.driver.ways.clear();
-    }
-
-    /// Chooses whom this step looks at. Where boxes move along with what they were made for, or the step has another length, that is all.
-    fn look_at(&mut self, dt: f64) {
-        let Self { driver, bodies, neighbours, .. } = self;
-        if dt == self.last_dt && driver.sleepers > 0 && neighbours.stand() {
-            driver.set_aside();
-        } else if !driver.looks_at_all() {
-            driver.rouse_all();
-        }
-        driver.slots.clear();
-        if driver.looks_at_all() {
-            driver.slots.extend(0..bodies.len() as u32);
-        } else {
-            driver.slots.extend(driver.looked_at.iter().map(|body| bodies.slot[*body as usize]));
-            driver.slots.sort_unstable();
-        }
-        self.islands.look_at(&driver.slots);
-    }
-
-    /// Looks also at those, set aside, whose boxes the boxes of the slots from number `from` on reach, and at whom these reach.
-    fn rouse_reached(&mut self, from: usize) {
-        let Self { driver, bodies, neighbours, islands, .. } = self;
-        let mut next = from;
-        while next < driver.slots.len() && !driver.looks_at_all() {
-            let i = driver.slots[next] as usize;
-            next += 1;
-            for &j in neighbours.near_swept(bodies, i) {
-                let j = j as usize;
-                if j < bodies.len() && !apart(&bodies.swept[i], &bodies.swept[j]) && driver.rouse(bodies.id[j] as usize) {
-                    bodies.fall_freely(j);
-                    driver.slots.push(j as u32);
-                }
-            }
-        }
-        if driver.slots.len() > from {
-            islands.look_at(&driver.slots);
-        }
     }
 
     fn move_surfaces(&mut self, dt: f64) {
@@ -218,57 +186,6 @@ impl Pile {
         bodies.sweep_surfaces(&driver.moving);
         self.look_at_surfaces();
         self.solve_islands(dt, other);
-    }
-
-    fn fly(&mut self, dt: f64) {
-        let Self { bodies, neighbours, islands, driver, .. } = self;
-        neighbours.drift(bodies, dt);
-        flight::fly(bodies, &driver.slots, dt, self.drag);
-        bodies.sweep(&driver.slots);
-        if bodies.sweep_surfaces(&driver.moving) {
-            islands.forget();
-        }
-        // The boxes in which neighbours were sought are made for many bodies together; what an island comes to must not depend on them.
-        if !neighbours.update(bodies, &driver.slots, dt) {
-            if !driver.looks_at_all() {
-                driver.rouse_all();
-                driver.slots.clear();
-                driver.slots.extend(0..bodies.len() as u32);
-                flight::fly(bodies, &driver.slots, dt, self.drag);
-            }
-            neighbours.search(bodies, dt);
-            islands.renumbered();
-        }
-        bodies.keep_free_flight(&driver.slots);
-        self.look_at_surfaces();
-        self.rouse_reached(0);
-    }
-
-    /// Sets what surfaces that move sweep in this step, and finds whom they may meet there.
-    fn look_at_surfaces(&mut self) {
-        let Self { bodies, driver, .. } = self;
-        let n = bodies.len();
-        for &(surface, [left, right, top, bottom]) in &driver.ways {
-            let s = &mut bodies.swept[n + surface as usize];
-            *s = [s[0].min(left), s[1].max(right), s[2].min(top), s[3].max(bottom)];
-        }
-        self.look_at_moving();
-    }
-
-    /// Finds whom surfaces that move may meet.
-    fn look_at_moving(&mut self) {
-        let Self { bodies, neighbours, driver, .. } = self;
-        neighbours.find_moving(bodies, &driver.moving);
-        let known = driver.slots.len();
-        if !driver.looks_at_all() {
-            for &i in neighbours.carried() {
-                if driver.rouse(bodies.id[i as usize] as usize) {
-                    bodies.fall_freely(i as usize);
-                    driver.slots.push(i);
-                }
-            }
-        }
-        self.rouse_reached(known);
     }
 
     fn solve_islands<A: Advance>(&mut self, dt: f64, other: &mut A) {

@@ -49,7 +49,7 @@ impl Neighbours {
         self.revision += 1;
         bodies.renumber();
         let n = bodies.len();
-        bodies.sweep_all();
+        bodies.sweep_range(0, n);
         self.skin = SKIN * bodies.hx[..n].iter().zip(&bodies.hy[..n]).map(|(x, y)| x.min(*y)).sum::<f64>() / n.max(1) as f64;
         if self.surface_edges.is_empty() {
             let mean = |v: &[f64]| v[..n].iter().sum::<f64>() / n.max(1) as f64;
