@@ -93,6 +93,34 @@ fn a_level_much_smaller_than_the_window_is_centred_and_stands_still() {
 }
 
 #[test]
+fn closing_in_keeps_the_ship_where_it_is_and_shows_nothing_outside() {
+    let level = DVec2::new(120.0, 90.0);
+    for window in WINDOWS {
+        for ship in places(level) {
+            let usual = view(ship, ship, level, window);
+            let close = usual.closer(ship, 1.35);
+            assert_eq!(close.scale(), 1.35 * usual.scale());
+            let (before, after) = (usual.point(ship).as_dvec2(), close.point(ship).as_dvec2());
+            let free = |at: f64, size: f64| (3.0 * close.scale()..=size - 3.0 * close.scale()).contains(&at);
+            if free(before.x, window.size.x) && free(before.y, window.size.y) {
+                assert!((after - before).abs().max_element() <= 2.0 * window.pixel, "the ship at {ship}: {before}, then {after}");
+            }
+            assert!(Aabb::new(DVec2::ZERO, level).contains(&close.visible(), window.pixel / METRE));
+            assert!(close.visible().contains(&Aabb::around(ship, HALF_SHIP), window.pixel / METRE));
+        }
+        // One that is smaller than the window stays in its middle.
+        let small = DVec2::new(10.0, 6.0);
+        let close = view(small, small, small, window).closer(small, 1.35);
+        let off = (close.point(small * 0.5).as_dvec2() - window.size * 0.5).abs().max_element();
+        assert!(off <= window.pixel, "{off}");
+    }
+    let mut camera = Camera::new(DVec2::ZERO);
+    assert_eq!(camera.closeness(), 1.0);
+    (0..240).for_each(|_| camera.close_in(1.0 / 60.0));
+    assert!((camera.closeness() - 1.35).abs() < 1e-3);
+}
+
+#[test]
 fn a_level_taller_than_wide_is_centred_across_and_followed_along() {
     let level = DVec2::new(20.0, 200.0);
     let (low, high) = (DVec2::new(4.0, 150.0), DVec2::new(16.0, 60.0));

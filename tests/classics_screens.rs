@@ -4,7 +4,7 @@ use resultant::classics::jumper::scene::{self, Scene};
 use resultant::classics::pi::Blocks;
 use resultant::classics::tile_run::{Command, Map};
 use resultant::screens::{
-    App, Buttons, Classic, Input, Jumper, JumperPress as Press, Key, Keys, Pi, Places, Request, Screen, TileRun,
+    App, Buttons, Classic, Input, Jumper, JumperPress as Press, Key, Keys, Noise, Pi, Places, Request, Screen, TileRun,
 };
 use resultant::view::layout::Vec2;
 use std::path::{Path, PathBuf};
@@ -168,6 +168,45 @@ fn the_arrow_keys_run_and_space_jumps() {
     assert!(screen.runner().on_ground, "one press, one jump");
     frames(&mut screen, &press(&[Key::R]), 1);
     assert_eq!((screen.frame(), screen.runner().tile()), (0, (58, 18)));
+}
+
+#[test]
+fn a_jump_and_a_landing_are_heard_once_each() {
+    let mut screen = tile_run();
+    let mut heard = |input: &Input, count: usize| {
+        let mut all = Vec::new();
+        for _ in 0..count {
+            frames(&mut screen, input, 1);
+            all.extend_from_slice(screen.noises());
+        }
+        all
+    };
+    assert!(matches!(heard(&hold(&[]), 60)[..], [Noise::Landing(_)]), "it begins above the ground");
+    assert_eq!(heard(&press(&[Key::Space]), 1), []);
+    assert_eq!(heard(&hold(&[]), 1), [Noise::Jump]);
+    let landed = heard(&hold(&[]), 60);
+    let [Noise::Landing(hard)] = landed[..] else { panic!("{landed:?}") };
+    assert!((0.5..=1.0).contains(&hard), "{hard}");
+}
+
+#[test]
+fn climbers_are_heard_when_they_jump_land_and_bump() {
+    let mut sitting = Sitting::new();
+    sitting.app.grant(Request::Classic(Classic::Jumper), &mut ());
+    sitting.click(1);
+    let mut heard = |input: Input, count: usize| {
+        let mut all = Vec::new();
+        for _ in 0..count {
+            sitting.frame(input.clone());
+            all.extend(sitting.app.screen().noises());
+        }
+        all
+    };
+    assert_eq!(heard(hold(&[]), 30), [], "who stands is silent");
+    assert_eq!(heard(press(&[Key::W]), 1), [Noise::Jump]);
+    let landed = heard(hold(&[]), 120);
+    assert!(matches!(landed[..], [Noise::Landing(hard)] if hard > 0.2), "{landed:?}");
+    assert!(heard(hold(&[Key::D, Key::Left]), 120).contains(&Noise::Bump));
 }
 
 #[test]

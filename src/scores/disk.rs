@@ -162,7 +162,9 @@ fn add(file: &mut File, header: &[u8], line: &[u8]) -> io::Result<()> {
     file.write_all(&bytes).inspect_err(|_| {
         // What was written before the disk was full. Should this fail, the next line stands on its own all the same.
         let _ = file.set_len(length);
-    })
+    })?;
+    // A line that was told as written outlasts a power cut.
+    file.sync_data()
 }
 
 /// The file that a path means: the one that its links lead to.

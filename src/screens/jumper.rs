@@ -2,7 +2,8 @@
 
 use super::input::KeyLatch;
 use super::leaderboard::Way;
-use super::{Buttons, Classic, Gain, Input, Key, Keys, Request};
+use super::{Buttons, Classic, Gain, Input, Key, Keys, Noise, Request};
+use crate::classics::jumper::engine::Hit;
 use crate::classics::jumper::scene::Keys as Held;
 use crate::classics::jumper::scene::{LEADERBOARD, Scene};
 use crate::game::{Clock, TICK_RATE};
@@ -10,6 +11,9 @@ use crate::view::layout::{Frame, GAP, WIDE_BUTTON};
 
 /// What its leaderboard is of, in words.
 pub const SUBJECT: &str = "the Jumper";
+
+/// A landing at this speed is as loud as they get, m/s.
+const HARD: f64 = 12.0;
 
 /// What a button does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +60,8 @@ pub struct Jumper {
     latch: KeyLatch,
     /// How long the screen has been there, s: a tower's seed, so that each sitting has its own towers.
     shown_for: f64,
+    /// What was heard in the last frame.
+    noises: Vec<Noise>,
 }
 
 /// Buttons above a climb that stands still.
@@ -89,12 +95,16 @@ impl Jumper {
     }
 
     fn with_panel(scene: Scene, panel: Option<Panel>) -> Self {
-        Self { scene, panel, clock: Clock::new(TICK_RATE), latch: KeyLatch::default(), shown_for: 0.0 }
+        Self { scene, panel, clock: Clock::new(TICK_RATE), latch: KeyLatch::default(), shown_for: 0.0, noises: Vec::new() }
     }
 
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
         self.shown_for += input.frame_time;
+        // The screen is also updated between frames, to be laid out.
+        if input.frame_time > 0.0 {
+            self.noises.clear();
+        }
         if self.panel.is_some() {
             return self.update_panel(input);
         }
@@ -109,9 +119,14 @@ impl Jumper {
         self.latch.frame(input);
         self.clock.add(input.frame_time);
         while self.clock.tick() {
-            self.scene.tick(held(self.latch.take(), self.is_of_two()));
+            self.tick();
         }
         self.scene.is_over().then(|| Request::Climbed(Box::new(self.scene.clone())))
+    }
+
+    /// What was heard in the last frame.
+    pub fn noises(&self) -> &[Noise] {
+        &self.noises
     }
 
     /// The climb.
@@ -132,6 +147,21 @@ impl Jumper {
     /// The panel's buttons, while it is open.
     pub fn buttons(&self) -> Option<&Buttons> {
         self.panel.as_ref().map(|panel| &panel.buttons)
+    }
+
+    fn tick(&mut self) {
+        let before: Vec<_> = self.scene.players().map(|(_, body)| (body.on_ground, body.velocity.z)).collect();
+        self.scene.tick(held(self.latch.take(), self.is_of_two()));
+        for ((player, body), (stood, rising)) in self.scene.players().zip(before) {
+            if player.has_jumped() {
+                self.noises.push(Noise::Jump);
+            } else if body.on_ground && !stood {
+                self.noises.push(Noise::Landing((-rising / HARD).clamp(0.0, 1.0)));
+            }
+        }
+        if self.scene.hits().iter().any(|hit| matches!(hit, Hit::Pair(..))) {
+            self.noises.push(Noise::Bump);
+        }
     }
 
     fn is_of_two(&self) -> bool {

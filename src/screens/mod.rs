@@ -20,6 +20,7 @@ mod library;
 mod menu;
 mod miniature;
 mod name_field;
+mod noise;
 #[cfg(feature = "window")]
 mod pad;
 mod pi;
@@ -50,6 +51,7 @@ pub use library::Library;
 pub use menu::{Facts, Menu};
 pub use miniature::{Miniature, Part as MiniaturePart};
 pub use name_field::{Entry as NameEntry, NameField};
+pub use noise::Noise;
 pub use pi::Pi;
 pub use players::{Candidate, Players};
 pub use problems::Problems;
@@ -98,6 +100,18 @@ pub enum Screen {
     Jumper(Box<Jumper>),
     /// π from collisions.
     Pi(Box<Pi>),
+}
+
+impl Screen {
+    /// What was heard of it in the last frame; what is heard of a flight is told by its ticks.
+    pub fn noises(&self) -> Vec<Noise> {
+        match self {
+            Self::TileRun(screen) => screen.noises().to_vec(),
+            Self::Jumper(screen) => screen.noises().to_vec(),
+            Self::Pi(screen) if screen.collided() => vec![Noise::Collision],
+            _ => Vec::new(),
+        }
+    }
 }
 
 /// What a screen asks for: the next screen, with what it needs.

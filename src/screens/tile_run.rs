@@ -1,8 +1,8 @@
 //! The tile run in the window: played with the keys, or a list of commands that is watched, paused and stepped.
 
 use super::input::KeyLatch;
-use super::{Classic, Input, Key, Keys, Request, Toolbar};
-use crate::classics::tile_run::{Command, Map, Runner};
+use super::{Classic, Input, Key, Keys, Noise, Request, Toolbar};
+use crate::classics::tile_run::{Command, MAX_FALL, Map, Runner};
 use crate::game::Clock;
 use std::collections::VecDeque;
 
@@ -31,6 +31,8 @@ pub struct TileRun {
     clock: Clock,
     latch: KeyLatch,
     toolbar: Toolbar,
+    /// What was heard in the last frame of the screen.
+    noises: Vec<Noise>,
 }
 
 impl TileRun {
@@ -48,11 +50,16 @@ impl TileRun {
             clock: Clock::new(FRAME_RATE),
             latch: KeyLatch::default(),
             toolbar: Toolbar::default(),
+            noises: Vec::new(),
         }
     }
 
     /// One frame of the screen.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
+        // The screen is also updated between frames, to be laid out.
+        if input.frame_time > 0.0 {
+            self.noises.clear();
+        }
         match (self.toolbar.update(input, self.keys()), self.watching) {
             (Some(0), _) => return Some(Request::Classics(Some(Classic::TileRun))),
             (Some(1), _) => self.restart(self.watching),
@@ -73,6 +80,11 @@ impl TileRun {
             self.run_frame();
         }
         None
+    }
+
+    /// What was heard in the last frame of the screen.
+    pub fn noises(&self) -> &[Noise] {
+        &self.noises
     }
 
     /// Whether commands are watched.
@@ -124,7 +136,13 @@ impl TileRun {
         if self.trail.len() > TRAIL {
             self.trail.pop_front();
         }
+        let before = self.runner;
         self.runner.frame(&self.map, command);
+        if before.on_ground && matches!(command, Command::Jump(_)) {
+            self.noises.push(Noise::Jump);
+        } else if self.runner.on_ground && !before.on_ground {
+            self.noises.push(Noise::Landing((before.vy / MAX_FALL).clamp(0.0, 1.0)));
+        }
         self.last_command = Some(command);
         self.frame += 1;
     }

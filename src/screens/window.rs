@@ -1,13 +1,13 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
 use super::pad::Pads;
-use super::{Answer, App, Attempt, Flight, Input, Key, Keys, Places, Request, Screen, Spectator};
+use super::{Answer, App, Attempt, Flight, Input, Key, Keys, Noise, Places, Request, Screen, Spectator};
 use crate::game::Game;
 use crate::level;
 use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
 use crate::view::layout::{DESIGN, Vec2};
-use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Volumes, tune};
+use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
@@ -157,12 +157,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
         Screen::TileRun(screen) => screen.draw(canvas),
         Screen::Jumper(screen) => screen.draw(canvas),
         Screen::Settings(screen) => screen.draw(canvas),
-        Screen::Pi(screen) => {
-            if screen.collided() {
-                theatre.speaker.play(Sound::new(Cue::Click, 1.0));
-            }
-            screen.draw(canvas);
-        }
+        Screen::Pi(screen) => screen.draw(canvas),
     }
     let veil = 1.0 - (app.shown_for() / FADE).min(1.0);
     if veil > 0.0 {
@@ -209,10 +204,21 @@ impl Theatre {
             Some(Answer::Moved) => self.speaker.play(Sound::new(Cue::Move, 1.0)),
             None => {}
         }
+        screen.noises().into_iter().for_each(|noise| self.speaker.play(heard_as(noise)));
         if let Some(name) = music(screen) {
             self.speaker.set_tune(Some(tune(name)));
         }
         self.speaker.end_frame();
+    }
+}
+
+/// What something in the classics sounds like.
+fn heard_as(noise: Noise) -> Sound {
+    match noise {
+        Noise::Jump => Sound::new(Cue::Jump, 0.5),
+        Noise::Landing(hard) => Sound::new(Cue::Knock(Stuff::Wood), 0.1 + 0.5 * hard as f32),
+        Noise::Bump => Sound::new(Cue::Knock(Stuff::Rubber), 0.8),
+        Noise::Collision => Sound::new(Cue::Click, 1.0),
     }
 }
 

@@ -18,6 +18,9 @@ const AHEAD_FROM: f64 = 2.0;
 const SHIP_MARGIN: f64 = 3.0;
 /// How much a level smaller than the window is magnified at most so that nothing outside of it is shown.
 const MAX_ZOOM: f64 = 1.5;
+/// When a level is done, the camera closes in on the ship: by how much at most, and the time in which it does to 1/e, s.
+const CLOSE: f64 = 1.35;
+const CLOSE_EASE: f64 = 0.45;
 
 /// The point that the camera looks at: it eases after the ship, a little ahead of it, and knows nothing of the window or the level's
 /// edges.
@@ -27,12 +30,14 @@ pub struct Camera {
     ship: DVec2,
     /// How far ahead of that it looks, m.
     ahead: DVec2,
+    /// How much it magnifies beyond the usual.
+    closeness: f64,
 }
 
 impl Camera {
     /// A camera that looks at the ship's centre (m) at once.
     pub const fn new(ship: DVec2) -> Self {
-        Self { ship, ahead: DVec2::ZERO }
+        Self { ship, ahead: DVec2::ZERO, closeness: 1.0 }
     }
 
     /// Eases towards the ship's centre (m) and, from there, ahead by its velocity (m/s), during `frame_time` seconds; the way does not
@@ -43,6 +48,16 @@ impl Camera {
         let ahead = velocity * (AHEAD_TIME * (1.0 - AHEAD_FROM / speed.max(AHEAD_FROM)));
         self.ahead += (ahead.clamp(-AHEAD_MOST, AHEAD_MOST) - self.ahead) * share(AHEAD_EASE);
         self.ship += (ship - self.ship) * share(EASE_TIME);
+    }
+
+    /// Closes in on the ship, `frame_time` seconds of the moment that a success has.
+    pub fn close_in(&mut self, frame_time: f64) {
+        self.closeness += (CLOSE - self.closeness) * (1.0 - (-frame_time.max(0.0) / CLOSE_EASE).exp());
+    }
+
+    /// How much it magnifies beyond the usual, 1 …
+    pub fn closeness(&self) -> f64 {
+        self.closeness
     }
 
     /// The point it looks at, m.
@@ -79,10 +94,21 @@ impl Viewport {
     /// `level` is the level's size (m), `metre` the canvas units a metre at the usual magnification.
     pub fn new(focus: DVec2, ship: DVec2, level: DVec2, metre: f64, window: Window) -> Self {
         let zoom = (window.size / (level * metre)).max_element().clamp(1.0, MAX_ZOOM);
-        let scale = metre * zoom;
+        Self::at(metre * zoom, focus, ship, level, window)
+    }
+
+    /// The same view magnified by `factor` ≥ 1 around the ship (m), which stays where it is, but for the window's and the level's edges.
+    pub fn closer(self, ship: DVec2, factor: f64) -> Self {
+        let scale = self.scale * factor;
+        let middle = (self.origin + self.window.size * 0.5) / self.scale;
+        Self::at(scale, ship + (middle - ship) / factor, ship, self.level, self.window)
+    }
+
+    /// The view of that scale with a point as near to its middle as the ship and the level's edges let it.
+    fn at(scale: f64, middle: DVec2, ship: DVec2, level: DVec2, window: Window) -> Self {
         let half = window.size / scale * 0.5;
         let reach = (half - SHIP_MARGIN).max(DVec2::ZERO);
-        let centre = focus.clamp(ship - reach, ship + reach);
+        let centre = middle.clamp(ship - reach, ship + reach);
         let along =
             |centre: f64, half: f64, level: f64| if 2.0 * half >= level { level * 0.5 } else { centre.clamp(half, level - half) };
         let centre = DVec2::new(along(centre.x, half.x, level.x), along(centre.y, half.y, level.y));

@@ -15,7 +15,7 @@ use super::things::Brushes;
 use super::touchdown::{GENTLE, Touchdown};
 use super::wreck::Wreck;
 use super::{hitboxes, hud, theme, things, world, zones};
-use crate::game::{Game, GameEvent, SHIP};
+use crate::game::{Game, GameEvent, Outcome, SHIP};
 use crate::level::SHIP_HALF;
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::Settings;
@@ -121,6 +121,9 @@ impl GameView {
         let ship = centre(game, SHIP, alpha);
         self.time += frame_time;
         self.camera.follow(ship, game.world().body(SHIP).velocity, frame_time);
+        if game.outcome() == Outcome::Completed {
+            self.camera.close_in(frame_time);
+        }
         let view = self.viewport(game, alpha, frame);
         self.particles.advance(frame_time);
         self.particles.keep(overlays.settings.particles);
@@ -223,7 +226,8 @@ impl GameView {
     fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {
         let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let level = game.level();
-        Viewport::new(self.camera.focus(), centre(game, SHIP, alpha), level.size, level.metre, window)
+        let ship = centre(game, SHIP, alpha);
+        Viewport::new(self.camera.focus(), ship, level.size, level.metre, window).closer(ship, self.camera.closeness())
     }
 }
 

@@ -25,6 +25,7 @@ const EXPECTED: [(Cue, f64, Option<f64>); Cue::COUNT] = [
     (Cue::Press, 0.28, Some(659.26)),
     (Cue::Move, 0.1, Some(880.0)),
     (Cue::Click, 0.045, None),
+    (Cue::Jump, 0.35, None),
 ];
 
 #[test]

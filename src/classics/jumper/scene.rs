@@ -54,6 +54,7 @@ impl Keys {
 #[derive(Clone, Debug)]
 pub struct Player {
     jump_held: bool,
+    jumped: bool,
     air_jump_left: bool,
     direction: f64,
     stagger: u32,
@@ -62,7 +63,7 @@ pub struct Player {
 
 impl Player {
     fn new() -> Self {
-        Self { jump_held: false, air_jump_left: false, direction: 0.0, stagger: 0, out: false }
+        Self { jump_held: false, jumped: false, air_jump_left: false, direction: 0.0, stagger: 0, out: false }
     }
 
     /// Whether the view has left this player behind.
@@ -75,7 +76,13 @@ impl Player {
         self.direction
     }
 
+    /// Whether this player jumped in the last tick.
+    pub fn has_jumped(&self) -> bool {
+        self.jumped
+    }
+
     fn obey(&mut self, keys: Keys, body: &mut Dynamic) {
+        self.jumped = false;
         self.stagger = self.stagger.saturating_sub(1);
         self.air_jump_left |= body.on_ground;
         if self.stagger == 0 {
@@ -105,7 +112,10 @@ impl Player {
         } else if self.air_jump_left {
             body.velocity.z = AIR_JUMP;
             self.air_jump_left = false;
+        } else {
+            return;
         }
+        self.jumped = true;
     }
 }
 

@@ -55,11 +55,13 @@ pub enum Cue {
     Move,
     /// A collision of the blocks that count π.
     Click,
+    /// A jump, in the classics.
+    Jump,
 }
 
 impl Cue {
     /// How many there are.
-    pub const COUNT: usize = 16;
+    pub const COUNT: usize = 17;
     /// All of them; a cue's number is its place here.
     pub const ALL: [Self; Self::COUNT] = [
         Self::Knock(Stuff::Asphalt),
@@ -78,6 +80,7 @@ impl Cue {
         Self::Press,
         Self::Move,
         Self::Click,
+        Self::Jump,
     ];
 
     /// Its place in [`Cue::ALL`].
@@ -94,6 +97,7 @@ impl Cue {
             Self::Press => 13,
             Self::Move => 14,
             Self::Click => 15,
+            Self::Jump => 16,
         }
     }
 }

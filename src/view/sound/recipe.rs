@@ -92,6 +92,8 @@ impl Recipe {
             Cue::Bubble => Self::new(&[Tone { glide: 7.0, swell: 0.006, ..struck(380.0 + 900.0 * loudness, 0.03, 0.5) }], &[]),
             Cue::Press => Self::new(&[struck(659.26, 0.05, 0.3), struck(1318.5, 0.03, 0.12)], &[burst(2500.0, 0.8, 0.006, 0.3)]),
             Cue::Move => Self::new(&[struck(880.0, 0.018, 0.16)], &[]),
+            // What leaves the ground: a tone that rises.
+            Cue::Jump => Self::new(&[Tone { glide: 5.0, swell: 0.004, ..struck(247.0, 0.08, 0.4) }], &[]),
             Cue::Click => Self::new(&[struck(900.0, 0.008, 0.3), struck(2200.0, 0.004, 0.5)], &[]),
         }
     }
