@@ -16,12 +16,11 @@ impl World {
     pub(super) fn say_what_acts(&mut self, dt: f64) {
         let Self { state, plan, scratch, pile, .. } = self;
         let scene = Scene::of(state, plan, dt);
-        scratch.floats.clear();
-        scratch.floats.resize(state.bodies.len(), false);
-        for i in 0..state.bodies.len() {
-            if pile.is_sleeping(i) {
-                continue;
-            }
+        let mut awake = std::mem::take(&mut scratch.awake);
+        awake.clear();
+        awake.extend(pile.looked_at().iter().filter(|body| !pile.is_sleeping(**body as usize)));
+        for &i in &awake {
+            let i = i as usize;
             let body = &state.bodies[i];
             let mut force = state.drives[i];
             let mut at_a_border = false;
@@ -46,6 +45,7 @@ impl World {
                 }
             }
         }
+        scratch.awake = awake;
     }
 }
 

@@ -111,6 +111,8 @@ pub(super) struct After {
     pub dense: bool,
     /// Whether the budget of its island was used up.
     pub busy: bool,
+    /// What else pulls at it, m/s², if its contacts were solved for rest.
+    pub held: Option<DVec2>,
     /// How many bodies its island had, and the smallest of them; 0 where it flew or rested by itself.
     pub members: u32,
     pub leader: u32,
@@ -158,17 +160,37 @@ pub(super) struct Scratch {
     pub zones: Vec<u32>,
     /// What the islands of each body have used up in this tick: however often they are advanced anew, they share one budget.
     used: Vec<u64>,
-    /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`.
-    starts: Vec<u32>,
+    /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`. Emptied where they change.
+    pub starts: Vec<u32>,
+    /// Contacts that the tick has found.
+    pub fresh: Vec<Contact>,
+    /// Whom the tick has to look at.
+    pub awake: Vec<u32>,
 }
 
 impl Scratch {
-    /// For a tick of so many bodies.
+    /// Before the first tick.
     pub fn begin(&mut self, bodies: usize) {
         self.after.clear();
-        self.after.resize(bodies, After::default());
-        self.used.clear();
-        self.used.resize(bodies, 0);
+        self.begin_tick(bodies, &[]);
+        self.starts.clear();
+    }
+
+    /// For a tick of so many bodies: what the last one has left of those that it looked at is forgotten.
+    pub fn begin_tick(&mut self, bodies: usize, looked_at: &[u32]) {
+        if self.after.len() == bodies {
+            for &i in looked_at {
+                let i = i as usize;
+                (self.after[i], self.used[i], self.floats[i]) = (After::default(), 0, false);
+            }
+        } else {
+            self.after.clear();
+            self.after.resize(bodies, After::default());
+            self.used.clear();
+            self.used.resize(bodies, 0);
+            self.floats.clear();
+            self.floats.resize(bodies, false);
+        }
         self.contacts.clear();
         self.happened.clear();
         self.crushed.clear();
@@ -176,7 +198,6 @@ impl Scratch {
         self.met.clear();
         self.members.clear();
         self.surfaces.clear();
-        self.starts.clear();
         self.disputes.clear();
     }
 
@@ -185,9 +206,12 @@ impl Scratch {
         first_stop(&self.stops, surface)
     }
 
-    /// Finds where the contacts of each body begin.
-    fn index(&mut self, state: &State) {
+    /// Finds where the contacts of each body begin, unless that is known.
+    pub fn index(&mut self, state: &State) {
         let n = state.bodies.len();
+        if self.starts.len() == n + 1 {
+            return;
+        }
         self.starts.clear();
         let mut at = 0;
         for i in 0..=n as u32 {
@@ -202,9 +226,7 @@ impl Scratch {
     /// the contacts known; `searched` says where others were looked for.
     pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
         let n = state.bodies.len();
-        if self.starts.is_empty() {
-            self.index(state);
-        }
+        self.index(state);
         let Self { events, local, members, surfaces, stops, starts, .. } = self;
         events.clear();
         members.sort_unstable();
@@ -266,7 +288,7 @@ impl Scratch {
         let Events { items, movable, .. } = events;
         for item in &items[..*movable] {
             let (acceleration, known) = (item.solved + DVec2::ZERO, known && item.known);
-            after[item.id as usize] = After { acceleration, known, members: count, leader, ..After::default() };
+            after[item.id as usize] = After { acceleration, known, held: item.held, members: count, leader, ..After::default() };
         }
         for hit in &events.hits {
             let (a, b, sign) = if hit.lo < hit.hi { (hit.lo, hit.hi, -1.0) } else { (hit.hi, hit.lo, 1.0) };
@@ -368,6 +390,10 @@ impl Advance for Tick<'_> {
             return Verdict::Left(f64::INFINITY);
         }
         store.surfaces(&mut self.scratch.surfaces);
+        if self.is_held_as_before() {
+            store.stay();
+            return Verdict::Taken { rests: true };
+        }
         self.scratch.gather(self.state, &self.scene, |body| store.swept(body));
         let budget = self.budget();
         let outcome = self.scratch.events.advance(&self.scene, budget);

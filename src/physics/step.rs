@@ -23,7 +23,7 @@ impl World {
     /// Advances the world by exactly one tick of `dt` seconds.
     pub fn step(&mut self, dt: f64) {
         let worked = self.worked();
-        self.scratch.begin(self.state.bodies.len());
+        self.scratch.begin_tick(self.state.bodies.len(), self.pile.looked_at());
         self.clear_records();
         self.bring_back_surfaces();
         self.move_surfaces(dt);
@@ -78,6 +78,7 @@ impl World {
         scratch.events.begin_world(&scene);
         scratch.take_contacts(state);
         state.contacts.extend(scratch.contacts.drain(..).map(|(_, contact)| contact));
+        scratch.starts.clear();
         for item in &scratch.events.items[..n] {
             state.bodies[item.id as usize].acceleration = item.solved + DVec2::ZERO;
         }
@@ -87,15 +88,21 @@ impl World {
         self.records.events.clear();
         self.records.impulses.clear();
         self.records.corners.clear();
-        for (i, (previous, body)) in self.records.previous.iter_mut().zip(&self.state.bodies).enumerate() {
-            if !self.pile.is_sleeping(i) {
-                *previous = body.position;
+        for &i in self.pile.looked_at() {
+            if !self.pile.is_sleeping(i as usize) {
+                self.records.previous[i as usize] = self.state.bodies[i as usize].position;
             }
         }
     }
 
-    /// Something about a body has changed: it has to be looked at.
+    /// Something about a body, or what it touches, has changed: it has to be looked at.
     pub(super) fn disturb(&mut self, body: u32) {
+        self.state.held[body as usize] = None;
+        self.look_again(body);
+    }
+
+    /// What pulls at a body may have changed: it has to be looked at.
+    pub(super) fn look_again(&mut self, body: u32) {
         let i = body as usize;
         self.state.known[i] = false;
         self.pile.wake(i);
@@ -114,10 +121,16 @@ impl World {
 
     /// Brings back surfaces that are wanted and in the way of nothing.
     fn bring_back_surfaces(&mut self) {
-        for s in 0..self.state.surfaces.len() {
+        for k in (0..self.awaited.len()).rev() {
+            let s = self.awaited[k] as usize;
             let surface = &self.state.surfaces[s];
             let free = |body: &Body| !body.bounds().overlaps(&surface.bounds, SLOP);
-            if surface.wanted && !surface.present && self.state.bodies.iter().all(free) {
+            let awaited = surface.wanted && !surface.present;
+            if awaited && !self.state.bodies.iter().all(free) {
+                continue;
+            }
+            self.awaited.swap_remove(k);
+            if awaited {
                 self.state.surfaces[s].present = true;
                 self.pile.set_present(s, true);
                 self.disturb_around(s);
@@ -127,7 +140,8 @@ impl World {
 
     /// Tells where surfaces go, and wakes whatever one may touch that moves within the next `dt` seconds.
     fn move_surfaces(&mut self, dt: f64) {
-        for s in 0..self.state.surfaces.len() {
+        for k in 0..self.on_paths.len() {
+            let s = self.on_paths[k] as usize;
             let surface = &self.state.surfaces[s];
             if !surface.concerns(dt) {
                 continue;
@@ -146,14 +160,12 @@ impl World {
     }
 
     fn go_on_paths(&mut self, dt: f64) {
-        for (s, surface) in self.state.surfaces.iter_mut().enumerate() {
-            if surface.def.path.is_still() {
-                continue;
-            }
-            let stop = self.scratch.stop_of(s as u32);
+        for &s in &self.on_paths {
+            let surface = &mut self.state.surfaces[s as usize];
+            let stop = self.scratch.stop_of(s);
             surface.go_on(dt.min(stop));
             if stop < dt {
-                self.pile.place_surface(s, surface.bounds.centre());
+                self.pile.place_surface(s as usize, surface.bounds.centre());
             }
         }
     }
@@ -161,12 +173,9 @@ impl World {
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
         let Self { state, scratch, pile, .. } = self;
-        let State { bodies, contacts, known, media, drives, pauses, ticks, .. } = state;
-        contacts.retain(|contact| {
-            pile.is_sleeping(contact.lo.min(contact.hi) as usize) && scratch.after[contact.lo.min(contact.hi) as usize].members == 0
-        });
-        contacts.extend(scratch.contacts.iter().map(|&(_, contact)| contact));
-        for i in 0..bodies.len() {
+        let State { bodies, known, held, media, drives, pauses, ticks, .. } = state;
+        for &i in pile.looked_at() {
+            let i = i as usize;
             let after = &scratch.after[i];
             let body = &mut bodies[i];
             pauses[i].go_on(after, *ticks);
@@ -174,7 +183,7 @@ impl World {
                 continue;
             }
             (body.position, body.velocity) = (pile.position(i), pile.velocity(i));
-            known[i] = after.known;
+            (known[i], held[i]) = (after.known, after.held);
             if after.members == 0 {
                 // It flew by itself.
                 let force = zones::force_on(media, body, drives[i]);
@@ -190,15 +199,19 @@ impl World {
             }
         }
         *ticks += 1;
+        self.scratch.fresh.clear();
+        self.scratch.fresh.extend(self.scratch.contacts.iter().map(|&(_, contact)| contact));
         self.commit_dense(dt);
         self.count_methods();
-        put_in_order(&mut self.state.contacts);
+        self.take_contacts();
     }
 
     /// Counts by which method how many bodies were advanced.
     fn count_methods(&mut self) {
-        let mut methods = Methods::default();
-        for (i, after) in self.scratch.after.iter().enumerate() {
+        let aside = self.state.bodies.len() - self.pile.looked_at().len();
+        let mut methods = Methods { asleep: aside as u32, ..Methods::default() };
+        for &i in self.pile.looked_at() {
+            let (i, after) = (i as usize, &self.scratch.after[i as usize]);
             let count = match (after.members, after.dense) {
                 (0, _) if self.pile.is_sleeping(i) => &mut methods.asleep,
                 (0, _) => &mut methods.free,
@@ -215,8 +228,8 @@ impl World {
     fn commit_dense(&mut self, dt: f64) {
         let Self { state, scratch, pile, records, .. } = self;
         let n = state.bodies.len();
-        scratch.pressed.clear();
         scratch.pressed.resize(n, 0.0);
+        pile.looked_at().iter().for_each(|i| scratch.pressed[*i as usize] = 0.0);
         for contact in pile.listed() {
             let a = contact.a;
             if scratch.after[a].members == 0 || !scratch.after[a].dense {
@@ -243,7 +256,7 @@ impl World {
                 let mut lasting = Contact { lasts: true, ..Contact::between(lo, hi, axis) };
                 (lasting.normal, lasting.friction) = (contact.normal.abs() / dt, sign * contact.friction / dt);
                 (lasting.static_friction, lasting.kinetic_friction) = state.friction_of(a, contact.b);
-                state.contacts.push(lasting);
+                scratch.fresh.push(lasting);
                 let mut felt = DVec2::ZERO;
                 (felt[axis], felt[1 - axis]) = (contact.normal / dt, contact.friction / dt);
                 for (item, sign) in [(a, 1.0), (b as usize, -1.0)] {
@@ -255,7 +268,8 @@ impl World {
             }
         }
         // What rests, rests exactly; unless part of what held it was an impact, which is no force.
-        for (i, _) in scratch.after.iter().enumerate().filter(|(_, after)| after.dense) {
+        for &i in pile.looked_at().iter().filter(|i| scratch.after[**i as usize].dense) {
+            let i = i as usize;
             let body = &mut state.bodies[i];
             let rests = body.velocity == DVec2::ZERO && body.position == records.previous[i];
             if rests && (body.mass * body.acceleration).length() <= BALANCED * scratch.pressed[i] {
@@ -302,24 +316,6 @@ impl World {
             records.events.push(Event::Crushed { body: BodyId(body), by, force });
         }
     }
-}
-
-/// Sorts contacts by their ends, and makes one of those that tell of the same face: the dense method tells of push and friction apart. Nothing
-/// is left to how a sort treats equals, which depends on how many there are in the world.
-fn put_in_order(contacts: &mut Vec<Contact>) {
-    contacts.sort_unstable_by(|a, b| {
-        let face = (a.ends(), a.axis).cmp(&(b.ends(), b.axis));
-        face.then(b.normal.total_cmp(&a.normal)).then(a.friction.total_cmp(&b.friction)).then(a.lo.cmp(&b.lo))
-    });
-    contacts.dedup_by(|next, kept| {
-        let turned = next.lo != kept.lo;
-        let joins = next.ends() == kept.ends() && next.axis == kept.axis && (!turned || next.normal == 0.0);
-        if joins {
-            kept.normal += next.normal;
-            kept.friction += if turned { -next.friction } else { next.friction };
-        }
-        joins
-    });
 }
 
 impl State {

@@ -20,6 +20,9 @@ pub(super) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> boo
 
 /// The force of a body's engine and of all streams that it feels, N.
 pub(super) fn force_on(media: &Media, body: &Body, drive: DVec2) -> DVec2 {
+    if media.streams.is_empty() {
+        return drive;
+    }
     let pose = (body.position, body.velocity);
     let near = media.streams_at(&body.bounds());
     let streams = near.iter().map(|stream| &media.streams[stream as usize]);

@@ -133,6 +133,8 @@ pub(in crate::physics) struct Item {
     pub clung: u32,
     /// Whether contacts and accelerations are known with which the tick begins, and after it, those with which the next one does.
     pub known: bool,
+    /// What else pulls at it, m/s², if its contacts were solved for rest.
+    pub held: Option<DVec2>,
     /// Whether something of it changed since the tick's start.
     pub disturbed: bool,
     /// Of a surface: from which sides it is solid, and the speed of its belt.
@@ -166,6 +168,7 @@ impl Item {
             hits: 0,
             clung: 0,
             known,
+            held: None,
             disturbed: false,
             sides: Sides::ALL,
             belt: 0.0,

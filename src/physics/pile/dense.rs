@@ -122,9 +122,12 @@ impl Dense {
         (self.walls.any, self.impacts.any) = (false, false);
         if size.later {
             self.reach_out(bodies, neighbours, island, size.last);
-            if !self.reach.strangers.is_empty() {
-                return self.grow(bodies, island);
-            }
+        }
+        if !neighbours.carried().is_empty() {
+            self.reach_up(bodies, neighbours, island, size.last);
+        }
+        if !self.reach.strangers.is_empty() {
+            return self.grow(bodies, island);
         }
         self.contacts.find(bodies, island, &self.reach.added, size.dt, false);
         self.anchors.any_hung = false;
@@ -321,6 +324,21 @@ impl Dense {
             }
         }
         self.reach.added.len() > known
+    }
+
+    /// What lands on something that a surface lifts goes up with it, further than its own flight says: widens what it sweeps by as much.
+    fn reach_up(&mut self, bodies: &mut Bodies, neighbours: &mut Neighbours, island: Island<'_>, last: bool) {
+        let near = island.members.iter().flat_map(|i| island.near(*i)).filter(|j| **j as usize >= bodies.len());
+        let rise = near.map(|j| bodies.y[*j as usize] - bodies.py[*j as usize]).fold(0.0, f64::max);
+        for &i in island.members.iter().filter(|_| rise > 0.0) {
+            let i = i as usize;
+            let predicted = bodies.py[i];
+            bodies.py[i] = predicted.min(bodies.y[i] - rise);
+            if !bodies.is_swept(i) {
+                self.reach.widen(bodies, neighbours, island, i, last);
+            }
+            bodies.py[i] = predicted;
+        }
     }
 
     /// The last word on energy: an island that is merged and parted in a wild way may end higher than its velocities allow for; then what

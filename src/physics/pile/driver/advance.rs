@@ -81,6 +81,11 @@ impl Store<'_> {
         (self.bodies.ux[i], self.bodies.uy[i]) = (velocity.x, velocity.y * self.down);
     }
 
+    /// Leaves all bodies at rest where they are.
+    pub fn stay(&mut self) {
+        self.island.members.iter().for_each(|slot| self.bodies.stay(*slot as usize));
+    }
+
     /// Says where a body that was brought to a later time of the step would be at its end, m, and how fast, m/s, if it touched nothing,
     /// where no constant force says that.
     pub fn lead(&mut self, body: u32, position: DVec2, velocity: DVec2) {
