@@ -196,9 +196,9 @@ impl Dense {
     fn bounce(&mut self, bodies: &mut Bodies, neighbours: &mut Neighbours, island: Island<'_>, size: StepSize) -> bool {
         let Self { contacts, anchors, impacts, reach, .. } = self;
         let mut around = Around { island, neighbours, reach, last: size.last };
-        let (any, exhausted) = impacts.follow(bodies, (contacts, anchors), &mut around, size);
-        self.followed = any && !exhausted;
-        self.guards.impacts_left += u64::from(exhausted);
+        let any = impacts.follow(bodies, (contacts, anchors), &mut around, size);
+        self.followed = any;
+        self.guards.bounces_put_off += std::mem::take(&mut impacts.waiting);
         if !any {
             return true;
         }
@@ -210,7 +210,7 @@ impl Dense {
         // What is elastic is not solved plastically once its impacts are known: then all are told anew.
         let added = !self.reach.added.is_empty();
         if added || bodies.elastic || !contacts.refresh(bodies, island.members, size.dt, |i| impacts.was_hit(i)) {
-            contacts.find(bodies, island, &self.reach.added, size.dt, !exhausted);
+            contacts.find(bodies, island, &self.reach.added, size.dt, true);
         }
         true
     }
@@ -224,10 +224,10 @@ impl Dense {
     }
 
     fn solve_across(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
-        let Self { contacts, friction, clusters, pushes, impacts, report, hasty, .. } = self;
+        let Self { contacts, friction, clusters, pushes, impacts, report, guards, hasty, .. } = self;
         let (impacts, hasty) = (&*impacts, *hasty);
         let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, impacts, report, dt, hasty };
-        self.guards.friction_left_out += u64::from(cross.solve(bodies));
+        cross.solve(bodies, guards);
     }
 
     /// Adds the plastic impacts to those that bounced, with the closing speed when touching.
