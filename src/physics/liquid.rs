@@ -183,10 +183,12 @@ impl Swimmer<'_> {
             let rate = bath.linear + bath.stiffness.sqrt();
             return take_exact(regime, pose, left.min(REACH / rate), flow);
         }
-        let answer = bath.answer(pose.1);
-        let rate = answer.drag.max_element() + answer.lift.sqrt();
-        let most = (REACH / answer.lift.sqrt()).min(DAMPED_REACH / answer.drag.max_element());
-        if (bath.linear + bath.waves + bath.stiffness.sqrt()) * left > STIFF_STEPS * REACH {
+        // The greater eigenvalue of what drag answers is 2·s(v); at once it may be as fast as at its terminal velocity.
+        let drag = 2.0 * bath.drag.rate(pose.1).max(bath.drag.rate(free).sqrt()) + bath.linear + bath.waves;
+        let bobs = bath.stiffness.sqrt();
+        let rate = drag + bobs;
+        let most = (REACH / bobs).min(DAMPED_REACH / drag);
+        if (bath.linear + bath.waves + bobs) * left > STIFF_STEPS * REACH {
             let h = if h < left { h } else { FIRST / rate };
             self.take_stiff(regime, bath, constant, pose, (h.min(left), left))
         } else {
@@ -207,9 +209,12 @@ impl Swimmer<'_> {
         loop {
             self.media.spend(WORK_OF_A_STEP);
             let (end, error) = dormand_prince(regime, constant, pose, pull, h);
-            let fits = error <= tolerance;
-            // A step too short to resolve anything is taken as it is.
-            if !fits && h > shortest {
+            let fits = error <= tolerance && end.0.is_finite() && end.1.is_finite();
+            if !fits && h <= shortest {
+                // Too short to resolve anything: no explicit step is sure to lead nowhere else.
+                return (h, self.leap(&mut regime.clone(), pose, h), h);
+            }
+            if !fits {
                 h *= step_factor((error / tolerance).sqrt().sqrt()).min(0.5);
                 (next, to_kink) = (h, false);
                 continue;
@@ -339,7 +344,9 @@ fn linear_flow(bath: &Bath, constant: DVec2, (x, v): Pose, t: f64) -> Pose {
 /// By what factor the next step may be longer, given a root of the error of this one as a part of what is allowed: the fourth root stands for
 /// the fifth, which takes longer to find; up to [`GROWTH`] that errs on the side of caution.
 fn step_factor(root: f64) -> f64 {
-    (CAUTION / root).clamp(1.0 / GROWTH, GROWTH)
+    let factor = CAUTION / root;
+    // What is no number is too long.
+    if factor >= 1.0 / GROWTH { factor.min(GROWTH) } else { 1.0 / GROWTH }
 }
 
 /// The stages of the pair; the last row is its result.
