@@ -52,7 +52,7 @@ impl World {
 /// Lists the streams near a body in `scratch`. Returns the force on it (N), and whether it may cross the border of one within the tick.
 fn streams_on(state: &State, scratch: &mut Scratch, i: usize, dt: f64) -> (DVec2, bool) {
     let body = &state.bodies[i];
-    let near = reach(state, body, dt);
+    let near = reach(state, i, dt);
     let (mut force, mut at_a_border) = (state.drives[i], false);
     scratch.zones.clear();
     state.media.streams_near(&near, &mut scratch.zones);
@@ -67,9 +67,10 @@ fn streams_on(state: &State, scratch: &mut Scratch, i: usize, dt: f64) -> (DVec2
 }
 
 /// Where a body may get within the tick.
-fn reach(state: &State, body: &Body, dt: f64) -> Aabb {
-    let reach = body.half * 1.5 + (body.velocity.abs() + (body.acceleration.abs() + state.media.gravity.abs()) * dt) * dt;
-    Aabb::around(body.position, reach)
+fn reach(state: &State, i: usize, dt: f64) -> Aabb {
+    let body = &state.bodies[i];
+    let pull = body.acceleration.abs() + state.drives[i].abs() / body.mass + state.media.gravity.abs();
+    Aabb::around(body.position, body.half * 1.5 + (body.velocity.abs() + pull * dt) * dt)
 }
 
 /// Whether a body that ends the tick in a pose crosses the border of one of these streams.
@@ -85,7 +86,7 @@ fn crosses(media: &Media, streams: &[u32], body: &Body, end: Pose, dt: f64) -> b
 
 /// Where a body gets through the streams that it enters and leaves, from one border to the next.
 fn fly(state: &State, scratch: &mut Scratch, scene: &Scene, i: usize) -> Pose {
-    let near = reach(state, &state.bodies[i], scene.tick);
+    let near = reach(state, i, scene.tick);
     scratch.members.clear();
     scratch.surfaces.clear();
     scratch.members.push(i as u32);

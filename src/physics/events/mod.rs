@@ -22,7 +22,6 @@ mod motions;
 mod predict;
 mod rest;
 
-use super::Plan;
 use super::contact::Contact;
 use super::flow::{Pose, flow};
 use super::guards::Guards;
@@ -31,6 +30,7 @@ use super::reactions::Reactions;
 use super::surface::Surface;
 use super::tuning::SLOP;
 use super::world::State;
+use super::{Aabb, Plan};
 use glam::DVec2;
 pub(super) use impacts::Hit;
 pub(super) use item::{Item, Motion};
@@ -250,6 +250,8 @@ impl Events {
     pub fn fly(&mut self, scene: &Scene) -> Pose {
         self.contacts.clear();
         self.items[0].known = false;
+        // It meets nothing, however far the streams take it.
+        self.items[0].searched = Aabb::around(DVec2::ZERO, DVec2::splat(f64::MAX));
         let outcome = self.advance(scene, BUDGET_OF_A_FLIGHT);
         self.hits.clear();
         let item = &self.items[0];
