@@ -2,7 +2,9 @@
 
 mod support;
 
-use resultant::physics::pile::{Other, Pile, PileBody, PileSurface};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use resultant::physics::pile::{Other, Pile, PileBody, PileDef, PileSurface};
 use resultant::physics::{DVec2, Sides};
 use support::dense::{G, square, surface};
 use support::{Random, TICK as DT};
@@ -157,6 +159,40 @@ fn what_is_squeezed_stops_the_press() {
             assert!(scene.bounds(0).max.y <= 1e-9);
         }
         assert!(squeezed > 20, "{squeezed}");
+    }
+}
+
+/// A heap that a lift raises under an open sky, while more rains on it: nobody is squeezed, and the lift never waits.
+#[test]
+fn a_lift_under_the_open_sky_squeezes_nobody() {
+    // Now and then something bounces off the rising heap just as the lift begins to slow down, and gets higher than it would have flown.
+    for seed in 1..=12 {
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let bodies = (0..300).map(|i| PileBody {
+            half: DVec2::new(random.random_range(0.15..0.3), random.random_range(0.15..0.3)),
+            velocity: DVec2::new(random.random_range(-2.0..2.0), 0.0),
+            mass: random.random_range(1.0..=1.0),
+            restitution: 0.3 * random.random_range(0.0..1.0),
+            static_friction: 0.65,
+            kinetic_friction: 0.65,
+            ..square(0.35 + 0.7 * f64::from(i % 18), -1.0 - 0.8 * f64::from(i / 18))
+        });
+        let bodies = bodies.collect();
+        let wall = |x: f64| surface(x - 0.5, -2000.0, x + 0.5, 0.0);
+        let surfaces = [wall(-0.5), wall(13.1), surface(0.001, 0.0, 12.599, 1.0)];
+        let surfaces = surfaces.map(|surface| PileSurface { static_friction: 0.65, ..surface });
+        let def = PileDef { bodies, surfaces: surfaces.into(), gravity: G, sleep: false, ..PileDef::default() };
+        let mut scene = Pile::new(def).unwrap();
+        for step in 1..=300 {
+            // Up by 2 m in 2 s and down again, speeding up and slowing down by 2 m/s².
+            let way = 2.0 * (f64::from(step) / 240.0).fract();
+            let part = way.fract();
+            let eased = if part < 0.5 { 2.0 * part * part } else { 1.0 - 2.0 * (1.0 - part) * (1.0 - part) };
+            let high = 2.0 * if way >= 1.0 { 1.0 - eased } else { eased };
+            scene.move_surface(2, DVec2::new(6.3, 0.5 - high));
+            scene.step(1.0 / 60.0);
+            assert!(scene.squeezed().is_empty(), "seed {seed}, step {step}: {:?}", scene.squeezed());
+        }
     }
 }
 

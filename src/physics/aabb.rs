@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 /// An axis-aligned box in metres, x to the right, y down: `min` is its top left corner.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Aabb {
     /// The corner with the smallest coordinates (top left), m.
     pub min: DVec2,

@@ -10,7 +10,7 @@ impl World {
         let force = if force.is_finite() { force } else { DVec2::ZERO };
         if self.state.drives[body.index()] != force {
             self.state.drives[body.index()] = force;
-            self.disturb(body.0);
+            self.look_again(body.0);
         }
     }
 
@@ -25,6 +25,9 @@ impl World {
     /// Takes a surface away, or brings it back as soon as no body is in its way.
     pub fn set_present(&mut self, surface: usize, present: bool) {
         self.state.surfaces[surface].wanted = present;
+        if present && !self.state.surfaces[surface].present && !self.awaited.contains(&(surface as u32)) {
+            self.awaited.push(surface as u32);
+        }
         if !present && self.state.surfaces[surface].present {
             self.state.surfaces[surface].present = false;
             self.pile.set_present(surface, false);

@@ -41,16 +41,20 @@ guards! {
     clinging_given_up,
     /// Surfaces stopped because they would have squeezed something.
     surfaces_stopped,
+    /// Surfaces that stood still for a whole tick, because islands did not agree within their rounds on when they stop.
+    disputes_ended,
     /// Dense: steps of islands solved again because a hit threw a body further than contacts were looked for.
     steps_grown,
     /// Dense: steps of islands whose bodies were kept within what was looked for in the end.
     kept_within_reach,
-    /// Dense: steps of islands in which bounces ran out of their budget: the rest of them were plastic.
-    impacts_left,
+    /// Dense: bodies that stayed where they were for the rest of a step, with their velocities, because bounces ran out of their budget.
+    bounces_put_off,
     /// Dense: steps of islands in which merging ran out of rounds.
     merging_ended,
     /// Dense: steps of islands in which friction would have driven, and was left out.
     friction_left_out,
+    /// Dense: steps of islands in which what still closed side by side did not settle within its sweeps.
+    sweeps_ended,
     /// Dense: pairs that were expected to pass each other and would have met: solved again.
     corners_met,
     /// Dense: coordinates that were put back to where they were.

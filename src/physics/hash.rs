@@ -13,7 +13,7 @@ impl World {
     /// is left out: it saves work and changes no bit of what comes (the tests of the plan hold it to that). So is what never changes:
     /// liquids, zones, gravity, the paths of surfaces; and of streams and belts what is as it was at the start.
     pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
-        let State { bodies, drives, surfaces, media, rest_speed: _, contacts, known: _, pauses, ticks } = &self.state;
+        let State { bodies, drives, surfaces, media, rest_speed: _, contacts, known: _, held: _, pauses, ticks } = &self.state;
         bodies.iter().for_each(|body| hash_body(body, write));
         drives.iter().for_each(|drive| hash_vector(*drive, write));
         surfaces.iter().for_each(|surface| hash_surface(surface, write));

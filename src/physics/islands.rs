@@ -36,6 +36,9 @@ impl Choice {
     /// where fewer impacts fall into one tick.
     const BUDGET: u64 = 250_000;
     const BUDGET_OF_A_BODY: u64 = 1_500;
+    /// What the budget of an island of few comes to for each body: so many bodies as one island may have, in however many islands they are,
+    /// stay within what one island may.
+    const BUDGET_OF_EACH_OF_FEW: u64 = 50_000;
     /// Ticks for which an island is dense after its budget was used up for the first time, and at most.
     const FIRST_PAUSE: u16 = 8;
     const LONGEST_PAUSE: u16 = 128;
@@ -108,6 +111,8 @@ pub(super) struct After {
     pub dense: bool,
     /// Whether the budget of its island was used up.
     pub busy: bool,
+    /// What else pulls at it, m/s², if its contacts were solved for rest.
+    pub held: Option<DVec2>,
     /// How many bodies its island had, and the smallest of them; 0 where it flew or rested by itself.
     pub members: u32,
     pub leader: u32,
@@ -147,25 +152,45 @@ pub(super) struct Scratch {
     pub pressed: Vec<f64>,
     /// Of each body and each surface behind them: its number in the present island.
     local: Vec<u32>,
-    /// Bodies near the borders of zones: flight alone does not say where they get.
-    pub minds: Vec<bool>,
+    /// Bodies that stand still although nothing holds them: they may fall asleep.
+    pub floats: Vec<bool>,
     /// Of the present island: its bodies, and the surfaces and streams near it.
     pub members: Vec<u32>,
     pub surfaces: Vec<u32>,
     pub zones: Vec<u32>,
     /// What the islands of each body have used up in this tick: however often they are advanced anew, they share one budget.
     used: Vec<u64>,
-    /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`.
-    starts: Vec<u32>,
+    /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`. Emptied where they change.
+    pub starts: Vec<u32>,
+    /// Contacts that the tick has found.
+    pub fresh: Vec<Contact>,
+    /// Whom the tick has to look at.
+    pub awake: Vec<u32>,
 }
 
 impl Scratch {
-    /// For a tick of so many bodies.
+    /// Before the first tick.
     pub fn begin(&mut self, bodies: usize) {
         self.after.clear();
-        self.after.resize(bodies, After::default());
-        self.used.clear();
-        self.used.resize(bodies, 0);
+        self.begin_tick(bodies, &[]);
+        self.starts.clear();
+    }
+
+    /// For a tick of so many bodies: what the last one has left of those that it looked at is forgotten.
+    pub fn begin_tick(&mut self, bodies: usize, looked_at: &[u32]) {
+        if self.after.len() == bodies {
+            for &i in looked_at {
+                let i = i as usize;
+                (self.after[i], self.used[i], self.floats[i]) = (After::default(), 0, false);
+            }
+        } else {
+            self.after.clear();
+            self.after.resize(bodies, After::default());
+            self.used.clear();
+            self.used.resize(bodies, 0);
+            self.floats.clear();
+            self.floats.resize(bodies, false);
+        }
         self.contacts.clear();
         self.happened.clear();
         self.crushed.clear();
@@ -173,7 +198,6 @@ impl Scratch {
         self.met.clear();
         self.members.clear();
         self.surfaces.clear();
-        self.starts.clear();
         self.disputes.clear();
     }
 
@@ -182,9 +206,12 @@ impl Scratch {
         first_stop(&self.stops, surface)
     }
 
-    /// Finds where the contacts of each body begin.
-    fn index(&mut self, state: &State) {
+    /// Finds where the contacts of each body begin, unless that is known.
+    pub fn index(&mut self, state: &State) {
         let n = state.bodies.len();
+        if self.starts.len() == n + 1 {
+            return;
+        }
         self.starts.clear();
         let mut at = 0;
         for i in 0..=n as u32 {
@@ -199,9 +226,7 @@ impl Scratch {
     /// the contacts known; `searched` says where others were looked for.
     pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
         let n = state.bodies.len();
-        if self.starts.is_empty() {
-            self.index(state);
-        }
+        self.index(state);
         let Self { events, local, members, surfaces, stops, starts, .. } = self;
         events.clear();
         members.sort_unstable();
@@ -263,7 +288,7 @@ impl Scratch {
         let Events { items, movable, .. } = events;
         for item in &items[..*movable] {
             let (acceleration, known) = (item.solved + DVec2::ZERO, known && item.known);
-            after[item.id as usize] = After { acceleration, known, members: count, leader, ..After::default() };
+            after[item.id as usize] = After { acceleration, known, held: item.held, members: count, leader, ..After::default() };
         }
         for hit in &events.hits {
             let (a, b, sign) = if hit.lo < hit.hi { (hit.lo, hit.hi, -1.0) } else { (hit.hi, hit.lo, 1.0) };
@@ -328,7 +353,8 @@ impl Tick<'_> {
     /// What the island may still use up in this tick, in units of work.
     fn budget(&self) -> u64 {
         let Scratch { members, used, .. } = &*self.scratch;
-        let whole = Choice::BUDGET + Choice::BUDGET_OF_A_BODY * members.len() as u64;
+        let count = members.len() as u64;
+        let whole = (Choice::BUDGET + Choice::BUDGET_OF_A_BODY * count).min(Choice::BUDGET_OF_EACH_OF_FEW * count);
         whole.saturating_sub(members.iter().map(|body| used[*body as usize]).sum())
     }
 
@@ -348,7 +374,7 @@ impl Tick<'_> {
 
 impl Advance for Tick<'_> {
     fn minds(&self, body: usize) -> bool {
-        self.scratch.minds[body]
+        self.scratch.floats[body]
     }
 
     fn advance(&mut self, store: &mut Store<'_>, round: usize) -> Verdict {
@@ -364,6 +390,10 @@ impl Advance for Tick<'_> {
             return Verdict::Left(f64::INFINITY);
         }
         store.surfaces(&mut self.scratch.surfaces);
+        if self.is_held_as_before() {
+            store.stay();
+            return Verdict::Taken { rests: true };
+        }
         self.scratch.gather(self.state, &self.scene, |body| store.swept(body));
         let budget = self.budget();
         let outcome = self.scratch.events.advance(&self.scene, budget);
@@ -444,6 +474,7 @@ impl Advance for Tick<'_> {
             *open = *rounds < 2 * Choice::MOST_ROUNDS && met.iter().filter(mine).any(|met| differs(met, stops));
             *rounds += u32::from(*open);
             if *open && *rounds > Choice::MOST_ROUNDS {
+                self.guards.disputes_ended += u64::from(*rounds == Choice::MOST_ROUNDS + 1);
                 let stops = stops.iter_mut().filter(|stop| stop.surface == *surface);
                 stops.for_each(|stop| (stop.leader, stop.at) = (NOBODY, 0.0));
             }

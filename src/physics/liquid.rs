@@ -1,7 +1,7 @@
 //! The motion of one body near or in a liquid, without contacts.
 //!
-//! The law has a kink wherever a side of the box passes a side of a liquid; between kinks it is smooth, and no step is taken across one.
-//! What holds there decides how the body moves:
+//! The law has a kink wherever a side of the box passes a side of a liquid; between kinks all liquids together are one smooth form
+//! ([`super::bath`]), and no step is taken across one. What holds there decides how the body moves:
 //!
 //! - wholly inside or wholly outside (the same bath all around), without Stokes' drag: flight through a denser air under less weight,
 //!   [`super::air`]; without quadratic drag: the exact flow of linear drag;
@@ -14,22 +14,23 @@
 //!
 //! What sinks or rises at its terminal velocity stays on it. What floats with nothing left of its bobbing but rounding is at rest.
 
+use super::Body;
 use super::air::fly_through;
+use super::bath::{Bath, Regime};
 use super::flow::Pose;
 use super::impact_time::Cubic;
-use super::media::{Bath, Law, Media};
+use super::media::{Law, Media};
 use super::spring::spring;
 use super::tuning::TERMINAL_TOLERANCE;
-use super::zones::border;
-use super::{Aabb, Body, FluidDef};
 use glam::DVec2;
 
 /// m. Error of one step, at most, by its own estimate. Larger: the tick shows in a splash; smaller: more steps for digits nobody sees.
-const TOLERANCE: f64 = 1e-10;
+const TOLERANCE: f64 = 1e-9;
 /// The same of a stiff step.
 const STIFF_TOLERANCE: f64 = 1e-8;
-/// Rate × time of one Runge–Kutta step, at most: its stability ends at 1.0 for what bobs and 3.3 for what is damped.
+/// Rate × time of one Runge–Kutta step, at most, for what bobs and for what is damped: its stability ends at 1.0 and at 3.3.
 const REACH: f64 = 0.7;
+const DAMPED_REACH: f64 = 2.5;
 /// Rate × time of the first of some exponential steps.
 const FIRST: f64 = 0.1;
 /// Runge–Kutta steps from which on exponential steps cost less.
@@ -37,42 +38,47 @@ const STIFF_STEPS: f64 = 200.0;
 /// Steps of one call, at most; or as many as media may take ([`Media::allow`]). What needs more leaves and meets the surface hundreds of times
 /// within a tick; one implicit step leads it through what is left ([`Swimmer::leap`]).
 const MOST_STEPS: u32 = 4096;
-/// How much a step grows or shrinks by its error, at most.
-const GROWTH: f64 = 4.0;
-/// Halvings of the time of a kink, at most: it is found to the last bit, also where it comes within a billionth of the step.
-const HALVINGS: u32 = 160;
-/// Halvings of the velocity that an implicit step seeks.
-const LEAP_HALVINGS: u32 = 64;
-/// The least part of a step by which the search for a kink goes on.
-const SHORTEST: f64 = 1e-12;
-/// Places on a step at which the body is looked for on another side of a kink.
+/// How much a step grows or shrinks by its error, at most, and what of that it does to be sure.
+const GROWTH: f64 = 3.0;
+const CAUTION: f64 = 0.75;
+/// How often the end of an exact step is brought nearer to the kink that it passes.
+const MOST_CUTS: u32 = 8;
+/// Halvings of the time at which a stiff step meets a kink, at most.
+const HALVINGS: u32 = 100;
+/// Places on a stiff step at which the body is looked for beyond a kink.
 const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
-/// What a look at the side of a kink, and at each liquid for it, a step of a Runge–Kutta pair, and an exponential step come to.
-const WORK_OF_A_SIDE: u64 = 4;
-const WORK_OF_A_KINK: u64 = 4;
+/// Trials of the velocity that an implicit step seeks, at most; and what is exact enough, as a part of it.
+const LEAP_TRIALS: u32 = 100;
+const LEAP_TOLERANCE: f64 = 1e-13;
+/// What a step of the Runge–Kutta pair comes to, baths left out, and three quarters of an exponential one.
 const WORK_OF_A_STEP: u64 = 80;
 
 /// One body in its media.
 struct Swimmer<'a> {
-    media: &'a Media,
     body: &'a Body,
     law: &'a Law,
+    media: &'a Media,
 }
+
+/// How a step ends: how long it was, where it led, and how long the next may be.
+type Taken = (f64, Pose, f64);
 
 /// Where `body` is after `t` seconds under `law`.
 pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
     let swimmer = Swimmer { media, body, law };
     let mut pose = (body.position, body.velocity);
+    let mut regime = Regime::new(media, body, law, pose.0);
     let (mut left, mut h) = (t, f64::INFINITY);
     for _ in 0..MOST_STEPS {
         if left <= 0.0 || media.is_spent() {
             break;
         }
-        let (bath, constant, floats) = swimmer.look(pose);
+        regime.follow(pose.0);
+        let (bath, constant, floats) = swimmer.look(&regime, pose);
         if floats && pose.1.x == 0.0 && constant.x == 0.0 {
             return pose;
         }
-        let (taken, mut end, next) = swimmer.take(&bath, constant, pose, h, left);
+        let (taken, mut end, next) = swimmer.take(&regime, &bath, constant, pose, (h, left));
         if floats {
             (end.0.y, end.1.y) = (pose.0.y, 0.0);
         }
@@ -81,20 +87,19 @@ pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
         h = next;
     }
     if left > 0.0 {
-        pose = swimmer.leap(pose, left);
+        pose = swimmer.leap(&mut regime, pose, left);
     }
-    swimmer.come_to_rest(&mut pose);
+    swimmer.come_to_rest(&mut regime, &mut pose);
     pose
 }
 
 impl Swimmer<'_> {
     /// The bath of a body, its constant acceleration, and whether its weight is borne by a liquid: the vertical accelerations then
     /// balance exactly.
-    fn look(&self, (x, v): Pose) -> (Bath, DVec2, bool) {
-        let mut bath = self.media.bath(self.body, self.law, x);
+    fn look(&self, regime: &Regime, (x, v): Pose) -> (Bath, DVec2, bool) {
+        let mut bath = regime.bath(x);
         let mut constant = self.law.constant;
-        let left_over = (constant.y - bath.lift).abs();
-        let floats = v.y == 0.0 && bath.fraction > 0.0 && left_over <= bath.rounding(constant, self.body, x.y);
+        let floats = v.y == 0.0 && regime.balances(&bath, x, constant.y - bath.lift);
         if floats {
             constant.y = bath.lift;
             (bath.stiffness, bath.waves) = (0.0, 0.0);
@@ -103,8 +108,8 @@ impl Swimmer<'_> {
     }
 
     /// Ends a bobbing of which nothing is left but rounding.
-    fn come_to_rest(&self, (x, v): &mut Pose) {
-        let bath = self.media.bath(self.body, self.law, *x);
+    fn come_to_rest(&self, regime: &mut Regime, (x, v): &mut Pose) {
+        let bath = regime.follow(*x).bath(*x);
         if bath.stiffness > 0.0 && bath.linear + bath.waves > 0.0 {
             let rounding = bath.rounding(self.law.constant, self.body, x.y);
             if v.y.abs() * bath.stiffness.sqrt() <= rounding && (self.law.constant.y - bath.lift).abs() <= rounding {
@@ -115,114 +120,125 @@ impl Swimmer<'_> {
 
     /// One implicit Euler step of `h` seconds. In a force that falls with the depth at which it lifts, which is what liquids do, it gains no
     /// energy however long it is, and no speed but from constant forces; so it may be off, but leads neither away nor back.
-    fn leap(&self, (x, v): Pose, h: f64) -> Pose {
+    fn leap(&self, regime: &mut Regime, (x, v): Pose, h: f64) -> Pose {
         let constant = self.law.constant;
-        let bath = self.media.bath(self.body, self.law, x);
+        let bath = regime.follow(x).bath(x);
         let across = (v.x + h * constant.x) / (1.0 + h * (bath.drag.rate(v) + bath.linear));
         let beside = x.x + h * across;
-        // v′ − v − h·a(x + h·v′, v′) rises with v′: halvings find its root, within what gravity and all liquids could do to a body.
-        let excess = |speed: f64| {
-            let bath = self.media.bath(self.body, self.law, DVec2::new(beside, x.y + h * speed));
-            speed - v.y - h * bath.acceleration(constant, DVec2::new(across, speed)).y
+        // v′ − v − h·a(x + h·v′, v′), which rises with v′, and its slope.
+        let mut excess = |speed: f64| {
+            let (x, v_there) = (DVec2::new(beside, x.y + h * speed), DVec2::new(across, speed));
+            let bath = regime.follow(x).bath(x);
+            let answer = bath.answer(v_there);
+            (speed - v.y - h * bath.acceleration(constant, v_there).y, 1.0 + h * (answer.drag.y + h * answer.lift))
         };
+        // Within what gravity and all liquids could do to a body.
         let area = 4.0 * self.body.half.x * self.body.half.y;
         let lift = self.media.liquids(self.law).fold(0.0, |sum, (_, fluid)| sum + fluid.density * area);
         let most = h * (constant.y.abs() + self.media.gravity.abs() * lift / self.body.mass);
         let (mut low, mut high) = (v.y.min(0.0) - most, v.y.max(0.0) + most);
-        for _ in 0..LEAP_HALVINGS {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
+        let mut down = v.y;
+        let mut found = false;
+        for _ in 0..LEAP_TRIALS {
+            let (over, slope) = excess(down);
+            if over < 0.0 {
+                low = down
+            } else {
+                high = down
+            }
+            let newton = down - over / slope;
+            let inside = newton > low && newton < high;
+            let next = if inside { newton } else { 0.5 * (low + high) };
+            found = (next - down).abs() <= LEAP_TOLERANCE * down.abs();
+            down = next;
+            if found {
                 break;
             }
-            if excess(middle) < 0.0 { low = middle } else { high = middle }
         }
-        let down = if low.abs() < high.abs() { low } else { high };
+        if !found {
+            // The slower end of where it is gains nothing.
+            down = if low.abs() < high.abs() { low } else { high };
+        }
         (DVec2::new(beside, x.y + h * down), DVec2::new(across, down))
     }
 
-    /// On which side of all kinks a body at `x` is: four bits an axis of each liquid that it touches.
-    fn side(&self, x: DVec2) -> u64 {
-        self.media.spend(WORK_OF_A_SIDE + WORK_OF_A_KINK * u64::from(self.law.liquids.len()));
-        let (top_left, bottom_right) = (x - self.body.half, x + self.body.half);
-        self.media.liquids(self.law).fold(0, |code: u64, (_, FluidDef { zone, .. })| {
-            let touches = top_left.cmplt(zone.max).all() && bottom_right.cmpgt(zone.min).all();
-            let bits = top_left.cmplt(zone.min).bitmask() << 2 | bottom_right.cmpgt(zone.max).bitmask();
-            code.wrapping_mul(31) + if touches { u64::from(bits) + 1 } else { 0 }
-        })
-    }
-
-    /// One step of at most `h` of the `left` seconds: how long it was, where it led, and how long the next may be.
-    fn take(&self, bath: &Bath, constant: DVec2, pose: Pose, h: f64, left: f64) -> (f64, Pose, f64) {
+    /// One step of at most `h` of the `left` seconds.
+    fn take(&self, regime: &Regime, bath: &Bath, constant: DVec2, pose: Pose, (h, left): (f64, f64)) -> Taken {
         let free = DVec2::new(constant.x, constant.y - bath.lift);
-        if let Some(velocity) = settled(bath, free, pose.1) {
-            return self.take_exact(bath, pose, left, |t| (pose.0 + velocity * t, velocity));
+        let same_around = regime.is_same_around();
+        if same_around && let Some(velocity) = settled(bath, free, pose.1) {
+            return take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity));
+        }
+        if same_around && bath.linear == 0.0 {
+            let fast = bath.drag.rate(pose.1).max(bath.drag.rate(free).sqrt());
+            return take_exact(regime, pose, left.min(REACH / fast), |t| fly_through(pose, free, &bath.drag, t));
         }
         let undamped = bath.drag.is_none() && bath.linear == 0.0 && bath.waves == 0.0;
-        if bath.same_around && bath.linear == 0.0 {
-            let fast = bath.drag.rate(pose.1).max(bath.drag.rate(free).sqrt());
-            return self.take_exact(bath, pose, left.min(REACH / fast), |t| fly_through(pose, free, &bath.drag, t));
+        if bath.drag.is_none() && same_around || undamped && regime.is_spring() {
+            let flow = |t| linear_flow(bath, constant, pose, t);
+            if stays_within(regime, bath, free, pose, left) {
+                return (left, flow(left), f64::INFINITY);
+            }
+            // Piece by piece where it could leave and come back within a step.
+            let rate = bath.linear + bath.stiffness.sqrt();
+            return take_exact(regime, pose, left.min(REACH / rate), flow);
         }
-        if bath.drag.is_none() && bath.same_around || undamped && bath.same_across {
-            // Piece by piece where it could leave the surface and come back within a step.
-            let whole = bath.stiffness == 0.0 || self.bobs_within(bath, pose, left);
-            let most = if whole { left } else { left.min(REACH / bath.stiffness.sqrt()) };
-            return self.take_exact(bath, pose, most, |t| linear_flow(bath, constant, pose, t));
-        }
-        let answer = bath.answer(pose.1);
-        let rate = answer.drag.max_element() + answer.lift.sqrt();
-        if (bath.linear + bath.waves + bath.stiffness.sqrt()) * left > STIFF_STEPS * REACH {
+        // The greater eigenvalue of what drag answers is 2·s(v); at once it may be as fast as at its terminal velocity.
+        let drag = 2.0 * bath.drag.rate(pose.1).max(bath.drag.rate(free).sqrt()) + bath.linear + bath.waves;
+        let bobs = bath.stiffness.sqrt();
+        let rate = drag + bobs;
+        let most = (REACH / bobs).min(DAMPED_REACH / drag);
+        if (bath.linear + bath.waves + bobs) * left > STIFF_STEPS * REACH {
             let h = if h < left { h } else { FIRST / rate };
-            self.take_stiff(bath, constant, pose, h.min(left), left)
+            self.take_stiff(regime, bath, constant, pose, (h.min(left), left))
         } else {
-            self.take_explicit(bath, constant, pose, h.min(REACH / rate).min(left), left)
+            self.take_explicit(regime, bath, constant, pose, (h.min(most).min(left), left))
         }
     }
 
-    /// A step of at most `h` by an exact flow.
-    fn take_exact(&self, bath: &Bath, pose: Pose, h: f64, flow: impl Fn(f64) -> Pose) -> (f64, Pose, f64) {
-        let h = self.first_kink(bath, pose, &flow, h);
-        (h, flow(h), f64::INFINITY)
-    }
-
-    fn take_explicit(&self, bath: &Bath, constant: DVec2, pose: Pose, mut h: f64, left: f64) -> (f64, Pose, f64) {
+    fn take_explicit(&self, regime: &Regime, bath: &Bath, constant: DVec2, pose: Pose, (mut h, left): (f64, f64)) -> Taken {
         let tolerance = TOLERANCE + 8.0 * f64::EPSILON * pose.0.abs().max_element();
-        let side = self.side(pose.0);
-        let mut next = f64::INFINITY;
-        let mut to_kink = false;
+        let shortest = left * f64::EPSILON;
+        let pull = bath.acceleration(constant, pose.1);
+        let mut next = h;
+        let ahead = regime.end_of(&Cubic::parabola(pose.0, pose.1, pull), h);
+        let mut to_kink = ahead.is_some();
+        if let Some(kink) = ahead {
+            h = kink.max(shortest);
+        }
         loop {
-            let (end, error) = self.dormand_prince(constant, pose, h);
-            let factor = step_factor(error / tolerance, 0.2);
-            // A step too short to resolve anything is taken as it is.
-            if error > tolerance && h > left * f64::EPSILON {
-                (h, to_kink) = (h * factor.min(0.5), false);
+            self.media.spend(WORK_OF_A_STEP);
+            let (end, error) = dormand_prince(regime, constant, pose, pull, h);
+            let fits = error <= tolerance && end.0.is_finite() && end.1.is_finite();
+            if !fits && h <= shortest {
+                // Too short to resolve anything: no explicit step is sure to lead nowhere else.
+                return (h, self.leap(&mut regime.clone(), pose, h), h);
+            }
+            if !fits {
+                h *= step_factor((error / tolerance).sqrt().sqrt()).min(0.5);
+                (next, to_kink) = (h, false);
                 continue;
             }
-            if to_kink {
-                // The cubic may see a kink one rounding before the step meets it: on, until it does.
-                if self.side(end.0) != side || h >= next {
-                    return (h, end, next);
+            let way = Cubic::hermite(pose.0, pose.1, end.0, end.1, h);
+            match regime.end_of(&way, h) {
+                Some(kink) if kink < h && h > shortest && !(to_kink && regime.all_but_holds(end.0)) => {
+                    (h, to_kink) = (kink.max(shortest), true);
                 }
-                h = (2.0 * h + next * SHORTEST).min(next);
-                continue;
+                _ if to_kink || h >= left => return (h, end, next),
+                _ => return (h, end, h * step_factor((error / tolerance).sqrt().sqrt())),
             }
-            let cubic = Cubic::hermite(pose.0, pose.1, end.0, end.1, h);
-            let kink = self.first_kink(bath, pose, |t| (DVec2::new(cubic.axis(0).at(t), cubic.axis(1).at(t)), pose.1), h);
-            if kink >= h {
-                return (h, end, h * factor);
-            }
-            (next, h, to_kink) = (h, kink, true);
         }
     }
 
-    fn take_stiff(&self, bath: &Bath, constant: DVec2, pose: Pose, mut h: f64, left: f64) -> (f64, Pose, f64) {
+    fn take_stiff(&self, regime: &Regime, bath: &Bath, constant: DVec2, pose: Pose, (mut h, left): (f64, f64)) -> Taken {
         loop {
             self.media.spend(3 * WORK_OF_A_STEP);
             let once = linear_flow(bath, constant, pose, h);
             let middle = linear_flow(bath, constant, pose, 0.5 * h);
-            let second = self.media.bath(self.body, self.law, middle.0);
+            let second = regime.bath(middle.0);
             let end = linear_flow(&second, constant, middle, 0.5 * h);
             let error = (once.0 - end.0).abs().max_element();
-            let factor = step_factor(error / STIFF_TOLERANCE, 0.5);
+            let factor = step_factor((error / STIFF_TOLERANCE).sqrt());
             if error <= STIFF_TOLERANCE || h <= left * f64::EPSILON {
                 let flow = |t: f64| {
                     let beyond = t - 0.5 * h;
@@ -232,95 +248,85 @@ impl Swimmer<'_> {
                         linear_flow(&second, constant, middle, beyond)
                     }
                 };
-                let kink = self.first_kink(bath, pose, flow, h);
-                return (kink, if kink < h { flow(kink) } else { end }, h * factor);
+                return match self.first_kink(regime, &flow, h) {
+                    Some(kink) => (kink, flow(kink), h),
+                    None => (h, end, h * factor),
+                };
             }
             h *= factor.min(0.5);
         }
     }
 
-    /// Whether what bobs freely stays cut by the surface for `t` seconds.
-    fn bobs_within(&self, bath: &Bath, (x, v): Pose, t: f64) -> bool {
-        let constant = self.law.constant;
-        let middle = x.y + (constant.y - bath.lift) / bath.stiffness;
-        let amplitude = ((x.y - middle) * (x.y - middle) + v.y * v.y / bath.stiffness).sqrt();
-        let reach = (v.x.abs() + constant.x.abs() * t) * t;
-        let corners = [(-reach, -amplitude), (-reach, amplitude), (reach, -amplitude), (reach, amplitude)];
-        corners.into_iter().all(|(dx, dy)| self.side(DVec2::new(x.x + dx, middle + dy)) == self.side(x))
+    /// When a motion is just beyond a kink within `h` seconds.
+    fn first_kink(&self, regime: &Regime, flow: impl Fn(f64) -> Pose, h: f64) -> Option<f64> {
+        let beyond = LOOKS.iter().position(|part| !regime.holds(flow(part * h).0))?;
+        let mut from = if beyond > 0 { LOOKS[beyond - 1] * h } else { 0.0 };
+        let mut to = LOOKS[beyond] * h;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (from + to);
+            if middle <= from || middle >= to || regime.all_but_holds(flow(to).0) {
+                break;
+            }
+            self.media.spend(WORK_OF_A_STEP);
+            if regime.holds(flow(middle).0) { from = middle } else { to = middle }
+        }
+        Some(to)
     }
+}
 
-    /// When a motion first meets a kink within `h` seconds, or just after; `h` if it meets none.
-    fn first_kink(&self, bath: &Bath, pose: Pose, flow: impl Fn(f64) -> Pose, h: f64) -> f64 {
-        let side = self.side(pose.0);
-        let stays = |t: f64| self.side(flow(t).0) == side;
-        let refined = |mut from: f64, mut to: f64| {
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (from + to);
-                if middle <= from || middle >= to {
-                    break;
-                }
-                if stays(middle) { from = middle } else { to = middle }
-            }
-            to
-        };
-        if bath.fraction == 0.0 {
-            // Out of all liquids: what is fast may fly through one between two looks.
-            let end = flow(h);
-            let cubic = Cubic::hermite(pose.0, pose.1, end.0, end.1, h);
-            let swept = Aabb::around(pose.0, self.body.half).union(&Aabb::around(end.0, self.body.half));
-            let reached = self.media.liquids(self.law).filter(|(_, fluid)| swept.touches(&fluid.zone, 0.0));
-            let first =
-                reached.fold(h, |first, (_, fluid)| border(&cubic, self.body.half, &fluid.zone, false, first).unwrap_or(first));
-            // Rounding leaves it before the border: just beyond it.
-            let (mut from, mut beyond) = (0.0, h * f64::EPSILON);
-            while first < h && beyond < h {
-                let t = (first + beyond).min(h);
-                if !stays(t) {
-                    return refined(from, t);
-                }
-                (from, beyond) = (t, beyond * 4.0);
-            }
+/// A step of at most `h` by an exact flow.
+fn take_exact(regime: &Regime, pose: Pose, mut h: f64, flow: impl Fn(f64) -> Pose) -> Taken {
+    let mut end = flow(h);
+    for _ in 0..MOST_CUTS {
+        let way = Cubic::hermite(pose.0, pose.1, end.0, end.1, h);
+        let Some(kink) = regime.end_of(&way, h).filter(|kink| *kink < h) else { break };
+        h = kink.max(h * f64::EPSILON);
+        end = flow(h);
+        if regime.all_but_holds(end.0) {
+            break;
         }
-        let mut from = 0.0;
-        for part in LOOKS {
-            let to = part * h;
-            if !stays(to) {
-                return refined(from, to);
-            }
-            from = to;
-        }
-        h
     }
+    (h, end, f64::INFINITY)
+}
 
-    /// One step of the pair of Dormand and Prince, and its error in m.
-    fn dormand_prince(&self, constant: DVec2, (x, v): Pose, h: f64) -> (Pose, f64) {
-        self.media.spend(WORK_OF_A_STEP);
-        let acceleration = |x: DVec2, v: DVec2| self.media.bath(self.body, self.law, x).acceleration(constant, v);
-        let mut speeds = [v; 7];
-        let mut pulls = [acceleration(x, v); 7];
-        for (i, row) in ROWS.iter().enumerate() {
-            let (mut way, mut gain) = (DVec2::ZERO, DVec2::ZERO);
-            for (weight, (speed, pull)) in row[..=i].iter().zip(speeds.iter().zip(&pulls)) {
-                way += *speed * *weight;
-                gain += *pull * *weight;
-            }
-            speeds[i + 1] = v + gain * h;
-            pulls[i + 1] = acceleration(x + way * h, speeds[i + 1]);
-            if i + 1 == ROWS.len() {
-                let sum = |of: &[DVec2; 7]| of.iter().zip(ERROR).fold(DVec2::ZERO, |sum, (k, weight)| sum + *k * weight);
-                let error = (sum(&speeds) * h).abs().max((sum(&pulls) * (h * h)).abs());
-                return ((x + way * h, speeds[i + 1]), error.max_element());
-            }
-        }
-        unreachable!()
+/// Whether what moves by [`linear_flow`], damped or bobbing but not both, surely meets no kink for `t` seconds.
+fn stays_within(regime: &Regime, bath: &Bath, free: DVec2, (x, v): Pose, t: f64) -> bool {
+    let reach = v.abs() * t + free.abs() * (0.5 * t * t);
+    if bath.stiffness == 0.0 {
+        // What fades, and the way at terminal velocity.
+        let fading = if bath.linear > 0.0 { (v.abs() + free.abs() * t) / bath.linear } else { reach };
+        return regime.holds_around(x, reach.min(fading));
     }
+    let sinks = free.y / bath.stiffness;
+    let amplitude = (sinks * sinks + v.y * v.y / bath.stiffness).sqrt();
+    regime.holds_around(DVec2::new(x.x, x.y + sinks), DVec2::new(reach.x, amplitude))
+}
+
+/// One step of the pair of Dormand and Prince from where the acceleration is `pull`, and its error in m.
+fn dormand_prince(regime: &Regime, constant: DVec2, (x, v): Pose, pull: DVec2, h: f64) -> (Pose, f64) {
+    let mut speeds = [v; 7];
+    let mut pulls = [pull; 7];
+    let mut end = x;
+    for (i, row) in ROWS.iter().enumerate() {
+        let (mut way, mut gain) = (DVec2::ZERO, DVec2::ZERO);
+        for (weight, (speed, pull)) in row[..=i].iter().zip(speeds.iter().zip(&pulls)) {
+            way += *speed * *weight;
+            gain += *pull * *weight;
+        }
+        end = x + way * h;
+        speeds[i + 1] = v + gain * h;
+        pulls[i + 1] = regime.bath(end).acceleration(constant, speeds[i + 1]);
+    }
+    let sum = |of: &[DVec2; 7]| of.iter().zip(ERROR).fold(DVec2::ZERO, |sum, (k, weight)| sum + *k * weight);
+    let error = (sum(&speeds) * h).abs().max((sum(&pulls) * (h * h)).abs());
+    ((end, speeds[6]), error.max_element())
 }
 
 /// The terminal velocity of what is the same all around, if `v` has reached it; `free` is what pulls besides drag, m/s².
 fn settled(bath: &Bath, free: DVec2, v: DVec2) -> Option<DVec2> {
     // Along the pull, u = λ·A with λ²·s(A) + λ·c = 1.
     let root = (bath.linear * bath.linear + 4.0 * bath.drag.rate(free)).sqrt();
-    if !bath.same_around || bath.linear + root == 0.0 {
+    if bath.linear + root == 0.0 {
         return None;
     }
     let terminal = free * (2.0 / (bath.linear + root));
@@ -335,9 +341,12 @@ fn linear_flow(bath: &Bath, constant: DVec2, (x, v): Pose, t: f64) -> Pose {
     (x + DVec2::new(across.0, down.0), DVec2::new(across.1, down.1))
 }
 
-/// By what factor the next step may be longer, given the error of this one as a part of what is allowed.
-fn step_factor(error: f64, power: f64) -> f64 {
-    if error > 0.0 { (0.9 * libm::pow(error, -power)).clamp(1.0 / GROWTH, GROWTH) } else { GROWTH }
+/// By what factor the next step may be longer, given a root of the error of this one as a part of what is allowed: the fourth root stands for
+/// the fifth, which takes longer to find; up to [`GROWTH`] that errs on the side of caution.
+fn step_factor(root: f64) -> f64 {
+    let factor = CAUTION / root;
+    // What is no number is too long.
+    if factor >= 1.0 / GROWTH { factor.min(GROWTH) } else { 1.0 / GROWTH }
 }
 
 /// The stages of the pair; the last row is its result.

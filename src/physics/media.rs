@@ -19,6 +19,9 @@
 //! the buoyancy listed is what makes the resultant exactly zero.
 
 use super::air::Drag;
+use super::bath::{Regime, STOKES, Stiffness, WAVES};
+use super::displaced::Displaced;
+use super::flow::Pose;
 use super::tuning::SLOP;
 use super::zone_tree::{ZoneList, ZoneTree};
 use super::zones::{Stream, fall};
@@ -26,17 +29,8 @@ use super::{Aabb, Body, FieldDef, FluidDef, Force, ForceKind, Source, StreamDef}
 use glam::DVec2;
 use std::cell::Cell;
 
-/// Stokes' law: 3π per diameter.
-const STOKES: f64 = 3.0 * std::f64::consts::PI;
-/// Damping ratio of what floats at its waterline, per unit of C_d. Smaller: 300 kg on water are not at rest after a minute; larger: a
-/// splash calms down within one bob.
-const WAVES: f64 = 0.15;
-/// Relative: what rounding leaves of a balance of forces. Smaller: what floats never comes to rest; larger: it rests beside its waterline.
-const BALANCE: f64 = 4e-14;
-
-/// What the work of a law is counted in, as in `events`: about a nanosecond. A bath, and each liquid of it.
-const WORK_OF_A_BATH: u64 = 10;
-const WORK_OF_A_LIQUID: u64 = 10;
+/// What a search for liquids comes to, in units of work as in `events`: about a nanosecond.
+const WORK_OF_A_SEARCH: u64 = 60;
 
 /// The media of a world.
 #[derive(Clone, Debug)]
@@ -64,8 +58,11 @@ pub(super) struct Law {
     pub constant: DVec2,
     /// Drag of the air.
     pub air: Drag,
-    /// The liquids that it may meet. It flies as if there were no others.
+    /// The liquids that it may meet: all that touch this box, m.
     pub liquids: ZoneList,
+    pub near: Aabb,
+    /// What it displaces of them around where it was when that was last asked for.
+    pub displaced: Displaced,
 }
 
 impl Law {
@@ -77,52 +74,6 @@ impl Law {
     /// Whether nothing acts that depends on place or velocity.
     pub fn is_constant(&self) -> bool {
         self.air.is_none() && !self.is_near_liquid()
-    }
-}
-
-/// How the acceleration by the media answers to small changes of a state: what an implicit step needs.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Stiffness {
-    /// −∂a/∂v along either axis, 1/s, ≥ 0.
-    pub drag: DVec2,
-    /// −∂a_y/∂y by buoyancy, 1/s², ≥ 0.
-    pub lift: f64,
-}
-
-/// What a liquid, or all media together, do to a body at a place, per mass.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Bath {
-    /// The fraction of the body that is inside.
-    pub fraction: f64,
-    pub drag: Drag,
-    /// Stokes' drag, 1/s.
-    pub linear: f64,
-    /// Damping by waves, up and down, 1/s.
-    pub waves: f64,
-    /// Buoyancy upwards, m/s².
-    pub lift: f64,
-    /// K/m, 1/s².
-    pub stiffness: f64,
-    /// Whether the bath is the same a little to each side, and everywhere around.
-    pub same_across: bool,
-    pub same_around: bool,
-}
-
-impl Bath {
-    /// Acceleration at velocity `v` if no medium did more than this and `constant` did the rest, m/s².
-    pub fn acceleration(&self, constant: DVec2, v: DVec2) -> DVec2 {
-        let drag = self.drag.rate(v) + self.linear;
-        DVec2::new(constant.x - v.x * drag, (constant.y - self.lift) - v.y * (drag + self.waves))
-    }
-
-    /// Its linearisation at velocity `v`.
-    pub fn answer(&self, v: DVec2) -> Stiffness {
-        Stiffness { drag: self.drag.stiffness(v) + self.linear + DVec2::new(0.0, self.waves), lift: self.stiffness }
-    }
-
-    /// m/s²: what is left of a balance along the vertical at `y` if it is nothing but rounding.
-    pub fn rounding(&self, constant: DVec2, body: &Body, y: f64) -> f64 {
-        BALANCE * (constant.y.abs() + self.lift.abs() + self.stiffness * (y.abs() + body.half.y))
     }
 }
 
@@ -166,15 +117,34 @@ impl Media {
         if body.feels_air { Drag::of(body, self.air_density) } else { Drag::default() }
     }
 
+    /// All that is constant of what acts on a body under a `force` (N) that is not its weight, m/s².
+    pub fn constant(&self, body: &Body, force: DVec2) -> DVec2 {
+        let push = force / body.mass;
+        DVec2::new(0.0 + push.x, fall(self.gravity_on(body), push.y))
+    }
+
     /// The law of a body for the next `t` seconds, under a `force` (N) that is not its weight. It depends on nothing but the body itself: what
     /// else is near must change no bit of its motion.
     pub fn law(&self, body: &Body, force: DVec2, t: f64) -> Law {
-        let push = force / body.mass;
-        let constant = DVec2::new(0.0 + push.x, fall(self.gravity_on(body), push.y));
+        let constant = self.constant(body, force);
         // Half its size besides: what others push may meet a liquid earlier.
         let reach = body.half * 1.5 + (body.velocity.abs() + constant.abs() * t) * t;
         let near = Aabb::around(body.position, reach);
-        Law { constant, air: self.air(body), liquids: self.wet.near(&near, 0.0) }
+        let mut law = Law { constant, air: self.air(body), liquids: self.wet.near(&near, 0.0), near, ..Law::default() };
+        if law.is_near_liquid() {
+            self.follow(&mut law, body, body.position);
+        }
+        law
+    }
+
+    /// Lets a law be that of the body at `x`; also where that is further than buoyancy was thought to drive it.
+    pub fn follow(&self, law: &mut Law, body: &Body, x: DVec2) {
+        if !law.near.contains(&Aabb::around(x, body.half), 0.0) {
+            self.spend(WORK_OF_A_SEARCH);
+            law.near = Aabb::around(x, law.near.size() * 0.5);
+            law.liquids = self.wet.near(&law.near, 0.0);
+        }
+        law.displaced = Displaced::new(self, body, x, (&law.liquids, &law.near));
     }
 
     /// Appends the streams that a box touches, in ascending order.
@@ -185,8 +155,8 @@ impl Media {
     }
 
     /// The streams that a box touches, and maybe some near it, in ascending order.
-    pub fn streams_at(&self, near: &Aabb) -> impl Iterator<Item = &Stream> {
-        self.blowing.near(near, 2.0 * SLOP).iter().map(|stream| &self.streams[stream as usize])
+    pub fn streams_at(&self, near: &Aabb) -> ZoneList {
+        self.blowing.near(near, 2.0 * SLOP)
     }
 
     /// Whether a box touches a liquid.
@@ -199,76 +169,12 @@ impl Media {
         law.liquids.iter().map(|index| (index, &self.fluids[index as usize]))
     }
 
-    /// What one liquid does to a body at `x`; none where it does not reach.
-    #[inline]
-    fn part(&self, body: &Body, fluid: &FluidDef, x: DVec2) -> Option<Bath> {
-        let (zone, half) = (&fluid.zone, body.half);
-        let (top_left, bottom_right) = (x - half, x + half);
-        let inside = bottom_right.min(zone.max) - top_left.max(zone.min);
-        if inside.x <= 0.0 || inside.y <= 0.0 {
-            return None;
-        }
-        let (width, height) = (2.0 * half.x, 2.0 * half.y);
-        let fraction = (inside.x * inside.y) / (width * height);
-        let (displaced, per_mass) = (fluid.density * (inside.x * inside.y), 1.0 / body.mass);
-        let contained = top_left.cmpge(zone.min) & bottom_right.cmple(zone.max);
-        let mut bath = Bath {
-            fraction,
-            drag: Drag::of(body, fluid.density).scaled(fraction),
-            linear: STOKES * fluid.viscosity * (half.x + half.y) * fraction * per_mass,
-            lift: displaced * self.gravity * per_mass,
-            same_across: contained.x,
-            same_around: contained.all(),
-            ..Bath::default()
-        };
-        // The surface is the side that buoyancy points to.
-        let down = self.gravity >= 0.0;
-        let emerged = if down { zone.min.y - top_left.y } else { bottom_right.y - zone.max.y };
-        if emerged > 0.0 {
-            let stiffness = fluid.density * self.gravity.abs() * inside.x * per_mass;
-            let sunk = if down { bottom_right.y <= zone.max.y } else { top_left.y >= zone.min.y };
-            bath.stiffness = if sunk { stiffness } else { 0.0 };
-            let ratio = displaced * per_mass;
-            let under = (1.0 - emerged / height).max(0.0);
-            let fourth = (under * under) * (under * under);
-            let fades = 1.0 - fourth * fourth;
-            bath.waves = 2.0 * WAVES * body.drag * stiffness.sqrt() * (2.0 * ratio / (1.0 + ratio)) * fades;
-        }
-        Some(bath)
-    }
-
-    /// What all media do to a body at `x`.
-    pub fn bath(&self, body: &Body, law: &Law, x: DVec2) -> Bath {
-        self.spend(WORK_OF_A_BATH + WORK_OF_A_LIQUID * u64::from(law.liquids.len()));
-        let mut all = Bath { same_across: true, same_around: true, ..Bath::default() };
-        for (_, fluid) in self.liquids(law) {
-            let Some(part) = self.part(body, fluid, x) else { continue };
-            all.fraction += part.fraction;
-            all.drag = all.drag.plus(&part.drag);
-            all.linear += part.linear;
-            all.waves += part.waves;
-            all.lift += part.lift;
-            all.stiffness += part.stiffness;
-            all.same_across &= part.same_across;
-            all.same_around &= part.same_around;
-        }
-        if !law.air.is_none() {
-            all.drag = all.drag.plus(&law.air.scaled((1.0 - all.fraction).max(0.0)));
-        }
-        all
-    }
-
     /// Acceleration of a body at `x` with velocity `v` under `law`, m/s².
     pub fn acceleration(&self, body: &Body, law: &Law, x: DVec2, v: DVec2) -> DVec2 {
         if !law.is_near_liquid() {
             return law.constant - v * law.air.rate(v);
         }
-        let bath = self.bath(body, law, x);
-        let mut a = bath.acceleration(law.constant, v);
-        if balances(&bath, law, body, x, v, a) {
-            a.y = 0.0;
-        }
-        a
+        Regime::new(self, body, law, x).acceleration(x, v)
     }
 
     /// The linearisation of [`Media::acceleration`].
@@ -276,18 +182,27 @@ impl Media {
         if !law.is_near_liquid() {
             return Stiffness { drag: law.air.stiffness(v), lift: 0.0 };
         }
-        self.bath(body, law, x).answer(v)
+        Regime::new(self, body, law, x).bath(x).answer(v)
     }
 
-    /// How fast the body's own motion changes its acceleration at velocity `v`, 1/s: what an explicit step has to resolve.
-    pub fn rate(&self, body: &Body, law: &Law, v: DVec2) -> f64 {
-        let (mut drag, mut linear, mut stiffness) = (law.air, 0.0, 0.0);
-        for (_, fluid) in self.liquids(law) {
-            drag = drag.plus(&Drag::of(body, fluid.density));
-            linear += STOKES * fluid.viscosity * (body.half.x + body.half.y) / body.mass;
-            stiffness += fluid.density * self.gravity.abs() * 2.0 * body.half.x / body.mass;
+    /// How fast the body's own motion changes its acceleration within `t` seconds, 1/s: what an explicit step has to resolve.
+    pub fn rate(&self, body: &Body, law: &Law, (x, v): Pose, t: f64) -> f64 {
+        let of =
+            |drag: &Drag, linear: f64, stiffness: f64| linear + drag.rate(v) + drag.rate(law.constant).sqrt() + stiffness.sqrt();
+        if !law.is_near_liquid() {
+            return of(&law.air, 0.0, 0.0);
         }
-        linear + drag.rate(v) + drag.rate(law.constant).sqrt() + (1.0 + 2.0 * WAVES * body.drag) * stiffness.sqrt()
+        let regime = Regime::new(self, body, law, x);
+        if regime.holds_around(x, (v.abs() + law.constant.abs() * t) * t) {
+            let bath = regime.bath(x);
+            return of(&bath.drag, bath.linear + bath.waves, bath.stiffness);
+        }
+        // It may come to be wholly inside all of them.
+        let sum = |sum: (f64, f64), (_, fluid): (u32, &FluidDef)| (sum.0 + fluid.density, sum.1 + fluid.viscosity);
+        let (density, viscosity) = self.liquids(law).fold((0.0, 0.0), sum);
+        let stiffness = density * self.gravity.abs() * 2.0 * body.half.x / body.mass;
+        let linear = STOKES * viscosity * (body.half.x + body.half.y) / body.mass + 2.0 * WAVES * body.drag * stiffness.sqrt();
+        of(&law.air.plus(&Drag::of(body, density)), linear, stiffness)
     }
 
     /// Lists the named forces on a body as it moves now, the engine's drive (N) included.
@@ -305,14 +220,17 @@ impl Media {
         };
         add(ForceKind::Weight, Source::Gravity, DVec2::new(0.0, mass * self.gravity_on(body)));
         add(ForceKind::Drive, Source::Engine, drive);
-        for (i, stream) in self.streams.iter().enumerate() {
-            if in_stream(i) {
-                add(stream.kind, stream.source, stream.on(body));
-            }
+        for i in self.streams_at(&body.bounds()).iter().filter(|i| in_stream(*i as usize)) {
+            let stream = &self.streams[i as usize];
+            add(stream.kind, stream.source, stream.on(body));
         }
         let mut dry = 1.0;
-        for (i, fluid) in self.liquids(law) {
-            let Some(part) = self.part(body, fluid, x) else { continue };
+        for i in law.liquids.iter() {
+            let alone = Law { air: Drag::default(), liquids: ZoneList::only(i), displaced: Displaced::default(), ..*law };
+            let part = Regime::new(self, body, &alone, x).bath(x);
+            if part.fraction == 0.0 {
+                continue;
+            }
             dry -= part.fraction;
             let drag = part.drag.rate(v) + part.linear;
             let drag = -v * DVec2::new(drag, drag + part.waves) * mass;
@@ -326,17 +244,13 @@ impl Media {
             && v.y == 0.0
         {
             // With v_y = 0 no drag acts up or down, so that the last buoyancy is the last of the vertical forces.
-            let bath = self.bath(body, law, x);
-            if balances(&bath, law, body, x, v, bath.acceleration(law.constant, v)) {
+            let regime = Regime::new(self, body, law, x);
+            let bath = regime.bath(x);
+            if regime.balances(&bath, x, bath.acceleration(law.constant, v).y) {
                 out[index].vector.y = -before.y;
             }
         }
     }
-}
-
-/// Whether the vertical forces on what has no vertical velocity balance but for rounding.
-fn balances(bath: &Bath, law: &Law, body: &Body, x: DVec2, v: DVec2, a: DVec2) -> bool {
-    v.y == 0.0 && bath.fraction > 0.0 && a.y.abs() <= bath.rounding(law.constant, body, x.y)
 }
 
 #[cfg(test)]
@@ -351,7 +265,13 @@ mod tests {
     }
 
     fn law(media: &Media, body: &Body) -> Law {
-        Law { constant: DVec2::new(0.0, media.gravity), air: media.air(body), liquids: ZoneList::of(0..media.fluids.len() as u32) }
+        Law {
+            constant: DVec2::new(0.0, media.gravity),
+            air: media.air(body),
+            liquids: ZoneList::of(0..media.fluids.len() as u32),
+            near: Aabb::around(DVec2::ZERO, DVec2::splat(1e30)),
+            displaced: Displaced::default(),
+        }
     }
 
     #[test]

@@ -50,20 +50,25 @@
 //! Tolerances that several files share stand in `tuning`, the others beside what they serve, each with what breaks when it changes.
 
 mod aabb;
+mod acting;
 mod air;
+mod bath;
 mod body;
 mod changes;
 mod contact;
 mod def;
+mod displaced;
 mod events;
 mod face;
 mod flow;
 mod forces;
 mod guards;
 mod hash;
+mod held;
 mod impact_time;
 mod impulse;
 mod islands;
+mod known_contacts;
 mod liquid;
 mod material;
 mod media;

@@ -7,7 +7,7 @@ use super::contact::Contact;
 use super::events::{Item, Scene};
 use super::impulse::Impulse;
 use super::islands::{Choice, Happened, Tick};
-use super::pile::{Axis, Other, Pile};
+use super::pile::{Axis, Other};
 use super::tuning::{REPORT_SPEED, SLOP};
 use super::world::{Event, Methods, Obstacle, State, World};
 use super::{Body, BodyId, zones};
@@ -23,7 +23,7 @@ impl World {
     /// Advances the world by exactly one tick of `dt` seconds.
     pub fn step(&mut self, dt: f64) {
         let worked = self.worked();
-        self.scratch.begin(self.state.bodies.len());
+        self.scratch.begin_tick(self.state.bodies.len(), self.pile.looked_at());
         self.clear_records();
         self.bring_back_surfaces();
         self.move_surfaces(dt);
@@ -78,6 +78,7 @@ impl World {
         scratch.events.begin_world(&scene);
         scratch.take_contacts(state);
         state.contacts.extend(scratch.contacts.drain(..).map(|(_, contact)| contact));
+        scratch.starts.clear();
         for item in &scratch.events.items[..n] {
             state.bodies[item.id as usize].acceleration = item.solved + DVec2::ZERO;
         }
@@ -87,15 +88,21 @@ impl World {
         self.records.events.clear();
         self.records.impulses.clear();
         self.records.corners.clear();
-        for (i, (previous, body)) in self.records.previous.iter_mut().zip(&self.state.bodies).enumerate() {
-            if !self.pile.is_sleeping(i) {
-                *previous = body.position;
+        for &i in self.pile.looked_at() {
+            if !self.pile.is_sleeping(i as usize) {
+                self.records.previous[i as usize] = self.state.bodies[i as usize].position;
             }
         }
     }
 
-    /// Something about a body has changed: it has to be looked at.
+    /// Something about a body, or what it touches, has changed: it has to be looked at.
     pub(super) fn disturb(&mut self, body: u32) {
+        self.state.held[body as usize] = None;
+        self.look_again(body);
+    }
+
+    /// What pulls at a body may have changed: it has to be looked at.
+    pub(super) fn look_again(&mut self, body: u32) {
         let i = body as usize;
         self.state.known[i] = false;
         self.pile.wake(i);
@@ -119,10 +126,16 @@ impl World {
 
     /// Brings back surfaces that are wanted and in the way of nothing.
     fn bring_back_surfaces(&mut self) {
-        for s in 0..self.state.surfaces.len() {
+        for k in (0..self.awaited.len()).rev() {
+            let s = self.awaited[k] as usize;
             let surface = &self.state.surfaces[s];
             let free = |body: &Body| !body.bounds().overlaps(&surface.bounds, SLOP);
-            if surface.wanted && !surface.present && self.state.bodies.iter().all(free) {
+            let awaited = surface.wanted && !surface.present;
+            if awaited && !self.state.bodies.iter().all(free) {
+                continue;
+            }
+            self.awaited.swap_remove(k);
+            if awaited {
                 self.state.surfaces[s].present = true;
                 self.pile.set_present(s, true);
                 self.disturb_around(s);
@@ -132,7 +145,8 @@ impl World {
 
     /// Tells where surfaces go, and wakes whatever one may touch that moves within the next `dt` seconds.
     fn move_surfaces(&mut self, dt: f64) {
-        for s in 0..self.state.surfaces.len() {
+        for k in 0..self.on_paths.len() {
+            let s = self.on_paths[k] as usize;
             let surface = &self.state.surfaces[s];
             if !surface.concerns(dt) {
                 continue;
@@ -151,75 +165,22 @@ impl World {
     }
 
     fn go_on_paths(&mut self, dt: f64) {
-        for (s, surface) in self.state.surfaces.iter_mut().enumerate() {
-            if surface.def.path.is_still() {
-                continue;
-            }
-            let stop = self.scratch.stop_of(s as u32);
+        for &s in &self.on_paths {
+            let surface = &mut self.state.surfaces[s as usize];
+            let stop = self.scratch.stop_of(s);
             surface.go_on(dt.min(stop));
             if stop < dt {
-                self.pile.place_surface(s, surface.bounds.centre());
+                self.pile.place_surface(s as usize, surface.bounds.centre());
             }
-        }
-    }
-
-    /// Tells the store what acts on each body besides its weight and the air, and where it gets where no constant force says that.
-    fn say_what_acts(&mut self, dt: f64) {
-        let Self { state, plan, scratch, pile, .. } = self;
-        scratch.minds.clear();
-        scratch.minds.resize(state.bodies.len(), false);
-        if !(plan.streams || plan.liquids) {
-            for (i, drive) in state.drives.iter().enumerate() {
-                pile.set_force(i, *drive);
-                if plan.air {
-                    hold(state, pile, i, dt);
-                }
-            }
-            return;
-        }
-        let scene = Scene::of(state, plan, dt);
-        for i in 0..state.bodies.len() {
-            if pile.is_sleeping(i) {
-                continue;
-            }
-            let body = &state.bodies[i];
-            let pose = (body.position, body.velocity);
-            let reach = body.half * 1.5 + (body.velocity.abs() + (body.acceleration.abs() + state.media.gravity.abs()) * dt) * dt;
-            let near = super::Aabb::around(body.position, reach);
-            let mut force = state.drives[i];
-            let mut minds = false;
-            scratch.zones.clear();
-            state.media.streams_near(&near, &mut scratch.zones);
-            for &stream in &scratch.zones {
-                let stream = &state.media.streams[stream as usize];
-                minds |= !stream.zone.contains(&near, 0.0);
-                if zones::feels(&stream.zone, body, pose) {
-                    force += stream.on(body);
-                }
-            }
-            pile.set_force(i, force);
-            if minds || state.media.wets(&near) {
-                scratch.minds[i] = true;
-                scratch.members.clear();
-                scratch.surfaces.clear();
-                scratch.members.push(i as u32);
-                scratch.gather(state, &scene, |_| near);
-                let (position, velocity) = scratch.events.fly(&scene);
-                pile.guide(i, position, velocity);
-            }
-            hold(state, pile, i, dt);
         }
     }
 
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
         let Self { state, scratch, pile, .. } = self;
-        let State { bodies, contacts, known, media, drives, pauses, ticks, .. } = state;
-        contacts.retain(|contact| {
-            pile.is_sleeping(contact.lo.min(contact.hi) as usize) && scratch.after[contact.lo.min(contact.hi) as usize].members == 0
-        });
-        contacts.extend(scratch.contacts.iter().map(|&(_, contact)| contact));
-        for i in 0..bodies.len() {
+        let State { bodies, known, held, media, drives, pauses, ticks, .. } = state;
+        for &i in pile.looked_at() {
+            let i = i as usize;
             let after = &scratch.after[i];
             let body = &mut bodies[i];
             pauses[i].go_on(after, *ticks);
@@ -227,7 +188,7 @@ impl World {
                 continue;
             }
             (body.position, body.velocity) = (pile.position(i), pile.velocity(i));
-            known[i] = after.known;
+            (known[i], held[i]) = (after.known, after.held);
             if after.members == 0 {
                 // It flew by itself.
                 let force = zones::force_on(media, body, drives[i]);
@@ -243,15 +204,19 @@ impl World {
             }
         }
         *ticks += 1;
+        self.scratch.fresh.clear();
+        self.scratch.fresh.extend(self.scratch.contacts.iter().map(|&(_, contact)| contact));
         self.commit_dense(dt);
         self.count_methods();
-        put_in_order(&mut self.state.contacts);
+        self.take_contacts();
     }
 
     /// Counts by which method how many bodies were advanced.
     fn count_methods(&mut self) {
-        let mut methods = Methods::default();
-        for (i, after) in self.scratch.after.iter().enumerate() {
+        let aside = self.state.bodies.len() - self.pile.looked_at().len();
+        let mut methods = Methods { asleep: aside as u32, ..Methods::default() };
+        for &i in self.pile.looked_at() {
+            let (i, after) = (i as usize, &self.scratch.after[i as usize]);
             let count = match (after.members, after.dense) {
                 (0, _) if self.pile.is_sleeping(i) => &mut methods.asleep,
                 (0, _) => &mut methods.free,
@@ -268,8 +233,8 @@ impl World {
     fn commit_dense(&mut self, dt: f64) {
         let Self { state, scratch, pile, records, .. } = self;
         let n = state.bodies.len();
-        scratch.pressed.clear();
         scratch.pressed.resize(n, 0.0);
+        pile.looked_at().iter().for_each(|i| scratch.pressed[*i as usize] = 0.0);
         for contact in pile.listed() {
             let a = contact.a;
             if scratch.after[a].members == 0 || !scratch.after[a].dense {
@@ -296,7 +261,7 @@ impl World {
                 let mut lasting = Contact { lasts: true, ..Contact::between(lo, hi, axis) };
                 (lasting.normal, lasting.friction) = (contact.normal.abs() / dt, sign * contact.friction / dt);
                 (lasting.static_friction, lasting.kinetic_friction) = state.friction_of(a, contact.b);
-                state.contacts.push(lasting);
+                scratch.fresh.push(lasting);
                 let mut felt = DVec2::ZERO;
                 (felt[axis], felt[1 - axis]) = (contact.normal / dt, contact.friction / dt);
                 for (item, sign) in [(a, 1.0), (b as usize, -1.0)] {
@@ -308,7 +273,8 @@ impl World {
             }
         }
         // What rests, rests exactly; unless part of what held it was an impact, which is no force.
-        for (i, _) in scratch.after.iter().enumerate().filter(|(_, after)| after.dense) {
+        for &i in pile.looked_at().iter().filter(|i| scratch.after[**i as usize].dense) {
+            let i = i as usize;
             let body = &mut state.bodies[i];
             let rests = body.velocity == DVec2::ZERO && body.position == records.previous[i];
             if rests && (body.mass * body.acceleration).length() <= BALANCED * scratch.pressed[i] {
@@ -355,35 +321,6 @@ impl World {
             records.events.push(Event::Crushed { body: BodyId(body), by, force });
         }
     }
-}
-
-/// What is held meets no drag on a way that it does not go: its contacts have to bear all that pulls at it.
-fn hold(state: &State, pile: &mut Pile, i: usize, dt: f64) {
-    let body = &state.bodies[i];
-    if body.velocity != DVec2::ZERO || body.acceleration != DVec2::ZERO || pile.is_sleeping(i) {
-        return;
-    }
-    let law = state.media.law(body, zones::force_on(&state.media, body, state.drives[i]), 0.0);
-    let a = state.media.acceleration(body, &law, body.position, DVec2::ZERO);
-    pile.guide(i, body.position + a * (0.5 * dt * dt), a * dt);
-}
-
-/// Sorts contacts by their ends, and makes one of those that tell of the same face: the dense method tells of push and friction apart. Nothing
-/// is left to how a sort treats equals, which depends on how many there are in the world.
-fn put_in_order(contacts: &mut Vec<Contact>) {
-    contacts.sort_unstable_by(|a, b| {
-        let face = (a.ends(), a.axis).cmp(&(b.ends(), b.axis));
-        face.then(b.normal.total_cmp(&a.normal)).then(a.friction.total_cmp(&b.friction)).then(a.lo.cmp(&b.lo))
-    });
-    contacts.dedup_by(|next, kept| {
-        let turned = next.lo != kept.lo;
-        let joins = next.ends() == kept.ends() && next.axis == kept.axis && (!turned || next.normal == 0.0);
-        if joins {
-            kept.normal += next.normal;
-            kept.friction += if turned { -next.friction } else { next.friction };
-        }
-        joins
-    });
 }
 
 impl State {

@@ -84,6 +84,9 @@ pub struct World {
     /// Buffers, kept so that a tick allocates nothing once warm.
     pub(super) scratch: Box<Scratch>,
     pub(super) plan: Plan,
+    /// Surfaces that have paths, and those that come back as soon as nothing is in their way.
+    pub(super) on_paths: Vec<u32>,
+    pub(super) awaited: Vec<u32>,
     /// Whether somebody has asked for forces since the last tick.
     pub(super) asked: Cell<bool>,
 }
@@ -101,6 +104,8 @@ pub(super) struct State {
     pub contacts: Vec<Contact>,
     /// Whether contacts and acceleration of a body are those of now.
     pub known: Vec<bool>,
+    /// What else pulled at each body, m/s², when its contacts were last solved for rest, if they still carry what they did then.
+    pub held: Vec<Option<DVec2>>,
     /// Whose islands are dense for a while, because their budgets were used up.
     pub pauses: Vec<Pause>,
     /// Ticks since the world began.
@@ -149,13 +154,16 @@ impl World {
             rest_speed: def.rest_speed,
             contacts: Vec::new(),
             known: vec![false; n],
+            held: vec![None; n],
             pauses: vec![Pause::default(); n],
             ticks: 0,
         };
         let previous = state.bodies.iter().map(|body| body.position).collect();
         let records = Records { previous, ..Records::default() };
         let pile = Box::new(pile_of(&state, plan.direct)?);
-        let mut world = Self { pile, scratch: Box::default(), state, records, plan, asked: Cell::new(true) };
+        let on_paths = (0..).zip(&state.surfaces).filter(|(_, surface)| !surface.def.path.is_still()).map(|(s, _)| s).collect();
+        let awaited = Vec::with_capacity(state.surfaces.len());
+        let mut world = Self { pile, scratch: Box::default(), state, records, plan, on_paths, awaited, asked: Cell::new(true) };
         world.begin();
         Ok(world)
     }
@@ -166,11 +174,12 @@ impl World {
     /// As [`World::new`].
     pub fn add_body(&mut self, def: BodyDef) -> Result<BodyId, DefError> {
         def.check()?;
-        let State { bodies, drives, contacts, known, pauses, media, .. } = &mut self.state;
+        let State { bodies, drives, contacts, known, held, pauses, media, .. } = &mut self.state;
         let n = bodies.len() as u32;
         bodies.push(Body::new(&def));
         drives.push(DVec2::ZERO);
         known.push(false);
+        held.push(None);
         pauses.push(Pause::default());
         self.records.previous.push(def.position);
         // Contacts count surfaces on from the number of bodies.

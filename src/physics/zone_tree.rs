@@ -15,7 +15,8 @@ const INNER: u32 = u32::MAX;
 /// Some of a world's zones, by their indices in ascending order.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ZoneList {
-    few: [u32; FEW],
+    /// Short, for every law of a body has such a list, wet or not.
+    few: [u16; FEW],
     count: u32,
     /// Where they are more: from the first of them to the last, those between included.
     range: (u32, u32),
@@ -30,12 +31,23 @@ impl ZoneList {
         list
     }
 
+    /// Of one.
+    pub fn only(index: u32) -> Self {
+        let mut list = Self::default();
+        list.add(index);
+        list
+    }
+
     fn add(&mut self, index: u32) {
         let count = self.count as usize;
-        if count < FEW {
-            let at = self.few[..count].partition_point(|known| *known < index);
-            self.few.copy_within(at..count, at + 1);
-            self.few[at] = index;
+        match u16::try_from(index) {
+            Ok(index) if count < FEW => {
+                let at = self.few[..count].partition_point(|known| *known < index);
+                self.few.copy_within(at..count, at + 1);
+                self.few[at] = index;
+            }
+            // Of so high a number, or of so many, none is named.
+            _ => self.count = self.count.max(FEW as u32),
         }
         self.range = if count == 0 { (index, index + 1) } else { (self.range.0.min(index), self.range.1.max(index + 1)) };
         self.count += 1;
@@ -51,10 +63,11 @@ impl ZoneList {
         if self.count as usize <= FEW { self.count } else { self.range.1 - self.range.0 }
     }
 
-    pub fn iter(&self) -> impl Iterator<Item = u32> + use<> {
+    pub fn iter(&self) -> impl Iterator<Item = u32> {
         let all = self.count as usize <= FEW;
-        let range = if all { 0..0 } else { self.range.0..self.range.1 };
-        self.few.into_iter().take(if all { self.count as usize } else { 0 }).chain(range)
+        let (few, range) =
+            if all { (&self.few[..self.count as usize], 0..0) } else { (&self.few[..0], self.range.0..self.range.1) };
+        few.iter().map(|index| u32::from(*index)).chain(range)
     }
 }
 

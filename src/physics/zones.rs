@@ -65,11 +65,13 @@ pub(super) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> boo
 
 /// The force of a body's engine, and of all streams and fields that it feels, N.
 pub(super) fn force_on(media: &Media, body: &Body, drive: DVec2) -> DVec2 {
+    if media.streams.is_empty() {
+        return drive;
+    }
     let pose = (body.position, body.velocity);
-    media
-        .streams_at(&body.bounds())
-        .filter(|stream| feels(&stream.zone, body, pose))
-        .fold(drive, |force, stream| force + stream.on(body))
+    let near = media.streams_at(&body.bounds());
+    let streams = near.iter().map(|stream| &media.streams[stream as usize]);
+    streams.filter(|stream| feels(&stream.zone, body, pose)).fold(drive, |force, stream| force + stream.on(body))
 }
 
 /// When a body on a way enters a zone or, from `inside`, leaves it. What begins at the border itself has crossed it once it is clear of it.

@@ -5,6 +5,7 @@ use super::{Events, Scene};
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
 use crate::physics::tuning::{SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
+use crate::physics::zones;
 
 impl Events {
     /// The contacts and accelerations of the instant at which the tick ends, where media make them others than when the last way began.
@@ -37,9 +38,10 @@ impl Events {
         // What has crossed the border of a stream just as the tick ends is on its other side.
         if !self.streams.is_empty() {
             for i in 0..self.movable {
-                let constant = self.items[i].law.constant;
-                self.renew_law(scene, i);
-                if self.items[i].law.constant != constant {
+                let item = &self.items[i];
+                let force = zones::force_on(scene.media, &item.body, item.drive);
+                if scene.media.constant(&item.body, force) != item.law.constant {
+                    self.renew_law(scene, i);
                     self.concern(i as u32);
                 }
             }

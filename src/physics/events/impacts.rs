@@ -259,10 +259,14 @@ impl Events {
         let (item, away) = if self.is_body(contact.hi) { (contact.hi, 1.0) } else { (contact.lo, -1.0) };
         let left = scene.tick - self.now;
         let of = &self.items[item as usize];
-        let pull = -away * scene.media.acceleration(&of.body, &of.law, self.places[item as usize], DVec2::ZERO)[contact.axis];
+        if of.hits < ZENO_HITS {
+            return;
+        }
+        let pose = (self.places[item as usize], self.speeds[item as usize]);
+        let pull = -away * scene.media.acceleration(&of.body, &of.law, pose.0, DVec2::ZERO)[contact.axis];
         let first = 2.0 * speed / pull;
-        let thick = of.hits >= ZENO_HITS && pull > 0.0 && first * f64::from(ZENO_HITS) < left;
-        if !thick || scene.media.rate(&of.body, &of.law, self.speeds[item as usize]) * first > CALM_REACH {
+        let thick = pull > 0.0 && first * f64::from(ZENO_HITS) < left;
+        if !thick || scene.media.rate(&of.body, &of.law, pose, left) * first > CALM_REACH {
             return;
         }
         let (count, time) = if e >= 1.0 {

@@ -1,5 +1,6 @@
 //! What takes part in an island: bodies, and the surfaces near them, each on a path of its own with a time at which it began.
 
+use crate::physics::bath::Regime;
 use crate::physics::flow::{Pose, flow, parabola};
 use crate::physics::impact_time::Cubic;
 use crate::physics::media::{Law, Media};
@@ -132,6 +133,8 @@ pub(in crate::physics) struct Item {
     pub clung: u32,
     /// Whether contacts and accelerations are known with which the tick begins, and after it, those with which the next one does.
     pub known: bool,
+    /// What else pulls at it, m/s², if its contacts were solved for rest.
+    pub held: Option<DVec2>,
     /// Whether something of it changed since the tick's start.
     pub disturbed: bool,
     /// Of a surface: from which sides it is solid, and the speed of its belt.
@@ -165,6 +168,7 @@ impl Item {
             hits: 0,
             clung: 0,
             known,
+            held: None,
             disturbed: false,
             sides: Sides::ALL,
             belt: 0.0,
@@ -217,11 +221,18 @@ impl Item {
     fn slide_on(&self, media: &Media, t: f64) -> Pose {
         let mut pose = (self.body.position, self.body.velocity);
         let Some(slide) = self.slide else { return parabola(pose, self.mean, t) };
-        let reach = media.rate(&self.body, &self.law, self.body.velocity) * t;
+        let reach = media.rate(&self.body, &self.law, pose, t) * t;
         let steps = (reach / RK4_REACH).ceil().clamp(1.0, MOST_STEPS);
         media.spend(WORK_OF_A_STEP * steps as u64);
+        if !self.law.is_near_liquid() {
+            for _ in 0..steps as u32 {
+                pose = rk4(pose, t / steps, |x, v| slide.hold(media.acceleration(&self.body, &self.law, x, v)));
+            }
+            return pose;
+        }
+        let mut regime = Regime::new(media, &self.body, &self.law, pose.0);
         for _ in 0..steps as u32 {
-            pose = rk4(pose, t / steps, |x, v| slide.hold(media.acceleration(&self.body, &self.law, x, v)));
+            pose = rk4(pose, t / steps, |x, v| slide.hold(regime.follow(x).acceleration(x, v)));
         }
         pose
     }
@@ -259,7 +270,7 @@ impl Item {
 }
 
 /// One step of the classical Runge–Kutta method.
-fn rk4((x, v): Pose, h: f64, acceleration: impl Fn(DVec2, DVec2) -> DVec2) -> Pose {
+fn rk4((x, v): Pose, h: f64, mut acceleration: impl FnMut(DVec2, DVec2) -> DVec2) -> Pose {
     let half = 0.5 * h;
     let a1 = acceleration(x, v);
     let v2 = v + a1 * half;

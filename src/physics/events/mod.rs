@@ -22,7 +22,6 @@ mod motions;
 mod predict;
 mod rest;
 
-use super::Plan;
 use super::contact::Contact;
 use super::flow::{Pose, flow};
 use super::guards::Guards;
@@ -31,6 +30,7 @@ use super::reactions::Reactions;
 use super::surface::Surface;
 use super::tuning::SLOP;
 use super::world::State;
+use super::{Aabb, Plan};
 use glam::DVec2;
 pub(super) use impacts::Hit;
 pub(super) use item::{Item, Motion};
@@ -45,7 +45,7 @@ const WORK_OF_A_LOOK: u64 = 2;
 /// As a part of a tick: what happens so near to its end is left to the next one.
 const END: f64 = 1e-12;
 /// What the free flight of a body near zones may use up in a tick.
-const BUDGET_OF_A_FLIGHT: u64 = 6_000;
+pub(super) const BUDGET_OF_A_FLIGHT: u64 = 20_000;
 /// What the flow of a body may, where nothing but a rough answer is needed.
 pub(super) const BUDGET_OF_A_FLOW: u64 = 1_000;
 
@@ -250,6 +250,8 @@ impl Events {
     pub fn fly(&mut self, scene: &Scene) -> Pose {
         self.contacts.clear();
         self.items[0].known = false;
+        // It meets nothing, however far the streams take it.
+        self.items[0].searched = Aabb::around(DVec2::ZERO, DVec2::splat(f64::MAX));
         let outcome = self.advance(scene, BUDGET_OF_A_FLIGHT);
         self.hits.clear();
         let item = &self.items[0];

@@ -27,7 +27,8 @@ const SHORTEST_IN_LIQUID: f64 = 1.0 / 64.0;
 fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
     let (reach, shortest) =
         if item.law.is_near_liquid() { (CUBIC_REACH_IN_LIQUID, SHORTEST_IN_LIQUID) } else { (CUBIC_REACH, SHORTEST) };
-    let rate = scene.media.rate(&item.body, &item.law, item.body.velocity);
+    let pose = (item.body.position, item.body.velocity);
+    let rate = scene.media.rate(&item.body, &item.law, pose, scene.tick - item.since);
     (item.since + (reach / rate).max(scene.tick * shortest)).min(scene.tick)
 }
 
@@ -70,13 +71,7 @@ impl Events {
     /// The law of a body's motion from now on.
     pub(super) fn renew_law(&mut self, scene: &Scene, i: usize) {
         let item = &mut self.items[i];
-        let mut force = item.drive;
-        for &stream in &self.streams {
-            let stream = &scene.media.streams[stream as usize];
-            if zones::feels(&stream.zone, &item.body, (item.body.position, item.body.velocity)) {
-                force += stream.on(&item.body);
-            }
-        }
+        let force = if self.streams.is_empty() { item.drive } else { zones::force_on(scene.media, &item.body, item.drive) };
         item.law = scene.media.law(&item.body, force, scene.tick - self.now);
     }
 

@@ -119,18 +119,23 @@ impl Events {
     /// When an item enters or leaves an air stream.
     fn next_border(&self, scene: &Scene, i: usize, next: &mut Next) {
         let item = &self.items[i];
-        if item.motion == Motion::Still {
+        if item.motion == Motion::Still || self.streams.is_empty() {
             return;
         }
         let end = item.until - self.now;
-        for &stream in &self.streams {
-            let zone = scene.media.streams[stream as usize].zone;
-            if item.swept.touches(&zone, SLOP) {
-                let way = item.way_from(self.now);
-                let inside = zones::feels(&zone, &item.body, item.pose(scene.media, self.now));
-                if let Some(t) = zones::border(&way, item.body.half, &zone, inside, end) {
-                    next.or_earlier(self.now + t, Kind::Border);
-                }
+        let near = scene.media.streams_at(&item.swept);
+        if near.is_empty() {
+            return;
+        }
+        let (way, pose) = (item.way_from(self.now), item.pose(scene.media, self.now));
+        for stream in near.iter() {
+            let zone = &scene.media.streams[stream as usize].zone;
+            if !item.swept.touches(zone, SLOP) {
+                continue;
+            }
+            let inside = zones::feels(zone, &item.body, pose);
+            if let Some(t) = zones::border(&way, item.body.half, zone, inside, end) {
+                next.or_earlier(self.now + t, Kind::Border);
             }
         }
     }

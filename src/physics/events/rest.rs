@@ -1,7 +1,8 @@
 //! An island that rests and goes on resting, although something about it was changed: an engine that pushes against what holds.
 //!
 //! Nothing moves, so nothing meets: if those that were changed still touch what they touched, the forces are solved once, and where they leave
-//! everything at rest that is the whole tick. Otherwise the tick is gone through as any other.
+//! everything at rest that is the whole tick. Otherwise the tick is gone through as any other. What pulls at everything then is noted: while it
+//! stays the same, not even that is done (`super::super::held`).
 
 use super::item::Motion;
 use super::{Events, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
@@ -32,6 +33,22 @@ impl Events {
             self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
             self.solved[i] = self.free[i];
         }
+        if !self.solve_rest() {
+            return false;
+        }
+        self.work = WORK_OF_AN_ITEM * self.items.len() as u64 + WORK_OF_A_CONTACT * self.contacts.len() as u64;
+        for (item, free) in self.items.iter_mut().zip(&self.free) {
+            item.held = Some(*free);
+        }
+        for item in &mut self.items {
+            (item.known, item.since, item.until) = (true, scene.tick, scene.tick);
+            item.motion = Motion::Still;
+        }
+        true
+    }
+
+    /// Solves what the contacts have to carry. Returns whether everything rests then; if not, they are as they were.
+    fn solve_rest(&mut self) -> bool {
         self.trial.clone_from(&self.contacts);
         for contact in &mut self.trial {
             *contact = Contact { slides: 0.0, normal: 0.0, friction: 0.0, closed: true, lasts: true, lossy_hits: 0, ..*contact };
@@ -42,12 +59,7 @@ impl Events {
         if !self.reactions.squeezed.is_empty() || self.solved.iter().any(|a| *a != DVec2::ZERO) {
             return false;
         }
-        self.work = WORK_OF_AN_ITEM * self.items.len() as u64 + WORK_OF_A_CONTACT * self.contacts.len() as u64;
         std::mem::swap(&mut self.contacts, &mut self.trial);
-        for item in &mut self.items {
-            (item.known, item.since, item.until) = (true, scene.tick, scene.tick);
-            item.motion = Motion::Still;
-        }
         true
     }
 

@@ -77,6 +77,8 @@ pub(super) struct Bodies {
     pub was_vx: Vec<f64>,
     pub was_vy: Vec<f64>,
     pub present: Vec<bool>,
+    /// Whether some have come or gone, or been put elsewhere.
+    pub changed_surfaces: bool,
     /// Positions at the end of the step, first predicted, then final (surfaces too).
     pub px: Vec<f64>,
     pub py: Vec<f64>,
@@ -141,6 +143,7 @@ impl Bodies {
             was_vy: all(),
             sides: vec![Sides::ALL; count + surfaces],
             present: vec![true; count + surfaces],
+            changed_surfaces: true,
             px: all(),
             py: all(),
             allowed_left: vec![f64::INFINITY; count],
@@ -230,24 +233,67 @@ impl Bodies {
         (lively + WAYS * wide, lively + self.bounce[i] * high)
     }
 
-    /// Sets the boxes that all sweep from where they are to where they are predicted, and a margin.
-    pub fn sweep(&mut self) {
-        let all = self.x.len();
-        let (x, px, hx) = (&self.x[..all], &self.px[..all], &self.hx[..all]);
-        let (y, py, hy) = (&self.y[..all], &self.py[..all], &self.hy[..all]);
-        let bounce = &self.bounce[..all];
-        for (i, swept) in self.swept[..all].iter_mut().enumerate() {
+    /// Sets the boxes that these bodies sweep from where they are to where they are predicted, and a margin.
+    pub fn sweep(&mut self, slots: &[u32]) {
+        if slots.len() == self.count {
+            return self.sweep_range(0, self.count);
+        }
+        for &i in slots {
+            self.sweep_range(i as usize, i as usize + 1);
+        }
+    }
+
+    /// The same for those of a range.
+    #[inline(always)]
+    pub fn sweep_range(&mut self, from: usize, to: usize) {
+        let (x, px, hx) = (&self.x[from..to], &self.px[from..to], &self.hx[from..to]);
+        let (y, py, hy) = (&self.y[from..to], &self.py[from..to], &self.hy[from..to]);
+        let bounce = &self.bounce[from..to];
+        for (i, swept) in self.swept[from..to].iter_mut().enumerate() {
             let (left, right) = if x[i] < px[i] { (x[i], px[i]) } else { (px[i], x[i]) };
             let (top, bottom) = if y[i] < py[i] { (y[i], py[i]) } else { (py[i], y[i]) };
             let lively = MARGIN + bounce[i] * 0.03;
             let (wide, high) = (hx[i] + lively + WAYS * (right - left), hy[i] + lively + bounce[i] * (bottom - top));
             *swept = [left - wide, right + wide, top - high, bottom + high];
         }
-        for (swept, present) in self.swept[self.count..].iter_mut().zip(&self.present[self.count..]) {
-            if !present {
-                *swept = NOWHERE;
-            }
+    }
+
+    /// The same for surfaces that move; for all, if others have come or gone. Returns whether they have.
+    pub fn sweep_surfaces(&mut self, moving: &[u32]) -> bool {
+        let (n, all) = (self.count, self.x.len());
+        let others = std::mem::replace(&mut self.changed_surfaces, false);
+        if others {
+            (n..all).for_each(|j| self.sweep_surface(j));
+        } else {
+            moving.iter().for_each(|j| self.sweep_surface(n + *j as usize));
         }
+        others
+    }
+
+    fn sweep_surface(&mut self, j: usize) {
+        if self.present[j] {
+            self.sweep_range(j, j + 1);
+        } else {
+            self.swept[j] = NOWHERE;
+        }
+    }
+
+    /// Keeps where free flight has led these bodies.
+    pub fn keep_free_flight(&mut self, slots: &[u32]) {
+        let n = self.count;
+        if slots.len() == n {
+            self.free_x.copy_from_slice(&self.px[..n]);
+            self.free_y.copy_from_slice(&self.py[..n]);
+            return;
+        }
+        for &i in slots {
+            (self.free_x[i as usize], self.free_y[i as usize]) = (self.px[i as usize], self.py[i as usize]);
+        }
+    }
+
+    /// Predicts a body to be where free flight leads it.
+    pub fn fall_freely(&mut self, i: usize) {
+        (self.px[i], self.py[i]) = (self.free_x[i], self.free_y[i]);
     }
 
     /// Whether the predicted centre lies within the body's allowed box.

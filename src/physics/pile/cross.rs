@@ -13,6 +13,7 @@ use super::drag::Resistance;
 use super::friction::{Friction, Grip};
 use super::impacts::Impacts;
 use super::report::{Edge, Report};
+use crate::physics::guards::Guards;
 
 /// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
@@ -84,20 +85,21 @@ pub(super) struct Cross<'a> {
 }
 
 impl Cross<'_> {
-    /// Solves the velocities across gravity. Returns whether friction had to be left out of the merging.
-    pub fn solve(&mut self, bodies: &mut Bodies) -> bool {
+    /// Solves the velocities across gravity; counts where that was cut short.
+    pub fn solve(&mut self, bodies: &mut Bodies, guards: &mut Guards) {
         self.pushes.hits.all.clear();
         self.pushes.resistance.restore(bodies);
         if !self.begin(bodies) && !self.contacts.carried {
             self.friction.rest(self.members);
-            return false;
+            return;
         }
         let settled = self.rub_and_push(bodies);
         let gained = self.gains(bodies);
         if settled && !gained {
-            self.polish(bodies);
-            return false;
+            guards.sweeps_ended += u64::from(!self.polish(bodies));
+            return;
         }
+        guards.friction_left_out += 1;
         if gained {
             self.reset(bodies);
         }
@@ -114,12 +116,12 @@ impl Cross<'_> {
                 }
             }
         }
-        true
     }
 
     /// What is side by side in the end and still closes is parted, in turns with the friction under it, contact by contact: the ways are
-    /// told, but a light body between heavy ones that drag it may have been left with any velocity.
-    fn polish(&mut self, bodies: &mut Bodies) {
+    /// told, but a light body between heavy ones that drag it may have been left with any velocity. Returns
+    /// whether nothing closes any more.
+    fn polish(&mut self, bodies: &mut Bodies) -> bool {
         let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
         let Pushes { parting, .. } = &mut *self.pushes;
         let touches = |bodies: &Bodies, side: &Side| {
@@ -131,8 +133,9 @@ impl Cross<'_> {
             u - v > CLOSING * (u.abs() + v.abs()) + STILL
         };
         if !self.contacts.sides.iter().any(|side| closes(bodies, side) && touches(bodies, side)) {
-            return;
+            return true;
         }
+        let mut settled = false;
         parting.clear();
         let sides = self.contacts.sides.iter().filter(|side| touches(bodies, side));
         parting.extend(sides.map(|side| Edge { a: side.first, b: side.second, impulse: 0.0 }));
@@ -150,13 +153,15 @@ impl Cross<'_> {
                 fastest = fastest.max(bodies.ux[a].abs()).max(bodies.ux[b].abs());
             }
             most = most.max(self.friction.sweep(bodies));
-            if most <= CLOSING * fastest + STILL {
+            settled = most <= CLOSING * fastest + STILL;
+            if settled {
                 break;
             }
         }
         if self.report.on {
             self.report.sides.extend(parting.iter().filter(|edge| edge.impulse > 0.0));
         }
+        settled
     }
 
     /// Whether there is more kinetic energy than before: friction and pushes that answer each other round by round may drive. Moving

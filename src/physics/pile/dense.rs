@@ -122,9 +122,12 @@ impl Dense {
         (self.walls.any, self.impacts.any) = (false, false);
         if size.later {
             self.reach_out(bodies, neighbours, island, size.last);
-            if !self.reach.strangers.is_empty() {
-                return self.grow(bodies, island);
-            }
+        }
+        if !neighbours.carried().is_empty() {
+            self.reach_up(bodies, neighbours, island, size.last);
+        }
+        if !self.reach.strangers.is_empty() {
+            return self.grow(bodies, island);
         }
         self.contacts.find(bodies, island, &self.reach.added, size.dt, false);
         self.anchors.any_hung = false;
@@ -193,9 +196,9 @@ impl Dense {
     fn bounce(&mut self, bodies: &mut Bodies, neighbours: &mut Neighbours, island: Island<'_>, size: StepSize) -> bool {
         let Self { contacts, anchors, impacts, reach, .. } = self;
         let mut around = Around { island, neighbours, reach, last: size.last };
-        let (any, exhausted) = impacts.follow(bodies, (contacts, anchors), &mut around, size);
-        self.followed = any && !exhausted;
-        self.guards.impacts_left += u64::from(exhausted);
+        let any = impacts.follow(bodies, (contacts, anchors), &mut around, size);
+        self.followed = any;
+        self.guards.bounces_put_off += std::mem::take(&mut impacts.waiting);
         if !any {
             return true;
         }
@@ -207,7 +210,7 @@ impl Dense {
         // What is elastic is not solved plastically once its impacts are known: then all are told anew.
         let added = !self.reach.added.is_empty();
         if added || bodies.elastic || !contacts.refresh(bodies, island.members, size.dt, |i| impacts.was_hit(i)) {
-            contacts.find(bodies, island, &self.reach.added, size.dt, !exhausted);
+            contacts.find(bodies, island, &self.reach.added, size.dt, true);
         }
         true
     }
@@ -221,10 +224,10 @@ impl Dense {
     }
 
     fn solve_across(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
-        let Self { contacts, friction, clusters, pushes, impacts, report, hasty, .. } = self;
+        let Self { contacts, friction, clusters, pushes, impacts, report, guards, hasty, .. } = self;
         let (impacts, hasty) = (&*impacts, *hasty);
         let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, impacts, report, dt, hasty };
-        self.guards.friction_left_out += u64::from(cross.solve(bodies));
+        cross.solve(bodies, guards);
     }
 
     /// Adds the plastic impacts to those that bounced, with the closing speed when touching.
@@ -321,6 +324,21 @@ impl Dense {
             }
         }
         self.reach.added.len() > known
+    }
+
+    /// What lands on something that a surface lifts goes up with it, further than its own flight says: widens what it sweeps by as much.
+    fn reach_up(&mut self, bodies: &mut Bodies, neighbours: &mut Neighbours, island: Island<'_>, last: bool) {
+        let near = island.members.iter().flat_map(|i| island.near(*i)).filter(|j| **j as usize >= bodies.len());
+        let rise = near.map(|j| bodies.y[*j as usize] - bodies.py[*j as usize]).fold(0.0, f64::max);
+        for &i in island.members.iter().filter(|_| rise > 0.0) {
+            let i = i as usize;
+            let predicted = bodies.py[i];
+            bodies.py[i] = predicted.min(bodies.y[i] - rise);
+            if !bodies.is_swept(i) {
+                self.reach.widen(bodies, neighbours, island, i, last);
+            }
+            bodies.py[i] = predicted;
+        }
     }
 
     /// The last word on energy: an island that is merged and parted in a wild way may end higher than its velocities allow for; then what

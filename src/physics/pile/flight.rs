@@ -14,9 +14,11 @@ use glam::DVec2;
 /// Bodies that are computed together. More: their arrays leave the fastest cache; fewer: the loops are too short.
 const BLOCK: usize = 128;
 
-/// Fills the free velocities and the predicted positions of a step of `dt` seconds.
-pub(super) fn fly(bodies: &mut Bodies, dt: f64, drag: bool) {
-    if drag {
+/// Fills the free velocities and the predicted positions of these bodies for a step of `dt` seconds.
+pub(super) fn fly(bodies: &mut Bodies, slots: &[u32], dt: f64, drag: bool) {
+    if slots.len() < bodies.len() {
+        slots.iter().for_each(|i| fly_one(bodies, *i as usize, dt, drag));
+    } else if drag {
         fly_through_air(bodies, dt);
     } else {
         fly_on_parabolas(bodies, dt);
@@ -129,7 +131,6 @@ impl Block {
     }
 }
 
-/// A step of one body, in as many parts as it takes.
 /// The flight of one body: what [`fly`] comes to for it.
 pub(super) fn fly_one(bodies: &mut Bodies, i: usize, dt: f64, drag: bool) {
     if drag {
@@ -144,7 +145,7 @@ fn fly_alone(bodies: &mut Bodies, i: usize, dt: f64) {
     let a = DVec2::new(bodies.ax[i], bodies.ay[i]);
     let drag = Drag { tall: bodies.drag_tall[i], wide: bodies.drag_wide[i], round: bodies.drag_round[i] };
     let pose = (DVec2::new(bodies.x[i], bodies.y[i]), DVec2::new(bodies.vx[i], bodies.vy[i]));
-    let ((x, v), _) = air::in_parts(pose, a, &drag, dt);
+    let (x, v) = air::fly_through(pose, a, &drag, dt);
     (bodies.px[i], bodies.py[i]) = x.into();
     (bodies.free_vx[i], bodies.free_vy[i]) = v.into();
 }

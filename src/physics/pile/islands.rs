@@ -11,6 +11,9 @@ use std::cmp::Ordering;
 /// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
 const MOST_MOVES: usize = 8;
 
+/// Boxes that are compared at once.
+const BLOCK: usize = 32;
+
 /// No island yet.
 const NONE: u32 = u32::MAX;
 
@@ -67,6 +70,8 @@ pub(super) struct Islands {
     swept: Vec<[f64; 4]>,
     revision: u64,
     same_order: bool,
+    /// Whether others are looked at than when they were brought into order.
+    others_in_it: bool,
 }
 
 impl Islands {
@@ -87,13 +92,44 @@ impl Islands {
             swept: Vec::new(),
             revision: 0,
             same_order: false,
+            others_in_it: false,
         }
     }
 
-    /// Bodies were renumbered: begins with their new order.
+    /// Bodies were renumbered, and all are looked at: begins with their new order.
     pub fn renumbered(&mut self) {
-        self.order.iter_mut().enumerate().for_each(|(i, slot)| *slot = i as u32);
+        self.order.clear();
+        self.order.extend(0..self.place.len() as u32);
         self.revision = 0;
+        self.others_in_it = false;
+    }
+
+    /// Something else than the bodies has changed: the islands have to be found anew.
+    pub fn forget(&mut self) {
+        self.revision = 0;
+    }
+
+    /// Chooses whose islands are found: those of these slots, who meet nobody else.
+    pub fn look_at(&mut self, slots: &[u32]) {
+        if slots.len() == self.place.len() && self.order.len() == slots.len() {
+            return;
+        }
+        self.spare.clear();
+        self.spare.extend_from_slice(&self.order);
+        self.spare.sort_unstable();
+        if self.spare == slots {
+            return;
+        }
+        self.others_in_it = true;
+        // What is left out is of no island.
+        self.order.iter().for_each(|i| self.parent[*i as usize] = *i);
+        self.order.clear();
+        self.order.extend_from_slice(slots);
+    }
+
+    /// Whether they have to be brought into order again, because others are looked at.
+    pub fn are_others(&self) -> bool {
+        self.others_in_it
     }
 
     /// The number of islands.
@@ -110,10 +146,11 @@ impl Islands {
 
     /// Brings the bodies into their order, once a step.
     pub fn sort(&mut self, bodies: &Bodies) {
-        self.same_order = self.put_in_order(bodies) == 0;
+        self.same_order = self.put_in_order(bodies) == 0 && !self.others_in_it;
         if self.same_order && self.revision != 0 {
             return;
         }
+        self.others_in_it = false;
         for (k, i) in self.order.iter().enumerate() {
             self.place[*i as usize] = k as u32;
         }
@@ -121,16 +158,36 @@ impl Islands {
 
     /// Finds the islands of all bodies, from the boxes that they sweep.
     pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
-        if self.same_order && neighbours.is_as_in(self.revision) && self.swept == bodies.swept {
+        if self.same_order && neighbours.is_as_in(self.revision) && self.sweep_the_same(bodies) {
             return;
         }
         self.revision = neighbours.revision;
-        self.swept.clone_from(&bodies.swept);
+        self.swept.clear();
+        if self.order.len() == bodies.len() {
+            self.swept.extend_from_slice(&bodies.swept[..bodies.len()]);
+        } else {
+            self.swept.extend(self.order.iter().map(|i| bodies.swept[*i as usize]));
+        }
         self.join(bodies, neighbours);
         if !self.turned.is_empty() {
             self.turn();
         }
         self.gather();
+    }
+
+    /// Whether all that are looked at sweep what they did when islands were found last.
+    fn sweep_the_same(&self, bodies: &Bodies) -> bool {
+        let Self { order, swept, .. } = self;
+        // Block by block without a branch inside: vector code.
+        let differ = |a: &[f64; 4], b: &[f64; 4]| (0..4).fold(0, |bits, k| bits | (a[k].to_bits() ^ b[k].to_bits()));
+        let alike = |(a, b): (&[[f64; 4]], &[[f64; 4]])| a.iter().zip(b).fold(0, |bits, (a, b)| bits | differ(a, b)) == 0;
+        if swept.len() != order.len() {
+            return false;
+        }
+        if order.len() == bodies.len() {
+            return bodies.swept[..order.len()].chunks(BLOCK).zip(swept.chunks(BLOCK)).all(alike);
+        }
+        order.iter().zip(swept).all(|(i, swept)| differ(&bodies.swept[*i as usize], swept) == 0)
     }
 
     /// Bottom-up, equal heights by the numbers outside. Returns how many moves it took.
@@ -166,7 +223,7 @@ impl Islands {
     fn join(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
         let Self { order, place, parent, ranges, others, turned, later, .. } = self;
         let n = bodies.len();
-        parent.iter_mut().enumerate().for_each(|(i, parent)| *parent = i as u32);
+        order.iter().for_each(|i| parent[*i as usize] = *i);
         others.clear();
         turned.clear();
         for (k, &i) in order.iter().enumerate() {
@@ -204,9 +261,8 @@ impl Islands {
             parent[i as usize] = root as u32;
             ranges[i as usize] = (from as u32, others.len() as u32);
         }
-        // Parents have lower numbers: one pass makes every parent a root.
-        for i in 0..n {
-            parent[i] = parent[parent[i] as usize];
+        for &i in &*order {
+            parent[i as usize] = first(parent, i as usize) as u32;
         }
     }
 
@@ -234,7 +290,8 @@ impl Islands {
         let Self { order, parent, members, begins, island_of_root, .. } = self;
         begins.clear();
         begins.push(0);
-        island_of_root.fill(NONE);
+        order.iter().for_each(|i| island_of_root[parent[*i as usize] as usize] = NONE);
+        members.resize(order.len(), 0);
         // Neighbours in the order are mostly of one island: counted run by run.
         let (mut last, mut run) = (usize::MAX, 0);
         for &i in &*order {

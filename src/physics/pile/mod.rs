@@ -213,11 +213,17 @@ impl Pile {
     pub(in crate::physics) fn place_surface(&mut self, surface: usize, centre: DVec2) {
         let j = self.bodies.len() + surface;
         (self.bodies.x[j], self.bodies.y[j]) = (centre.x, centre.y * self.down);
+        self.bodies.changed_surfaces = true;
     }
 
     /// Lets a body, and what is in its island, be looked at again.
     pub(in crate::physics) fn wake(&mut self, body: usize) {
         self.driver.wake(body);
+    }
+
+    /// Whom the last step looked at, and who has been woken since; all others sleep.
+    pub(in crate::physics) fn looked_at(&self) -> &[u32] {
+        self.driver.looked_at()
     }
 
     /// The contacts of the last step that were listed.
@@ -263,6 +269,7 @@ impl Pile {
         let j = self.bodies.len() + surface;
         if self.bodies.present[j] != present {
             self.bodies.present[j] = present;
+            self.bodies.changed_surfaces = true;
             self.driver.wake_all();
         }
     }

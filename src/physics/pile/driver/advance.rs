@@ -8,7 +8,7 @@ use glam::DVec2;
 
 /// Who may advance an island before the dense method does.
 pub(in crate::physics) trait Advance {
-    /// Whether a body that is near nothing has to be advanced all the same: flight alone does not say where it gets.
+    /// Whether a body that is near nothing has to be advanced all the same: it stands still, and may fall asleep.
     fn minds(&self, body: usize) -> bool;
 
     /// Takes an island, or leaves it. `round` is how often it has grown in this step.
@@ -79,6 +79,11 @@ impl Store<'_> {
         let i = self.bodies.slot[body as usize] as usize;
         (self.bodies.px[i], self.bodies.py[i]) = (position.x, position.y * self.down);
         (self.bodies.ux[i], self.bodies.uy[i]) = (velocity.x, velocity.y * self.down);
+    }
+
+    /// Leaves all bodies at rest where they are.
+    pub fn stay(&mut self) {
+        self.island.members.iter().for_each(|slot| self.bodies.stay(*slot as usize));
     }
 
     /// Says where a body that was brought to a later time of the step would be at its end, m, and how fast, m/s, if it touched nothing,

@@ -2,11 +2,11 @@
 
 mod advance;
 mod later;
+mod look;
 mod sleep;
 
 use super::bodies::Bodies;
 use super::dense::{Outcome, StepSize};
-use super::flight;
 use super::impacts::Impacts;
 use super::islands::Island;
 use super::{ContactImpulse, Other, Pile, PileImpact, Squeeze};
@@ -41,6 +41,12 @@ pub(super) struct Driver {
     sleepers: usize,
     /// Who fell asleep in this step.
     fresh: Vec<u32>,
+    /// Whom a step looks at, by the numbers outside, and as slots; the others are `aside` (see `sleep`).
+    looked_at: Vec<u32>,
+    slots: Vec<u32>,
+    aside: Vec<bool>,
+    /// Whose islands the last step has left asleep.
+    undisturbed: Vec<bool>,
     /// By slot: how often its island has grown in this step.
     growths: Vec<u32>,
     /// By slot: whether the island has to be solved again.
@@ -54,12 +60,20 @@ pub(super) struct Driver {
 
 impl Driver {
     pub fn new(count: usize) -> Self {
-        Self { asleep: vec![false; count], again: vec![false; count], ..Self::with_room(count) }
+        let no = || vec![false; count];
+        let looked_at = (0..count as u32).collect();
+        Self { asleep: no(), again: no(), aside: no(), undisturbed: no(), looked_at, ..Self::with_room(count) }
     }
 
     fn with_room(count: usize) -> Self {
         let room = || Vec::with_capacity(count);
-        Self { events: Vec::with_capacity(count), fresh: room(), growths: room(), ..Self::default() }
+        Self {
+            events: Vec::with_capacity(count),
+            fresh: room(),
+            growths: room(),
+            slots: Vec::with_capacity(2 * count),
+            ..Self::default()
+        }
     }
 
     /// How often an island has grown in this step, or those of which it is made now. It depends on no other island.
@@ -95,6 +109,7 @@ impl Pile {
         let moving = !self.driver.targets.is_empty()
             || self.driver.moving.iter().any(|j| self.bodies.carries(self.bodies.len() + *j as usize));
         if !self.driver.all_asleep() || moving {
+            self.look_at(dt);
             self.last_dt = dt;
             let asleep = &self.driver.asleep;
             self.dense.report.list.retain(|contact| asleep[contact.a]);
@@ -156,59 +171,33 @@ impl Pile {
     }
 
     fn solve_all_again<A: Advance>(&mut self, dt: f64, other: &mut A) {
-        let n = self.bodies.len();
-        self.driver.put_back_moved(&mut self.bodies, |_| true);
-        self.bodies.px[..n].copy_from_slice(&self.bodies.free_x);
-        self.bodies.py[..n].copy_from_slice(&self.bodies.free_y);
-        self.driver.events.clear();
-        let Self { dense, driver, .. } = self;
+        let Self { dense, driver, bodies, .. } = self;
+        driver.put_back_moved(bodies, |_| true);
+        driver.events.clear();
         driver.wake_fresh();
         dense.report.list.retain(|contact| driver.asleep[contact.a]);
         // As wide as at first: how far others had to be looked for in between is no concern of theirs.
-        self.bodies.sweep();
+        for &i in &driver.slots {
+            let i = i as usize;
+            (bodies.px[i], bodies.py[i]) = (bodies.free_x[i], bodies.free_y[i]);
+            other.forget(bodies.id[i] as usize);
+        }
+        bodies.sweep(&driver.slots);
+        bodies.sweep_surfaces(&driver.moving);
         self.look_at_surfaces();
-        (0..n).for_each(|body| other.forget(body));
         self.solve_islands(dt, other);
-    }
-
-    fn fly(&mut self, dt: f64) {
-        let Self { bodies, neighbours, islands, .. } = self;
-        neighbours.drift(bodies, dt);
-        flight::fly(bodies, dt, self.drag);
-        bodies.sweep();
-        // The boxes in which neighbours were sought are made for many bodies together; what an island comes to must not depend on them.
-        if neighbours.update(bodies, dt) {
-            islands.renumbered();
-        }
-        let n = bodies.len();
-        bodies.free_x.copy_from_slice(&bodies.px[..n]);
-        bodies.free_y.copy_from_slice(&bodies.py[..n]);
-        self.look_at_surfaces();
-    }
-
-    /// Sets what surfaces that move sweep in this step, and finds whom they may meet there.
-    fn look_at_surfaces(&mut self) {
-        let Self { bodies, neighbours, driver, .. } = self;
-        let n = bodies.len();
-        for &(surface, [left, right, top, bottom]) in &driver.ways {
-            let s = &mut bodies.swept[n + surface as usize];
-            *s = [s[0].min(left), s[1].max(right), s[2].min(top), s[3].max(bottom)];
-        }
-        neighbours.find_moving(bodies, &driver.moving);
     }
 
     fn solve_islands<A: Advance>(&mut self, dt: f64, other: &mut A) {
         self.driver.moved.clear();
         let n = self.bodies.len();
-        if self.neighbours.is_empty() && !(0..n).any(|body| other.minds(body)) {
-            let bodies = &mut self.bodies;
-            bodies.ux[..n].copy_from_slice(&bodies.free_vx[..n]);
-            bodies.uy[..n].copy_from_slice(&bodies.free_vy[..n]);
-            if self.driver.sleepers > 0 {
-                for i in 0..n {
-                    if self.driver.asleep[bodies.id[i] as usize] {
-                        bodies.stay(i);
-                    }
+        if self.neighbours.is_empty() && !self.driver.looked_at.iter().any(|body| other.minds(*body as usize)) {
+            let Self { bodies, driver, .. } = self;
+            for &i in &driver.slots {
+                let i = i as usize;
+                (bodies.ux[i], bodies.uy[i]) = (bodies.free_vx[i], bodies.free_vy[i]);
+                if driver.sleepers > 0 && driver.asleep[bodies.id[i] as usize] {
+                    bodies.stay(i);
                 }
             }
             return;
@@ -283,8 +272,21 @@ impl Pile {
             }
             dense.grown.iter().for_each(|i| driver.again[*i as usize] = true);
             neighbours.follow(bodies, &dense.grown);
-            neighbours.find_moving(bodies, &driver.moving);
-            dense.grown.clear();
+            if !driver.looks_at_all() {
+                // Whom they reach now is found from them alone: they are put behind all others once more.
+                let from = driver.slots.len();
+                driver.slots.extend_from_slice(&dense.grown);
+                dense.grown.clear();
+                self.rouse_reached(from);
+                self.driver.slots.sort_unstable();
+                self.driver.slots.dedup();
+                self.islands.look_at(&self.driver.slots);
+            }
+            self.dense.grown.clear();
+            self.look_at_moving();
+            if self.islands.are_others() {
+                self.islands.sort(&self.bodies);
+            }
         }
     }
 }

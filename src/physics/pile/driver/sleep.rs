@@ -1,17 +1,70 @@
 //! Who sleeps: islands that a step left as they were, until something outside changes or something else comes near.
+//!
+//! What has slept through a whole step is set aside: flight, the search for neighbours and islands leave it out until something wakes it, or
+//! until the boxes that others sweep reach its own (`rouse`). All that a step would find out about it anew, it would find as it was: its box
+//! in `Bodies::swept` and its free flight stay those of the step before. So it costs nothing, and changes no bit.
 
 use super::super::bodies::Bodies;
 use super::super::islands::Island;
 use super::{ContactImpulse, Driver};
 
+/// Nobody is set aside while more than this part of the bodies has to be looked at: who is near them is looked up one by one then.
+const MOST_LOOKED_AT: f64 = 0.25;
+
 impl Driver {
     pub fn wake(&mut self, body: usize) {
         self.sleepers -= usize::from(std::mem::replace(&mut self.asleep[body], false));
+        self.rouse(body);
     }
 
     pub fn wake_all(&mut self) {
         self.asleep.fill(false);
         self.sleepers = 0;
+        self.rouse_all();
+    }
+
+    /// Counts a body to those that a step looks at, asleep or not. Returns whether that is new.
+    pub(super) fn rouse(&mut self, body: usize) -> bool {
+        self.undisturbed[body] = false;
+        let aside = std::mem::replace(&mut self.aside[body], false);
+        if aside {
+            self.looked_at.push(body as u32);
+        }
+        aside
+    }
+
+    /// The same for all.
+    pub(super) fn rouse_all(&mut self) {
+        self.undisturbed.fill(false);
+        if self.looked_at.len() < self.aside.len() {
+            self.aside.fill(false);
+            self.looked_at.clear();
+            self.looked_at.extend(0..self.aside.len() as u32);
+        }
+    }
+
+    /// Whom a step looks at, by the numbers outside.
+    pub fn looked_at(&self) -> &[u32] {
+        &self.looked_at
+    }
+
+    /// Whether a step looks at all bodies.
+    pub fn looks_at_all(&self) -> bool {
+        self.looked_at.len() == self.aside.len()
+    }
+
+    /// Sets those aside that slept through the step before, if that leaves few enough to be worth it.
+    pub(super) fn set_aside(&mut self) {
+        let Self { looked_at, undisturbed, aside, asleep, .. } = self;
+        let sleeps = |body: u32| asleep[body as usize] && undisturbed[body as usize];
+        let left = looked_at.iter().filter(|body| !sleeps(**body)).count();
+        if left as f64 > MOST_LOOKED_AT * aside.len() as f64 {
+            return self.rouse_all();
+        }
+        looked_at.retain(|&body| {
+            aside[body as usize] = sleeps(body);
+            !aside[body as usize]
+        });
     }
 
     pub fn all_asleep(&self) -> bool {
@@ -24,6 +77,7 @@ impl Driver {
 
     pub(super) fn fall_asleep(&mut self, body: usize) {
         if !std::mem::replace(&mut self.asleep[body], true) {
+            self.undisturbed[body] = false;
             self.sleepers += 1;
             self.fresh.push(body as u32);
         }
@@ -54,7 +108,10 @@ impl Driver {
         if island.members.iter().any(|i| island.near(*i).iter().any(|j| carries(*j))) {
             return false;
         }
-        island.members.iter().for_each(|i| bodies.stay(*i as usize));
+        for &i in island.members {
+            bodies.stay(i as usize);
+            self.undisturbed[bodies.id[i as usize] as usize] = true;
+        }
         true
     }
 

@@ -30,6 +30,11 @@ impl Impacts {
             return;
         }
         self.pairs[due.pair as usize].hits += 1;
+        for i in [a, b] {
+            if i < n {
+                self.hits[i] += 1;
+            }
+        }
         let (until, leaves) = self.pass_over(due, restitution, share_a == 0.0 || share_b == 0.0);
         // Relative velocity after, and what it takes.
         let change = speed + leaves;
@@ -91,7 +96,7 @@ impl Impacts {
     }
 
     /// Adds the pairs of a body that was thrown further than contacts were looked for.
-    fn widen(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize) {
+    pub(super) fn widen(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize) {
         around.reach.widen(bodies, around.neighbours, around.island, i, around.last);
         for &(a, b) in &around.reach.new {
             self.add(bodies, a, b);

@@ -7,7 +7,11 @@
 //! What rests on the ground is ground for what falls on it.
 //!
 //! On something immovable the bounces of e < 1 have a sum: once all of them end within the step, the body stays; where many would come,
-//! as many whole ones as fit are passed over in closed form. What is left after [`Impacts::budget`] impacts is left to the plastic solution.
+//! as many whole ones as fit are passed over in closed form.
+//!
+//! All of it is counted. Once half of an island's budget is used up, who has bounced often *waits* instead of bouncing again: it stays where
+//! it is until the step ends and keeps its velocity, and so does who comes upon it. Once all of it is used up, everybody who is to bounce
+//! does. Waiting takes no momentum and no energy, and nothing gets into anything; what it takes is time, from those alone, and it is counted.
 
 mod bounce;
 mod course;
@@ -29,6 +33,16 @@ const SLOWEST: f64 = 1e-9;
 /// A pair of e < 1 that has bounced so often in one step is left to the plastic solution: such series have a sum. Fewer: bounces end
 /// early; more: inelastic collapse costs the whole budget.
 const RATTLE: u32 = 12;
+/// What the impacts of an island may take in a step, and what each of its bodies adds, in units of work. Larger: a hot gas costs more; smaller:
+/// bodies wait where fewer impacts fall into one step.
+const BUDGET: u64 = 20_000;
+const BUDGET_OF_A_BODY: u64 = 300;
+/// Once half of the budget is used up, who has been hit so often waits. Fewer: what is hit seldom loses time; more: what is hit often takes
+/// the other half too.
+const OFTEN: u32 = 4;
+/// Units of work, about a nanosecond each: looking when a pair touches, and an impact without that.
+const WORK_OF_A_LOOK: u64 = 8;
+const WORK_OF_AN_IMPACT: u64 = 150;
 
 /// The direction of a contact's normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,6 +98,14 @@ pub(super) struct Impacts {
     /// By slot: whether a body or surface stands still if it is not hit; and how many pairs were skipped because both do.
     still: Vec<bool>,
     skipped: usize,
+    /// By slot: how often a body has been hit in this step, and whether it waits for its end; and how many do.
+    hits: Vec<u32>,
+    waits: Vec<bool>,
+    pub waiting: u64,
+    /// What impacts have taken since the start, in units of work.
+    pub work: u64,
+    /// What they may take in this step.
+    allowed: u64,
     /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
     chain: Vec<u32>,
     next: Vec<u32>,
@@ -107,6 +129,8 @@ impl Impacts {
             hit_in: vec![0; count],
             pairs: Vec::with_capacity(4 * count),
             still: vec![false; all],
+            hits: vec![0; count],
+            waits: vec![false; count],
             chain: vec![NONE; all],
             next: Vec::with_capacity(8 * count),
             courses: [vec![Course::default(); all], vec![Course::default(); all]],
@@ -116,14 +140,14 @@ impl Impacts {
     }
 
     /// Follows the impacts of an island; sets predicted positions and free velocities to what they leave. Returns whether any were looked
-    /// for, and whether the budget ran out.
+    /// for.
     pub fn follow(
         &mut self,
         bodies: &mut Bodies,
         (contacts, anchors): (&Contacts, &Anchors),
         around: &mut Around<'_>,
         size: StepSize,
-    ) -> (bool, bool) {
+    ) -> bool {
         (self.dt, self.rest_speed) = (size.dt, size.rest_speed);
         let island = around.island;
         (self.touch, self.hair) = (contacts.tolerances.touch, contacts.tolerances.hair);
@@ -133,7 +157,7 @@ impl Impacts {
             self.struck[i as usize] = 0.0;
         }
         if !bodies.lively || !self.any_due(bodies, island, contacts) {
-            return (false, false);
+            return false;
         }
         self.gather(bodies, island, anchors);
         for &(a, b) in &around.reach.added {
@@ -143,23 +167,18 @@ impl Impacts {
         for pair in 0..self.pairs.len() {
             self.look(bodies, pair, 0.0);
         }
-        let (mut left, mut exhausted) = (self.budget(), false);
+        self.allowed = BUDGET + BUDGET_OF_A_BODY * island.members.len() as u64;
+        let most = self.work + self.allowed;
         while let Some(due) = self.due.pop() {
-            if self.pairs[due.pair as usize].version != due.version {
-                continue;
+            if self.pairs[due.pair as usize].version == due.version {
+                self.go_on(bodies, anchors, around, (due, most));
             }
-            if left == 0 {
-                exhausted = true;
-                break;
-            }
-            left -= 1;
-            self.bounce(bodies, anchors, around, due);
         }
         self.any = true;
         for &i in island.members {
             self.predicted[i as usize] = [bodies.px[i as usize], bodies.py[i as usize]];
         }
-        (true, exhausted)
+        true
     }
 
     /// Where a body is predicted, after impacts.
@@ -180,7 +199,11 @@ impl Impacts {
 
     /// How fast a body was across when the step began, or would have been to have now what impacts gave it, m/s.
     pub fn began_across(&self, bodies: &Bodies, i: usize) -> f64 {
-        if self.any && self.was_hit(i) { self.courses[0][i].velocity } else { bodies.vx[i] }
+        match self.any && self.was_hit(i) {
+            true if self.waits[i] => bodies.free_vx[i],
+            true => self.courses[0][i].velocity,
+            false => bodies.vx[i],
+        }
     }
 
     /// Whether a body was hit when impacts were followed last.
@@ -197,9 +220,48 @@ impl Impacts {
         }
     }
 
-    /// How many impacts one island may have in one step.
-    fn budget(&self) -> usize {
-        64 + 8 * (self.pairs.len() + self.skipped)
+    /// What becomes of a pair that touches: it bounces, or one of the two waits. `most` is how far the work may go.
+    fn go_on(&mut self, bodies: &mut Bodies, anchors: &Anchors, around: &mut Around<'_>, (due, most): (Due, u64)) {
+        let Pair { a, b, .. } = self.pairs[due.pair as usize];
+        let (a, b, n) = (a as usize, b as usize, bodies.len());
+        let left = most.saturating_sub(self.work);
+        if self.waits[a] && b >= n {
+            // What moves comes upon what waits: it is hit once more.
+            if left == 0 {
+                return;
+            }
+            self.waits[a] = false;
+        } else if self.waits[a] {
+            return self.put_off(bodies, around, b, due.time);
+        } else if b < n && self.waits[b] {
+            return self.put_off(bodies, around, a, due.time);
+        } else {
+            let hits = |i: usize| self.hits[i];
+            let first = b >= n || (hits(a), bodies.mass[b]) >= (hits(b), bodies.mass[a]);
+            let busier = if first { a } else { b };
+            if left == 0 || (2 * left < self.allowed && hits(busier) >= OFTEN) {
+                return self.put_off(bodies, around, busier, due.time);
+            }
+        }
+        self.work += WORK_OF_AN_IMPACT;
+        self.bounce(bodies, anchors, around, due);
+    }
+
+    /// From `time` on, body i stays where it is until the step ends, with the velocity that it has.
+    fn put_off(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize, time: f64) {
+        self.waiting += 1;
+        self.waits[i] = true;
+        self.hit_in[i] = self.follow_ups;
+        for (axis, course) in self.courses.iter_mut().map(|courses| &mut courses[i]).enumerate() {
+            let (p, free) = if axis == 0 { (&mut bodies.px, &mut bodies.free_vx) } else { (&mut bodies.py, &mut bodies.free_vy) };
+            p[i] = course.place(time);
+            free[i] += course.speed(time) - course.speed(self.dt);
+            *course = Course { at: p[i], velocity: 0.0, pull: 0.0 };
+        }
+        if !bodies.is_swept(i) {
+            self.widen(bodies, around, i);
+        }
+        self.look_again(bodies, i, time);
     }
 
     /// A quick test whether any pair that bounces closes.
@@ -234,6 +296,7 @@ impl Impacts {
         for &i in island.members {
             let i = i as usize;
             self.chain[i] = NONE;
+            (self.hits[i], self.waits[i]) = (0, false);
             self.saved[i] = [bodies.free_vx[i], bodies.free_vy[i]];
             let pull = |free: f64, v: f64| (free - v) * per_second;
             self.courses[0][i] = Course { at: bodies.x[i], velocity: bodies.vx[i], pull: pull(bodies.free_vx[i], bodies.vx[i]) };
@@ -301,23 +364,33 @@ impl Impacts {
         if restitution < 1.0 && hits >= RATTLE {
             return;
         }
+        self.work += WORK_OF_A_LOOK;
         let (a, b) = (a as usize, b as usize);
-        let alike = |of: &[Course]| (of[a].velocity == of[b].velocity) & (of[a].pull == of[b].pull);
-        if alike(&self.courses[0]) && alike(&self.courses[1]) {
+        let left = self.dt - now;
+        let reach = [bodies.hx[a] + bodies.hx[b], bodies.hy[a] + bodies.hy[b]];
+        let mut motion = [[0.0; 3]; 2];
+        for (axis, motion) in motion.iter_mut().enumerate() {
+            let (of_a, of_b) = (&self.courses[axis][a], &self.courses[axis][b]);
+            let (apart, velocity, pull) =
+                (of_b.place(now) - of_a.place(now), of_a.speed(now) - of_b.speed(now), of_a.pull - of_b.pull);
+            // Too far to touch in what is left, whatever the signs.
+            if apart.abs() - reach[axis] > (velocity.abs() + 0.5 * pull.abs() * left) * left + self.touch {
+                return;
+            }
+            *motion = [apart, velocity, pull];
+        }
+        if motion.iter().all(|[_, velocity, pull]| *velocity == 0.0 && *pull == 0.0) {
             return;
         }
-        let reach = [bodies.hx[a] + bodies.hx[b], bodies.hy[a] + bodies.hy[b]];
         let mut best: Option<Due> = None;
         for axis in 0..2 {
-            let (of_a, of_b) = (&self.courses[axis][a], &self.courses[axis][b]);
-            let d = of_b.place(now) - of_a.place(now);
-            let side = if d < 0.0 { -1.0 } else { 1.0 };
-            let gap = d * side - reach[axis];
+            let [apart, velocity, pull] = motion[axis];
+            let side = if apart < 0.0 { -1.0 } else { 1.0 };
+            let gap = apart * side - reach[axis];
             if gap < -self.touch {
                 continue;
             }
-            let closing = (of_a.speed(now) - of_b.speed(now)) * side;
-            let pull = (of_a.pull - of_b.pull) * side;
+            let (closing, pull) = (velocity * side, pull * side);
             let Some((after, speed)) = time_of_impact(if gap > self.hair { gap } else { 0.0 }, closing, pull) else { continue };
             let time = now + after;
             let ends = restitution < 1.0 && restitution * speed < self.rest_speed;

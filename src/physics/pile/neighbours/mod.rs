@@ -38,9 +38,10 @@ pub(super) struct Neighbours {
     /// Neighbours added since: the first of body i is `more[first[i]]`, each knows the next.
     pub first: Vec<u32>,
     pub more: Vec<More>,
-    /// The same for moving surfaces, found anew in every step.
+    /// The same for moving surfaces, found anew in every step; and whom those that move now may meet.
     moving: Vec<More>,
     first_moving: Vec<u32>,
+    carried: Vec<u32>,
     left: usize,
     /// Counts changes of the pairs, from 1 on.
     pub revision: u64,
@@ -132,6 +133,7 @@ impl Neighbours {
     /// Finds who may touch surfaces that move, by the boxes that all sweep in this step.
     pub fn find_moving(&mut self, bodies: &Bodies, surfaces: &[u32]) {
         self.moving.clear();
+        self.carried.clear();
         if surfaces.is_empty() {
             return;
         }
@@ -139,13 +141,27 @@ impl Neighbours {
         self.first_moving.fill(NONE);
         for &j in surfaces {
             let mine = bodies.swept[n + j as usize];
+            let carries = bodies.carries(n + j as usize);
             for i in 0..n {
                 if overlap(&mine, &bodies.swept[i]) {
+                    if carries {
+                        self.carried.push(i as u32);
+                    }
                     self.moving.push(More { with: n as u32 + j, next: self.first_moving[i] });
                     self.first_moving[i] = self.moving.len() as u32 - 1;
                 }
             }
         }
+    }
+
+    /// Whom surfaces may meet that move, some more than once.
+    pub fn carried(&self) -> &[u32] {
+        &self.carried
+    }
+
+    /// Whether the boxes in which neighbours were sought stay where they are.
+    pub fn stand(&self) -> bool {
+        !self.surface_edges.is_empty()
     }
 
     /// Lets bodies into all of what they sweep, without numbering anything anew.
@@ -163,24 +179,27 @@ impl Neighbours {
         }
     }
 
-    /// Makes sure that all pairs that can touch on what is swept now are known. Returns whether the bodies were renumbered.
-    pub fn update(&mut self, bodies: &mut Bodies, dt: f64) -> bool {
+    /// Makes sure that all pairs that these bodies can touch on what they sweep now are known. Returns false where all have to be sought anew.
+    pub fn update(&mut self, bodies: &mut Bodies, slots: &[u32], dt: f64) -> bool {
         let n = bodies.len();
         let mut beyond = std::mem::take(&mut self.beyond);
         beyond.clear();
-        beyond.extend((0..n).filter(|&i| !bodies.sweeps_where_neighbours_are(i)).map(|i| i as u32));
-        self.left += beyond.len();
-        let all = self.left > (n as f64 * LEFT) as usize || self.edges.len() != n;
-        if all {
-            self.search(bodies, dt);
-        } else {
+        for &i in slots {
+            if !bodies.sweeps_where_neighbours_are(i as usize) {
+                beyond.push(i);
+            }
+        }
+        // What leaves its box again and again is found one by one: only the pairs that it leaves behind make all slower.
+        self.left += beyond.iter().filter(|i| !self.is_large[**i as usize]).count();
+        let few = self.left <= (n as f64 * LEFT) as usize && self.more.len() <= n && self.edges.len() == n;
+        if few {
             for &i in &beyond {
                 let mine = self.allow(bodies, i as usize, dt);
                 self.add(bodies, i as usize, mine);
             }
         }
         self.beyond = beyond;
-        all
+        few
     }
 
     /// Moves the allowed boxes along for a step of `dt` seconds.
@@ -237,6 +256,12 @@ impl Neighbours {
         } else {
             self.follow(bodies, &[i as u32]);
         }
+        &self.near
+    }
+
+    /// Who may be where body i sweeps, if neighbours were sought there: bodies and surfaces.
+    pub fn near_swept(&mut self, bodies: &Bodies, i: usize) -> &[u32] {
+        self.find_near_body(&bodies.swept[i], i);
         &self.near
     }
 

@@ -48,8 +48,8 @@ impl Neighbours {
     pub fn search(&mut self, bodies: &mut Bodies, dt: f64) {
         self.revision += 1;
         bodies.renumber();
-        bodies.sweep();
         let n = bodies.len();
+        bodies.sweep_range(0, n);
         self.skin = SKIN * bodies.hx[..n].iter().zip(&bodies.hy[..n]).map(|(x, y)| x.min(*y)).sum::<f64>() / n.max(1) as f64;
         if self.surface_edges.is_empty() {
             let mean = |v: &[f64]| v[..n].iter().sum::<f64>() / n.max(1) as f64;
