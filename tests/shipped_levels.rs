@@ -86,6 +86,41 @@ fn level_3_is_flown_cleanly() {
 }
 
 #[test]
+fn level_4_is_flown_cleanly() {
+    assert_flown("4");
+}
+
+#[test]
+fn level_5_is_flown_cleanly() {
+    assert_flown("5");
+}
+
+#[test]
+fn level_6_is_flown_cleanly() {
+    assert_flown("6");
+}
+
+#[test]
+fn level_7_is_flown_cleanly() {
+    assert_flown("7");
+}
+
+#[test]
+fn level_8_is_flown_cleanly() {
+    assert_flown("8");
+}
+
+#[test]
+fn level_9_is_flown_cleanly() {
+    assert_flown("9");
+}
+
+#[test]
+fn level_10_is_flown_cleanly() {
+    assert_flown("10");
+}
+
+#[test]
 fn the_recorded_flight_of_level_1_keeps_off_red() {
     let obstacles = load("1").obstacles.clone();
     fly("1", |game| {
