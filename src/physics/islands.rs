@@ -158,7 +158,8 @@ pub(super) struct Scratch {
     pub members: Vec<u32>,
     pub surfaces: Vec<u32>,
     pub zones: Vec<u32>,
-    /// What the islands of each body have used up in this tick: however often they are advanced anew, they share one budget.
+    /// What the islands of each body have used up since the tick was begun, or begun anew for all: however often they are advanced in between,
+    /// they share one budget.
     used: Vec<u64>,
     /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`. Emptied where they change.
     pub starts: Vec<u32>,
@@ -455,6 +456,10 @@ impl Advance for Tick<'_> {
 
     fn stand(&mut self, surface: usize) {
         self.scratch.stops.push(Stop { leader: NOBODY, surface: surface as u32, at: 0.0 });
+    }
+
+    fn begin_anew(&mut self) {
+        self.scratch.used.fill(0);
     }
 
     fn disagree(&mut self, bodies: &mut Vec<u32>) {

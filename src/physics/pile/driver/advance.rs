@@ -23,6 +23,9 @@ pub(in crate::physics) trait Advance {
     /// A surface stands for the whole step, which is advanced from its start again.
     fn stand(&mut self, surface: usize);
 
+    /// All islands are advanced from the start of the step again, whomever that concerns: those far from it to the same bits.
+    fn begin_anew(&mut self);
+
     /// Bodies whose islands have to be advanced again, because others have come to something that concerns them.
     fn disagree(&mut self, bodies: &mut Vec<u32>);
 }
@@ -127,6 +130,8 @@ impl Advance for AllDense {
     fn forget(&mut self, _: usize) {}
 
     fn stand(&mut self, _: usize) {}
+
+    fn begin_anew(&mut self) {}
 
     fn disagree(&mut self, _: &mut Vec<u32>) {}
 }

@@ -173,6 +173,7 @@ impl Pile {
     fn solve_all_again<A: Advance>(&mut self, dt: f64, other: &mut A) {
         let Self { dense, driver, bodies, .. } = self;
         driver.put_back_moved(bodies, |_| true);
+        other.begin_anew();
         driver.events.clear();
         driver.wake_fresh();
         dense.report.list.retain(|contact| driver.asleep[contact.a]);
