@@ -8,7 +8,7 @@ use resultant::physics::World;
 const GOLDEN: [(&str, u64); 6] = [
     ("yard", 0xfd9a_ad46_8d34_00e6),
     ("crowd", 0x0710_2749_fe2e_f449),
-    ("liquid", 0x2fd6_e584_744c_d938),
+    ("liquid", 0xa107_c60a_b3b1_b6e1),
     ("stream", 0x4f1b_54c5_d2ca_2690),
     ("moving surfaces", 0x4b97_2fb7_e5fb_3d25),
     ("moving surfaces, dense", 0x4373_e0a2_f43d_4e67),

@@ -44,8 +44,12 @@ const WORK_OF_A_CONTACT: u64 = 80;
 const WORK_OF_A_LOOK: u64 = 2;
 /// As a part of a tick: what happens so near to its end is left to the next one.
 const END: f64 = 1e-12;
-/// What the free flight of a body near zones may use up in a tick.
+/// What each stream that an item may cross adds.
+const WORK_OF_A_BORDER: u64 = 8;
+/// What the free flight of a body near zones may use up in a tick, what each stream that it may cross adds, and at most.
 pub(super) const BUDGET_OF_A_FLIGHT: u64 = 20_000;
+const BUDGET_OF_A_STREAM: u64 = 1_000;
+const MOST_OF_A_FLIGHT: u64 = 80_000;
 /// What the flow of a body may, where nothing but a rough answer is needed.
 pub(super) const BUDGET_OF_A_FLOW: u64 = 1_000;
 
@@ -252,7 +256,8 @@ impl Events {
         self.items[0].known = false;
         // It meets nothing, however far the streams take it.
         self.items[0].searched = Aabb::around(DVec2::ZERO, DVec2::splat(f64::MAX));
-        let outcome = self.advance(scene, BUDGET_OF_A_FLIGHT);
+        let budget = BUDGET_OF_A_FLIGHT + BUDGET_OF_A_STREAM * self.streams.len() as u64;
+        let outcome = self.advance(scene, budget.min(MOST_OF_A_FLIGHT));
         self.hits.clear();
         let item = &self.items[0];
         if outcome == Outcome::Done {

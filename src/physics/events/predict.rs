@@ -4,7 +4,7 @@
 //! root of a polynomial; the pose at that time is then taken from the motion itself.
 
 use super::item::{Kind, Motion, Next};
-use super::{Events, Scene, WORK_OF_A_LOOK, WORK_OF_A_ROOT};
+use super::{Events, Scene, WORK_OF_A_BORDER, WORK_OF_A_LOOK, WORK_OF_A_ROOT};
 use crate::physics::contact::Contact;
 use crate::physics::impact_time::{Cubic, Polynomial, earliest, time_of_impact};
 use crate::physics::tuning::SLOP;
@@ -117,7 +117,7 @@ impl Events {
     }
 
     /// When an item enters or leaves an air stream.
-    fn next_border(&self, scene: &Scene, i: usize, next: &mut Next) {
+    fn next_border(&mut self, scene: &Scene, i: usize, next: &mut Next) {
         let item = &self.items[i];
         if item.motion == Motion::Still || self.streams.is_empty() {
             return;
@@ -130,6 +130,7 @@ impl Events {
         let (way, pose) = (item.way_from(self.now), item.pose(scene.media, self.now));
         for stream in near.iter() {
             let zone = &scene.media.streams[stream as usize].zone;
+            self.work += WORK_OF_A_BORDER;
             if !item.swept.touches(zone, SLOP) {
                 continue;
             }

@@ -87,10 +87,7 @@ impl Impacts {
         self.note(bodies, due, (normal, rub), side);
         for i in [a, b] {
             if i < n {
-                if !bodies.is_swept(i) {
-                    self.widen(bodies, around, i);
-                }
-                self.look_again(bodies, i, time.max(until));
+                self.leave(bodies, around, i, time.max(until));
             }
         }
     }

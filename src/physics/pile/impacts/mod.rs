@@ -226,11 +226,19 @@ impl Impacts {
         let (a, b, n) = (a as usize, b as usize, bodies.len());
         let left = most.saturating_sub(self.work);
         if self.waits[a] && b >= n {
-            // What moves comes upon what waits: it is hit once more.
+            // What moves comes upon what waits.
             if left == 0 {
                 return;
             }
-            self.waits[a] = false;
+            self.go_along(bodies, a, due.time);
+            let (of_a, of_b) = (&self.courses[due.axis][a], &self.courses[due.axis][b]);
+            let side = if of_b.place(due.time) < of_a.place(due.time) { -1.0 } else { 1.0 };
+            let speed = (of_a.speed(due.time) - of_b.speed(due.time)) * side;
+            self.work += WORK_OF_AN_IMPACT;
+            if speed > SLOWEST {
+                return self.bounce(bodies, anchors, around, Due { speed, ..due });
+            }
+            return self.leave(bodies, around, a, due.time);
         } else if self.waits[a] {
             return self.put_off(bodies, around, b, due.time);
         } else if b < n && self.waits[b] {
@@ -258,6 +266,21 @@ impl Impacts {
             free[i] += course.speed(time) - course.speed(self.dt);
             *course = Course { at: p[i], velocity: 0.0, pull: 0.0 };
         }
+        self.leave(bodies, around, i, time);
+    }
+
+    /// From `time` on, body i waits no more: it goes on with the velocity that it has kept, and nothing pulls at it until the step ends.
+    fn go_along(&mut self, bodies: &mut Bodies, i: usize, time: f64) {
+        self.waits[i] = false;
+        for (axis, course) in self.courses.iter_mut().map(|courses| &mut courses[i]).enumerate() {
+            let (p, kept) = if axis == 0 { (&mut bodies.px, bodies.free_vx[i]) } else { (&mut bodies.py, bodies.free_vy[i]) };
+            *course = Course { at: p[i] - kept * time, velocity: kept, pull: 0.0 };
+            p[i] += kept * (self.dt - time);
+        }
+    }
+
+    /// Body i has another way from `time` on.
+    fn leave(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize, time: f64) {
         if !bodies.is_swept(i) {
             self.widen(bodies, around, i);
         }
