@@ -249,7 +249,8 @@ impl Dense {
         let (n, hair) = (bodies.len(), self.contacts.tolerances.touch);
         for &i in island.members {
             let i = i as usize;
-            for &j in island.near(i as u32).iter().filter(|j| **j as usize >= n) {
+            let added = self.reach.added.iter().filter(|pair| pair.0 as usize == i).map(|pair| &pair.1);
+            for &j in island.near(i as u32).iter().chain(added).filter(|j| **j as usize >= n) {
                 let j = j as usize;
                 let moves = bodies.vx[j] != 0.0 || bodies.vy[j] != 0.0;
                 if moves && self.contacts.has(i, j) && place::meets(bodies, (i, j), hair, true) {

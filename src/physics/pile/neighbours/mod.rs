@@ -42,6 +42,8 @@ pub(super) struct Neighbours {
     moving: Vec<More>,
     first_moving: Vec<u32>,
     carried: Vec<u32>,
+    /// The surfaces that move, by their numbers among all surfaces.
+    movers: Vec<u32>,
     left: usize,
     /// Counts changes of the pairs, from 1 on.
     pub revision: u64,
@@ -134,6 +136,8 @@ impl Neighbours {
     pub fn find_moving(&mut self, bodies: &Bodies, surfaces: &[u32]) {
         self.moving.clear();
         self.carried.clear();
+        self.movers.clear();
+        self.movers.extend_from_slice(surfaces);
         if surfaces.is_empty() {
             return;
         }
@@ -256,6 +260,10 @@ impl Neighbours {
         } else {
             self.follow(bodies, &[i as u32]);
         }
+        // Surfaces that move are in no grid.
+        let n = bodies.len() as u32;
+        let meets = |j: &u32| overlap(&bodies.swept[i], &bodies.swept[*j as usize]);
+        self.near.extend(self.movers.iter().map(|surface| n + surface).filter(meets));
         &self.near
     }
 
