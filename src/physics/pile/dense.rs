@@ -265,6 +265,8 @@ impl Dense {
     fn grow(&mut self, bodies: &mut Bodies, island: Island<'_>) -> Outcome {
         self.guards.steps_grown += 1;
         self.grown.append(&mut self.reach.strangers);
+        // At once, and not when the next island is solved: in between its bodies may begin elsewhere.
+        self.pushes.resistance.restore(bodies);
         self.walls.undo(bodies, &mut self.anchors, &mut self.impacts.struck);
         self.impacts.undo(bodies, island.members);
         Outcome::Grown

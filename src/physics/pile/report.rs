@@ -230,8 +230,9 @@ impl Dense {
             }
         }
         // Stacks come bottom-up within merges and top-down within loads: by the upper body, the last first.
-        let place = |record: &Record| self.place_of(record.a);
-        report.records.sort_unstable_by(|a, b| place(b).cmp(&place(a)).then(a.b.cmp(&b.b)));
+        // Slots are numbered when all is sought anew, for whatever reason: the order is that of the island.
+        let (upper, lower) = (|record: &Record| self.place_of(record.a), |record: &Record| (self.place_of(record.b), record.b));
+        report.records.sort_unstable_by(|a, b| upper(b).cmp(&upper(a)).then(lower(a).cmp(&lower(b))));
         let bears = |record: &Record| record.normal < 0.0 || (record.b as usize >= n && record.normal != 0.0);
         let mut k = 0;
         while k < report.records.len() {
