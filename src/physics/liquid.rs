@@ -248,7 +248,7 @@ impl Swimmer<'_> {
                         linear_flow(&second, constant, middle, beyond)
                     }
                 };
-                return match self.first_kink(regime, &flow, h) {
+                return match self.first_kink(regime, flow, h) {
                     Some(kink) => (kink, flow(kink), h),
                     None => (h, end, h * factor),
                 };
