@@ -115,7 +115,11 @@ impl World {
         bodies.extend((0..).zip(self.state.bodies.iter().zip(&self.records.previous)).map(|(id, (body, &previous))| {
             let (now, before) = (body.bounds(), Aabb::around(previous, body.half));
             let (swept, dense) = (now.union(&before), self.was_dense(id));
-            let depth = if dense || self.state.media.wets(&swept) { ROUGH.max(ROUGH_WAY * (body.position - previous).length()) } else { OVERLAP };
+            let depth = if dense || self.state.media.wets(&swept) {
+                ROUGH.max(ROUGH_WAY * (body.position - previous).length())
+            } else {
+                OVERLAP
+            };
             Thing { id, surface: false, now, before, swept, velocity: body.velocity, straight: true, dense, depth }
         }));
         for &(body, _, corner) in &self.records.corners {
