@@ -12,8 +12,6 @@ const MOST_LISTED: usize = 100_000;
 const OVERLAP: f64 = 2.0 * SLOP;
 /// m. The same in or near a liquid, where ways are foreseen as cubics that follow them that closely, and of what the dense method took.
 const ROUGH: f64 = 1e-7;
-/// Of its way in a tick: a cubic follows no longer way more closely than that.
-const ROUGH_WAY: f64 = 1e-8;
 /// m. What was deeper in each other than this has begun so: it may get deeper where the shorter way out is another one.
 const BEGUN: f64 = 1e-5;
 /// Roundings of a coordinate that its place may be off by.
@@ -115,11 +113,7 @@ impl World {
         bodies.extend((0..).zip(self.state.bodies.iter().zip(&self.records.previous)).map(|(id, (body, &previous))| {
             let (now, before) = (body.bounds(), Aabb::around(previous, body.half));
             let (swept, dense) = (now.union(&before), self.was_dense(id));
-            let depth = if dense || self.state.media.wets(&swept) {
-                ROUGH.max(ROUGH_WAY * (body.position - previous).length())
-            } else {
-                OVERLAP
-            };
+            let depth = if dense || self.state.media.wets(&swept) { ROUGH } else { OVERLAP };
             Thing { id, surface: false, now, before, swept, velocity: body.velocity, straight: true, dense, depth }
         }));
         for &(body, _, corner) in &self.records.corners {
@@ -262,7 +256,8 @@ fn validate_pair(a: &Thing, b: &Thing) -> Result<(), String> {
     if a.dense && b.surface && !b.straight {
         return Ok(());
     }
-    let most = a.depth.max(b.depth);
+    // Each of them may be off by what is beyond the gap.
+    let most = a.depth + b.depth - OVERLAP;
     if now > most + rounding && now > before + rounding && before <= BEGUN {
         return Err(format!("{} at {} is {now} m in {} at {:?}", a.name(), a.now.centre(), b.name(), b.now));
     }
