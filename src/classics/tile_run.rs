@@ -14,7 +14,7 @@ const FRICTION: f64 = 0.80;
 const MAX_RUN: f64 = 0.5;
 /// vy is at least this: the fastest rise.
 const MAX_RISE: f64 = -0.6;
-/// vy is at most this: the fastest fall. Below 1, as [`MAX_RUN`].
+/// vy is at most this: the fastest fall, tiles a frame. Below 1, so that no frame jumps over a tile.
 pub const MAX_FALL: f64 = 0.8;
 /// How far in front of a solid tile the runner stops. Were it 0, a stop on the right or below would lie in the solid tile.
 const GAP: f64 = 1e-6;

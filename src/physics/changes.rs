@@ -35,7 +35,7 @@ impl World {
         }
     }
 
-    /// Sets how fast the belt of a surface runs, m/s: see [`SurfaceDef::belt`].
+    /// Sets how fast the belt of a surface runs, m/s: see [`super::SurfaceDef::belt`].
     pub fn set_belt(&mut self, surface: usize, speed: f64) {
         let speed = if speed.is_finite() { speed } else { 0.0 };
         if self.state.surfaces[surface].belt != speed {
