@@ -1,5 +1,7 @@
 # A level that does not load stays in the list; choosing it shows its problems and closes nothing.
 
+# On the one page that fifteen levels fill.
+rm -r "$data/levels/15"
 mkdir "$data/levels/zz-broken"
 printf 'x,y,mass,fuel,thrust\n10,10,heavy,500,3000\n' >"$data/levels/zz-broken/player.csv"
 last=$(($(find "$data/levels" -mindepth 1 -maxdepth 1 -type d | wc -l) - 1))
