@@ -36,6 +36,7 @@ pub use awards::{Awards, Mark};
 pub use folder::{list, load};
 pub use image::read_picture;
 pub use name::{NameFault, judge_name};
+pub use names::FILES;
 pub use problem::Problem;
 pub use read::{Files, Loaded, read};
 pub use types::{

@@ -6,7 +6,7 @@ use super::read::Draft;
 use std::collections::BTreeSet;
 
 /// The files of a level, in the order in which problems are listed.
-pub(super) const FILES: [&str; 16] = [
+pub const FILES: [&str; 16] = [
     "constants.csv",
     "player.csv",
     "world.csv",
@@ -31,12 +31,10 @@ pub(super) fn stray(file: &str) -> Option<Result<Problem, Problem>> {
     if FILES.contains(&file) || !(table || nearest(file, ["background.png"]).is_some()) {
         return None;
     }
-    let expected = match nearest(file, FILES) {
-        Some(known) => format!("the name {known:?}"),
-        None => format!("one of {}", FILES.join(", ")),
-    };
+    let known = nearest(file, FILES);
+    let expected = known.map_or_else(|| format!("one of {}", FILES.join(", ")), |known| format!("the name {known:?}"));
     let problem = Problem::of_file(file, "a file that no level has", expected);
-    Some(if nearest(file, FILES).is_some() { Err(problem) } else { Ok(problem) })
+    Some(if known.is_some() { Err(problem) } else { Ok(problem) })
 }
 
 /// All names that something is called by that can be worked.
