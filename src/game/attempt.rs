@@ -1,6 +1,7 @@
 //! One attempt at a level: the rules, tick by tick.
 
 use super::death::{Death, crushed};
+use super::event::{GameError, GameEvent, Outcome};
 use super::hash::Fnv1a;
 use super::impacts::{Felt, Impacts, READABLE};
 use super::mechanisms::{Change, Mechanisms};
@@ -9,7 +10,7 @@ use super::pushes::{APART, Pushes};
 use super::touch::sweep_touches;
 use super::{Controls, RunResult, ScoreParts, Ship};
 use crate::level::{Level, SHIP_HALF};
-use crate::physics::{Aabb, BodyId, DVec2, DefError, Event, Obstacle, World};
+use crate::physics::{Aabb, BodyId, DVec2, Event, Obstacle, World};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
@@ -27,90 +28,6 @@ pub const DAMAGING_SPEED: f64 = 10.0;
 const SPEED_ROUNDING: f64 = 1e-9;
 /// From this speed along the contact's normal an impact raises dust, m/s. Lower, and a box that tips to rest smokes.
 pub const DUST_SPEED: f64 = 2.0;
-
-/// How an attempt stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// Still flying.
-    Running,
-    /// All objectives were met at once.
-    Completed,
-    /// The ship is lost: a death box was touched, or something squeezed it.
-    Failed,
-}
-
-impl Outcome {
-    /// In lower case, as the command line prints it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Running => "running",
-            Self::Completed => "completed",
-            Self::Failed => "failed",
-        }
-    }
-}
-
-/// What happened in the last tick, for view and sound.
-#[derive(Clone, Debug, PartialEq)]
-pub enum GameEvent {
-    /// Two things hit each other at `speed` m/s, at least [`DUST_SPEED`].
-    Impact {
-        /// Where, m.
-        point: DVec2,
-        /// m/s along the normal.
-        speed: f64,
-        /// Away from what was hit.
-        normal: DVec2,
-    },
-    /// The ship hit something at [`DAMAGING_SPEED`] or more: −500 points.
-    DamagingHit {
-        /// Where, m.
-        point: DVec2,
-        /// m/s along the normal.
-        speed: f64,
-    },
-    /// The objective of that index in `Level::objectives` has become met.
-    ObjectiveMet(usize),
-    /// … is no longer met.
-    ObjectiveLost(usize),
-    /// The switch of that index in `Level::switches` has been pressed, or let go.
-    Switched(usize, bool),
-    /// The block of that index in `Level::world` has broken.
-    Broke(usize),
-    /// The pod of that index in `Level::pods` has been taken.
-    Refuelled(usize),
-    /// All were met.
-    Completed,
-    /// Something begins to be squeezed.
-    Crushed {
-        /// Its centre, m.
-        point: DVec2,
-    },
-    /// The ship is lost.
-    Died,
-}
-
-/// Why a game cannot begin.
-#[derive(Clone, Debug, PartialEq)]
-pub enum GameError {
-    /// The tick rate lies outside [`TICK_RATES`].
-    TickRate(f64),
-    /// The engine refuses the level's world.
-    World(DefError),
-}
-
-impl std::fmt::Display for GameError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::TickRate(rate) => {
-                write!(f, "{rate} ticks a second, expected {} to {}", TICK_RATES.start(), TICK_RATES.end())
-            }
-            Self::World(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for GameError {}
 
 /// Figures about the flight that no rule needs but the score.
 #[derive(Clone, Debug, PartialEq)]

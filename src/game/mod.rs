@@ -11,6 +11,7 @@
 mod attempt;
 mod clock;
 mod death;
+mod event;
 mod fingerprint;
 mod hash;
 mod impacts;
@@ -27,9 +28,10 @@ mod score;
 mod ship;
 mod touch;
 
-pub use attempt::{DAMAGING_SPEED, DUST_SPEED, Game, GameError, GameEvent, Outcome, SHIP, TICK_RATE, TICK_RATES};
+pub use attempt::{DAMAGING_SPEED, DUST_SPEED, Game, SHIP, TICK_RATE, TICK_RATES};
 pub use clock::{Clock, TICKS_A_FRAME};
 pub use death::Death;
+pub use event::{GameError, GameEvent, Outcome};
 pub use fingerprint::level_hash;
 pub use impacts::{Felt, READABLE};
 pub(crate) use inputs::records;

@@ -4,9 +4,9 @@
 use super::events::{BUDGET_OF_A_FLIGHT, Scene};
 use super::flow::{Pose, flow};
 use super::impact_time::Cubic;
-use super::islands::Scratch;
 use super::media::Media;
 use super::pile::Pile;
+use super::scratch::Scratch;
 use super::world::{State, World};
 use super::{Aabb, Body, zones};
 use glam::DVec2;

@@ -76,6 +76,7 @@ mod network;
 pub mod pile;
 mod plan;
 mod reactions;
+mod scratch;
 mod spring;
 mod step;
 mod surface;

@@ -6,8 +6,9 @@
 use super::contact::Contact;
 use super::events::{Item, Scene};
 use super::impulse::Impulse;
-use super::islands::{Choice, Happened, Tick};
+use super::islands::{Choice, Tick};
 use super::pile::{Axis, Other};
+use super::scratch::Happened;
 use super::tuning::{REPORT_SPEED, SLOP};
 use super::world::{Event, Methods, Obstacle, State, World};
 use super::{Body, BodyId, zones};
@@ -38,9 +39,8 @@ impl World {
         self.record();
         self.go_on_paths(dt);
         self.records.work = self.worked() - worked;
-        if cfg!(all(feature = "validate", debug_assertions)) {
-            self.assert_valid();
-        }
+        #[cfg(all(feature = "validate", debug_assertions))]
+        self.assert_valid();
     }
 
     /// What has been counted from the beginning, in units of work.
@@ -49,10 +49,11 @@ impl World {
         self.state.media.spent() + events.solving() + events.total
     }
 
-    /// For tests.
+    /// For tests: it is in no other build.
     ///
     /// # Panics
     /// [`World::validate`] finds something.
+    #[cfg(all(feature = "validate", debug_assertions))]
     fn assert_valid(&mut self) {
         let mut checks = std::mem::take(&mut self.scratch.checks);
         if let Err(fault) = self.validate_with(&mut checks) {

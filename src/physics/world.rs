@@ -3,9 +3,10 @@
 use super::contact::Contact;
 use super::guards::Guards;
 use super::impulse::Impulse;
-use super::islands::{Pause, Scratch};
+use super::islands::Pause;
 use super::media::Media;
 use super::pile::{Pile, PileBody, PileDef, PileSurface};
+use super::scratch::Scratch;
 use super::surface::Surface;
 use super::tuning::EDGE_THICKNESS;
 use super::{
