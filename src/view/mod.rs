@@ -55,6 +55,8 @@ pub mod theme;
 #[cfg(feature = "window")]
 pub mod things;
 #[cfg(feature = "window")]
+pub mod timeline;
+#[cfg(feature = "window")]
 pub mod touchdown;
 #[cfg(feature = "window")]
 pub mod widgets;
