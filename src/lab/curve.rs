@@ -26,7 +26,7 @@ const BLOWN_UP: f64 = 1e4;
 /// Errors of which an order is read: below stands rounding, above the motion's own size.
 const FITTED: std::ops::RangeInclusive<f64> = 1e-11..=1.0;
 /// Slopes that differ by more are no order.
-const ALIKE: f64 = 0.4;
+const ALIKE: f64 = 0.25;
 
 /// Steps, work and tolerances: outside, a number is a slip, and logarithmic axes to it would have no end.
 pub const NUMBERS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;

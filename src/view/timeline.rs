@@ -61,7 +61,7 @@ pub fn draw(canvas: &Canvas, plot: &Plot, (measured, over_time): (&Measured, &Ov
     legend_of_curves(canvas, plot, measured, picked);
     let axes = Timeline::of(over_time);
     let whole = plot.area;
-    let height = if axes.energy.is_some() { (whole.size.y - BETWEEN + 24.0) * UPPER } else { whole.size.y };
+    let height = if axes.energy.is_some() { (whole.size.y - BETWEEN + 8.0) * UPPER } else { whole.size.y };
     let decades = axes.error;
     let errors = decades.named(NAMED as i32).map(|exponent| (decades.part(10f64.powi(exponent)), power(exponent)));
     let upper =
@@ -73,7 +73,7 @@ pub fn draw(canvas: &Canvas, plot: &Plot, (measured, over_time): (&Measured, &Ov
         let named = round_numbers(least, most, NAMED - 2).into_iter();
         let top = upper.area.max().y + BETWEEN;
         let lower = Stage {
-            area: Area::new(whole.min.x, top, whole.size.x, whole.max().y + 24.0 - top),
+            area: Area::new(whole.min.x, top, whole.size.x, whole.max().y + 8.0 - top),
             name: "energy, parts of the right one",
             named: named.map(|energy| ((energy - least) / (most - least), energy_name(energy))).collect(),
         };

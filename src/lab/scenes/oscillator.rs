@@ -9,11 +9,11 @@ use crate::lab::{Scene, shipped};
 use crate::physics::{BodyDef, BodyId, DVec2, World};
 
 /// N/kg.
-const G: f64 = 9.81;
+pub const G: f64 = 9.81;
 /// kg. Of a box of 1 m, half of which is under water then.
 const MASS: f64 = 500.0;
 /// kg/m³.
-const DENSITY: f64 = 1000.0;
+pub const DENSITY: f64 = 1000.0;
 /// m. From where it is let go, measured from where it would rest. It neither leaves the water nor goes under.
 const SWING: f64 = 0.25;
 /// s.
@@ -26,7 +26,7 @@ const STEPS: [f64; 4] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0];
 const SEEN: f64 = 0.01;
 
 /// The usual integrators; without drag, those that split it off are Verlet's and semi-implicit Euler.
-const METHODS: [(&str, Step); 7] = [
+pub const METHODS: [(&str, Step); 7] = [
     ("explicit Euler", explicit_euler),
     ("semi-implicit Euler", semi_implicit_euler),
     ("velocity Verlet", velocity_verlet),
@@ -51,9 +51,14 @@ fn place_at(t: f64) -> f64 {
     SWING * libm::cos(stiffness().sqrt() * t)
 }
 
-/// Energy over what it was at the start: swings have it as motion and as lift.
-fn energy(point: &Point) -> f64 {
-    (point.v.length_squared() / stiffness() + point.x.length_squared()) / (SWING * SWING)
+/// Energy over what it was at the start, `swing` m away at rest, with ω² = `stiffness` 1/s²: swings have it as motion and as lift.
+pub fn energy(point: &Point, stiffness: f64, swing: f64) -> f64 {
+    (point.v.length_squared() / stiffness + point.x.length_squared()) / (swing * swing)
+}
+
+/// Of this scene's box.
+fn energy_of(point: &Point) -> f64 {
+    energy(point, stiffness(), SWING)
 }
 
 /// The times after each step and the place then.
@@ -66,10 +71,10 @@ fn by_hand(step: Step, seconds: f64, h: f64) -> impl Iterator<Item = (f64, Point
     })
 }
 
-/// The same with the shipped engine: y counts from where it would rest.
-fn by_engine(seconds: f64, h: f64) -> impl Iterator<Item = (f64, Point)> {
-    let rest = DVec2::new(0.0, -0.5 + MASS / DENSITY);
-    let body = BodyDef { position: rest + DVec2::new(0.0, SWING), mass: MASS, drag: 0.0, ..BodyDef::default() };
+/// The same with the shipped engine and a box of such a mass (kg): y counts from where it would rest, and begins at `swing` m.
+pub fn by_engine(mass: f64, swing: f64, seconds: f64, h: f64) -> impl Iterator<Item = (f64, Point)> {
+    let rest = DVec2::new(0.0, -0.5 + mass / DENSITY);
+    let body = BodyDef { position: rest + DVec2::new(0.0, swing), mass, drag: 0.0, ..BodyDef::default() };
     let mut world = World::new(shipped::on_water(G, DENSITY, body)).ok();
     (1..=(seconds / h).round() as u64).map(move |i| {
         let point = world.as_mut().map_or(Point { x: DVec2::NAN, v: DVec2::NAN }, |world| {
@@ -86,12 +91,12 @@ fn error_at_end(points: impl Iterator<Item = (f64, Point)>) -> f64 {
 }
 
 fn worst_energy(points: impl Iterator<Item = (f64, Point)>) -> f64 {
-    worst(points.map(|(_, point)| (energy(&point) - 1.0).abs()))
+    worst(points.map(|(_, point)| (energy_of(&point) - 1.0).abs()))
 }
 
 fn moments(points: impl Iterator<Item = (f64, Point)>) -> Vec<Moment> {
     sampled(points.map(|(time, point)| {
-        let energy = Some(energy(&point));
+        let energy = Some(energy_of(&point));
         Moment { time, error: (point.x.y - place_at(time)).abs(), energy }
     }))
 }
@@ -102,7 +107,7 @@ pub fn swing() -> Scene {
     for (name, step) in METHODS {
         scene = scene.method(name, move |h| error_at_end(by_hand(step, SECONDS, h)));
     }
-    scene.shipped(|h| error_at_end(by_engine(SECONDS, h)))
+    scene.shipped(|h| error_at_end(by_engine(MASS, SWING, SECONDS, h)))
 }
 
 /// For a thousand periods, of which the energy is asked.
@@ -117,7 +122,9 @@ pub fn energy_kept() -> Scene {
             .method(name, move |h| worst_energy(by_hand(step, seconds, h)))
             .over_time(move |h| moments(by_hand(step, seconds, h)));
     }
-    scene.shipped(move |h| worst_energy(by_engine(seconds, h))).over_time(move |h| moments(by_engine(seconds, h)))
+    scene
+        .shipped(move |h| worst_energy(by_engine(MASS, SWING, seconds, h)))
+        .over_time(move |h| moments(by_engine(MASS, SWING, seconds, h)))
 }
 
 #[cfg(test)]

@@ -182,7 +182,7 @@ mod drawing {
             let panel = panel(canvas.frame());
             let (middle, widest) = (panel.centre().x, panel.size.x);
             let scenes = self.charts().diagrams.len();
-            let other = if self.over_time().is_some() { "Work and error" } else { "Over time" };
+            let other = if self.over_time().is_some() { "At the end" } else { "Over time" };
             let labels = [("Back", "Esc"), ("Previous", "←"), ("Next", "→"), ("Method", "↓"), (other, "Space")];
             self.toolbar.draw(canvas, &labels);
             let foot = panel.max().y;
