@@ -46,6 +46,7 @@ pub mod names;
 pub mod particles;
 #[cfg(feature = "window")]
 pub mod pictures;
+pub mod quantity;
 #[cfg(feature = "window")]
 pub mod shapes;
 #[cfg(feature = "window")]
