@@ -46,6 +46,7 @@ pub mod names;
 pub mod particles;
 #[cfg(feature = "window")]
 pub mod pictures;
+#[cfg(feature = "window")]
 pub mod quantity;
 #[cfg(feature = "window")]
 pub mod shapes;

@@ -38,9 +38,9 @@ impl SideBySide {
             canvas.text(key, key_at, Style::new(TEXT, theme::accent()).mono().centred().middle());
         }
         let (left, right) = (halves[0], halves[1]);
-        self.draw_errors(canvas, super::errors(canvas.frame()));
-        let top = left.max().y + super::WORDS - super::TIME;
-        let row = Area::new(left.min.x, top, right.max().x - left.min.x, super::TIME);
+        let below = |top: f32, height: f32| Area::new(left.min.x, left.max().y + top, right.max().x - left.min.x, height);
+        self.draw_errors(canvas, below(super::APART, super::ERRORS));
+        let row = below(super::APART + super::ERRORS, super::TIME);
         self.draw_words(canvas, row);
         let pause = if self.is_paused() { "Go on" } else { "Pause" };
         let step = format!("Step {}", step(self.step()));

@@ -24,10 +24,14 @@ const CHOICE: Vec2 = Vec2::new(64.0, 40.0);
 const TITLE: f32 = 40.0;
 /// From the choices' top to the halves.
 const HEAD: f32 = 48.0;
-/// From the halves to the body's foot: the errors so far, and the time.
-const WORDS: f32 = 132.0;
-/// Of that, what the time takes.
+/// Height of the errors so far, below the halves, and from these to the time.
+const ERRORS: f32 = 84.0;
+/// From the errors to the body's foot: the time.
 const TIME: f32 = 36.0;
+/// From the halves to the body's foot.
+const WORDS: f32 = APART + ERRORS + TIME;
+/// From the halves to the errors.
+const APART: f32 = 12.0;
 /// Between the halves.
 const BETWEEN: f32 = 24.0;
 /// Moments of a trail, at most.
@@ -272,13 +276,6 @@ fn panels(frame: &Frame) -> [Area; 2] {
     let size = Vec2::new((body.size.x - BETWEEN) / 2.0, body.size.y - TITLE - HEAD - WORDS);
     let top = body.min.y + TITLE + HEAD;
     [0.0, size.x + BETWEEN].map(|right| Area { min: Vec2::new(body.min.x + right, top), size })
-}
-
-/// The errors so far, below the halves.
-fn errors(frame: &Frame) -> Area {
-    let [left, right] = panels(frame);
-    let top = left.max().y + 12.0;
-    Area::new(left.min.x, top, right.max().x - left.min.x, WORDS - TIME - 12.0)
 }
 
 /// The buttons of the choices, above the corners of the halves.
