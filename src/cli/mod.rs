@@ -7,6 +7,7 @@
 
 mod chart;
 mod check;
+mod earned;
 mod files;
 mod forces;
 mod jumper;
@@ -55,7 +56,7 @@ enum Command {
     Chart(chart::Args),
     /// Make a level folder that loads
     New(new::Args),
-    /// Fly recorded runs again and compare where they lead
+    /// Fly recorded runs, or all saved scores, again and compare where they lead
     Verify(verify::Args),
     /// Run a list of commands through a map of tiles
     Tiles(tiles::Args),

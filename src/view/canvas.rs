@@ -97,6 +97,11 @@ impl Canvas {
         Ok(Self { fonts: Fonts::load()?, frame: Frame::default(), dpi: 1.0, lines: RefCell::new(Vec::new()) })
     }
 
+    /// Lays what follows out on another part of the canvas, from its top left corner; the answer is the one before, to be given back.
+    pub const fn use_frame(&mut self, frame: Frame) -> Frame {
+        std::mem::replace(&mut self.frame, frame)
+    }
+
     /// Clears the window and lays the canvas out anew, after whatever size the window has now, with words `text` times as large as usual.
     ///
     /// # Errors
