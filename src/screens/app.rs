@@ -13,10 +13,11 @@ use super::{
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Medals, Outcome, Reel, RunResult, TICK_RATE, level_hash};
 use crate::level::{Awards, Level};
+use crate::pack::Installed;
 use crate::scores::{Board, Loaded, Name, PATIENCE, Placement, Saved, Score, Scores, ScoresError};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 use std::time::Duration;
@@ -103,6 +104,7 @@ impl App {
         self.journal.update(input.frame_time);
         let asked = self.update_screen(input, spectator);
         self.note_end();
+        let asked = asked.or_else(|| input.dropped.first().filter(|_| self.takes_files()).cloned().map(Request::Open));
         match asked {
             Some(Request::Quit) => {
                 self.journal.close();
@@ -210,6 +212,7 @@ impl App {
             Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),
             Request::Settings => Screen::Settings(Box::new(SettingsPanel::new(self.settings, self.settings_problems.clone()))),
             Request::Set(settings) => return self.set(settings),
+            Request::Open(path) => self.open(&path),
             Request::Quit => return,
         };
         self.screen = next;
@@ -285,6 +288,33 @@ impl App {
     fn refused(&self, purpose: Purpose, name: &str, refusal: Refusal) -> Screen {
         let mut screen = self.level_select(purpose);
         screen.show_problems(name, refusal);
+        Screen::LevelSelect(screen)
+    }
+
+    /// Whether a file that is dropped on the window is taken: nobody who flies or writes is interrupted.
+    fn takes_files(&self) -> bool {
+        match &self.screen {
+            Screen::Flight(flight) => flight.pause().is_some(),
+            Screen::SaveScore(_) => false,
+            _ => true,
+        }
+    }
+
+    /// Installs the level of an archive; the list of levels then, with what became of it.
+    fn open(&mut self, path: &Path) -> Screen {
+        let (heading, lines) = match self.library.install(path) {
+            Ok(Installed::New(folder)) => {
+                self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
+                (format!("Installed: {}", self.last_level.as_deref().unwrap_or_default()), vec![folder.display().to_string()])
+            }
+            Ok(Installed::Already(folder)) => {
+                self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
+                ("This level is there already".to_owned(), vec![folder.display().to_string()])
+            }
+            Err(problems) => ("This file cannot be opened".to_owned(), problems),
+        };
+        let mut screen = self.level_select(Purpose::Play);
+        screen.show(heading, lines);
         Screen::LevelSelect(screen)
     }
 

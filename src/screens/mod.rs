@@ -77,6 +77,7 @@ use crate::classics::jumper::scene::Scene;
 use crate::game::RunResult;
 use crate::scores::Name;
 use crate::settings::Settings;
+use std::path::PathBuf;
 use std::rc::Rc;
 
 /// What is on the screen, with all that it needs.
@@ -173,6 +174,8 @@ pub enum Request {
     Classic(Classic),
     /// A climb that has ended.
     Climbed(Box<Scene>),
+    /// A file that was dropped on the window.
+    Open(PathBuf),
     /// The end.
     Quit,
 }

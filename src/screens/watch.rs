@@ -20,7 +20,7 @@ const SHORT_FRAME: f64 = 1.0 / 40.0;
 /// What a page is, s.
 const PAGE: f64 = 1.0;
 /// Height of the controls at the canvas' foot: the flight is above them.
-pub const FOOT: f32 = 128.0;
+pub const FOOT: f32 = 144.0;
 /// The keys that have a button; the arrows also repeat.
 const KEYS: [Key; 7] = [Key::Escape, Key::Space, Key::Left, Key::Right, Key::Down, Key::Up, Key::Tab];
 
@@ -241,8 +241,8 @@ impl Watch {
 
 /// Where the line of time is.
 fn line(frame: &Frame) -> Area {
-    const SIDES: f32 = 216.0;
-    Area { min: Vec2::new(SIDES, frame.size.y - FOOT + 20.0), size: Vec2::new(frame.size.x - 2.0 * SIDES, 12.0) }
+    const SIDES: f32 = 264.0;
+    Area { min: Vec2::new(SIDES, frame.size.y - FOOT + 44.0), size: Vec2::new(frame.size.x - 2.0 * SIDES, 12.0) }
 }
 
 #[cfg(feature = "window")]
@@ -268,9 +268,9 @@ mod drawing {
             let y = line.centre().y;
             let number = Style::new(TEXT, theme::text()).mono().middle();
             let at = format!("{} / {}", precise(tick as f64 / rate), precise(known as f64 / rate));
-            canvas.text(&at, Vec2::new(16.0, y), Style { size: TEXT, ..number });
+            canvas.text(&at, Vec2::new(24.0, y), number);
             let pace = if self.paused { format!("paused · {}", pace(self.pace())) } else { pace(self.pace()) };
-            canvas.text(&pace, Vec2::new(size.x - 16.0, y), number.right());
+            canvas.text(&pace, Vec2::new(size.x - 24.0, y), number.right());
             let play = if self.paused { "Play" } else { "Pause" };
             self.toolbar.draw(
                 canvas,
@@ -284,10 +284,8 @@ mod drawing {
                     ("Forces", "Tab"),
                 ],
             );
-            let words = Vec2::new(size.x - 16.0, 32.0);
-            let width = canvas.width(&self.title, Style::new(TEXT, theme::text())) + 32.0;
-            widgets::panel(canvas, Area::new(size.x - 16.0 - width, 16.0, width, 32.0));
-            canvas.text(&self.title, words - Vec2::new(16.0, 0.0), Style::new(TEXT, theme::text()).middle().right());
+            let title = Vec2::new(size.x / 2.0, size.y - FOOT + 20.0);
+            widgets::fitted(canvas, &self.title, title, size.x - 64.0, &[TEXT], theme::quiet());
         }
     }
 

@@ -11,8 +11,8 @@ use crate::view::layout::{DESIGN, Vec2};
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
 use macroquad::input::{
-    KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
-    mouse_position, mouse_wheel,
+    KeyCode, MouseButton, get_char_pressed, get_dropped_files, is_key_down, is_key_pressed, is_mouse_button_down,
+    is_mouse_button_pressed, mouse_position, mouse_wheel,
 };
 use macroquad::miniquad::conf::Conf;
 use macroquad::time::{get_fps, get_frame_time, get_time};
@@ -137,6 +137,7 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
         pressed: keys(is_key_pressed) | pad_pressed,
         held: keys(is_key_down) | pad_held,
         typed: std::iter::from_fn(get_char_pressed).collect(),
+        dropped: get_dropped_files().into_iter().filter_map(|file| file.path).collect(),
         ..Input::default()
     }
 }

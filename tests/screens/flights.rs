@@ -2,6 +2,7 @@
 
 use crate::sitting::{HERE, Sitting, level};
 use resultant::game::{Game, Outcome, Replay};
+use resultant::pack;
 use resultant::scores::Standing;
 use resultant::screens::{Gap, Input, Key, MOST_RIVALS, Screen, Spectator, Split};
 use resultant::view::layout::Vec2;
@@ -287,4 +288,38 @@ fn a_gamepad_reaches_all_of_it() {
     assert_eq!(sitting.watch().place().0, 120.min(sitting.watch().place().1));
     assert_eq!(sitting.press(Key::PadB).at(), "flights");
     assert_eq!(sitting.press_all(&[Key::PadRight, Key::PadA]).at(), "flight");
+}
+
+#[test]
+fn a_level_that_is_dropped_on_the_window_is_installed_and_chosen() {
+    let mut sitting = Sitting::new();
+    let zip = |name: &str, objectives: &str| {
+        let elsewhere = tempfile::tempdir().unwrap();
+        level(elsewhere.path(), "tower", objectives, "");
+        let (package, _) = pack::gather(&elsewhere.path().join("levels/tower"), elsewhere.path()).unwrap();
+        let path = sitting.folder.path().join(name);
+        fs::write(&path, pack::write(&package).unwrap()).unwrap();
+        path
+    };
+    let (first, second) = (zip("one.zip", HERE), zip("two.zip", "PLAYER,1,1,9,9\n"));
+    let bad = sitting.folder.path().join("bad.zip");
+    fs::write(&bad, "nothing").unwrap();
+    let drop = |sitting: &mut Sitting, path: &Path| {
+        sitting.give(Input { dropped: vec![path.to_owned()], ..Input::default() });
+    };
+    drop(&mut sitting, &first);
+    assert_eq!(sitting.at(), "problems");
+    assert_eq!(sitting.level_select().problems().unwrap().heading(), "Installed: tower");
+    sitting.press(Key::Enter).press(Key::Enter);
+    assert_eq!((sitting.at(), sitting.flight().game().level().name.as_str()), ("flight", "tower"));
+    drop(&mut sitting, &second);
+    assert_eq!(sitting.at(), "flight", "nobody who flies is interrupted");
+    sitting.wait(1.5).press(Key::Escape);
+    drop(&mut sitting, &second);
+    assert_eq!(sitting.level_select().problems().unwrap().heading(), "Installed: tower-2");
+    drop(&mut sitting, &first);
+    assert_eq!(sitting.level_select().problems().unwrap().heading(), "This level is there already");
+    drop(&mut sitting, &bad);
+    assert_eq!(sitting.level_select().problems().unwrap().heading(), "This file cannot be opened");
+    assert_eq!(fs::read_dir(sitting.folder.path().join("levels")).unwrap().count(), 7);
 }
