@@ -127,7 +127,7 @@ impl Gap {
         match self {
             Self::Seconds(seconds) if seconds < 0.0 => format!("−{:.2} s", -seconds),
             Self::Seconds(seconds) => format!("+{seconds:.2} s"),
-            Self::Never => "never met it".to_owned(),
+            Self::Never => "not met".to_owned(),
             Self::Unknown => "…".to_owned(),
         }
     }
@@ -138,7 +138,7 @@ mod drawing {
     use super::{Gap, Race};
     use crate::view::canvas::{Canvas, Style};
     use crate::view::hud::HudLayout;
-    use crate::view::layout::{Area, GRID, TEXT, Vec2};
+    use crate::view::layout::{DETAILS, GRID, TEXT, Vec2};
     use crate::view::{Ghost, theme, widgets};
 
     impl Race {
@@ -147,17 +147,15 @@ mod drawing {
             self.ghosts(tick, alpha).map(|(ghost, pose)| Ghost { name: ghost.name.clone(), pose }).collect()
         }
 
-        /// Draws how the ship stands to each ghost at the objective that it met last, below the timer.
+        /// Draws how the ship stands to each ghost at the objective that it met last, in a strip beside the timer.
         pub fn draw(&self, canvas: &Canvas) {
-            let status = HudLayout::new(canvas.frame()).status;
-            let line = canvas.line_height(TEXT);
-            let size = Vec2::new(status.size.x, line * self.all().len() as f32 + 1.5 * GRID);
-            let area = Area { min: Vec2::new(status.min.x, status.max().y + GRID), size };
-            widgets::panel_in(canvas, area, theme::faded(theme::panel(), 0.9), theme::panel_edge());
+            let area = HudLayout::new(canvas.frame()).race(canvas.frame(), self.all().len());
+            widgets::panel_in(canvas, area, theme::faded(theme::panel(), 0.5), theme::panel_edge());
+            let column = area.size.x / self.all().len() as f32;
             for (i, ghost) in self.all().iter().enumerate() {
-                let y = area.min.y + 0.75 * GRID + line * (i as f32 + 0.5);
-                let words = Style::new(TEXT, theme::quiet()).middle();
-                canvas.text(&ghost.name, Vec2::new(area.min.x + 2.0 * GRID, y), words);
+                let middle = area.min.x + column * (i as f32 + 0.5);
+                let at = |part: f32| Vec2::new(middle, area.min.y + area.size.y * part);
+                widgets::fitted(canvas, &ghost.name, at(0.3), column - GRID, &[TEXT, DETAILS], theme::quiet());
                 let gap = self.splits().last().map(|split| self.gap(ghost, *split));
                 let colour = match gap {
                     Some(Gap::Seconds(seconds)) if seconds > 0.0 => theme::bad(),
@@ -165,7 +163,7 @@ mod drawing {
                     Some(Gap::Unknown) | None => theme::quiet(),
                 };
                 let told = gap.map_or_else(|| "–".to_owned(), Gap::words);
-                canvas.text(&told, Vec2::new(area.max().x - 2.0 * GRID, y), Style { colour, ..words }.mono().right());
+                canvas.text(&told, at(0.72), Style::new(TEXT, colour).mono().centred().middle());
             }
         }
     }

@@ -198,7 +198,7 @@ impl Theatre {
     /// Lets the view move on by the frame just updated, and draws it.
     fn draw(&mut self, flight: &Flight, settings: Settings, frame_time: f64, canvas: &Canvas) {
         let Some(view) = &mut self.view else { return };
-        let overlays = Overlays { settings, details: flight.details(), hitboxes: flight.hitboxes() };
+        let overlays = Overlays { settings, details: flight.details(), hitboxes: flight.hitboxes(), watched: false };
         let passed = if flight.pause().is_some() { 0.0 } else { frame_time };
         view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
         if flight.pause().is_none() {
@@ -214,7 +214,7 @@ impl Theatre {
     /// The same for a flight that is watched.
     fn draw_watched(&mut self, watch: &Watch, settings: Settings, frame_time: f64, canvas: &Canvas) {
         let Some(view) = &mut self.view else { return };
-        let overlays = Overlays { settings, details: watch.details(), hitboxes: watch.hitboxes() };
+        let overlays = Overlays { settings, details: watch.details(), hitboxes: watch.hitboxes(), watched: true };
         let passed = if watch.paused() { 0.0 } else { frame_time * watch.pace().min(1.0) };
         view.update(watch.game(), watch.alpha(), passed, overlays, canvas.frame());
         view.follow_jumps(watch.game(), frame_time - passed);

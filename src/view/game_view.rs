@@ -73,6 +73,8 @@ pub struct Overlays {
     pub details: bool,
     /// Hitboxes and figures (F3).
     pub hitboxes: bool,
+    /// Whether it is watched, and the keys do not fly.
+    pub watched: bool,
 }
 
 impl GameView {
@@ -214,7 +216,7 @@ impl GameView {
         if overlays.settings.flash {
             self.feedback.draw_flash(canvas);
         }
-        hud::draw(game, &overlays.settings, canvas);
+        hud::draw(game, &overlays.settings, !overlays.watched, canvas);
         canvas.end_layer();
     }
 

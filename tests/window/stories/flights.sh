@@ -26,7 +26,7 @@ expect flights-list differs flights-board 0.5
 press Return
 expect flights-watch shows "$accent" 0 80 100 20 0.1
 press End
-expect flights-end shows "$accent" 17 82 66 8 20 # the line of time is full
+expect flights-end shows "$accent" 22 85 54 4 30 # the line of time is full
 press Prior
 expect flights-back differs flights-end 0.3
 press End
