@@ -7,6 +7,7 @@
 //! - [`physics`]: the engine: bodies, named forces, contacts, impacts, motion. It knows no pixel, key, clock or file.
 //! - [`level`]: the text of a level folder becomes a valid [`level::Level`], or the list of all its problems.
 //! - [`game`]: one run of a level: controls, fuel, objectives, hazards, events, score.
+//! - [`pack`]: a level as one file that is handed on, and what may be taken of one that came from anywhere.
 //! - [`scores`]: user names and leaderboards, and their files.
 //! - [`settings`]: what a player has set, and the file that keeps it.
 //! - [`classics`]: a tile run, a jumper, and π from collisions, each with just the model that it needs.
@@ -25,6 +26,7 @@ pub mod files;
 pub mod game;
 pub mod lab;
 pub mod level;
+pub mod pack;
 pub mod physics;
 /// Random numbers for unit tests: those of the tests in `tests/`.
 #[cfg(test)]

@@ -62,7 +62,7 @@ fn irregular(seed: u64) -> impl FnMut() -> Vec<f64> {
 
 /// Flies the script through the screen and returns how its attempt stands at the end.
 fn fly(level: &Level, script: &Script, frames: Frames<'_>) -> Game {
-    let mut flight = Flight::new(Attempt { level: Arc::new(level.clone()), inputs: None }, &mut ()).unwrap();
+    let mut flight = Flight::new(Attempt::by_hand(Arc::new(level.clone())), &mut ()).unwrap();
     let mut held: Vec<Key> = Vec::new();
     for edges in script {
         let mut pressed: Vec<Key> = Vec::new();
@@ -244,7 +244,7 @@ fn an_edge_that_is_missing_or_comes_later_is_another_flight() {
 #[test]
 fn frames_too_long_for_their_ticks_slow_the_flight_down_and_change_no_tick() {
     let level = yard_with_media();
-    let mut flight = Flight::new(Attempt { level: Arc::new(level.clone()), inputs: None }, &mut ()).unwrap();
+    let mut flight = Flight::new(Attempt::by_hand(Arc::new(level.clone())), &mut ()).unwrap();
     for _ in 0..10 {
         let seen = Input { held: keys(&[Key::Space]), frame_time: 0.25, ..Input::default() };
         assert!(flight.update(&seen, &mut ()).is_none());

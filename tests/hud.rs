@@ -8,6 +8,8 @@ use resultant::view::hud::HudLayout;
 use resultant::view::layout::{Area, Frame, Vec2, nearest_size, text_room};
 use std::path::Path;
 
+/// Against how many most race. More need a wider strip, which what lies behind is seen through.
+const RIVALS: usize = 2;
 /// Pixels.
 const WINDOWS: [Vec2; 4] = [Vec2::new(900.0, 500.0), Vec2::new(1280.0, 720.0), Vec2::new(1920.0, 1080.0), Vec2::new(720.0, 1280.0)];
 
@@ -46,7 +48,8 @@ fn at_the_start_of_every_level_the_display_covers_no_hazard_no_goal_and_no_text(
             let frame = Frame::of_window(window);
             let view = start(&level, &frame);
             for (what, area) in shown(&level, &view, &frame) {
-                for part in HudLayout::new(&frame).areas() {
+                let layout = HudLayout::new(&frame);
+                for part in layout.areas().into_iter().chain([layout.race(&frame, RIVALS)]) {
                     let apart = (part.min - area.max()).max(area.min - part.max()).max_element();
                     assert!(apart >= 0.0, "level {name} in {window}: {what} ({area:?}) lies behind {part:?}");
                 }

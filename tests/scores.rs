@@ -9,7 +9,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use resultant::files;
-use resultant::scores::{Name, PATIENCE, Placement, Scores, ScoresError};
+use resultant::scores::{Name, PATIENCE, Placement, Score, Scores, ScoresError};
 
 /// A scores folder of its own for a test, removed with it.
 struct Fixture {
@@ -287,7 +287,10 @@ fn a_lock_that_is_held_is_waited_for_and_then_told() {
     assert_eq!(error.to_string(), format!("{}: {told}", place.display()));
     assert_eq!(fixture.text("1.csv"), "name,score\nann,30\n");
     let begun = Instant::now();
-    assert!(matches!(fixture.scores().save_within(Duration::ZERO, "1", &name("bob"), 40), Err(ScoresError::Busy(_))));
+    assert!(matches!(
+        fixture.scores().save_within(Duration::ZERO, "1", Score { name: &name("bob"), points: 40, flight: None }),
+        Err(ScoresError::Busy(_))
+    ));
     assert!(begun.elapsed() < Duration::from_millis(500));
 
     // It is let go while the next save waits.

@@ -7,11 +7,13 @@
 
 mod chart;
 mod check;
+mod earned;
 mod files;
 mod forces;
 mod jumper;
 mod new;
 mod number;
+mod pack;
 mod pi;
 mod play;
 mod project;
@@ -55,7 +57,11 @@ enum Command {
     Chart(chart::Args),
     /// Make a level folder that loads
     New(new::Args),
-    /// Fly recorded runs again and compare where they lead
+    /// Make one file of a level, with its pictures and flights, to be handed on
+    Pack(pack::PackArgs),
+    /// Install the level of such a file under levels/
+    Unpack(pack::UnpackArgs),
+    /// Fly recorded runs, or all saved scores, again and compare where they lead
     Verify(verify::Args),
     /// Run a list of commands through a map of tiles
     Tiles(tiles::Args),
@@ -165,6 +171,8 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
         Some(Command::Run(args)) => run::run(args, &project, out),
         Some(Command::Chart(args)) => chart::run(args, &project, out),
         Some(Command::New(args)) => new::run(args, &project, out),
+        Some(Command::Pack(args)) => pack::pack(args, &project, out),
+        Some(Command::Unpack(args)) => pack::unpack(args, &project, out),
         Some(Command::Verify(args)) => verify::run(args, &project, out),
         Some(Command::Tiles(args)) => tiles::run(args, &project, out),
         Some(Command::Jumper(args)) => jumper::run(args, &project, out),

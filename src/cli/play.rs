@@ -50,7 +50,7 @@ fn attempt(level: &str, inputs: Option<&Path>, project: &Project) -> Result<Atte
     let loaded = level::load(&project.level_folder(level)?, project.root())
         .map_err(|problems| Stop::Refused(problems.iter().map(|problem| format!("{}/{problem}\n", shown(level))).collect()))?;
     let inputs = inputs.map(|file| Inputs::parse(&file.display().to_string(), &read_text(file, INPUTS)?).map_err(Stop::refused));
-    Ok(Attempt { level: Arc::new(loaded.level), inputs: inputs.transpose()?.map(Arc::new) })
+    Ok(Attempt { level: Arc::new(loaded.level), inputs: inputs.transpose()?.map(Arc::new), rivals: Vec::new() })
 }
 
 /// Opens nothing: this build has no window.

@@ -1,7 +1,7 @@
 //! `resultant verify`: flies recorded runs again and compares where they lead.
 
 use super::files::read_text;
-use super::{Project, Readers, Status, Stop, load_level, shown};
+use super::{Project, Readers, Status, Stop, earned, load_level, shown};
 use crate::files::INPUTS;
 use crate::game::{Mismatch, PROGRAM, Replay};
 use crate::level::Level;
@@ -19,8 +19,11 @@ const TICKS_A_LOOK: u64 = 4096;
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Recorded runs, as `run --record` writes them
-    #[arg(required = true, value_name = "REPLAY")]
+    #[arg(required_unless_present = "scores", value_name = "REPLAY")]
     replays: Vec<PathBuf>,
+    /// Fly the flight of every saved score again, and name the rows that do not hold
+    #[arg(long, conflicts_with = "replays")]
+    scores: bool,
 }
 
 /// Verifies the replays: a line for each that holds goes to `out`, for each that does not to standard error, and so does how far a long
@@ -29,6 +32,9 @@ pub struct Args {
 /// # Errors
 /// A replay that cannot be read, or whose level is refused; none is flown then.
 pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+    if args.scores {
+        return earned::run(project, out);
+    }
     let (mut replays, mut problems) = (Vec::new(), Vec::new());
     for path in &args.replays {
         let name = shown(path.display());

@@ -111,6 +111,16 @@ impl Inputs {
         }
     }
 
+    /// The controls of each tick after the first `ticks` ones.
+    pub fn after(&self, ticks: u64) -> impl Iterator<Item = Controls> + '_ {
+        let mut before = ticks;
+        self.rows.iter().flat_map(move |row| {
+            let passed = before.min(row.ticks);
+            before -= passed;
+            (passed..row.ticks).map(|_| row.controls)
+        })
+    }
+
     /// How many ticks there are.
     pub fn ticks(&self) -> u64 {
         self.rows.iter().map(|row| row.ticks).sum()

@@ -14,6 +14,7 @@ mod death;
 mod event;
 mod fingerprint;
 mod hash;
+mod history;
 mod impacts;
 mod inputs;
 mod latch;
@@ -22,17 +23,20 @@ mod medals;
 mod names;
 mod notes;
 mod objectives;
+mod proof;
 mod pushes;
 mod replay;
 mod score;
 mod ship;
 mod touch;
+mod track;
 
 pub use attempt::{DAMAGING_SPEED, DUST_SPEED, Game, SHIP, TICK_RATE, TICK_RATES};
 pub use clock::{Clock, TICKS_A_FRAME};
 pub use death::Death;
 pub use event::{GameError, GameEvent, Outcome};
 pub use fingerprint::level_hash;
+pub use history::{History, Reel};
 pub use impacts::{Felt, READABLE};
 pub(crate) use inputs::records;
 pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
@@ -40,11 +44,13 @@ pub use latch::Latch;
 pub use mechanisms::{Change, Mechanisms};
 pub use medals::{Goal, Medal, Medals, Prize, goals, words};
 pub use names::{obstacle_name, source_name};
+pub use proof::Proof;
 pub use pushes::APART;
 pub use replay::{MOST_SECONDS, Mismatch, PROGRAM, Recorder, Replay};
 pub use score::{RunResult, ScoreParts};
 pub use ship::{BURN_RATE, ROTATION_RATE, Ship, nose};
 pub use touch::{TOUCH, sweep_touches};
+pub use track::{Pose, Track};
 
 /// What the player holds down during one tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

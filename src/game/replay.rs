@@ -20,7 +20,7 @@
 //! level's hash is flown in whatever level has its name.
 
 use super::notes::{Ended, Hex, LevelName, Notes, Seconds, TickRate, written};
-use super::{BadFile, Controls, Game, GameError, Inputs, Outcome, level_hash};
+use super::{BadFile, Controls, Game, GameError, Inputs, Outcome, Proof, level_hash};
 use crate::level::Level;
 use std::fmt;
 use std::sync::Arc;
@@ -141,14 +141,14 @@ impl Recorder {
 }
 
 /// The second that the last tick brought to its end, from 1 on.
-fn ended_second(game: &Game) -> Option<usize> {
+pub(super) fn ended_second(game: &Game) -> Option<usize> {
     let second = |ticks: u64| (ticks as f64 / game.tick_rate()) as usize;
     let now = second(game.ticks());
     (now > second(game.ticks().saturating_sub(1))).then_some(now)
 }
 
 /// In whole thousandths, which tell any two ticks of the game apart and do not depend on how a number was written.
-fn thousandths(seconds: f64) -> u64 {
+pub(super) fn thousandths(seconds: f64) -> u64 {
     (seconds * 1000.0).round() as u64
 }
 
@@ -187,40 +187,17 @@ impl Replay {
     /// # Errors
     /// As [`Game::with_tick_rate`].
     pub fn verify(&self, level: Arc<Level>, mut watch: impl FnMut(&Game)) -> Result<Result<(), Mismatch>, GameError> {
-        let here = level_hash(&level);
-        if let Some(recorded) = self.level_hash.filter(|&recorded| recorded != here) {
-            return Ok(Err(Mismatch::Level(recorded, here)));
-        }
-        let mut game = Game::with_tick_rate(level, self.tick_rate)?;
-        let mut playback = self.inputs.clone().into_iter();
-        // Once it has ended nothing changes any more.
-        while game.outcome() == Outcome::Running
-            && let Some(controls) = playback.next()
-        {
-            game.step(controls);
-            watch(&game);
-            if let Some(second) = ended_second(&game)
-                && let Some(&recorded) = self.seconds.get(second - 1)
-                && recorded != game.hash()
-            {
-                return Ok(Err(Mismatch::Second(second, recorded, game.hash())));
+        let mut proof = match Proof::new(Arc::new(self.clone()), level)? {
+            Ok(proof) => proof,
+            Err(mismatch) => return Ok(Err(mismatch)),
+        };
+        loop {
+            let verdict = proof.step();
+            watch(proof.game());
+            if let Some(verdict) = verdict {
+                return Ok(verdict);
             }
         }
-        Ok(self.compare(&game))
-    }
-
-    /// Whether a game that was flown to its end came to what is recorded.
-    fn compare(&self, game: &Game) -> Result<(), Mismatch> {
-        let (result, hash) = (game.result(), game.hash());
-        let (score, outcome) = (result.score.total, result.outcome);
-        if (score, hash) != (self.score, self.hash) {
-            return Err(Mismatch::End { score: (self.score, score), hash: (self.hash, hash) });
-        }
-        let (recorded, time) = (self.time.map(thousandths), thousandths(result.time));
-        if self.outcome.is_some_and(|recorded| recorded != outcome) || recorded.is_some_and(|recorded| recorded != time) {
-            return Err(Mismatch::Result { outcome: (self.outcome, outcome), time: (recorded, time) });
-        }
-        Ok(())
     }
 }
 

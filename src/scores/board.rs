@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 
 use serde::Serialize;
 
-use super::{Name, ScoresError};
+use super::{Name, Origin, ScoresError};
 
 /// One user's best score.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -22,6 +22,14 @@ pub struct Row {
 pub struct Board {
     more_columns: Vec<String>,
     rows: Vec<Row>,
+}
+
+/// A row on its way to another board.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Moved {
+    name: Name,
+    score: i64,
+    cells: Vec<(String, String)>,
 }
 
 /// What became of a score; ranks count from 1.
@@ -73,6 +81,81 @@ impl Board {
     /// The names of the columns behind `name` and `score`, as far as the file gives any.
     pub fn more_columns(&self) -> &[String] {
         &self.more_columns
+    }
+
+    /// Where a row comes from, as far as its cells say.
+    pub fn origin(&self, row: usize) -> Origin {
+        let cell = |column: &str| Some(self.rows.get(row)?.more.get(self.column(column)?)?.trim()).filter(|cell| !cell.is_empty());
+        Origin::of(cell)
+    }
+
+    /// The index of a column behind `name` and `score`.
+    fn column(&self, name: &str) -> Option<usize> {
+        self.more_columns.iter().position(|column| column.trim().eq_ignore_ascii_case(name))
+    }
+
+    /// Says in a user's row where it comes from, in columns of their own behind all that there are.
+    pub(super) fn set_origin(&mut self, name: &Name, origin: &Origin) {
+        self.set_cells(name, &origin.cells().map(|(column, cell)| (column.to_owned(), cell)));
+    }
+
+    fn set_cells(&mut self, name: &Name, cells: &[(String, String)]) {
+        let Some(index) = self.rows.iter().position(|row| row.name == *name) else { return };
+        for (column, cell) in cells {
+            if cell.is_empty() && self.column(column).is_none() {
+                continue;
+            }
+            let at = self.column(column).unwrap_or_else(|| {
+                // Cells behind the last named column belong to whoever wrote them.
+                let widest = self.rows.iter().map(|row| row.more.len()).max().unwrap_or(0);
+                self.more_columns.resize(self.more_columns.len().max(widest), String::new());
+                self.more_columns.push(column.clone());
+                self.more_columns.len() - 1
+            });
+            let more = &mut self.rows[index].more;
+            more.resize(more.len().max(at + 1), String::new());
+            more[at].clone_from(cell);
+        }
+    }
+
+    /// The further cells of a row with the names of their columns; those without a name are counted.
+    pub(super) fn named_cells(&self, row: usize) -> Vec<(String, String)> {
+        let named = |(index, cell): (usize, &String)| {
+            let name = self.more_columns.get(index).filter(|name| !name.trim().is_empty());
+            (name.map_or_else(|| format!("column {}", index + 3), Clone::clone), cell.clone())
+        };
+        self.rows[row].more.iter().enumerate().map(named).collect()
+    }
+
+    /// Takes out the rows that were flown in another version of the level, each with that version; those that do not say in which stay.
+    pub(super) fn take_other_versions(&mut self, version: u64) -> Vec<(u64, Moved)> {
+        let mut taken = Vec::new();
+        for index in (0..self.rows.len()).rev() {
+            if let Some(other) = self.origin(index).version.filter(|&other| other != version) {
+                taken.push((other, self.moved(index)));
+                self.rows.remove(index);
+            }
+        }
+        taken.reverse();
+        taken
+    }
+
+    /// All rows, as another board takes them.
+    pub(super) fn all_moved(&self) -> Vec<Moved> {
+        (0..self.rows.len()).map(|row| self.moved(row)).collect()
+    }
+
+    fn moved(&self, row: usize) -> Moved {
+        let Row { name, score, .. } = &self.rows[row];
+        Moved { name: name.clone(), score: *score, cells: self.named_cells(row) }
+    }
+
+    /// Takes a row of another board over, where it is the user's best.
+    pub(super) fn merge(&mut self, Moved { name, score, cells }: &Moved) {
+        if let Ok(Placement::New { .. } | Placement::Raised { .. }) = self.place(name, *score) {
+            self.set_origin(name, &Origin::default());
+            self.set_cells(name, cells);
+        }
     }
 
     /// Where the user stands, counted from 1; `None` when not on the board.

@@ -94,6 +94,38 @@ pub(super) fn update<T>(
     Ok((outcome, rescue))
 }
 
+/// Writes a file of a folder within that of the scores, whole or not at all; there may be one of that name already. Whoever calls holds a
+/// lock that nobody writes there without.
+///
+/// # Errors
+/// A read-only file; whatever the system refuses. What was there is untouched then.
+pub(super) fn write_within(scores: &Path, folders: &[&str], file: &str, bytes: &[u8]) -> Result<PathBuf, ScoresError> {
+    let mut folder = scores.to_owned();
+    for name in folders {
+        folder.push(name);
+        make_folder(&folder).map_err(ScoresError::file("create the folder", &folder))?;
+    }
+    let path = behind_links(folder.join(file))?;
+    Staged::write(&path, bytes)?.replace(&path)?;
+    sync_folder(&folder);
+    Ok(path)
+}
+
+/// Makes a folder where there is none, for all who may write in the one around it.
+pub(super) fn make_folder(folder: &Path) -> io::Result<()> {
+    match fs::create_dir(folder) {
+        Ok(()) => {
+            if let Some(around) = folder.parent() {
+                // Where that is not allowed, it is whoever made the folder that can write in it.
+                let _ = fs::metadata(around).and_then(|around| fs::set_permissions(folder, around.permissions()));
+            }
+            Ok(())
+        }
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists && folder.is_dir() => Ok(()),
+        Err(error) => Err(error),
+    }
+}
+
 /// Adds a line at the end of a file of that folder. A file that does not begin with `header` is renamed to `<file>.damaged-N` first, and
 /// a fresh one begins with it; the old one's new path is the answer. The system writes it to disk when it likes: a line is not worth a
 /// frame of the game.

@@ -1,4 +1,5 @@
-//! The folder that holds the scores files: a leaderboard a level, what the players have done, and a line an attempt.
+//! The folder that holds the scores files: a leaderboard a level with the flights of its rows, the boards of other versions of a level,
+//! what the players have done, and a line an attempt.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -6,7 +7,9 @@ use std::time::Duration;
 use super::attempts::{self, AttemptRow};
 use super::disk::{self, Change, Rescue};
 use super::players::{self, Deed, Players};
-use super::{Board, Damage, Name, Placement, ScoresError, table};
+use super::{Board, Damage, Name, Origin, Placement, ScoresError, table};
+use crate::files;
+use crate::game::Replay;
 
 /// How long a save waits for another process that saves there. A save takes milliseconds; whoever holds a lock for longer hangs.
 pub const PATIENCE: Duration = Duration::from_secs(2);
@@ -15,6 +18,10 @@ pub const PATIENCE: Duration = Duration::from_secs(2);
 const PLAYERS: &str = "players.csv";
 /// The file of attempts.
 const ATTEMPTS: &str = "attempts.csv";
+/// The folder of flights, in which each level has one.
+const FLIGHTS: &str = "flights";
+/// The folder of boards of other versions of the levels.
+const ASIDE: &str = "aside";
 
 /// The folder of all leaderboards.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,6 +36,17 @@ pub struct Loaded {
     pub board: Board,
     /// The places that could not.
     pub damage: Vec<Damage>,
+}
+
+/// What is to be saved.
+#[derive(Clone, Copy, Debug)]
+pub struct Score<'a> {
+    /// Whose.
+    pub name: &'a Name,
+    /// Points.
+    pub points: i64,
+    /// How they were flown; by it the row can be proven.
+    pub flight: Option<&'a Replay>,
 }
 
 /// What a save has done.
@@ -58,6 +76,22 @@ impl Scores {
         Ok(Loaded { board, damage })
     }
 
+    /// As [`Scores::load`], for a level of that version (its hash): rows that say that they are of another one are not on its board, and those
+    /// that were kept aside are. With the number of other versions that there are boards of.
+    ///
+    /// # Errors
+    /// As [`Scores::load`].
+    pub fn load_version(&self, level: &str, version: u64) -> Result<(Loaded, usize), ScoresError> {
+        let mut loaded = self.load(level)?;
+        let mut others = self.versions_aside(level);
+        others.extend(loaded.board.take_other_versions(version).into_iter().map(|(other, _)| other));
+        others.retain(|&other| other != version);
+        others.sort_unstable();
+        others.dedup();
+        self.fetch_back(&mut loaded.board, level, version)?;
+        Ok((loaded, others.len()))
+    }
+
     /// Saves a score in a level's leaderboard; the file is on disk, whole, when this returns.
     ///
     /// Waits up to [`PATIENCE`] while another process saves there. A damaged file is kept aside as `<level>.csv.damaged-N` before it is
@@ -67,25 +101,105 @@ impl Scores {
     /// A score below 1; a level name that cannot name a file; a read-only file; a board that is too large; another process that does
     /// not come to an end ([`ScoresError::Busy`]: it may be tried again); whatever the system refuses. The old file is untouched then.
     pub fn save(&self, level: &str, name: &Name, score: i64) -> Result<Saved, ScoresError> {
-        self.save_within(PATIENCE, level, name, score)
+        self.save_within(PATIENCE, level, Score { name, points: score, flight: None })
     }
 
-    /// As [`Scores::save`], with that much patience; without any it returns at once.
+    /// As [`Scores::save`], with that much patience, and with the flight: without any patience it returns at once. The flight is on disk
+    /// before the row that names it. Rows of other versions of the level than the flight's move to boards of their own.
     ///
     /// # Errors
     /// As [`Scores::save`].
-    pub fn save_within(&self, patience: Duration, level: &str, name: &Name, score: i64) -> Result<Saved, ScoresError> {
+    pub fn save_within(&self, patience: Duration, level: &str, score: Score<'_>) -> Result<Saved, ScoresError> {
         let path = self.path(level)?;
-        if score < 1 {
+        let Score { name, points, flight } = score;
+        if points < 1 {
             return Err(ScoresError::NoScore);
         }
         let ((board, placement), rescue) = disk::update(&self.folder, path, patience, |path, old| {
             let (mut board, damage) = table::read(path, old);
-            let placement = board.place(name, score)?;
+            if let Some(version) = flight.and_then(|flight| flight.level_hash) {
+                self.put_aside(&mut board, level, version, patience)?;
+                self.fetch_back(&mut board, level, version)?;
+            }
+            let placement = board.place(name, points)?;
+            if !matches!(placement, Placement::Kept { .. }) {
+                let origin = flight.map(|flight| Origin::of_flight(name.as_str(), flight)).unwrap_or_default();
+                if let (Some(file), Some(flight)) = (&origin.flight, flight) {
+                    disk::write_within(&self.folder, &[FLIGHTS, level], file, flight.to_string().as_bytes())?;
+                }
+                board.set_origin(name, &origin);
+            }
             let bytes = table::write(&board).map_err(ScoresError::file("write the new scores", path))?;
             Ok(Change { bytes, damage, outcome: (board, placement) })
         })?;
         Ok(Saved { board, placement, rescue })
+    }
+
+    /// The flight of a row; `None` where the row names none.
+    ///
+    /// # Errors
+    /// What is wrong with its name or its file.
+    pub fn flight(&self, level: &str, origin: &Origin) -> Option<Result<Replay, String>> {
+        let read = |file: &str| {
+            self.path(level).map_err(|error| error.to_string())?;
+            let path = self.folder.join(FLIGHTS).join(level).join(file);
+            let named = path.display().to_string();
+            let text = files::read_text(&path, files::INPUTS).map_err(|error| format!("{named}: {error}"))?;
+            Replay::parse(&named, &text).map_err(|problems| problems.to_string())
+        };
+        Some(origin.file()?.and_then(read))
+    }
+
+    /// The levels and other games that have a board here, by their files' names.
+    pub fn boards(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(&self.folder).into_iter().flatten().flatten();
+        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        let board = |name: String| Some(name.strip_suffix(".csv")?.to_owned()).filter(|name| !name.starts_with('.'));
+        let mut boards: Vec<String> = names.filter_map(board).filter(|level| self.path(level).is_ok()).collect();
+        boards.sort_unstable();
+        boards
+    }
+
+    /// The file of a level's board of another version.
+    fn aside(&self, level: &str, version: u64) -> PathBuf {
+        self.folder.join(ASIDE).join(format!("{level}.{version:016x}.csv"))
+    }
+
+    /// The versions of a level that have boards aside.
+    fn versions_aside(&self, level: &str) -> Vec<u64> {
+        let entries = std::fs::read_dir(self.folder.join(ASIDE)).into_iter().flatten().flatten();
+        let version = |name: String| {
+            let digits = name.strip_prefix(level)?.strip_prefix('.')?.strip_suffix(".csv")?;
+            u64::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 16)
+        };
+        entries.filter_map(|entry| version(entry.file_name().into_string().ok()?)).collect()
+    }
+
+    /// Moves the rows of other versions of the level to their boards. They are on disk there before they leave this one.
+    fn put_aside(&self, board: &mut Board, level: &str, version: u64, patience: Duration) -> Result<(), ScoresError> {
+        let mut taken = board.take_other_versions(version);
+        while let Some(&(other, _)) = taken.first() {
+            let (rows, rest) = taken.into_iter().partition::<Vec<_>, _>(|(version, _)| *version == other);
+            taken = rest;
+            let folder = self.folder.join(ASIDE);
+            disk::make_folder(&folder).map_err(ScoresError::file("create the folder", &folder))?;
+            disk::update(&folder, self.aside(level, other), patience, |path, old| {
+                let (mut aside, damage) = table::read(path, old);
+                rows.iter().for_each(|(_, row)| aside.merge(row));
+                let bytes = table::write(&aside).map_err(ScoresError::file("write the scores kept aside", path))?;
+                Ok(Change { bytes, damage, outcome: () })
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Puts the rows on a board that were kept aside when the level was another one for a while.
+    fn fetch_back(&self, board: &mut Board, level: &str, version: u64) -> Result<(), ScoresError> {
+        let path = self.aside(level, version);
+        if let Some(bytes) = disk::read_if_there(&path)? {
+            table::read(&path, &bytes).0.all_moved().iter().for_each(|row| board.merge(row));
+        }
+        Ok(())
     }
 
     /// Reads what the players have done and changes nothing, with the places that could not be read. Without a file there are no players.

@@ -1,15 +1,17 @@
 //! User names, leaderboards, what each player has done, and their files.
 //!
-//! Here live the rules of a [`Name`], the order of a [`Board`], what is known of [`Players`], the texts of their files ([`table`],
-//! `players`, `attempts`), and [`Scores`], the folder that holds those files. Only `disk` reads, locks and replaces them. How a score comes
+//! Here live the rules of a [`Name`], the order of a [`Board`], where its rows come from ([`Origin`]) and whether they are earned ([`Claim`]),
+//! what is known of [`Players`], the texts of their files ([`table`], `players`, `attempts`), and [`Scores`], the folder that holds those files. Only `disk` reads, locks and replaces them. How a score comes
 //! about is [`crate::game`]'s, how a board looks is the screens'. Nothing here knows a particular level.
 
 mod attempts;
 mod board;
 mod disk;
+mod earned;
 mod error;
 mod folder;
 mod name;
+mod origin;
 mod players;
 mod records;
 pub mod table;
@@ -17,7 +19,9 @@ pub mod table;
 pub use attempts::AttemptRow;
 pub use board::{Board, Placement, Row};
 pub use disk::Rescue;
+pub use earned::{Claim, Doubt, Standing};
 pub use error::{Damage, ScoresError};
-pub use folder::{Loaded, PATIENCE, Saved, Scores};
+pub use folder::{Loaded, PATIENCE, Saved, Score, Scores};
 pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};
+pub use origin::Origin;
 pub use players::{Deed, Player, Players};

@@ -6,16 +6,20 @@ use super::leaderboard::subject;
 use super::level_select::Entry;
 use super::library::{Library, Refusal};
 use super::{
-    Attempt, Classic, Classics, Facts, Flight, Fresh, Gain, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Miniature,
-    Players, Purpose, Request, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Way, jumper,
+    Attempt, Classic, Classics, Facts, Flight, FlightCandidate, Flights, Flown, Fresh, Gain, Input, Jumper, Key, Lab, Leaderboard,
+    LevelSelect, Menu, Miniature, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring, Screen, SettingsPanel, Source,
+    Spectator, TileRun, Visit, Watch, Way, footage, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
-use crate::game::{Medals, Outcome, RunResult};
-use crate::level::Awards;
-use crate::scores::{Board, Name, PATIENCE, Placement, Saved, Scores, ScoresError};
+use crate::game::{Medals, Outcome, Reel, RunResult, TICK_RATE, level_hash};
+use crate::level::{Awards, Level};
+use crate::pack::Installed;
+use crate::scores::{Board, Loaded, Name, PATIENCE, Placement, Saved, Score, Scores, ScoresError};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// What is shown while another program is saving.
@@ -38,6 +42,7 @@ pub struct Places {
 /// A sitting: the screen, and what outlasts it.
 #[derive(Debug)]
 pub struct App {
+    places: Places,
     library: Library,
     scores: Scores,
     screen: Screen,
@@ -71,11 +76,12 @@ struct Waiting {
 impl App {
     /// A sitting that begins with the menu, of whoever played here last.
     pub fn new(places: Places) -> Self {
-        let scores = Scores::new(places.scores);
+        let scores = Scores::new(&places.scores);
         let settings_file = SettingsFile::new(places.root.join("settings.csv"));
-        let (library, journal) = (Library::new(places.root, places.levels), Journal::new(scores.clone()));
+        let (library, journal) = (Library::new(&places.root, &places.levels), Journal::new(scores.clone()));
         let (settings, settings_problems) = settings_file.load(whose(journal.current()));
         Self {
+            places,
             settings,
             settings_file,
             settings_problems,
@@ -98,6 +104,7 @@ impl App {
         self.journal.update(input.frame_time);
         let asked = self.update_screen(input, spectator);
         self.note_end();
+        let asked = asked.or_else(|| input.dropped.first().filter(|_| self.takes_files()).cloned().map(Request::Open));
         match asked {
             Some(Request::Quit) => {
                 self.journal.close();
@@ -131,6 +138,8 @@ impl App {
             Screen::Menu(screen) => screen.update(input),
             Screen::LevelSelect(screen) => screen.update(input),
             Screen::Flight(screen) => screen.update(input, spectator),
+            Screen::Watch(screen) => screen.update(input, spectator),
+            Screen::Flights(screen) => screen.update(input),
             Screen::Scoring(screen) => screen.update(input),
             Screen::SaveScore(screen) => screen.update(input),
             Screen::Leaderboard(screen) => screen.update(input),
@@ -166,11 +175,25 @@ impl App {
             Request::Menu => self.menu(),
             Request::LevelSelect(purpose) => Screen::LevelSelect(self.level_select(purpose)),
             Request::Play(name) => match self.library.load(&name) {
-                Ok(level) => self.flight(Attempt { level, inputs: None }, spectator),
+                Ok(level) => self.flight(Attempt::by_hand(level), spectator),
                 Err(refusal) => self.refused(Purpose::Play, &name, refusal),
             },
             Request::Attempt(attempt) => self.flight(attempt, spectator),
-            Request::Score(attempt, result) => self.scoring(attempt, result),
+            Request::Score(attempt, result, flown) => self.scoring(attempt, result, flown),
+            Request::Flights(visit) => self.flights(visit),
+            Request::Watch(visit, candidate) => match self.watch(visit, &candidate, spectator) {
+                Ok(screen) => screen,
+                Err(problem) => return self.tell(problem, true),
+            },
+            Request::Race(visit, candidates) => match self.race(&visit, &candidates) {
+                Ok(attempt) => self.flight(attempt, spectator),
+                Err(problem) => return self.tell(problem, true),
+            },
+            Request::Keep(visit, candidate) => {
+                let kept = self.keep(&visit, &candidate);
+                let bad = kept.is_err();
+                return self.tell(kept.unwrap_or_else(|problem| problem), bad);
+            }
             Request::SaveScore(gain) => self.save_score(gain),
             Request::Submit(gain, name) => match self.save(Waiting { gain, name, since: 0.0 }) {
                 Ok(saved) => saved,
@@ -189,6 +212,7 @@ impl App {
             Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),
             Request::Settings => Screen::Settings(Box::new(SettingsPanel::new(self.settings, self.settings_problems.clone()))),
             Request::Set(settings) => return self.set(settings),
+            Request::Open(path) => self.open(&path),
             Request::Quit => return,
         };
         self.screen = next;
@@ -267,10 +291,108 @@ impl App {
         Screen::LevelSelect(screen)
     }
 
-    fn scoring(&mut self, attempt: Attempt, result: RunResult) -> Screen {
+    /// Whether a file that is dropped on the window is taken: nobody who flies or writes is interrupted.
+    fn takes_files(&self) -> bool {
+        match &self.screen {
+            Screen::Flight(flight) => flight.pause().is_some(),
+            Screen::SaveScore(_) => false,
+            _ => true,
+        }
+    }
+
+    /// Installs the level of an archive; the list of levels then, with what became of it.
+    fn open(&mut self, path: &Path) -> Screen {
+        let (heading, lines) = match self.library.install(path) {
+            Ok(Installed::New(folder)) => {
+                self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
+                (format!("Installed: {}", self.last_level.as_deref().unwrap_or_default()), vec![folder.display().to_string()])
+            }
+            Ok(Installed::Already(folder)) => {
+                self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
+                ("This level is there already".to_owned(), vec![folder.display().to_string()])
+            }
+            Err(problems) => ("This file cannot be opened".to_owned(), problems),
+        };
+        let mut screen = self.level_select(Purpose::Play);
+        screen.show(heading, lines);
+        Screen::LevelSelect(screen)
+    }
+
+    /// The flights of a level, or why there is no such level.
+    fn flights(&mut self, visit: Visit) -> Screen {
+        self.last_level = Some(visit.level.clone());
+        let level = match self.library.load(&visit.level) {
+            Ok(level) => level,
+            Err(refusal) => return self.refused(Purpose::Play, &visit.level, refusal),
+        };
+        let (board, problem) = match self.scores.load_version(&visit.level, level_hash(&level)) {
+            Ok((loaded, _)) => (loaded.board, None),
+            Err(error) => (Board::default(), Some(error.to_string())),
+        };
+        let folder = self.places.levels.join(&visit.level);
+        let candidates = footage::candidates(&visit, &folder, &board, self.journal.current());
+        let mut screen = Flights::new(visit, subject(&level.name, &level.title), candidates);
+        if let Some(problem) = problem {
+            screen.tell(problem, true);
+        }
+        Screen::Flights(Box::new(screen))
+    }
+
+    /// The level of a flight that is looked at.
+    fn level_of(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<Arc<Level>, String> {
+        match (&candidate.source, &visit.flown) {
+            // As it was then.
+            (Source::Flown, Some(flown)) => Ok(flown.level.clone()),
+            _ => self.library.load(&visit.level).map_err(|refusal| refusal.into_iter().next().unwrap_or_default()),
+        }
+    }
+
+    fn watch(&self, visit: Visit, candidate: &FlightCandidate, spectator: &mut dyn Spectator) -> Result<Screen, String> {
+        let level = self.level_of(&visit, candidate)?;
+        let title = format!("{} · {}", level.title, candidate.name);
+        let reel = match (&candidate.source, &visit.flown) {
+            (Source::Flown, Some(flown)) => Reel::flown(flown.history.clone()),
+            _ => {
+                let replay = footage::record(&visit, candidate, &self.scores, &level)?;
+                Reel::new(level, &replay.inputs, replay.tick_rate).map_err(|error| error.to_string())?
+            }
+        };
+        Ok(Screen::Watch(Box::new(Watch::new(visit, title, reel, spectator))))
+    }
+
+    /// A flight by hand against those.
+    fn race(&self, visit: &Visit, candidates: &[FlightCandidate]) -> Result<Attempt, String> {
+        let level = self.library.load(&visit.level).map_err(|refusal| refusal.into_iter().next().unwrap_or_default())?;
+        let rival = |candidate: &FlightCandidate| {
+            let replay = footage::record(visit, candidate, &self.scores, &level)?;
+            if replay.tick_rate != TICK_RATE {
+                return Err(format!("{}: flown at {} ticks a second, the game has {TICK_RATE}.", candidate.name, replay.tick_rate));
+            }
+            Ok(Rival { name: candidate.name.clone(), inputs: Arc::new(replay.inputs) })
+        };
+        let rivals = candidates.iter().map(rival).collect::<Result<_, String>>()?;
+        Ok(Attempt { rivals, ..Attempt::by_hand(level) })
+    }
+
+    /// Keeps a flight as a file, and says where.
+    fn keep(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
+        let level = self.level_of(visit, candidate)?;
+        let replay = footage::record(visit, candidate, &self.scores, &level)?;
+        let path = footage::keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;
+        Ok(format!("Kept as {}", path.display()))
+    }
+
+    /// Says on the list of flights what became of something.
+    fn tell(&mut self, words: String, bad: bool) {
+        if let Screen::Flights(screen) = &mut self.screen {
+            screen.tell(words, bad);
+        }
+    }
+
+    fn scoring(&mut self, attempt: Attempt, result: RunResult, flown: Option<Rc<Flown>>) -> Screen {
         let next = self.library.after(&result.level);
         let remark = self.ended.clone().unwrap_or_default();
-        Screen::Scoring(Box::new(Scoring::new(attempt, result, next, remark)))
+        Screen::Scoring(Box::new(Scoring::new(attempt, result, flown, next, remark)))
     }
 
     /// Takes note of the attempt on the screen, once, when it has ended. Who watches a recording has flown nothing.
@@ -331,7 +453,9 @@ impl App {
     /// Saves a score; the leaderboard then, or why that failed or has to wait.
     fn save(&mut self, waiting: Waiting) -> Result<Screen, String> {
         let Waiting { gain, name, since } = waiting;
-        let Saved { board, placement, rescue } = match self.scores.save_within(Duration::ZERO, &gain.board, &name, gain.points) {
+        let flight = gain.flown.as_ref().map(|flown| &flown.replay);
+        let score = Score { name: &name, points: gain.points, flight };
+        let Saved { board, placement, rescue } = match self.scores.save_within(Duration::ZERO, &gain.board, score) {
             Ok(saved) => saved,
             Err(ScoresError::Busy(_)) if since < PATIENCE.as_secs_f64() => {
                 self.waiting = Some(Waiting { gain, name, since });
@@ -349,7 +473,15 @@ impl App {
         }
         let fresh = Fresh { name, remark };
         let medals = self.medals(&gain.board, &board);
-        Ok(Screen::Leaderboard(Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.ways).with_medals(medals)))
+        let prover = self.prover(&gain.board);
+        let screen = Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.ways);
+        Ok(Screen::Leaderboard(screen.with_medals(medals).with_prover(prover)))
+    }
+
+    /// What finds out which rows of a level's board are earned.
+    fn prover(&self, level: &str) -> Option<Prover> {
+        let level = self.library.load(level).ok()?;
+        Some(Prover::new(self.scores.clone(), level))
     }
 
     /// What a level has brought each of those on its board.
@@ -360,20 +492,38 @@ impl App {
         board.rows().iter().map(|row| medals(&row.name).unwrap_or_default()).collect()
     }
 
-    fn leaderboard(&mut self, level: &str) -> Screen {
-        let (subject, back) = if level == LEADERBOARD {
-            (jumper::SUBJECT.to_owned(), Request::Classic(Classic::Jumper))
-        } else {
-            self.last_level = Some(level.to_owned());
-            let title = self.library.load(level).map_or_else(|_| level.to_owned(), |level| level.title.clone());
-            (subject(level, &title), Request::LevelSelect(Purpose::Leaderboard))
+    fn leaderboard(&mut self, name: &str) -> Screen {
+        if name == LEADERBOARD {
+            let ways = vec![Way { label: "Back", to: Request::Classic(Classic::Jumper) }];
+            let shown = self.scores.load(name).map(|loaded| (loaded, 0));
+            return self.board(jumper::SUBJECT.to_owned(), name, shown, ways);
+        }
+        self.last_level = Some(name.to_owned());
+        let level = self.library.load(name).ok();
+        let title = level.as_ref().map_or(name, |level| &level.title);
+        // Of a level that does not load nobody can say which version it is.
+        let shown = match &level {
+            Some(level) => self.scores.load_version(name, level_hash(level)),
+            None => self.scores.load(name).map(|loaded| (loaded, 0)),
         };
-        match self.scores.load(level) {
-            Ok(loaded) => {
-                let damage = (!loaded.damage.is_empty()).then(|| damage_text(&loaded.damage));
-                let ways = vec![Way { label: "Back", to: back }];
-                let medals = self.medals(level, &loaded.board);
-                Screen::Leaderboard(Leaderboard::new(subject, loaded.board, None, damage, ways).with_medals(medals))
+        let back = Request::Leaderboard(name.to_owned());
+        let flights =
+            Way { label: "Flights", to: Request::Flights(Visit { level: name.to_owned(), flown: None, back: Box::new(back) }) };
+        let back = Way { label: "Back", to: Request::LevelSelect(Purpose::Leaderboard) };
+        let ways = level.iter().map(|_| flights.clone()).chain([back]).collect();
+        self.board(subject(name, title), name, shown, ways)
+    }
+
+    /// A board with its buttons, and how many other versions of the level have boards of their own; or the list of levels, where it cannot
+    /// be read.
+    fn board(&self, subject: String, name: &str, shown: Result<(Loaded, usize), ScoresError>, ways: Vec<Way>) -> Screen {
+        match shown {
+            Ok((Loaded { board, damage }, others)) => {
+                let damage = (!damage.is_empty()).then(|| damage_text(&damage));
+                let medals = self.medals(name, &board);
+                let prover = self.prover(name);
+                let screen = Leaderboard::new(subject, board, None, damage, ways).with_other_versions(others);
+                Screen::Leaderboard(screen.with_medals(medals).with_prover(prover))
             }
             Err(error) => {
                 let mut screen = self.level_select(Purpose::Leaderboard);

@@ -20,7 +20,7 @@ const PARTS: [(&str, &str); 14] = [
     ("libm: sines and logarithms, the same everywhere", "MIT"),
     ("clap: the command line", "MIT or Apache 2.0"),
     ("png: pictures", "MIT or Apache 2.0"),
-    ("plotters: charts", "MIT"),
+    ("plotters: charts; zip: levels as one file", "MIT"),
     ("tempfile and cpu-time: files, clocks", "MIT or Apache 2.0"),
 ];
 /// The longest line of the licence, characters.

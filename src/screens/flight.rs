@@ -1,9 +1,11 @@
 //! The game screen: one attempt at a level, its keys and its pause panel.
 
+use super::race::{Race, Rival};
 use super::{Buttons, Input, Key, Purpose, Request, SettingsPanel};
-use crate::game::{Clock, Controls, Game, GameError, Inputs, Latch, Outcome, Playback, RunResult};
+use crate::game::{Clock, Controls, Game, GameError, History, Inputs, Latch, Outcome, Playback, Replay, RunResult};
 use crate::level::Level;
 use crate::settings::{Action, Settings};
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// From the end of an attempt to its score, s: long enough to see what happened.
@@ -18,6 +20,26 @@ pub struct Attempt {
     pub level: Arc<Level>,
     /// Recorded inputs, played from the first tick on.
     pub inputs: Option<Arc<Inputs>>,
+    /// Recorded flights that fly along as ghosts.
+    pub rivals: Vec<Rival>,
+}
+
+impl Attempt {
+    /// A flight by hand, alone.
+    pub const fn by_hand(level: Arc<Level>) -> Self {
+        Self { level, inputs: None, rivals: Vec::new() }
+    }
+}
+
+/// A flight by hand that is over, and the way back through it.
+#[derive(Clone, Debug)]
+pub struct Flown {
+    /// The level.
+    pub level: Arc<Level>,
+    /// Its record.
+    pub replay: Replay,
+    /// How it went.
+    pub history: History,
 }
 
 /// Whoever watches attempts tick by tick: particles, sound, the cost of a tick. It changes nothing in them.
@@ -28,6 +50,8 @@ pub trait Spectator {
     fn before_tick(&mut self) {}
     /// A tick has been computed; its events are in the game.
     fn after_tick(&mut self, _game: &Game) {}
+    /// What is watched has jumped to another moment.
+    fn jumped(&mut self, _game: &Game) {}
 }
 
 impl Spectator for () {}
@@ -39,6 +63,10 @@ pub struct Flight {
     game: Game,
     clock: Clock,
     latch: Latch,
+    /// What was flown, a tick after the other.
+    history: History,
+    /// Those who fly along.
+    race: Option<Race>,
     /// What is left of the recorded inputs.
     playback: Option<Playback>,
     /// The pause panel, while it is open.
@@ -64,6 +92,8 @@ impl Flight {
         let game = Game::new(attempt.level.clone())?;
         spectator.begins(&game);
         Ok(Self {
+            history: History::new(&game),
+            race: Race::new(&attempt.level, &attempt.rivals)?,
             clock: Clock::new(game.tick_rate()),
             latch: Latch::default(),
             playback: attempt.inputs.as_deref().map(|inputs| inputs.clone().into_iter()),
@@ -109,7 +139,14 @@ impl Flight {
             };
             spectator.before_tick();
             self.game.step(controls);
+            self.history.note(&self.game, controls);
+            if let Some(race) = &mut self.race {
+                race.after_tick(&self.game);
+            }
             spectator.after_tick(&self.game);
+        }
+        if let Some(race) = &mut self.race {
+            race.update(self.game.ticks(), input.frame_time);
         }
         None
     }
@@ -117,6 +154,16 @@ impl Flight {
     /// Whether the keys fly, and not a recording.
     pub fn is_by_hand(&self) -> bool {
         self.playback.is_none()
+    }
+
+    /// Those who fly along, if any do.
+    pub const fn race(&self) -> Option<&Race> {
+        self.race.as_ref()
+    }
+
+    /// The flight so far.
+    pub const fn history(&self) -> &History {
+        &self.history
     }
 
     /// Whether the player has had help.
@@ -200,7 +247,16 @@ impl Flight {
         self.ended += input.frame_time;
         let over = self.ended >= END_PAUSE || input.pressed(Key::Escape) || input.pressed(Key::Enter);
         let result = || RunResult { assisted: self.assisted, ..self.game.result() };
-        over.then(|| Request::Score(self.attempt.clone(), result()))
+        over.then(|| Request::Score(self.attempt.clone(), result(), self.flown()))
+    }
+
+    /// The flight, where it was flown by hand and without help: with help it would not be flown again as it was.
+    fn flown(&self) -> Option<Rc<Flown>> {
+        let kept = || {
+            let (level, history) = (self.attempt.level.clone(), self.history.clone());
+            Rc::new(Flown { level, replay: history.record(&self.game), history })
+        };
+        (self.is_by_hand() && !self.assisted).then(kept)
     }
 
     /// Begins anew, with the overlays as they are.
@@ -211,6 +267,8 @@ impl Flight {
                     details: self.details,
                     hitboxes: self.hitboxes,
                     settings_problems: std::mem::take(&mut self.settings_problems),
+                    // What is known of the others' ways stays known.
+                    race: self.race.take().map(Race::again),
                     ..fresh
                 };
                 None

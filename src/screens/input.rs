@@ -3,6 +3,7 @@
 use crate::settings::{Action, Key, Keys, Settings};
 use crate::view::layout::{Frame, Vec2};
 use std::cell::Cell;
+use std::path::PathBuf;
 use std::rc::Rc;
 
 /// What the buttons made of an input, for the ear.
@@ -35,6 +36,8 @@ pub struct Input {
     pub pressed: Keys,
     /// Keys that are down.
     pub held: Keys,
+    /// Files that were dropped on the window.
+    pub dropped: Vec<PathBuf>,
     /// Characters that were typed, in order.
     pub typed: String,
     /// What the player has set.

@@ -197,6 +197,7 @@ impl Jumper {
                     board: LEADERBOARD.to_owned(),
                     subject: SUBJECT.to_owned(),
                     points: self.scene.score(),
+                    flown: None,
                     back,
                     ways: vec![onward],
                 }));

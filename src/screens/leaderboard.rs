@@ -1,9 +1,9 @@
 //! The best of one level.
 
 use super::scroll::{Bar, Scroll, bar_beside};
-use super::{Buttons, Input, Key, Request};
+use super::{Buttons, Input, Key, Prover, Request};
 use crate::game::Medals;
-use crate::scores::{Board, Name};
+use crate::scores::{Board, Name, Standing};
 use crate::view::layout::{Area, Frame, Vec2};
 
 /// Rows a page.
@@ -11,7 +11,7 @@ pub const PAGE: usize = 10;
 /// Height of a row.
 const ROW: f32 = 40.0;
 /// Width of the panel.
-const WIDTH: f32 = 720.0;
+const WIDTH: f32 = 880.0;
 /// From the panel's top to the first row: the columns' names.
 const HEAD: f32 = 48.0;
 /// From the canvas' top to the panel.
@@ -49,6 +49,8 @@ pub struct Leaderboard {
     board: Board,
     /// What the level has brought each of them, row by row; none where that is not known.
     medals: Vec<Medals>,
+    /// What finds out which rows are earned; the jumper has none.
+    prover: Option<Prover>,
     /// The row just saved.
     saved: Option<usize>,
     /// What is wrong with the scores file.
@@ -67,7 +69,7 @@ impl Leaderboard {
         let saved = fresh.as_ref().and_then(|fresh| board.rank(&fresh.name)).map(|rank| rank - 1);
         let remark = fresh.and_then(|fresh| fresh.remark);
         let (scroll, buttons) = (Scroll::of_pages(), Buttons::default());
-        let mut screen = Self { subject, board, medals: Vec::new(), saved, damage, remark, scroll, ways, buttons };
+        let mut screen = Self { subject, board, medals: Vec::new(), prover: None, saved, damage, remark, scroll, ways, buttons };
         screen.place(&Frame::default());
         if let Some(row) = saved {
             screen.scroll.show(row);
@@ -81,6 +83,35 @@ impl Leaderboard {
         Self { medals, ..self }
     }
 
+    /// The same with word of so many other versions of the level that have boards of their own.
+    #[must_use]
+    pub fn with_other_versions(mut self, others: usize) -> Self {
+        if others > 0 {
+            let boards = if others == 1 { "one board is" } else { "boards are" };
+            self.remark = Some(format!("Of other versions of this level {boards} kept in scores/aside."));
+        }
+        self
+    }
+
+    /// The same with what finds out which rows are earned.
+    #[must_use]
+    pub fn with_prover(self, prover: Option<Prover>) -> Self {
+        Self { prover, ..self }
+    }
+
+    /// How a row stands, as far as that is known.
+    pub fn standing(&self, row: usize) -> Option<&Standing> {
+        self.prover.as_ref().and_then(|prover| prover.standing(row))
+    }
+
+    /// What is wrong with the first row in view that does not hold.
+    pub fn doubt(&self) -> Option<String> {
+        self.range().find_map(|row| match self.standing(row)? {
+            Standing::Doubtful(doubt) => Some(format!("{} does not hold: {doubt}.", self.board.rows()[row].name)),
+            Standing::Proven | Standing::NoFlight => None,
+        })
+    }
+
     /// What the level has brought whoever is in a row.
     pub fn medals(&self, row: usize) -> Medals {
         self.medals.get(row).copied().unwrap_or_default()
@@ -89,12 +120,18 @@ impl Leaderboard {
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
         self.place(&input.frame);
-        // Beside a single button all arrows turn pages.
-        let turn = |key| if self.ways.len() > 1 { key } else { aside(key) };
+        if let Some(prover) = &mut self.prover {
+            prover.update(&self.board, self.scroll.range(), input.frame_time);
+        }
+        // Where Enter and Esc are all that the buttons need, all arrows turn pages.
+        let turns = self.ways.len() <= 2;
+        let turn = |key| if turns { aside(key) } else { key };
         let pressed = KEYS.into_iter().filter(|key| input.pressed(*key)).map(turn).collect();
         let held = KEYS.into_iter().filter(|key| input.held(*key)).map(turn).collect();
         self.scroll.update(&Input { pressed, held, ..input.clone() });
-        let way = if input.pressed(Key::Escape) { self.ways.len() - 1 } else { self.buttons.update(input)? };
+        let arrows = KEYS.into_iter().chain([Key::PadLeft, Key::PadRight]).filter(|_| turns).collect();
+        let to_buttons = Input { pressed: input.pressed.less(arrows), ..input.clone() };
+        let way = if input.pressed(Key::Escape) { self.ways.len() - 1 } else { self.buttons.update(&to_buttons)? };
         self.ways.get(way).map(|way| way.to.clone())
     }
 
@@ -172,15 +209,17 @@ fn panel(frame: &Frame) -> Area {
 mod drawing {
     use super::{HEAD, Leaderboard, PAGE, ROW, panel};
     use crate::level::Awards;
+    use crate::scores::{Origin, Standing};
     use crate::view::canvas::{Canvas, Style};
-    use crate::view::layout::{Area, BUTTON_TEXT, HEADING, TEXT, Vec2};
+    use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
     use crate::view::{medals, theme, widgets};
 
     /// Where the medals stand, from the panel's left edge, and how large they are.
-    const MEDALS: f32 = 480.0;
+    const MEDALS: f32 = 424.0;
     const RADIUS: f32 = 12.0;
-    /// Where the columns stand, from the panel's left edge: rank (its right end), name, score (its right end).
-    const COLUMNS: [f32; 3] = [96.0, 144.0, 664.0];
+    /// Where the columns stand, from the panel's left edge: rank (its right end), name, score (its right end), with which program and in
+    /// which version of the level it was flown, and whether that is proven (its middle).
+    const COLUMNS: [f32; 5] = [96.0, 144.0, 600.0, 640.0, 812.0];
 
     impl Leaderboard {
         /// Draws the board.
@@ -215,12 +254,16 @@ mod drawing {
             canvas.text("Rank", column(0, head), quiet.right());
             canvas.text("Name", column(1, head), quiet);
             canvas.text("Score", column(2, head), quiet.right());
+            if self.prover.is_some() {
+                canvas.text("Version", column(3, head), quiet);
+                canvas.text("Proven", column(4, head), quiet.centred());
+            }
             for (line, index) in self.scroll.range().enumerate() {
                 let row = &self.board.rows()[index];
                 let top = panel.min.y + HEAD + line as f32 * ROW;
                 let y = top + ROW / 2.0;
                 if self.saved == Some(index) {
-                    let area = Area::new(panel.min.x + 16.0, top + 2.0, 664.0, ROW - 4.0);
+                    let area = Area::new(panel.min.x + 16.0, top + 2.0, panel.size.x - 48.0, ROW - 4.0);
                     canvas.rounded(area, 6.0, theme::panel_hover());
                     canvas.rounded_edge(area, 6.0, 2.0, theme::accent());
                 }
@@ -231,6 +274,18 @@ mod drawing {
                 let first = Vec2::new(panel.min.x + MEDALS, y);
                 medals::draw_earned(canvas, self.medals(index), &Awards::default(), first, RADIUS);
                 canvas.text(&row.score.to_string(), column(2, y), style.right());
+                canvas.text(&version(&self.board.origin(index)), column(3, y), Style { size: DETAILS, ..quiet }.mono());
+                match self.standing(index) {
+                    Some(Standing::Proven) => widgets::tick(canvas, column(4, y), 8.0, theme::good()),
+                    Some(Standing::Doubtful(_)) => widgets::cross(canvas, column(4, y), 8.0, theme::bad()),
+                    Some(Standing::NoFlight) => canvas.text("–", column(4, y), quiet.centred()),
+                    None if self.prover.is_some() => canvas.text("…", column(4, y), quiet.centred()),
+                    None => {}
+                }
+            }
+            if let Some(doubt) = self.doubt() {
+                let at = Vec2::new(panel.centre().x, panel.max().y + 22.0);
+                widgets::fitted(canvas, &doubt, at, canvas.size().x - 300.0, &[TEXT, DETAILS], theme::bad());
             }
             if let Some(bar) = self.scroll.bar() {
                 widgets::scroll_bar(canvas, bar.track, bar.handle, bar.held);
@@ -242,5 +297,14 @@ mod drawing {
                 canvas.text(&text, Vec2::new(panel.max().x - 16.0, panel.max().y + 24.0), quiet.right());
             }
         }
+    }
+
+    /// With which program a row was flown, and the first digits of the level's version.
+    fn version(origin: &Origin) -> String {
+        let program = origin.program.as_deref().unwrap_or_default();
+        let number = program.rsplit(' ').next().unwrap_or_default();
+        let short: String = number.chars().take(8).collect();
+        let level = origin.version.map(|version| format!("{:04x}", version >> 48)).unwrap_or_default();
+        if level.is_empty() { short } else { format!("{short} · {level}") }
     }
 }

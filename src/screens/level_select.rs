@@ -1,9 +1,10 @@
 //! A page of cards, one a level, used twice: to choose what to play and to choose whose leaderboard to see.
 
 use super::library::Refusal;
-use super::{Buttons, Input, Key, Miniature, Problems, Request};
+use super::{Buttons, Input, Key, Miniature, Problems, Request, Visit};
 use crate::game::Medals;
 use crate::level::Awards;
+use crate::settings::Action;
 use crate::view::layout::{Area, Frame, GAP, ROW_BUTTON, Vec2};
 
 /// Levels a page.
@@ -107,6 +108,8 @@ impl LevelSelect {
             self.turn_to(self.page + 1);
         } else if input.pressed(Key::PageUp) {
             self.turn_to(self.page.saturating_sub(1));
+        } else if let Some(visit) = self.visit(input, &presses) {
+            return Some(Request::Flights(visit));
         } else if let Some(pressed) = self.buttons.update(input) {
             return self.press(presses[pressed]);
         }
@@ -136,6 +139,16 @@ impl LevelSelect {
     /// Why a level does not load, while that is shown.
     pub fn problems(&self) -> Option<&Problems> {
         self.problems.as_ref()
+    }
+
+    /// The level whose flights are asked for: that under a right click, or that which has the keyboard.
+    fn visit(&self, input: &Input, presses: &[Press]) -> Option<Visit> {
+        let under = || self.buttons.areas().iter().position(|area| area.contains(input.pointer));
+        let at = if input.acts(Action::Details) { Some(self.buttons.focus()) } else { under().filter(|_| input.right_click) };
+        let Press::Level(index) = *presses.get(at?)? else { return None };
+        let Entry { name, level, .. } = &self.entries[index];
+        let back = Box::new(Request::LevelSelect(self.purpose));
+        level.is_ok().then(|| Visit { level: name.clone(), flown: None, back })
     }
 
     fn press(&mut self, press: Press) -> Option<Request> {
@@ -234,7 +247,9 @@ mod drawing {
                 Purpose::Play => "Choose a level",
                 Purpose::Leaderboard => "Whose leaderboard?",
             };
-            widgets::heading(canvas, heading, HEAD / 2.0);
+            widgets::heading(canvas, heading, HEAD / 2.0 - 10.0);
+            let hint = Style::new(DETAILS, theme::quiet()).centred().middle();
+            canvas.text("Tab or a right click: the flights of a level", Vec2::new(frame.size.x / 2.0, HEAD - 16.0), hint);
             for (i, (press, area)) in self.presses().iter().zip(self.buttons.areas()).enumerate() {
                 let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
                 match press {

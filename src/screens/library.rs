@@ -2,10 +2,11 @@
 
 use super::lab::Shown;
 use crate::classics::tile_run::{Command, InputError, Map};
-use crate::files::{CHART, TILE_COMMANDS, TILE_MAP, read_text};
+use crate::files::{self, CHART, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::lab::charts::Charts;
 use crate::lab::kept;
 use crate::level::{self, Level};
+use crate::pack::{self, Installed};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -50,6 +51,20 @@ impl Library {
             Ok(loaded) => Ok(Arc::new(loaded.level)),
             Err(problems) => Err(problems.iter().map(ToString::to_string).collect()),
         }
+    }
+
+    /// Installs the level of an archive among the others: under a name of its own, where its name is another level's.
+    ///
+    /// # Errors
+    /// All that is wrong with it, a line each; nothing was written then.
+    pub fn install(&self, path: &Path) -> Result<Installed, Refusal> {
+        let named = |problem: String| vec![format!("{}: {problem}", path.display())];
+        if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("zip")) {
+            return Err(named("expected a level as one file, a .zip that `resultant pack` made".to_owned()));
+        }
+        let bytes = files::read(path, pack::LARGEST).map_err(|error| named(error.to_string()))?;
+        let package = pack::read(&bytes, &path.file_stem().unwrap_or_default().to_string_lossy()).map_err(named)?;
+        pack::install(&package, &self.levels, &self.root, true)
     }
 
     /// The map of the tile run and the commands to watch, from `assets/tile_run/`.

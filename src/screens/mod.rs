@@ -9,6 +9,8 @@ mod buttons;
 mod classics;
 mod credits;
 mod flight;
+mod flights;
+mod footage;
 mod hover;
 mod input;
 mod journal;
@@ -26,6 +28,8 @@ mod pad;
 mod pi;
 mod players;
 mod problems;
+mod prover;
+mod race;
 mod save_score;
 mod scoring;
 mod scroll;
@@ -33,6 +37,7 @@ mod settings;
 mod text_field;
 mod tile_run;
 mod toolbar;
+mod watch;
 #[cfg(feature = "window")]
 mod window;
 
@@ -41,7 +46,8 @@ pub use app::{App, Places};
 pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
 pub use credits::Credits;
-pub use flight::{Attempt, Flight, Spectator};
+pub use flight::{Attempt, Flight, Flown, Spectator};
+pub use flights::{Candidate as FlightCandidate, Flights, Source, Visit};
 pub use input::{Answer, Input};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Half, Lab, Line, PAGES, Page, Shown};
@@ -55,12 +61,15 @@ pub use noise::Noise;
 pub use pi::Pi;
 pub use players::{Candidate, Players};
 pub use problems::Problems;
+pub use prover::Prover;
+pub use race::{Gap, Ghost, MOST_RIVALS, Race, Rival, Split};
 pub use save_score::{Gain, SaveScore};
 pub use scoring::{Effect, Part, Press, Scoring};
 pub use scroll::Bar;
 pub use settings::SettingsPanel;
 pub use tile_run::TileRun;
 pub use toolbar::Toolbar;
+pub use watch::{PACES, Watch};
 #[cfg(feature = "window")]
 pub use window::open;
 
@@ -68,6 +77,8 @@ use crate::classics::jumper::scene::Scene;
 use crate::game::RunResult;
 use crate::scores::Name;
 use crate::settings::Settings;
+use std::path::PathBuf;
+use std::rc::Rc;
 
 /// What is on the screen, with all that it needs.
 #[derive(Debug)]
@@ -78,6 +89,10 @@ pub enum Screen {
     LevelSelect(LevelSelect),
     /// An attempt at a level.
     Flight(Box<Flight>),
+    /// A recorded flight.
+    Watch(Box<Watch>),
+    /// Recorded flights of a level.
+    Flights(Box<Flights>),
     /// What it came to.
     Scoring(Box<Scoring>),
     /// Under which name.
@@ -125,8 +140,16 @@ pub enum Request {
     Play(String),
     /// Another attempt at a level that is there.
     Attempt(Attempt),
-    /// An attempt has ended.
-    Score(Attempt, RunResult),
+    /// An attempt has ended, with the flight where it was flown by hand.
+    Score(Attempt, RunResult, Option<Rc<Flown>>),
+    /// The flights of a level.
+    Flights(Visit),
+    /// One of them is watched.
+    Watch(Visit, FlightCandidate),
+    /// Some of them are raced.
+    Race(Visit, Vec<FlightCandidate>),
+    /// One of them is kept as a file.
+    Keep(Visit, FlightCandidate),
     /// A score is to be saved, under the name of whoever plays.
     SaveScore(Gain),
     /// It is saved under that name.
@@ -151,6 +174,8 @@ pub enum Request {
     Classic(Classic),
     /// A climb that has ended.
     Climbed(Box<Scene>),
+    /// A file that was dropped on the window.
+    Open(PathBuf),
     /// The end.
     Quit,
 }

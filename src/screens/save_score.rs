@@ -2,8 +2,9 @@
 
 use super::leaderboard::Way;
 use super::name_field::{Entry, NameField};
-use super::{Buttons, Input, Request};
+use super::{Buttons, Flown, Input, Request};
 use crate::scores::Name;
+use std::rc::Rc;
 
 /// What is to be saved.
 #[derive(Clone, Debug)]
@@ -14,6 +15,8 @@ pub struct Gain {
     pub subject: String,
     /// The score.
     pub points: i64,
+    /// How they were flown, where that is known.
+    pub flown: Option<Rc<Flown>>,
     /// Where the way back leads.
     pub back: Box<Request>,
     /// Where the leaderboard leads once it is saved.

@@ -1,10 +1,11 @@
 //! What an attempt came to, part by part.
 
 use super::leaderboard::{Way, subject};
-use super::{Attempt, Buttons, Gain, Input, Key, Request};
+use super::{Attempt, Buttons, Flown, Gain, Input, Key, Request, Visit};
 use crate::game::{Goal, Outcome, RunResult, goals};
 use crate::settings::Action;
 use crate::view::layout::ROW_BUTTON;
+use std::rc::Rc;
 
 /// What a part did to the score.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,6 +52,8 @@ pub enum Press {
     NextLevel,
     /// A name for the score.
     SaveScore,
+    /// What was flown: to watch it, keep it, race it.
+    Flights,
     /// The main menu.
     MainMenu,
 }
@@ -62,6 +65,7 @@ impl Press {
             Self::Replay => "Try Again",
             Self::NextLevel => "Next Level",
             Self::SaveScore => "Save Score",
+            Self::Flights => "Flights",
             Self::MainMenu => "Main Menu",
         }
     }
@@ -78,12 +82,14 @@ pub struct Scoring {
     buttons: Buttons,
     /// What it brought whoever flew, or why it brought nothing; in words.
     remark: String,
+    /// The flight, where it was flown by hand.
+    flown: Option<Rc<Flown>>,
 }
 
 impl Scoring {
     /// The screen for that result; `next` is the level after this one, and `remark` says what it brought. The keyboard is where most go on:
     /// on the next level after a success, on another try after a failure. Only what was flown by hand and without help can be saved.
-    pub fn new(attempt: Attempt, result: RunResult, next: Option<String>, remark: String) -> Self {
+    pub fn new(attempt: Attempt, result: RunResult, flown: Option<Rc<Flown>>, next: Option<String>, remark: String) -> Self {
         let mut presses = vec![Press::Replay];
         if next.is_some() {
             presses.push(Press::NextLevel);
@@ -91,10 +97,10 @@ impl Scoring {
         if result.score.total > 0 && attempt.inputs.is_none() && !result.assisted {
             presses.push(Press::SaveScore);
         }
-        presses.push(Press::MainMenu);
+        presses.extend([Press::Flights, Press::MainMenu]);
         let onward = if result.outcome == Outcome::Completed { presses[1] } else { Press::Replay };
         let focus = presses.iter().position(|press| *press == onward).unwrap_or(0);
-        Self { attempt, result, next, presses, buttons: Buttons::focused_on(focus), remark }
+        Self { attempt, result, next, presses, buttons: Buttons::focused_on(focus), remark, flown }
     }
 
     /// One frame.
@@ -111,8 +117,18 @@ impl Scoring {
             Press::Replay => Request::Attempt(self.attempt.clone()),
             Press::NextLevel => Request::Play(self.next.clone()?),
             Press::SaveScore => Request::SaveScore(self.gain()),
+            Press::Flights => Request::Flights(Visit {
+                level: self.result.level.clone(),
+                flown: self.flown.clone(),
+                back: Box::new(self.again()),
+            }),
             Press::MainMenu => Request::Menu,
         })
+    }
+
+    /// This screen once more.
+    fn again(&self) -> Request {
+        Request::Score(self.attempt.clone(), self.result.clone(), self.flown.clone())
     }
 
     /// The score, and where the leaderboard leads on once it is saved.
@@ -120,12 +136,17 @@ impl Scoring {
         let next = self.next.clone().map(|next| Way { label: Press::NextLevel.label(), to: Request::Play(next) });
         let again = Way { label: Press::Replay.label(), to: Request::Attempt(self.attempt.clone()) };
         let menu = Way { label: Press::MainMenu.label(), to: Request::Menu };
+        // What is saved can be watched and raced from its row.
+        let board = Box::new(Request::Leaderboard(self.result.level.clone()));
+        let visit = Visit { level: self.result.level.clone(), flown: self.flown.clone(), back: board };
+        let flights = Way { label: Press::Flights.label(), to: Request::Flights(visit) };
         Gain {
             board: self.result.level.clone(),
             subject: subject(&self.result.level, &self.attempt.level.title),
             points: self.result.score.total,
-            back: Box::new(Request::Score(self.attempt.clone(), self.result.clone())),
-            ways: next.into_iter().chain([again, menu]).collect(),
+            flown: self.flown.clone(),
+            back: Box::new(self.again()),
+            ways: next.into_iter().chain([again, flights, menu]).collect(),
         }
     }
 

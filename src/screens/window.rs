@@ -1,7 +1,8 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
 use super::pad::Pads;
-use super::{Answer, App, Attempt, Flight, Input, Key, Keys, Noise, Places, Request, Screen, Spectator};
+use super::watch::FOOT;
+use super::{Answer, App, Attempt, Flight, Input, Key, Keys, Noise, Places, Request, Screen, Spectator, Watch};
 use crate::game::Game;
 use crate::level;
 use crate::settings::{Settings, plain_keys};
@@ -10,8 +11,8 @@ use crate::view::layout::{DESIGN, Vec2};
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
 use macroquad::input::{
-    KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
-    mouse_position, mouse_wheel,
+    KeyCode, MouseButton, get_char_pressed, get_dropped_files, is_key_down, is_key_pressed, is_mouse_button_down,
+    is_mouse_button_pressed, mouse_position, mouse_wheel,
 };
 use macroquad::miniquad::conf::Conf;
 use macroquad::time::{get_fps, get_frame_time, get_time};
@@ -106,7 +107,7 @@ async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
             fullscreen = app.settings().fullscreen;
             set_fullscreen(fullscreen);
         }
-        draw(&app, &mut theatre, input.frame_time, &canvas);
+        draw(&app, &mut theatre, input.frame_time, &mut canvas);
         theatre.speaker.set_volumes(volumes(app.settings()));
         theatre.sound(app.screen(), input.answer.get());
         next_frame().await;
@@ -116,7 +117,8 @@ async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
 /// How large words are on this screen: those of a flight as the player wants them; the others stand in panels made for them.
 fn text_scale(app: &App) -> f32 {
     let scale = f32::from(app.settings().scale) / 100.0;
-    if matches!(app.screen(), Screen::Flight(flight) if flight.pause().is_none()) { scale } else { 1.0 }
+    let flown = matches!(app.screen(), Screen::Flight(flight) if flight.pause().is_none());
+    if flown || matches!(app.screen(), Screen::Watch(_)) { scale } else { 1.0 }
 }
 
 fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
@@ -135,11 +137,12 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
         pressed: keys(is_key_pressed) | pad_pressed,
         held: keys(is_key_down) | pad_held,
         typed: std::iter::from_fn(get_char_pressed).collect(),
+        dropped: get_dropped_files().into_iter().filter_map(|file| file.path).collect(),
         ..Input::default()
     }
 }
 
-fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
+fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) {
     match app.screen() {
         Screen::Menu(screen) => screen.draw(&theatre.art, canvas),
         Screen::LevelSelect(screen) => screen.draw(canvas),
@@ -147,6 +150,16 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &Canvas) {
             theatre.draw(screen, *app.settings(), frame_time, canvas);
             screen.draw_pause(canvas);
         }
+        Screen::Watch(screen) => {
+            // The flight is above the controls.
+            let mut above = *canvas.frame();
+            above.size.y -= FOOT;
+            let whole = canvas.use_frame(above);
+            theatre.draw_watched(screen, *app.settings(), frame_time, canvas);
+            canvas.use_frame(whole);
+            screen.draw_controls(canvas);
+        }
+        Screen::Flights(screen) => screen.draw(canvas),
         Screen::Scoring(screen) => screen.draw(canvas),
         Screen::SaveScore(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Leaderboard(screen) => screen.draw(canvas),
@@ -185,15 +198,36 @@ impl Theatre {
     /// Lets the view move on by the frame just updated, and draws it.
     fn draw(&mut self, flight: &Flight, settings: Settings, frame_time: f64, canvas: &Canvas) {
         let Some(view) = &mut self.view else { return };
-        let overlays = Overlays { settings, details: flight.details(), hitboxes: flight.hitboxes() };
+        let overlays = Overlays { settings, details: flight.details(), hitboxes: flight.hitboxes(), watched: false };
         let passed = if flight.pause().is_some() { 0.0 } else { frame_time };
         view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
         if flight.pause().is_none() {
             self.speaker.surround(Ambience::of(flight.game(), view.burning()));
         }
-        let figures = format!("{:>3} fps  tick {:.1} µs", get_fps(), self.tick_cost * 1e6);
-        view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
+        view.set_ghosts(flight.race().map(|race| race.poses(flight.game().ticks(), flight.alpha())).unwrap_or_default());
+        view.draw(flight.game(), flight.alpha(), overlays, &figures(self.tick_cost), canvas);
+        if let Some(race) = flight.race() {
+            race.draw(canvas);
+        }
     }
+
+    /// The same for a flight that is watched.
+    fn draw_watched(&mut self, watch: &Watch, settings: Settings, frame_time: f64, canvas: &Canvas) {
+        let Some(view) = &mut self.view else { return };
+        let overlays = Overlays { settings, details: watch.details(), hitboxes: watch.hitboxes(), watched: true };
+        let passed = if watch.paused() { 0.0 } else { frame_time * watch.pace().min(1.0) };
+        view.update(watch.game(), watch.alpha(), passed, overlays, canvas.frame());
+        view.follow_jumps(watch.game(), frame_time - passed);
+        if !watch.paused() {
+            self.speaker.surround(Ambience::of(watch.game(), view.burning()));
+        }
+        view.draw(watch.game(), watch.alpha(), overlays, &figures(self.tick_cost), canvas);
+    }
+}
+
+/// The line that F3 shows: frames a second, and what a tick costs, s.
+fn figures(tick_cost: f64) -> String {
+    format!("{:>3} fps  tick {:.1} µs", get_fps(), tick_cost * 1e6)
 }
 
 impl Theatre {
@@ -232,7 +266,8 @@ fn volumes(settings: &Settings) -> Volumes {
 fn music(screen: &Screen) -> Option<&str> {
     match screen {
         Screen::Flight(flight) => Some(&flight.game().level().name),
-        Screen::Scoring(_) | Screen::SaveScore(_) | Screen::Leaderboard(_) => None,
+        Screen::Watch(watch) => Some(&watch.game().level().name),
+        Screen::Flights(_) | Screen::Scoring(_) | Screen::SaveScore(_) | Screen::Leaderboard(_) => None,
         Screen::TileRun(_) => Some("tile run"),
         Screen::Jumper(_) => Some("jumper"),
         Screen::Pi(_) => Some("pi"),
@@ -263,6 +298,13 @@ impl Spectator for Theatre {
         self.ear.listen(game, |sound| self.speaker.play(sound));
         if let Some(view) = &mut self.view {
             view.after_tick(game);
+        }
+    }
+
+    fn jumped(&mut self, game: &Game) {
+        self.ear = Ear::default();
+        if let Some(view) = &mut self.view {
+            view.jump(game);
         }
     }
 }

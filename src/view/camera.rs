@@ -40,6 +40,11 @@ impl Camera {
         Self { ship, ahead: DVec2::ZERO, closeness: 1.0 }
     }
 
+    /// Stands back to the usual distance.
+    pub const fn open_up(&mut self) {
+        self.closeness = 1.0;
+    }
+
     /// Eases towards the ship's centre (m) and, from there, ahead by its velocity (m/s), during `frame_time` seconds; the way does not
     /// depend on the frame rate.
     pub fn follow(&mut self, ship: DVec2, velocity: DVec2, frame_time: f64) {

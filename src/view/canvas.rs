@@ -83,6 +83,8 @@ struct Line {
 pub struct Canvas {
     fonts: Fonts,
     frame: Frame,
+    /// Width and height of the whole window, canvas units.
+    window: Vec2,
     /// Physical pixels a logical one: macroquad's units.
     dpi: f32,
     lines: RefCell<Vec<Line>>,
@@ -94,7 +96,18 @@ impl Canvas {
     /// # Errors
     /// A typeface that cannot be read, in words.
     pub fn new() -> Result<Self, String> {
-        Ok(Self { fonts: Fonts::load()?, frame: Frame::default(), dpi: 1.0, lines: RefCell::new(Vec::new()) })
+        Ok(Self {
+            fonts: Fonts::load()?,
+            frame: Frame::default(),
+            window: Frame::default().size,
+            dpi: 1.0,
+            lines: RefCell::new(Vec::new()),
+        })
+    }
+
+    /// Lays what follows out on another part of the canvas, from its top left corner; the answer is the one before, to be given back.
+    pub const fn use_frame(&mut self, frame: Frame) -> Frame {
+        std::mem::replace(&mut self.frame, frame)
     }
 
     /// Clears the window and lays the canvas out anew, after whatever size the window has now, with words `text` times as large as usual.
@@ -104,6 +117,7 @@ impl Canvas {
     pub fn begin(&mut self, text: f32) -> Result<(), String> {
         self.dpi = screen_dpi_scale();
         self.frame = Frame::of_window(Vec2::new(screen_width(), screen_height()) * self.dpi).with_text(text);
+        self.window = self.frame.size;
         self.fonts.prepare(&self.frame, self.dpi)?;
         self.lines.get_mut().clear();
         clear_background(theme::ground());
@@ -179,7 +193,7 @@ impl Canvas {
     }
 
     fn use_canvas_units(&self) {
-        let size = self.frame.size;
+        let size = self.window;
         set_camera(&Camera2D { target: size / 2.0, zoom: Vec2::new(2.0, 2.0) / size, ..Camera2D::default() });
     }
 }

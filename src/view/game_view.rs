@@ -15,7 +15,7 @@ use super::things::Brushes;
 use super::touchdown::{GENTLE, Touchdown};
 use super::wreck::Wreck;
 use super::{decoration, hitboxes, hud, mechanisms, names, theme, things, world, zones};
-use crate::game::{Game, GameEvent, Outcome, SHIP};
+use crate::game::{Game, GameEvent, Outcome, Pose, SHIP};
 use crate::level::SHIP_HALF;
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::Settings;
@@ -33,6 +33,9 @@ const OBSTACLE_LIGHT: f32 = 0.6;
 const KEY_REACH: f64 = 3.0;
 const KEY_LIGHT: f32 = 0.6;
 
+/// A ghost nearer than this to the ship or to another ghost bears no name, m.
+const NAMED_APART: f64 = 2.5;
+
 /// The view of one attempt: what is drawn besides the game's own state.
 pub struct GameView {
     art: Rc<Art>,
@@ -46,8 +49,19 @@ pub struct GameView {
     touchdown: Touchdown,
     /// Once the ship is lost.
     wreck: Option<Wreck>,
+    /// Those who fly along.
+    ghosts: Vec<Ghost>,
     /// Seconds shown, for what moves by itself (waves, pulses).
     time: f64,
+}
+
+/// A ship that is not there: a flight of another time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ghost {
+    /// Whose flight it is.
+    pub name: String,
+    /// Where it is.
+    pub pose: Pose,
 }
 
 /// Which overlays are shown.
@@ -59,6 +73,8 @@ pub struct Overlays {
     pub details: bool,
     /// Hitboxes and figures (F3).
     pub hitboxes: bool,
+    /// Whether it is watched, and the keys do not fly.
+    pub watched: bool,
 }
 
 impl GameView {
@@ -82,6 +98,7 @@ impl GameView {
             details: Details::default(),
             touchdown: Touchdown::default(),
             wreck: None,
+            ghosts: Vec::new(),
             time: 0.0,
         }
     }
@@ -152,6 +169,28 @@ impl GameView {
         }
     }
 
+    /// Forgets what was shown of another moment: the game has jumped.
+    pub fn jump(&mut self, game: &Game) {
+        self.particles = Particles::new();
+        self.feedback = Feedback::default();
+        self.touchdown = Touchdown::default();
+        self.wreck = if game.outcome() == Outcome::Failed { Wreck::new(game, SHIP) } else { None };
+    }
+
+    /// Lets the camera, and nothing else, follow a ship for `frame_time` seconds: what stands still may have been moved by hand.
+    pub fn follow_jumps(&mut self, game: &Game, frame_time: f64) {
+        let ship = game.world().body(SHIP);
+        self.camera.follow(ship.position, ship.velocity, frame_time);
+        if game.outcome() != Outcome::Completed {
+            self.camera.open_up();
+        }
+    }
+
+    /// Says who flies along, and where.
+    pub fn set_ghosts(&mut self, ghosts: Vec<Ghost>) {
+        self.ghosts = ghosts;
+    }
+
     /// How far the engine's plume has grown, 0 … 1.
     pub const fn burning(&self) -> f64 {
         self.emitters.plume().0
@@ -177,7 +216,7 @@ impl GameView {
         if overlays.settings.flash {
             self.feedback.draw_flash(canvas);
         }
-        hud::draw(game, &overlays.settings, canvas);
+        hud::draw(game, &overlays.settings, !overlays.watched, canvas);
         canvas.end_layer();
     }
 
@@ -204,6 +243,12 @@ impl GameView {
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
             let at = centre(game, id, alpha);
             things::draw_object(object, at, zones::in_liquid(&level.fluids, &Aabb::around(at, object.size * 0.5)), brushes);
+        }
+        for (i, ghost) in self.ghosts.iter().enumerate() {
+            // Names that would lie on each other, or on the ship, say nothing.
+            let others = self.ghosts[..i].iter().map(|other| other.pose.centre).chain([ship.0]);
+            let apart = others.into_iter().all(|other| other.distance(ghost.pose.centre) > NAMED_APART);
+            things::draw_ghost(apart.then_some(ghost.name.as_str()), ghost.pose, brushes);
         }
         match &self.wreck {
             Some(wreck) if !wreck.is_whole() => wreck.draw(view),

@@ -17,6 +17,8 @@ const FUEL_FULL: Color = rgb(0xFFB01C);
 const FUEL_EMPTY: Color = rgb(0xF2302F);
 /// Height of the panel at the top left.
 const STATUS_HEIGHT: f32 = 72.0;
+/// Width of a ghost's column in a race, in heights of text.
+const RACE_COLUMN: f32 = 6.6;
 /// The gauge of speed ends here, m/s.
 const GAUGE_END: f64 = 2.0 * DAMAGING_SPEED;
 /// Length of the arrow of velocity, m of the level a m/s, and where it begins and ends, m from the ship's centre.
@@ -53,14 +55,22 @@ impl HudLayout {
         }
     }
 
+    /// Where a race stands: a strip beside the timer, with a column for each of so many ghosts.
+    pub fn race(&self, frame: &Frame, ghosts: usize) -> Area {
+        let left = self.status.max().x + GRID;
+        let column = RACE_COLUMN * frame.text_height(TEXT);
+        let width = (column * ghosts as f32).min(frame.size.x - left - 2.0 * GRID);
+        Area::new(left, self.status.min.y, width, frame.text_height(TEXT) * 2.8)
+    }
+
     /// Every part.
     pub fn areas(&self) -> [Area; 2] {
         [self.status, self.fuel]
     }
 }
 
-/// Draws all of it.
-pub fn draw(game: &Game, settings: &Settings, canvas: &Canvas) {
+/// Draws all of it; whether the keys of the flight are `told` at the start of the first level.
+pub fn draw(game: &Game, settings: &Settings, told: bool, canvas: &Canvas) {
     let layout = HudLayout::new(canvas.frame());
     draw_status(game, settings, layout.status, canvas);
     if game.is_stranded() {
@@ -74,7 +84,7 @@ pub fn draw(game: &Game, settings: &Settings, canvas: &Canvas) {
     let level = &game.level().player;
     let share = if level.fuel > 0.0 { (game.ship().fuel / level.fuel).clamp(0.0, 1.0) } else { 0.0 };
     let fuel = format!("Fuel {:.0} units", game.ship().fuel);
-    let words = hint(game, settings).map_or(fuel.clone(), |hint| format!("{fuel}    {hint}"));
+    let words = hint(game, settings).filter(|_| told).map_or(fuel.clone(), |hint| format!("{fuel}    {hint}"));
     draw_fuel(share as f32, &words, layout.fuel, canvas);
 }
 

@@ -72,4 +72,4 @@ pub mod zones;
 #[cfg(feature = "window")]
 pub use art::{Art, icon};
 #[cfg(feature = "window")]
-pub use game_view::{GameView, Overlays};
+pub use game_view::{GameView, Ghost, Overlays};

@@ -2,11 +2,12 @@
 
 use super::art::{Art, Tile};
 use super::camera::Viewport;
-use super::canvas::Canvas;
-use super::layout::Vec2;
+use super::canvas::{Canvas, Style};
+use super::layout::{DETAILS, Vec2};
 use super::pictures::Pictures;
-use super::theme::{faded, rgb};
+use super::theme::{self, faded, rgb};
 use super::zones::diamond;
+use crate::game::Pose;
 use crate::level::{Look, Object, SHIP_HALF};
 use crate::physics::{Aabb, DVec2};
 use macroquad::color::{Color, WHITE};
@@ -140,6 +141,19 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, art
     let standing = centre + DVec2::new(0.0, SHIP_HALF.y * squash);
     let size = Vec2::new(view.length(2.0 * SHIP_HALF.y), view.length(height));
     art.draw(Tile::Ship, view.point(standing), size, rotation as f32, ship.light);
+}
+
+/// How much of a ghost is seen: enough to follow it, too little to be taken for a thing.
+const PALE: f32 = 0.32;
+
+/// A ship of another time: pale, without light or flame, and its name below it where that is given.
+pub fn draw_ghost(name: Option<&str>, pose: Pose, Brushes { art, view, canvas, .. }: Brushes<'_>) {
+    let size = Vec2::splat(view.length(2.0 * SHIP_HALF.y));
+    art.draw(Tile::Ship, view.point(pose.centre), size, pose.angle.to_radians() as f32, faded(WHITE, PALE));
+    if let Some(name) = name {
+        let below = view.point(pose.centre + DVec2::new(0.0, SHIP_HALF.y + 0.45));
+        canvas.text(name, below, Style::new(DETAILS, faded(theme::text(), 0.6)).centred().middle());
+    }
 }
 
 /// Where a moving box lies, not rounded to pixels: it glides.

@@ -62,6 +62,20 @@ pub fn fitted(canvas: &Canvas, text: &str, middle: Vec2, widest: f32, sizes: &[f
     canvas.text(&shortened, middle, style);
 }
 
+/// A tick, as large as a letter of twice that height.
+pub fn tick(canvas: &Canvas, middle: Vec2, size: f32, colour: Color) {
+    let at = |x: f32, y: f32| middle + Vec2::new(x, y) * size;
+    canvas.line(at(-0.9, 0.0), at(-0.25, 0.7), 3.0, colour);
+    canvas.line(at(-0.25, 0.7), at(0.95, -0.7), 3.0, colour);
+}
+
+/// A cross of that size.
+pub fn cross(canvas: &Canvas, middle: Vec2, size: f32, colour: Color) {
+    let reach = Vec2::splat(0.8 * size);
+    canvas.line(middle - reach, middle + reach, 3.0, colour);
+    canvas.line(middle + reach * Vec2::new(-1.0, 1.0), middle + reach * Vec2::new(1.0, -1.0), 3.0, colour);
+}
+
 /// A scroll bar.
 pub fn scroll_bar(canvas: &Canvas, track: Area, handle: Area, held: bool) {
     canvas.rounded(track, track.size.x / 2.0, theme::ground());

@@ -4,6 +4,7 @@ mod files;
 #[path = "../program/mod.rs"]
 mod program;
 mod records;
+mod scores;
 mod telemetry;
 
 use program::{Data, resultant};

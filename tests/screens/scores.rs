@@ -11,19 +11,19 @@ use std::sync::Arc;
 #[test]
 fn save_and_next_are_there_only_when_they_may_be_used() {
     let presses = |index: usize| Sitting::new().fly(index).wait(1.5).scoring().presses().to_vec();
-    assert_eq!(presses(0), [Press::Replay, Press::NextLevel, Press::SaveScore, Press::MainMenu]);
-    assert_eq!(presses(2), [Press::Replay, Press::NextLevel, Press::MainMenu], "a lost attempt cannot be saved");
+    assert_eq!(presses(0), [Press::Replay, Press::NextLevel, Press::SaveScore, Press::Flights, Press::MainMenu]);
+    assert_eq!(presses(2), [Press::Replay, Press::NextLevel, Press::Flights, Press::MainMenu], "a lost attempt cannot be saved");
     let mut sitting = Sitting::new();
     let flown = sitting.fly(0).flight().game().level().clone();
-    let recording = Attempt { level: Arc::new(flown), inputs: Some(Arc::default()) };
+    let recording = Attempt { level: Arc::new(flown), inputs: Some(Arc::default()), rivals: Vec::new() };
     sitting.app.grant(Request::Attempt(recording), &mut ());
     let watched = sitting.wait(1.5).scoring();
-    assert_eq!(watched.presses(), [Press::Replay, Press::NextLevel, Press::MainMenu], "nor one that was watched");
+    assert_eq!(watched.presses(), [Press::Replay, Press::NextLevel, Press::Flights, Press::MainMenu], "nor one that was watched");
     assert!(watched.result().score.total > 0 && watched.remark().contains("recording"), "{}", watched.remark());
 
     let last = |root: &Path| level(root, "z-last", HERE, "");
     let mut sitting = Sitting::with(last);
-    assert_eq!(sitting.fly(5).wait(1.5).scoring().presses(), [Press::Replay, Press::SaveScore, Press::MainMenu]);
+    assert_eq!(sitting.fly(5).wait(1.5).scoring().presses(), [Press::Replay, Press::SaveScore, Press::Flights, Press::MainMenu]);
 }
 
 #[test]
@@ -42,7 +42,7 @@ fn the_keyboard_is_where_most_go_on() {
 
 #[test]
 fn every_button_of_the_score_leads_where_it_says() {
-    for (index, screen) in [(0, "flight"), (1, "flight"), (2, "save score"), (3, "menu")] {
+    for (index, screen) in [(0, "flight"), (1, "flight"), (2, "save score"), (3, "flights"), (4, "menu")] {
         assert_eq!(Sitting::new().complete().click(index).at(), screen);
         let mut sitting = Sitting::new();
         assert_eq!(sitting.complete().choose(index).at(), screen);
@@ -122,7 +122,7 @@ fn a_score_is_saved_by_mouse_and_by_keyboard() {
 fn once_a_player_has_a_name_a_score_is_saved_with_one_press() {
     let mut sitting = Sitting::new();
     sitting.reach_save_score().write("robert").press(Key::Enter);
-    assert_eq!(sitting.leaderboard().labels().collect::<Vec<_>>(), ["Next Level", "Try Again", "Main Menu"]);
+    assert_eq!(sitting.leaderboard().labels().collect::<Vec<_>>(), ["Next Level", "Try Again", "Flights", "Main Menu"]);
     assert_eq!(sitting.press(Key::Escape).at(), "menu");
     assert_eq!(sitting.reach_save_score().at(), "leaderboard", "no name is asked for");
     assert_eq!(sitting.choose(1).flight().game().level().name, "1");

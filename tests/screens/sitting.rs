@@ -130,6 +130,8 @@ impl Sitting {
                 Some(settings) => settings.buttons(),
                 None => screen.pause().expect("the pause panel is open"),
             },
+            Screen::Watch(screen) => screen.toolbar().buttons(),
+            Screen::Flights(screen) => screen.buttons(),
             Screen::Scoring(screen) => screen.buttons(),
             Screen::SaveScore(screen) => screen.buttons(),
             Screen::Leaderboard(screen) => screen.buttons(),
@@ -155,6 +157,8 @@ impl Sitting {
             Screen::Flight(screen) if screen.settings().is_some() => "settings in flight",
             Screen::Flight(screen) if screen.pause().is_some() => "pause",
             Screen::Flight(_) => "flight",
+            Screen::Watch(_) => "watch",
+            Screen::Flights(_) => "flights",
             Screen::Scoring(_) => "scoring",
             Screen::SaveScore(_) => "save score",
             Screen::Leaderboard(_) => "leaderboard",
@@ -181,6 +185,16 @@ impl Sitting {
 
     pub fn scoring(&self) -> &resultant::screens::Scoring {
         let Screen::Scoring(screen) = self.app.screen() else { panic!("at {}", self.at()) };
+        screen
+    }
+
+    pub fn watch(&self) -> &resultant::screens::Watch {
+        let Screen::Watch(screen) = self.app.screen() else { panic!("at {}", self.at()) };
+        screen
+    }
+
+    pub fn flights(&self) -> &resultant::screens::Flights {
+        let Screen::Flights(screen) = self.app.screen() else { panic!("at {}", self.at()) };
         screen
     }
 

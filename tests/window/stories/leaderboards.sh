@@ -20,7 +20,7 @@ expect leaderboards-top-again resembles leaderboards-top 0.3
 click 50 50 5
 expect leaderboards-by-wheel differs leaderboards-top 0.3
 press Home
-drag 77 34 77 95
+drag 83 34 83 95
 expect leaderboards-by-bar differs leaderboards-top 0.3
 press End
 expect leaderboards-end resembles leaderboards-by-bar 0.3

@@ -1,0 +1,113 @@
+//! `resultant pack` and `resultant unpack`: a level as one file, and back.
+
+use super::{Project, Status, Stop, shown};
+use crate::files;
+use crate::pack::{self, Installed, Package};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// What to pack.
+#[derive(clap::Args, Debug)]
+pub struct PackArgs {
+    /// A name under levels/, or a level's folder
+    level: String,
+    /// The file to make [default: LEVEL.zip in the working directory]
+    #[arg(long, value_name = "FILE.zip")]
+    out: Option<PathBuf>,
+}
+
+/// What to unpack.
+#[derive(clap::Args, Debug)]
+pub struct UnpackArgs {
+    /// An archive, as `pack` makes it
+    #[arg(value_name = "FILE.zip")]
+    archive: PathBuf,
+    /// Install the level under this name
+    #[arg(long = "as", value_name = "NAME")]
+    name: Option<String>,
+}
+
+/// Writes the level with its pictures and flights into one archive, and prints where.
+///
+/// # Errors
+/// A level that is refused or cannot be handed on, a file that is there already, one that cannot be written; nothing is written then.
+pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+    let folder = project.level_folder(&args.level)?;
+    let (package, left) = pack::gather(&folder, project.root()).map_err(refused)?;
+    let bytes = pack::write(&package).map_err(Stop::Refused)?;
+    let path = args.out.clone().unwrap_or_else(|| PathBuf::from(format!("{}.zip", package.name)));
+    // What is handed on can be taken.
+    pack::read(&bytes, &package.name)
+        .map_err(|problem| Stop::Refused(format!("{}: cannot be packed: {problem}", shown(folder.display()))))?;
+    write_new(&path, &bytes).map_err(|error| {
+        let why = match error.kind() {
+            io::ErrorKind::AlreadyExists => "there is a file of that name already".to_owned(),
+            _ => error.to_string(),
+        };
+        Stop::Refused(format!("{}: {why}", shown(path.display())))
+    })?;
+    for file in left {
+        let _ = writeln!(io::stderr(), "{}: left out: it belongs to no level", shown(file));
+    }
+    let (files, flights) = counts(&package);
+    writeln!(out, "{}: {files} files, {flights} flights, {} bytes", shown(path.display()), bytes.len())?;
+    Ok(Status::Done)
+}
+
+/// Installs the level of an archive under `levels/`, and prints where.
+///
+/// # Errors
+/// An archive, a level or a name that is refused; a level of that name that is there already; nothing is written then.
+pub fn unpack(args: &UnpackArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+    let named = shown(args.archive.display());
+    let mut package = open(&args.archive).map_err(|problem| Stop::Refused(format!("{named}: {problem}")))?;
+    if let Some(name) = &args.name {
+        if let Err(fault) = crate::level::judge_name(name) {
+            return Err(Stop::Refused(format!("a level cannot be named {name:?}: expected {}", fault.expected())));
+        }
+        package.name.clone_from(name);
+    }
+    let (files, flights) = counts(&package);
+    match pack::install(&package, &project.levels(), project.root(), false).map_err(refused)? {
+        Installed::New(folder) => writeln!(out, "{}: {files} files, {flights} flights", shown(folder.display()))?,
+        Installed::Already(folder) => writeln!(out, "{}: there already", shown(folder.display()))?,
+    }
+    Ok(Status::Done)
+}
+
+/// The package in an archive on disk.
+///
+/// # Errors
+/// It cannot be read, or is refused, in words.
+fn open(path: &Path) -> Result<Package, String> {
+    let bytes = files::read(path, pack::LARGEST).map_err(|error| error.to_string())?;
+    let called = path.file_stem().unwrap_or_default().to_string_lossy();
+    pack::read(&bytes, &called)
+}
+
+/// How many files there are, and how many of them are flights.
+fn counts(package: &Package) -> (usize, usize) {
+    let flights = package.files.keys().filter(|path| path.starts_with("flights/")).count();
+    (package.files.len(), flights)
+}
+
+fn refused(problems: Vec<String>) -> Stop {
+    let lines: Vec<String> = problems.iter().map(shown).collect();
+    Stop::Refused(lines.join("\n"))
+}
+
+/// A file that was not there before, whole or not at all.
+fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.prefix(".packing-").tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist_noclobber(path).map_err(|error| error.error)?;
+    Ok(())
+}

@@ -1,0 +1,159 @@
+//! A flight with the way back: its inputs, and copies of the game along the way, from which any tick of it is flown again, bit for bit. It
+//! serves a recorded flight, which is flown ahead of whoever watches, as well as one that is still being flown.
+//!
+//! Copies are taken at equal distances. Where there are too many of them every second one goes, and the distance doubles: a flight of any
+//! length keeps to the same memory, and the way from a copy to the tick asked for grows with its length only.
+
+use super::{Controls, Game, GameError, Inputs, Outcome, Playback, Recorder, Replay};
+use crate::level::Level;
+use std::sync::Arc;
+
+/// From copy to copy at first, ticks: half a second.
+const EVERY: u64 = 60;
+/// The most copies. With fewer, a tick of a long flight is further from the one before it: a flight of ten minutes has a copy at least every
+/// 480 ticks.
+const MOST_COPIES: usize = 256;
+/// The fewest that a level of very many bodies has.
+const FEWEST_COPIES: usize = 16;
+/// How many bodies all copies have together, some 100 MiB: levels with more than 128 have fewer copies.
+const BODIES_IN_COPIES: usize = 32_768;
+
+/// What a flight was up to now.
+#[derive(Clone, Debug)]
+pub struct History {
+    recorder: Recorder,
+    /// Whether the fuel lasted, from a tick on: an assist that is switched while a flight lasts.
+    lasting: Vec<(u64, bool)>,
+    /// The game after 0, `every`, 2 `every` … ticks.
+    copies: Vec<Game>,
+    every: u64,
+    most: usize,
+}
+
+impl History {
+    /// The history of a game that begins.
+    pub fn new(start: &Game) -> Self {
+        let most = (BODIES_IN_COPIES / start.world().bodies().len().max(1)).clamp(FEWEST_COPIES, MOST_COPIES);
+        let lasting = vec![(0, start.ship().fuel_lasts)];
+        Self { recorder: Recorder::default(), lasting, copies: vec![start.clone()], every: EVERY, most }
+    }
+
+    /// Takes up the tick that was just made with these controls.
+    pub fn note(&mut self, game: &Game, controls: Controls) {
+        let lasts = game.ship().fuel_lasts;
+        if self.lasting.last().is_none_or(|&(_, lasted)| lasted != lasts) {
+            self.lasting.push((game.ticks().saturating_sub(1), lasts));
+        }
+        self.recorder.note(game, controls);
+        if game.ticks() == self.copies.len() as u64 * self.every {
+            self.copies.push(game.clone());
+            if self.copies.len() > self.most {
+                let mut stays = false;
+                self.copies.retain(|_| {
+                    stays = !stays;
+                    stays
+                });
+                self.every *= 2;
+            }
+        }
+    }
+
+    /// How many ticks there are.
+    pub fn ticks(&self) -> u64 {
+        self.recorder.inputs().ticks()
+    }
+
+    /// The controls of all ticks.
+    pub const fn inputs(&self) -> &Inputs {
+        self.recorder.inputs()
+    }
+
+    /// How many copies are kept, and how far they are from each other, ticks.
+    pub fn copies(&self) -> (usize, u64) {
+        (self.copies.len(), self.every)
+    }
+
+    /// The record of the flight, whose last tick left that game.
+    pub fn record(&self, end: &Game) -> Replay {
+        self.recorder.clone().finish(end)
+    }
+
+    /// Brings a game of this flight to where it was after so many ticks, or to the last tick where there are fewer.
+    pub fn seek(&self, game: &mut Game, tick: u64) {
+        let tick = tick.min(self.ticks());
+        let copy = &self.copies[((tick / self.every) as usize).min(self.copies.len() - 1)];
+        if game.ticks() > tick || game.ticks() < copy.ticks() {
+            game.clone_from(copy);
+        }
+        let from = game.ticks();
+        for (at, controls) in (from..tick).zip(self.inputs().after(from)) {
+            self.step(game, at, controls);
+        }
+    }
+
+    /// The game after so many ticks, as [`History::seek`].
+    pub fn at(&self, tick: u64) -> Game {
+        let mut game = self.copies[0].clone();
+        self.seek(&mut game, tick);
+        game
+    }
+
+    fn step(&self, game: &mut Game, at: u64, controls: Controls) {
+        let lasts = self.lasting.iter().rev().find(|(since, _)| *since <= at).is_some_and(|(_, lasts)| *lasts);
+        game.set_lasting_fuel(lasts);
+        game.step(controls);
+    }
+}
+
+/// A flight that can be watched from any tick on: one that was flown, or a record that is flown again as far as it is known.
+#[derive(Clone, Debug)]
+pub struct Reel {
+    history: History,
+    /// What is not flown yet.
+    ahead: Option<(Box<Game>, Playback)>,
+}
+
+impl Reel {
+    /// The recorded inputs in that level; nothing of it is flown yet.
+    ///
+    /// # Errors
+    /// As [`Game::with_tick_rate`].
+    pub fn new(level: Arc<Level>, inputs: &Inputs, tick_rate: f64) -> Result<Self, GameError> {
+        let start = Game::with_tick_rate(level, tick_rate)?;
+        Ok(Self { history: History::new(&start), ahead: Some((Box::new(start), inputs.clone().into_iter())) })
+    }
+
+    /// A flight that is over.
+    pub const fn flown(history: History) -> Self {
+        Self { history, ahead: None }
+    }
+
+    /// Flies so many ticks further, as far as there are any.
+    pub fn fly(&mut self, ticks: u64) {
+        for _ in 0..ticks {
+            let Some((game, rest)) = &mut self.ahead else { return };
+            match rest.next().filter(|_| game.outcome() == Outcome::Running) {
+                Some(controls) => {
+                    game.step(controls);
+                    self.history.note(game, controls);
+                }
+                None => self.ahead = None,
+            }
+        }
+    }
+
+    /// Whether all of it is known.
+    pub const fn is_whole(&self) -> bool {
+        self.ahead.is_none()
+    }
+
+    /// How many ticks are known.
+    pub fn ticks(&self) -> u64 {
+        self.history.ticks()
+    }
+
+    /// How it went, as far as that is known.
+    pub const fn history(&self) -> &History {
+        &self.history
+    }
+}

@@ -1,0 +1,60 @@
+//! Flying a record again, a tick at a time, to see whether it leads where it says.
+
+use super::replay::{ended_second, thousandths};
+use super::{Game, GameError, Mismatch, Outcome, Playback, Replay, level_hash};
+use crate::level::Level;
+use std::sync::Arc;
+
+/// A record that is flown again, as far as it has been.
+#[derive(Clone, Debug)]
+pub struct Proof {
+    replay: Arc<Replay>,
+    game: Game,
+    rest: Playback,
+}
+
+impl Proof {
+    /// The record at its start in that level.
+    ///
+    /// # Errors
+    /// As [`Game::with_tick_rate`]; within, the level is another one than the record's, by its hash.
+    pub fn new(replay: Arc<Replay>, level: Arc<Level>) -> Result<Result<Self, Mismatch>, GameError> {
+        let here = level_hash(&level);
+        if let Some(recorded) = replay.level_hash.filter(|&recorded| recorded != here) {
+            return Ok(Err(Mismatch::Level(recorded, here)));
+        }
+        let game = Game::with_tick_rate(level, replay.tick_rate)?;
+        Ok(Ok(Self { rest: replay.inputs.clone().into_iter(), game, replay }))
+    }
+
+    /// Flies one tick; the answer once it is known.
+    pub fn step(&mut self) -> Option<Result<(), Mismatch>> {
+        // Once it has ended nothing changes any more.
+        let next = if self.game.outcome() == Outcome::Running { self.rest.next() } else { None };
+        let Some(controls) = next else { return Some(self.compare()) };
+        self.game.step(controls);
+        let second = ended_second(&self.game)?;
+        let &recorded = self.replay.seconds.get(second - 1)?;
+        let flown = self.game.hash();
+        (recorded != flown).then_some(Err(Mismatch::Second(second, recorded, flown)))
+    }
+
+    /// The game as far as it was flown.
+    pub const fn game(&self) -> &Game {
+        &self.game
+    }
+
+    /// Whether a game that was flown to its end came to what is recorded.
+    fn compare(&self) -> Result<(), Mismatch> {
+        let (recorded, result, hash) = (&self.replay, self.game.result(), self.game.hash());
+        let (score, outcome) = (result.score.total, result.outcome);
+        if (score, hash) != (recorded.score, recorded.hash) {
+            return Err(Mismatch::End { score: (recorded.score, score), hash: (recorded.hash, hash) });
+        }
+        let times = (recorded.time.map(thousandths), thousandths(result.time));
+        if recorded.outcome.is_some_and(|recorded| recorded != outcome) || times.0.is_some_and(|recorded| recorded != times.1) {
+            return Err(Mismatch::Result { outcome: (recorded.outcome, outcome), time: times });
+        }
+        Ok(())
+    }
+}

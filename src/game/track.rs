@@ -1,0 +1,91 @@
+//! Where a recorded ship was, tick by tick, and when it met what: what a race needs of the one that flies along as a ghost. The world of
+//! the record is flown ahead of the race, apart from it: a ghost touches nothing.
+
+use super::{Game, GameError, GameEvent, Inputs, Outcome, Playback, SHIP};
+use crate::level::Level;
+use crate::physics::DVec2;
+use std::sync::Arc;
+
+/// Where a ship is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Its centre, m.
+    pub centre: DVec2,
+    /// Clockwise, degrees.
+    pub angle: f64,
+}
+
+/// The way of a recorded ship, as far as it is known.
+#[derive(Clone, Debug)]
+pub struct Track {
+    poses: Vec<Pose>,
+    /// The tick at which each objective was met for the first time.
+    met: Vec<Option<u64>>,
+    outcome: Outcome,
+    /// What is not flown yet.
+    ahead: Option<(Box<Game>, Playback)>,
+}
+
+impl Track {
+    /// The way of these inputs in that level, of which only the start is known.
+    ///
+    /// # Errors
+    /// As [`Game::new`].
+    pub fn new(level: Arc<Level>, inputs: &Inputs) -> Result<Self, GameError> {
+        let game = Game::new(level)?;
+        let met = vec![None; game.met().len()];
+        let ahead = Some((Box::new(game.clone()), inputs.clone().into_iter()));
+        Ok(Self { poses: vec![pose(&game)], met, outcome: Outcome::Running, ahead })
+    }
+
+    /// Finds out so many ticks more, as far as there are any.
+    pub fn fly(&mut self, ticks: u64) {
+        for _ in 0..ticks {
+            let Some((game, rest)) = &mut self.ahead else { return };
+            let Some(controls) = rest.next().filter(|_| game.outcome() == Outcome::Running) else {
+                self.ahead = None;
+                return;
+            };
+            game.step(controls);
+            self.poses.push(pose(game));
+            self.outcome = game.outcome();
+            for event in game.events() {
+                if let GameEvent::ObjectiveMet(index) = event {
+                    self.met[*index].get_or_insert(game.ticks());
+                }
+            }
+        }
+    }
+
+    /// Whether all of it is known.
+    pub const fn is_whole(&self) -> bool {
+        self.ahead.is_none()
+    }
+
+    /// The last tick that is known.
+    pub fn ticks(&self) -> u64 {
+        self.poses.len() as u64 - 1
+    }
+
+    /// How the flight ends, as far as that is known.
+    pub const fn outcome(&self) -> Outcome {
+        self.outcome
+    }
+
+    /// Where the ship is drawn between the tick before `tick` (`alpha` 0) and that one (1); once the flight is over, where it ended.
+    pub fn pose(&self, tick: u64, alpha: f64) -> Pose {
+        let at = |tick: u64| self.poses[(tick as usize).min(self.poses.len() - 1)];
+        let (from, to) = (at(tick.saturating_sub(1)), at(tick));
+        let turn = (to.angle - from.angle + 180.0).rem_euclid(360.0) - 180.0;
+        Pose { centre: from.centre.lerp(to.centre, alpha), angle: from.angle + turn * alpha }
+    }
+
+    /// The tick at which an objective is met for the first time; `None` where it is not, as far as is known.
+    pub fn met(&self, objective: usize) -> Option<u64> {
+        self.met.get(objective).copied().flatten()
+    }
+}
+
+fn pose(game: &Game) -> Pose {
+    Pose { centre: game.world().body(SHIP).position, angle: game.ship().angle }
+}

@@ -1,0 +1,143 @@
+//! A package as the bytes of a `.zip`, and back. Reading caps everything by what really comes out, not by what the archive says.
+
+use super::{LARGEST, MOST_FILES, Package, UNPACKED, limit, path};
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::{Cursor, Read, Write};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
+
+/// The table without which there is no level: where it lies is the level's folder.
+const HEART: &str = "player.csv";
+/// The record at an archive's end: its first bytes, its length without a comment, and where it counts the entries.
+const END: &[u8] = b"PK\x05\x06";
+const END_LENGTH: usize = 22;
+const END_COUNT: usize = 10;
+
+/// The bytes of the archive; the same package always makes the same bytes.
+///
+/// # Errors
+/// What the writer says, none of which writing to memory is known to cause.
+pub fn write(package: &Package) -> Result<Vec<u8>, String> {
+    let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    let refused = |error: &dyn std::fmt::Display| format!("cannot pack: {error}");
+    for (path, bytes) in &package.files {
+        archive.start_file(format!("{}/{path}", package.name), options).map_err(|error| refused(&error))?;
+        archive.write_all(bytes).map_err(|error| refused(&error))?;
+    }
+    Ok(archive.finish().map_err(|error| refused(&error))?.into_inner())
+}
+
+/// The package in an archive; `called` is what the level is named where its files lie in no folder. Whether it is a level is not judged here.
+///
+/// # Errors
+/// No archive or a damaged one; what is too large or too much; a path that could lead elsewhere, two that are one somewhere, links, secrets,
+/// files that belong to no level; files of several levels.
+pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
+    if bytes.len() as u64 > LARGEST {
+        return Err(format!("found {} bytes, expected at most {LARGEST}", bytes.len()));
+    }
+    let count = entries(bytes).ok_or("found no ZIP archive, expected one as `resultant pack` makes it")?;
+    if count > MOST_FILES {
+        return Err(format!("found {count} files, expected at most {MOST_FILES}"));
+    }
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| format!("found a damaged archive: {error}"))?;
+    // The reader has one entry a name: what stands there twice would be another file for another program.
+    if archive.len() != count {
+        return Err(format!("found {count} entries of {} names, expected one entry a name", archive.len()));
+    }
+    let mut found = Found::default();
+    for index in 0..archive.len() {
+        found.entry(&mut archive, index)?;
+    }
+    found.package(called)
+}
+
+/// How many entries an archive says at its end that it has.
+fn entries(bytes: &[u8]) -> Option<usize> {
+    let last = bytes.len().checked_sub(END_LENGTH)?;
+    let first = last.saturating_sub(usize::from(u16::MAX));
+    let at = (first..=last).rev().find(|&at| bytes[at..].starts_with(END))?;
+    Some(usize::from(u16::from_le_bytes([bytes[at + END_COUNT], bytes[at + END_COUNT + 1]])))
+}
+
+/// What was found so far.
+#[derive(Default)]
+struct Found {
+    /// By the parts of their paths.
+    files: BTreeMap<Vec<String>, Vec<u8>>,
+    /// All paths of files and of the folders around them as the least particular system tells them apart.
+    taken: BTreeSet<String>,
+    folders: BTreeSet<String>,
+    unpacked: u64,
+}
+
+impl Found {
+    fn entry(&mut self, archive: &mut ZipArchive<Cursor<&[u8]>>, index: usize) -> Result<(), String> {
+        let mut entry = archive.by_index(index).map_err(|error| format!("found an entry that cannot be read: {error}"))?;
+        let Some(parts) = path::parts(entry.name_raw())? else { return Ok(()) };
+        let shown = format!("{:?}", parts.join("/"));
+        if entry.is_symlink() {
+            return Err(format!("{shown}: found a link, expected a file"));
+        }
+        if entry.is_dir() {
+            return Ok(());
+        }
+        // Where it lies in the level's folder is not known yet: the rest of the path decides, at any depth.
+        let most = (0..parts.len().min(2)).find_map(|from| limit(&parts[from..].join("/")));
+        let most = most.ok_or_else(|| format!("{shown}: found a file that belongs to no level, expected CSV, PNG, TXT, MD"))?;
+        let most = most.min(UNPACKED - self.unpacked);
+        let mut bytes = Vec::new();
+        entry.by_ref().take(most + 1).read_to_end(&mut bytes).map_err(|error| format!("{shown}: found a damaged file: {error}"))?;
+        if bytes.len() as u64 > most {
+            return Err(format!("{shown}: found more than {most} bytes, expected no more"));
+        }
+        self.unpacked += bytes.len() as u64;
+        self.take_name(&parts)?;
+        self.files.insert(parts, bytes);
+        Ok(())
+    }
+
+    /// No two paths may be one on any system, and none a file here and a folder there.
+    fn take_name(&mut self, parts: &[String]) -> Result<(), String> {
+        let lower: Vec<String> = parts.iter().map(|part| part.to_lowercase()).collect();
+        let whole = lower.join("/");
+        let around: Vec<String> = (1..lower.len()).map(|end| lower[..end].join("/")).collect();
+        let clash = self.folders.contains(&whole) || around.iter().any(|folder| self.taken.contains(folder));
+        if clash || !self.taken.insert(whole) {
+            return Err(format!(
+                "{:?}: found that name twice, expected names that differ in more than their case",
+                parts.join("/")
+            ));
+        }
+        self.folders.extend(around);
+        Ok(())
+    }
+
+    /// The level's folder is where its heart lies.
+    fn package(self, called: &str) -> Result<Package, String> {
+        let hearts: Vec<&Vec<String>> = self.files.keys().filter(|parts| parts.last().is_some_and(|name| name == HEART)).collect();
+        let folder = match hearts.as_slice() {
+            [] => return Err(format!("found no {HEART}, expected a level's folder")),
+            [heart] if heart.len() <= 2 => heart[..heart.len() - 1].to_vec(),
+            [heart] => return Err(format!("found the level in {:?}, expected its folder at the top", heart.join("/"))),
+            [first, second, ..] => {
+                return Err(format!("found {:?} and {:?}, expected one level", first.join("/"), second.join("/")));
+            }
+        };
+        let name = folder.first().map_or(called, String::as_str).to_owned();
+        path::judge_folder(&name)?;
+        let mut files = BTreeMap::new();
+        for (parts, bytes) in self.files {
+            let Some(own) = parts.strip_prefix(folder.as_slice()) else {
+                return Err(format!("{:?}: found a file beside the level's folder, expected all in it", parts.join("/")));
+            };
+            let own = own.join("/");
+            if limit(&own).is_none_or(|most| bytes.len() as u64 > most) {
+                return Err(format!("{own:?}: found a file that belongs to no level, or is too large for its place"));
+            }
+            files.insert(own, bytes);
+        }
+        Ok(Package { name, files })
+    }
+}

@@ -1,0 +1,113 @@
+//! Paths in an archive: which of them stay in their folder on every system, and mean the same file there.
+
+use crate::level::{NameFault, judge_name};
+
+/// The longest part of a path, bytes, and the most parts.
+const LONGEST: usize = 120;
+const DEEPEST: usize = 8;
+/// What Windows allows in no name.
+const FORBIDDEN: &str = "\\:*?\"<>|";
+
+/// The parts of an entry's path: at least one, each a plain name. `None` for what programs leave in archives beside their content: hidden
+/// files, and what macOS notes of files.
+///
+/// # Errors
+/// What is wrong with it.
+pub(super) fn parts(raw: &[u8]) -> Result<Option<Vec<String>>, String> {
+    let shown = || format!("{:?}", String::from_utf8_lossy(raw));
+    let text = str::from_utf8(raw).map_err(|_| format!("{}: found a name that is no UTF-8, expected one that is", shown()))?;
+    let parts: Vec<&str> = text.trim_end_matches('/').split('/').collect();
+    if parts.len() > DEEPEST {
+        return Err(format!("{}: found {} folders in each other, expected at most {DEEPEST}", shown(), parts.len()));
+    }
+    if let Some(fault) = parts.iter().find_map(|part| fault(part)) {
+        return Err(format!("{}: found a path with {fault}, expected one that stays in the level's folder", shown()));
+    }
+    let beside = |part: &&str| part.starts_with('.') || matches!(*part, "__MACOSX" | "Thumbs.db" | "desktop.ini");
+    Ok((!parts.iter().any(beside)).then(|| parts.into_iter().map(str::to_owned).collect()))
+}
+
+/// What is wrong with a part of a path.
+fn fault(part: &str) -> Option<&'static str> {
+    match part {
+        "" => Some("an empty part"),
+        "." | ".." => Some("a part that leads elsewhere"),
+        _ if part.len() > LONGEST => Some("a part that is too long"),
+        _ if part.chars().any(|c| c.is_control() || FORBIDDEN.contains(c)) => Some("a character that no name has everywhere"),
+        _ if part.ends_with([' ', '.']) || part.starts_with(' ') => Some("a part that begins or ends with a space or a full stop"),
+        _ if judge_name(part.split('.').next().unwrap_or_default()) == Err(NameFault::Device) => Some("a part that is a device"),
+        _ => None,
+    }
+}
+
+/// Judges a level's folder name: one that every system can have, and that no other file of the scores has.
+///
+/// # Errors
+/// What is wrong with it, and what is expected.
+pub(super) fn judge_folder(name: &str) -> Result<(), String> {
+    let refused = |expected: String| Err(format!("found the level name {name:?}, expected {expected}"));
+    match judge_name(name) {
+        Err(fault @ (NameFault::Board(_) | NameFault::Device)) => refused(fault.expected()),
+        // A word is expected of new levels; an old one is only not to lead anywhere.
+        _ if fault(name).is_some() || name.starts_with('.') || name.contains('/') => refused(NameFault::NoWord.expected()),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_leads_out_of_the_folder_or_is_no_name_somewhere_is_refused() {
+        let long = format!("a/{}", "x".repeat(121));
+        for bad in [
+            "../a.csv",
+            "a/../../b.csv",
+            "/etc/passwd",
+            "a//b",
+            "a/./b",
+            "C:/a",
+            "a\\b",
+            "..\\a",
+            "a/b:c",
+            "a/con",
+            "a/AUX.csv",
+            "a/nul.x",
+            "a/com1.png",
+            "a/b.",
+            "a/b ",
+            "a/ b",
+            "a/\u{1b}[2J",
+            "a/\0",
+            "",
+            "/",
+            "a/x\n.csv",
+            "a/*",
+            &long,
+            "a/b/c/d/e/f/g/h/i",
+        ] {
+            assert!(parts(bad.as_bytes()).is_err(), "{bad:?}");
+        }
+        assert!(parts(b"a/\xff.csv").unwrap_err().contains("UTF-8"));
+    }
+
+    #[test]
+    fn plain_paths_are_taken_and_what_systems_leave_is_passed_over() {
+        assert_eq!(parts("höhle/bild 1.png".as_bytes()), Ok(Some(vec!["höhle".into(), "bild 1.png".into()])));
+        assert_eq!(parts(b"a/flights/"), Ok(Some(vec!["a".into(), "flights".into()])));
+        for beside in ["__MACOSX/a/._world.csv", "a/.DS_Store", "a/Thumbs.db", ".git/config"] {
+            assert_eq!(parts(beside.as_bytes()), Ok(None), "{beside}");
+        }
+    }
+
+    #[test]
+    fn level_names_are_those_of_folders_everywhere() {
+        for good in ["1", "tower", "a level", "höhle-2", "v1.2"] {
+            assert_eq!(judge_folder(good), Ok(()), "{good}");
+        }
+        for bad in ["", ".", "..", "a/b", "a\\b", "con", "LPT1", "jumper", "Players", ".hidden", "a.", "C:"] {
+            assert!(judge_folder(bad).is_err(), "{bad:?}");
+        }
+    }
+}

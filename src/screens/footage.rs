@@ -1,0 +1,113 @@
+//! Recorded flights on disk, as the screens list them, read them and keep them.
+
+use super::flights::{Candidate, Source, Visit};
+use crate::files::{INPUTS, read_text};
+use crate::game::{Replay, level_hash};
+use crate::level::Level;
+use crate::scores::{Board, Name, Scores};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// The folder in a level's with its own flights, and each of them: file, name, what it shows.
+const FLIGHTS: &str = "flights";
+const OWN: [(&str, &str, &str); 3] = [
+    ("gold", "Gold", "the level's own, for gold"),
+    ("mark", "Mark", "the level's own, for its mark"),
+    ("careful", "Careful", "the level's own, slow and safe"),
+];
+/// How the files of flights end.
+const ENDING: &str = ".replay.csv";
+/// The most files of one name that are kept.
+const MOST_KEPT: u32 = 10_000;
+
+/// The flights of a level: what was just flown, whoever plays' best, the level's own in its folder, and the rest of the board.
+pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) -> Vec<Candidate> {
+    let flown = visit.flown.as_ref().map(|flown| Candidate {
+        name: "This flight".to_owned(),
+        about: "just flown".to_owned(),
+        score: Some(flown.replay.score),
+        source: Source::Flown,
+    });
+    let own = OWN.iter().filter_map(|(file, name, about)| {
+        let path = folder.join(FLIGHTS).join(format!("{file}{ENDING}"));
+        path.is_file().then(|| Candidate {
+            name: (*name).to_owned(),
+            about: (*about).to_owned(),
+            score: None,
+            source: Source::Level(path),
+        })
+    });
+    let mut rows: Vec<Candidate> = Vec::new();
+    let mut best = None;
+    for (index, row) in board.rows().iter().enumerate() {
+        let origin = board.origin(index);
+        if origin.flight.is_none() {
+            continue;
+        }
+        let yours = row.name == *player;
+        let about = if yours { format!("your best, rank {}", index + 1) } else { format!("rank {}", index + 1) };
+        let candidate = Candidate { name: row.name.to_string(), about, score: Some(row.score), source: Source::Row(origin) };
+        if yours { best = Some(candidate) } else { rows.push(candidate) }
+    }
+    flown.into_iter().chain(best).chain(own).chain(rows).collect()
+}
+
+/// The record of one of them, which was flown in that level.
+///
+/// # Errors
+/// It cannot be read, or it was flown in another level, in words.
+pub fn record(visit: &Visit, candidate: &Candidate, scores: &Scores, level: &Level) -> Result<Replay, String> {
+    let replay = match &candidate.source {
+        Source::Flown => visit.flown.as_ref().map(|flown| flown.replay.clone()).ok_or("there is no flight")?,
+        Source::Level(path) => {
+            let named = path.display().to_string();
+            let text = read_text(path, INPUTS).map_err(|error| format!("{named}: {error}"))?;
+            Replay::parse(&named, &text).map_err(|problems| problems.0.first().cloned().unwrap_or_default())?
+        }
+        Source::Row(origin) => {
+            scores.flight(&visit.level, origin).ok_or("the row names no flight")?.map_err(|problems| first_line(&problems))?
+        }
+    };
+    let here = level_hash(level);
+    match replay.level_hash.filter(|&flown| flown != here) {
+        Some(_) => Err(format!("{}: flown in another version of the level, or in another level.", candidate.name)),
+        None => Ok(replay),
+    }
+}
+
+fn first_line(text: &str) -> String {
+    text.lines().next().unwrap_or_default().to_owned()
+}
+
+/// Writes a record into a folder, under a name of its own; the answer is where. What is there already with these very bytes will do.
+///
+/// # Errors
+/// Whatever the system refuses, with the place.
+pub fn keep(folder: &Path, level: &str, whose: &str, replay: &Replay) -> Result<PathBuf, String> {
+    let whose: String = whose.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
+    let text = replay.to_string();
+    let refused = |path: &Path, error: &io::Error| format!("{}: cannot keep the flight: {error}", path.display());
+    std::fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // As for any new file; tempfile's own would be for the user's eyes only.
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.prefix(".keeping-").tempfile_in(folder).map_err(|error| refused(folder, &error))?;
+    file.write_all(text.as_bytes()).and_then(|()| file.as_file().sync_all()).map_err(|error| refused(folder, &error))?;
+    for number in 1..=MOST_KEPT {
+        let count = if number > 1 { format!("-{number}") } else { String::new() };
+        let path = folder.join(format!("{level}-{whose}-{}{count}{ENDING}", replay.score));
+        if read_text(&path, INPUTS).is_ok_and(|kept| kept == text) {
+            return Ok(path);
+        }
+        match file.persist_noclobber(&path) {
+            Ok(_) => return Ok(path),
+            Err(taken) if taken.error.kind() == io::ErrorKind::AlreadyExists => file = taken.file,
+            Err(failed) => return Err(refused(&path, &failed.error)),
+        }
+    }
+    Err(format!("{}: there are too many files of that name", folder.display()))
+}

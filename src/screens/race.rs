@@ -1,0 +1,170 @@
+//! Those who fly along: recorded flights as ghosts, and how the ship stands to them at each objective.
+
+use crate::game::{Game, GameError, GameEvent, Inputs, Outcome, Pose, Track};
+use crate::level::Level;
+use std::sync::Arc;
+
+/// The most ghosts at a time: more would hide the level, and each is flown once.
+pub const MOST_RIVALS: usize = 5;
+/// How far ghosts are flown ahead in a frame, ticks of all together: some ms.
+const TICKS_A_FRAME: u64 = 240;
+/// Where a frame takes longer than this, s, they are flown ahead by a fourth of that only.
+const SLOW_FRAME: f64 = 1.0 / 40.0;
+
+/// A recorded flight that flies along.
+#[derive(Clone, Debug)]
+pub struct Rival {
+    /// Whose it is, in a word or two.
+    pub name: String,
+    /// What was pressed.
+    pub inputs: Arc<Inputs>,
+}
+
+/// A ghost.
+#[derive(Clone, Debug)]
+pub struct Ghost {
+    /// Whose flight it is.
+    pub name: String,
+    track: Track,
+}
+
+/// An objective that the ship has met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Split {
+    /// Its index in the level.
+    pub objective: usize,
+    /// The tick at which it was met for the first time.
+    pub tick: u64,
+}
+
+/// How the ship stands to a ghost at an objective.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Gap {
+    /// The ship was later by so many seconds, or earlier where it is negative.
+    Seconds(f64),
+    /// The ghost never met it.
+    Never,
+    /// The ghost's flight is not known so far yet.
+    Unknown,
+}
+
+/// All ghosts of a flight, and what the ship has met.
+#[derive(Clone, Debug)]
+pub struct Race {
+    ghosts: Vec<Ghost>,
+    splits: Vec<Split>,
+    tick_rate: f64,
+}
+
+impl Race {
+    /// The race against those, if there are any: against the first [`MOST_RIVALS`].
+    ///
+    /// # Errors
+    /// As [`Game::new`].
+    pub fn new(level: &Arc<Level>, rivals: &[Rival]) -> Result<Option<Self>, GameError> {
+        let ghost = |rival: &Rival| {
+            let track = Track::new(level.clone(), &rival.inputs)?;
+            Ok(Ghost { name: rival.name.clone(), track })
+        };
+        let ghosts = rivals.iter().take(MOST_RIVALS).map(ghost).collect::<Result<Vec<_>, GameError>>()?;
+        Ok((!ghosts.is_empty()).then_some(Self { ghosts, splits: Vec::new(), tick_rate: crate::game::TICK_RATE }))
+    }
+
+    /// The same race from its start.
+    pub fn again(self) -> Self {
+        Self { splits: Vec::new(), ..self }
+    }
+
+    /// Takes up what the ship has met in the tick just made.
+    pub fn after_tick(&mut self, game: &Game) {
+        for event in game.events() {
+            if let GameEvent::ObjectiveMet(objective) = *event
+                && self.splits.iter().all(|split| split.objective != objective)
+            {
+                self.splits.push(Split { objective, tick: game.ticks() });
+            }
+        }
+    }
+
+    /// Flies the ghosts ahead: at least to where the ship is, and further as long as a frame has room for it.
+    pub fn update(&mut self, tick: u64, frame_time: f64) {
+        let ahead = if frame_time > SLOW_FRAME { TICKS_A_FRAME / 4 } else { TICKS_A_FRAME } / self.ghosts.len() as u64;
+        for ghost in &mut self.ghosts {
+            let behind = tick.saturating_sub(ghost.track.ticks());
+            ghost.track.fly(behind + if frame_time > 0.0 { ahead } else { 0 });
+        }
+    }
+
+    /// The ghosts, each with where it is drawn at that tick of the ship's, if its flight is not over yet or has reached its goal.
+    pub fn ghosts(&self, tick: u64, alpha: f64) -> impl Iterator<Item = (&Ghost, Pose)> {
+        let shown = move |ghost: &&Ghost| ghost.track.ticks() >= tick || ghost.track.outcome() != Outcome::Failed;
+        self.ghosts.iter().filter(shown).map(move |ghost| (ghost, ghost.track.pose(tick, alpha)))
+    }
+
+    /// All ghosts.
+    pub fn all(&self) -> &[Ghost] {
+        &self.ghosts
+    }
+
+    /// What the ship has met, in order.
+    pub fn splits(&self) -> &[Split] {
+        &self.splits
+    }
+
+    /// How the ship stood to a ghost at an objective.
+    pub fn gap(&self, ghost: &Ghost, split: Split) -> Gap {
+        match ghost.track.met(split.objective) {
+            Some(met) => Gap::Seconds((split.tick as f64 - met as f64) / self.tick_rate),
+            None if ghost.track.is_whole() => Gap::Never,
+            None => Gap::Unknown,
+        }
+    }
+}
+
+impl Gap {
+    /// In seconds with a sign; what is earlier than the ghost has a true minus.
+    pub fn words(self) -> String {
+        match self {
+            Self::Seconds(seconds) if seconds < 0.0 => format!("−{:.2} s", -seconds),
+            Self::Seconds(seconds) => format!("+{seconds:.2} s"),
+            Self::Never => "not met".to_owned(),
+            Self::Unknown => "…".to_owned(),
+        }
+    }
+}
+
+#[cfg(feature = "window")]
+mod drawing {
+    use super::{Gap, Race};
+    use crate::view::canvas::{Canvas, Style};
+    use crate::view::hud::HudLayout;
+    use crate::view::layout::{DETAILS, GRID, TEXT, Vec2};
+    use crate::view::{Ghost, theme, widgets};
+
+    impl Race {
+        /// Where the ghosts are drawn.
+        pub fn poses(&self, tick: u64, alpha: f64) -> Vec<Ghost> {
+            self.ghosts(tick, alpha).map(|(ghost, pose)| Ghost { name: ghost.name.clone(), pose }).collect()
+        }
+
+        /// Draws how the ship stands to each ghost at the objective that it met last, in a strip beside the timer.
+        pub fn draw(&self, canvas: &Canvas) {
+            let area = HudLayout::new(canvas.frame()).race(canvas.frame(), self.all().len());
+            widgets::panel_in(canvas, area, theme::faded(theme::panel(), 0.5), theme::panel_edge());
+            let column = area.size.x / self.all().len() as f32;
+            for (i, ghost) in self.all().iter().enumerate() {
+                let middle = area.min.x + column * (i as f32 + 0.5);
+                let at = |part: f32| Vec2::new(middle, area.min.y + area.size.y * part);
+                widgets::fitted(canvas, &ghost.name, at(0.3), column - GRID, &[TEXT, DETAILS], theme::quiet());
+                let gap = self.splits().last().map(|split| self.gap(ghost, *split));
+                let colour = match gap {
+                    Some(Gap::Seconds(seconds)) if seconds > 0.0 => theme::bad(),
+                    Some(Gap::Seconds(_) | Gap::Never) => theme::good(),
+                    Some(Gap::Unknown) | None => theme::quiet(),
+                };
+                let told = gap.map_or_else(|| "–".to_owned(), Gap::words);
+                canvas.text(&told, at(0.72), Style::new(TEXT, colour).mono().centred().middle());
+            }
+        }
+    }
+}

@@ -1,0 +1,325 @@
+//! Flights that were flown are watched, kept and raced, from the score, from the board and from the list of levels.
+
+use crate::sitting::{HERE, Sitting, level};
+use resultant::game::{Game, Outcome, Replay};
+use resultant::pack;
+use resultant::scores::Standing;
+use resultant::screens::{Gap, Input, Key, MOST_RIVALS, Screen, Spectator, Split};
+use resultant::view::layout::Vec2;
+use std::fs;
+use std::path::Path;
+
+/// A sitting with a level "up" that is done by thrusting for about a second.
+fn sitting() -> Sitting {
+    Sitting::with(|root| level(root, "0", "PLAYER,380,60,40,40\n", ""))
+}
+
+/// Flies "up" to its end and waits for the score.
+fn fly_up(sitting: &mut Sitting, delay: u32) {
+    for _ in 0..delay {
+        sitting.rest();
+    }
+    for _ in 0..600 {
+        let held = [Key::Space].into_iter().collect();
+        sitting.give(Input { held, ..Input::default() });
+        if !matches!(sitting.app.screen(), Screen::Flight(_)) {
+            return;
+        }
+    }
+    panic!("it was not completed");
+}
+
+/// From the menu over a flight of "up" to the board on which it is saved.
+fn save_as(sitting: &mut Sitting, name: &str, delay: u32) {
+    sitting.choose(1).choose(0);
+    fly_up(sitting, delay);
+    let save = sitting.scoring().presses().iter().position(|press| press.label() == "Save Score").unwrap();
+    sitting.choose(save);
+    if sitting.at() == "save score" {
+        sitting.write(name).press(Key::Enter);
+    }
+    assert_eq!(sitting.at(), "leaderboard");
+}
+
+#[test]
+fn a_flight_is_watched_from_its_score_bit_for_bit() {
+    let mut sitting = sitting();
+    sitting.choose(1).choose(0);
+    fly_up(&mut sitting, 0);
+    assert_eq!(sitting.at(), "scoring");
+    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
+    sitting.choose(flights).choose(0);
+    assert_eq!((sitting.at(), sitting.watch().place().0), ("watch", 0));
+    sitting.wait(3.0);
+    let watch = sitting.watch();
+    assert!(watch.paused() && watch.is_whole() && watch.game().outcome() == Outcome::Completed);
+    let (tick, known) = watch.place();
+    assert_eq!(tick, known);
+    let end = watch.game().hash();
+    // A step back and on leads to the same bits.
+    sitting.press_all(&[Key::Left, Key::Left]);
+    assert_eq!(sitting.watch().place().0, known - 2);
+    sitting.press_all(&[Key::Right, Key::Right]);
+    assert_eq!((sitting.watch().place().0, sitting.watch().game().hash()), (known, end));
+    sitting.press(Key::Home);
+    assert_eq!(sitting.watch().place().0, 0);
+    sitting.press(Key::PageDown);
+    assert_eq!(sitting.watch().place().0, 120.min(known));
+    sitting.press(Key::Escape);
+    assert_eq!(sitting.at(), "flights");
+    assert_eq!(sitting.press(Key::Escape).at(), "scoring");
+}
+
+#[test]
+fn what_is_watched_is_slowed_down_hurried_and_dragged() {
+    let mut sitting = sitting();
+    sitting.choose(1).choose(0);
+    fly_up(&mut sitting, 60);
+    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
+    sitting.choose(flights).choose(0).press_all(&[Key::Down, Key::Down, Key::Down]);
+    assert_eq!(sitting.watch().pace(), 0.125);
+    let from = sitting.watch().place().0;
+    sitting.wait(1.0);
+    assert!((14..=16).contains(&(sitting.watch().place().0 - from)), "an eighth of 120 ticks");
+    sitting.press_all(&[Key::Up; 9]);
+    assert_eq!(sitting.watch().pace(), 8.0);
+    sitting.press(Key::Home);
+    let from = sitting.watch().place().0;
+    sitting.wait(0.1);
+    assert!((90..=120).contains(&(sitting.watch().place().0 - from)), "eight times 12 ticks");
+    sitting.press(Key::Space);
+    assert!(sitting.watch().paused());
+    // The pointer takes the line of time to its middle, and to either end.
+    let (line, known) = (sitting.watch().line(), sitting.watch().place().1);
+    for (part, tick) in [(0.5, known / 2), (1.2, known), (-0.2, 0)] {
+        let pointer = Vec2::new(line.min.x + line.size.x * part, line.centre().y);
+        let hold = |click| Input { pointer, click, holding: true, ..Input::default() };
+        if part == 0.5 {
+            sitting.give(hold(true));
+        }
+        sitting.give(hold(false));
+        assert!(sitting.watch().place().0.abs_diff(tick) <= 1, "{part}: {:?}", sitting.watch().place());
+    }
+    assert!(sitting.watch().paused(), "letting go changes nothing of that");
+    // By mouse: Play, and Back.
+    sitting.rest().click(1);
+    assert!(!sitting.watch().paused());
+    assert_eq!(sitting.click(0).at(), "flights");
+}
+
+#[test]
+fn jumps_are_told_and_single_ticks_are_seen() {
+    #[derive(Default)]
+    struct Told(Vec<(&'static str, u64)>);
+    impl Spectator for Told {
+        fn after_tick(&mut self, game: &Game) {
+            self.0.push(("tick", game.ticks()));
+        }
+        fn jumped(&mut self, game: &Game) {
+            self.0.push(("jump", game.ticks()));
+        }
+    }
+    let mut sitting = sitting();
+    sitting.choose(1).choose(0);
+    fly_up(&mut sitting, 0);
+    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
+    sitting.choose(flights).choose(0).press(Key::Space).press(Key::Home);
+    let mut told = Told::default();
+    for key in [Key::Right, Key::Right, Key::Left, Key::PageDown] {
+        sitting.give_to(Input { pressed: [key].into_iter().collect(), ..Input::default() }, &mut told);
+    }
+    assert_eq!(told.0, [("tick", 1), ("tick", 2), ("jump", 1), ("jump", 121.min(sitting.watch().place().1))]);
+}
+
+#[test]
+fn a_saved_score_has_its_flight_and_a_tick_on_the_board() {
+    let mut sitting = sitting();
+    save_as(&mut sitting, "ann", 0);
+    sitting.wait(0.5);
+    assert_eq!(sitting.leaderboard().standing(0), Some(&Standing::Proven));
+    let text = sitting.scores_file("0.csv");
+    let cells: Vec<&str> = text.lines().nth(1).unwrap().split(',').collect();
+    assert_eq!(text.lines().next(), Some("name,score,flight,version,program"));
+    let flight = sitting.scores_file(&format!("flights/0/{}", cells[2]));
+    let replay = Replay::parse("flight", &flight).unwrap();
+    assert_eq!((replay.score.to_string(), replay.outcome), (cells[1].to_owned(), Some(Outcome::Completed)));
+    // A row that is forged with an editor does not hold; one without a flight is left alone.
+    let forged = text.replace(&format!("ann,{}", cells[1]), "ann,29999") + "old,5\n";
+    fs::write(sitting.folder.path().join("scores/0.csv"), forged).unwrap();
+    sitting.press(Key::Escape).choose(2).choose(0).wait(0.5);
+    assert!(matches!(sitting.leaderboard().standing(0), Some(Standing::Doubtful(_))));
+    assert_eq!(sitting.leaderboard().standing(1), Some(&Standing::NoFlight));
+    assert!(sitting.leaderboard().doubt().unwrap().starts_with("ann does not hold: the row says 29999 points"));
+}
+
+#[test]
+fn one_or_several_are_raced_and_the_gaps_are_right() {
+    let mut sitting = sitting();
+    save_as(&mut sitting, "ann", 30);
+    sitting.press(Key::Escape);
+    // From the list of levels: Tab, the best is first, Race.
+    sitting.choose(1).press(Key::Tab);
+    assert_eq!(sitting.at(), "flights");
+    assert_eq!(
+        sitting.flights().candidates().iter().map(|flight| flight.about.as_str()).collect::<Vec<_>>(),
+        ["your best, rank 1"]
+    );
+    sitting.choose(1);
+    assert_eq!(sitting.at(), "flight");
+    assert_eq!(sitting.flight().race().unwrap().all().len(), 1);
+    let board = sitting.scores_file("0.csv");
+    let file = board.lines().nth(1).unwrap().split(',').nth(2).unwrap().to_owned();
+    let ann = Replay::parse("ann", &sitting.scores_file(&format!("flights/0/{file}"))).unwrap().inputs.ticks();
+    // The start of the race is that of the ghost; then it waits, as ann did.
+    let start = sitting.flight().game().world().body(resultant::game::SHIP).position;
+    let ghost = sitting.flight().race().unwrap().ghosts(0, 1.0).next().unwrap().1;
+    assert_eq!(ghost.centre, start);
+    for _ in 0..600 {
+        sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
+        if sitting.flight().game().outcome() == Outcome::Completed {
+            break;
+        }
+    }
+    let race = sitting.flight().race().unwrap();
+    let split = race.splits()[0];
+    assert_eq!(split, Split { objective: 0, tick: sitting.flight().game().ticks() });
+    sitting.rest();
+    let race = sitting.flight().race().unwrap();
+    let Gap::Seconds(gap) = race.gap(&race.all()[0], split) else { panic!("{:?}", race.gap(&race.all()[0], split)) };
+    assert!((gap - (split.tick as f64 - ann as f64) / 120.0).abs() < 1e-12, "{gap} s behind a flight of {ann} ticks");
+    assert!(gap < -0.5 && race.gap(&race.all()[0], split).words().starts_with('−'));
+    // The score leads to the same race again.
+    sitting.wait(1.5);
+    assert_eq!(sitting.choose(0).flight().race().unwrap().all().len(), 1);
+    // R begins it anew.
+    assert_eq!(sitting.wait(0.2).press(Key::R).flight().race().unwrap().splits(), []);
+}
+
+#[test]
+fn several_are_marked_by_keys_and_by_mouse_up_to_a_limit() {
+    let mut sitting = Sitting::new();
+    let gold = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("levels/1/flights/gold.replay.csv")).unwrap();
+    let scores = sitting.folder.path().join("scores");
+    fs::create_dir_all(scores.join("flights/1")).unwrap();
+    let rows: String = (0..14).map(|i| format!("user{i},{},x{i}.replay.csv,,\n", 900 - i)).collect();
+    fs::write(scores.join("1.csv"), format!("name,score,flight,version,program\n{rows}")).unwrap();
+    fs::write(scores.join("flights/1/x0.replay.csv"), &gold).unwrap();
+    sitting.choose(1);
+    let card = sitting.level_select().buttons().areas()[0].centre();
+    sitting.give(Input { pointer: card, right_click: true, ..Input::default() });
+    assert_eq!(sitting.at(), "flights");
+    assert_eq!(sitting.flights().candidates().len(), 14);
+    sitting.rest();
+    for line in 0..MOST_RIVALS {
+        let row = sitting.flights().row(line);
+        sitting.click_at(Vec2::new(row.max().x - 10.0, row.centre().y));
+    }
+    assert_eq!(sitting.flights().rivals().len(), MOST_RIVALS);
+    sitting.press_all(&[Key::Down, Key::Space]);
+    assert!(sitting.flights().message().unwrap().1, "one too many");
+    sitting.press_all(&[Key::Up, Key::Space, Key::Home, Key::Space]);
+    assert_eq!(sitting.flights().rivals().len(), MOST_RIVALS - 2);
+    sitting.press(Key::End);
+    assert_eq!(sitting.flights().chosen().unwrap().name, "user13");
+    assert!(sitting.flights().bar().is_some());
+    // What cannot be watched says why, and the list stays: a flight of another level, and one that is not there.
+    sitting.press(Key::Home).choose(0);
+    assert_eq!(sitting.at(), "flights");
+    assert!(sitting.flights().message().unwrap().0.contains("another version of the level"));
+    sitting.press(Key::Down).choose(0);
+    assert!(sitting.flights().message().unwrap().0.contains("x1.replay.csv"));
+    sitting.choose(1);
+    assert_eq!(sitting.at(), "flights", "nor raced");
+}
+
+#[test]
+fn a_flight_is_kept_as_a_file_and_says_where() {
+    let mut sitting = sitting();
+    sitting.choose(1).choose(0);
+    fly_up(&mut sitting, 0);
+    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
+    sitting.choose(flights).choose(2);
+    let (words, bad) = sitting.flights().message().unwrap();
+    let path = words.strip_prefix("Kept as ").unwrap().to_owned();
+    assert!(!bad);
+    let replay = Replay::parse("kept", &fs::read_to_string(&path).unwrap()).unwrap();
+    assert_eq!((replay.level.as_str(), replay.outcome), ("0", Some(Outcome::Completed)));
+    // Once is enough; another flight of that name gets another file.
+    sitting.press(Key::Enter);
+    assert_eq!(sitting.flights().message().unwrap().0, format!("Kept as {path}"));
+    fs::write(&path, "somebody's").unwrap();
+    sitting.press(Key::Enter);
+    assert_ne!(sitting.flights().message().unwrap().0, format!("Kept as {path}"));
+    assert_eq!(fs::read_to_string(&path).unwrap(), "somebody's");
+    assert_eq!(fs::read_dir(sitting.folder.path().join("flights")).unwrap().count(), 2);
+}
+
+#[test]
+fn a_lost_flight_can_be_watched_and_one_with_help_is_not_recorded() {
+    let mut sitting = Sitting::new();
+    sitting.fly(2).wait(1.5);
+    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
+    sitting.choose(flights).choose(0).wait(0.2);
+    assert_eq!(sitting.watch().game().outcome(), Outcome::Failed);
+
+    let mut sitting = Sitting::with(|root| {
+        level(root, "4", HERE, "");
+        fs::write(root.join("settings.csv"), "setting,value,player\nassist_fuel,on,\n").unwrap();
+    });
+    sitting.fly(0).wait(1.5);
+    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
+    assert!(sitting.choose(flights).flights().candidates().is_empty());
+}
+
+#[test]
+fn a_gamepad_reaches_all_of_it() {
+    let mut sitting = sitting();
+    save_as(&mut sitting, "ann", 0);
+    sitting.press(Key::PadB).choose(1).press(Key::PadX);
+    assert_eq!(sitting.at(), "flights");
+    sitting.press(Key::PadX);
+    assert_eq!(sitting.flights().rivals().len(), 1, "marked");
+    sitting.press(Key::PadA);
+    assert_eq!(sitting.at(), "watch");
+    sitting.press_all(&[Key::PadA, Key::PadRight, Key::PadRight, Key::PadUp, Key::PadX]);
+    let watch = sitting.watch();
+    assert!(watch.paused() && watch.details() && watch.pace() == 2.0);
+    sitting.press_all(&[Key::PadY, Key::PadR1]);
+    assert_eq!(sitting.watch().place().0, 120.min(sitting.watch().place().1));
+    assert_eq!(sitting.press(Key::PadB).at(), "flights");
+    assert_eq!(sitting.press_all(&[Key::PadRight, Key::PadA]).at(), "flight");
+}
+
+#[test]
+fn a_level_that_is_dropped_on_the_window_is_installed_and_chosen() {
+    let mut sitting = Sitting::new();
+    let zip = |name: &str, objectives: &str| {
+        let elsewhere = tempfile::tempdir().unwrap();
+        level(elsewhere.path(), "tower", objectives, "");
+        let (package, _) = pack::gather(&elsewhere.path().join("levels/tower"), elsewhere.path()).unwrap();
+        let path = sitting.folder.path().join(name);
+        fs::write(&path, pack::write(&package).unwrap()).unwrap();
+        path
+    };
+    let (first, second) = (zip("one.zip", HERE), zip("two.zip", "PLAYER,1,1,9,9\n"));
+    let bad = sitting.folder.path().join("bad.zip");
+    fs::write(&bad, "nothing").unwrap();
+    let drop = |sitting: &mut Sitting, path: &Path| {
+        sitting.give(Input { dropped: vec![path.to_owned()], ..Input::default() });
+    };
+    drop(&mut sitting, &first);
+    assert_eq!(sitting.at(), "problems");
+    assert_eq!(sitting.level_select().problems().unwrap().heading(), "Installed: tower");
+    sitting.press(Key::Enter).press(Key::Enter);
+    assert_eq!((sitting.at(), sitting.flight().game().level().name.as_str()), ("flight", "tower"));
+    drop(&mut sitting, &second);
+    assert_eq!(sitting.at(), "flight", "nobody who flies is interrupted");
+    sitting.wait(1.5).press(Key::Escape);
+    drop(&mut sitting, &second);
+    assert_eq!(sitting.level_select().problems().unwrap().heading(), "Installed: tower-2");
+    drop(&mut sitting, &first);
+    assert_eq!(sitting.level_select().problems().unwrap().heading(), "This level is there already");
+    drop(&mut sitting, &bad);
+    assert_eq!(sitting.level_select().problems().unwrap().heading(), "This file cannot be opened");
+    assert_eq!(fs::read_dir(sitting.folder.path().join("levels")).unwrap().count(), 7);
+}
