@@ -91,6 +91,18 @@ impl History {
         }
     }
 
+    /// The history up to that tick, or all of it where there are fewer: what was flown after it is gone.
+    #[must_use]
+    pub fn until(&self, tick: u64) -> Self {
+        let mut game = self.copies[0].clone();
+        let mut history = Self::new(&game);
+        for (at, controls) in (0..tick.min(self.ticks())).zip(self.inputs().after(0)) {
+            self.step(&mut game, at, controls);
+            history.note(&game, controls);
+        }
+        history
+    }
+
     /// The game after so many ticks, as [`History::seek`].
     pub fn at(&self, tick: u64) -> Game {
         let mut game = self.copies[0].clone();

@@ -1,5 +1,6 @@
 //! The game screen: one attempt at a level, its keys and its pause panel.
 
+use super::observer::Observer;
 use super::race::{Race, Rival};
 use super::{Buttons, Input, Key, Purpose, Request, SettingsPanel};
 use crate::game::{Clock, Controls, Game, GameError, History, Inputs, Latch, Outcome, Playback, Replay, RunResult};
@@ -81,6 +82,7 @@ pub struct Flight {
     ended: f64,
     details: bool,
     hitboxes: bool,
+    observer: Observer,
 }
 
 impl Flight {
@@ -104,6 +106,7 @@ impl Flight {
             ended: 0.0,
             details: false,
             hitboxes: false,
+            observer: Observer::default(),
             attempt,
             game,
         })
@@ -119,7 +122,11 @@ impl Flight {
         }
         self.details ^= input.acts(Action::Details);
         self.hitboxes ^= input.acts(Action::Hitboxes);
-        if self.game.outcome() != Outcome::Running {
+        match self.observer.update(input, self.game.world().bodies().len(), self.details) {
+            0 => {}
+            ticks => self.step(ticks, input, spectator),
+        }
+        if self.game.outcome() != Outcome::Running && !self.observer.frozen() {
             return self.wait_for_score(input);
         }
         if input.acts(Action::Pause) {
@@ -129,26 +136,66 @@ impl Flight {
         }
         self.latch.frame(controls(|action| input.keeps(action)), controls(|action| input.acts(action)));
         let assists = input.settings.assists;
-        self.assisted |= assists.any() && self.playback.is_none();
+        self.assisted |= (assists.any() || self.observer.pace() != 1.0) && self.playback.is_none();
+        if self.observer.frozen() {
+            return None;
+        }
+        self.leave_what_came_after();
         self.game.set_lasting_fuel(assists.lasting_fuel && self.playback.is_none());
-        self.clock.add(input.frame_time * f64::from(assists.speed) / 100.0);
+        self.clock.add(input.frame_time * f64::from(assists.speed) / 100.0 * self.observer.speed());
         while self.game.outcome() == Outcome::Running && self.clock.tick() {
-            let controls = match &mut self.playback {
-                Some(playback) => playback.next().unwrap_or_default(),
-                None => self.latch.take(),
-            };
-            spectator.before_tick();
-            self.game.step(controls);
-            self.history.note(&self.game, controls);
-            if let Some(race) = &mut self.race {
-                race.after_tick(&self.game);
-            }
-            spectator.after_tick(&self.game);
+            self.tick(spectator);
         }
         if let Some(race) = &mut self.race {
             race.update(self.game.ticks(), input.frame_time);
         }
         None
+    }
+
+    /// A tick by the keys, or by the recording.
+    fn tick(&mut self, spectator: &mut dyn Spectator) {
+        let controls = match &mut self.playback {
+            Some(playback) => playback.next().unwrap_or_default(),
+            None => self.latch.take(),
+        };
+        spectator.before_tick();
+        self.game.step(controls);
+        self.history.note(&self.game, controls);
+        if let Some(race) = &mut self.race {
+            race.after_tick(&self.game);
+        }
+        spectator.after_tick(&self.game);
+    }
+
+    /// So many ticks on or back in a world that stands still: through what was flown as it was, and beyond its end by the keys. Whoever
+    /// does so has had help.
+    fn step(&mut self, ticks: i64, input: &Input, spectator: &mut dyn Spectator) {
+        self.assisted |= self.is_by_hand();
+        let wanted = self.game.ticks().saturating_add_signed(ticks);
+        if wanted <= self.history.ticks() {
+            self.history.seek(&mut self.game, wanted);
+            spectator.jumped(&self.game);
+        } else if self.game.outcome() == Outcome::Running {
+            self.latch.frame(controls(|action| input.keeps(action)), Controls::default());
+            self.tick(spectator);
+        }
+    }
+
+    /// Whoever went back and goes on from there flies anew: what came after it has not been.
+    fn leave_what_came_after(&mut self) {
+        let now = self.game.ticks();
+        if now < self.history.ticks() {
+            self.history = self.history.until(now);
+            self.ended = 0.0;
+            let mut again = self.attempt.inputs.as_deref().map(|inputs| inputs.clone().into_iter());
+            again.iter_mut().for_each(|playback| playback.take(now as usize).for_each(drop));
+            self.playback = again;
+        }
+    }
+
+    /// Whoever looks on: whether the world stands still, how fast it goes, and whom the details tell of.
+    pub const fn observer(&self) -> &Observer {
+        &self.observer
     }
 
     /// Whether the keys fly, and not a recording.
@@ -178,7 +225,7 @@ impl Flight {
 
     /// Where between the last two ticks to draw, 0 … 1.
     pub fn alpha(&self) -> f64 {
-        self.clock.alpha()
+        if self.observer.frozen() { 1.0 } else { self.clock.alpha() }
     }
 
     /// The pause panel's buttons, while it is open: Resume, Restart, Settings, Level Select, Main Menu.
@@ -266,6 +313,7 @@ impl Flight {
                 *self = Self {
                     details: self.details,
                     hitboxes: self.hitboxes,
+                    observer: self.observer,
                     settings_problems: std::mem::take(&mut self.settings_problems),
                     // What is known of the others' ways stays known.
                     race: self.race.take().map(Race::again),
@@ -286,18 +334,28 @@ fn controls(is: impl Fn(Action) -> bool) -> Controls {
 #[cfg(feature = "window")]
 mod drawing {
     use super::{Flight, PAUSE_LABELS};
-    use crate::view::canvas::Canvas;
-    use crate::view::layout::{Area, GAP, HEADING, PADDING, Vec2, WIDE_BUTTON};
-    use crate::view::widgets;
+    use crate::view::canvas::{Canvas, Style};
+    use crate::view::layout::{Area, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
+    use crate::view::{theme, widgets};
 
     impl Flight {
+        /// How the time goes, where it does not go as it does: at the head of the canvas.
+        fn draw_time(&self, canvas: &Canvas) {
+            let Some(words) = self.observer.words() else { return };
+            let style = Style::new(TEXT, theme::accent()).middle().centred();
+            let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
+            let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, GAP), size };
+            widgets::panel(canvas, area);
+            canvas.text(&words, area.centre(), style);
+        }
+
         /// Draws the pause panel, where it is open, above the game.
         pub fn draw_pause(&self, canvas: &Canvas) {
             if let Some(settings) = &self.settings {
                 widgets::curtain(canvas, 1.0);
                 return settings.draw(canvas);
             }
-            let Some(pause) = &self.pause else { return };
+            let Some(pause) = &self.pause else { return self.draw_time(canvas) };
             widgets::curtain(canvas, 0.45);
             let middle = canvas.size() / 2.0;
             let height = PAUSE_LABELS.len() as f32 * (WIDE_BUTTON.y + GAP) + HEADING + 4.0 * PADDING;

@@ -1,5 +1,6 @@
 //! What the player did in one frame, in canvas units and without a window.
 
+use crate::physics::BodyId;
 use crate::settings::{Action, Key, Keys, Settings};
 use crate::view::layout::{Frame, Vec2};
 use std::cell::Cell;
@@ -40,6 +41,8 @@ pub struct Input {
     pub dropped: Vec<PathBuf>,
     /// Characters that were typed, in order.
     pub typed: String,
+    /// The body of the game under the pointer, if there is one.
+    pub pointed: Option<BodyId>,
     /// What the player has set.
     pub settings: Settings,
     /// What the buttons made of it, also of a copy that leaves something out: they say so with [`Input::answer`].

@@ -23,6 +23,7 @@ mod menu;
 mod miniature;
 mod name_field;
 mod noise;
+mod observer;
 #[cfg(feature = "window")]
 mod pad;
 mod pi;
@@ -58,6 +59,7 @@ pub use menu::{Facts, Menu};
 pub use miniature::{Miniature, Part as MiniaturePart};
 pub use name_field::{Entry as NameEntry, NameField};
 pub use noise::Noise;
+pub use observer::{Observer, PACES as OBSERVED_PACES};
 pub use pi::Pi;
 pub use players::{Candidate, Players};
 pub use problems::Problems;

@@ -2,9 +2,11 @@
 //! itself, flown again to the moment that is asked for.
 
 use super::input::Repeat;
+use super::observer;
 use super::{Input, Key, Request, Spectator, Toolbar, Visit};
 use crate::game::{Game, Reel};
 use crate::settings::Action;
+use crate::view::focus::Focus;
 use crate::view::layout::{Area, Frame, Vec2};
 
 /// How fast it can be played.
@@ -36,6 +38,7 @@ pub struct Watch {
     pace: usize,
     paused: bool,
     details: bool,
+    focus: Focus,
     hitboxes: bool,
     /// Whether the pointer holds the line of time.
     dragged: bool,
@@ -60,6 +63,7 @@ impl Watch {
             pace: AS_FLOWN,
             paused: false,
             details: false,
+            focus: Focus::default(),
             hitboxes: false,
             dragged: false,
             ahead: AHEAD[1],
@@ -85,6 +89,10 @@ impl Watch {
             Some(5) => self.pace = (self.pace + 1).min(PACES.len() - 1),
             Some(_) => self.details = !self.details,
             None => self.follow_keys(input, spectator),
+        }
+        // What is below the line of time is its own.
+        if self.details && row.is_none() && input.pointer.y < self.line.min.y {
+            observer::look(&mut self.focus, input, self.game.world().bodies().len());
         }
         self.drag(input, spectator);
         self.play(input.frame_time, spectator);
@@ -155,6 +163,11 @@ impl Watch {
     /// Whether forces are shown.
     pub const fn details(&self) -> bool {
         self.details
+    }
+
+    /// Of whom the details tell.
+    pub const fn focus(&self) -> &Focus {
+        &self.focus
     }
 
     /// Whether hitboxes and costs are shown.

@@ -5,6 +5,7 @@ use super::watch::FOOT;
 use super::{Answer, App, Attempt, Flight, Input, Key, Keys, Noise, Places, Request, Screen, Spectator, Watch};
 use crate::game::Game;
 use crate::level;
+use crate::physics::BodyId;
 use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
 use crate::view::layout::{DESIGN, Vec2};
@@ -99,7 +100,8 @@ async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
     loop {
         theme::wear(app.settings().palette);
         canvas.begin(text_scale(&app))?;
-        let input = read_input(&canvas, pads.read());
+        let mut input = read_input(&canvas, pads.read());
+        input.pointed = theatre.pointed(app.screen(), &input);
         if !app.update(&input, &mut theatre) {
             return Ok(());
         }
@@ -195,12 +197,26 @@ impl Theatre {
         Self { art: Rc::new(Art::new()), speaker, ear: Ear::default(), view: None, tick_started: 0.0, tick_cost: 0.0 }
     }
 
+    /// The body under the pointer, where a game is shown.
+    fn pointed(&self, screen: &Screen, input: &Input) -> Option<BodyId> {
+        let view = self.view.as_ref()?;
+        let (game, alpha) = match screen {
+            Screen::Flight(flight) => (flight.game(), flight.alpha()),
+            Screen::Watch(watch) => (watch.game(), watch.alpha()),
+            _ => return None,
+        };
+        view.body_at(game, alpha, input.pointer, &input.frame)
+    }
+
     /// Lets the view move on by the frame just updated, and draws it.
     fn draw(&mut self, flight: &Flight, settings: Settings, frame_time: f64, canvas: &Canvas) {
         let Some(view) = &mut self.view else { return };
-        let overlays = Overlays { settings, details: flight.details(), hitboxes: flight.hitboxes(), watched: false };
-        let passed = if flight.pause().is_some() { 0.0 } else { frame_time };
+        let (details, focus, hitboxes) = (flight.details(), *flight.observer().focus(), flight.hitboxes());
+        let overlays = Overlays { settings, details, focus, hitboxes, watched: false };
+        let paused = flight.pause().is_some();
+        let passed = if paused { 0.0 } else { frame_time * flight.observer().speed().min(1.0) };
         view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
+        view.follow_jumps(flight.game(), &overlays, if paused { 0.0 } else { frame_time - passed });
         if flight.pause().is_none() {
             self.speaker.surround(Ambience::of(flight.game(), view.burning()));
         }
@@ -214,10 +230,11 @@ impl Theatre {
     /// The same for a flight that is watched.
     fn draw_watched(&mut self, watch: &Watch, settings: Settings, frame_time: f64, canvas: &Canvas) {
         let Some(view) = &mut self.view else { return };
-        let overlays = Overlays { settings, details: watch.details(), hitboxes: watch.hitboxes(), watched: true };
+        let (details, focus, hitboxes) = (watch.details(), *watch.focus(), watch.hitboxes());
+        let overlays = Overlays { settings, details, focus, hitboxes, watched: true };
         let passed = if watch.paused() { 0.0 } else { frame_time * watch.pace().min(1.0) };
         view.update(watch.game(), watch.alpha(), passed, overlays, canvas.frame());
-        view.follow_jumps(watch.game(), frame_time - passed);
+        view.follow_jumps(watch.game(), &overlays, frame_time - passed);
         if !watch.paused() {
             self.speaker.surround(Ambience::of(watch.game(), view.burning()));
         }

@@ -6,15 +6,18 @@ use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
 pub use super::facts::Shown;
 use super::facts::{by_name, impacts};
+use super::focus::Focus;
 use super::layout::{Area, DETAILS, Vec2};
 use super::theme::{self, faded};
-use crate::game::{DAMAGING_SPEED, Game};
-use crate::level::{Level, Player};
+use crate::game::{DAMAGING_SPEED, Game, SHIP};
+use crate::level::Player;
 use crate::physics::{BodyId, DVec2, ForceKind};
 use macroquad::color::Color;
 
 /// About how many squares of the graph paper the ship's weight or thrust, whichever is larger, is long.
 const LONGEST: f64 = 6.0;
+/// N/kg. What the weight of a body is taken for where there is no gravity.
+const STANDARD: f64 = 9.81;
 /// Arrows shorter than this are a dot and have no label, canvas units.
 const SHORTEST: f32 = 5.0;
 /// Width of a force's arrow and of the resultant's, canvas units.
@@ -63,15 +66,30 @@ impl Arrow {
     }
 }
 
-/// Newtons a metre of the level at which the arrows are drawn: a round number that suits the level's ship.
-pub fn newtons_a_metre(level: &Level) -> f64 {
-    let Player { mass, thrust, .. } = level.player;
-    round_up((mass * level.gravity).max(thrust) / LONGEST)
+/// How long arrows are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// Newtons a metre of the level, for forces.
+    pub newtons: f64,
+    /// Newton-seconds a metre of the level, for impacts.
+    pub newton_seconds: f64,
 }
 
-/// Newton-seconds a metre of the level at which impacts are drawn: what stops the ship at damaging speed is about as long as its weight.
-pub fn newton_seconds_a_metre(level: &Level) -> f64 {
-    round_up(level.player.mass * DAMAGING_SPEED / LONGEST)
+impl Scale {
+    /// Round numbers that suit the level's ship, or whoever is followed: its weight is about as long as what stops it at damaging speed.
+    /// Longer or shorter as is asked for.
+    pub fn of(game: &Game, focus: &Focus) -> Self {
+        let (level, length) = (game.level(), focus.length() * LONGEST);
+        let Player { mass, thrust, .. } = level.player;
+        let (mass, largest) = match focus.followed() {
+            None | Some(SHIP) => (mass, (mass * level.gravity.abs()).max(thrust)),
+            Some(id) => {
+                let mass = game.world().body(id).mass;
+                (mass, mass * if level.gravity == 0.0 { STANDARD } else { level.gravity.abs() })
+            }
+        };
+        Self { newtons: round_up(largest / length), newton_seconds: round_up(mass * DAMAGING_SPEED / length) }
+    }
 }
 
 /// The colour of what a line or an arrow stands for.
@@ -83,9 +101,9 @@ pub const fn colour(shown: Shown) -> Color {
     }
 }
 
-/// The next number from 1, 2, 5, 10, 20, 50, …
+/// The next number from …, 0.1, 0.2, 0.5, 1, 2, 5, 10, …
 fn round_up(value: f64) -> f64 {
-    let mut decade = 1.0;
+    let mut decade = 1e-9;
     while decade * 10.0 < value {
         decade *= 10.0;
     }
@@ -94,8 +112,8 @@ fn round_up(value: f64) -> f64 {
 
 /// The arrows of a body whose centre is drawn at `centre` (m): the resultant first, then the forces and the impacts that are told, the
 /// longest first, so that a shorter one over a longer can be seen.
-pub fn arrows(game: &Game, id: BodyId, centre: DVec2, view: &Viewport) -> Vec<Arrow> {
-    let (newtons, newton_seconds) = (newtons_a_metre(game.level()), newton_seconds_a_metre(game.level()));
+pub fn arrows(game: &Game, (id, centre): (BodyId, DVec2), scale: &Scale, view: &Viewport) -> Vec<Arrow> {
+    let Scale { newtons, newton_seconds } = *scale;
     let forces = game.world().forces(id);
     let arrow = |(shown, reach): (Shown, DVec2)| Arrow { from: view.point(centre), to: view.point(centre + reach), shown };
     let named = by_name(&forces).into_iter().map(|(kind, vector)| (Shown::Force(kind), vector / newtons));
@@ -283,7 +301,12 @@ mod tests {
 
     #[test]
     fn the_scale_is_a_round_number() {
-        assert_eq!([0.3, 1.0, 1.1, 375.0, 500.0, 501.0, 750.0].map(round_up), [1.0, 1.0, 2.0, 500.0, 500.0, 1000.0, 1000.0]);
+        let near = |value: f64, wanted: f64| (round_up(value) / wanted - 1.0).abs() < 1e-9;
+        for (value, wanted) in
+            [(0.3, 0.5), (0.99, 1.0), (1.1, 2.0), (375.0, 500.0), (499.0, 500.0), (501.0, 1000.0), (750.0, 1000.0)]
+        {
+            assert!(near(value, wanted), "{value}: {}", round_up(value));
+        }
     }
 
     #[test]

@@ -1,14 +1,15 @@
 //! The details overlay: a box for each body in view, tied to it by a thin line, the free-body arrows with their labels, and a legend
 //! with the arrows' scale and the parts of the model that are at work.
 
-use super::arrows::{self, Arrow, Label, newton_seconds_a_metre, newtons_a_metre, place_labels};
+use super::arrows::{self, Arrow, Label, Scale, place_labels};
 use super::boxes::{self, Wish, covers_none};
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
 use super::facts::{Facts, Value, facts};
+use super::focus::Focus;
 use super::hud::HudLayout;
 use super::layout::{Area, CORNER, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
-use super::quantity::{number_width, quantity};
+use super::quantity::{number_width, quantity, scalar};
 use super::theme::{self, faded};
 use crate::game::{Game, SHIP};
 use crate::level::Text;
@@ -52,17 +53,26 @@ pub struct Details {
 }
 
 impl Details {
-    /// Lays everything out anew. `centres` says where each body is drawn (m), `covered` what else stands on the screen.
-    pub fn arrange(&mut self, game: &Game, centres: &[DVec2], covered: Option<Area>, view: &Viewport, frame: &Frame) {
+    /// Lays everything out anew. `centres` says where each body is drawn (m), `focus` of whom is told, `covered` what else stands on the screen.
+    pub fn arrange(
+        &mut self,
+        game: &Game,
+        (centres, focus): (&[DVec2], &Focus),
+        covered: Option<Area>,
+        view: &Viewport,
+        frame: &Frame,
+    ) {
         self.before.resize(centres.len(), None);
         let visible = view.visible();
         let bounds = |i: usize| Aabb::around(centres[i], game.world().bodies()[i].half);
-        let mut shown: Vec<usize> = (0..centres.len()).filter(|&i| bounds(i).touches(&visible, 0.0)).collect();
+        let mut shown: Vec<usize> =
+            (0..centres.len()).filter(|&i| focus.shows(id(i)) && bounds(i).touches(&visible, 0.0)).collect();
         // Those near the ship choose first; the sort is stable, and the ship is nearest to itself.
         let from_ship = |i: &usize| centres[*i].distance_squared(centres[SHIP.index()]);
         shown.sort_by(|a, b| from_ship(a).total_cmp(&from_ship(b)));
 
-        self.arrows = shown.iter().flat_map(|&i| arrows::arrows(game, id(i), centres[i], view)).collect();
+        let scale = Scale::of(game, focus);
+        self.arrows = shown.iter().flat_map(|&i| arrows::arrows(game, (id(i), centres[i]), &scale, view)).collect();
         let objects: Vec<Area> = shown.iter().map(|&i| on_canvas(&bounds(i), view)).collect();
         let level = game.level();
         let goals = level.objectives.iter().map(|objective| &objective.bounds);
@@ -70,7 +80,7 @@ impl Details {
         let words = level.texts.iter().map(|text| words_area(text, view));
         let kept_clear: Vec<Area> =
             objects.iter().copied().chain(self.arrows.iter().map(Arrow::area)).chain(marks).chain(words).collect();
-        self.legend = legend(game);
+        self.legend = legend(game, &scale);
         let hud = HudLayout::new(frame);
         let below = covered.map_or(hud.status.max().y, |area| area.max().y) + 2.0 * GRID;
         let ship = on_canvas(&bounds(SHIP.index()), view).inset(-2.0 * GRID);
@@ -192,10 +202,10 @@ fn box_size(facts: &Facts, frame: &Frame) -> Vec2 {
     Vec2::new(characters as f32 * MONO_ADVANCE * text, lines as f32 * text * LINE) + 2.0 * PADDING
 }
 
-fn legend(game: &Game) -> Vec<String> {
+fn legend(game: &Game, scale: &Scale) -> Vec<String> {
     let plan = game.world().plan().parts();
-    let (newtons, newton_seconds) = (newtons_a_metre(game.level()), newton_seconds_a_metre(game.level()));
-    let mut lines = vec![format!("Arrows: one square = {newtons} N"), format!("Impacts: one square = {newton_seconds} N·s")];
+    let (newtons, newton_seconds) = (scalar(scale.newtons, "N"), scalar(scale.newton_seconds, "N·s"));
+    let mut lines = vec![format!("Arrows: one square = {newtons}"), format!("Impacts: one square = {newton_seconds}")];
     if !plan.is_empty() {
         lines.push("Model at work:".to_owned());
         lines.extend(plan.into_iter().flat_map(|part| wrapped(&format!("· {part}"), LEGEND_WIDTH)));

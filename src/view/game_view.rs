@@ -6,7 +6,8 @@ use super::canvas::Canvas;
 use super::details::Details;
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
-use super::layout::Frame;
+use super::focus::Focus;
+use super::layout::{Frame, Vec2};
 use super::particles::Particles;
 use super::pictures::Pictures;
 use super::terrain::Terrain;
@@ -23,6 +24,8 @@ use macroquad::color::Color;
 use std::path::Path;
 use std::rc::Rc;
 
+/// Canvas units. What is smaller is as easy to point at as something with half such sides.
+const GRAB: f32 = 12.0;
 /// How far the light of the engine, of an objective, a death box and a key object reaches, m, and how strong it is on the rock.
 const ENGINE_REACH: f64 = 8.0;
 const ENGINE_LIGHT: f32 = 0.95;
@@ -71,10 +74,19 @@ pub struct Overlays {
     pub settings: Settings,
     /// Details boxes and free-body arrows (Tab).
     pub details: bool,
+    /// Of whom the details tell.
+    pub focus: Focus,
     /// Hitboxes and figures (F3).
     pub hitboxes: bool,
     /// Whether it is watched, and the keys do not fly.
     pub watched: bool,
+}
+
+impl Overlays {
+    /// Whom the camera follows.
+    fn followed(&self) -> BodyId {
+        self.focus.followed().filter(|_| self.details).unwrap_or(SHIP)
+    }
 }
 
 impl GameView {
@@ -149,7 +161,8 @@ impl GameView {
     pub fn update(&mut self, game: &Game, alpha: f64, frame_time: f64, overlays: Overlays, frame: &Frame) {
         let ship = centre(game, SHIP, alpha);
         self.time += frame_time;
-        self.camera.follow(ship, game.world().body(SHIP).velocity, frame_time);
+        let followed = overlays.followed();
+        self.camera.follow(centre(game, followed, alpha), game.world().body(followed).velocity, frame_time);
         if game.outcome() == Outcome::Completed {
             self.camera.close_in(frame_time);
         }
@@ -165,8 +178,20 @@ impl GameView {
         if overlays.details {
             let centres: Vec<DVec2> = ids(game).map(|id| centre(game, id, alpha)).collect();
             let figures = overlays.hitboxes.then(|| hitboxes::figures_area(game, frame));
-            self.details.arrange(game, &centres, figures, &view, frame);
+            self.details.arrange(game, (&centres, &overlays.focus), figures, &view, frame);
         }
+    }
+
+    /// The body that is drawn at a point of the canvas, the nearest to it where there are several.
+    pub fn body_at(&self, game: &Game, alpha: f64, point: Vec2, frame: &Frame) -> Option<BodyId> {
+        let view = self.viewport(game, alpha, frame);
+        let place = |id: BodyId| view.point(centre(game, id, alpha));
+        let reach = |id: BodyId| {
+            let half = game.world().body(id).half;
+            Vec2::new(view.length(half.x), view.length(half.y)).max(Vec2::splat(GRAB))
+        };
+        let under = ids(game).filter(|id| (place(*id) - point).abs().cmple(reach(*id)).all());
+        under.min_by(|a, b| place(*a).distance(point).total_cmp(&place(*b).distance(point)))
     }
 
     /// Forgets what was shown of another moment: the game has jumped.
@@ -178,9 +203,9 @@ impl GameView {
     }
 
     /// Lets the camera, and nothing else, follow a ship for `frame_time` seconds: what stands still may have been moved by hand.
-    pub fn follow_jumps(&mut self, game: &Game, frame_time: f64) {
-        let ship = game.world().body(SHIP);
-        self.camera.follow(ship.position, ship.velocity, frame_time);
+    pub fn follow_jumps(&mut self, game: &Game, overlays: &Overlays, frame_time: f64) {
+        let body = game.world().body(overlays.followed());
+        self.camera.follow(body.position, body.velocity, frame_time);
         if game.outcome() != Outcome::Completed {
             self.camera.open_up();
         }

@@ -28,6 +28,7 @@ pub mod emitters;
 pub mod facts;
 #[cfg(feature = "window")]
 pub mod feedback;
+pub mod focus;
 #[cfg(feature = "window")]
 pub mod fonts;
 #[cfg(feature = "window")]

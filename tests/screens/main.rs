@@ -4,6 +4,7 @@ mod flight;
 mod flights;
 mod levels;
 mod menu;
+mod observed;
 mod players;
 mod scores;
 mod settings;

@@ -1,0 +1,95 @@
+//! Whoever looks on while a level is flown, to learn from it: stops the world, takes it a tick on or back, slows it down or speeds it up,
+//! and picks out whom the details tell of.
+
+use super::{Input, Key};
+use crate::settings::Action;
+use crate::view::focus::Focus;
+
+/// How fast the world can go.
+pub const PACES: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0];
+/// As it is.
+const AS_IT_IS: usize = 6;
+
+/// Whether a key went down to which the player has given no work of its own.
+fn pressed(input: &Input, key: Key) -> bool {
+    input.pressed(key) && !Action::ALL.iter().any(|action| input.settings.keys.of(*action).contains(&Some(key)))
+}
+
+/// Picks out one of so many bodies, or two, by N or by a click (with Shift or Ctrl: to compare), and makes arrows longer or shorter.
+pub(super) fn look(focus: &mut Focus, input: &Input, bodies: usize) {
+    if pressed(input, Key::N) {
+        focus.next(bodies);
+    }
+    if input.click && (input.pointed.is_some() || focus.followed().is_some()) {
+        focus.pick(input.pointed, input.held.has(Key::Shift) || input.held.has(Key::Control));
+    }
+    for (keys, by) in [([Key::Equal, Key::KpAdd], 1), ([Key::Minus, Key::KpSubtract], -1)] {
+        if keys.into_iter().any(|key| pressed(input, key)) {
+            focus.lengthen(by);
+        }
+    }
+}
+
+/// The observer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Observer {
+    frozen: bool,
+    pace: usize,
+    focus: Focus,
+}
+
+impl Default for Observer {
+    fn default() -> Self {
+        Self { frozen: false, pace: AS_IT_IS, focus: Focus::default() }
+    }
+}
+
+impl Observer {
+    /// One frame of a world with so many bodies, whose details are open or not; how many ticks a world that stands still is to go on, or
+    /// back where negative. A key to which the player has given other work does that.
+    pub fn update(&mut self, input: &Input, bodies: usize, details: bool) -> i64 {
+        let pressed = |key: Key| pressed(input, key);
+        self.frozen ^= pressed(Key::F);
+        if pressed(Key::LeftBracket) {
+            self.pace = self.pace.saturating_sub(1);
+        }
+        if pressed(Key::RightBracket) {
+            self.pace = (self.pace + 1).min(PACES.len() - 1);
+        }
+        if details {
+            look(&mut self.focus, input, bodies);
+        }
+        if self.frozen { i64::from(pressed(Key::Period)) - i64::from(pressed(Key::Comma)) } else { 0 }
+    }
+
+    /// Whether the world stands still.
+    pub const fn frozen(&self) -> bool {
+        self.frozen
+    }
+
+    /// How fast the world goes while it does not stand still.
+    pub fn pace(&self) -> f64 {
+        PACES[self.pace]
+    }
+
+    /// How fast it goes, 0 while it stands still.
+    pub fn speed(&self) -> f64 {
+        if self.frozen { 0.0 } else { self.pace() }
+    }
+
+    /// Whom the details tell of.
+    pub const fn focus(&self) -> &Focus {
+        &self.focus
+    }
+
+    /// What is said of the time, where it does not go as it does.
+    pub fn words(&self) -> Option<String> {
+        let pace = self.pace();
+        let how = if pace < 1.0 { format!("1/{:.0}", 1.0 / pace) } else { format!("{pace} times") };
+        match (self.frozen, pace == 1.0) {
+            (true, _) => Some("Frozen: F goes on, . a tick on, , a tick back".to_owned()),
+            (false, false) => Some(format!("{how} as fast: [ slower, ] faster")),
+            (false, true) => None,
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! Whoever looks on stops the world, takes it a tick on or back, changes its pace, and picks out whom the details tell of.
+
+use crate::sitting::{Sitting, level};
+use resultant::game::TICK_RATE;
+use resultant::physics::BodyId;
+use resultant::screens::{Input, Key, OBSERVED_PACES, Screen};
+
+/// In a level with two crates, flying.
+fn flying() -> Sitting {
+    let mut sitting = Sitting::with(|root| {
+        level(root, "0", "PLAYER,380,60,40,40\n", "");
+        std::fs::write(root.join("levels/0/objects.csv"), "100,100,box:30x30,5,1,FALSE,0\n300,100,box:30x30,5,1,FALSE,0\n")
+            .unwrap();
+    });
+    sitting.choose(1).choose(0);
+    assert_eq!(sitting.at(), "flight");
+    sitting
+}
+
+fn ticks(sitting: &Sitting) -> u64 {
+    sitting.flight().game().ticks()
+}
+
+#[test]
+fn a_frozen_world_stands_and_goes_on_and_back_by_single_ticks_bit_for_bit() {
+    let mut sitting = flying();
+    sitting.wait(0.5).press(Key::F);
+    let (frozen, hash) = (ticks(&sitting), sitting.flight().game().hash());
+    assert!(frozen > 0 && sitting.flight().observer().frozen() && !sitting.flight().is_assisted());
+    sitting.wait(1.0);
+    assert_eq!(ticks(&sitting), frozen, "nothing moves");
+    sitting.press_all(&[Key::Comma; 5]);
+    assert_eq!(ticks(&sitting), frozen - 5);
+    sitting.press_all(&[Key::Period; 5]);
+    assert_eq!((ticks(&sitting), sitting.flight().game().hash()), (frozen, hash));
+    // Beyond what was flown the keys fly.
+    let held = [Key::Space, Key::Period].into_iter().collect();
+    sitting.give(Input { held, pressed: [Key::Period].into_iter().collect(), ..Input::default() });
+    assert_eq!(ticks(&sitting), frozen + 1);
+    assert!(sitting.flight().game().ship().burning > 0, "the tick was made with thrust");
+    // Back to before the start is nowhere.
+    sitting.press_all(&[Key::Comma; 200]);
+    assert_eq!(ticks(&sitting), 0);
+    assert!(sitting.flight().is_assisted(), "whoever takes time back has help");
+}
+
+#[test]
+fn who_goes_on_from_an_earlier_moment_has_not_flown_what_came_after() {
+    let mut sitting = flying();
+    sitting.wait(0.5).press(Key::F).press_all(&[Key::Comma; 20]);
+    let earlier = ticks(&sitting);
+    assert_eq!(sitting.flight().history().ticks(), earlier + 20);
+    sitting.press(Key::F);
+    let history = sitting.flight().history();
+    assert!(history.ticks() < earlier + 20 && history.ticks() == ticks(&sitting));
+    assert_eq!(history.at(history.ticks()).hash(), sitting.flight().game().hash());
+}
+
+#[test]
+fn time_is_slowed_down_to_a_hundredth_and_hurried_up_to_eight_times() {
+    let mut sitting = flying();
+    assert_eq!((OBSERVED_PACES[0], OBSERVED_PACES[OBSERVED_PACES.len() - 1]), (0.01, 8.0));
+    let in_a_second = |sitting: &mut Sitting| {
+        let before = ticks(sitting);
+        sitting.wait(1.0);
+        ticks(sitting) - before
+    };
+    assert!(in_a_second(&mut sitting).abs_diff(TICK_RATE as u64) <= 1);
+    sitting.press_all(&[Key::LeftBracket; 20]);
+    assert_eq!(sitting.flight().observer().pace(), 0.01);
+    assert!(in_a_second(&mut sitting).abs_diff(1) <= 1);
+    assert!(sitting.flight().is_assisted() && sitting.flight().observer().words().is_some_and(|words| words.starts_with("1/100")));
+    sitting.press_all(&[Key::RightBracket; 7]);
+    assert_eq!(sitting.flight().observer().pace(), 2.0);
+    assert!(in_a_second(&mut sitting).abs_diff(2 * TICK_RATE as u64) <= 2);
+}
+
+#[test]
+fn bodies_are_picked_out_by_key_and_by_click_while_the_details_are_open() {
+    let mut sitting = flying();
+    let focus =
+        |sitting: &Sitting| (sitting.flight().observer().focus().followed(), sitting.flight().observer().focus().compared());
+    sitting.press(Key::N);
+    assert_eq!(focus(&sitting), (None, None), "without details there is nothing to pick");
+    sitting.press(Key::Tab).press(Key::N).press(Key::N);
+    assert_eq!(focus(&sitting), (Some(BodyId(1)), None));
+    let shift = [Key::Shift].into_iter().collect();
+    sitting.give(Input { click: true, pointed: Some(BodyId(2)), held: shift, ..Input::default() });
+    assert_eq!(focus(&sitting), (Some(BodyId(1)), Some(BodyId(2))));
+    sitting.give(Input { click: true, ..Input::default() });
+    assert_eq!(focus(&sitting), (None, None), "a click beside them tells of all again");
+    // A key to which the player has given work does that work.
+    let Screen::Flight(_) = sitting.app.screen() else { panic!("it flies") };
+    let length = |sitting: &Sitting| sitting.flight().observer().focus().length();
+    sitting.press_all(&[Key::Equal, Key::Equal]);
+    assert!((length(&sitting) - 2.0).abs() < 1e-12);
+}
