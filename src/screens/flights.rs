@@ -113,6 +113,11 @@ impl Flights {
         }
     }
 
+    /// What the flights are of, in words.
+    pub fn subject(&self) -> &str {
+        &self.subject
+    }
+
     /// All flights.
     pub fn candidates(&self) -> &[Candidate] {
         &self.candidates
