@@ -9,6 +9,9 @@ use super::Sides;
 use super::tuning::SLOP;
 use glam::DVec2;
 
+/// As a part of a time: Newton's method that leaves its bracket by no more than this has converged, and what is left is rounding.
+const CONVERGED: f64 = 4.0 * f64::EPSILON;
+
 /// x(t) = c₀ + c₁t + c₂t² + c₃t³, m, for each axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Cubic {
@@ -78,10 +81,10 @@ impl Polynomial {
 
     /// Bounds of its values on [0, t]: the hull of its Bézier points.
     pub fn bounds(&self, t: f64) -> (f64, f64) {
-        let c = &self.0;
+        let (c, third) = (&self.0, t / 3.0);
         let p0 = c[0];
-        let p1 = p0 + c[1] * t / 3.0;
-        let p2 = p1 + (c[1] + c[2] * t) * t / 3.0;
+        let p1 = p0 + c[1] * third;
+        let p2 = p1 + (c[1] + c[2] * t) * third;
         let p3 = self.at(t);
         (p0.min(p1).min(p2.min(p3)), p0.max(p1).max(p2.max(p3)))
     }
@@ -90,11 +93,12 @@ impl Polynomial {
     /// ended at it (within [`SLOP`] below: things that parted by a rounding and come back).
     #[inline]
     pub fn falls_through(&self, level: f64, from: f64, end: f64) -> Option<f64> {
-        let (least, most) = self.bounds(end);
-        if least > level + SLOP || most < level - 3.0 * SLOP {
-            return None;
-        }
-        self.find_fall(level, from, end)
+        may_fall_through(self.bounds(end), level).then(|| self.find_fall(level, from, end)).flatten()
+    }
+
+    /// The same with the sign turned: rising is falling.
+    fn turned(&self) -> Self {
+        Self(self.0.map(|c| -c))
     }
 
     fn find_fall(&self, level: f64, from: f64, end: f64) -> Option<f64> {
@@ -117,7 +121,7 @@ impl Polynomial {
 
     /// As [`Self::falls_through`], from below to above.
     pub fn rises_through(&self, level: f64, from: f64, end: f64) -> Option<f64> {
-        Self(self.0.map(|c| -c)).falls_through(-level, from, end)
+        self.turned().falls_through(-level, from, end)
     }
 
     /// Where the slope changes sign, in ascending order; infinite where it does not.
@@ -144,7 +148,15 @@ impl Polynomial {
                 end = t;
             }
             let newton = t - value / slope;
-            let next = if newton > begin && newton < end { newton } else { 0.5 * (begin + end) };
+            let next = if newton > begin && newton < end {
+                newton
+            } else if newton >= end && newton - end <= CONVERGED * end {
+                end.next_down()
+            } else if newton <= begin && begin - newton <= CONVERGED * begin {
+                begin.next_up()
+            } else {
+                0.5 * (begin + end)
+            };
             if next == t || next <= begin || next >= end {
                 break;
             }
@@ -159,21 +171,21 @@ impl Polynomial {
 /// parted.
 pub(super) fn time_of_impact(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<(f64, usize)> {
     let paths = [motion.axis(0), motion.axis(1)];
-    for axis in 0..2 {
-        let (least, most) = paths[axis].bounds(end);
-        if least >= reach[axis] || most <= -reach[axis] {
-            return None;
-        }
+    let bounds = paths.map(|path| path.bounds(end));
+    if (0..2).any(|axis| bounds[axis].0 >= reach[axis] || bounds[axis].1 <= -reach[axis]) {
+        return None;
     }
     let mut first: Option<(f64, usize)> = None;
     // The second level catches a corner that met both faces at once, when neither overlapped along the other axis yet.
     for depth in [0.0, SLOP] {
         for axis in 0..2 {
             let (path, other) = (&paths[axis], &paths[1 - axis]);
-            let level = reach[axis] - depth;
+            let (level, (least, most)) = (reach[axis] - depth, bounds[axis]);
+            let falls = sides.face(axis, false) && may_fall_through((least, most), level);
+            let rises = sides.face(axis, true) && may_fall_through((-most, -least), level);
             let mut from = 0.0;
-            let fall = |from: f64| if sides.face(axis, false) { path.falls_through(level, from, end) } else { None };
-            let rise = |from: f64| if sides.face(axis, true) { path.rises_through(-level, from, end) } else { None };
+            let fall = |from: f64| if falls { path.find_fall(level, from, end) } else { None };
+            let rise = |from: f64| if rises { path.turned().find_fall(level, from, end) } else { None };
             while let Some(t) = earliest(fall(from), rise(from)) {
                 if first.is_some_and(|(best, _)| best <= t) {
                     break;
@@ -194,6 +206,11 @@ pub(super) fn time_of_impact(motion: &Cubic, reach: DVec2, end: f64, sides: Side
         }
     }
     first
+}
+
+/// Whether what stays within bounds may fall through a level, or back into it.
+fn may_fall_through((least, most): (f64, f64), level: f64) -> bool {
+    least <= level + SLOP && most >= level - 3.0 * SLOP
 }
 
 /// The earlier of two times.

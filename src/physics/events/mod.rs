@@ -21,10 +21,12 @@ mod item;
 mod motions;
 mod predict;
 mod rest;
+mod track;
 
 use super::contact::Contact;
 use super::flow::{Pose, flow};
 use super::guards::Guards;
+use super::impact_time::Cubic;
 use super::media::Media;
 use super::reactions::Reactions;
 use super::surface::Surface;
@@ -35,6 +37,7 @@ use glam::DVec2;
 pub(super) use impacts::Hit;
 pub(super) use item::{Item, Motion};
 use item::{Kind, Next};
+use track::Track;
 
 /// What the work of an island is counted in: about a nanosecond.
 const WORK_OF_A_ROOT: u64 = 45;
@@ -122,6 +125,9 @@ pub(super) struct Events {
     /// How many of the items are bodies.
     pub movable: usize,
     pub contacts: Vec<Contact>,
+    /// Of each item: how it goes on, and its next event.
+    tracks: Vec<Track>,
+    nexts: Vec<Next>,
     /// The air streams near the island.
     pub streams: Vec<u32>,
     /// What happened.
@@ -284,9 +290,9 @@ impl Events {
     /// The first event of all, if it falls into the tick.
     fn next_event(&self, scene: &Scene) -> Option<(usize, Next)> {
         let mut first = (0, Next::NEVER);
-        for (i, item) in self.items.iter().enumerate() {
-            if item.next.at < first.1.at {
-                first = (i, item.next);
+        for (i, next) in self.nexts.iter().enumerate() {
+            if next.at < first.1.at {
+                first = (i, *next);
             }
         }
         (first.1.at <= scene.tick).then_some(first)
@@ -304,6 +310,11 @@ impl Events {
             vectors.clear();
             vectors.resize(all - bodies, DVec2::ZERO);
         }
+        self.nexts.clear();
+        self.nexts.resize(all, Next::NEVER);
+        self.tracks.clear();
+        self.tracks
+            .extend(self.items.iter().map(|item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO))));
         self.pressing.clear();
         self.pressing.reserve(all);
         self.places.clear();
@@ -327,11 +338,11 @@ impl Events {
             self.renew_law(scene, i);
         }
         for i in bodies..all {
-            let item = &mut self.items[i];
-            item.foresee(scene.media);
-            if item.until < scene.tick {
-                item.next = Next { at: item.until, kind: Kind::Renew };
+            let track = self.items[i].foresee(scene.media);
+            if track.until < scene.tick {
+                self.nexts[i] = Next { at: track.until, kind: Kind::Renew };
             }
+            self.tracks[i] = track;
         }
         self.start(scene);
     }
