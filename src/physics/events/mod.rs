@@ -32,6 +32,7 @@ use super::reactions::Reactions;
 use super::surface::Surface;
 use super::tuning::SLOP;
 use super::world::State;
+use super::zone_tree::ZoneList;
 use super::{Aabb, Plan};
 use glam::DVec2;
 pub(super) use impacts::Hit;
@@ -128,6 +129,8 @@ pub(super) struct Events {
     /// Of each item: how it goes on, and its next event.
     tracks: Vec<Track>,
     nexts: Vec<Next>,
+    /// Of each item: the streams that it touches on its way, and maybe some near it.
+    borders: Vec<ZoneList>,
     /// The air streams near the island.
     pub streams: Vec<u32>,
     /// What happened.
@@ -315,6 +318,10 @@ impl Events {
         self.tracks.clear();
         self.tracks
             .extend(self.items.iter().map(|item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO))));
+        self.borders.clear();
+        if !self.streams.is_empty() {
+            self.borders.resize(bodies, ZoneList::default());
+        }
         self.pressing.clear();
         self.pressing.reserve(all);
         self.places.clear();
@@ -338,11 +345,10 @@ impl Events {
             self.renew_law(scene, i);
         }
         for i in bodies..all {
-            let track = self.items[i].foresee(scene.media);
-            if track.until < scene.tick {
-                self.nexts[i] = Next { at: track.until, kind: Kind::Renew };
+            self.foresee(scene, i);
+            if self.items[i].until < scene.tick {
+                self.nexts[i] = Next { at: self.items[i].until, kind: Kind::Renew };
             }
-            self.tracks[i] = track;
         }
         self.start(scene);
     }

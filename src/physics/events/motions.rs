@@ -102,9 +102,7 @@ impl Events {
         self.choose_motions(scene);
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
-            let item = &mut self.items[i];
-            self.tracks[i] = item.foresee(scene.media);
-            self.grown |= !item.searched.contains(&self.tracks[i].swept, 0.0);
+            self.foresee(scene, i);
         }
         let still = self.tracks.iter().all(Track::is_still);
         for i in 0..self.items.len() {
@@ -122,6 +120,18 @@ impl Events {
                 }
             }
         }
+    }
+
+    /// Foresees the way of an item.
+    pub(super) fn foresee(&mut self, scene: &Scene, i: usize) {
+        let track = self.items[i].foresee(scene.media);
+        if i < self.movable {
+            self.grown |= !self.items[i].searched.contains(&track.swept, 0.0);
+            if !self.streams.is_empty() && !track.is_still() {
+                self.borders[i] = scene.media.streams_at(&track.swept);
+            }
+        }
+        self.tracks[i] = track;
     }
 
     /// How everything concerned moves from now on.
@@ -242,8 +252,7 @@ impl Events {
         if i < self.movable {
             item.until = end_of_a_cubic(scene, item);
         }
-        self.tracks[i] = item.foresee(scene.media);
-        self.grown |= i < self.movable && !item.searched.contains(&self.tracks[i].swept, 0.0);
+        self.foresee(scene, i);
         self.work += WORK_OF_AN_ITEM;
         self.predict(scene, i);
     }

@@ -110,7 +110,8 @@ impl Events {
         }
         // Half the slop: a contact needs all of it, so that this one is over then, however the time is rounded.
         let level = lo.half[along] + hi.half[along] - 0.5 * SLOP;
-        if let Some(t) = earliest(motion.rises_through(level, 0.0, end), motion.falls_through(-level, 0.0, end)) {
+        let motion = motion.until(end);
+        if let Some(t) = earliest(motion.rises_through(level, 0.0), motion.falls_through(-level, 0.0)) {
             next.or_earlier(self.now + t, Kind::Edge);
         }
     }
@@ -122,7 +123,7 @@ impl Events {
             return;
         }
         let end = track.until - self.now;
-        let near = scene.media.streams_at(&track.swept);
+        let near = &self.borders[i];
         if near.is_empty() {
             return;
         }
