@@ -130,21 +130,28 @@ impl Media {
     /// The law of a body for the next `t` seconds, under a `force` (N) that is not its weight. It depends on nothing but the body itself: what
     /// else is near must change no bit of its motion.
     pub fn law(&self, body: &Body, force: DVec2, t: f64) -> Law {
-        let constant = self.constant(body, force);
-        // Half its size besides: what others push may meet a liquid earlier.
-        let (around, way) = (body.half * 1.5, (body.velocity.abs() + constant.abs() * t) * t);
-        let near = Aabb::around(body.position, around + way);
-        let met = self.wet.near(&near, 0.0);
-        let mut law = Law { constant, air: self.air(body), met, liquids: met, near, ..Law::default() };
-        if law.is_near_liquid() {
-            let short = way.min(body.half * NEAR);
-            if law.met.len() > MANY && short != way {
-                law.near = Aabb::around(body.position, around + short);
-                law.liquids = self.wet.near(&law.near, 0.0);
-            }
-            self.follow(&mut law, body, body.position);
-        }
+        let mut law = Law::default();
+        self.renew(&mut law, body, force, t);
         law
+    }
+
+    /// The same in place of an earlier one.
+    pub fn renew(&self, law: &mut Law, body: &Body, force: DVec2, t: f64) {
+        (law.constant, law.air) = (self.constant(body, force), self.air(body));
+        // Half its size besides: what others push may meet a liquid earlier.
+        let (around, way) = (body.half * 1.5, (body.velocity.abs() + law.constant.abs() * t) * t);
+        law.near = Aabb::around(body.position, around + way);
+        law.met = self.wet.near(&law.near, 0.0);
+        law.liquids = law.met;
+        if !law.is_near_liquid() {
+            return;
+        }
+        let short = way.min(body.half * NEAR);
+        if law.met.len() > MANY && short != way {
+            law.near = Aabb::around(body.position, around + short);
+            law.liquids = self.wet.near(&law.near, 0.0);
+        }
+        self.follow(law, body, body.position);
     }
 
     /// Lets a law be that of the body at `x`; also where that is further than buoyancy was thought to drive it.

@@ -73,7 +73,7 @@ impl Events {
     pub(super) fn renew_law(&mut self, scene: &Scene, i: usize) {
         let item = &mut self.items[i];
         let force = if self.streams.is_empty() { item.drive } else { zones::force_on(scene.media, &item.body, item.drive) };
-        item.law = scene.media.law(&item.body, force, scene.tick - self.now);
+        scene.media.renew(&mut item.law, &item.body, force, scene.tick - self.now);
     }
 
     /// The accelerations of what is concerned, and what its contacts carry.
