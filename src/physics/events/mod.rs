@@ -13,6 +13,7 @@
 //! Forces at the end of the tick are those of that instant: contacts are solved there once more where media act on them. The next tick
 //! begins with them, if nothing has changed meanwhile.
 
+mod bounces;
 mod contacts;
 mod end;
 mod grounds;
