@@ -28,7 +28,7 @@ impl Events {
         }
         let away = if contact.hi == body { 1.0 } else { -1.0 };
         let found = match self.series(scene, contact, speed, e) {
-            None if e >= 1.0 => self.to_and_fro(scene, contact, speed),
+            None if e >= 1.0 => self.back_and_forth(scene, contact, speed),
             found => found,
         };
         let Some(Series { time, leaves, impulse }) = found else { return };
@@ -67,7 +67,7 @@ impl Events {
 
     /// The way to the opposite wall and back, as often as it fits, of a body that is alone between walls that stand. It lists what that wall
     /// has passed on.
-    fn to_and_fro(&mut self, scene: &Scene, contact: &Contact, speed: f64) -> Option<Series> {
+    fn back_and_forth(&mut self, scene: &Scene, contact: &Contact, speed: f64) -> Option<Series> {
         let ((body, _), axis, along) = (contact.ends(), contact.axis, 1 - contact.axis);
         let i = body as usize;
         let away = if contact.hi == body { 1.0 } else { -1.0 };
