@@ -258,10 +258,11 @@ impl Displaced {
     /// When a way leaves it within `h` seconds, if it does.
     pub fn end_of(&self, way: &Cubic, h: f64) -> Option<f64> {
         let end = |axis: usize| {
-            let (path, low, high) = (way.axis(axis), self.low[axis] - self.sliver[axis], self.high[axis] + self.sliver[axis]);
-            let (least, most) = path.bounds(h);
-            let falls = if least < low { path.falls_through(low, 0.0, h) } else { None };
-            let rises = if most > high { path.rises_through(high, 0.0, h) } else { None };
+            let (path, low, high) =
+                (way.axis(axis).until(h), self.low[axis] - self.sliver[axis], self.high[axis] + self.sliver[axis]);
+            let (least, most) = path.bounds;
+            let falls = if least < low { path.falls_through(low, 0.0) } else { None };
+            let rises = if most > high { path.rises_through(high, 0.0) } else { None };
             earliest(falls, rises)
         };
         earliest(end(0), end(1))

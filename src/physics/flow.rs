@@ -56,7 +56,7 @@ mod tests {
         let constant = DVec2::new(0.0, media.gravity) + drive / body.mass;
         let liquids = ZoneList::of(0..media.fluids.len() as u32);
         let near = Aabb::around(DVec2::ZERO, DVec2::splat(1e30));
-        let law = Law { constant, air: media.air(&body), liquids, near, ..Law::default() };
+        let law = Law { constant, air: media.air(&body), met: liquids, liquids, near, ..Law::default() };
         Some((body, law))
     }
 

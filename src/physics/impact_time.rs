@@ -9,6 +9,9 @@ use super::Sides;
 use super::tuning::SLOP;
 use glam::DVec2;
 
+/// As a part of a time: Newton's method that leaves its bracket by no more than this has converged, and what is left is rounding.
+const CONVERGED: f64 = 4.0 * f64::EPSILON;
+
 /// x(t) = c₀ + c₁t + c₂t² + c₃t³, m, for each axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Cubic {
@@ -78,46 +81,17 @@ impl Polynomial {
 
     /// Bounds of its values on [0, t]: the hull of its Bézier points.
     pub fn bounds(&self, t: f64) -> (f64, f64) {
-        let c = &self.0;
+        let (c, third) = (&self.0, t / 3.0);
         let p0 = c[0];
-        let p1 = p0 + c[1] * t / 3.0;
-        let p2 = p1 + (c[1] + c[2] * t) * t / 3.0;
+        let p1 = p0 + c[1] * third;
+        let p2 = p1 + (c[1] + c[2] * t) * third;
         let p3 = self.at(t);
         (p0.min(p1).min(p2.min(p3)), p0.max(p1).max(p2.max(p3)))
     }
 
-    /// The first t in (from, end] at which it falls through `level`: from above it to it or below, or back into it from a rise that
-    /// ended at it (within [`SLOP`] below: things that parted by a rounding and come back).
-    #[inline]
-    pub fn falls_through(&self, level: f64, from: f64, end: f64) -> Option<f64> {
-        let (least, most) = self.bounds(end);
-        if least > level + SLOP || most < level - 3.0 * SLOP {
-            return None;
-        }
-        self.find_fall(level, from, end)
-    }
-
-    fn find_fall(&self, level: f64, from: f64, end: f64) -> Option<f64> {
-        let shifted = Self([self.0[0] - level, self.0[1], self.0[2], self.0[3]]);
-        let (first, second) = shifted.turning_points();
-        let mut begin = from;
-        for stop in [first, second, end] {
-            let stop = stop.min(end).max(begin);
-            let (high, low) = (shifted.at(begin), shifted.at(stop));
-            if high > 0.0 && low <= 0.0 {
-                return Some(shifted.root(begin, stop));
-            }
-            if begin > from && low < high && (-2.0 * SLOP..=0.0).contains(&high) {
-                return Some(begin);
-            }
-            begin = stop;
-        }
-        None
-    }
-
-    /// As [`Self::falls_through`], from below to above.
-    pub fn rises_through(&self, level: f64, from: f64, end: f64) -> Option<f64> {
-        Self(self.0.map(|c| -c)).falls_through(-level, from, end)
+    /// It on [0, end].
+    pub fn until(self, end: f64) -> Stretch {
+        Stretch { path: self, end, bounds: self.bounds(end) }
     }
 
     /// Where the slope changes sign, in ascending order; infinite where it does not.
@@ -144,7 +118,15 @@ impl Polynomial {
                 end = t;
             }
             let newton = t - value / slope;
-            let next = if newton > begin && newton < end { newton } else { 0.5 * (begin + end) };
+            let next = if newton > begin && newton < end {
+                newton
+            } else if newton >= end && newton - end <= CONVERGED * end {
+                end.next_down()
+            } else if newton <= begin && begin - newton <= CONVERGED * begin {
+                begin.next_up()
+            } else {
+                0.5 * (begin + end)
+            };
             if next == t || next <= begin || next >= end {
                 break;
             }
@@ -154,26 +136,70 @@ impl Polynomial {
     }
 }
 
+/// A cubic on [0, `end`], with the bounds of its values there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stretch {
+    path: Polynomial,
+    end: f64,
+    pub bounds: (f64, f64),
+}
+
+impl Stretch {
+    /// The first t in (from, end] at which it falls through `level`: from above it to it or below, or back into it from a rise that
+    /// ended at it (within [`SLOP`] below: things that parted by a rounding and come back).
+    #[inline]
+    pub fn falls_through(&self, level: f64, from: f64) -> Option<f64> {
+        let (least, most) = self.bounds;
+        if least > level + SLOP || most < level - 3.0 * SLOP {
+            return None;
+        }
+        self.find_fall(level, from)
+    }
+
+    /// As [`Self::falls_through`], from below to above.
+    #[inline]
+    pub fn rises_through(&self, level: f64, from: f64) -> Option<f64> {
+        let (least, most) = self.bounds;
+        Self { path: Polynomial(self.path.0.map(|c| -c)), end: self.end, bounds: (-most, -least) }.falls_through(-level, from)
+    }
+
+    fn find_fall(&self, level: f64, from: f64) -> Option<f64> {
+        let [c0, c1, c2, c3] = self.path.0;
+        let shifted = Polynomial([c0 - level, c1, c2, c3]);
+        let (first, second) = shifted.turning_points();
+        let mut begin = from;
+        for stop in [first, second, self.end] {
+            let stop = stop.min(self.end).max(begin);
+            let (high, low) = (shifted.at(begin), shifted.at(stop));
+            if high > 0.0 && low <= 0.0 {
+                return Some(shifted.root(begin, stop));
+            }
+            if begin > from && low < high && (-2.0 * SLOP..=0.0).contains(&high) {
+                return Some(begin);
+            }
+            begin = stop;
+        }
+        None
+    }
+}
+
 /// The first time in (0, end] at which boxes whose halves sum to `reach` meet, and along which axis; `motion` is that of the second's centre
 /// relative to the first's, and `sides` are those from which the second is solid. Boxes that touch already meet again only after they have
 /// parted.
 pub(super) fn time_of_impact(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<(f64, usize)> {
-    let paths = [motion.axis(0), motion.axis(1)];
-    for axis in 0..2 {
-        let (least, most) = paths[axis].bounds(end);
-        if least >= reach[axis] || most <= -reach[axis] {
-            return None;
-        }
+    let paths = [motion.axis(0).until(end), motion.axis(1).until(end)];
+    if (0..2).any(|axis| paths[axis].bounds.0 >= reach[axis] || paths[axis].bounds.1 <= -reach[axis]) {
+        return None;
     }
     let mut first: Option<(f64, usize)> = None;
     // The second level catches a corner that met both faces at once, when neither overlapped along the other axis yet.
     for depth in [0.0, SLOP] {
         for axis in 0..2 {
-            let (path, other) = (&paths[axis], &paths[1 - axis]);
+            let (path, other) = (&paths[axis], &paths[1 - axis].path);
             let level = reach[axis] - depth;
             let mut from = 0.0;
-            let fall = |from: f64| if sides.face(axis, false) { path.falls_through(level, from, end) } else { None };
-            let rise = |from: f64| if sides.face(axis, true) { path.rises_through(-level, from, end) } else { None };
+            let fall = |from: f64| if sides.face(axis, false) { path.falls_through(level, from) } else { None };
+            let rise = |from: f64| if sides.face(axis, true) { path.rises_through(-level, from) } else { None };
             while let Some(t) = earliest(fall(from), rise(from)) {
                 if first.is_some_and(|(best, _)| best <= t) {
                     break;

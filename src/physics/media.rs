@@ -31,6 +31,9 @@ use std::cell::Cell;
 
 /// What a search for liquids comes to, in units of work as in `events`: about a nanosecond.
 const WORK_OF_A_SEARCH: u64 = 60;
+/// Of more liquids than these only such are looked at that are no further away than so many halves of the body.
+const MANY: u32 = 12;
+const NEAR: f64 = 4.0;
 
 /// The media of a world.
 #[derive(Clone, Debug)]
@@ -58,7 +61,8 @@ pub(super) struct Law {
     pub constant: DVec2,
     /// Drag of the air.
     pub air: Drag,
-    /// The liquids that it may meet: all that touch this box, m.
+    /// The liquids that it may meet, and those near it: all that touch this box, m.
+    pub met: ZoneList,
     pub liquids: ZoneList,
     pub near: Aabb,
     /// What it displaces of them around where it was when that was last asked for.
@@ -68,7 +72,7 @@ pub(super) struct Law {
 impl Law {
     /// Whether some liquid is so near that it may be met.
     pub fn is_near_liquid(&self) -> bool {
-        !self.liquids.is_empty()
+        !self.met.is_empty()
     }
 
     /// Whether nothing acts that depends on place or velocity.
@@ -126,15 +130,28 @@ impl Media {
     /// The law of a body for the next `t` seconds, under a `force` (N) that is not its weight. It depends on nothing but the body itself: what
     /// else is near must change no bit of its motion.
     pub fn law(&self, body: &Body, force: DVec2, t: f64) -> Law {
-        let constant = self.constant(body, force);
-        // Half its size besides: what others push may meet a liquid earlier.
-        let reach = body.half * 1.5 + (body.velocity.abs() + constant.abs() * t) * t;
-        let near = Aabb::around(body.position, reach);
-        let mut law = Law { constant, air: self.air(body), liquids: self.wet.near(&near, 0.0), near, ..Law::default() };
-        if law.is_near_liquid() {
-            self.follow(&mut law, body, body.position);
-        }
+        let mut law = Law::default();
+        self.renew(&mut law, body, force, t);
         law
+    }
+
+    /// The same in place of an earlier one.
+    pub fn renew(&self, law: &mut Law, body: &Body, force: DVec2, t: f64) {
+        (law.constant, law.air) = (self.constant(body, force), self.air(body));
+        // Half its size besides: what others push may meet a liquid earlier.
+        let (around, way) = (body.half * 1.5, (body.velocity.abs() + law.constant.abs() * t) * t);
+        law.near = Aabb::around(body.position, around + way);
+        law.met = self.wet.near(&law.near, 0.0);
+        law.liquids = law.met;
+        if !law.is_near_liquid() {
+            return;
+        }
+        let short = way.min(body.half * NEAR);
+        if law.met.len() > MANY && short != way {
+            law.near = Aabb::around(body.position, around + short);
+            law.liquids = self.wet.near(&law.near, 0.0);
+        }
+        self.follow(law, body, body.position);
     }
 
     /// Lets a law be that of the body at `x`; also where that is further than buoyancy was thought to drive it.
@@ -164,9 +181,9 @@ impl Media {
         self.wet.any(near)
     }
 
-    /// The liquids of a law, with their indices.
+    /// The liquids that a law may meet, with their indices.
     pub fn liquids<'a>(&'a self, law: &'a Law) -> impl Iterator<Item = (u32, &'a FluidDef)> {
-        law.liquids.iter().map(|index| (index, &self.fluids[index as usize]))
+        law.met.iter().map(|index| (index, &self.fluids[index as usize]))
     }
 
     /// Acceleration of a body at `x` with velocity `v` under `law`, m/s².
@@ -268,6 +285,7 @@ mod tests {
         Law {
             constant: DVec2::new(0.0, media.gravity),
             air: media.air(body),
+            met: ZoneList::of(0..media.fluids.len() as u32),
             liquids: ZoneList::of(0..media.fluids.len() as u32),
             near: Aabb::around(DVec2::ZERO, DVec2::splat(1e30)),
             displaced: Displaced::default(),

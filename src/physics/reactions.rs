@@ -63,6 +63,9 @@ impl Reactions {
     /// solved apart: no group's answer depends on another's.
     pub fn accelerate(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         self.squeezed.clear();
+        if contacts.is_empty() {
+            return;
+        }
         if let [contact] = contacts
             && let Some(body) = lies_on_surface(contact, parts)
         {

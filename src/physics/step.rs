@@ -152,11 +152,11 @@ impl World {
             if !surface.concerns(dt) {
                 continue;
             }
+            let swept = surface.swept(dt);
             if surface.moves_within(dt) {
                 self.pile.lead_surface(s, surface.at(dt).offset, Some(surface.arrives(dt)));
-                self.pile.sweep_surface(s, &surface.swept(dt));
+                self.pile.sweep_surface(s, &swept);
             }
-            let swept = surface.swept(dt);
             for i in 0..self.state.bodies.len() {
                 if self.state.bodies[i].bounds().touches(&swept, MARGIN) {
                     self.disturb(i as u32);

@@ -80,15 +80,15 @@ pub(super) fn border(way: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f
     let motion = Cubic::parabola(zone.centre(), DVec2::ZERO, DVec2::ZERO).relative(way);
     let mut first: Option<f64> = None;
     for axis in 0..2 {
-        let (path, other, level) = (motion.axis(axis), motion.axis(1 - axis), reach[axis]);
+        let (path, other, level) = (motion.axis(axis).until(end), motion.axis(1 - axis), reach[axis]);
         // Of the side at which it begins, if it begins at the border.
-        let begin = path.at(0.0);
+        let begin = motion.c[0][axis];
         let clear = |side: f64| if (side * begin - level).abs() <= SLOP { CLEAR } else { 0.0 };
         let (above, below) = (clear(1.0), clear(-1.0));
         let t = if inside {
-            earliest(path.rises_through(level + above, 0.0, end), path.falls_through(-level - below, 0.0, end))
+            earliest(path.rises_through(level + above, 0.0), path.falls_through(-level - below, 0.0))
         } else {
-            earliest(path.falls_through(level - above, 0.0, end), path.rises_through(below - level, 0.0, end))
+            earliest(path.falls_through(level - above, 0.0), path.rises_through(below - level, 0.0))
                 .filter(|&t| other.at(t).abs() <= reach[1 - axis])
         };
         first = earliest(first, t.filter(|&t| t < end));

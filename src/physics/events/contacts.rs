@@ -1,6 +1,5 @@
 //! What touches what at an event: contacts begin, last and end, and what meets is brought exactly together.
 
-use super::item::Motion;
 use super::{Events, Scene, WORK_OF_A_CONTACT, WORK_OF_A_LOOK, WORK_OF_AN_ITEM};
 use crate::physics::Aabb;
 use crate::physics::contact::Contact;
@@ -34,7 +33,7 @@ impl Events {
             let bounds = Aabb::around(self.places[i as usize], self.items[i as usize].body.half);
             for j in 0..self.items.len() as u32 {
                 let looked_at = || self.concerned[..next].contains(&j);
-                if j == i || !bounds.touches(&self.items[j as usize].swept, SLOP) || looked_at() {
+                if j == i || !self.may_touch(&bounds, j as usize) || looked_at() {
                     continue;
                 }
                 let met = hit.filter(|contact| contact.is_of(i, j));
@@ -49,6 +48,12 @@ impl Events {
         self.concerned.sort_unstable();
         self.touching.sort_unstable_by_key(Contact::ends);
         self.work += (WORK_OF_AN_ITEM + WORK_OF_A_LOOK * self.items.len() as u64) * self.concerned.len() as u64;
+    }
+
+    /// Whether an item may touch a box now.
+    fn may_touch(&self, bounds: &Aabb, item: usize) -> bool {
+        let track = &self.tracks[item];
+        bounds.touches(&track.swept, SLOP) && (!track.is_exact() || bounds.touches(&track.bounds_at(self.now), SLOP))
     }
 
     /// What is known of two things that touch now.
@@ -133,10 +138,9 @@ impl Events {
     pub(super) fn put_together(&mut self, scene: &Scene, contact: &Contact) -> bool {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let reach = self.items[lo].body.half[axis] + self.items[hi].body.half[axis];
-        let exact = |item: &super::Item| matches!(item.motion, Motion::Still | Motion::Parabola);
-        if !(exact(&self.items[lo]) && exact(&self.items[hi])) {
+        if !(self.tracks[lo].is_exact() && self.tracks[hi].is_exact()) {
             let begin = self.items[lo].since.max(self.items[hi].since);
-            let others = self.items.iter().enumerate().filter(|(k, _)| *k != lo && *k != hi).map(|(_, item)| item.next.at);
+            let others = self.nexts.iter().enumerate().filter(|(k, _)| *k != lo && *k != hi).map(|(_, next)| next.at);
             let end = others.fold(self.items[lo].until.min(self.items[hi].until).min(scene.tick), f64::min);
             for _ in 0..POLISH {
                 let (a, b) = (self.items[lo].pose(scene.media, self.now), self.items[hi].pose(scene.media, self.now));

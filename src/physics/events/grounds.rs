@@ -25,8 +25,9 @@ impl Events {
     fn set_out(&mut self, scene: &Scene, i: usize) {
         let item = &mut self.items[i];
         scene.set_on_path(item, self.now);
-        item.foresee(scene.media);
-        item.next = Next::NEVER;
+        self.foresee(scene, i);
+        self.nexts[i] = Next::NEVER;
+        let item = &self.items[i];
         let ground = i - self.movable;
         (self.ground_speeds[ground], self.ground_pulls[ground]) = (item.body.velocity, item.solved);
         (self.places[i], self.is_placed[i]) = (item.body.position, true);

@@ -5,17 +5,11 @@
 //! impulse is (1 + e)·w split by mass fractions, which leaves exactly zero for equal masses. Restitution is the larger of the two; what
 //! only has to stop stops all at once in a plastic solve of the contact network, exact at any mass ratio. Friction acts during an impact
 //! too, up to μ_k times the normal impulse, and never reverses the sliding.
-//!
-//! A bounce series on something immovable has a sum: after some bounces within one tick the rest of it, or as many whole bounces as fit,
-//! is passed over in closed form (rest after 2w/(g(1 − e))), during which the mean reaction is that of a body at rest.
 
-use super::item::Resume;
 use super::{Events, Scene, WORK_OF_A_CONTACT};
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
-use crate::physics::tuning::{
-    CALM_REACH, CASCADE_HITS, MAX_CLINGS, MICRO_SPEED, PUMPED_HITS, RATTLE_HITS, SPEED_ROUNDING, ZENO_HITS,
-};
+use crate::physics::tuning::{CASCADE_HITS, MAX_CLINGS, MICRO_SPEED, PUMPED_HITS, RATTLE_HITS, SPEED_ROUNDING};
 use glam::DVec2;
 
 /// What a contact passed on at one instant.
@@ -251,41 +245,6 @@ impl Events {
         }
         if surface.is_some_and(|surface| self.stands(surface)) {
             self.pass_over_bounces(scene, &contact, e * speed, e);
-        }
-    }
-
-    /// Passes over the rest of a bounce series on a surface that stands still, or over whole bounces of it, where they come thick and fast.
-    fn pass_over_bounces(&mut self, scene: &Scene, contact: &Contact, speed: f64, e: f64) {
-        let (item, away) = if self.is_body(contact.hi) { (contact.hi, 1.0) } else { (contact.lo, -1.0) };
-        let left = scene.tick - self.now;
-        let of = &self.items[item as usize];
-        if of.hits < ZENO_HITS {
-            return;
-        }
-        let pose = (self.places[item as usize], self.speeds[item as usize]);
-        let pull = -away * scene.media.acceleration(&of.body, &of.law, pose.0, DVec2::ZERO)[contact.axis];
-        let first = 2.0 * speed / pull;
-        let thick = pull > 0.0 && first * f64::from(ZENO_HITS) < left;
-        if !thick || scene.media.rate(&of.body, &of.law, pose, left) * first > CALM_REACH {
-            return;
-        }
-        let (count, time) = if e >= 1.0 {
-            let count = (left / first).floor();
-            (count, (count * first).min(left))
-        } else {
-            // n bounces take first·(1 − eⁿ)/(1 − e).
-            let part = left * (1.0 - e) / first;
-            let count = if part >= 1.0 { f64::INFINITY } else { (libm::log1p(-part) / libm::log(e)).floor() };
-            (count, (first * (1.0 - libm::pow(e, count)) / (1.0 - e)).min(left))
-        };
-        let axis = contact.axis;
-        let mut held = DVec2::ZERO;
-        held[axis] = -self.items[item as usize].body.mass * self.speeds[item as usize][axis];
-        self.note(contact, if item == contact.hi { held } else { -held }, 0.0);
-        self.speeds[item as usize][axis] = 0.0;
-        if count.is_finite() {
-            let speed = away * speed * libm::pow(e, count);
-            self.items[item as usize].resume = Some(Resume { at: self.now + time, axis, speed });
         }
     }
 

@@ -1,5 +1,6 @@
 //! What takes part in an island: bodies, and the surfaces near them, each on a path of its own with a time at which it began.
 
+use super::track::Track;
 use crate::physics::bath::Regime;
 use crate::physics::flow::{Pose, flow, parabola};
 use crate::physics::impact_time::Cubic;
@@ -117,15 +118,10 @@ pub(in crate::physics) struct Item {
     /// Of its parabola, m/s²: where media act on what is in contact, the mean one.
     pub mean: DVec2,
     pub slide: Option<Slide>,
-    /// The way from `since` on.
-    pub way: Cubic,
     /// What its flow or slide comes to, with `since` and `until` as they were then: what has been foreseen is not sought once more.
     end: Option<(f64, f64, Pose)>,
-    /// What it sweeps from `since` to `until`, m.
-    pub swept: Aabb,
     /// Where others were looked for, m.
     pub searched: Aabb,
-    pub(super) next: Next,
     pub(super) resume: Option<Resume>,
     /// Impacts in this tick.
     pub hits: u32,
@@ -159,11 +155,8 @@ impl Item {
             solved: body.acceleration,
             mean: body.acceleration,
             slide: None,
-            way: Cubic::parabola(body.position, DVec2::ZERO, DVec2::ZERO),
             end: None,
-            swept: body.bounds(),
             searched,
-            next: Next::NEVER,
             resume: None,
             hits: 0,
             clung: 0,
@@ -238,14 +231,14 @@ impl Item {
     }
 
     /// Foresees the way, from `since` to `until`.
-    pub fn foresee(&mut self, media: &Media) {
+    pub(super) fn foresee(&mut self, media: &Media) -> Track {
         let (x, v) = (self.body.position, self.body.velocity);
         let t = self.until - self.since;
         self.end = None;
         if t > 0.0 && matches!(self.motion, Motion::Flow | Motion::Slide) {
             self.end = Some((self.since, self.until, self.pose(media, self.until)));
         }
-        self.way = match self.motion {
+        let way = match self.motion {
             Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
             // Right at once, so that things that bounce on each other thousands of times a second meet when they should; and where it ends.
             Motion::Flow if t > 0.0 => {
@@ -259,13 +252,7 @@ impl Item {
             }
             Motion::Parabola | Motion::Flow | Motion::Slide => Cubic::parabola(x, v, self.mean),
         };
-        let (x, y) = (self.way.axis(0).bounds(t), self.way.axis(1).bounds(t));
-        self.swept = Aabb::new(DVec2::new(x.0, y.0) - self.body.half, DVec2::new(x.1, y.1) + self.body.half);
-    }
-
-    /// The way from a later time on.
-    pub fn way_from(&self, at: f64) -> Cubic {
-        self.way.from(at - self.since)
+        Track::new(self, way)
     }
 }
 

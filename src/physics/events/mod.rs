@@ -13,6 +13,7 @@
 //! Forces at the end of the tick are those of that instant: contacts are solved there once more where media act on them. The next tick
 //! begins with them, if nothing has changed meanwhile.
 
+mod bounces;
 mod contacts;
 mod end;
 mod grounds;
@@ -21,20 +22,24 @@ mod item;
 mod motions;
 mod predict;
 mod rest;
+mod track;
 
 use super::contact::Contact;
 use super::flow::{Pose, flow};
 use super::guards::Guards;
+use super::impact_time::Cubic;
 use super::media::Media;
 use super::reactions::Reactions;
 use super::surface::Surface;
 use super::tuning::SLOP;
 use super::world::State;
+use super::zone_tree::ZoneList;
 use super::{Aabb, Plan};
 use glam::DVec2;
 pub(super) use impacts::Hit;
 pub(super) use item::{Item, Motion};
 use item::{Kind, Next};
+use track::Track;
 
 /// What the work of an island is counted in: about a nanosecond.
 const WORK_OF_A_ROOT: u64 = 45;
@@ -122,6 +127,11 @@ pub(super) struct Events {
     /// How many of the items are bodies.
     pub movable: usize,
     pub contacts: Vec<Contact>,
+    /// Of each item: how it goes on, and its next event.
+    tracks: Vec<Track>,
+    nexts: Vec<Next>,
+    /// Of each item: the streams that it touches on its way, and maybe some near it.
+    borders: Vec<ZoneList>,
     /// The air streams near the island.
     pub streams: Vec<u32>,
     /// What happened.
@@ -284,9 +294,9 @@ impl Events {
     /// The first event of all, if it falls into the tick.
     fn next_event(&self, scene: &Scene) -> Option<(usize, Next)> {
         let mut first = (0, Next::NEVER);
-        for (i, item) in self.items.iter().enumerate() {
-            if item.next.at < first.1.at {
-                first = (i, item.next);
+        for (i, next) in self.nexts.iter().enumerate() {
+            if next.at < first.1.at {
+                first = (i, *next);
             }
         }
         (first.1.at <= scene.tick).then_some(first)
@@ -303,6 +313,15 @@ impl Events {
         for vectors in [&mut self.ground_speeds, &mut self.ground_pulls] {
             vectors.clear();
             vectors.resize(all - bodies, DVec2::ZERO);
+        }
+        self.nexts.clear();
+        self.nexts.resize(all, Next::NEVER);
+        self.tracks.clear();
+        self.tracks
+            .extend(self.items.iter().map(|item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO))));
+        self.borders.clear();
+        if !self.streams.is_empty() {
+            self.borders.resize(bodies, ZoneList::default());
         }
         self.pressing.clear();
         self.pressing.reserve(all);
@@ -327,10 +346,9 @@ impl Events {
             self.renew_law(scene, i);
         }
         for i in bodies..all {
-            let item = &mut self.items[i];
-            item.foresee(scene.media);
-            if item.until < scene.tick {
-                item.next = Next { at: item.until, kind: Kind::Renew };
+            self.foresee(scene, i);
+            if self.items[i].until < scene.tick {
+                self.nexts[i] = Next { at: self.items[i].until, kind: Kind::Renew };
             }
         }
         self.start(scene);

@@ -6,6 +6,7 @@
 //! M·(1 + ½hD + ¼h²K). So a group in a medium needs one more solve than one without, and its ways are parabolas as well.
 
 use super::item::{Item, Kind, Motion, Slide};
+use super::track::Track;
 use super::{Events, Implicit, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
@@ -72,7 +73,7 @@ impl Events {
     pub(super) fn renew_law(&mut self, scene: &Scene, i: usize) {
         let item = &mut self.items[i];
         let force = if self.streams.is_empty() { item.drive } else { zones::force_on(scene.media, &item.body, item.drive) };
-        item.law = scene.media.law(&item.body, force, scene.tick - self.now);
+        scene.media.renew(&mut item.law, &item.body, force, scene.tick - self.now);
     }
 
     /// The accelerations of what is concerned, and what its contacts carry.
@@ -101,21 +102,17 @@ impl Events {
         self.choose_motions(scene);
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
-            let item = &mut self.items[i];
-            item.foresee(scene.media);
-            if !item.searched.contains(&item.swept, 0.0) {
-                self.grown = true;
-            }
+            self.foresee(scene, i);
         }
-        let still = self.items.iter().all(Item::is_still);
+        let still = self.tracks.iter().all(Track::is_still);
         for i in 0..self.items.len() {
-            let stopped_now = |item: usize| self.items[item].stops_at == self.now;
-            let stale = match self.items[i].next.kind {
-                Kind::Hit { other, .. } | Kind::Stop { other } => self.is_concerned[other as usize] || stopped_now(other as usize),
+            let changed = |item: usize| self.is_concerned[item] || item >= self.movable && self.items[item].stops_at == self.now;
+            let stale = match self.nexts[i].kind {
+                Kind::Hit { other, .. } | Kind::Stop { other } => changed(other as usize),
                 Kind::Edge => true,
                 _ => false,
             };
-            if stale || stopped_now(i) || self.is_concerned[i] {
+            if stale || changed(i) {
                 if still {
                     self.predict_still(scene, i);
                 } else {
@@ -123,6 +120,18 @@ impl Events {
                 }
             }
         }
+    }
+
+    /// Foresees the way of an item.
+    pub(super) fn foresee(&mut self, scene: &Scene, i: usize) {
+        let track = self.items[i].foresee(scene.media);
+        if i < self.movable {
+            self.grown |= !self.items[i].searched.contains(&track.swept, 0.0);
+            if !self.streams.is_empty() && !track.is_still() {
+                self.borders[i] = scene.media.streams_at(&track.swept);
+            }
+        }
+        self.tracks[i] = track;
     }
 
     /// How everything concerned moves from now on.
@@ -243,8 +252,7 @@ impl Events {
         if i < self.movable {
             item.until = end_of_a_cubic(scene, item);
         }
-        item.foresee(scene.media);
-        self.grown |= i < self.movable && !self.items[i].searched.contains(&self.items[i].swept, 0.0);
+        self.foresee(scene, i);
         self.work += WORK_OF_AN_ITEM;
         self.predict(scene, i);
     }

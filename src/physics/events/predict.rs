@@ -3,7 +3,7 @@
 //! Ways are cubics: exactly the parabola without drag, the Hermite interpolant of the flow with it. Whatever meets along them does so at a
 //! root of a polynomial; the pose at that time is then taken from the motion itself.
 
-use super::item::{Kind, Motion, Next};
+use super::item::{Kind, Next};
 use super::{Events, Scene, WORK_OF_A_BORDER, WORK_OF_A_LOOK, WORK_OF_A_ROOT};
 use crate::physics::contact::Contact;
 use crate::physics::impact_time::{Cubic, Polynomial, earliest, time_of_impact};
@@ -37,65 +37,64 @@ impl Events {
                 self.pressing.push(contact.other(i as u32));
             }
         }
-        self.work += WORK_OF_A_LOOK * self.items.len() as u64;
-        for other in 0..self.items.len() {
-            if other != i {
-                self.next_hit(i, other, &mut next);
-            }
-        }
-        self.items[i].next = next;
+        self.next_hit(i, &mut next);
+        self.nexts[i] = next;
     }
 
     /// The same while nothing of the island moves, so that nothing meets and no contact changes.
     pub(super) fn predict_still(&mut self, scene: &Scene, i: usize) {
-        let item = &mut self.items[i];
-        item.next = Next::NEVER;
+        let item = &self.items[i];
+        let mut next = Next::NEVER;
         if item.until < scene.tick {
-            item.next.or_earlier(item.until, Kind::Renew);
+            next.or_earlier(item.until, Kind::Renew);
         }
         if let Some(resume) = item.resume {
-            item.next.or_earlier(resume.at, Kind::Resume);
+            next.or_earlier(resume.at, Kind::Resume);
         }
+        self.nexts[i] = next;
     }
 
-    /// When two items meet. The search begins where the later of the two ways does.
-    fn next_hit(&mut self, i: usize, j: usize, next: &mut Next) {
-        // Seen from the one of the lower number, so that both come to the same bits.
-        let (a, b) = (&self.items[i.min(j)], &self.items[i.max(j)]);
-        if (a.motion == Motion::Still && b.motion == Motion::Still) || !a.swept.touches(&b.swept, SLOP) {
-            return;
+    /// When an item meets another one. The search begins now, and ends where the earlier of their ways does or with what is known to happen.
+    fn next_hit(&mut self, i: usize, next: &mut Next) {
+        self.work += WORK_OF_A_LOOK * self.tracks.len() as u64;
+        let (now, mine) = (self.now, &self.tracks[i]);
+        let from_here = mine.way_from(now);
+        for (j, other) in self.tracks.iter().enumerate() {
+            if j == i || mine.is_still() && other.is_still() || !mine.swept.touches(&other.swept, SLOP) {
+                continue;
+            }
+            let end = mine.until.min(other.until).min(next.at) - now;
+            if end <= 0.0 {
+                continue;
+            }
+            self.work += WORK_OF_A_ROOT;
+            let from_there = other.way_from(now);
+            // What presses on each other has met already.
+            if !mine.may_meet(other, from_there.c[0] - from_here.c[0], end, SLOP) || self.pressing.contains(&(j as u32)) {
+                continue;
+            }
+            // Seen from the one of the lower number, so that both come to the same bits.
+            let motion = if i < j { from_here.relative(&from_there) } else { from_there.relative(&from_here) };
+            if motion.stands() {
+                continue;
+            }
+            let (reach, sides) = (mine.half + other.half, self.items[i.max(j)].sides);
+            let found =
+                meets_at_once(&motion, reach, sides).map(|axis| (0.0, axis)).or_else(|| time_of_impact(&motion, reach, end, sides));
+            let Some((t, axis)) = found else { continue };
+            let path = motion.axis(axis);
+            let side = path.at(t).signum();
+            let gentle = -side * path.slope(t) <= GRAZING_SPEED && -side * path.curvature(t) <= GRAZING_ACCELERATION;
+            if !gentle {
+                next.or_earlier(now + t, Kind::Hit { other: j as u32, axis, ascending: (side > 0.0) == (i < j) });
+            }
         }
-        let now = self.now;
-        let end = a.until.min(b.until).min(next.at) - now;
-        if end <= 0.0 {
-            return;
-        }
-        self.work += WORK_OF_A_ROOT;
-        // What presses on each other has met already.
-        if self.pressing.contains(&(j as u32)) {
-            return;
-        }
-        let motion = a.way_from(now).relative(&b.way_from(now));
-        if motion.stands() {
-            return;
-        }
-        let reach = a.body.half + b.body.half;
-        let found =
-            meets_at_once(&motion, reach, b.sides).map(|axis| (0.0, axis)).or_else(|| time_of_impact(&motion, reach, end, b.sides));
-        let Some((t, axis)) = found else { return };
-        let path = motion.axis(axis);
-        let side = path.at(t).signum();
-        let gentle = -side * path.slope(t) <= GRAZING_SPEED && -side * path.curvature(t) <= GRAZING_ACCELERATION;
-        if gentle {
-            return;
-        }
-        next.or_earlier(now + t, Kind::Hit { other: j as u32, axis, ascending: (side > 0.0) == (i < j) });
     }
 
     /// The end of a slide, and something sliding off an edge.
     fn next_contact_change(&self, i: u32, contact: &Contact, next: &mut Next) {
-        let (lo, hi) = (&self.items[contact.lo as usize], &self.items[contact.hi as usize]);
-        if lo.motion == Motion::Still && hi.motion == Motion::Still {
+        let (lo, hi) = (&self.tracks[contact.lo as usize], &self.tracks[contact.hi as usize]);
+        if lo.is_still() && hi.is_still() {
             return;
         }
         let end = lo.until.min(hi.until) - self.now;
@@ -110,28 +109,29 @@ impl Events {
             next.or_earlier(self.now + t, Kind::Stop { other: contact.other(i) });
         }
         // Half the slop: a contact needs all of it, so that this one is over then, however the time is rounded.
-        let level = lo.body.half[along] + hi.body.half[along] - 0.5 * SLOP;
-        if let Some(t) = earliest(motion.rises_through(level, 0.0, end), motion.falls_through(-level, 0.0, end)) {
+        let level = lo.half[along] + hi.half[along] - 0.5 * SLOP;
+        let motion = motion.until(end);
+        if let Some(t) = earliest(motion.rises_through(level, 0.0), motion.falls_through(-level, 0.0)) {
             next.or_earlier(self.now + t, Kind::Edge);
         }
     }
 
     /// When an item enters or leaves an air stream.
     fn next_border(&mut self, scene: &Scene, i: usize, next: &mut Next) {
-        let item = &self.items[i];
-        if item.motion == Motion::Still || self.streams.is_empty() {
+        let (item, track) = (&self.items[i], &self.tracks[i]);
+        if track.is_still() || self.streams.is_empty() {
             return;
         }
-        let end = item.until - self.now;
-        let near = scene.media.streams_at(&item.swept);
+        let end = track.until - self.now;
+        let near = &self.borders[i];
         if near.is_empty() {
             return;
         }
-        let (way, pose) = (item.way_from(self.now), item.pose(scene.media, self.now));
+        let (way, pose) = (track.way_from(self.now), item.pose(scene.media, self.now));
         for stream in near.iter() {
             let zone = &scene.media.streams[stream as usize].zone;
             self.work += WORK_OF_A_BORDER;
-            if !item.swept.touches(zone, SLOP) {
+            if !track.swept.touches(zone, SLOP) {
                 continue;
             }
             let inside = zones::feels(zone, &item.body, pose);

@@ -190,6 +190,9 @@ impl Network {
 
     fn solve_by_blocks(&mut self) {
         self.work += 2 * WORK_OF_A_LOOK * (self.nodes.len() + self.links.len()) as u64;
+        if self.stays() {
+            return;
+        }
         self.index_links();
         self.find_components();
         let mut next = 0;

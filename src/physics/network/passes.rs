@@ -3,7 +3,7 @@
 //! A pile at rest and a pushed row settle in one such pass. Nothing is found here that `routing` would not find too; it is for what these
 //! refuse.
 
-use super::{Carries, GROUND, Link, Network, Note};
+use super::{Carries, GROUND, Link, Network, Note, WORK_OF_A_LOOK};
 use crate::physics::tuning::FORCE_TOLERANCE;
 
 impl Network {
@@ -51,6 +51,17 @@ impl Network {
             self.nodes[hi as usize].acceleration = together;
         }
         true
+    }
+
+    /// The direct answer where nothing pulls and no ground moves: nothing is passed on. False, and nothing done, if something does.
+    pub(super) fn stays(&mut self) -> bool {
+        let stays = self.nodes.iter().all(|node| node.force == 0.0) && self.links.iter().all(|link| link.ground == 0.0);
+        if stays {
+            self.work += 4 * WORK_OF_A_LOOK * self.nodes.len() as u64;
+            self.nodes.iter_mut().for_each(|node| node.acceleration = 0.0);
+            self.links.iter_mut().for_each(|link| link.flow = 0.0);
+        }
+        stays
     }
 
     /// One pass along the axis: every body hands its excess on to the bodies (or the ground) that it presses against, in equal shares, as

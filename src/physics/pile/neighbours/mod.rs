@@ -220,7 +220,7 @@ impl Neighbours {
 
     /// Gives a body that has left its box a new one, and adds the pairs that this lets meet.
     fn add(&mut self, bodies: &Bodies, i: usize, mine: Edges) {
-        self.edges[i] = mine;
+        let before = std::mem::replace(&mut self.edges[i], mine);
         self.revision += 1;
         self.find_near_body(&mine, i);
         if !self.is_large[i] {
@@ -231,6 +231,11 @@ impl Neighbours {
         self.near_surfaces(&mine, bodies.len());
         for k in 0..self.near.len() {
             let j = self.near[k];
+            let other = self.edges.get(j as usize).unwrap_or_else(|| &self.surface_edges[j as usize - bodies.len()]);
+            // Pairs of boxes that overlap are known.
+            if overlap(&before, other) {
+                continue;
+            }
             let (upper, lower) = if k >= bodies_near || (j as usize) < i { (i, j) } else { (j as usize, i as u32) };
             if !self.knows(upper, lower) {
                 self.more.push(More { with: lower, next: self.first[upper] });
