@@ -118,6 +118,11 @@ impl Media {
         self.work.get() > self.limit.get()
     }
 
+    /// Whether nothing acts on any body but its weight and its drive.
+    pub fn is_bare(&self) -> bool {
+        self.air_density == 0.0 && self.streams.is_empty() && self.fluids.is_empty()
+    }
+
     /// Counts a flow that did not get to its end by its own steps.
     pub fn end_early(&self) {
         self.ended_early.set(self.ended_early.get() + 1);
