@@ -12,6 +12,9 @@ use support::written::texts;
 
 const LEVELS: u64 = 150;
 const TICKS: u32 = 360;
+/// Levels in which a law was broken once: what lay on a body that was put out of a surface was left in it, a little deeper each time; and friction
+/// on walls went on where nothing pressed any more.
+const FOUND: [u64; 7] = [276, 585, 1135, 2178, 2558, 3384, 3941];
 
 const MATERIALS: [&str; 5] = ["", "Ice", "Trampoline", "Rubber", "Glass"];
 
@@ -94,7 +97,7 @@ fn rows(random: &mut Random) -> Vec<(&'static str, String)> {
 #[test]
 fn whatever_is_built_stays_finite_inside_and_the_same() {
     let (mut played, mut switched, mut broken) = (0, 0, 0);
-    for seed in 0..LEVELS {
+    for seed in (0..LEVELS).chain(FOUND) {
         let files = rows(&mut Random(seed));
         let files: Vec<(&'static str, &str)> = files.iter().map(|(file, text)| (*file, text.as_str())).collect();
         let level = match level::read("built", &texts(&files)) {

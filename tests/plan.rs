@@ -52,6 +52,49 @@ fn no_shipped_level_moves_otherwise_with_every_part_switched_on() {
     }
 }
 
+/// What glides as one is advanced by one formula: over seams and edges, from one material to another, on until it stops, meets a wall or a
+/// body that rests, or is pushed otherwise.
+#[test]
+fn nothing_that_glides_as_one_moves_otherwise_body_by_body() {
+    let surface = |left: f64, top: f64, right: f64, material| {
+        SurfaceDef::fixed(Aabb::new(DVec2::new(left, top), DVec2::new(right, top + 1.0)), material)
+    };
+    let floors = vec![
+        surface(-20.0, 0.0, 9.3, Material::ASPHALT),
+        surface(9.3, 0.0, 12.1, Material::ICE),
+        surface(14.0, 3.0, 40.0, Material::ASPHALT),
+        surface(30.0, 1.0, 31.0, Material::ASPHALT),
+    ];
+    for (count, speed, push, sideways) in
+        [(1, 8.0, 0.0, false), (1, 3.0, 900.0, false), (4, 2.0, 2600.0, false), (6, 9.0, 0.0, false), (3, -4.0, 0.0, true)]
+    {
+        let mut bodies: Vec<BodyDef> = (0..count)
+            .map(|i| BodyDef {
+                position: DVec2::new(f64::from(i), -0.5),
+                velocity: DVec2::new(speed, 0.0),
+                half: DVec2::splat(0.5),
+                mass: 20.0 + 5.0 * f64::from(i),
+                feels_air: false,
+                ..BodyDef::default()
+            })
+            .collect();
+        // One that rests in the way.
+        bodies.push(BodyDef {
+            position: DVec2::new(8.0, -0.4),
+            half: DVec2::splat(0.4),
+            mass: 3.0,
+            feels_air: false,
+            ..BodyDef::default()
+        });
+        let mut surfaces = floors.clone();
+        if sideways {
+            surfaces.push(SurfaceDef::fixed(Aabb::new(DVec2::new(-6.0, -9.0), DVec2::new(-5.0, 0.0)), Material::ASPHALT));
+        }
+        let def = WorldDef { gravity: 15.0, air_density: 0.0, bodies, surfaces, ..WorldDef::default() };
+        assert_alike(def, DVec2::new(push, 0.0));
+    }
+}
+
 proptest! {
     #![proptest_config(support::strategies::cases(64))]
 

@@ -44,13 +44,10 @@ impl Death {
     }
 }
 
-/// What presses with less than this is rounding and squeezes nothing, N: the slowest mover presses a ship with 10⁷ times as much.
-const ROUNDING: f64 = 1e-12;
-
 /// The bodies that were squeezed in a tick with these events, and the surface that did it.
 pub fn crushed(events: &[Event]) -> impl Iterator<Item = (BodyId, u32)> + '_ {
     events.iter().filter_map(|event| match *event {
-        Event::Crushed { body, by, force } => (force > ROUNDING).then_some((body, by)),
+        Event::Crushed { body, by, .. } => Some((body, by)),
         Event::Impact { .. } => None,
     })
 }

@@ -2,7 +2,8 @@
 
 macro_rules! guards {
     ($($(#[$doc:meta])* $name:ident),* $(,)?) => {
-        /// How often each guard of the engine acted, since the world began. In ordinary scenes all but the first three are zero.
+        /// How often each guard of the engine acted, since the world began. In ordinary scenes all but the first three are zero, in small ones
+        /// also of the dense method; what is [relaxed](Self::friction_relaxed) and [parted](Self::sweeps_ended) in large piles is counted, too.
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct Guards {
             $($(#[$doc])* pub $name: u64,)*
@@ -39,6 +40,15 @@ guards! {
     pumping,
     /// Bodies that parted by a rounding from what they rest on so often in a tick that they were let go.
     clinging_given_up,
+    /// Groups of contacts whose friction on floors and on walls, each of which decides about the other, did not settle within its rounds:
+    /// some rub less than they could.
+    friction_unsettled,
+    /// Groups of contacts in which static friction still gave way in the last pass: asked again, they may answer with other last bits.
+    friction_passes_ended,
+    /// Flows through liquids whose last part was one implicit step, because they had used up what they may take.
+    flows_ended_early,
+    /// Flights of one body through so many streams that the rest of a tick went with the force that it had come to.
+    flights_cut_short,
     /// Surfaces stopped because they would have squeezed something.
     surfaces_stopped,
     /// Surfaces that stood still for a whole tick, because islands did not agree within their rounds on when they stop.
@@ -49,8 +59,12 @@ guards! {
     kept_within_reach,
     /// Dense: bodies that stayed where they were for the rest of a step, with their velocities, because bounces ran out of their budget.
     bounces_put_off,
-    /// Dense: steps of islands in which merging ran out of rounds.
+    /// Dense: mergings, along gravity, across it or of places, that ran out of rounds.
     merging_ended,
+    /// Dense: steps of islands in which what hangs on walls did not settle within its rounds.
+    walls_ended,
+    /// Dense: how often the grips of stacks did not settle, or would have driven, and were relaxed contact by contact.
+    friction_relaxed,
     /// Dense: steps of islands in which friction would have driven, and was left out.
     friction_left_out,
     /// Dense: steps of islands in which what still closed side by side did not settle within its sweeps.

@@ -87,6 +87,7 @@ pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
         h = next;
     }
     if left > 0.0 {
+        media.end_early();
         pose = swimmer.leap(&mut regime, pose, left);
     }
     swimmer.come_to_rest(&mut regime, &mut pose);

@@ -52,6 +52,7 @@ pub(super) struct Media {
     /// by one step each.
     work: Cell<u64>,
     limit: Cell<u64>,
+    ended_early: Cell<u64>,
 }
 
 /// The law by which one body moves during one interval, contacts left out.
@@ -88,7 +89,17 @@ impl Media {
             (0..).zip(streams).map(Stream::of_stream).chain((0..).zip(fields).map(Stream::of_field)).collect();
         let blowing = ZoneTree::of(streams.iter().map(|stream| stream.zone));
         let wet = ZoneTree::of(fluids.iter().map(|fluid| fluid.zone));
-        Self { gravity, air_density, streams, fluids, blowing, wet, work: Cell::new(0), limit: Cell::new(u64::MAX) }
+        Self {
+            gravity,
+            air_density,
+            streams,
+            fluids,
+            blowing,
+            wet,
+            work: Cell::new(0),
+            limit: Cell::new(u64::MAX),
+            ended_early: Cell::new(0),
+        }
     }
 
     /// Counts what it takes to evaluate a law.
@@ -109,6 +120,21 @@ impl Media {
     /// Whether they have taken that.
     pub fn is_spent(&self) -> bool {
         self.work.get() > self.limit.get()
+    }
+
+    /// Whether nothing acts on any body but its weight and its drive.
+    pub fn is_bare(&self) -> bool {
+        self.air_density == 0.0 && self.streams.is_empty() && self.fluids.is_empty()
+    }
+
+    /// Counts a flow that did not get to its end by its own steps.
+    pub fn end_early(&self) {
+        self.ended_early.set(self.ended_early.get() + 1);
+    }
+
+    /// How many flows did not, since this was asked last.
+    pub fn take_ended_early(&self) -> u64 {
+        self.ended_early.take()
     }
 
     /// Gravity of the world on a body, N/kg downwards.

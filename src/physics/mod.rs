@@ -62,6 +62,7 @@ mod events;
 mod face;
 mod flow;
 mod forces;
+mod glide;
 mod guards;
 mod hash;
 mod held;

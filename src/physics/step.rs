@@ -35,6 +35,7 @@ impl World {
         let scene = Scene::of(state, plan, dt);
         pile.step_with(dt, &mut Tick { state, scene, guards, scratch, lists });
         records.guards.add(&pile.take_guards());
+        records.guards.flows_ended_early += state.media.take_ended_early();
         self.commit(dt);
         self.record();
         self.go_on_paths(dt);

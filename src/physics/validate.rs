@@ -224,7 +224,10 @@ impl World {
             let body = &self.state.bodies[contact.ends().0 as usize];
             let surface = (contact.ends().1 as usize).checked_sub(self.state.bodies.len());
             let on_mover = surface.is_some_and(|s| !self.state.surfaces[s].def.path.is_still());
-            if on_mover || self.was_dense(contact.ends().0) {
+            // What the dense method has told stays listed while it sleeps.
+            let first = contact.ends().0;
+            let told_dense = self.was_dense(first) || self.pile.is_sleeping(first as usize) && !self.state.known[first as usize];
+            if on_mover || told_dense {
                 // The dense method tells the mean over the tick of what touched in it; what of a push was an impact is told apart, and what rubbed
                 // then is not.
                 if !(contact.normal >= 0.0 && contact.friction.is_finite()) {

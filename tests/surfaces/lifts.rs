@@ -107,3 +107,22 @@ fn bounces_on_a_steady_lift_end_as_on_the_ground() {
         assert_eq!(moving.guards().budgets_used_up, 0);
     }
 }
+
+/// A lift that comes level with a floor slower than what counts as resting lifts what stands on both, and squeezes nothing: a body was
+/// held to the floor by the rounding that makes resting things stay, and crushed against it.
+#[test]
+fn a_lift_that_creeps_past_a_floor_lifts_what_stands_on_both() {
+    for speed in [1e-9, 1e-7, 1e-6] {
+        for ahead in [0.0, 0.004 * speed] {
+            let floor = SurfaceDef::fixed(area(-9.0, 0.0, 0.0, 1.0), Material::ASPHALT);
+            let lift = mover(area(0.0, ahead, 9.0, ahead + 0.5), once(&[leg(1.0, v(0.0, -speed), v(0.0, 0.0))]));
+            let mut world = world(vec![floor, lift], vec![block(0.1, 0.0, 100.0)]);
+            run(&mut world, 0.5, 120.0, |world, t| {
+                assert_eq!(crushed(world), [], "{speed} m/s, {ahead} m ahead, after {t} s");
+                let off = (position(world, 0).y + 0.5 + (speed * t - ahead).max(0.0)).abs();
+                assert!(off <= 2e-9, "{speed} m/s, {ahead} m ahead: {off} m off after {t} s");
+            });
+            assert_eq!(world.guards().surfaces_stopped, 0);
+        }
+    }
+}

@@ -164,11 +164,34 @@ impl Events {
         } else if of_lo == 0.0 || of_hi == 0.0 {
             let (body, ground, side) = if of_lo == 0.0 { (hi, lo, 1.0) } else { (lo, hi, -1.0) };
             self.places[body][axis] = self.places[ground][axis] + side * reach;
+            if gap < -CLOSED {
+                self.lift_load(scene, body as u32, axis, -side * gap);
+            }
         } else if gap.abs() > CLOSED {
             self.places[lo][axis] += gap * (of_lo / (of_lo + of_hi));
             self.places[hi][axis] -= gap * (of_hi / (of_lo + of_hi));
         }
         true
+    }
+
+    /// What lies on a body that has been put out of a surface goes with it by as much (m, along `axis`), and so does what lies on that: it
+    /// would be left in it, a little deeper each time.
+    fn lift_load(&mut self, scene: &Scene, body: u32, axis: usize, way: f64) {
+        let (mut carrier, mut next) = (body, self.concerned.len());
+        loop {
+            for index in 0..self.contacts.len() {
+                let contact = self.contacts[index];
+                let (below, above) = if way > 0.0 { (contact.lo, contact.hi) } else { (contact.hi, contact.lo) };
+                let lies = contact.axis == axis && below == carrier && self.is_body(above) && !self.is_concerned[above as usize];
+                if lies {
+                    self.concern(above);
+                    self.locate(scene, above as usize);
+                    self.places[above as usize][axis] += way;
+                }
+            }
+            let Some(&above) = self.concerned.get(next) else { return };
+            (carrier, next) = (above, next + 1);
+        }
     }
 
     /// Ends a slide: what stops and whatever moves with it has one speed along the face from now on.

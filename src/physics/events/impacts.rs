@@ -78,15 +78,23 @@ impl Events {
     }
 
     /// The plastic solve of all that touches. Pushing one side of a body can lift it off the other by next to nothing; where it is
-    /// pulled back at once, it stays, or the two sides would take turns for ever. Where something would be squeezed nothing is done yet
-    /// but to stop the surfaces that do it.
+    /// pulled back at once, it stays, or the two sides would take turns for ever; but it follows a surface that lifts it. Where something
+    /// would be squeezed nothing is done yet but to stop the surfaces that do it.
     fn stop_together(&mut self, scene: &Scene) {
         let mut touching = std::mem::take(&mut self.touching);
-        for _ in 0..=touching.len() {
+        let mut may_cling = true;
+        for _ in 0..=touching.len() + 1 {
             self.before.clone_from(&self.speeds);
             self.work += WORK_OF_A_CONTACT * touching.len() as u64;
             let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
             self.reactions.collide(&mut touching, &parts, &mut self.speeds);
+            if !self.reactions.squeezed.is_empty() && touching.iter().any(|contact| contact.clings) {
+                // What clings gives way: only what cannot squeezes.
+                touching.iter_mut().for_each(|contact| contact.clings = false);
+                self.speeds.clone_from(&self.before);
+                may_cling = false;
+                continue;
+            }
             if self.stop_surfaces(scene, &touching, Self::speed) {
                 self.speeds.clone_from(&self.before);
                 break;
@@ -94,7 +102,7 @@ impl Events {
             let mut lifted = false;
             for contact in &mut touching {
                 self.note_plastic(contact);
-                if !contact.clings && self.clings(scene, contact) {
+                if may_cling && !contact.clings && self.clings(scene, contact) {
                     contact.clings = true;
                     lifted = true;
                 }

@@ -205,6 +205,8 @@ impl Events {
         self.taken_before = scene.media.spent() + self.reactions.spent();
         let outcome = self.go_through(scene);
         self.total += self.work;
+        self.guards.friction_unsettled += std::mem::take(&mut self.reactions.unsettled);
+        self.guards.friction_passes_ended += std::mem::take(&mut self.reactions.passes_ended);
         outcome
     }
 
@@ -273,6 +275,7 @@ impl Events {
         if outcome == Outcome::Done {
             return (item.body.position, item.body.velocity);
         }
+        self.guards.flights_cut_short += 1;
         scene.media.allow(BUDGET_OF_A_FLOW);
         flow(scene.media, &item.body, &item.law, scene.tick - item.since)
     }

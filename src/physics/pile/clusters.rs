@@ -79,6 +79,8 @@ const NONE: u32 = u32::MAX;
 /// Groups of bodies that move as one along one axis. Only bodies that were merged are in one.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Clusters {
+    /// How often mergings ran out of rounds, since this was taken last.
+    pub ended: u64,
     stamp: u32,
     members: Vec<Member>,
     roots: Vec<Root>,
@@ -91,6 +93,7 @@ pub(super) struct Clusters {
 impl Clusters {
     pub fn new(all: usize) -> Self {
         Self {
+            ended: 0,
             stamp: 0,
             members: vec![Member::default(); all],
             roots: vec![Root::default(); all],

@@ -412,6 +412,7 @@ pub(super) fn merge(
         if !merged {
             break;
         }
+        clusters.ended += u64::from(pass + 1 == PASSES);
     }
     any
 }

@@ -181,6 +181,14 @@ impl Dense {
         self.place.get(i as usize).copied().unwrap_or(0)
     }
 
+    /// How often each guard acted since this was asked last.
+    pub fn take_guards(&mut self) -> Guards {
+        self.guards.friction_relaxed += std::mem::take(&mut self.friction.relaxed);
+        self.guards.walls_ended += std::mem::take(&mut self.walls.ended);
+        self.guards.merging_ended += std::mem::take(&mut self.clusters.ended);
+        std::mem::take(&mut self.guards)
+    }
+
     /// Records what was solved, and leaves the free velocities as flight made them, for whoever solves the island again.
     pub fn finish(&mut self, bodies: &mut Bodies, island: Island<'_>, down: f64) {
         if self.report.on {

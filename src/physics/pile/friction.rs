@@ -85,6 +85,8 @@ pub(super) struct Friction {
     /// Whether something slides back within the step: friction has turned round with it, and what it did until then is not in what the
     /// step gives.
     pub turned: bool,
+    /// How often the grips did not settle, since this was taken last.
+    pub relaxed: u64,
 }
 
 impl Friction {
@@ -361,6 +363,7 @@ impl Friction {
     /// allows. Always dissipates, but what sticks high up is stopped only after many steps.
     fn relax(&mut self, bodies: &mut Bodies, given: &[f64]) {
         self.turned = false;
+        self.relaxed += 1;
         for &i in &self.gripped {
             let i = i as usize;
             bodies.ux[i] = given[i] / bodies.mass[i];

@@ -286,7 +286,7 @@ impl Pile {
 
     /// The same, and begins to count anew.
     pub(in crate::physics) fn take_guards(&mut self) -> Guards {
-        std::mem::take(&mut self.dense.guards)
+        self.dense.take_guards()
     }
 
     /// The number of bodies.

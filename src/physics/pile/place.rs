@@ -154,6 +154,7 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
             break;
         }
         doubt |= pass + 1 == PASSES;
+        clusters.ended += u64::from(pass + 1 == PASSES);
     }
     for &i in &clusters.joined {
         let i = i as usize;

@@ -38,6 +38,8 @@ struct Grip {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Walls {
     pub any: bool,
+    /// Steps in which who slides was not settled within the rounds, since this was taken last.
+    pub ended: u64,
     grips: Vec<Grip>,
     edges: Vec<Edge>,
     loads: Vec<f64>,
@@ -112,12 +114,13 @@ impl Walls {
             self.any = false;
             return exhausted;
         }
-        for _ in 0..ROUNDS {
+        for round in 1..=ROUNDS {
             self.hang(bodies, along);
             exhausted += along.solve(bodies);
             if !self.slip(bodies, along) {
                 break;
             }
+            self.ended += u64::from(round == ROUNDS);
         }
         for grip in &mut self.grips {
             if grip.hangs {
