@@ -83,7 +83,7 @@ impl Flight {
     /// Flies by the plan.
     pub fn by_plan(level: &Arc<Level>, plan: &Plan) -> Self {
         let mut game = new_game(level);
-        let mut pilot = Pilot::new(plan, &Sight::clear(&game));
+        let mut pilot = Pilot::new(plan, &Sight::of(&game));
         let mut flight = Self {
             inputs: Inputs::default(),
             result: game.result(),
@@ -105,7 +105,7 @@ impl Flight {
         // What goes on for twice its time will not do any more.
         let longest = (2.0 * plan.settings.par).min(LONGEST);
         while game.outcome() == Outcome::Running && game.time() < longest {
-            let controls = pilot.keys(&Sight::clear(&game));
+            let controls = pilot.keys(&Sight::of(&game));
             flight.inputs.record(controls);
             flight.last_speed = game.world().body(SHIP).velocity.length();
             game.step(controls);
@@ -122,7 +122,7 @@ impl Flight {
         flight.steps = pilot.step();
         let left = &plan.steps[flight.steps.min(plan.steps.len())..];
         flight.pushes_left = left.iter().filter(|step| step.kind == Kind::Push).count() as u32;
-        flight.distance = pilot.distance(&Sight::clear(&game));
+        flight.distance = pilot.distance(&Sight::of(&game));
         flight
     }
 
@@ -263,6 +263,7 @@ pub fn bears(level: &Level, inputs: &Inputs, same: f64, late: f64) -> bool {
     worst(same).all(|again| again == Again::Same) && worst(late).all(|again| again != Again::Lost)
 }
 
-fn new_game(level: &Arc<Level>) -> Game {
+/// A fresh attempt.
+pub fn new_game(level: &Arc<Level>) -> Game {
     Game::new(Arc::clone(level)).unwrap_or_else(|error| panic!("level {}: {error}", level.name))
 }

@@ -66,7 +66,7 @@ fn run(arguments: Vec<String>) -> Result<bool, String> {
     let mut all_well = true;
     for name in &levels {
         let done = load(name).and_then(|level| match task.as_str() {
-            "difficulty" => difficulty::measure(&level),
+            "difficulty" => difficulty::measure(&level, &options),
             "adversary" => hunt(&level, minutes, options.seed),
             _ => make::record(&level, &options),
         });
@@ -101,12 +101,12 @@ fn load(name: &str) -> Result<Arc<Level>, String> {
 }
 
 /// Reads one of a level's plans.
-fn plan_of(level: &str, aim: flight::Aim) -> Result<plan::Plan, String> {
-    let file = plan_file(level, aim);
+fn plan_of(level: &str, flight: &str) -> Result<plan::Plan, String> {
+    let file = plan_file(level, flight);
     let text = std::fs::read_to_string(&file).map_err(|error| format!("{}: {error}", file.display()))?;
     plan::Plan::parse(&text).map_err(|problem| format!("{}: {problem}", file.display()))
 }
 
-fn plan_file(level: &str, aim: flight::Aim) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("plans").join(level).join(aim.name()).with_extension("csv")
+fn plan_file(level: &str, flight: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("plans").join(level).join(flight).with_extension("csv")
 }
