@@ -2,11 +2,11 @@
 //! places wrongly and presses keys early or late.
 
 use crate::flight::Aim;
+use crate::make::{Options, write};
 use crate::pilot::{Judgement, Pilot};
 use crate::plan::Plan;
-use crate::make::{Options, write};
-use crate::{plan_file, plan_of};
 use crate::sight::Sight;
+use crate::{plan_file, plan_of};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use resultant::game::{Controls, Game, Outcome};
@@ -24,23 +24,20 @@ const PERSON: &str = "person";
 const AT_LEISURE: f64 = 2.0;
 /// From what happens to the pilot's seeing it, s: a person's time to react.
 const DELAY: f64 = 0.2;
-/// By how much places are misjudged, pixels: a fifth of the ship.
-const SPREAD: f64 = 10.0;
+/// By how much places are misjudged, pixels: a third of the ship, most by less.
+const SPREAD: f64 = 18.0;
 /// By how much speeds are misjudged, a share of themselves.
 const MISJUDGED: f64 = 0.05;
-/// The most by which a key is pressed or let go of late, ticks: 33 ms.
-const LATEST: u32 = 4;
+/// The most by which a key is pressed or let go of late, ticks: 50 ms.
+const LATEST: u32 = 6;
 
 /// Flies a level and prints how often that went well, and in which steps of the plan it did not.
-fn env(name: &str, or: f64) -> f64 { std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(or) }
 pub fn measure(level: &Arc<Level>, options: &Options) -> Result<(), String> {
     let mut plan = plan_of(&level.name, PERSON).or_else(|_| plan_of(&level.name, Aim::Careful.name()))?;
     let longest = AT_LEISURE * level.optimal_time;
     if let Some(trials) = options.trials {
-        plan = steadier(level, plan, (trials, options.seed));
-    }
-    if options.keep {
-        write(&plan_file(&level.name, PERSON), &plan.to_string())?;
+        let keep = |plan: &Plan| if options.keep { write(&plan_file(&level.name, PERSON), &plan.to_string()) } else { Ok(()) };
+        plan = steadier(level, plan, (trials, options.seed), keep)?;
     }
     if options.trace {
         fly(level, &plan, options.seed, longest, |game, step, keys| crate::make::trace_line(game, step, keys));
@@ -67,7 +64,12 @@ pub fn measure(level: &Arc<Level>, options: &Options) -> Result<(), String> {
 }
 
 /// A plan that forgives more, of so many variations from a seed: more of other unsteady flights succeed by it, and sooner.
-fn steadier(level: &Arc<Level>, plan: Plan, (trials, seed): (u32, u64)) -> Plan {
+fn steadier(
+    level: &Arc<Level>,
+    plan: Plan,
+    (trials, seed): (u32, u64),
+    keep: impl Fn(&Plan) -> Result<(), String>,
+) -> Result<Plan, String> {
     let mut random = Pcg32::seed_from_u64(seed);
     let longest = AT_LEISURE * level.optimal_time;
     let worth = |plan: &Plan| -> f64 {
@@ -84,10 +86,11 @@ fn steadier(level: &Arc<Level>, plan: Plan, (trials, seed): (u32, u64)) -> Plan 
         let worth = worth(&plan);
         if worth > best.0 {
             eprintln!("trial {trial}: {worth:.2} of {}", TUNED.end - TUNED.start);
+            keep(&plan)?;
             best = (worth, plan);
         }
     }
-    best.1
+    Ok(best.1)
 }
 
 /// How a flight ended.
@@ -104,7 +107,7 @@ fn fly(level: &Arc<Level>, plan: &Plan, seed: u64, longest: f64, mut each: impl 
     let mut random = Pcg32::seed_from_u64(seed);
     let mut game = crate::flight::new_game(level);
     let mut eyes = Eyes { seen: game.clone(), pressed: VecDeque::new(), wanted: VecDeque::new() };
-    let mut pilot = Pilot::new(plan, &Sight::of(&game)).with(Judgement::new(env("SPREAD", SPREAD) / level.metre, env("MIS", MISJUDGED), random.clone()));
+    let mut pilot = Pilot::new(plan, &Sight::of(&game)).with(Judgement::new(SPREAD / level.metre, MISJUDGED, random.clone()));
     let mut hands = Hands::default();
     while game.outcome() == Outcome::Running && game.time() < longest && !game.is_stranded() {
         if pilot.is_due() {
@@ -164,7 +167,7 @@ impl Hands {
                     *held = wanted;
                 }
             } else if *held != wanted {
-                *left = random.random_range(0..=env("LATE", f64::from(LATEST)) as u32);
+                *left = random.random_range(0..=LATEST);
                 if *left == 0 {
                     *held = wanted;
                 }

@@ -13,6 +13,8 @@ pub const LONGEST: f64 = 60.0;
 /// How far the ship shall stay from what is deadly, and from walls and roofs, m.
 const OFF_RED: f64 = 0.7;
 const OFF_WALLS: f64 = 0.4;
+/// A careful flight takes so many times the time for gold at least, if the search can help it.
+const CARE_BEYOND_GOLD: f64 = 1.08;
 /// Hits that are gentle enough.
 const GENTLE: Hits = Hits { bump: 0.5, push: 3.0, landing: 3.0 };
 
@@ -159,7 +161,11 @@ impl Flight {
         let result = &self.result;
         let clean = 1e5 - 2e3 * f64::from(result.collisions) - 5e3 * f64::from(u8::from(self.given_up));
         match (aim, level.awards.mark) {
-            (Aim::Careful, _) | (Aim::Mark, None) => self.worth_of_care(),
+            (Aim::Careful, _) | (Aim::Mark, None) => {
+                // Care that is enough for gold is no care.
+                let hasty = level.awards.gold.map_or(0.0, |gold| (CARE_BEYOND_GOLD * gold - result.time).max(0.0));
+                self.worth_of_care() - 1e3 * hasty
+            }
             // A second is worth more than a few rows.
             (Aim::Gold, _) => clean - 1e3 * result.time - self.rows as f64,
             (Aim::Mark, Some(Mark::Hits(_))) => clean - 10.0 * result.time,

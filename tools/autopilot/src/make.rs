@@ -16,7 +16,7 @@ const TRIALS: u32 = 3000;
 /// By what share of itself each quantity may change without moving a careful flight's end by a tick, and without losing it.
 const SAME: f64 = 1e-5;
 const LATE: f64 = 1e-3;
-/// What the search finds bears so many times as much.
+/// What the search finds bears so many times as much, too.
 const SPARE: f64 = 3.0;
 
 /// How flights are made.
@@ -48,7 +48,8 @@ pub fn record(level: &Arc<Level>, options: &Options) -> Result<(), String> {
 
 fn make(level: &Arc<Level>, aim: Aim, options: &Options) -> Result<(), String> {
     // The careful plan is where the others begin.
-    let plan = plan_of(&level.name, aim.name()).or_else(|problem| plan_of(&level.name, Aim::Careful.name()).map_err(|_| problem))?;
+    let plan =
+        plan_of(&level.name, aim.name()).or_else(|problem| plan_of(&level.name, Aim::Careful.name()).map_err(|_| problem))?;
     if options.trace {
         trace(level, &plan);
     }
@@ -140,7 +141,8 @@ impl Search<'_> {
         if best.0 && worth <= best.1 {
             return (false, worth);
         }
-        (bears(self.level, &flight.inputs, SPARE * SAME, SPARE * LATE), worth)
+        let firm = [SPARE, 1.0].into_iter().all(|times| bears(self.level, &flight.inputs, times * SAME, times * LATE));
+        (firm, worth)
     }
 }
 

@@ -164,11 +164,13 @@ impl<'a> Pilot<'a> {
 
     /// The step to begin now, if any: the next one where this one is done, an earlier one where something has to be tried again.
     fn next(&self, sight: &Sight) -> Option<usize> {
-        if self.is_done(sight) {
-            return Some(self.step + 1);
-        }
         let step = self.current();
+        if self.is_done(sight) {
+            let skipped = if step.kind == Kind::Unless { step.back as usize } else { 0 };
+            return Some((self.step + 1 + skipped).min(self.plan.steps.len()));
+        }
         match step.kind {
+            Kind::Unless if self.waited(sight, step.seconds) => Some(self.step + 1),
             Kind::Again if self.waited(sight, step.seconds) => Some(self.step.saturating_sub(step.back as usize)),
             // Stuck: once more, a landing from the way point before.
             Kind::Fly if self.judgement.is_some() && self.waited(sight, PATIENCE) => Some(self.step),
@@ -273,7 +275,7 @@ impl<'a> Pilot<'a> {
             }
             Kind::Stop => velocity.dot(resultant::game::nose(sight.angle)) <= speed,
             Kind::Hold | Kind::Hover => waited(),
-            Kind::Again => sight.body(BodyId(step.object)).position.distance(to) <= tolerance,
+            Kind::Again | Kind::Unless => sight.body(BodyId(step.object)).position.distance(to) <= tolerance,
             Kind::Wait => sight.body(BodyId(step.object)).position.distance(to) <= tolerance || (step.seconds > 0.0 && waited()),
         }
     }
@@ -290,9 +292,7 @@ impl<'a> Pilot<'a> {
             Kind::Hover => self.steer(sight, wanted_velocity(self.plan, to - sight.position, 0.0)),
             Kind::Land => {
                 let away = to - sight.position;
-                if away.y < SET_DOWN
-                    && velocity.length() < 1.0 + speed
-                    && away.x.abs() < step.tolerance / sight.game.level().metre
+                if away.y < SET_DOWN && velocity.length() < 1.0 + speed && away.x.abs() < step.tolerance / sight.game.level().metre
                 {
                     self.turn_to(sight, 0.0, beat);
                     (self.thrust, self.owed) = (false, 0.0);
@@ -315,7 +315,7 @@ impl<'a> Pilot<'a> {
                 self.thrust = self.turn == 0 && velocity.x * way < speed;
                 self.owed = 0.0;
             }
-            Kind::Push | Kind::Ram | Kind::Stop | Kind::Hold | Kind::Wait | Kind::Again => {
+            Kind::Push | Kind::Ram | Kind::Stop | Kind::Hold | Kind::Wait | Kind::Again | Kind::Unless => {
                 (self.turn, self.thrust, self.left) = (0, false, PUSH_BEAT);
             }
         }
@@ -330,11 +330,12 @@ impl<'a> Pilot<'a> {
         if forces.total(ForceKind::Reaction).y < 0.0 {
             wanted.y = wanted.y.min(-TAKE_OFF);
         }
-        // Held by what is in the way: up, and away from what presses from the side, else on.
+        // Held by what is in the way: up or from under a roof, and away from what presses from the side, else on.
         if self.judgement.is_some() && sight.velocity.length() < STUCK && self.waited(sight, TRIED) && self.flies() {
             let pressed = forces.total(ForceKind::Push).x;
             let side = if pressed.abs() > 1.0 { pressed } else { wanted.x };
-            self.away = (AWAY, DVec2::new(TAKE_OFF * side.signum(), -TAKE_OFF));
+            let under = forces.total(ForceKind::Reaction).y > 0.0;
+            self.away = (AWAY, TAKE_OFF * DVec2::new(side.signum(), if under { 1.0 } else { -1.0 }));
         }
         if self.away.0 > 0 {
             self.away.0 -= 1;

@@ -24,6 +24,8 @@ pub enum Kind {
     Hover,
     /// To go on if an object is at a place; if it has not come there after a while, to go back some steps.
     Again,
+    /// To skip some steps if an object is at a place; if it has not come there after a while, to take them.
+    Unless,
 }
 
 /// A row of the plan. Lengths in pixels, everything else in SI units.
@@ -37,7 +39,7 @@ pub struct Step {
     /// The body that is pushed or waited for: 1 is the level's first object.
     pub object: u32,
     pub seconds: f64,
-    /// Steps to go back.
+    /// Steps to go back, or to skip.
     pub back: u32,
 }
 
@@ -80,7 +82,7 @@ enum Line {
 }
 
 const SETTINGS: [&str; 8] = ["beat", "turn", "grip", "brake", "top_speed", "tilt", "reverse", "par"];
-const KINDS: [(&str, Kind); 9] = [
+const KINDS: [(&str, Kind); 10] = [
     ("fly", Kind::Fly),
     ("land", Kind::Land),
     ("push", Kind::Push),
@@ -90,6 +92,7 @@ const KINDS: [(&str, Kind); 9] = [
     ("wait", Kind::Wait),
     ("hover", Kind::Hover),
     ("again", Kind::Again),
+    ("unless", Kind::Unless),
 ];
 
 impl Settings {
@@ -148,7 +151,16 @@ impl Plan {
             } else if let Some((_, kind)) = KINDS.into_iter().find(|&(name, _)| name == cells[0]) {
                 let (x, y, speed, tolerance) = (cell(1)?, cell(2)?, cell(3)?, cell(4)?);
                 plan.lines.push(Line::Step(plan.steps.len()));
-                plan.steps.push(Step { kind, x, y, speed, tolerance, object: cell(5)? as u32, seconds: cell(6)?, back: cell(7)? as u32 });
+                plan.steps.push(Step {
+                    kind,
+                    x,
+                    y,
+                    speed,
+                    tolerance,
+                    object: cell(5)? as u32,
+                    seconds: cell(6)?,
+                    back: cell(7)? as u32,
+                });
             } else {
                 return Err(format!(
                     "line {number}: found {:?}, expected a setting ({}) or a step ({})",
@@ -199,7 +211,7 @@ impl Plan {
                     }
                 }
                 Kind::Ram => vary(&mut step.speed, 0.5, 0.1, 0.5),
-                Kind::Stop | Kind::Again => {}
+                Kind::Stop | Kind::Again | Kind::Unless => {}
                 Kind::Hold | Kind::Wait => vary(&mut step.seconds, 0.3, 0.05, 0.0),
                 Kind::Hover => {
                     vary(&mut step.x, 20.0, 1.0, 0.0);
@@ -227,7 +239,8 @@ impl fmt::Display for Plan {
                 Line::Step(index) => {
                     let step = &self.steps[index];
                     let name = KINDS.into_iter().find(|&(_, kind)| kind == step.kind).map_or("", |(name, _)| name);
-                    let numbers = [step.x, step.y, step.speed, step.tolerance, f64::from(step.object), step.seconds, f64::from(step.back)];
+                    let numbers =
+                        [step.x, step.y, step.speed, step.tolerance, f64::from(step.object), step.seconds, f64::from(step.back)];
                     let cells = numbers.map(|number| if number == 0.0 { String::new() } else { number.to_string() });
                     writeln!(f, "{}", format!("{name},{}", cells.join(",")).trim_end_matches(','))?;
                 }
