@@ -13,6 +13,8 @@ pub const LONGEST: f64 = 60.0;
 /// How far the ship shall stay from what is deadly, and from walls and roofs, m.
 const OFF_RED: f64 = 0.7;
 const OFF_WALLS: f64 = 0.4;
+/// A careful flight takes so many times the time for gold at least, if the search can help it.
+const CARE_BEYOND_GOLD: f64 = 1.08;
 /// Hits that are gentle enough.
 const GENTLE: Hits = Hits { bump: 0.5, push: 3.0, landing: 3.0 };
 
@@ -83,7 +85,7 @@ impl Flight {
     /// Flies by the plan.
     pub fn by_plan(level: &Arc<Level>, plan: &Plan) -> Self {
         let mut game = new_game(level);
-        let mut pilot = Pilot::new(plan, &Sight::clear(&game));
+        let mut pilot = Pilot::new(plan, &Sight::of(&game));
         let mut flight = Self {
             inputs: Inputs::default(),
             result: game.result(),
@@ -105,7 +107,7 @@ impl Flight {
         // What goes on for twice its time will not do any more.
         let longest = (2.0 * plan.settings.par).min(LONGEST);
         while game.outcome() == Outcome::Running && game.time() < longest {
-            let controls = pilot.keys(&Sight::clear(&game));
+            let controls = pilot.keys(&Sight::of(&game));
             flight.inputs.record(controls);
             flight.last_speed = game.world().body(SHIP).velocity.length();
             game.step(controls);
@@ -122,7 +124,7 @@ impl Flight {
         flight.steps = pilot.step();
         let left = &plan.steps[flight.steps.min(plan.steps.len())..];
         flight.pushes_left = left.iter().filter(|step| step.kind == Kind::Push).count() as u32;
-        flight.distance = pilot.distance(&Sight::clear(&game));
+        flight.distance = pilot.distance(&Sight::of(&game));
         flight
     }
 
@@ -159,7 +161,11 @@ impl Flight {
         let result = &self.result;
         let clean = 1e5 - 2e3 * f64::from(result.collisions) - 5e3 * f64::from(u8::from(self.given_up));
         match (aim, level.awards.mark) {
-            (Aim::Careful, _) | (Aim::Mark, None) => self.worth_of_care(),
+            (Aim::Careful, _) | (Aim::Mark, None) => {
+                // Care that is enough for gold is no care.
+                let hasty = level.awards.gold.map_or(0.0, |gold| (CARE_BEYOND_GOLD * gold - result.time).max(0.0));
+                self.worth_of_care() - 1e3 * hasty
+            }
             // A second is worth more than a few rows.
             (Aim::Gold, _) => clean - 1e3 * result.time - self.rows as f64,
             (Aim::Mark, Some(Mark::Hits(_))) => clean - 10.0 * result.time,
@@ -263,6 +269,7 @@ pub fn bears(level: &Level, inputs: &Inputs, same: f64, late: f64) -> bool {
     worst(same).all(|again| again == Again::Same) && worst(late).all(|again| again != Again::Lost)
 }
 
-fn new_game(level: &Arc<Level>) -> Game {
+/// A fresh attempt.
+pub fn new_game(level: &Arc<Level>) -> Game {
     Game::new(Arc::clone(level)).unwrap_or_else(|error| panic!("level {}: {error}", level.name))
 }

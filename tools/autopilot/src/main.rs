@@ -13,6 +13,7 @@ mod plan;
 #[allow(dead_code)]
 mod random;
 mod sight;
+mod speed;
 
 use make::Options;
 use resultant::level::{self, Level};
@@ -24,7 +25,9 @@ const USAGE: &str = "\
 autopilot all [OPTIONS]                  makes all flights of all levels
 autopilot LEVEL… [OPTIONS]               makes those of some levels
     --only careful|gold|mark  --tune TRIALS  --seed N  --keep  --trace
-autopilot difficulty [LEVEL…]            the share of 50 unsteady flights that succeed
+autopilot difficulty [LEVEL…] [--trace --seed N] [--tune TRIALS --seed N --keep]
+                                         the share of 50 unsteady flights that succeed
+autopilot speed [LEVEL…]                 how long ticks take along the recorded flights, and opening a level
 autopilot adversary [LEVEL…] [--minutes M] [--seed N]
                                          looks for traps, ways out and short cuts";
 
@@ -42,7 +45,7 @@ fn main() -> ExitCode {
 /// Does what is asked for; whether all went well.
 fn run(arguments: Vec<String>) -> Result<bool, String> {
     let mut arguments = arguments.into_iter().peekable();
-    let task = arguments.next_if(|word| matches!(word.as_str(), "all" | "difficulty" | "adversary")).unwrap_or_default();
+    let task = arguments.next_if(|word| matches!(word.as_str(), "all" | "difficulty" | "adversary" | "speed")).unwrap_or_default();
     let (mut options, mut levels, mut minutes) = (Options::default(), Vec::new(), 30.0);
     while let Some(argument) = arguments.next() {
         let mut value = || arguments.next().ok_or(format!("{argument} wants a value"));
@@ -63,10 +66,14 @@ fn run(arguments: Vec<String>) -> Result<bool, String> {
     if levels.is_empty() {
         return Err("which levels?".to_owned());
     }
+    if task == "speed" {
+        println!("{}", speed::HEAD);
+    }
     let mut all_well = true;
     for name in &levels {
         let done = load(name).and_then(|level| match task.as_str() {
-            "difficulty" => difficulty::measure(&level),
+            "difficulty" => difficulty::measure(&level, &options),
+            "speed" => speed::measure(&level, &project()),
             "adversary" => hunt(&level, minutes, options.seed),
             _ => make::record(&level, &options),
         });
@@ -101,12 +108,12 @@ fn load(name: &str) -> Result<Arc<Level>, String> {
 }
 
 /// Reads one of a level's plans.
-fn plan_of(level: &str, aim: flight::Aim) -> Result<plan::Plan, String> {
-    let file = plan_file(level, aim);
+fn plan_of(level: &str, flight: &str) -> Result<plan::Plan, String> {
+    let file = plan_file(level, flight);
     let text = std::fs::read_to_string(&file).map_err(|error| format!("{}: {error}", file.display()))?;
     plan::Plan::parse(&text).map_err(|problem| format!("{}: {problem}", file.display()))
 }
 
-fn plan_file(level: &str, aim: flight::Aim) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("plans").join(level).join(aim.name()).with_extension("csv")
+fn plan_file(level: &str, flight: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("plans").join(level).join(flight).with_extension("csv")
 }

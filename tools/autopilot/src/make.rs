@@ -3,10 +3,10 @@
 use crate::flight::{Aim, CHANGES, Flight, again, bears};
 use crate::plan::Plan;
 use crate::sight::Sight;
-use crate::{difficulty, pilot, plan_file, plan_of, project};
+use crate::{pilot, plan_file, plan_of, project};
 use rand::SeedableRng;
 use rand_pcg::Pcg32;
-use resultant::game::{Game, Outcome, Recorder, SHIP};
+use resultant::game::{Controls, Game, Outcome, Recorder, SHIP};
 use resultant::level::Level;
 use std::path::Path;
 use std::sync::Arc;
@@ -16,16 +16,8 @@ const TRIALS: u32 = 3000;
 /// By what share of itself each quantity may change without moving a careful flight's end by a tick, and without losing it.
 const SAME: f64 = 1e-5;
 const LATE: f64 = 1e-3;
-/// What the search finds bears so many times as much.
+/// What the search finds bears so many times as much, too.
 const SPARE: f64 = 3.0;
-
-/// What it is worth, in points, that all flights of an unsteady hand succeed: who flies with care takes the line that forgives most.
-const STEADY: f64 = 2e4;
-/// The seeds of those flights, none of which the measure of difficulty has.
-const UNSTEADY: std::ops::Range<u64> = 1001..1017;
-
-/// How many times the plan's own time they may take.
-const AT_LEISURE: f64 = 1.5;
 
 /// How flights are made.
 pub struct Options {
@@ -56,7 +48,8 @@ pub fn record(level: &Arc<Level>, options: &Options) -> Result<(), String> {
 
 fn make(level: &Arc<Level>, aim: Aim, options: &Options) -> Result<(), String> {
     // The careful plan is where the others begin.
-    let plan = plan_of(&level.name, aim).or_else(|problem| plan_of(&level.name, Aim::Careful).map_err(|_| problem))?;
+    let plan =
+        plan_of(&level.name, aim.name()).or_else(|problem| plan_of(&level.name, Aim::Careful.name()).map_err(|_| problem))?;
     if options.trace {
         trace(level, &plan);
     }
@@ -73,7 +66,7 @@ fn make(level: &Arc<Level>, aim: Aim, options: &Options) -> Result<(), String> {
     }
     report(&level.name, aim, level, &flight);
     if options.keep {
-        write(&plan_file(&level.name, aim), &plan.to_string())?;
+        write(&plan_file(&level.name, aim.name()), &plan.to_string())?;
     }
     if let Some(problem) = lacks(&flight, &plan) {
         return Err(problem);
@@ -97,7 +90,7 @@ fn replay(level: &Arc<Level>, flight: &Flight) -> Result<String, String> {
     Ok(recorder.finish(&game).to_string())
 }
 
-fn write(path: &Path, text: &str) -> Result<(), String> {
+pub fn write(path: &Path, text: &str) -> Result<(), String> {
     let folder = path.parent().unwrap_or(path);
     std::fs::create_dir_all(folder)
         .and_then(|()| std::fs::write(path, text))
@@ -117,12 +110,12 @@ impl Search<'_> {
     /// that does.
     fn climb(&self, begin: (Flight, Plan), enough: impl Fn(&Flight, &Plan) -> bool) -> (Flight, Plan) {
         let mut random = Pcg32::seed_from_u64(self.seed);
-        let mut best_rank = self.rank(&begin.0, &begin.1, (false, f64::NEG_INFINITY));
+        let mut best_rank = self.rank(&begin.0, (false, f64::NEG_INFINITY));
         let mut best = begin;
         for trial in 0..self.trials {
             let plan = best.1.varied(&mut random);
             let flight = Flight::by_plan(self.level, &plan);
-            let rank = self.rank(&flight, &plan, best_rank);
+            let rank = self.rank(&flight, best_rank);
             if rank > best_rank {
                 let result = &flight.result;
                 eprintln!(
@@ -140,19 +133,16 @@ impl Search<'_> {
 
     /// Whether a flight bears small changes, and what it is worth. What is costly to find out is not asked where the flight stays behind the
     /// best one anyhow.
-    fn rank(&self, flight: &Flight, plan: &Plan, best: (bool, f64)) -> (bool, f64) {
+    fn rank(&self, flight: &Flight, best: (bool, f64)) -> (bool, f64) {
         let worth = flight.worth(self.aim, self.level);
         if self.aim != Aim::Careful || worth < -1e5 {
             return (worth >= -1e5, worth);
         }
-        if best.0 && worth + STEADY <= best.1 {
-            return (false, worth);
-        }
-        let worth = worth + STEADY * difficulty::share(self.level, plan, UNSTEADY, AT_LEISURE * flight.result.time);
         if best.0 && worth <= best.1 {
             return (false, worth);
         }
-        (bears(self.level, &flight.inputs, SPARE * SAME, SPARE * LATE), worth)
+        let firm = [SPARE, 1.0].into_iter().all(|times| bears(self.level, &flight.inputs, times * SAME, times * LATE));
+        (firm, worth)
     }
 }
 
@@ -199,29 +189,38 @@ fn report(name: &str, aim: Aim, level: &Level, flight: &Flight) {
 /// Prints where the ship is, ten times a second.
 fn trace(level: &Arc<Level>, plan: &Plan) {
     let Ok(mut game) = Game::new(Arc::clone(level)) else { return };
-    let mut pilot = pilot::Pilot::new(plan, &Sight::clear(&game));
+    let mut pilot = pilot::Pilot::new(plan, &Sight::of(&game));
     while game.outcome() == Outcome::Running && game.time() < 2.0 * plan.settings.par {
-        let controls = pilot.keys(&Sight::clear(&game));
+        let controls = pilot.keys(&Sight::of(&game));
         game.step(controls);
-        if game.ticks() % 12 == 0 {
-            let ship = game.world().body(SHIP);
-            let (at, v) = (ship.position * level.metre, ship.velocity);
-            let objects: Vec<String> = (1..=level.objects.len())
-                .map(|index| (game.world().bodies()[index].position * level.metre, game.world().bodies()[index].velocity))
-                .map(|(at, v)| format!("({:.0}, {:.0}; {:.1}, {:.1})", at.x, at.y, v.x, v.y))
-                .collect();
-            eprintln!(
-                "{:6.2} s step {} at ({:.0}, {:.0}) v ({:.1}, {:.1}) angle {} thrust {} objects {}",
-                game.time(),
-                pilot.step(),
-                at.x,
-                at.y,
-                v.x,
-                v.y,
-                game.ship().angle,
-                u8::from(controls.thrust),
-                objects.join(" "),
-            );
-        }
+        trace_line(&game, pilot.step(), controls);
     }
+}
+
+/// Prints where everything is, if a tenth of a second is over.
+pub fn trace_line(game: &Game, step: usize, keys: Controls) {
+    if !game.ticks().is_multiple_of(12) {
+        return;
+    }
+    let (ship, metre) = (game.world().body(SHIP), game.level().metre);
+    let (at, v) = (ship.position * metre, ship.velocity);
+    let objects: Vec<String> = (game.world().bodies()[1..].iter())
+        .map(|body| (body.position * metre, body.velocity))
+        .map(|(at, v)| format!("({:.0}, {:.0}; {:.1}, {:.1})", at.x, at.y, v.x, v.y))
+        .collect();
+    eprintln!(
+        "{:6.2} s step {} at ({:.0}, {:.0}) v ({:.1}, {:.1}) angle {} thrust {}{} met {:?} fuel {:.0} objects {}",
+        game.time(),
+        step + 1,
+        at.x,
+        at.y,
+        v.x,
+        v.y,
+        game.ship().angle,
+        u8::from(keys.thrust),
+        if keys.reverse { "-" } else { "" },
+        game.met().iter().map(|met| u8::from(*met)).collect::<Vec<_>>(),
+        game.fuel(),
+        objects.join(" "),
+    );
 }

@@ -6,6 +6,8 @@
 
 use crate::plan::{Kind, Plan, Step};
 use crate::sight::Sight;
+use rand::RngExt;
+use rand_pcg::Pcg32;
 use resultant::game::{Controls, ROTATION_RATE, SHIP};
 use resultant::physics::{BodyId, DVec2, ForceKind};
 
@@ -23,6 +25,15 @@ const CLOSING: f64 = 2.0;
 const PASSED: f64 = 4.0;
 /// Ticks from one decision to the next while something is pushed.
 const PUSH_BEAT: u32 = 5;
+/// Who has not got to a place for so long, s, tries again from the one before.
+const PATIENCE: f64 = 6.0;
+/// What moves no faster than this, m/s, after so long, s, is not moved by going on.
+const STUCK: f64 = 0.1;
+const TRIED: f64 = 2.0;
+/// Heights of the ground are taken for the same within this, m.
+const ABOUT: f64 = 1.2;
+/// Beats for which the ship backs off from what holds it.
+const AWAY: u32 = 6;
 
 /// Flies a game by a plan.
 #[derive(Clone, Debug)]
@@ -42,6 +53,33 @@ pub struct Pilot<'a> {
     thrust: bool,
     reverse: bool,
     left: u32,
+    judgement: Option<Judgement>,
+    /// Beats for which the ship goes on to back off, and how fast, m/s.
+    away: (u32, DVec2),
+}
+
+/// How a person misjudges: anew at each step that is begun.
+#[derive(Clone, Debug)]
+pub struct Judgement {
+    /// By how much places are misjudged, m, and speeds, a share of themselves: most by less, none by more than three times that.
+    pub places: f64,
+    pub speeds: f64,
+    pub random: Pcg32,
+    /// The present ones.
+    off: DVec2,
+    speed: f64,
+}
+
+impl Judgement {
+    pub fn new(places: f64, speeds: f64, random: Pcg32) -> Self {
+        Self { places, speeds, random, off: DVec2::ZERO, speed: 1.0 }
+    }
+
+    fn anew(&mut self) {
+        let mut one = || (0..4).map(|_| self.random.random_range(-1.0..1.0)).sum::<f64>() * 0.866;
+        let (x, y, speed) = (one(), one(), one());
+        (self.off, self.speed) = (DVec2::new(x, y) * self.places, 1.0 + self.speeds * speed);
+    }
 }
 
 impl<'a> Pilot<'a> {
@@ -57,9 +95,18 @@ impl<'a> Pilot<'a> {
             thrust: false,
             reverse: false,
             left: 0,
+            judgement: None,
+            away: (0, DVec2::ZERO),
         };
         pilot.begin(0, sight);
         pilot
+    }
+
+    /// The same pilot, who misjudges.
+    pub fn with(mut self, judgement: Judgement) -> Self {
+        self.judgement = Some(judgement);
+        self.judgement.iter_mut().for_each(Judgement::anew);
+        self
     }
 
     /// The step that is being taken; as many as there are once all are done.
@@ -79,21 +126,112 @@ impl<'a> Pilot<'a> {
 
     /// How far the ship is from the place of its step, m.
     pub fn distance(&self, sight: &Sight) -> f64 {
-        place(self.current(), sight).distance(sight.position)
+        self.place(sight).distance(sight.position)
     }
 
-    /// The keys of the next tick.
+    /// The keys of the next tick, of a pilot who sees the game as it is.
     pub fn keys(&mut self, sight: &Sight) -> Controls {
-        if self.left == 0 {
-            while self.step < self.plan.steps.len() && self.is_done(sight) {
-                self.begin(self.step + 1, sight);
-            }
-            self.decide(sight);
+        if self.is_due() {
+            self.look(sight);
         }
+        self.press()
+    }
+
+    /// Whether a beat is over and the pilot looks again.
+    pub fn is_due(&self) -> bool {
+        self.left == 0
+    }
+
+    /// Looks at the game and decides what is held during the next beat.
+    pub fn look(&mut self, sight: &Sight) {
+        // One that goes back and forth acts all the same.
+        for _ in 0..self.plan.steps.len() {
+            match self.next(sight) {
+                Some(next) if self.step < self.plan.steps.len() => self.begin(next, sight),
+                _ => break,
+            }
+        }
+        self.decide(sight);
+    }
+
+    /// The keys of the next tick of the beat.
+    pub fn press(&mut self) -> Controls {
         self.left -= 1;
         let controls = Controls { thrust: self.thrust, reverse: self.reverse, left: self.turn < 0, right: self.turn > 0 };
         self.turn -= self.turn.signum();
         controls
+    }
+
+    /// The step to begin now, if any: the next one where this one is done, an earlier one where something has to be tried again.
+    fn next(&self, sight: &Sight) -> Option<usize> {
+        let step = self.current();
+        if self.is_done(sight) {
+            let skipped = if step.kind == Kind::Unless { step.back as usize } else { 0 };
+            return Some((self.step + 1 + skipped).min(self.plan.steps.len()));
+        }
+        match step.kind {
+            Kind::Unless if self.waited(sight, step.seconds) => Some(self.step + 1),
+            Kind::Again if self.waited(sight, step.seconds) => Some(self.step.saturating_sub(step.back as usize)),
+            // Stuck: once more, a landing from the way point before.
+            Kind::Fly if self.judgement.is_some() && self.waited(sight, PATIENCE) => Some(self.step),
+            Kind::Land if self.judgement.is_some() && (self.waited(sight, PATIENCE) || self.stands_wrong(sight)) => {
+                Some(self.before(self.step))
+            }
+            Kind::Push | Kind::Ram if self.judgement.is_some() && self.has_missed(sight) => {
+                let landed = self.plan.steps[..self.step].iter().rposition(|step| step.kind == Kind::Land);
+                Some(landed.filter(|landed| landed + 1 == self.step).map_or(self.step + 1, |landed| self.before(landed)))
+            }
+            _ => None,
+        }
+    }
+
+    /// The way point before a step, if that is what was before it, or the step itself.
+    fn before(&self, step: usize) -> usize {
+        step - usize::from(step > 0 && self.plan.steps[step - 1].kind == Kind::Fly)
+    }
+
+    /// Whether the ship stands on something about at that height, m.
+    fn stands_at(&self, y: f64, sight: &Sight) -> bool {
+        let stands = sight.game.world().forces(SHIP).total(ForceKind::Reaction).y < 0.0;
+        stands && (y - sight.position.y).abs() < ABOUT
+    }
+
+    /// Whether the ship has come down where it was not to.
+    fn stands_wrong(&self, sight: &Sight) -> bool {
+        let stands = sight.game.world().forces(SHIP).total(ForceKind::Reaction).y < 0.0;
+        stands && self.waited(sight, TRIED) && sight.velocity.length() < STUCK
+    }
+
+    /// Whether what is to be pushed is not in front of the ship any more, or does not move.
+    fn has_missed(&self, sight: &Sight) -> bool {
+        let (ship, object) = (sight.body(SHIP), sight.body(BodyId(self.current().object)));
+        let way = (self.place(sight).x - self.pushed_from).signum();
+        let beside = (ship.position.y - object.position.y).abs() < ship.half.y + object.half.y;
+        let rests = ship.velocity.length().max(object.velocity.length()) < STUCK;
+        !beside || (object.position.x - ship.position.x) * way < 0.0 || (rests && self.waited(sight, TRIED))
+    }
+
+    /// Where the step leads, m.
+    fn place(&self, sight: &Sight) -> DVec2 {
+        let step = self.current();
+        let beside = matches!(step.kind, Kind::Fly | Kind::Land | Kind::Hover) && step.object > 0;
+        let from = if beside { sight.body(BodyId(step.object)).position } else { DVec2::ZERO };
+        let mut off = self.judgement.as_ref().map_or(DVec2::ZERO, |judgement| judgement.off);
+        if step.kind == Kind::Land {
+            // One feels when one stands.
+            off.y = 0.0;
+        }
+        from + DVec2::new(step.x, step.y) / sight.game.level().metre + off
+    }
+
+    /// The speed that the step asks for, m/s.
+    fn speed(&self) -> f64 {
+        self.current().speed * self.judgement.as_ref().map_or(1.0, |judgement| judgement.speed)
+    }
+
+    /// Whether the step has gone on for so many seconds.
+    fn waited(&self, sight: &Sight, seconds: f64) -> bool {
+        (sight.game.ticks() - self.since) as f64 >= seconds * sight.game.tick_rate()
     }
 
     /// The present step; after the last one that one goes on.
@@ -103,15 +241,16 @@ impl<'a> Pilot<'a> {
 
     fn begin(&mut self, step: usize, sight: &Sight) {
         self.step = step;
+        self.judgement.iter_mut().for_each(Judgement::anew);
         self.from = sight.position;
         self.since = sight.game.ticks();
         self.pushed_from = sight.body(BodyId(self.current().object)).position.x;
     }
 
     fn is_done(&self, sight: &Sight) -> bool {
-        let (step, velocity) = (self.current(), sight.velocity);
-        let (to, tolerance) = (place(step, sight), step.tolerance / sight.game.level().metre);
-        let waited = || (sight.game.ticks() - self.since) as f64 >= step.seconds * sight.game.tick_rate();
+        let (step, speed, velocity) = (self.current(), self.speed(), sight.velocity);
+        let (to, tolerance) = (self.place(sight), step.tolerance / sight.game.level().metre);
+        let waited = || self.waited(sight, step.seconds);
         match step.kind {
             Kind::Fly => {
                 let off = sight.position.distance(to);
@@ -120,46 +259,46 @@ impl<'a> Pilot<'a> {
             Kind::Land => {
                 velocity.x.abs() < LANDED
                     && velocity.y.abs() < 0.1 * LANDED
-                    && to.y - sight.position.y < SET_DOWN
+                    && (to.y - sight.position.y < SET_DOWN || (self.judgement.is_some() && self.stands_at(to.y, sight)))
                     && (to.x - sight.position.x).abs() <= tolerance
             }
             Kind::Push => {
                 let object = sight.body(BodyId(step.object));
                 let way = (to.x - self.pushed_from).signum();
-                (object.position.x - to.x) * way >= 0.0 || (step.speed > 0.0 && object.velocity.x * way >= step.speed)
+                let late = step.seconds > 0.0 && waited();
+                late || (object.position.x - to.x) * way >= 0.0 || (speed > 0.0 && object.velocity.x * way >= speed)
             }
             Kind::Ram => {
                 let way = (to.x - self.pushed_from).signum();
                 let late = step.seconds > 0.0 && waited();
                 late || (sight.body(BodyId(step.object)).position.x - to.x) * way >= 0.0
             }
-            Kind::Stop => velocity.dot(resultant::game::nose(sight.angle)) <= step.speed,
+            Kind::Stop => velocity.dot(resultant::game::nose(sight.angle)) <= speed,
             Kind::Hold | Kind::Hover => waited(),
+            Kind::Again | Kind::Unless => sight.body(BodyId(step.object)).position.distance(to) <= tolerance,
             Kind::Wait => sight.body(BodyId(step.object)).position.distance(to) <= tolerance || (step.seconds > 0.0 && waited()),
         }
     }
 
     /// Chooses what is held during the next beat.
     fn decide(&mut self, sight: &Sight) {
-        let step = self.current();
+        let (step, speed) = (self.current(), self.speed());
         let over = self.step >= self.plan.steps.len();
-        let (velocity, to) = (sight.velocity, place(step, sight));
+        let (velocity, to) = (sight.velocity, self.place(sight));
         let beat = self.plan.settings.beat;
         self.reverse = step.kind == Kind::Stop && !over;
         match step.kind {
-            Kind::Fly => self.steer(sight, wanted_velocity(self.plan, to - sight.position, if over { 0.0 } else { step.speed })),
+            Kind::Fly => self.steer(sight, wanted_velocity(self.plan, to - sight.position, if over { 0.0 } else { speed })),
             Kind::Hover => self.steer(sight, wanted_velocity(self.plan, to - sight.position, 0.0)),
             Kind::Land => {
                 let away = to - sight.position;
-                if away.y < SET_DOWN
-                    && velocity.length() < 1.0 + step.speed
-                    && away.x.abs() < step.tolerance / sight.game.level().metre
+                if away.y < SET_DOWN && velocity.length() < 1.0 + speed && away.x.abs() < step.tolerance / sight.game.level().metre
                 {
                     self.turn_to(sight, 0.0, beat);
                     (self.thrust, self.owed) = (false, 0.0);
                 } else {
                     let sideways = wanted_velocity(self.plan, DVec2::new(away.x, 0.0), 0.0);
-                    let down = wanted_velocity(self.plan, DVec2::new(0.0, away.y.max(1e-3)), step.speed);
+                    let down = wanted_velocity(self.plan, DVec2::new(0.0, away.y.max(1e-3)), speed);
                     self.steer(sight, sideways + down);
                 }
             }
@@ -173,10 +312,10 @@ impl<'a> Pilot<'a> {
             Kind::Ram if !over => {
                 let way = (to.x - self.pushed_from).signum();
                 self.turn_to(sight, 90.0 * way, PUSH_BEAT);
-                self.thrust = self.turn == 0 && velocity.x * way < step.speed;
+                self.thrust = self.turn == 0 && velocity.x * way < speed;
                 self.owed = 0.0;
             }
-            Kind::Push | Kind::Ram | Kind::Stop | Kind::Hold | Kind::Wait => {
+            Kind::Push | Kind::Ram | Kind::Stop | Kind::Hold | Kind::Wait | Kind::Again | Kind::Unless => {
                 (self.turn, self.thrust, self.left) = (0, false, PUSH_BEAT);
             }
         }
@@ -190,6 +329,17 @@ impl<'a> Pilot<'a> {
         let others: DVec2 = others.map(|kind| forces.total(kind)).into_iter().sum();
         if forces.total(ForceKind::Reaction).y < 0.0 {
             wanted.y = wanted.y.min(-TAKE_OFF);
+        }
+        // Held by what is in the way: up or from under a roof, and away from what presses from the side, else on.
+        if self.judgement.is_some() && sight.velocity.length() < STUCK && self.waited(sight, TRIED) && self.flies() {
+            let pressed = forces.total(ForceKind::Push).x;
+            let side = if pressed.abs() > 1.0 { pressed } else { wanted.x };
+            let under = forces.total(ForceKind::Reaction).y > 0.0;
+            self.away = (AWAY, TAKE_OFF * DVec2::new(side.signum(), if under { 1.0 } else { -1.0 }));
+        }
+        if self.away.0 > 0 {
+            self.away.0 -= 1;
+            wanted = self.away.1;
         }
         let full = player.thrust / player.mass;
         let engine = (wanted - sight.velocity) * settings.grip - others / player.mass;
@@ -216,11 +366,6 @@ impl<'a> Pilot<'a> {
         self.turn = (turns * grain) as i32;
         self.left = beat;
     }
-}
-
-/// Where a step leads, m.
-fn place(step: &Step, sight: &Sight) -> DVec2 {
-    DVec2::new(step.x, step.y) / sight.game.level().metre
 }
 
 fn degrees_a_tick(sight: &Sight) -> f64 {

@@ -22,6 +22,10 @@ pub enum Kind {
     Wait,
     /// To stay at a place in the air for a while.
     Hover,
+    /// To go on if an object is at a place; if it has not come there after a while, to go back some steps.
+    Again,
+    /// To skip some steps if an object is at a place; if it has not come there after a while, to take them.
+    Unless,
 }
 
 /// A row of the plan. Lengths in pixels, everything else in SI units.
@@ -35,6 +39,8 @@ pub struct Step {
     /// The body that is pushed or waited for: 1 is the level's first object.
     pub object: u32,
     pub seconds: f64,
+    /// Steps to go back, or to skip.
+    pub back: u32,
 }
 
 /// How the pilot flies.
@@ -75,9 +81,8 @@ enum Line {
     Step(usize),
 }
 
-const HEADER: &str = "step,x,y,speed,tolerance,object,seconds";
 const SETTINGS: [&str; 8] = ["beat", "turn", "grip", "brake", "top_speed", "tilt", "reverse", "par"];
-const KINDS: [(&str, Kind); 8] = [
+const KINDS: [(&str, Kind); 10] = [
     ("fly", Kind::Fly),
     ("land", Kind::Land),
     ("push", Kind::Push),
@@ -86,6 +91,8 @@ const KINDS: [(&str, Kind); 8] = [
     ("hold", Kind::Hold),
     ("wait", Kind::Wait),
     ("hover", Kind::Hover),
+    ("again", Kind::Again),
+    ("unless", Kind::Unless),
 ];
 
 impl Settings {
@@ -123,7 +130,7 @@ impl Plan {
         let mut plan = Self { settings, steps: Vec::new(), lines: Vec::new() };
         for (number, line) in (1..).zip(text.lines()) {
             let cells: Vec<&str> = line.split(',').map(str::trim).collect();
-            if line.trim().is_empty() || line.starts_with('#') || line == HEADER {
+            if line.trim().is_empty() || line.starts_with('#') || line.starts_with("step,") {
                 plan.lines.push(Line::Kept(line.to_owned()));
                 continue;
             }
@@ -144,7 +151,16 @@ impl Plan {
             } else if let Some((_, kind)) = KINDS.into_iter().find(|&(name, _)| name == cells[0]) {
                 let (x, y, speed, tolerance) = (cell(1)?, cell(2)?, cell(3)?, cell(4)?);
                 plan.lines.push(Line::Step(plan.steps.len()));
-                plan.steps.push(Step { kind, x, y, speed, tolerance, object: cell(5)? as u32, seconds: cell(6)? });
+                plan.steps.push(Step {
+                    kind,
+                    x,
+                    y,
+                    speed,
+                    tolerance,
+                    object: cell(5)? as u32,
+                    seconds: cell(6)?,
+                    back: cell(7)? as u32,
+                });
             } else {
                 return Err(format!(
                     "line {number}: found {:?}, expected a setting ({}) or a step ({})",
@@ -195,7 +211,7 @@ impl Plan {
                     }
                 }
                 Kind::Ram => vary(&mut step.speed, 0.5, 0.1, 0.5),
-                Kind::Stop => {}
+                Kind::Stop | Kind::Again | Kind::Unless => {}
                 Kind::Hold | Kind::Wait => vary(&mut step.seconds, 0.3, 0.05, 0.0),
                 Kind::Hover => {
                     vary(&mut step.x, 20.0, 1.0, 0.0);
@@ -214,24 +230,6 @@ impl Plan {
     }
 }
 
-impl Plan {
-    /// The plan as one sees it who misjudges every place by up to three times `spread` pixels, most by about that.
-    pub fn misjudged(&self, spread: f64, random: &mut impl Rng) -> Self {
-        let mut plan = self.clone();
-        let mut off = || (0..4).map(|_| random.random_range(-1.0..1.0)).sum::<f64>() * 0.866 * spread;
-        for step in &mut plan.steps {
-            let (x, y) = (off(), off());
-            if step.x != 0.0 {
-                step.x += x;
-            }
-            if step.y != 0.0 {
-                step.y += y;
-            }
-        }
-        plan
-    }
-}
-
 impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for line in &self.lines {
@@ -241,7 +239,8 @@ impl fmt::Display for Plan {
                 Line::Step(index) => {
                     let step = &self.steps[index];
                     let name = KINDS.into_iter().find(|&(_, kind)| kind == step.kind).map_or("", |(name, _)| name);
-                    let numbers = [step.x, step.y, step.speed, step.tolerance, f64::from(step.object), step.seconds];
+                    let numbers =
+                        [step.x, step.y, step.speed, step.tolerance, f64::from(step.object), step.seconds, f64::from(step.back)];
                     let cells = numbers.map(|number| if number == 0.0 { String::new() } else { number.to_string() });
                     writeln!(f, "{}", format!("{name},{}", cells.join(",")).trim_end_matches(','))?;
                 }
