@@ -3,11 +3,10 @@
 
 use super::journal::{Journal, damage_text, rescue_text};
 use super::leaderboard::subject;
-use super::level_select::Entry;
 use super::library::{Library, Refusal};
 use super::{
-    Attempt, Classic, Classics, Facts, Flight, Fresh, Gain, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Miniature,
-    Players, Purpose, Request, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Way, jumper,
+    Attempt, Classic, Classics, Editor, Facts, Flight, Fresh, Gain, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu,
+    Players, Purpose, Request, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Watch, Way, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Medals, Outcome, RunResult};
@@ -38,18 +37,18 @@ pub struct Places {
 /// A sitting: the screen, and what outlasts it.
 #[derive(Debug)]
 pub struct App {
-    library: Library,
+    pub(super) library: Library,
     scores: Scores,
-    screen: Screen,
+    pub(super) screen: Screen,
     /// How long the screen has been there, s.
     shown_for: f64,
     /// Who plays, and what they have done.
-    journal: Journal,
+    pub(super) journal: Journal,
     /// What the attempt on the screen, which has ended, brought whoever flew.
-    ended: Option<String>,
+    pub(super) ended: Option<String>,
     /// The level that was last chosen: where the keyboard is when the list comes back.
-    last_level: Option<String>,
-    settings: Settings,
+    pub(super) last_level: Option<String>,
+    pub(super) settings: Settings,
     settings_file: SettingsFile,
     /// What is wrong with the settings' file, a line each.
     settings_problems: Vec<String>,
@@ -57,6 +56,10 @@ pub struct App {
     menus: u64,
     /// A score that another program keeps from being saved.
     waiting: Option<Waiting>,
+    /// The files of the level that is flown.
+    pub(super) watch: Option<Watch>,
+    /// The editor, while what is edited is flown.
+    pub(super) editing: Option<Box<Editor>>,
 }
 
 /// A score to be saved as soon as another program lets go of the board.
@@ -88,12 +91,19 @@ impl App {
             last_level: None,
             menus: 0,
             waiting: None,
+            watch: None,
+            editing: None,
         }
     }
 
     /// One frame; `false` when the player has chosen to quit.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
         let input = &self.with_settings(input);
+        if let Some(path) = &input.dropped {
+            self.open_dropped(path, spectator);
+        }
+        self.look_at_files(input.frame_time, spectator);
+        self.refresh_view(input.frame_time);
         self.shown_for += input.frame_time;
         self.journal.update(input.frame_time);
         let asked = self.update_screen(input, spectator);
@@ -106,6 +116,7 @@ impl App {
             Some(request) => self.grant(request, spectator),
             None => self.save_what_waits(input.frame_time),
         }
+        self.fill_in_view();
         // Whatever has just opened knows its places, and what is under the pointer, before it is drawn.
         let nothing_more = self.update_screen(&input.without_edges(), spectator);
         debug_assert!(nothing_more.is_none(), "{nothing_more:?} was asked for by no one");
@@ -131,6 +142,7 @@ impl App {
             Screen::Menu(screen) => screen.update(input),
             Screen::LevelSelect(screen) => screen.update(input),
             Screen::Flight(screen) => screen.update(input, spectator),
+            Screen::Editor(screen) => screen.update(input),
             Screen::Scoring(screen) => screen.update(input),
             Screen::SaveScore(screen) => screen.update(input),
             Screen::Leaderboard(screen) => screen.update(input),
@@ -165,10 +177,26 @@ impl App {
         let next = match request {
             Request::Menu => self.menu(),
             Request::LevelSelect(purpose) => Screen::LevelSelect(self.level_select(purpose)),
-            Request::Play(name) => match self.library.load(&name) {
-                Ok(level) => self.flight(Attempt { level, inputs: None }, spectator),
-                Err(refusal) => self.refused(Purpose::Play, &name, refusal),
+            Request::Play(name) => {
+                self.library.close();
+                match self.library.load(&name) {
+                    Ok(level) => self.flight(Attempt { level, inputs: None }, spectator),
+                    Err(refusal) => self.refused(Purpose::Play, &name, refusal),
+                }
+            }
+            Request::Restart => return self.restart(spectator),
+            Request::Edit(name) => self.edit(&name),
+            Request::Make(make) => match self.make(&make) {
+                Ok(screen) => screen,
+                Err(reason) => {
+                    if let Screen::LevelSelect(screen) = &mut self.screen {
+                        screen.refuse(reason);
+                    }
+                    return;
+                }
             },
+            Request::TestFly(level) => self.test_fly(level, spectator),
+            Request::BackToEditor(how) => self.back_to_editor(how),
             Request::Attempt(attempt) => self.flight(attempt, spectator),
             Request::Score(attempt, result) => self.scoring(attempt, result),
             Request::SaveScore(gain) => self.save_score(gain),
@@ -232,15 +260,9 @@ impl App {
         Screen::Players(Box::new(Players::new(self.journal.players(), self.journal.current(), trouble)))
     }
 
-    fn level_select(&self, purpose: Purpose) -> LevelSelect {
-        let entry = |name: String| {
-            let (level, best) = (self.library.load(&name), self.journal.best(&name));
-            let awards = level.as_ref().map_or_else(|_| Awards::default(), |level| level.awards);
-            let medals = self.journal.medals(&name).with_best(&awards, best);
-            let level = level.map(|level| (level.title.clone(), Miniature::of(&level)));
-            Entry { level, best, awards, medals, name }
-        };
-        let mut screen = LevelSelect::new(purpose, self.library.names().into_iter().map(entry).collect());
+    pub(super) fn level_select(&mut self, purpose: Purpose) -> LevelSelect {
+        self.library.close();
+        let mut screen = LevelSelect::new(purpose, self.library.names());
         if let Some(name) = &self.last_level {
             screen.turn_to_level(name);
         }
@@ -251,6 +273,7 @@ impl App {
         let name = attempt.level.name.clone();
         self.last_level = Some(name.clone());
         self.ended = None;
+        self.watch = Some(self.library.watch(&attempt.level));
         match Flight::new(attempt, spectator) {
             Ok(mut flight) => {
                 flight.tell_of_settings(self.settings, &self.settings_problems);
@@ -261,7 +284,7 @@ impl App {
     }
 
     /// The list of levels with what is wrong with one of them.
-    fn refused(&self, purpose: Purpose, name: &str, refusal: Refusal) -> Screen {
+    fn refused(&mut self, purpose: Purpose, name: &str, refusal: Refusal) -> Screen {
         let mut screen = self.level_select(purpose);
         screen.show_problems(name, refusal);
         Screen::LevelSelect(screen)
@@ -276,6 +299,9 @@ impl App {
     /// Takes note of the attempt on the screen, once, when it has ended. Who watches a recording has flown nothing.
     fn note_end(&mut self) {
         let Screen::Flight(flight) = &self.screen else { return };
+        if self.editing.is_some() {
+            return;
+        }
         let game = flight.game();
         if game.outcome() == Outcome::Running {
             self.ended = None;

@@ -9,7 +9,10 @@ use std::sync::Arc;
 /// From the end of an attempt to its score, s: long enough to see what happened.
 const END_PAUSE: f64 = 1.2;
 /// The words on the pause panel's buttons, from top to bottom.
-pub const PAUSE_LABELS: [&str; 5] = ["Resume", "Restart", "Settings", "Level Select", "Main Menu"];
+pub const PAUSE_LABELS: [&str; 6] = ["Resume", "Restart", "Settings", "Level Select", "Main Menu", "Edit Level"];
+
+/// From the middle of the window up to the first of them.
+const PAUSE_TOP: f32 = 152.0;
 
 /// What is flown: a level, and the inputs that replace the keys, if any.
 #[derive(Clone, Debug)]
@@ -28,6 +31,8 @@ pub trait Spectator {
     fn before_tick(&mut self) {}
     /// A tick has been computed; its events are in the game.
     fn after_tick(&mut self, _game: &Game) {}
+    /// The attempt goes on in a level that was edited meanwhile.
+    fn goes_on(&mut self, _game: &Game) {}
 }
 
 impl Spectator for () {}
@@ -53,6 +58,22 @@ pub struct Flight {
     ended: f64,
     details: bool,
     hitboxes: bool,
+    /// Whether it is flown to try out what is edited: nothing comes of it.
+    test: bool,
+    /// What became of the level's files since they were read, while that is shown.
+    news: Option<News>,
+}
+
+/// How long it is told that a level was read anew, s.
+const TOLD: f64 = 5.0;
+
+/// What became of a level's files while it is flown.
+#[derive(Clone, Debug, PartialEq)]
+pub enum News {
+    /// They were read anew, so long ago, s; whether the flight goes on where it was, or began again.
+    Changed(f64, bool),
+    /// They do not load; a line a problem.
+    Broken(Vec<String>),
 }
 
 impl Flight {
@@ -74,18 +95,42 @@ impl Flight {
             ended: 0.0,
             details: false,
             hitboxes: false,
+            test: false,
+            news: None,
             attempt,
             game,
         })
     }
 
+    /// The same, to try out what is edited: Esc and F5 lead back, and so does its end.
+    ///
+    /// # Errors
+    /// As [`Flight::new`].
+    pub(super) fn test(level: Arc<Level>, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
+        Ok(Self { test: true, ..Self::new(Attempt { level, inputs: None }, spectator)? })
+    }
+
+    /// Whether it is flown to try out what is edited.
+    pub fn is_test(&self) -> bool {
+        self.test
+    }
+
     /// One frame.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+        if self.test && (input.pressed(Key::F5) || input.pressed(Key::Escape) || input.acts(Action::Pause)) {
+            return Some(Request::BackToEditor(self.told()));
+        }
+        if let Some(News::Changed(since, _)) = &mut self.news {
+            *since += input.frame_time;
+            if *since > TOLD {
+                self.news = None;
+            }
+        }
         if self.pause.is_some() {
-            return self.update_pause(input, spectator);
+            return self.update_pause(input);
         }
         if input.acts(Action::Restart) {
-            return self.restart(spectator);
+            return Some(Request::Restart);
         }
         self.details ^= input.acts(Action::Details);
         self.hitboxes ^= input.acts(Action::Hitboxes);
@@ -134,7 +179,7 @@ impl Flight {
         self.clock.alpha()
     }
 
-    /// The pause panel's buttons, while it is open: Resume, Restart, Settings, Level Select, Main Menu.
+    /// The pause panel's buttons, while it is open, as in [`PAUSE_LABELS`].
     pub fn pause(&self) -> Option<&Buttons> {
         self.pause.as_ref()
     }
@@ -172,12 +217,12 @@ impl Flight {
         }
     }
 
-    fn update_pause(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+    fn update_pause(&mut self, input: &Input) -> Option<Request> {
         if self.settings.is_some() {
             return self.update_settings(input);
         }
         let pause = self.pause.as_mut()?;
-        pause.place(input.frame.column(PAUSE_LABELS.len(), input.frame.size.y / 2.0 - 120.0));
+        pause.place(input.frame.column(PAUSE_LABELS.len(), input.frame.size.y / 2.0 - PAUSE_TOP));
         // What the overlays show stays right while paused, so they can be switched.
         self.details ^= input.acts(Action::Details);
         self.hitboxes ^= input.acts(Action::Hitboxes);
@@ -187,10 +232,11 @@ impl Flight {
         }
         match pause.update(input)? {
             0 => self.pause = None,
-            1 => return self.restart(spectator),
+            1 => return Some(Request::Restart),
             2 => self.settings = Some(Box::new(SettingsPanel::new(input.settings, self.settings_problems.clone()))),
             3 => return Some(Request::LevelSelect(Purpose::Play)),
-            _ => return Some(Request::Menu),
+            4 => return Some(Request::Menu),
+            _ => return Some(Request::Edit(self.attempt.level.name.clone())),
         }
         None
     }
@@ -200,24 +246,67 @@ impl Flight {
         self.ended += input.frame_time;
         let over = self.ended >= END_PAUSE || input.pressed(Key::Escape) || input.pressed(Key::Enter);
         let result = || RunResult { assisted: self.assisted, ..self.game.result() };
+        if self.test {
+            return over.then(|| Request::BackToEditor(self.told()));
+        }
         over.then(|| Request::Score(self.attempt.clone(), result()))
     }
 
     /// Begins anew, with the overlays as they are.
-    fn restart(&mut self, spectator: &mut dyn Spectator) -> Option<Request> {
-        match Self::new(self.attempt.clone(), spectator) {
-            Ok(fresh) => {
-                *self = Self {
-                    details: self.details,
-                    hitboxes: self.hitboxes,
-                    settings_problems: std::mem::take(&mut self.settings_problems),
-                    ..fresh
-                };
-                None
-            }
-            // A level that made a world once makes it again; should it not, the app says why.
-            Err(_) => Some(Request::Attempt(self.attempt.clone())),
+    ///
+    /// # Errors
+    /// The level makes no world; the flight goes on then.
+    pub(super) fn restart(&mut self, level: Arc<Level>, spectator: &mut dyn Spectator) -> Result<(), GameError> {
+        let fresh = Self::new(Attempt { level, ..self.attempt.clone() }, spectator)?;
+        *self = Self {
+            details: self.details,
+            hitboxes: self.hitboxes,
+            test: self.test,
+            settings_problems: std::mem::take(&mut self.settings_problems),
+            ..fresh
+        };
+        Ok(())
+    }
+
+    /// What is flown.
+    pub(super) fn attempt(&self) -> &Attempt {
+        &self.attempt
+    }
+
+    /// Goes on in a level that has been edited: where it is, as far as there is room, else from its start. What is flown in two levels counts as
+    /// flown with help.
+    pub(super) fn take_over(&mut self, level: Arc<Level>, spectator: &mut dyn Spectator) {
+        if self.game.outcome() != Outcome::Running {
+            return;
         }
+        let carried = if self.is_by_hand() { self.game.carried_into(&self.attempt.level, &level) } else { None };
+        let goes_on = carried.is_some();
+        if let Some(game) = carried {
+            (self.game, self.attempt.level, self.assisted) = (game, level, true);
+            spectator.goes_on(&self.game);
+        } else {
+            let (pause, settings) = (self.pause.take(), self.settings.take());
+            if let Err(error) = self.restart(level, spectator) {
+                return self.tell_of_problems(vec![error.to_string()]);
+            }
+            (self.pause, self.settings) = (pause, settings);
+        }
+        self.news = Some(News::Changed(0.0, goes_on));
+    }
+
+    /// Shows why the level's files do not load any more; the flight goes on.
+    pub(super) fn tell_of_problems(&mut self, problems: Vec<String>) {
+        self.news = Some(News::Broken(problems));
+    }
+
+    /// The level's files are what is flown again.
+    pub(super) fn tell_of_mending(&mut self) {
+        self.news = None;
+    }
+
+    /// What became of the level's files, while that is shown.
+    pub fn news(&self) -> Option<&News> {
+        self.news.as_ref()
     }
 }
 
@@ -227,14 +316,23 @@ fn controls(is: impl Fn(Action) -> bool) -> Controls {
 
 #[cfg(feature = "window")]
 mod drawing {
-    use super::{Flight, PAUSE_LABELS};
-    use crate::view::canvas::Canvas;
-    use crate::view::layout::{Area, GAP, HEADING, PADDING, Vec2, WIDE_BUTTON};
-    use crate::view::widgets;
+    use super::{Flight, News, PAUSE_LABELS, PAUSE_TOP};
+    use crate::view::canvas::{Canvas, Style};
+    use crate::view::layout::{Area, DETAILS, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
+    use crate::view::{theme, widgets};
 
     impl Flight {
-        /// Draws the pause panel, where it is open, above the game.
-        pub fn draw_pause(&self, canvas: &Canvas) {
+        /// Draws what is to be told of the level's files, and the pause panel where it is open, above the game.
+        pub fn draw_over(&self, canvas: &Canvas) {
+            if self.test {
+                let at = Vec2::new(canvas.size().x / 2.0, canvas.size().y - 28.0);
+                let style = Style::new(TEXT, theme::accent()).centred().middle();
+                canvas.end_layer();
+                canvas.text("A test flight: Esc or F5 leads back to the editor", at, style);
+            }
+            if let (Some(news), None) = (&self.news, &self.settings) {
+                draw_news(news, canvas);
+            }
             if let Some(settings) = &self.settings {
                 widgets::curtain(canvas, 1.0);
                 return settings.draw(canvas);
@@ -242,13 +340,49 @@ mod drawing {
             let Some(pause) = &self.pause else { return };
             widgets::curtain(canvas, 0.45);
             let middle = canvas.size() / 2.0;
-            let height = PAUSE_LABELS.len() as f32 * (WIDE_BUTTON.y + GAP) + HEADING + 4.0 * PADDING;
-            let panel = Area::around(middle, Vec2::new(WIDE_BUTTON.x + 4.0 * PADDING, height));
+            let top = middle.y - PAUSE_TOP - HEADING - 2.5 * PADDING;
+            let bottom = pause.areas().last().map_or(middle.y, |last| last.max().y) + 1.5 * PADDING;
+            let width = WIDE_BUTTON.x + 4.0 * PADDING;
+            let panel = Area::new(middle.x - width / 2.0, top, width, bottom - top);
             widgets::panel(canvas, panel);
             widgets::heading(canvas, "Paused", panel.min.y + PADDING + HEADING * 0.8);
             for (i, area) in pause.areas().iter().enumerate() {
                 widgets::button(canvas, *area, PAUSE_LABELS[i], pause.hover() == Some(i), pause.focus() == i);
             }
+        }
+    }
+
+    /// The most problems that are listed above a flight.
+    const LISTED: usize = 6;
+
+    /// What became of the level's files, at the window's foot.
+    fn draw_news(news: &News, canvas: &Canvas) {
+        let (words, colour, problems): (&str, _, &[String]) = match news {
+            News::Changed(_, true) => ("Read anew: you fly on in it, with help. R restarts it.", theme::good(), &[]),
+            News::Changed(_, false) => ("Read anew, from its start.", theme::good(), &[]),
+            News::Broken(problems) => ("The files do not load now: you fly on in what was there.", theme::bad(), problems),
+        };
+        let line = canvas.line_height(DETAILS);
+        let more = problems.len().saturating_sub(LISTED);
+        let lines = problems.len().min(LISTED) + usize::from(more > 0);
+        let width = if problems.is_empty() { 560.0 } else { canvas.size().x - 240.0 };
+        let height = canvas.line_height(TEXT) + 1.5 * PADDING + lines as f32 * line;
+        let panel = Area::new((canvas.size().x - width) / 2.0, canvas.size().y - height - PADDING, width, height);
+        widgets::curtain(canvas, 0.0);
+        widgets::panel_in(canvas, panel, theme::faded(theme::panel(), 0.95), colour);
+        let top = panel.min + Vec2::new(PADDING, 0.75 * PADDING);
+        canvas.text(words, top, Style::new(TEXT, colour));
+        for (i, problem) in problems.iter().take(LISTED).enumerate() {
+            let at = top + Vec2::new(0.0, canvas.line_height(TEXT) + i as f32 * line);
+            canvas.text(
+                &widgets::cut(canvas, problem, width - 2.0 * PADDING, Style::new(DETAILS, theme::text()).mono()),
+                at,
+                Style::new(DETAILS, theme::text()).mono(),
+            );
+        }
+        if more > 0 {
+            let at = top + Vec2::new(0.0, canvas.line_height(TEXT) + LISTED as f32 * line);
+            canvas.text(&format!("and {more} more"), at, Style::new(DETAILS, theme::quiet()).mono());
         }
     }
 }

@@ -3,6 +3,7 @@
 use crate::settings::{Action, Key, Keys, Settings};
 use crate::view::layout::{Frame, Vec2};
 use std::cell::Cell;
+use std::path::PathBuf;
 use std::rc::Rc;
 
 /// What the buttons made of an input, for the ear.
@@ -29,6 +30,10 @@ pub struct Input {
     pub holding: bool,
     /// The right button went down.
     pub right_click: bool,
+    /// The right or the middle button is down.
+    pub dragging: bool,
+    /// A file or folder that was dropped on the window.
+    pub dropped: Option<PathBuf>,
     /// Notches of the wheel, positive away from the player (up).
     pub wheel: f32,
     /// Keys that went down, also those that are up again by now.
@@ -65,6 +70,7 @@ impl Input {
             frame: self.frame,
             pointer: self.pointer,
             holding: self.holding,
+            dragging: self.dragging,
             held: self.held,
             settings: self.settings,
             ..Self::default()

@@ -8,6 +8,8 @@ mod balls;
 mod buttons;
 mod classics;
 mod credits;
+mod editor;
+mod files;
 mod flight;
 mod hover;
 mod input;
@@ -26,6 +28,7 @@ mod pad;
 mod pi;
 mod players;
 mod problems;
+mod prompt;
 mod save_score;
 mod scoring;
 mod scroll;
@@ -33,6 +36,7 @@ mod settings;
 mod text_field;
 mod tile_run;
 mod toolbar;
+mod watch;
 #[cfg(feature = "window")]
 mod window;
 
@@ -41,7 +45,8 @@ pub use app::{App, Places};
 pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
 pub use credits::Credits;
-pub use flight::{Attempt, Flight, Spectator};
+pub use editor::{Editor, Tool as EditorTool};
+pub use flight::{Attempt, Flight, News, Spectator};
 pub use input::{Answer, Input};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Half, Lab, Line, PAGES, Page, Shown};
@@ -55,19 +60,23 @@ pub use noise::Noise;
 pub use pi::Pi;
 pub use players::{Candidate, Players};
 pub use problems::Problems;
+pub use prompt::{Prompt, Reply};
 pub use save_score::{Gain, SaveScore};
 pub use scoring::{Effect, Part, Press, Scoring};
 pub use scroll::Bar;
 pub use settings::SettingsPanel;
 pub use tile_run::TileRun;
 pub use toolbar::Toolbar;
+pub use watch::{Stamp, Watch};
 #[cfg(feature = "window")]
-pub use window::open;
+pub use window::{Start, open};
 
 use crate::classics::jumper::scene::Scene;
 use crate::game::RunResult;
+use crate::level::Level;
 use crate::scores::Name;
 use crate::settings::Settings;
+use std::sync::Arc;
 
 /// What is on the screen, with all that it needs.
 #[derive(Debug)]
@@ -78,6 +87,8 @@ pub enum Screen {
     LevelSelect(LevelSelect),
     /// An attempt at a level.
     Flight(Box<Flight>),
+    /// A level that is edited.
+    Editor(Box<Editor>),
     /// What it came to.
     Scoring(Box<Scoring>),
     /// Under which name.
@@ -114,6 +125,17 @@ impl Screen {
     }
 }
 
+/// A folder that is to be made or named.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Make {
+    /// A new level of that name.
+    New(String),
+    /// A copy of the first, named like the second.
+    Copy(String, String),
+    /// The first, named like the second.
+    Rename(String, String),
+}
+
 /// What a screen asks for: the next screen, with what it needs.
 #[derive(Clone, Debug)]
 pub enum Request {
@@ -123,6 +145,16 @@ pub enum Request {
     LevelSelect(Purpose),
     /// The level of that name, read afresh.
     Play(String),
+    /// The attempt on the screen, from its start, in the level as its files are now.
+    Restart,
+    /// The level of that name, to be edited.
+    Edit(String),
+    /// A level is to be made, and edited; or renamed.
+    Make(Make),
+    /// The level that is edited is to be flown as it is in memory.
+    TestFly(Arc<Level>),
+    /// The editor again, with how the flight of what is edited ended, in words.
+    BackToEditor(String),
     /// Another attempt at a level that is there.
     Attempt(Attempt),
     /// An attempt has ended.

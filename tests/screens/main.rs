@@ -1,9 +1,11 @@
 //! The screens as a player meets them, without a window: every way between them by mouse and by keyboard, one action a press.
 
+mod editor;
 mod flight;
 mod levels;
 mod menu;
 mod players;
+mod reload;
 mod scores;
 mod settings;
 mod sitting;
