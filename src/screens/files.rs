@@ -23,13 +23,15 @@ impl App {
         }
         let flown = flight.attempt().level.clone();
         match self.library.load(&flown.name) {
-            // The pictures may be others: all of it is taken over even where the rest is the same.
             Ok(level) => {
                 self.watch = Some(self.library.watch(&level));
-                if *level == *flown && flight.news().is_some() {
+                if *level == *flown {
+                    // A comment, a picture: nothing that the flight depends on.
                     flight.tell_of_mending();
+                    spectator.goes_on(flight.game());
+                } else {
+                    flight.take_over(level, spectator);
                 }
-                flight.take_over(level, spectator);
             }
             Err(problems) => flight.tell_of_problems(problems),
         }

@@ -355,7 +355,10 @@ mod drawing {
     /// The most problems that are listed above a flight.
     const LISTED: usize = 6;
 
-    /// What became of the level's files, at the window's foot.
+    /// How far the box with time and speed reaches.
+    const BESIDE: f32 = 290.0;
+
+    /// What became of the level's files, at the window's top.
     fn draw_news(news: &News, canvas: &Canvas) {
         let (words, colour, problems): (&str, _, &[String]) = match news {
             News::Changed(_, true) => ("Read anew: you fly on in it, with help. R restarts it.", theme::good(), &[]),
@@ -365,9 +368,12 @@ mod drawing {
         let line = canvas.line_height(DETAILS);
         let more = problems.len().saturating_sub(LISTED);
         let lines = problems.len().min(LISTED) + usize::from(more > 0);
-        let width = if problems.is_empty() { 560.0 } else { canvas.size().x - 240.0 };
+        // Beside the box with time and speed, which grows with the words.
+        let left = 16.0 + BESIDE * canvas.frame().text.max(1.0);
+        let room = canvas.size().x - left - PADDING;
+        let width = if problems.is_empty() { room.min(560.0) } else { room };
         let height = canvas.line_height(TEXT) + 1.5 * PADDING + lines as f32 * line;
-        let panel = Area::new((canvas.size().x - width) / 2.0, canvas.size().y - height - PADDING, width, height);
+        let panel = Area::new(left, PADDING, width, height);
         widgets::curtain(canvas, 0.0);
         widgets::panel_in(canvas, panel, theme::faded(theme::panel(), 0.95), colour);
         let top = panel.min + Vec2::new(PADDING, 0.75 * PADDING);

@@ -104,3 +104,12 @@ fn what_is_dropped_on_the_window_opens() {
     sitting.give(Input { dropped: Some(elsewhere.path().join("nothing/there")), ..Input::default() });
     assert_eq!(sitting.at(), "problems");
 }
+
+#[test]
+fn what_the_flight_does_not_depend_on_changes_nothing_of_it() {
+    let mut sitting = Sitting::new();
+    sitting.fly(1).wait(0.2);
+    fs::write(file(&sitting, "obstacles.csv"), "# a comment\n").unwrap();
+    sitting.wait(0.5);
+    assert!(!sitting.flight().is_assisted() && sitting.flight().news().is_none());
+}

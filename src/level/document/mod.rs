@@ -2,10 +2,11 @@
 //! is not about stays as its author wrote it: comments, blank lines, the order of rows and columns, line ends, the forms of numbers.
 //!
 //! `sheet` is one file and what an edit replaces in it; `kinds` says what there is to add and what columns mean; `places` turns cells into
-//! rectangles and back; `wiring` knows way points and which switch works what; `disk` opens, saves and keeps what is not saved yet. What is
+//! rectangles and back; `wires` knows which switch works what, `history` undoes; `disk` opens, saves and keeps what is not saved yet. What is
 //! wrong with a document is said by the loader alone, which reads it from memory ([`Document::over`]).
 
 mod disk;
+mod history;
 mod kinds;
 mod places;
 mod sheet;
@@ -17,8 +18,10 @@ pub use places::{Place, number, way_text};
 pub use wires::Wiring;
 
 use super::read::Files;
+use crate::files;
 use crate::physics::DVec2;
-use sheet::{Added, CellEdit, Sheet, Splice, difference, put_back};
+use history::{Change, FileChange};
+use sheet::{Added, CellEdit, Sheet};
 use std::collections::BTreeMap;
 use std::io;
 
@@ -49,30 +52,6 @@ pub struct NewRow {
     pub kind: Kind,
     /// Column and text.
     pub cells: Vec<(&'static str, String)>,
-}
-
-/// What one operation has changed in a file.
-#[derive(Clone, Debug)]
-struct FileChange {
-    table: Table,
-    /// Whether there is such a file, before and after.
-    exists: [bool; 2],
-    splices: Vec<Splice>,
-}
-
-/// What one operation has changed.
-#[derive(Clone, Debug)]
-struct Change {
-    files: Vec<FileChange>,
-    /// Operations of the same gesture are one: dragging a thing, typing into a cell.
-    gesture: Option<u64>,
-}
-
-impl FileChange {
-    /// Of a file that is there afterwards.
-    fn of(sheet: &Sheet, splices: Vec<Splice>) -> Self {
-        Self { table: sheet.table, exists: [sheet.exists, sheet.exists || !splices.is_empty()], splices }
-    }
 }
 
 /// A level's files as they are edited.
@@ -186,8 +165,8 @@ impl Document {
     /// The row of a file that has that line, counted from 1 as the loader's problems do.
     pub fn row_at(&self, table: Table, line: usize) -> Option<RowId> {
         let sheet = self.sheet(table);
-        let found = (0..sheet.rows().len()).find(|row| sheet.lines(*row).is_some_and(|(from, to)| (from..to).contains(&line)));
-        found.map(|row| RowId { table, row })
+        let row = sheet.rows().partition_point(|row| row.line <= line).checked_sub(1)?;
+        sheet.lines(row).filter(|(_, end)| line < *end).map(|_| RowId { table, row })
     }
 
     /// The first line of a row.
@@ -322,111 +301,6 @@ impl Document {
         }
     }
 
-    /// Takes over a file as another program has left it: an operation like any other.
-    pub fn replace(&mut self, table: Table, bytes: Option<Vec<u8>>) {
-        let mut all: Vec<Option<Vec<u8>>> = Table::ALL.iter().map(|table| self.bytes(*table).map(<[u8]>::to_vec)).collect();
-        all[table.index()] = bytes;
-        self.replace_all(all);
-    }
-
-    /// Makes all files hold these bytes, by [`Table`].
-    fn replace_all(&mut self, files: Vec<Option<Vec<u8>>>) {
-        let changed = Table::ALL.iter().zip(files).filter_map(|(table, bytes)| {
-            let sheet = self.sheet(*table);
-            let same = sheet.exists == bytes.is_some();
-            let splice = difference(&sheet.bytes, bytes.as_deref().unwrap_or_default());
-            let splices: Vec<Splice> = splice.into_iter().collect();
-            (!same || !splices.is_empty()).then_some(FileChange { table: *table, exists: [sheet.exists, bytes.is_some()], splices })
-        });
-        let files = changed.collect();
-        self.apply(files, None);
-    }
-
-    /// Takes the last operation back; whether there was one.
-    pub fn undo(&mut self) -> bool {
-        let Some(change) = self.undo.pop() else { return false };
-        self.take_back(&change);
-        self.redo.push(change);
-        true
-    }
-
-    /// Does again what was undone last; whether there was something.
-    pub fn redo(&mut self) -> bool {
-        let Some(change) = self.redo.pop() else { return false };
-        self.carry_out(&change);
-        self.undo.push(change);
-        true
-    }
-
-    /// How many operations can be undone, and how many done again.
-    pub fn history(&self) -> (usize, usize) {
-        (self.undo.len(), self.redo.len())
-    }
-
-    fn apply(&mut self, mut files: Vec<FileChange>, gesture: Option<u64>) {
-        files.retain(|file| !file.splices.is_empty() || file.exists[0] != file.exists[1]);
-        if files.is_empty() {
-            return;
-        }
-        for file in &mut files {
-            // From the end to the beginning: no splice moves what a later one is about.
-            file.splices.sort_by_key(|splice| std::cmp::Reverse(splice.at));
-        }
-        let change = Change { files, gesture };
-        self.carry_out(&change);
-        self.redo.clear();
-        if gesture.is_some() && self.undo.last().is_some_and(|last| last.gesture == gesture) {
-            self.join(change);
-        } else {
-            self.undo.push(change);
-        }
-    }
-
-    /// Makes one of the last change and another of the same gesture, which has been carried out: however long a gesture takes, what is kept of
-    /// it is where it began and where it is.
-    fn join(&mut self, next: Change) {
-        let Some(last) = self.undo.pop() else { return };
-        let mut files: Vec<FileChange> = Vec::new();
-        for FileChange { table, exists, .. } in last.files.iter().chain(&next.files) {
-            if files.iter().any(|known| known.table == *table) {
-                continue;
-            }
-            let now = self.sheet(*table);
-            let mut before = now.bytes.clone();
-            for change in [&next, &last] {
-                let own = change.files.iter().filter(|file| file.table == *table);
-                own.for_each(|file| put_back(&mut before, &file.splices));
-            }
-            let splices: Vec<Splice> = difference(&before, &now.bytes).into_iter().collect();
-            if !splices.is_empty() || exists[0] != now.exists {
-                files.push(FileChange { table: *table, exists: [exists[0], now.exists], splices });
-            }
-        }
-        if !files.is_empty() {
-            self.undo.push(Change { files, gesture: last.gesture });
-        }
-    }
-
-    fn carry_out(&mut self, change: &Change) {
-        for FileChange { table, exists, splices } in &change.files {
-            let sheet = &mut self.sheets[table.index()];
-            sheet.exists = exists[1];
-            sheet.apply(splices);
-            self.measure_table(*table);
-        }
-        self.version += 1;
-    }
-
-    fn take_back(&mut self, change: &Change) {
-        for FileChange { table, exists, splices } in change.files.iter().rev() {
-            let sheet = &mut self.sheets[table.index()];
-            sheet.exists = exists[0];
-            sheet.take_back(splices);
-            self.measure_table(*table);
-        }
-        self.version += 1;
-    }
-
     fn measure_table(&mut self, table: Table) {
         if table == Table::Constants {
             // The scale may be another: the ship's size hangs on it.
@@ -455,7 +329,15 @@ struct Over<'a> {
 impl Files for Over<'_> {
     fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
         match Table::of_file(name) {
-            Some(table) => self.document.bytes(table).map(<[u8]>::to_vec).ok_or_else(|| io::ErrorKind::NotFound.into()),
+            Some(table) => match self.document.bytes(table) {
+                None => Err(io::ErrorKind::NotFound.into()),
+                // What could not be read again once it is saved.
+                Some(bytes) if bytes.len() as u64 > files::LEVEL_TABLE => {
+                    let found = format!("found {} bytes, expected at most {}", bytes.len(), files::LEVEL_TABLE);
+                    Err(io::Error::new(io::ErrorKind::FileTooLarge, found))
+                }
+                Some(bytes) => Ok(bytes.to_vec()),
+            },
             None => self.others.level_file(name),
         }
     }

@@ -94,7 +94,7 @@ impl Editor {
 
     /// One frame of the pointer in the picture.
     pub(super) fn update_hand(&mut self, input: &Input) {
-        let inside = self.parts.middle.contains(input.pointer) && !self.parts.map.contains(input.pointer);
+        let inside = self.parts.middle.contains(input.pointer);
         let at = self.view.pixels(input.pointer);
         if inside && input.wheel != 0.0 {
             self.view.zoom(f64::from(input.wheel), input.pointer);

@@ -8,6 +8,8 @@ pub const TOP: f32 = 48.0;
 const LEFT: f32 = 148.0;
 /// Width of the panel of what is selected.
 const RIGHT: f32 = 324.0;
+/// Width of the level in small.
+const MAP: f32 = 160.0;
 /// From the edge of a part to what is in it, and between two buttons.
 pub const INSIDE: f32 = 8.0;
 pub const BETWEEN: f32 = 4.0;
@@ -23,7 +25,7 @@ pub struct Parts {
     pub bottom: Area,
     /// The picture.
     pub middle: Area,
-    /// The level in small, in a corner of the picture.
+    /// The level in small, beside the problems.
     pub map: Area,
     /// From one line of small text to the next.
     pub line: f32,
@@ -38,14 +40,14 @@ impl Parts {
         let Vec2 { x: width, y: height } = frame.size;
         let bottom = (PROBLEM_LINES as f32 + 1.0) * line + 2.5 * INSIDE;
         let middle = Area::new(LEFT, TOP, width - LEFT - RIGHT, height - TOP - bottom);
-        let map = Vec2::new(168.0, 96.0);
+        let map = Vec2::new(MAP, bottom - 2.0 * INSIDE);
         Self {
             top: Area::new(0.0, 0.0, width, TOP),
             left: Area::new(0.0, TOP, LEFT, height - TOP),
             right: Area::new(width - RIGHT, TOP, RIGHT, height - TOP),
             bottom: Area::new(LEFT, height - bottom, width - LEFT - RIGHT, bottom),
             middle,
-            map: Area { min: middle.max() - map - INSIDE, size: map },
+            map: Area { min: Vec2::new(middle.max().x - INSIDE - MAP, height - bottom + INSIDE), size: map },
             line,
             field: (frame.text_height(TEXT) * 1.5).max(28.0),
         }
@@ -75,7 +77,7 @@ impl Parts {
     /// The line of a problem, counted from 0.
     pub fn problem(&self, index: usize) -> Area {
         let top = self.bottom.min.y + INSIDE + (index + 1) as f32 * self.line;
-        Area::new(self.bottom.min.x + INSIDE, top, self.bottom.size.x - 2.0 * INSIDE - 16.0, self.line)
+        Area::new(self.bottom.min.x + INSIDE, top, self.bottom.size.x - 4.0 * INSIDE - MAP - 16.0, self.line)
     }
 }
 
