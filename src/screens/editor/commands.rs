@@ -9,6 +9,7 @@ use crate::screens::{Input, Key, Purpose, Request};
 impl Editor {
     /// Keys, where the keyboard is in no field; whether one of them was all that this frame is for, and what it asks for.
     pub(super) fn update_keys(&mut self, input: &Input) -> Option<(Option<Request>,)> {
+        self.figures ^= input.pressed(Key::F3);
         let control = input.held(Key::Control);
         let with = |key: Key| control && input.pressed(key);
         let command = match () {

@@ -3,7 +3,7 @@
 use crate::view::layout::{Area, DETAILS, Frame, LINE, TEXT, Vec2};
 
 /// Height of the row of commands.
-pub const TOP: f32 = 48.0;
+pub const TOP: f32 = 56.0;
 /// Width of the tools.
 const LEFT: f32 = 148.0;
 /// Width of the panel of what is selected.

@@ -99,6 +99,8 @@ pub struct Editor {
     pictures: u64,
     /// Where the pointer is, canvas units.
     pointer: Vec2,
+    /// Whether frames a second are shown.
+    figures: bool,
 }
 
 impl Editor {
@@ -135,6 +137,7 @@ impl Editor {
             fitted: false,
             pictures: 0,
             pointer: Vec2::ZERO,
+            figures: false,
         })
     }
 

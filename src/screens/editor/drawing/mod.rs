@@ -12,11 +12,12 @@ use crate::level::document::{Kind, Place, RowId, choices, number, unit};
 use crate::level::read_picture;
 use crate::physics::DVec2;
 use crate::view::canvas::{Canvas, Style};
-use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
+use crate::view::layout::{Area, BUTTON_TEXT, DESIGN, DETAILS, PADDING, TEXT, Vec2};
 use crate::view::{theme, widgets};
 use macroquad::color::{Color, WHITE};
 use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
 use macroquad::texture::{DrawTextureParams, FilterMode, Image, Texture2D, draw_texture_ex};
+use macroquad::window::{screen_height, screen_width};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -80,8 +81,10 @@ fn fill(area: Area, colour: Color) {
     draw_rectangle(area.min.x, area.min.y, area.size.x, area.size.y, colour);
 }
 
+/// A rectangle's edge, half of which lies inside: at least a pixel of the window.
 fn edge(area: Area, width: f32, colour: Color) {
-    draw_rectangle_lines(area.min.x, area.min.y, area.size.x, area.size.y, 2.0 * width, colour);
+    let pixel = (DESIGN / Vec2::new(screen_width(), screen_height())).max_element();
+    draw_rectangle_lines(area.min.x, area.min.y, area.size.x, area.size.y, 2.0 * width.max(pixel), colour);
 }
 
 impl Editor {

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::level::Problem;
+use macroquad::time::get_fps;
 
 impl Editor {
     pub(super) fn draw_commands(&self, canvas: &Canvas) {
@@ -20,8 +21,8 @@ impl Editor {
                 _ => true,
             };
             let colour = if can { theme::text() } else { theme::quiet() };
-            canvas.text(label, middle - Vec2::new(0.0, 8.0), Style::new(TEXT, colour).centred().middle());
-            canvas.text(key, middle + Vec2::new(0.0, 11.0), Style::new(DETAILS, theme::quiet()).centred().middle().mono());
+            canvas.text(label, middle - Vec2::new(0.0, 10.0), Style::new(TEXT, colour).centred().middle());
+            canvas.text(key, middle + Vec2::new(0.0, 12.0), Style::new(DETAILS, theme::quiet()).centred().middle().mono());
         }
         let (from, to) = (self.commands.areas()[AT_LEFT - 1].max().x, self.commands.areas()[AT_LEFT].min.x);
         let unsaved = self.is_unsaved();
@@ -168,14 +169,9 @@ impl Editor {
         let style = Style::new(DETAILS, theme::text()).mono();
         let at = self.view.pixels(self.pointer);
         let metre = self.document.metre();
-        let place = format!(
-            "{:.0}, {:.0} px   {:.2}, {:.2} m   {:.0} %",
-            at.x,
-            at.y,
-            at.x / metre,
-            at.y / metre,
-            self.view.scale() * 100.0
-        );
+        let fps = if self.figures { format!("{} fps   ", get_fps()) } else { String::new() };
+        let zoom = self.view.scale() * 100.0;
+        let place = format!("{fps}{:.0}, {:.0} px   {:.2}, {:.2} m   {zoom:.0} %", at.x, at.y, at.x / metre, at.y / metre);
         let head = area.min + Vec2::new(INSIDE, INSIDE / 2.0);
         let end = self.parts.problem(0).max().x;
         canvas.text(&place, Vec2::new(end, head.y), Style::new(DETAILS, theme::quiet()).mono().right());
