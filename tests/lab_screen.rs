@@ -266,6 +266,62 @@ fn it_pauses_ends_and_starts_again() {
     assert!(time(&sitting) - before < 0.2);
 }
 
+#[test]
+fn it_goes_on_by_single_steps_of_any_length_and_remembers_the_way() {
+    let mut sitting = Sitting::new();
+    sitting.page(Page::SideBySide).press(Key::R).press(Key::Space);
+    let page = |sitting: &Sitting| {
+        let page = sitting.lab().side_by_side();
+        let [left, right] = page.halves();
+        (page.step(), page.time(), page.is_paused(), left.trail.len(), left.errors.to_vec(), right.error)
+    };
+    let before = page(&sitting);
+    for single in 1..=90 {
+        let after = page(sitting.press(Key::Period));
+        assert!((after.1 - before.1 - f64::from(single) * after.0).abs() < 1e-9 && after.2, "{} s", after.1);
+    }
+    let (step, time, paused, trail, errors, ours) = page(&sitting);
+    assert!(paused && trail >= 90 && time >= 1.5 && ours < 1e-9);
+    // One in each part of the scene that has begun, and the fall is wrong from the first step on.
+    assert_eq!(errors.len(), (time / 60.0 * 400.0 - 1e-9).ceil() as usize);
+    assert!(errors[0] > 0.0 && errors.iter().all(|error| error.is_finite()));
+    let mut met = vec![step];
+    for _ in 0..4 {
+        let (step, time, _, trail, errors, _) = page(sitting.press(Key::S).press(Key::Space));
+        assert!(time <= 0.1 + step && trail as f64 * step <= time + 1e-9 && errors.len() <= 2, "it starts again: {time} s");
+        assert!(!met.contains(&step));
+        met.push(step);
+        sitting.press(Key::Space).wait(2.0);
+        assert!(page(&sitting).5 < 1e-9, "the engine is right at any step");
+    }
+    assert_eq!(page(sitting.press(Key::S)).0, met[0]);
+}
+
+#[test]
+fn error_and_energy_over_time_are_shown_of_what_was_followed() {
+    let mut sitting = Sitting::new();
+    let charts = |sitting: &Sitting| {
+        let page = sitting.lab().charts();
+        (page.measured().unwrap().over_time.is_some(), page.over_time().cloned(), page.verdict())
+    };
+    let scenes = sitting.lab().charts().charts().diagrams.len();
+    let mut followed = 0;
+    for _ in 0..scenes {
+        let (known, shown, words) = charts(&sitting);
+        assert!(shown.is_none());
+        let (_, shown, told) = charts(sitting.press(Key::Space));
+        assert_eq!(shown.is_some(), known);
+        assert_eq!(told != words, known);
+        if let Some(shown) = shown {
+            followed += 1;
+            assert!(shown.has_energy() && shown.courses.iter().any(|course| course.name == "shipped engine"));
+            sitting.press(Key::Space);
+        }
+        sitting.press(Key::Right);
+    }
+    assert_eq!(followed, 2);
+}
+
 /// The same to the last bit; what blew up is not a number, and so not equal to itself.
 fn same(one: &Charts, other: &Charts) -> bool {
     one.files() == other.files()

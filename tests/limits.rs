@@ -116,8 +116,9 @@ fn chart_files() {
         assert_eq!(quick(told, || charts("fall.csv", &format!("{POINTS}{rows}"))).unwrap_err(), told);
     }
     assert!(quick("lines", || charts("fall.csv", &format!("{POINTS}{}", filled("\n", files::CHART)))).is_ok());
-    let scenes: String = (0..100).map(|_| "fall,t,e,w,1,1,true\n").collect();
-    let told = charts("scenes.csv", &format!("scene,title,error,work,tolerance,shipped_step,alike\n{scenes}")).unwrap_err();
+    let scenes: String = (0..100).map(|_| "fall,t,e,w,1,1,true,,\n").collect();
+    let told =
+        charts("scenes.csv", &format!("scene,title,error,work,tolerance,shipped_step,alike,note,over_time\n{scenes}")).unwrap_err();
     assert_eq!(told, "scenes.csv:66: found a scene more, expected at most 64");
 }
 

@@ -6,10 +6,11 @@ use super::files::{NewFile, read_text};
 use super::{Project, Status, Stop};
 use crate::files::CHART;
 use crate::lab::charts::{Charts, Setting};
+use crate::lab::course::{Course, OverTime};
 use crate::lab::curve::{Curve, Measured, Origin, Point};
 use crate::lab::peers::add_peers;
 use crate::lab::report::{shipped_csv, summary};
-use crate::lab::{Method, Scene, diagram, scenes, stress};
+use crate::lab::{Method, Scene, course_diagram, diagram, scenes, stress};
 use std::hint::black_box;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -27,6 +28,7 @@ use std::time::Instant as Clock;
     summary.md   machine, commit, tables and all diagrams on one page\n  \
     SCENE.svg    a work–precision diagram a scene\n  \
     SCENE.csv    its points: method,origin,step,work,error\n  \
+    SCENE-over-time.svg, .csv  error and energy while it runs, of some scenes\n  \
     scenes.csv   the diagrams: titles, axes, tolerances\n  \
     shipped.csv  what the shipped engine costs in each scene, and the cheapest method\n  \
     stress.csv   the largest value that each method survives\n  \
@@ -42,6 +44,8 @@ pub struct Args {
     quick: bool,
 }
 
+/// s. The step at which methods are followed over time: the one at which physics engines are usually run.
+const FOLLOWED: f64 = 1.0 / 60.0;
 /// Runs of a point, of which the median counts.
 const RUNS: usize = 9;
 /// The same with --quick.
@@ -95,6 +99,8 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     for measured in &charts.diagrams {
         let drawn = diagram::svg(measured).map_err(|error| Stop::refused(format!("{}.svg: {error}", measured.name)))?;
         files.push((format!("{}.svg", measured.name), drawn));
+        let over_time = course_diagram::svg(measured).map_err(|error| Stop::refused(format!("{}: {error}", measured.name)))?;
+        files.extend(over_time.map(|drawn| (format!("{}-over-time.svg", measured.name), drawn)));
     }
     files.push(("shipped.csv".to_owned(), shipped_csv(&charts.diagrams)));
     files.push(("summary.md".to_owned(), summary(&charts)));
@@ -169,8 +175,20 @@ fn measure(scene: &Scene, quick: bool) -> Measured {
         tolerance: scene.tolerance,
         shipped_step: scene.shipped_step,
         alike: scene.alike,
+        note: scene.note.to_owned(),
         curves: curves.collect(),
+        over_time: over_time(scene),
     }
+}
+
+/// The courses at the game's step, of the scenes that are followed.
+fn over_time(scene: &Scene) -> Option<OverTime> {
+    let course = |method: &Method| {
+        let origin = if method.shipped { Origin::Shipped } else { Origin::Lab };
+        Some(Course { name: method.name.clone(), origin, moments: (method.course.as_ref()?)(FOLLOWED) })
+    };
+    let courses: Vec<Course> = scene.methods.iter().filter_map(course).collect();
+    (!courses.is_empty()).then_some(OverTime { step: FOLLOWED, courses })
 }
 
 /// The median of several runs.

@@ -17,7 +17,7 @@ pub struct Decades {
 
 impl Decades {
     /// The fewest around all values, which are above 0; a single one where there are none.
-    fn around(values: impl Iterator<Item = f64>) -> Self {
+    pub(super) fn around(values: impl Iterator<Item = f64>) -> Self {
         let (least, most) =
             values.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), value| (least.min(value), most.max(value)));
         if least > most {

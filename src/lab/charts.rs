@@ -1,11 +1,13 @@
 //! All that one run of `resultant chart` found, as CSV and back: `setting.csv` says where it was measured, `scenes.csv` lists the
-//! diagrams, a file of each scene's name holds its points, and `stress.csv` what each method survives. Numbers are in the shortest form
+//! diagrams, a file of each scene's name holds its points, another its courses over time where it was followed, and `stress.csv` what
+//! each method survives. Numbers are in the shortest form
 //! that reads back as the same f64; an error of `inf` or `NaN` is a run that blew up.
 
-use super::curve::{Curve, MOST_CURVES, Measured, NUMBERS, Origin, Point};
+use super::course::{Course, Moment, OverTime};
+use super::curve::{Curve, MOST_CURVES, Measured, Origin, Point};
 use super::report::PI;
+use super::rows::{Row, rows, shortest, table};
 use super::stress::Survival;
-use csv::{ReaderBuilder, StringRecord, WriterBuilder};
 
 /// Where and with what it was measured.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -33,16 +35,17 @@ pub struct Charts {
 
 /// Where it was measured.
 pub const SETTING: &str = "setting.csv";
+/// What a time of a course has to be.
+const LATER: &str = "a time of 0 or more, s, later than the one before";
 /// The list of diagrams.
 pub const SCENES: &str = "scenes.csv";
 /// The stress tests.
 pub const STRESS: &str = "stress.csv";
-/// The most rows of a file below its head. With more points a diagram takes longer to draw than a frame lasts.
-const MOST_ROWS: usize = 2000;
 /// The most diagrams.
 const MOST_SCENES: usize = 64;
 const SETTING_HEAD: [&str; 4] = ["machine", "commit", "profile", "quick"];
-const SCENES_HEAD: [&str; 7] = ["scene", "title", "error", "work", "tolerance", "shipped_step", "alike"];
+const SCENES_HEAD: [&str; 9] = ["scene", "title", "error", "work", "tolerance", "shipped_step", "alike", "note", "over_time"];
+const COURSES_HEAD: [&str; 5] = ["method", "origin", "time", "error", "energy"];
 const POINTS_HEAD: [&str; 5] = ["method", "origin", "step", "work", "error"];
 const STRESS_HEAD: [&str; 6] = ["test", "parameter", "method", "largest", "tried", "shipped"];
 
@@ -53,7 +56,9 @@ impl Charts {
         let setting = [machine.clone(), commit.clone().unwrap_or_default(), profile.clone(), quick.to_string()];
         let scenes = self.diagrams.iter().map(|m| {
             let words = [&m.name, &m.title, &m.error, &m.work].map(String::clone);
-            words.into_iter().chain([shortest(m.tolerance), shortest(m.shipped_step), m.alike.to_string()]).collect()
+            let over_time = m.over_time.as_ref().map_or_else(String::new, |over_time| shortest(over_time.step));
+            let rest = [shortest(m.tolerance), shortest(m.shipped_step), m.alike.to_string(), m.note.clone(), over_time];
+            words.into_iter().chain(rest).collect()
         });
         let stress = self.stress.iter().map(|row| {
             let words = [&row.test, &row.parameter, &row.method].map(String::clone);
@@ -65,6 +70,9 @@ impl Charts {
             (STRESS.to_owned(), table(&STRESS_HEAD, stress)),
         ];
         files.extend(self.diagrams.iter().map(|measured| (points_file(&measured.name), points(measured))));
+        let followed =
+            self.diagrams.iter().filter_map(|measured| measured.over_time.as_ref().map(|over_time| (measured, over_time)));
+        files.extend(followed.map(|(measured, over_time)| (courses_file(&measured.name), courses(over_time))));
         files
     }
 
@@ -95,6 +103,22 @@ fn points_file(scene: &str) -> String {
     format!("{scene}.csv")
 }
 
+fn courses_file(scene: &str) -> String {
+    format!("{scene}-over-time.csv")
+}
+
+fn courses(over_time: &OverTime) -> String {
+    let rows = over_time.courses.iter().flat_map(|course| {
+        let row = |moment: &Moment| {
+            let energy = moment.energy.map_or_else(String::new, shortest);
+            let words = [course.name.clone(), origin_word(course.origin).to_owned()];
+            words.into_iter().chain([shortest(moment.time), shortest(moment.error), energy]).collect()
+        };
+        course.moments.iter().map(row)
+    });
+    table(&COURSES_HEAD, rows)
+}
+
 fn points(measured: &Measured) -> String {
     let rows = measured.curves.iter().flat_map(|curve| {
         let row = |point: &Point| {
@@ -114,90 +138,6 @@ fn origin_word(origin: Origin) -> &'static str {
     }
 }
 
-fn shortest(value: f64) -> String {
-    format!("{value:e}")
-}
-
-/// Rows under a head as CSV.
-pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
-    let mut writer = WriterBuilder::new().from_writer(Vec::new());
-    // Memory takes all that is written to it, and every row has the head's length.
-    let _ = writer.write_record(head);
-    for row in rows {
-        let _ = writer.write_record(row);
-    }
-    writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
-}
-
-/// A row with where it stands.
-struct Row<'a> {
-    file: &'a str,
-    line: usize,
-    head: &'a [&'a str],
-    cells: StringRecord,
-}
-
-impl Row<'_> {
-    fn word(&self, column: usize) -> String {
-        self.cells[column].to_owned()
-    }
-
-    fn number(&self, column: usize, wanted: &str, good: impl Fn(f64) -> bool) -> Result<f64, String> {
-        let number = self.cells[column].parse::<f64>().ok().filter(|value| good(*value));
-        number.ok_or_else(|| self.problem(column, wanted))
-    }
-
-    fn above_zero(&self, column: usize) -> Result<f64, String> {
-        let (least, most) = (NUMBERS.start(), NUMBERS.end());
-        let wanted = format!("a number above 0, from {least:e} to {most:e}");
-        self.number(column, &wanted, |value| NUMBERS.contains(&value))
-    }
-
-    fn flag(&self, column: usize) -> Result<bool, String> {
-        self.cells[column].parse().map_err(|_| self.problem(column, "true or false"))
-    }
-
-    fn problem(&self, column: usize, wanted: &str) -> String {
-        let (file, line, name, found) = (self.file, self.line, self.head[column], &self.cells[column]);
-        format!("{file}:{line}: column \"{name}\": found \"{found}\", expected {wanted}")
-    }
-}
-
-/// The rows of a file below its head, each as long as that.
-fn rows<'a>(file: &'a str, text: &str, head: &'a [&'a str]) -> Result<Vec<Row<'a>>, String> {
-    let mut rows = Vec::new();
-    let mut reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
-    // Where the last record began, and on which line.
-    let (mut at, mut line) = (0, 1);
-    for (index, cells) in reader.records().enumerate() {
-        let cells = cells.map_err(|error| format!("{file}: {error}"))?;
-        let begins = begin_of(text, cells.position().map_or(0, |position| position.byte() as usize));
-        line += text.as_bytes()[at..begins.max(at)].iter().filter(|&&byte| byte == b'\n').count();
-        at = begins.max(at);
-        if index > MOST_ROWS {
-            return Err(format!("{file}:{line}: found a row more, expected at most {MOST_ROWS} below the head"));
-        }
-        if index == 0 {
-            if !cells.iter().eq(head.iter().copied()) {
-                let found = cells.iter().collect::<Vec<_>>().join(",");
-                return Err(format!("{file}:{line}: found \"{found}\", expected the head {}", head.join(",")));
-            }
-            continue;
-        }
-        if cells.len() != head.len() {
-            return Err(format!("{file}:{line}: found {} cells, expected {}: {}", cells.len(), head.len(), head.join(",")));
-        }
-        rows.push(Row { file, line, head, cells });
-    }
-    if text.trim().is_empty() { Err(format!("{file}: found nothing, expected the head {}", head.join(","))) } else { Ok(rows) }
-}
-
-/// The first byte of a record that begins at that byte, blank lines before it left out.
-fn begin_of(text: &str, byte: usize) -> usize {
-    let rest = text.get(byte..).unwrap_or_default();
-    text.len() - rest.trim_start_matches(['\r', '\n']).len()
-}
-
 /// A scene's row and the file of its points.
 fn diagram(row: &Row<'_>, file: &impl Fn(&str) -> Result<String, String>) -> Result<Measured, String> {
     let name = row.word(0);
@@ -208,12 +148,9 @@ fn diagram(row: &Row<'_>, file: &impl Fn(&str) -> Result<String, String>) -> Res
     let points_file = points_file(&name);
     let mut curves: Vec<Curve> = Vec::new();
     for row in rows(&points_file, &file(&points_file)?, &POINTS_HEAD)? {
-        let origins = [Origin::Lab, Origin::Shipped, Origin::Peer];
-        let origin = origins.into_iter().find(|origin| origin_word(*origin) == &row.cells[1]);
-        let origin = origin.ok_or_else(|| row.problem(1, "lab, shipped or peer"))?;
-        let error = row.number(4, "an error of 0 or more, inf or NaN", |error| error.is_nan() || error >= 0.0)?;
-        let point = Point { step: row.above_zero(2)?, work: row.above_zero(3)?, error };
-        let known = curves.iter().position(|curve| curve.name == row.cells[0] && curve.origin == origin);
+        let origin = origin(&row)?;
+        let point = Point { step: row.above_zero(2)?, work: row.above_zero(3)?, error: error(&row, 4)? };
+        let known = curves.iter().position(|curve| curve.name == row.word(0) && curve.origin == origin);
         match known {
             Some(index) => curves[index].points.push(point),
             None if curves.len() == MOST_CURVES => return Err(row.problem(0, &format!("at most {MOST_CURVES} methods"))),
@@ -225,7 +162,40 @@ fn diagram(row: &Row<'_>, file: &impl Fn(&str) -> Result<String, String>) -> Res
     }
     let (title, error, work) = (row.word(1), row.word(2), row.word(3));
     let (tolerance, shipped_step) = (row.above_zero(4)?, row.above_zero(5)?);
-    Ok(Measured { name, title, error, work, tolerance, shipped_step, alike: row.flag(6)?, curves })
+    let step = if row.word(8).is_empty() { None } else { Some(row.above_zero(8)?) };
+    let over_time = step.map(|step| over_time(&name, step, file)).transpose()?;
+    Ok(Measured { name, title, error, work, tolerance, shipped_step, alike: row.flag(6)?, note: row.word(7), curves, over_time })
+}
+
+fn origin(row: &Row<'_>) -> Result<Origin, String> {
+    let origins = [Origin::Lab, Origin::Shipped, Origin::Peer];
+    let found = origins.into_iter().find(|origin| origin_word(*origin) == row.word(1));
+    found.ok_or_else(|| row.problem(1, "lab, shipped or peer"))
+}
+
+fn error(row: &Row<'_>, column: usize) -> Result<f64, String> {
+    row.number(column, "an error of 0 or more, inf or NaN", |error| error.is_nan() || error >= 0.0)
+}
+
+/// The courses of a scene that was followed at that step.
+fn over_time(scene: &str, step: f64, file: &impl Fn(&str) -> Result<String, String>) -> Result<OverTime, String> {
+    let name = courses_file(scene);
+    let mut courses: Vec<Course> = Vec::new();
+    for row in rows(&name, &file(&name)?, &COURSES_HEAD)? {
+        let origin = origin(&row)?;
+        let energy = if row.word(4).is_empty() { None } else { Some(row.number(4, "a number, or nothing", |_| true)?) };
+        let time = row.number(2, LATER, |time| time.is_finite() && time >= 0.0)?;
+        let moment = Moment { time, error: error(&row, 3)?, energy };
+        match courses.iter().position(|course| course.name == row.word(0) && course.origin == origin) {
+            Some(index) if courses[index].moments.last().is_some_and(|last| last.time >= time) => {
+                return Err(row.problem(2, LATER));
+            }
+            Some(index) => courses[index].moments.push(moment),
+            None if courses.len() == MOST_CURVES => return Err(row.problem(0, &format!("at most {MOST_CURVES} methods"))),
+            None => courses.push(Course { name: row.word(0), origin, moments: vec![moment] }),
+        }
+    }
+    Ok(OverTime { step, courses })
 }
 
 /// The methods by hand of the scene π are the values of N, which stand in one table: a row a step.
@@ -261,6 +231,8 @@ mod tests {
             tolerance: 1.0 / 300.0,
             shipped_step: 1.0 / 120.0,
             alike: true,
+            note: String::new(),
+            over_time: None,
             curves: vec![
                 curve("Euler, explicit", Origin::Lab, vec![point(0.1, 10.0 / 3.0, f64::INFINITY), point(0.05, 7.0, 0.1 + 0.2)]),
                 curve("shipped engine", Origin::Shipped, vec![point(1.0 / 120.0, 50.0, 0.0)]),
@@ -315,12 +287,12 @@ mod tests {
             ),
             (
                 "scenes.csv",
-                Some("scene,title,error,work,tolerance,shipped_step,alike\n../x,t,e,w,1,1,true\n"),
+                Some("scene,title,error,work,tolerance,shipped_step,alike,note,over_time\n../x,t,e,w,1,1,true,,\n"),
                 "scenes.csv:2: column \"scene\": found \"../x\", expected a name of letters a to z, digits and -",
             ),
             (
                 "scenes.csv",
-                Some("scene,title,error,work,tolerance,shipped_step,alike\n"),
+                Some("scene,title,error,work,tolerance,shipped_step,alike,note,over_time\n"),
                 "scenes.csv: expected a row a scene, found none",
             ),
             (

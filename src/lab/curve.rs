@@ -1,5 +1,7 @@
 //! What measuring a scene gives: the numbers behind a diagram.
 
+use super::course::OverTime;
+
 /// One run of a method at one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
@@ -20,6 +22,11 @@ impl Point {
 
 /// Errors beyond this are no answer any more, whatever their unit.
 const BLOWN_UP: f64 = 1e4;
+
+/// Errors of which an order is read: below stands rounding, above the motion's own size.
+const FITTED: std::ops::RangeInclusive<f64> = 1e-11..=1.0;
+/// Slopes that differ by more are no order.
+const ALIKE: f64 = 0.25;
 
 /// Steps, work and tolerances: outside, a number is a slip, and logarithmic axes to it would have no end.
 pub const NUMBERS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
@@ -65,8 +72,31 @@ pub struct Measured {
     pub shipped_step: f64,
     /// Whether all methods answer the same question.
     pub alike: bool,
+    /// What a reader should know; empty where that is nothing.
+    pub note: String,
     /// All methods.
     pub curves: Vec<Curve>,
+    /// How they fare meanwhile, where the scene was followed.
+    pub over_time: Option<OverTime>,
+}
+
+impl Curve {
+    /// The order of convergence p: halving the step divides the error by 2ᵖ. It is the median of the slopes between neighbouring steps,
+    /// where the error is neither of the motion's own size nor rounding; nothing where these disagree, or are fewer than two.
+    pub fn order(&self) -> Option<f64> {
+        let pairs = self.points.windows(2).filter(|pair| pair.iter().all(|point| FITTED.contains(&point.error)));
+        let slope = |pair: &[Point]| (pair[0].error / pair[1].error).ln() / (pair[0].step / pair[1].step).ln();
+        let mut slopes: Vec<f64> = pairs.map(slope).filter(|slope| slope.is_finite()).collect();
+        slopes.sort_by(f64::total_cmp);
+        let (least, most) = (slopes.first()?, slopes.last()?);
+        let median = slopes[slopes.len() / 2];
+        (slopes.len() > 1 && most - least <= ALIKE && median >= 1.0 - ALIKE).then_some(median)
+    }
+
+    /// The point with the finest step of which an order is read.
+    pub fn finest_fitted(&self) -> Option<Point> {
+        self.points.iter().rev().copied().find(|point| FITTED.contains(&point.error))
+    }
 }
 
 impl Measured {
@@ -106,3 +136,28 @@ impl Measured {
 const SAME_STEP: f64 = 1e-6;
 /// Errors up to this are none but rounding: which of two is smaller says nothing.
 const EXACT: f64 = 1e-9;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_order_is_read_where_there_is_one() {
+        let curve = |errors: &[f64]| Curve {
+            name: String::new(),
+            origin: Origin::Lab,
+            points: errors
+                .iter()
+                .enumerate()
+                .map(|(i, error)| Point { step: 0.5f64.powi(i as i32), work: 1.0, error: *error })
+                .collect(),
+        };
+        // The first is no error of the method any more, the last two are rounding.
+        let second = curve(&[3.0, 0.4, 0.1, 0.025, 0.00625, 1e-13, 3e-13]);
+        assert!((second.order().unwrap() - 2.0).abs() < 1e-9);
+        assert_eq!(curve(&[0.1, 0.02, 0.019, 0.001]).order(), None);
+        assert_eq!(curve(&[0.1, 0.05]).order(), None, "a single slope is no fit");
+        assert_eq!(curve(&[0.1, 0.1, 0.1]).order(), None);
+        assert_eq!(curve(&[f64::NAN, f64::INFINITY, 0.0]).order(), None);
+    }
+}

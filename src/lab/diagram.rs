@@ -2,7 +2,7 @@
 //! on the upper edge is a run that blew up; a point on the lower edge has no error but rounding, or none.
 
 use super::axes::{Axes, LEAST_ERROR, number, power};
-use super::curve::{Measured, Point};
+use super::curve::{Curve, Measured, Point};
 use super::look::{FRAME, GOOD, Look, Marker, RING, SHIPPED, TEXT, TOLERANCE_DASH};
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -11,19 +11,22 @@ use std::error::Error;
 // Sizes of type are given as the plotting library wants them: it writes 1/1.24 of them.
 
 /// Pixels.
-const SIZE: (u32, u32) = (1040, 600);
+pub(super) const SIZE: (u32, u32) = (1040, 600);
 /// Pixels. Where the legend begins.
-const LEGEND: i32 = 740;
+pub(super) const LEGEND: i32 = 740;
 /// Pixels between the legend's lines.
-const LINE: i32 = 26;
+pub(super) const LINE: i32 = 26;
+
+/// Pixels. What the number of an order takes up.
+const ORDER: (i32, i32) = (24, 13);
 
 // The game's notebook at night.
-const GROUND: u32 = 0x10141B;
-const GRID: u32 = 0x1A2130;
-const HEAVY_GRID: u32 = 0x2C3648;
-const QUIET: u32 = 0x93A0B4;
+pub(super) const GROUND: u32 = 0x10141B;
+pub(super) const GRID: u32 = 0x1A2130;
+pub(super) const HEAVY_GRID: u32 = 0x2C3648;
+pub(super) const QUIET: u32 = 0x93A0B4;
 
-const fn rgb(hex: u32) -> RGBColor {
+pub(super) const fn rgb(hex: u32) -> RGBColor {
     RGBColor((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
 }
 
@@ -42,19 +45,21 @@ pub fn svg(measured: &Measured) -> Result<String, Box<dyn Error>> {
     Ok(text)
 }
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
+pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub(super) type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
 
 fn draw<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
     let heading = ("sans-serif", 24).into_font().color(&rgb(TEXT));
     root.draw_text(&measured.title, &heading, (24, 18))?;
+    let note = ("sans-serif", 16).into_font().color(&rgb(QUIET));
+    root.draw_text(&measured.note, &note, (24, 46))?;
     let (left, _) = root.split_horizontally(LEGEND - 16);
     let axes = Axes::of(measured);
     let (xs, ys) = (axes.work.range(), axes.error.range());
     let top = ys.end;
     let place = |point: &Point| (point.work, if point.blew_up() { top } else { point.error.clamp(LEAST_ERROR, top) });
     let mut chart = ChartBuilder::on(&left)
-        .margin_top(56)
+        .margin_top(if measured.note.is_empty() { 56 } else { 76 })
         .margin_left(16)
         .margin_right(16)
         .margin_bottom(12)
@@ -79,8 +84,15 @@ fn draw<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
     let tolerance = [(xs.start, measured.tolerance), (xs.end, measured.tolerance)];
     let (on, off) = TOLERANCE_DASH;
     chart.draw_series(DashedLineSeries::new(tolerance, on, off, rgb(GOOD).stroke_width(2)))?;
+    let mut orders: Vec<(i32, i32)> = Vec::new();
     for (index, curve) in measured.curves.iter().enumerate() {
         let look = Look::of(index, curve);
+        if let Some((order, point)) = curve.order().zip(curve.finest_fitted()) {
+            let at = free_place(chart.backend_coord(&place(&point)), &orders);
+            let style = ("sans-serif", 15).into_font().color(&rgb(look.colour));
+            root.draw_text(&format!("{order:.1}"), &style, at)?;
+            orders.push(at);
+        }
         let line: Vec<_> = curve.points.iter().filter(|point| !point.blew_up()).map(place).collect();
         match look.dash {
             _ if line.len() < 2 => {}
@@ -109,22 +121,11 @@ fn legend<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
     let mut y = 64;
     for (index, curve) in measured.curves.iter().enumerate() {
         let look = Look::of(index, curve);
-        let (from, to) = ((LEGEND, y), (LEGEND + 36, y));
-        match look.dash {
-            None => root.draw(&PathElement::new(vec![from, to], stroke(&look)))?,
-            Some((on, off)) => {
-                let mut x = from.0;
-                while x < to.0 {
-                    let end = (x + on as i32).min(to.0);
-                    root.draw(&PathElement::new(vec![(x, y), (end, y)], stroke(&look)))?;
-                    x = end + off as i32;
-                }
-            }
-        }
+        sample(root, &look, y)?;
         for piece in polygons((LEGEND + 18, y), look.marker, look.colour) {
             root.draw(&piece)?;
         }
-        root.draw_text(&curve.name, &style, (LEGEND + 46, y - 8))?;
+        root.draw_text(&with_order(curve), &style, (LEGEND + 46, y - 8))?;
         y += LINE;
     }
     y += LINE / 2;
@@ -164,12 +165,39 @@ fn legend<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
     Ok(())
 }
 
-fn stroke(look: &Look) -> ShapeStyle {
+/// A piece of a curve's line, in the legend.
+pub(super) fn sample<'a>(root: &Area<'a>, look: &Look, y: i32) -> Drawn<'a> {
+    let (from, to) = (LEGEND, LEGEND + 36);
+    let Some((on, off)) = look.dash else { return root.draw(&PathElement::new(vec![(from, y), (to, y)], stroke(look))) };
+    let mut x = from;
+    while x < to {
+        let end = (x + on as i32).min(to);
+        root.draw(&PathElement::new(vec![(x, y), (end, y)], stroke(look)))?;
+        x = end + off as i32;
+    }
+    Ok(())
+}
+
+/// A curve's name, and its order where one is seen.
+pub fn with_order(curve: &Curve) -> String {
+    curve.order().map_or_else(|| curve.name.clone(), |order| format!("{}, order {order:.1}", curve.name))
+}
+
+/// Where an order is written: right of its point, or below what stands there.
+fn free_place((x, y): (i32, i32), taken: &[(i32, i32)]) -> (i32, i32) {
+    let mut at = (x + 10, y - 6);
+    while taken.iter().any(|other| (other.0 - at.0).abs() < ORDER.0 && (other.1 - at.1).abs() < ORDER.1) {
+        at.1 += ORDER.1;
+    }
+    at
+}
+
+pub(super) fn stroke(look: &Look) -> ShapeStyle {
     rgb(look.colour).stroke_width(look.width)
 }
 
 /// What a marker is made of, around a pixel.
-fn polygons((x, y): (i32, i32), marker: Marker, colour: u32) -> impl Iterator<Item = Polygon<(i32, i32)>> {
+pub(super) fn polygons((x, y): (i32, i32), marker: Marker, colour: u32) -> impl Iterator<Item = Polygon<(i32, i32)>> {
     marker.pieces().into_iter().map(move |piece| {
         let corners: Vec<(i32, i32)> = piece.into_iter().map(|(dx, dy)| (x + dx.round() as i32, y + dy.round() as i32)).collect();
         Polygon::new(corners, rgb(colour).filled())
@@ -194,7 +222,7 @@ fn label(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::curve::{Curve, Origin};
+    use crate::lab::curve::Origin;
 
     #[test]
     fn a_diagram_has_its_words_as_text_and_no_bad_numbers() {
@@ -208,6 +236,8 @@ mod tests {
             tolerance: 1e-3,
             shipped_step: 0.01,
             alike: true,
+            note: String::new(),
+            over_time: None,
             curves: vec![
                 curve("wild", Origin::Lab, vec![point(0.1, 10.0, f64::NAN), point(0.01, 100.0, 1e-2)]),
                 curve("ours", Origin::Shipped, vec![point(0.01, 50.0, 0.0)]),

@@ -10,7 +10,7 @@ macro_rules! kept {
 }
 
 /// Names and texts.
-const FILES: [(&str, &str); 31] = kept![
+const FILES: [(&str, &str); 35] = kept![
     "setting",
     "scenes",
     "stress",
@@ -22,6 +22,8 @@ const FILES: [(&str, &str); 31] = kept![
     "liquid",
     "projectile",
     "gust",
+    "oscillator",
+    "oscillator-energy",
     "slide",
     "bounce-perfect",
     "bounce-apexes",
@@ -42,6 +44,8 @@ const FILES: [(&str, &str); 31] = kept![
     "bounce-fourth",
     "column-100",
     "wall-10-km-s",
+    "oscillator-energy-over-time",
+    "bounce-perfect-over-time",
 ];
 
 /// Reads them.
@@ -67,6 +71,9 @@ mod tests {
         let scenes: Vec<&str> = scenes::all().iter().map(|scene| scene.name).collect();
         // Behind those of the lab stand the scenes that only engines take part in.
         assert_eq!(kept[..scenes.len()], scenes);
+        let followed = charts.diagrams.iter().filter(|measured| measured.over_time.is_some());
+        let kept: Vec<String> =
+            kept.iter().map(|name| (*name).to_owned()).chain(followed.map(|m| format!("{}-over-time", m.name))).collect();
         let listed: Vec<&str> = FILES[3..].iter().map(|(name, _)| name.trim_end_matches(".csv")).collect();
         assert_eq!(listed, kept, "docs/charts/scenes.csv names other files than are listed here");
         assert!(!charts.stress.is_empty());

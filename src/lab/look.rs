@@ -36,9 +36,11 @@ impl Look {
     /// How the curve of that index looks. Other engines are white, ours has the accent's colour.
     pub fn of(index: usize, curve: &Curve) -> Self {
         let marker = Marker::ALL[index % Marker::ALL.len()];
+        // One further each time the colours begin again, so that no two of many curves share both.
+        let dash = DASHES[(index + index / COLOURS.len()) % DASHES.len()];
         match curve.origin {
             Origin::Shipped => Self { colour: SHIPPED, dash: None, marker: Marker::Star, width: 3 },
-            Origin::Lab => Self { colour: COLOURS[index % COLOURS.len()], dash: DASHES[index % DASHES.len()], marker, width: 2 },
+            Origin::Lab => Self { colour: COLOURS[index % COLOURS.len()], dash, marker, width: 2 },
             Origin::Peer => Self { colour: TEXT, dash: DASHES[2], marker, width: 1 },
         }
     }

@@ -6,12 +6,14 @@
 //! - [`stress`]: where methods fail: the largest value that each survives.
 //! - [`side_by_side`]: two methods on a scene, to be watched.
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
-//! - [`curve`]: the numbers behind a diagram. [`charts`]: all that one run measured, as CSV and back; [`kept`]: the run that comes with
+//! - [`curve`]: the numbers behind a diagram; [`course`]: error and energy over time. [`charts`]: all that one run measured, as CSV and back; [`kept`]: the run that comes with
 //!   the game; [`peers`]: other engines' points.
-//! - [`axes`] and [`look`]: what a diagram is made of, on paper and on the screen. [`diagram`]: as SVG. [`report`]: the summary.
+//! - [`axes`], [`timeline`] and [`look`]: what a diagram is made of, on paper and on the screen. [`diagram`] and [`course_diagram`]: as SVG. [`report`]: the summary.
 
 pub mod axes;
 pub mod charts;
+pub mod course;
+pub mod course_diagram;
 pub mod curve;
 pub mod diagram;
 pub mod kept;
@@ -20,11 +22,13 @@ pub mod methods;
 pub mod peers;
 pub mod reference;
 pub mod report;
+mod rows;
 mod scene;
 pub mod scenes;
 mod shipped;
 pub mod side_by_side;
 pub mod stress;
+pub mod timeline;
 
 pub use scene::{Method, Scene};
 

@@ -73,6 +73,8 @@ impl Family {
             tolerance: self.tolerance,
             shipped_step: step,
             alike: !self.sizes,
+            note: String::new(),
+            over_time: None,
             curves: Vec::new(),
         }
     }

@@ -1,8 +1,9 @@
 //! What a run found, in writing: a page with all tables and diagrams, and which method is the cheapest in each scene.
 
 use super::axes::{number, step};
-use super::charts::{Charts, table};
+use super::charts::Charts;
 use super::curve::{Curve, Measured, Origin, Point};
+use super::rows::table;
 use std::fmt::Write;
 
 /// What the shipped engine costs in a scene, beside the cheapest there.
@@ -86,6 +87,9 @@ pub fn summary(charts: &Charts) -> String {
     for measured in diagrams {
         let name = &measured.name;
         let _ = writeln!(text, "\n<a id=\"{name}\"></a>\n![{}]({name}.svg)\n\n[numbers]({name}.csv)", measured.title);
+        if measured.over_time.is_some() {
+            let _ = writeln!(text, "\n![{}, over time]({name}-over-time.svg)\n\n[numbers]({name}-over-time.csv)", measured.title);
+        }
     }
     text
 }
@@ -94,7 +98,9 @@ pub fn summary(charts: &Charts) -> String {
 fn verdicts(text: &mut String, diagrams: &[Measured]) {
     text.push_str("## What the shipped engine costs, and what is cheapest\n\n");
     let all: Vec<Verdict<'_>> = diagrams.iter().filter_map(Verdict::of).collect();
-    let alike = || all.iter().filter(|verdict| verdict.measured.alike);
+    // Scenes in which only engines take part say nothing about loops by hand.
+    let has_loop = |measured: &Measured| measured.curves.iter().any(|curve| curve.origin == Origin::Lab);
+    let alike = || all.iter().filter(|verdict| verdict.measured.alike && has_loop(verdict.measured));
     let by_hand = |best: &Option<(&Curve, Point)>| best.is_some_and(|(curve, _)| curve.origin == Origin::Lab);
     let (scenes, loses) = (alike().count(), alike().filter(|verdict| by_hand(&verdict.cheapest)).count());
     let still = alike().filter(|verdict| by_hand(&verdict.as_exact)).count();

@@ -1,6 +1,7 @@
 //! A scene: a question with an exact answer, and the methods that are to answer it.
 
 use super::TOLERANCE;
+use super::course::Moment;
 
 /// The ladder of steps, s. The game's tick is among them.
 pub(super) const LADDER: [f64; 7] = [1.0 / 15.0, 1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0, 1.0 / 480.0, 1.0 / 960.0];
@@ -28,6 +29,8 @@ pub struct Scene {
     pub shipped_step: f64,
     /// Whether all methods answer the same question, so that the cheapest right one can be named.
     pub alike: bool,
+    /// What a reader of its diagram should know; empty where that is nothing.
+    pub note: &'static str,
     /// What answers it; the shipped engine is the last.
     pub methods: Vec<Method>,
 }
@@ -40,6 +43,8 @@ pub struct Method {
     pub shipped: bool,
     /// Runs the whole scene at a step (s) and returns the error.
     pub run: Box<dyn Fn(f64) -> f64>,
+    /// Runs it at a step (s) and tells how it fares meanwhile, where the scene is one to be followed.
+    pub course: Option<Box<dyn Fn(f64) -> Vec<Moment>>>,
 }
 
 impl Scene {
@@ -55,6 +60,7 @@ impl Scene {
             steps: LADDER.to_vec(),
             shipped_step: 1.0 / crate::game::TICK_RATE,
             alike: true,
+            note: "",
             methods: Vec::new(),
         }
     }
@@ -64,15 +70,41 @@ impl Scene {
         Self { error, ..self }
     }
 
+    /// With another error that nobody sees, in the error's unit.
+    pub(super) fn within(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// With other steps, s.
+    pub(super) fn at_steps(self, steps: &[f64]) -> Self {
+        Self { steps: steps.to_vec(), ..self }
+    }
+
+    /// With something that a reader of its diagram should know.
+    pub(super) fn noting(self, note: &'static str) -> Self {
+        Self { note, ..self }
+    }
+
     /// With one method more.
-    pub(super) fn method(mut self, name: impl Into<String>, run: impl Fn(f64) -> f64 + 'static) -> Self {
-        self.methods.push(Method { name: name.into(), shipped: false, run: Box::new(run) });
-        self
+    pub(super) fn method(self, name: impl Into<String>, run: impl Fn(f64) -> f64 + 'static) -> Self {
+        self.with(name.into(), false, Box::new(run))
     }
 
     /// With the engine as it is shipped.
-    pub(super) fn shipped(mut self, run: impl Fn(f64) -> f64 + 'static) -> Self {
-        self.methods.push(Method { name: "shipped engine".to_owned(), shipped: true, run: Box::new(run) });
+    pub(super) fn shipped(self, run: impl Fn(f64) -> f64 + 'static) -> Self {
+        self.with("shipped engine".to_owned(), true, Box::new(run))
+    }
+
+    fn with(mut self, name: String, shipped: bool, run: Box<dyn Fn(f64) -> f64>) -> Self {
+        self.methods.push(Method { name, shipped, run, course: None });
+        self
+    }
+
+    /// The last of the methods tells how it fares while the scene runs.
+    pub(super) fn over_time(mut self, course: impl Fn(f64) -> Vec<Moment> + 'static) -> Self {
+        if let Some(method) = self.methods.last_mut() {
+            method.course = Some(Box::new(course));
+        }
         self
     }
 }

@@ -44,6 +44,13 @@ pub(super) fn in_liquid(viscous: f64, density: f64, mass: f64, gravity: f64, sta
     WorldDef { gravity, air_density: 0.0, bodies: vec![body], fluids: vec![fluid], ..WorldDef::default() }
 }
 
+/// A world with one body on a wide and deep liquid whose surface is at y = 0.
+pub(super) fn on_water(gravity: f64, density: f64, body: BodyDef) -> WorldDef {
+    let zone = Aabb::new(DVec2::new(-1e3, 0.0), DVec2::new(1e3, 1e3));
+    let fluid = FluidDef { zone, density, viscosity: 0.0 };
+    WorldDef { gravity, air_density: 0.0, bodies: vec![body], fluids: vec![fluid], ..WorldDef::default() }
+}
+
 /// Where that body is after `seconds`, in the ground's frame.
 pub(super) fn flight(law: &Law, start: Point, seconds: f64, h: f64) -> Point {
     run(in_air(law, start), seconds, h).map_or(Point { x: DVec2::NAN, v: DVec2::NAN }, |world| {

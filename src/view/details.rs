@@ -5,9 +5,10 @@ use super::arrows::{self, Arrow, Label, newton_seconds_a_metre, newtons_a_metre,
 use super::boxes::{self, Wish, covers_none};
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
-use super::facts::{Facts, Value, facts, number_width, quantity};
+use super::facts::{Facts, Value, facts};
 use super::hud::HudLayout;
 use super::layout::{Area, CORNER, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
+use super::quantity::{number_width, quantity};
 use super::theme::{self, faded};
 use crate::game::{Game, SHIP};
 use crate::level::Text;
@@ -17,9 +18,9 @@ use crate::physics::{Aabb, BodyId, DVec2};
 const PADDING: Vec2 = Vec2::new(2.0 * GRID, GRID);
 /// Characters of the longest name in a box, and of the longest unit, with the space before each of the two other columns.
 const NAME_WIDTH: usize = 15;
-const UNIT_WIDTH: usize = 5;
-/// Numbers are given room for this many characters at least, so that boxes seldom change their width: "−9999.9".
-const NUMBER_WIDTH: usize = 7;
+const UNIT_WIDTH: usize = 6;
+/// Numbers are given room for this many characters at least, so that boxes seldom change their width: "−0.123".
+const NUMBER_WIDTH: usize = 6;
 /// The longest line of the legend, characters: longer ones are wrapped, so that it leaves room for the boxes.
 const LEGEND_WIDTH: usize = 46;
 /// About the mean width of a letter of the sans face, in heights of the text.

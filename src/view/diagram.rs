@@ -7,6 +7,7 @@ use super::{theme, widgets};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
 use crate::lab::curve::{Measured, Point};
+use crate::lab::diagram::with_order;
 use crate::lab::look::{FRAME, Look, Marker, RING, TOLERANCE_DASH};
 use macroquad::color::Color;
 
@@ -51,14 +52,15 @@ pub fn draw(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
     if let Some((_, point)) = measured.cheapest() {
         frame(canvas, plot.at(&point));
     }
-    legend(canvas, plot, measured, picked);
+    legend_of_curves(canvas, plot, measured, picked.curve);
+    legend_of_marks(canvas, plot, measured);
     if let Some(point) = picked.point {
         tip(canvas, plot, measured, point);
     }
 }
 
 /// A colour, or what is left of it on a panel.
-fn shade(colour: Color, whole: bool) -> Color {
+pub(super) fn shade(colour: Color, whole: bool) -> Color {
     let part = if whole { 1.0 } else { QUIETED };
     let mix = |a: f32, b: f32| a * part + b * (1.0 - part);
     Color::new(mix(colour.r, theme::panel().r), mix(colour.g, theme::panel().g), mix(colour.b, theme::panel().b), 1.0)
@@ -88,10 +90,11 @@ fn axes(canvas: &Canvas, plot: &Plot, measured: &Measured) {
     }
     let words = Style::new(TEXT, theme::text()).middle();
     canvas.text(&measured.error, Vec2::new(area.min.x, area.min.y - 22.0), words);
+    canvas.text(&measured.note, Vec2::new(end.x, area.min.y - 22.0), quiet.right());
     canvas.text(&measured.work, Vec2::new(area.centre().x, end.y + 44.0), words.centred());
 }
 
-fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Color) {
+pub(super) fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Color) {
     let width = look.width as f32;
     match look.dash {
         None => line.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], width, colour)),
@@ -99,7 +102,7 @@ fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Color) {
     }
 }
 
-fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), width: f32, colour: Color) {
+pub(super) fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), width: f32, colour: Color) {
     for (from, to) in dashes(line, on as f32, off as f32) {
         canvas.line(from, to, width, colour);
     }
@@ -116,28 +119,35 @@ fn frame(canvas: &Canvas, at: Vec2) {
     canvas.rounded_edge(Area::around(at, Vec2::splat(2.0 * FRAME + 2.0)), 0.0, 2.0, theme::good());
 }
 
-fn legend(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
-    let places = |line: usize| {
-        let area = plot.legend(line);
-        let y = area.centre().y;
-        (area, Vec2::new(area.min.x + SAMPLE / 2.0, y), Vec2::new(area.min.x + WORDS, y))
-    };
+/// A line of the legend: all of it, the middle of its sample, and where its words begin.
+fn line_of(plot: &Plot, line: usize) -> (Area, Vec2, Vec2) {
+    let area = plot.legend(line);
+    let y = area.centre().y;
+    (area, Vec2::new(area.min.x + SAMPLE / 2.0, y), Vec2::new(area.min.x + WORDS, y))
+}
+
+/// The curves by name; one of them may be picked out.
+pub(super) fn legend_of_curves(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Option<usize>) {
     for (index, curve) in measured.curves.iter().enumerate() {
-        let (area, middle, words) = places(index);
-        if picked.curve == Some(index) {
+        let (area, middle, words) = line_of(plot, index);
+        if picked == Some(index) {
             canvas.rounded(area, 6.0, theme::panel_hover());
         }
-        let whole = picked.curve.is_none_or(|picked| picked == index);
+        let whole = picked.is_none_or(|picked| picked == index);
         let look = Look::of(index, curve);
         let colour = shade(theme::rgb(look.colour), whole);
         stroke(canvas, &[Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y)], &look, colour);
         marker(canvas, middle, look.marker, colour);
-        canvas.text(&curve.name, words, Style::new(TEXT, shade(theme::text(), whole)).middle());
+        canvas.text(&with_order(curve), words, Style::new(TEXT, shade(theme::text(), whole)).middle());
     }
+}
+
+/// What the marks mean that are not curves.
+fn legend_of_marks(canvas: &Canvas, plot: &Plot, measured: &Measured) {
     let quiet = Style::new(TEXT, theme::quiet()).middle();
     let mut line = measured.curves.len();
     let mut note = |sample: &dyn Fn(Area, Vec2), text: &str| {
-        let (area, middle, words) = places(line);
+        let (area, middle, words) = line_of(plot, line);
         // Half a line stands between the curves and the notes.
         let down = Vec2::new(0.0, area.size.y / 2.0);
         sample(Area { min: area.min + down, ..area }, middle + down);

@@ -1,4 +1,4 @@
-//! What the details box of a body says: read off the world's own state, one decimal place, nothing computed anew.
+//! What the details box of a body says: read off the world's own state, nothing computed anew. How it is written is not here.
 
 use crate::game::{Game, SHIP, obstacle_name};
 use crate::level::Look;
@@ -173,7 +173,7 @@ fn title(game: &Game, id: BodyId) -> String {
     format!("{kind} {}", id.0)
 }
 
-/// A number to one decimal place with a true minus sign; what rounds to zero has no sign.
+/// A figure for authors, to one decimal place with a true minus sign; what rounds to zero has no sign.
 pub fn number(value: f64) -> String {
     let plain = format!("{value:.1}");
     match plain.strip_prefix('-') {
@@ -181,27 +181,6 @@ pub fn number(value: f64) -> String {
         Some(size) => format!("−{size}"),
         None => plain,
     }
-}
-
-/// The numbers of a row, each in a field of `width` characters so that decimal points lie below each other, and the unit.
-pub fn quantity(row: &Row, width: usize) -> String {
-    match &row.value {
-        Value::Scalar(value) => format!(" {:>width$}  {:width$}  {}", number(*value), "", row.unit),
-        Value::Words(words) => words.clone(),
-        Value::Vector(v) => format!("({:>width$}, {:>width$}) {}", number(v.x), number(v.y), row.unit),
-    }
-}
-
-/// The width of the longest number in the rows, but at least `least`, characters.
-pub fn number_width(rows: &[Row], least: usize) -> usize {
-    let length = |value: f64| number(value).chars().count();
-    rows.iter()
-        .map(|row| match &row.value {
-            Value::Scalar(value) => length(*value),
-            Value::Words(_) => 0,
-            Value::Vector(v) => length(v.x).max(length(v.y)),
-        })
-        .fold(least, usize::max)
 }
 
 #[cfg(test)]
@@ -215,24 +194,6 @@ mod tests {
         assert_eq!(number(-0.04), "0.0");
         assert_eq!(number(-0.0), "0.0");
         assert_eq!(number(-0.06), "−0.1");
-    }
-
-    #[test]
-    fn decimal_points_lie_below_each_other() {
-        let row = |name, value, unit| Row { name, value, unit, shown: None };
-        let rows = [
-            row("Mass", Value::Scalar(100.0), "kg"),
-            row("Velocity", Value::Vector(DVec2::new(-12.34, 0.0)), "m/s"),
-            row("Resultant", Value::Vector(DVec2::new(0.0, -123_456.7)), "N"),
-        ];
-        let width = number_width(&rows, 7);
-        assert_eq!(width, 9);
-        let lines: Vec<Vec<char>> = rows.iter().map(|row| quantity(row, width).chars().collect()).collect();
-        let dots = |line: &[char]| line.iter().enumerate().filter(|(_, c)| **c == '.').map(|(i, _)| i).collect::<Vec<_>>();
-        assert_eq!(dots(&lines[1]), dots(&lines[2]));
-        assert_eq!(dots(&lines[0])[0], dots(&lines[1])[0]);
-        let unit = |line: &[char], unit: char| line.iter().rposition(|c| *c == unit);
-        assert_eq!(unit(&lines[0], 'k'), unit(&lines[2], 'N'));
     }
 
     #[test]

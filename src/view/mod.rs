@@ -47,6 +47,8 @@ pub mod particles;
 #[cfg(feature = "window")]
 pub mod pictures;
 #[cfg(feature = "window")]
+pub mod quantity;
+#[cfg(feature = "window")]
 pub mod shapes;
 #[cfg(feature = "window")]
 pub mod sound;
@@ -54,6 +56,8 @@ pub mod sound;
 pub mod theme;
 #[cfg(feature = "window")]
 pub mod things;
+#[cfg(feature = "window")]
+pub mod timeline;
 #[cfg(feature = "window")]
 pub mod touchdown;
 #[cfg(feature = "window")]

@@ -116,6 +116,8 @@ mod tests {
             tolerance: 1e-3,
             shipped_step: 0.1,
             alike: true,
+            note: String::new(),
+            over_time: None,
             curves: vec![curve],
         };
         let plot = Plot::of(Area::new(24.0, 104.0, 1232.0, 488.0), &measured);

@@ -1,8 +1,9 @@
-//! Smooth motion: one step of length h of a point under v′ = A − (k·|u| + c)·u, u = v − w, by each of the usual integrators.
+//! Smooth motion: one step of length h of a point under v′ = A − s·x − (k·|u| + c)·u, u = v − w, by each of the usual integrators.
 //!
-//! Nothing here looks at errors: a step is taken as the textbook has it, also where it fails. Sources: E. Hairer, C. Lubich,
-//! G. Wanner, *Geometric Numerical Integration*, I.1 (Euler's methods, Verlet), II.5 (splitting); E. Hairer, S. Nørsett, G. Wanner,
-//! *Solving Ordinary Differential Equations I*, II.1 (RK4).
+//! Nothing here but the adaptive method looks at errors: a step is taken as the textbook has it, also where it fails. Sources:
+//! E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, I.1 (Euler's methods, Verlet), II.5 (splitting); E. Hairer,
+//! S. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.1 (midpoint, Heun, RK4), II.4 (control of the step);
+//! P. Bogacki, L. F. Shampine, "A 3(2) pair of Runge–Kutta formulas", Applied Mathematics Letters 2 (1989) 321–325.
 
 use crate::physics::DVec2;
 
@@ -17,6 +18,8 @@ pub struct Law {
     pub viscous: f64,
     /// Velocity of the air w, m/s.
     pub wind: DVec2,
+    /// A force back to the origin in proportion to the way, s, 1/s²: what floats, or hangs on a spring, swings with ω = √s.
+    pub spring: f64,
 }
 
 /// Place (m) and velocity (m/s).
@@ -32,21 +35,34 @@ pub struct Point {
 pub type Step = fn(&Law, Point, f64) -> Point;
 
 /// Every method that steps a motion through drag, by the name that charts and tables show.
-pub const METHODS: [(&str, Step); 7] = [
+pub const METHODS: [(&str, Step); 10] = [
     ("explicit Euler", explicit_euler),
     ("semi-implicit Euler", semi_implicit_euler),
     ("velocity Verlet", velocity_verlet),
+    ("midpoint", midpoint),
+    ("Heun", heun),
     ("RK4", rk4),
+    ("adaptive 3(2)", adaptive),
     ("linearised drag", linearised_drag),
     ("exact drag (Lie)", exact_decay),
     ("Strang", strang),
 ];
 
 impl Law {
-    /// Acceleration at velocity `v`, m/s².
-    pub fn acceleration(&self, v: DVec2) -> DVec2 {
+    /// Acceleration at place `x` (m) and velocity `v` (m/s), m/s².
+    pub fn acceleration(&self, Point { x, v }: Point) -> DVec2 {
         let u = v - self.wind;
-        self.constant - u * (self.drag * u.length() + self.viscous)
+        self.pull(x) - u * (self.drag * u.length() + self.viscous)
+    }
+
+    /// The part that does not ask for the velocity, m/s².
+    fn pull(&self, x: DVec2) -> DVec2 {
+        self.constant - x * self.spring
+    }
+
+    /// Where a point goes from `from` in `h` seconds if its rates are those at `at` all the while.
+    fn along(&self, from: Point, at: Point, h: f64) -> Point {
+        Point { x: from.x + at.v * h, v: from.v + self.acceleration(at) * h }
     }
 }
 
@@ -57,39 +73,91 @@ pub fn follow(step: Step, law: &Law, start: Point, seconds: f64, h: f64) -> Poin
 }
 
 /// x and v both from the start of the step. First order; gains energy.
-pub fn explicit_euler(law: &Law, Point { x, v }: Point, h: f64) -> Point {
-    Point { x: x + v * h, v: v + law.acceleration(v) * h }
+pub fn explicit_euler(law: &Law, point: Point, h: f64) -> Point {
+    law.along(point, point, h)
 }
 
-/// v first, then x with the new v. First order; what most game engines do.
-pub fn semi_implicit_euler(law: &Law, Point { x, v }: Point, h: f64) -> Point {
-    let v = v + law.acceleration(v) * h;
-    Point { x: x + v * h, v }
+/// v first, then x with the new v. First order; symplectic without drag. What most game engines do.
+pub fn semi_implicit_euler(law: &Law, point: Point, h: f64) -> Point {
+    let v = point.v + law.acceleration(point) * h;
+    Point { x: point.x + v * h, v }
 }
 
-/// Second order; the acceleration at the end is taken at the velocity that Euler predicts, since drag depends on it.
-pub fn velocity_verlet(law: &Law, Point { x, v }: Point, h: f64) -> Point {
-    let a = law.acceleration(v);
-    let end = law.acceleration(v + a * h);
-    Point { x: x + v * h + a * (0.5 * h * h), v: v + (a + end) * (0.5 * h) }
+/// Second order; symplectic without drag. The acceleration at the end is taken at the velocity that Euler predicts, since drag depends
+/// on it.
+pub fn velocity_verlet(law: &Law, point: Point, h: f64) -> Point {
+    let Point { x, v } = point;
+    let a = law.acceleration(point);
+    let x = x + v * h + a * (0.5 * h * h);
+    let end = law.acceleration(Point { x, v: v + a * h });
+    Point { x, v: v + (a + end) * (0.5 * h) }
+}
+
+/// Euler to the middle of the step, whose rates hold for the whole of it. Second order.
+pub fn midpoint(law: &Law, point: Point, h: f64) -> Point {
+    law.along(point, law.along(point, point, 0.5 * h), h)
+}
+
+/// The mean of Euler's step and of one with the rates at its end. Second order.
+pub fn heun(law: &Law, point: Point, h: f64) -> Point {
+    let first = law.along(point, point, h);
+    let second = law.along(point, first, h);
+    Point { x: (first.x + second.x) * 0.5, v: (first.v + second.v) * 0.5 }
 }
 
 /// The classical Runge–Kutta method. Fourth order.
-pub fn rk4(law: &Law, Point { x, v }: Point, h: f64) -> Point {
-    let a1 = law.acceleration(v);
-    let v2 = v + a1 * (0.5 * h);
-    let a2 = law.acceleration(v2);
-    let v3 = v + a2 * (0.5 * h);
-    let a3 = law.acceleration(v3);
-    let v4 = v + a3 * h;
-    let a4 = law.acceleration(v4);
-    Point { x: x + (v + (v2 + v3) * 2.0 + v4) * (h / 6.0), v: v + (a1 + (a2 + a3) * 2.0 + a4) * (h / 6.0) }
+pub fn rk4(law: &Law, point: Point, h: f64) -> Point {
+    let Point { x, v } = point;
+    let p2 = law.along(point, point, 0.5 * h);
+    let p3 = law.along(point, p2, 0.5 * h);
+    let p4 = law.along(point, p3, h);
+    let [a1, a2, a3, a4] = [point, p2, p3, p4].map(|stage| law.acceleration(stage));
+    Point { x: x + (v + (p2.v + p3.v) * 2.0 + p4.v) * (h / 6.0), v: v + (a1 + (a2 + a3) * 2.0 + a4) * (h / 6.0) }
+}
+
+/// m/s. The error that [`adaptive`] allows itself in a second: the tolerance of a scene after ten.
+const ALLOWED: f64 = crate::lab::TOLERANCE / 10.0;
+/// s. The shortest part of a step that [`adaptive`] takes, whatever its error is.
+const SHORTEST: f64 = 1e-6;
+
+/// Bogacki and Shampine's pair of orders 3 and 2, which cuts each step into as many parts as keep the difference of the two within
+/// the allowed error a second. Its work follows the motion instead of the step.
+pub fn adaptive(law: &Law, point: Point, h: f64) -> Point {
+    let (mut point, mut left, mut part) = (point, h, h);
+    while left > 0.0 {
+        part = part.min(left);
+        let (end, error) = bogacki_shampine(law, point, part);
+        let allowed = ALLOWED * part;
+        // The difference grows with the third power of the part, what is allowed with the first; 0.9 as in the textbook. What is no
+        // number any more is cut as far as one goes at once.
+        let fits = if error.is_finite() { 0.9 * (allowed / error.max(f64::MIN_POSITIVE)).sqrt() } else { 0.0 };
+        if error <= allowed || part <= SHORTEST {
+            (point, left) = (end, if part == left { 0.0 } else { left - part });
+        }
+        part = (part * fits.clamp(0.2, 5.0)).max(SHORTEST);
+    }
+    point
+}
+
+/// One step of the pair: the end by the third order, and how far the second order is from it, m with a velocity of 1 m/s counted as 1 m.
+fn bogacki_shampine(law: &Law, point: Point, h: f64) -> (Point, f64) {
+    let p2 = law.along(point, point, 0.5 * h);
+    let p3 = law.along(point, p2, 0.75 * h);
+    let rates = [point, p2, p3].map(|stage| (stage.v, law.acceleration(stage)));
+    let mixed = |weights: &[(f64, (DVec2, DVec2))]| {
+        weights.iter().fold(Point::default(), |sum, (weight, (v, a))| Point { x: sum.x + *v * *weight, v: sum.v + *a * *weight })
+    };
+    let way = mixed(&[(2.0 / 9.0, rates[0]), (1.0 / 3.0, rates[1]), (4.0 / 9.0, rates[2])]);
+    let end = Point { x: point.x + way.x * h, v: point.v + way.v * h };
+    let last = (end.v, law.acceleration(end));
+    let apart = mixed(&[(-5.0 / 72.0, rates[0]), (1.0 / 12.0, rates[1]), (1.0 / 9.0, rates[2]), (-1.0 / 8.0, last)]);
+    (end, h * (apart.x.length_squared() + apart.v.length_squared()).sqrt())
 }
 
 /// Drag linearised to −m·u with m = k·|u| + c of the step's start, taken implicitly. First order; never diverges.
 pub fn linearised_drag(law: &Law, Point { x, v }: Point, h: f64) -> Point {
     let m = law.drag * (v - law.wind).length() + law.viscous;
-    let v = (v + (law.constant + law.wind * m) * h) / (1.0 + m * h);
+    let v = (v + (law.pull(x) + law.wind * m) * h) / (1.0 + m * h);
     Point { x: x + v * h, v }
 }
 
@@ -102,16 +170,17 @@ pub fn decay(law: &Law, v: DVec2, h: f64) -> DVec2 {
 
 /// Constant forces for h, then the exact decay of drag for h (Lie splitting). First order; never diverges.
 pub fn exact_decay(law: &Law, Point { x, v }: Point, h: f64) -> Point {
-    let v = decay(law, v + law.constant * h, h);
+    let v = decay(law, v + law.pull(x) * h, h);
     Point { x: x + v * h, v }
 }
 
-/// Half of the constant forces, the exact decay, the other half; position by the mean velocity (Strang splitting). Second order;
-/// never diverges.
+/// Half of the forces that do not ask for the velocity, the exact decay, the other half; position by the mean of the velocities before
+/// and after the decay (Strang splitting). Second order; never diverges by drag.
 pub fn strang(law: &Law, Point { x, v }: Point, h: f64) -> Point {
-    let kick = law.constant * (0.5 * h);
-    let end = decay(law, v + kick, h) + kick;
-    Point { x: x + (v + end) * (0.5 * h), v: end }
+    let before = v + law.pull(x) * (0.5 * h);
+    let after = decay(law, before, h);
+    let x = x + (before + after) * (0.5 * h);
+    Point { x, v: after + law.pull(x) * (0.5 * h) }
 }
 
 /// The exact flow of a fall (A = (0, g) with g > 0, no wind, v = (0, v) with v ≥ 0):
@@ -126,10 +195,10 @@ pub fn exact_fall(law: &Law, Point { x, v }: Point, h: f64) -> Point {
 }
 
 /// Semi-implicit Euler in `f32`: what single precision does to it.
-pub fn semi_implicit_euler_f32(law: &Law, Point { x, v }: Point, h: f64) -> Point {
+pub fn semi_implicit_euler_f32(law: &Law, point: Point, h: f64) -> Point {
     let h = h as f32;
-    let v = v.as_vec2() + law.acceleration(v).as_vec2() * h;
-    let x = x.as_vec2() + v * h;
+    let v = point.v.as_vec2() + law.acceleration(point).as_vec2() * h;
+    let x = point.x.as_vec2() + v * h;
     Point { x: x.as_dvec2(), v: v.as_dvec2() }
 }
 
@@ -143,12 +212,14 @@ mod tests {
         let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..Law::default() };
         let start = Point { x: DVec2::ZERO, v: DVec2::new(0.0, 3.0) };
         let exact = exact_fall(&law, start, 2.0).x.y;
-        let methods: [(Step, f64); 7] = [
+        let methods: [(Step, f64); 9] = [
             (explicit_euler, 1.0),
             (semi_implicit_euler, 1.0),
             (linearised_drag, 1.0),
             (exact_decay, 1.0),
             (velocity_verlet, 2.0),
+            (midpoint, 2.0),
+            (heun, 2.0),
             (strang, 2.0),
             (rk4, 4.0),
         ];
@@ -157,6 +228,51 @@ mod tests {
             let measured = (error(1.0 / 64.0) / error(1.0 / 128.0)).log2();
             assert!((measured - order).abs() < 0.15, "method {i}: order {measured}, expected {order}");
         }
+    }
+
+    /// Where nothing but a spring pulls, too: the places at which it is taken count as much as the velocities.
+    #[test]
+    fn each_method_has_its_order_on_a_spring() {
+        let law = Law { spring: 9.0, ..Law::default() };
+        let start = Point { x: DVec2::new(0.0, 1.0), v: DVec2::ZERO };
+        let exact = libm::cos(3.0 * 2.0);
+        for (step, order) in [
+            (explicit_euler as Step, 1.0),
+            (semi_implicit_euler, 1.0),
+            (linearised_drag, 1.0),
+            (exact_decay, 1.0),
+            (velocity_verlet, 2.0),
+            (midpoint, 2.0),
+            (heun, 2.0),
+            (strang, 2.0),
+            (rk4, 4.0),
+        ] {
+            let error = |h: f64| (follow(step, &law, start, 2.0, h).x.y - exact).abs();
+            let measured = (error(1.0 / 128.0) / error(1.0 / 256.0)).log2();
+            assert!((measured - order).abs() < 0.2, "order {measured}, expected {order}");
+        }
+    }
+
+    #[test]
+    fn the_pair_has_orders_three_and_two_and_keeps_what_it_allows_itself() {
+        let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..Law::default() };
+        let start = Point { x: DVec2::ZERO, v: DVec2::new(0.0, 3.0) };
+        let exact = |h: f64| exact_fall(&law, start, h).x.y;
+        // A single step: one power more than the order.
+        let (error, apart) =
+            (|h: f64| (bogacki_shampine(&law, start, h).0.x.y - exact(h)).abs(), |h: f64| bogacki_shampine(&law, start, h).1);
+        assert!(((error(0.1) / error(0.05)).log2() - 4.0).abs() < 0.3, "{}", (error(0.1) / error(0.05)).log2());
+        assert!(((apart(0.1) / apart(0.05)).log2() - 3.0).abs() < 0.3, "{}", (apart(0.1) / apart(0.05)).log2());
+        for h in [2.0, 0.5, 1.0 / 60.0] {
+            let found = follow(adaptive, &law, start, 10.0, h).x.y;
+            assert!((found - exact(10.0)).abs() < crate::lab::TOLERANCE, "{h} s");
+        }
+    }
+
+    #[test]
+    fn the_adaptive_method_ends_where_all_is_lost() {
+        let law = Law { drag: f64::MAX, ..Law::default() };
+        assert!(!adaptive(&law, Point { x: DVec2::ZERO, v: DVec2::new(1e300, 0.0) }, 1e-5).v.x.is_finite());
     }
 
     #[test]

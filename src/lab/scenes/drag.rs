@@ -46,6 +46,7 @@ pub fn rise() -> Scene {
     let start = Point { x: DVec2::ZERO, v: DVec2::new(0.0, -20.0) };
     let title = "Thrown up at 20 m/s with drag, and down again, 10 s";
     flown("rise-with-drag", title, rise_and_fall, law, start)
+        .noting("At the apex the second derivative of drag jumps: no order above 3 shows there.")
 }
 
 /// Without weight.

@@ -4,6 +4,7 @@ pub mod bouncing;
 pub mod collisions;
 pub mod drag;
 pub mod flight;
+pub mod oscillator;
 pub mod pi;
 pub mod sliding;
 pub mod stacks;
@@ -22,6 +23,8 @@ pub fn all() -> Vec<Scene> {
         drag::liquid(),
         drag::projectile(),
         drag::gust(),
+        oscillator::swing(),
+        oscillator::energy_kept(),
         sliding::to_a_stop(),
         bouncing::perfect(),
         bouncing::apexes(),

@@ -5,7 +5,7 @@ use crate::lab::methods::chain::{Chain, Solver, sweeps_needed};
 use crate::lab::methods::impact::{Block, Line};
 use crate::lab::scenes::{collisions, stacks, tunnelling};
 use crate::lab::shipped;
-use crate::physics::{BodyId, ForceKind, World};
+use crate::physics::{BodyDef, BodyId, DVec2, ForceKind, Plan, World};
 
 /// m. The overlap that a resting pair may show at any tick.
 pub const OVERLAP: f64 = 1e-6;
@@ -150,6 +150,37 @@ pub fn simultaneous_impacts() -> Vec<Survival> {
         rows = rows.method(name, range, |n| last_leaves(&cradle_by_hand(line, count(n))));
     }
     let mut rows = rows.shipped(range, |n| last_leaves(&cradle_by_engine(count(n))));
+    for row in &mut rows {
+        row.largest = row.largest.floor();
+    }
+    rows
+}
+
+/// By the shipped engine's dense method, the one for crowds, among 200 blocks that rest side by side.
+pub fn cradle_in_a_crowd(n: usize) -> Vec<f64> {
+    let mut def = shipped::line(&collisions::cradle_of(n), 1.0);
+    let resting = |i: usize| BodyDef { position: DVec2::new(i as f64, 10.0), ..BodyDef::default() };
+    def.bodies.extend((0..CROWD).map(resting));
+    let plan = Plan { dense: true, ..Plan::of(&def) };
+    let Ok(mut world) = World::with_plan(def, plan) else { return Vec::new() };
+    for _ in 0..(STRUCK / TICK).round() as u32 {
+        world.step(TICK);
+    }
+    world.bodies().iter().take(n).map(|body| body.velocity.x / collisions::STRIKE).collect()
+}
+
+/// Blocks beside the cradle in a crowd.
+const CROWD: usize = 200;
+
+/// A cradle's pattern where many others are stepped with it.
+pub fn simultaneous_impacts_in_a_crowd() -> Vec<Survival> {
+    let range = (2.0, 20.0);
+    let count = |n: f64| n.floor() as usize;
+    let mut rows = Rows::of("the same among 200 others, stepped densely", "blocks");
+    for (name, line) in collisions::METHODS {
+        rows = rows.method(name, range, |n| last_leaves(&cradle_by_hand(line, count(n))));
+    }
+    let mut rows = rows.shipped(range, |n| last_leaves(&cradle_in_a_crowd(count(n))));
     for row in &mut rows {
         row.largest = row.largest.floor();
     }

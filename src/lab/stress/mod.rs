@@ -100,8 +100,9 @@ const RESOLUTION: f64 = 1e-3;
 type Test = fn() -> Vec<Survival>;
 
 /// All tests, in the order of the report.
-pub const TESTS: [Test; 15] = [
+pub const TESTS: [Test; 17] = [
     motion::terminal_velocity,
+    motion::swings,
     motion::gust_reversal,
     motion::gust_blow_up,
     contacts::tunnelling,
@@ -113,6 +114,7 @@ pub const TESTS: [Test; 15] = [
     bouncing::zeno,
     bouncing::minute_of_bounces,
     contacts::simultaneous_impacts,
+    contacts::simultaneous_impacts_in_a_crowd,
     robustness::far_from_the_origin,
     robustness::hitch,
     robustness::nonsense,

@@ -1,7 +1,8 @@
 //! Where integrators fail: things so light that a step overshoots their terminal velocity, and gusts that turn them round.
 
 use super::{G, Rows, Survival, TICK};
-use crate::lab::methods::motion::{Law, METHODS, Point, Step, exact_fall};
+use crate::lab::methods::motion::{Law, METHODS, Point, Step, exact_fall, follow};
+use crate::lab::scenes::oscillator;
 use crate::lab::shipped;
 use crate::physics::DVec2;
 
@@ -58,11 +59,47 @@ pub fn shipped_fall_error(z: f64) -> f64 {
 /// z = g·h/v_t: above 1, half a dozen methods do not find the terminal velocity any more.
 pub fn terminal_velocity() -> Vec<Survival> {
     let range = (0.01, 1e3);
-    let mut rows = Rows::of("terminal velocity to 1 %", "z = g·h/v_t");
+    let mut rows = Rows::of("terminal velocity to 1 %", "z = g·h/v_t, with the step h");
     for (name, step) in METHODS {
         rows = rows.method(name, range, |z| fall(step, z, 0.0) == Fall::Right);
     }
     rows.method("exact flow", range, |z| fall(exact_fall, z, 0.0) == Fall::Right).shipped(range, |z| shipped_fall_error(z) <= RIGHT)
+}
+
+/// Swings that are followed.
+const SWINGS: f64 = 100.0;
+/// Relative: how right their amplitude has to stay.
+const AMPLITUDE: f64 = 0.1;
+
+/// The amplitude after a hundred swings of ω·h, over that at the start, by hand.
+pub fn swing(step: Step, turn: f64) -> f64 {
+    let law = Law { spring: (turn / TICK) * (turn / TICK), ..Law::default() };
+    let start = Point { x: DVec2::new(0.0, 1.0), v: DVec2::ZERO };
+    let steps = (SWINGS * std::f64::consts::TAU / turn).ceil();
+    oscillator::energy(&follow(step, &law, start, steps * TICK, TICK), law.spring, 1.0).sqrt()
+}
+
+/// The same of a floating box, by the shipped engine.
+pub fn shipped_swing(turn: f64) -> f64 {
+    let steps = (SWINGS * std::f64::consts::TAU / turn).ceil();
+    let omega = turn / TICK;
+    let mass = oscillator::DENSITY * oscillator::G / (omega * omega);
+    // A fifth of its depth, or of what is left above the water.
+    let depth = mass / oscillator::DENSITY;
+    let start = 0.2 * depth.min(1.0 - depth);
+    let end = oscillator::by_engine(mass, start, steps * TICK, TICK).last();
+    end.map_or(f64::NAN, |(_, point)| oscillator::energy(&point, omega * omega, start).sqrt())
+}
+
+/// ω·h: a swing is a circle that steps cut off.
+pub fn swings() -> Vec<Survival> {
+    let range = (0.09, 10.0);
+    let keeps = |amplitude: f64| (amplitude - 1.0).abs() <= AMPLITUDE;
+    let mut rows = Rows::of("amplitude of 100 swings afloat to 10 %", "ω·h, with the step h");
+    for (name, step) in oscillator::METHODS {
+        rows = rows.method(name, range, |turn| keeps(swing(step, turn)));
+    }
+    rows.shipped(range, |turn| keeps(shipped_swing(turn)))
 }
 
 /// Drag alone on something with a terminal velocity of 2 m/s.

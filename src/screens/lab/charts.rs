@@ -3,13 +3,14 @@
 use super::{Shown, body};
 use crate::lab::axes::{number, step};
 use crate::lab::charts::Charts;
+use crate::lab::course::OverTime;
 use crate::lab::curve::Measured;
 use crate::screens::{Input, Key, Toolbar};
 use crate::view::layout::{Area, Frame};
 use crate::view::plot::Plot;
 
-/// The toolbar's keys: back, the scene before, the next one, another method.
-const KEYS: [Key; 4] = [Key::Escape, Key::Left, Key::Right, Key::Down];
+/// The toolbar's keys: back, the scene before, the next one, another method, and the scene over time where it was followed.
+const KEYS: [Key; 5] = [Key::Escape, Key::Left, Key::Right, Key::Down, Key::Space];
 /// From the body's top to the diagram: its title.
 const TITLE: f32 = 40.0;
 /// From the diagram to the body's foot: what it says in words, and where it was measured.
@@ -26,23 +27,27 @@ pub struct ChartsPage {
     pointed: Option<usize>,
     /// The point under the pointer: its curve and its place in it.
     point: Option<(usize, usize)>,
+    /// Whether error and energy over time are wanted, of the scenes that have them.
+    over_time: bool,
     toolbar: Toolbar,
 }
 
 impl ChartsPage {
     pub(super) fn new(shown: Shown) -> Self {
-        Self { shown, scene: 0, picked: None, pointed: None, point: None, toolbar: Toolbar::default() }
+        Self { shown, scene: 0, picked: None, pointed: None, point: None, over_time: false, toolbar: Toolbar::default() }
     }
 
     /// One frame; whether the lab is left.
     pub(super) fn update(&mut self, input: &Input) -> bool {
-        let pressed = self.toolbar.update(input, &KEYS);
+        let followed = self.measured().is_some_and(|measured| measured.over_time.is_some());
+        let pressed = self.toolbar.update(input, &KEYS[..if followed { 5 } else { 4 }]);
         let scenes = self.shown.charts.diagrams.len();
         match pressed {
             Some(0) => return true,
             Some(1) => self.turn_to(self.scene + scenes.saturating_sub(1)),
             Some(2) => self.turn_to(self.scene + 1),
             Some(3) => self.pick(1),
+            Some(4) => self.over_time = !self.over_time,
             Some(_) | None => {}
         }
         for (key, scene) in [(Key::Home, 0), (Key::End, scenes.saturating_sub(1))] {
@@ -56,7 +61,8 @@ impl ChartsPage {
         (self.pointed, self.point) = (None, None);
         if let Some((measured, plot)) = self.measured().zip(self.plot(&input.frame)) {
             let pointed = (0..measured.curves.len()).find(|line| plot.legend(*line).contains(input.pointer));
-            (self.pointed, self.point) = (pointed, plot.point_near(measured, input.pointer));
+            let point = if self.over_time().is_some() { None } else { plot.point_near(measured, input.pointer) };
+            (self.pointed, self.point) = (pointed, point);
         }
         if input.click && self.pointed.is_some() {
             self.picked = if self.picked == self.pointed { None } else { self.pointed };
@@ -77,6 +83,11 @@ impl ChartsPage {
     /// The diagram that is shown, if there is any.
     pub fn measured(&self) -> Option<&Measured> {
         self.shown.charts.diagrams.get(self.scene)
+    }
+
+    /// Error and energy over time, where they are shown instead.
+    pub fn over_time(&self) -> Option<&OverTime> {
+        self.measured()?.over_time.as_ref().filter(|_| self.over_time)
     }
 
     /// Which of the diagrams it is, from 0.
@@ -102,6 +113,11 @@ impl ChartsPage {
     /// What the diagram says, in a line.
     pub fn verdict(&self) -> Option<String> {
         let measured = self.measured()?;
+        if self.over_time().is_some() {
+            return Some(
+                "Each point is the worst since the one before. A method that ends near the truth may have been far from it.".into(),
+            );
+        }
         let shipped = measured.shipped_point()?;
         let mut words = format!("As shipped: error {}, {} ns.", number(shipped.error), number(shipped.work));
         if let Some((curve, point)) = measured.cheapest() {
@@ -157,6 +173,7 @@ mod drawing {
     use crate::view::canvas::{Canvas, Style};
     use crate::view::diagram::{self, Picked};
     use crate::view::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
+    use crate::view::timeline;
     use crate::view::{theme, widgets};
 
     impl ChartsPage {
@@ -165,8 +182,9 @@ mod drawing {
             let panel = panel(canvas.frame());
             let (middle, widest) = (panel.centre().x, panel.size.x);
             let scenes = self.charts().diagrams.len();
-            let labels = [("Back", "Esc"), ("Previous", "←"), ("Next", "→"), ("Method", "↓")];
-            self.toolbar.draw(canvas, &labels[..]);
+            let other = if self.over_time().is_some() { "At the end" } else { "Over time" };
+            let labels = [("Back", "Esc"), ("Previous", "←"), ("Next", "→"), ("Method", "↓"), (other, "Space")];
+            self.toolbar.draw(canvas, &labels);
             let foot = panel.max().y;
             if let Some(problem) = self.problem() {
                 widgets::fitted(canvas, problem, Vec2::new(middle, foot + 42.0), widest, &[TEXT, DETAILS], theme::bad());
@@ -187,7 +205,11 @@ mod drawing {
             if self.problem().is_none() {
                 widgets::fitted(canvas, &self.source(), Vec2::new(middle, foot + 42.0), widest, &[DETAILS], theme::quiet());
             }
-            diagram::draw(canvas, &plot, measured, Picked { curve: self.picked(), point: self.point() });
+            let picked = Picked { curve: self.picked(), point: self.point() };
+            match self.over_time() {
+                Some(over_time) => timeline::draw(canvas, &plot, (measured, over_time), picked.curve),
+                None => diagram::draw(canvas, &plot, measured, picked),
+            }
         }
     }
 }

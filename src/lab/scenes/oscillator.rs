@@ -1,0 +1,147 @@
+//! What floats in a liquid without drag swings for ever: K = ρ·g·A, ω = √(K/m). Exact: y = y₀·cos ωt. Here symplectic methods show
+//! their strength: their energy swings about the right one, where that of others grows or fades.
+
+use crate::lab::course::{Moment, sampled, worst};
+use crate::lab::methods::motion::{
+    Law, Point, Step, adaptive, explicit_euler, heun, midpoint, rk4, semi_implicit_euler, velocity_verlet,
+};
+use crate::lab::{Scene, shipped};
+use crate::physics::{BodyDef, BodyId, DVec2, World};
+
+/// N/kg.
+pub const G: f64 = 9.81;
+/// kg. Of a box of 1 m, half of which is under water then.
+const MASS: f64 = 500.0;
+/// kg/m³.
+pub const DENSITY: f64 = 1000.0;
+/// m. From where it is let go, measured from where it would rest. It neither leaves the water nor goes under.
+const SWING: f64 = 0.25;
+/// s.
+const SECONDS: f64 = 10.0;
+/// Periods that the energy has to last for.
+const PERIODS: f64 = 1000.0;
+/// Steps for so many periods, s.
+const STEPS: [f64; 4] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0];
+/// Relative: an energy this far off is a swing that is half a percent too high.
+const SEEN: f64 = 0.01;
+
+/// The usual integrators; without drag, those that split it off are Verlet's and semi-implicit Euler.
+pub const METHODS: [(&str, Step); 7] = [
+    ("explicit Euler", explicit_euler),
+    ("semi-implicit Euler", semi_implicit_euler),
+    ("velocity Verlet", velocity_verlet),
+    ("midpoint", midpoint),
+    ("Heun", heun),
+    ("RK4", rk4),
+    ("adaptive 3(2)", adaptive),
+];
+
+/// ω² = ρ·g·A/m with A = 1 m², 1/s².
+fn stiffness() -> f64 {
+    DENSITY * G / MASS
+}
+
+/// s.
+fn period() -> f64 {
+    std::f64::consts::TAU / stiffness().sqrt()
+}
+
+/// Where it is after `t` seconds, m.
+fn place_at(t: f64) -> f64 {
+    SWING * libm::cos(stiffness().sqrt() * t)
+}
+
+/// Energy over what it was at the start, `swing` m away at rest, with ω² = `stiffness` 1/s²: swings have it as motion and as lift.
+pub fn energy(point: &Point, stiffness: f64, swing: f64) -> f64 {
+    (point.v.length_squared() / stiffness + point.x.length_squared()) / (swing * swing)
+}
+
+/// Of this scene's box.
+fn energy_of(point: &Point) -> f64 {
+    energy(point, stiffness(), SWING)
+}
+
+/// The times after each step and the place then.
+fn by_hand(step: Step, seconds: f64, h: f64) -> impl Iterator<Item = (f64, Point)> {
+    let law = Law { spring: stiffness(), ..Law::default() };
+    let mut point = Point { x: DVec2::new(0.0, SWING), v: DVec2::ZERO };
+    (1..=(seconds / h).round() as u64).map(move |i| {
+        point = step(&law, point, h);
+        (i as f64 * h, point)
+    })
+}
+
+/// The same with the shipped engine and a box of such a mass (kg): y counts from where it would rest, and begins at `swing` m.
+pub fn by_engine(mass: f64, swing: f64, seconds: f64, h: f64) -> impl Iterator<Item = (f64, Point)> {
+    let rest = DVec2::new(0.0, -0.5 + mass / DENSITY);
+    let body = BodyDef { position: rest + DVec2::new(0.0, swing), mass, drag: 0.0, ..BodyDef::default() };
+    let mut world = World::new(shipped::on_water(G, DENSITY, body)).ok();
+    (1..=(seconds / h).round() as u64).map(move |i| {
+        let point = world.as_mut().map_or(Point { x: DVec2::NAN, v: DVec2::NAN }, |world| {
+            world.step(h);
+            let body = world.body(BodyId(0));
+            Point { x: body.position - rest, v: body.velocity }
+        });
+        (i as f64 * h, point)
+    })
+}
+
+fn error_at_end(points: impl Iterator<Item = (f64, Point)>) -> f64 {
+    points.last().map_or(f64::NAN, |(t, point)| (point.x.y - place_at(t)).abs())
+}
+
+fn worst_energy(points: impl Iterator<Item = (f64, Point)>) -> f64 {
+    worst(points.map(|(_, point)| (energy_of(&point) - 1.0).abs()))
+}
+
+fn moments(points: impl Iterator<Item = (f64, Point)>) -> Vec<Moment> {
+    sampled(points.map(|(time, point)| {
+        let energy = Some(energy_of(&point));
+        Moment { time, error: (point.x.y - place_at(time)).abs(), energy }
+    }))
+}
+
+/// For ten seconds.
+pub fn swing() -> Scene {
+    let mut scene = Scene::new("oscillator", "A floating box swings without drag (ω = √(ρgA/m)), 10 s", SECONDS, 1);
+    for (name, step) in METHODS {
+        scene = scene.method(name, move |h| error_at_end(by_hand(step, SECONDS, h)));
+    }
+    scene.shipped(|h| error_at_end(by_engine(MASS, SWING, SECONDS, h)))
+}
+
+/// For a thousand periods, of which the energy is asked.
+pub fn energy_kept() -> Scene {
+    let seconds = PERIODS * period();
+    let mut scene = Scene::new("oscillator-energy", "The energy of a floating box in 1000 swings without drag", seconds, 1)
+        .measuring("worst error of the energy at any time, parts of 1")
+        .within(SEEN)
+        .at_steps(&STEPS);
+    for (name, step) in METHODS {
+        scene = scene
+            .method(name, move |h| worst_energy(by_hand(step, seconds, h)))
+            .over_time(move |h| moments(by_hand(step, seconds, h)));
+    }
+    scene
+        .shipped(move |h| worst_energy(by_engine(MASS, SWING, seconds, h)))
+        .over_time(move |h| moments(by_engine(MASS, SWING, seconds, h)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Verlet's energy on a spring stays within (ωh)²/4 of the right one for ever (Hairer, Lubich, Wanner, I.5); RK4's fades by
+    /// (ωh)⁶/72 a step.
+    #[test]
+    fn symplectic_methods_keep_the_energy_that_others_lose() {
+        let (h, seconds) = (1.0 / 60.0, PERIODS * period());
+        let part = stiffness() * h * h;
+        let verlet = worst_energy(by_hand(velocity_verlet, seconds, h));
+        assert!(verlet < part / 3.9 && verlet > part / 4.1, "{verlet:e}, {:e}", part / 4.0);
+        let faded = 1.0 - (-(part * part * part) / 72.0 * seconds / h).exp();
+        let kutta = worst_energy(by_hand(rk4, seconds, h));
+        assert!((kutta / faded - 1.0).abs() < 0.05, "{kutta:e}, {faded:e}");
+        assert!(worst_energy(by_hand(explicit_euler, 60.0, h)) > 10.0);
+    }
+}

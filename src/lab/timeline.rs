@@ -1,0 +1,112 @@
+//! The axes of a scene over time: error upwards in decades, energy in parts of what it should be, both above the same time. Where a
+//! moment lies is told in parts of the way, so that paper and screen draw the same.
+
+use super::TOLERANCE;
+use super::axes::{Decades, LEAST_ERROR, number};
+use super::course::{Moment, OverTime};
+
+/// What of an energy is shown, in parts of what it should be: beyond, a method has gained or lost all there is.
+const ENERGIES: (f64, f64) = (0.0, 2.0);
+/// The least that the axis of the energy spans, in parts of 1: what is steady shall look so.
+const LEAST_SPAN: f64 = 0.01;
+
+/// The axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Timeline {
+    /// The end, s.
+    pub end: f64,
+    /// Of the error.
+    pub error: Decades,
+    /// From and to which energy, where any is known.
+    pub energy: Option<(f64, f64)>,
+}
+
+impl Timeline {
+    /// Around everything that is known, and the error that nobody sees.
+    pub fn of(over_time: &OverTime) -> Self {
+        let moments = || over_time.courses.iter().flat_map(|course| &course.moments);
+        let errors = moments().map(|moment| moment.error).filter(|error| error.is_finite()).map(shown);
+        let end = moments().map(|moment| moment.time).fold(0.0, f64::max);
+        let energies = moments().filter_map(|moment| moment.energy).filter(|energy| energy.is_finite());
+        let span = |(least, most): (f64, f64), energy: f64| {
+            let seen = energy.clamp(ENERGIES.0, ENERGIES.1);
+            (least.min(seen), most.max(seen))
+        };
+        let energy = over_time.has_energy().then(|| energies.fold((1.0 - LEAST_SPAN, 1.0 + LEAST_SPAN), span));
+        Self { end: if end > 0.0 { end } else { 1.0 }, error: Decades::around(errors.chain([TOLERANCE])), energy }
+    }
+
+    /// How far to the right and how far up an error lies, 0 … 1 each; at the upper edge what blew up.
+    pub fn error_at(&self, moment: &Moment) -> (f64, f64) {
+        let up = if moment.error.is_finite() { self.error.part(shown(moment.error)) } else { 1.0 };
+        (moment.time / self.end, up)
+    }
+
+    /// The same of an energy, where it is known; beyond the edges at them.
+    pub fn energy_at(&self, moment: &Moment) -> Option<(f64, f64)> {
+        let (least, most) = self.energy?;
+        let energy = moment.energy?;
+        let part = ((energy - least) / (most - least)).clamp(0.0, 1.0);
+        Some((moment.time / self.end, if part.is_nan() { 1.0 } else { part }))
+    }
+}
+
+/// An energy as its axis names it: the largest stands for all beyond it.
+pub fn energy_name(energy: f64) -> String {
+    if energy >= ENERGIES.1 { format!("≥ {}", number(ENERGIES.1)) } else { number(energy) }
+}
+
+/// An error as it is drawn: errors smaller than rounding at the lower edge, larger than all reason at the upper one.
+fn shown(error: f64) -> f64 {
+    error.clamp(LEAST_ERROR, 1e4)
+}
+
+/// Round numbers from `from` to `to`, about `about` of them: 1, 2 or 5 times a power of ten apart.
+pub fn round_numbers(from: f64, to: f64, about: usize) -> Vec<f64> {
+    let rough = (to - from) / about.max(1) as f64;
+    if !rough.is_finite() || rough <= 0.0 {
+        return Vec::new();
+    }
+    let power = libm::exp10(rough.log10().floor());
+    let apart = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power).into_iter().find(|apart| *apart >= rough * 0.999).unwrap_or(rough);
+    let first = (from / apart - 1e-9).ceil() as i64;
+    let last = (to / apart + 1e-9).floor() as i64;
+    (first..=last).map(|i| i as f64 * apart).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lab::course::Course;
+    use crate::lab::curve::Origin;
+
+    #[test]
+    fn moments_lie_between_the_axes_whatever_they_are() {
+        let moment = |time, error, energy| Moment { time, error, energy };
+        let moments = vec![
+            moment(1.0, 0.0, Some(1.0)),
+            moment(2.0, 0.1, Some(1.5)),
+            moment(3.0, f64::INFINITY, Some(1e300)),
+            moment(4.0, f64::NAN, Some(f64::NAN)),
+        ];
+        let over_time = OverTime { step: 0.1, courses: vec![Course { name: "a".into(), origin: Origin::Lab, moments }] };
+        let axes = Timeline::of(&over_time);
+        assert_eq!((axes.end, axes.energy), (4.0, Some((0.99, 2.0))));
+        let at: Vec<_> = over_time.courses[0].moments.iter().map(|m| (axes.error_at(m), axes.energy_at(m).unwrap())).collect();
+        assert_eq!(at[0].0, (0.25, 0.0));
+        assert_eq!((at[2].0.1, at[3].0.1, at[2].1.1, at[3].1.1), (1.0, 1.0, 1.0, 1.0));
+        assert!((at[1].1.1 - 0.51 / 1.01).abs() < 1e-12);
+    }
+
+    #[test]
+    fn round_numbers_are_round() {
+        assert_eq!(round_numbers(0.0, 60.0, 6), [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0]);
+        let near = |found: Vec<f64>, wanted: &[f64]| {
+            assert_eq!(found.len(), wanted.len(), "{found:?}");
+            assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-12), "{found:?}");
+        };
+        near(round_numbers(0.99, 1.01, 4), &[0.99, 0.995, 1.0, 1.005, 1.01]);
+        assert_eq!(round_numbers(-3.0, 3.0, 3), [-2.0, 0.0, 2.0]);
+        assert!(round_numbers(1.0, 1.0, 3).is_empty() && round_numbers(0.0, f64::INFINITY, 3).is_empty());
+    }
+}

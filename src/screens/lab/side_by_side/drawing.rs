@@ -1,0 +1,183 @@
+//! Draws the two halves, the errors so far and the words around them.
+
+use super::{Half, SideBySide, panels};
+use crate::lab::TOLERANCE;
+use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
+use crate::physics::{Aabb, DVec2};
+use crate::view::canvas::{Canvas, Style};
+use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
+use crate::view::{theme, widgets};
+use macroquad::color::Color;
+
+/// Height of the line at a half's foot: its error.
+const FOOT: f32 = 40.0;
+/// Errors from here on are written with as many decimals, so that they do not jitter.
+const PLAIN: f64 = 1e-3;
+/// What the buttons of the choices say: left half, right half.
+const CHOICES: [(&str, &str); 4] = [("‹", "A"), ("›", "D"), ("‹", "←"), ("›", "→")];
+/// The colours of the two halves' boxes.
+fn colour_of(half: usize) -> Color {
+    if half == 0 { theme::player_objective() } else { theme::accent() }
+}
+
+impl SideBySide {
+    /// Draws both halves and the buttons.
+    pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
+        let middle = canvas.size().x / 2.0;
+        let halves = panels(canvas.frame());
+        let title = Vec2::new(middle, super::body(canvas.frame()).min.y + 20.0);
+        canvas.text(self.exhibit().title, title, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
+        for (i, (half, panel)) in self.halves().iter().zip(halves).enumerate() {
+            self.draw_half(canvas, half, panel, colour_of(i));
+        }
+        for (i, (area, (arrow, key))) in self.choices.areas().iter().zip(CHOICES).enumerate() {
+            widgets::button_box(canvas, *area, self.choices.hover() == Some(i), false);
+            let (inner, outer) = (area.centre() - Vec2::new(12.0, 0.0), area.centre() + Vec2::new(12.0, 0.0));
+            let (arrow_at, key_at) = if i % 2 == 0 { (inner, outer) } else { (outer, inner) };
+            canvas.text(arrow, arrow_at, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
+            canvas.text(key, key_at, Style::new(TEXT, theme::accent()).mono().centred().middle());
+        }
+        let (left, right) = (halves[0], halves[1]);
+        let below = |top: f32, height: f32| Area::new(left.min.x, left.max().y + top, right.max().x - left.min.x, height);
+        self.draw_errors(canvas, below(super::APART, super::ERRORS));
+        let row = below(super::APART + super::ERRORS, super::TIME);
+        self.draw_words(canvas, row);
+        let pause = if self.is_paused() { "Go on" } else { "Pause" };
+        let step = format!("Step {}", step(self.step()));
+        let labels =
+            [("Back", "Esc"), ("Restart", "R"), (pause, "Space"), ("One step", "."), (&step, "S"), ("Before", "↑"), ("Next", "↓")];
+        self.toolbar.draw(canvas, &labels);
+    }
+
+    /// Below the halves: what the outline means at the left, the time at the right.
+    fn draw_words(&self, canvas: &Canvas, row: Area) {
+        let quiet = Style::new(TEXT, theme::quiet()).middle();
+        let ghost = Area::around(Vec2::new(row.min.x + 8.0, row.centre().y), Vec2::splat(16.0));
+        canvas.rounded_edge(ghost, 0.0, 2.0, theme::good());
+        canvas.text("the exact answer", Vec2::new(ghost.max().x + 10.0, row.centre().y), quiet);
+        let middle = Vec2::new(row.centre().x, row.centre().y);
+        canvas.text("above: the error of each over time", middle, quiet.centred());
+        let speed = self.exhibit().speed;
+        let pace = if speed < 1.0 { format!("   {} times slower than real", number(1.0 / speed)) } else { String::new() };
+        let end = if self.is_over() { "   the end" } else { "" };
+        let words = format!("time {:6.3} s{pace}{end}", self.time());
+        canvas.text(&words, Vec2::new(row.max().x, row.centre().y), quiet.mono().right());
+    }
+
+    /// How far both were from the truth all the while, in decades upwards.
+    fn draw_errors(&self, canvas: &Canvas, panel: Area) {
+        widgets::panel(canvas, panel);
+        let area = Area::new(panel.min.x + 64.0, panel.min.y + 10.0, panel.size.x - 76.0, panel.size.y - 20.0);
+        let decades = Decades { from: -15, to: 2 };
+        let quiet = Style::new(DETAILS, theme::quiet()).middle();
+        let level = |error: f64| area.max().y - area.size.y * decades.part(error) as f32;
+        for exponent in [-15, -10, -5, 0] {
+            let y = level(10f64.powi(exponent));
+            canvas.hairline(Vec2::new(area.min.x, y), Vec2::new(area.max().x, y), theme::panel_edge());
+            canvas.text(&format!("{} m", power(exponent)), Vec2::new(area.min.x - 8.0, y), quiet.right());
+        }
+        let seen = level(TOLERANCE);
+        canvas.hairline(Vec2::new(area.min.x, seen), Vec2::new(area.max().x, seen), theme::good());
+        for (i, half) in self.halves().iter().enumerate() {
+            let place = |(part, error): (usize, &f64)| {
+                let right = area.size.x * (part + 1) as f32 / Half::parts() as f32;
+                let error = if error.is_finite() { error.max(LEAST_ERROR) } else { f64::MAX };
+                Vec2::new(area.min.x + right, level(error))
+            };
+            let line: Vec<Vec2> = half.errors.iter().enumerate().map(place).collect();
+            line.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], 2.0, colour_of(i)));
+        }
+    }
+
+    fn draw_half(&self, canvas: &Canvas, half: &Half<'_>, panel: Area, colour: Color) {
+        widgets::panel(canvas, panel);
+        let name = Vec2::new(panel.centre().x, panel.min.y - super::HEAD + super::CHOICE.y / 2.0);
+        widgets::fitted(canvas, half.method, name, panel.size.x - 2.0 * super::CHOICE.x - 32.0, &[BUTTON_TEXT, TEXT], colour);
+        let stage = Area { min: panel.min, size: panel.size - Vec2::new(0.0, FOOT) };
+        let place = Placing::new(&self.exhibit().view, stage.inset(8.0));
+        for solid in &self.exhibit().solid {
+            place.fill(canvas, solid, theme::solid());
+        }
+        for body in self.exact() {
+            place.edge(canvas, body, theme::good());
+        }
+        let now: Vec<DVec2> = half.boxes.iter().map(Aabb::centre).collect();
+        let moments: Vec<&Vec<DVec2>> = half.trail.iter().chain([&now]).collect();
+        for pair in moments.windows(2) {
+            for (from, to) in pair[0].iter().zip(pair[1]) {
+                place.stroke(canvas, (*from, *to), theme::faded(colour, 0.5));
+            }
+        }
+        for body in half.boxes {
+            place.fill(canvas, body, theme::faded(colour, 0.35));
+            place.edge(canvas, body, colour);
+        }
+        canvas.hairline(
+            Vec2::new(panel.min.x + 16.0, stage.max().y),
+            Vec2::new(panel.max().x - 16.0, stage.max().y),
+            theme::panel_edge(),
+        );
+        let y = stage.max().y + FOOT / 2.0;
+        canvas.text("error", Vec2::new(panel.centre().x - 96.0, y), Style::new(TEXT, theme::quiet()).middle());
+        let seen = if half.error <= TOLERANCE { theme::good() } else { theme::bad() };
+        let number = Vec2::new(panel.centre().x + 96.0, y);
+        canvas.text(&metres(half.error), number, Style::new(TEXT, seen).mono().middle().right());
+    }
+}
+
+fn metres(error: f64) -> String {
+    match error {
+        0.0 => "0 m".to_owned(),
+        _ if !error.is_finite() => "∞ m".to_owned(),
+        _ if error >= PLAIN => format!("{error:.3} m"),
+        _ => format!("{error:.1e} m").replace('-', "−"),
+    }
+}
+
+/// From metres to a panel, which it fills without stretching.
+struct Placing {
+    view: Aabb,
+    panel: Area,
+    scale: f32,
+}
+
+impl Placing {
+    fn new(view: &Aabb, panel: Area) -> Self {
+        let size = view.size();
+        let scale = (panel.size.x / size.x as f32).min(panel.size.y / size.y as f32);
+        Self { view: *view, panel, scale }
+    }
+
+    fn at(&self, point: DVec2) -> Vec2 {
+        let from_middle = point - self.view.centre();
+        self.panel.centre() + Vec2::new(from_middle.x as f32, from_middle.y as f32) * self.scale
+    }
+
+    /// The part of a box that is inside the panel, if any.
+    fn seen(&self, body: &Aabb) -> Option<Area> {
+        let inside = |point: Vec2| point.clamp(self.panel.min, self.panel.max());
+        let (min, max) = (inside(self.at(body.min)), inside(self.at(body.max)));
+        (max.x > min.x && max.y > min.y).then_some(Area { min, size: max - min })
+    }
+
+    /// A line, where both of its ends are inside the panel.
+    fn stroke(&self, canvas: &Canvas, (from, to): (DVec2, DVec2), colour: Color) {
+        let (from, to) = (self.at(from), self.at(to));
+        let inside = |point: Vec2| point.cmpge(self.panel.min).all() && point.cmple(self.panel.max()).all();
+        if from != to && inside(from) && inside(to) {
+            canvas.line(from, to, 2.0, colour);
+        }
+    }
+
+    fn fill(&self, canvas: &Canvas, body: &Aabb, colour: Color) {
+        if let Some(area) = self.seen(body) {
+            canvas.rounded(area, 0.0, colour);
+        }
+    }
+
+    fn edge(&self, canvas: &Canvas, body: &Aabb, colour: Color) {
+        if let Some(area) = self.seen(body) {
+            canvas.rounded_edge(area, 0.0, 2.0, colour);
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! How quantities are written for players: three significant digits, a unit with a prefix, a true minus sign, and y upwards as in
+//! school. The engine and the level's files count y downwards.
+
+use super::facts::{Row, Value};
+use crate::lab::axes;
+
+/// The prefixes of units, from the largest.
+const PREFIXES: [(f64, &str); 6] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ")];
+/// Masses have a prefix already, and names of their own for larger ones.
+const MASSES: [(f64, &str); 6] = [(1e9, "Mt"), (1e6, "kt"), (1e3, "t"), (1.0, "kg"), (1e-3, "g"), (1e-6, "mg")];
+/// Units: what is smaller is nothing but rounding.
+const NOTHING: f64 = 1e-9;
+/// The unit without a prefix is kept down to this part of it: 0.5 m/s says more than 500 mm/s.
+const PLAIN_FROM: f64 = 0.1;
+/// What rounds up to the next larger number of digits counts as that.
+const ROUNDS_UP: f64 = 0.9995;
+
+/// How the numbers of a quantity are written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scale {
+    /// What one stands for, in the plain unit; none for what no prefix reaches.
+    one: Option<f64>,
+    decimals: usize,
+    unit: String,
+}
+
+impl Scale {
+    /// For a quantity in that unit whose largest number has this size.
+    pub fn of(largest: f64, unit: &str) -> Self {
+        let scales = if unit == "kg" { MASSES } else { PREFIXES };
+        let size = largest.abs();
+        let fits = |(one, _): &&(f64, &str)| size >= one * if *one == 1.0 { PLAIN_FROM } else { 1.0 } * ROUNDS_UP;
+        let smallest = scales[scales.len() - 1];
+        let (one, name) = if size < NOTHING { (1.0, scales[3].1) } else { *scales.iter().find(fits).unwrap_or(&smallest) };
+        let unit = if unit == "kg" { name.to_owned() } else { format!("{name}{unit}") };
+        let parts = size / one;
+        let decimals = match parts {
+            _ if parts >= 100.0 * ROUNDS_UP => 0,
+            _ if parts >= 10.0 * ROUNDS_UP => 1,
+            _ if parts >= ROUNDS_UP => 2,
+            _ => 3,
+        };
+        if parts < 1000.0 * ROUNDS_UP { Self { one: Some(one), decimals, unit } } else { Self { one: None, decimals, unit } }
+    }
+
+    /// A number of that quantity, without its unit.
+    pub fn number(&self, value: f64) -> String {
+        if value.abs() < NOTHING {
+            return "0".to_owned();
+        }
+        let Some(one) = self.one else { return axes::number(value / PREFIXES[0].0) };
+        let plain = format!("{:.*}", self.decimals, value / one);
+        match plain.strip_prefix('-') {
+            Some(size) if size.bytes().all(|digit| digit == b'0' || digit == b'.') => size.to_owned(),
+            Some(size) => format!("−{size}"),
+            None => plain,
+        }
+    }
+
+    /// The unit with its prefix.
+    pub fn unit(&self) -> &str {
+        &self.unit
+    }
+}
+
+/// A single quantity with its unit: "1.50 kN".
+pub fn scalar(value: f64, unit: &str) -> String {
+    let scale = Scale::of(value, unit);
+    format!("{} {}", scale.number(value), scale.unit())
+}
+
+/// The numbers of a row as they are written, y upwards; none where it has words.
+fn numbers(row: &Row) -> Option<(Vec<String>, Scale)> {
+    let (values, largest) = match &row.value {
+        Value::Words(_) => return None,
+        Value::Scalar(value) => (vec![*value], value.abs()),
+        Value::Vector(v) => (vec![v.x, -v.y], v.abs().max_element()),
+    };
+    let scale = Scale::of(largest, row.unit);
+    Some((values.into_iter().map(|value| scale.number(value)).collect(), scale))
+}
+
+/// The numbers of a row, each in a field of `width` characters, and the unit.
+pub fn quantity(row: &Row, width: usize) -> String {
+    match (&row.value, numbers(row)) {
+        (Value::Words(words), _) => words.clone(),
+        (_, Some((numbers, scale))) if numbers.len() == 2 => {
+            format!("({:>width$}, {:>width$}) {}", numbers[0], numbers[1], scale.unit())
+        }
+        (_, Some((numbers, scale))) => format!(" {:>width$}  {:width$}  {}", numbers[0], "", scale.unit()),
+        (_, None) => String::new(),
+    }
+}
+
+/// The width of the longest number in the rows, but at least `least`, characters.
+pub fn number_width(rows: &[Row], least: usize) -> usize {
+    let longest = |row: &Row| numbers(row).into_iter().flat_map(|(numbers, _)| numbers).map(|number| number.chars().count()).max();
+    rows.iter().filter_map(longest).fold(least, usize::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::DVec2;
+
+    #[test]
+    fn three_digits_and_a_prefix_say_any_number() {
+        for (value, unit, text) in [
+            (1500.0, "N", "1.50 kN"),
+            (-731.25, "N", "−731 N"),
+            (0.5, "m/s", "0.500 m/s"),
+            (0.05, "m/s", "50.0 mm/s"),
+            (9.81, "m/s²", "9.81 m/s²"),
+            (-0.0, "N", "0 N"),
+            (1e-12, "N", "0 N"),
+            (2e-7, "N", "0.200 µN"),
+            (999.4, "N", "999 N"),
+            (999.6, "N", "1.00 kN"),
+            (0.09996, "N", "0.100 N"),
+            (99.96, "N", "100 N"),
+            (100.0, "kg", "100 kg"),
+            (1500.0, "kg", "1.50 t"),
+            (0.05, "kg", "50.0 g"),
+            (4.2e7, "N·s", "42.0 MN·s"),
+            (-3e20, "N", "−3.0·10¹¹ GN"),
+        ] {
+            assert_eq!(scalar(value, unit), text);
+        }
+    }
+
+    #[test]
+    fn vectors_share_a_unit_and_count_y_upwards() {
+        let row = |value, unit| Row { name: "", value, unit, shown: None };
+        let texts = [
+            (row(Value::Vector(DVec2::new(-12.34, 0.0)), "m/s"), "( −12.3,      0) m/s"),
+            (row(Value::Vector(DVec2::new(0.04, 123_456.7)), "N"), "(     0,   −123) kN"),
+            // What rounds to nothing has no sign.
+            (row(Value::Vector(DVec2::new(-4.0, -1500.0)), "N"), "(  0.00,   1.50) kN"),
+            (row(Value::Scalar(100.0), "kg"), "    100          kg"),
+        ];
+        for (row, text) in &texts {
+            assert_eq!(quantity(row, 6).trim_end(), *text);
+        }
+        assert_eq!(number_width(&texts.map(|(row, _)| row), 3), 5);
+    }
+}
