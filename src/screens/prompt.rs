@@ -72,6 +72,11 @@ impl Prompt {
         self.error = Some(error);
     }
 
+    /// What is asked for.
+    pub fn heading(&self) -> &str {
+        &self.heading
+    }
+
     /// What is in the field.
     pub fn text(&self) -> String {
         self.field.text()

@@ -214,7 +214,7 @@ fn leaving_asks_and_a_crash_loses_nothing() {
     let mut sitting = open();
     draw(&mut sitting, Kind::Solid, (0.0, 560.0), (800.0, 600.0));
     sitting.press_all(&[Key::Escape, Key::Escape]);
-    assert_eq!(sitting.at(), "editor", "it asks");
+    assert_eq!(sitting.editor().asked().unwrap()[0], "There are edits that are not saved.");
     assert_eq!(sitting.press(Key::Escape).at(), "editor", "Esc stays");
     assert!(file(&sitting, ".autosave").exists());
     // The program ends here.

@@ -4,7 +4,7 @@
 //! `.autosave`, in the level's folder, and that goes when the last one is there: whenever the program ends, however it ends, each file is
 //! the old one or the new one, and what was edited is in the one or the other. The loader and `check` pass over hidden names.
 
-use super::{Document, Kind, Table};
+use super::{Document, Table};
 use crate::files;
 use crate::level::folder::{Disk, load_from};
 use crate::level::image::png_size;
@@ -233,15 +233,6 @@ impl Document {
     /// Takes over what was kept: one operation, which can be undone.
     pub fn restore(&mut self, kept: Kept) {
         self.replace_all(kept.0);
-    }
-
-    /// The paths of all pictures as cells name them, to be drawn.
-    pub fn pictures(&self) -> impl Iterator<Item = (super::RowId, &str)> {
-        let rows = self.things().map(|(row, _)| row);
-        rows.filter_map(|row| match self.kind(row)? {
-            Kind::Object | Kind::Key | Kind::Picture => Some((row, self.cell(row, "image")?)),
-            _ => None,
-        })
     }
 }
 

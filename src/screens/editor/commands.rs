@@ -2,7 +2,7 @@
 
 use super::ask::{Ask, Question};
 use super::{Editor, Tool, snap};
-use crate::level::document::{Kind, RowId, SaveError};
+use crate::level::document::{Document, Kind, RowId, SaveError, Table};
 use crate::physics::DVec2;
 use crate::screens::{Input, Key, Purpose, Request};
 
@@ -74,8 +74,8 @@ impl Editor {
             "Back" if self.folder.is_unsaved(&self.document) => self.ask = Some(Ask::new(Question::Leave)),
             "Back" => return Some(self.leave()),
             "Save" => drop(self.save(false)),
-            "Undo" => drop(self.document.undo()),
-            "Redo" => drop(self.document.redo()),
+            "Undo" => self.turn_back(Document::undo),
+            "Redo" => self.turn_back(Document::redo),
             "Copy" => {
                 let by = DVec2::splat(snap::GRID * 2.0);
                 match self.document.duplicate(&self.selection, by) {
@@ -99,6 +99,16 @@ impl Editor {
             _ => return self.fly(),
         }
         None
+    }
+
+    /// Undoes or does again. Where rows came or went, what is selected would be others.
+    fn turn_back(&mut self, way: fn(&mut Document) -> bool) {
+        let rows = |document: &Document| Table::ALL.iter().map(|table| document.rows(*table).count()).collect::<Vec<_>>();
+        let before = rows(&self.document);
+        way(&mut self.document);
+        if rows(&self.document) != before {
+            self.select(Vec::new());
+        }
     }
 
     /// The level as it is in memory is flown, if it loads.

@@ -395,9 +395,19 @@ impl Editor {
         self.ask.as_ref().map_or(&self.commands, Ask::buttons)
     }
 
+    /// What is asked, on two lines, while something is.
+    pub fn asked(&self) -> Option<[String; 2]> {
+        self.ask.as_ref().map(Ask::words)
+    }
+
     /// The tools: Select, then those of [`Kind::ADDED`].
     pub fn tools(&self) -> &Buttons {
         &self.tools
+    }
+
+    /// The point of the picture that the pointer is at, pixels.
+    pub fn pointed(&self) -> DVec2 {
+        self.view.pixels(self.pointer)
     }
 
     /// Where a point of the picture is on the canvas.

@@ -5,7 +5,7 @@ use crate::physics::DVec2;
 use crate::view::layout::{Area, Vec2};
 
 /// Canvas units a pixel of the picture, at least and at most.
-const SCALES: (f64, f64) = (0.005, 16.0);
+const SCALES: (f64, f64) = (1e-5, 16.0);
 /// How much a notch of the wheel magnifies.
 const NOTCH: f64 = 1.15;
 /// How much room is left around what is brought into view, of the window's size.
@@ -40,6 +40,7 @@ impl View {
     }
 
     /// Where a rectangle of the picture is shown.
+    #[cfg(feature = "window")]
     pub fn rect(&self, place: &Place) -> Area {
         let (min, max) = (self.point(place.min), self.point(place.max()));
         Area { min, size: max - min }

@@ -29,13 +29,13 @@ impl Editor {
         }
         match &self.drag {
             Some(Drag::Frame(from, _)) => {
-                let to = self.view.pixels(self.pointer);
+                let to = self.pointed();
                 let area = self.view.rect(&Place::between(*from, to));
                 fill(area, theme::faded(theme::accent(), 0.1));
                 edge(area, 0.75, theme::accent());
             }
             Some(Drag::Draw(kind, from)) => {
-                let to = self.view.pixels(self.pointer);
+                let to = self.pointed();
                 let area = self.view.rect(&Place::between(*from, to));
                 fill(area, theme::faded(colour(*kind), 0.5));
                 edge(area, 1.0, colour(*kind));

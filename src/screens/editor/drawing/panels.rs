@@ -167,7 +167,7 @@ impl Editor {
         let area = self.parts.bottom;
         fill(area, theme::panel());
         let style = Style::new(DETAILS, theme::text()).mono();
-        let at = self.view.pixels(self.pointer);
+        let at = self.pointed();
         let metre = self.document.metre();
         let fps = if self.figures { format!("{} fps   ", get_fps()) } else { String::new() };
         let zoom = self.view.scale() * 100.0;
