@@ -8,6 +8,7 @@
 mod chart;
 mod check;
 mod earned;
+mod edit;
 mod files;
 mod forces;
 mod jumper;
@@ -49,6 +50,8 @@ struct Cli {
 enum Command {
     /// Open the game in a level
     Play(play::Args),
+    /// Open the editor of a level
+    Edit(edit::Args),
     /// Load levels and print what is in them, or every problem
     Check(check::Args),
     /// Play a level without a window and print what that came to
@@ -167,6 +170,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
     match &cli.command {
         None => play::run(&play::Args::default(), &project, out),
         Some(Command::Play(args)) => play::run(args, &project, out),
+        Some(Command::Edit(args)) => edit::run(args, &project, out),
         Some(Command::Check(args)) => check::run(args, &project, out),
         Some(Command::Run(args)) => run::run(args, &project, out),
         Some(Command::Chart(args)) => chart::run(args, &project, out),

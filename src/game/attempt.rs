@@ -1,5 +1,7 @@
 //! One attempt at a level: the rules, tick by tick.
 
+mod carried;
+
 use super::death::{Death, crushed};
 use super::event::{GameError, GameEvent, Outcome};
 use super::hash::Fnv1a;

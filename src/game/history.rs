@@ -31,10 +31,10 @@ pub struct History {
 }
 
 impl History {
-    /// The history of a game that begins.
+    /// The history of a game from where it is.
     pub fn new(start: &Game) -> Self {
         let most = (BODIES_IN_COPIES / start.world().bodies().len().max(1)).clamp(FEWEST_COPIES, MOST_COPIES);
-        let lasting = vec![(0, start.ship().fuel_lasts)];
+        let lasting = vec![(start.ticks(), start.ship().fuel_lasts)];
         Self { recorder: Recorder::default(), lasting, copies: vec![start.clone()], every: EVERY, most }
     }
 
@@ -45,7 +45,7 @@ impl History {
             self.lasting.push((game.ticks().saturating_sub(1), lasts));
         }
         self.recorder.note(game, controls);
-        if game.ticks() == self.copies.len() as u64 * self.every {
+        if game.ticks() == self.begins() + self.copies.len() as u64 * self.every {
             self.copies.push(game.clone());
             if self.copies.len() > self.most {
                 let mut stays = false;
@@ -58,9 +58,14 @@ impl History {
         }
     }
 
-    /// How many ticks there are.
+    /// After how many ticks it begins: not at once where a level was edited while it was flown.
+    fn begins(&self) -> u64 {
+        self.copies[0].ticks()
+    }
+
+    /// Up to which tick it goes.
     pub fn ticks(&self) -> u64 {
-        self.recorder.inputs().ticks()
+        self.begins() + self.recorder.inputs().ticks()
     }
 
     /// The controls of all ticks.
@@ -80,13 +85,13 @@ impl History {
 
     /// Brings a game of this flight to where it was after so many ticks, or to the last tick where there are fewer.
     pub fn seek(&self, game: &mut Game, tick: u64) {
-        let tick = tick.min(self.ticks());
-        let copy = &self.copies[((tick / self.every) as usize).min(self.copies.len() - 1)];
+        let tick = tick.clamp(self.begins(), self.ticks());
+        let copy = &self.copies[(((tick - self.begins()) / self.every) as usize).min(self.copies.len() - 1)];
         if game.ticks() > tick || game.ticks() < copy.ticks() {
             game.clone_from(copy);
         }
         let from = game.ticks();
-        for (at, controls) in (from..tick).zip(self.inputs().after(from)) {
+        for (at, controls) in (from..tick).zip(self.inputs().after(from - self.begins())) {
             self.step(game, at, controls);
         }
     }
@@ -96,7 +101,7 @@ impl History {
     pub fn until(&self, tick: u64) -> Self {
         let mut game = self.copies[0].clone();
         let mut history = Self::new(&game);
-        for (at, controls) in (0..tick.min(self.ticks())).zip(self.inputs().after(0)) {
+        for (at, controls) in (self.begins()..tick.min(self.ticks())).zip(self.inputs().after(0)) {
             self.step(&mut game, at, controls);
             history.note(&game, controls);
         }

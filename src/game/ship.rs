@@ -71,6 +71,11 @@ impl Ship {
         (self.filled, self.burnt) = (self.fuel, 0);
     }
 
+    /// Begins with so much in the tank, fuel units.
+    pub(super) fn fill(&mut self, fuel: f64) {
+        (self.fuel, self.filled) = (fuel, fuel);
+    }
+
     /// Fuel units burnt.
     pub(super) fn fuel_used(&self) -> f64 {
         self.used + (self.filled - self.fuel)

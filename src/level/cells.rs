@@ -4,6 +4,7 @@
 //! after a quote that is never closed, and it does not see a quoted cell behind a space. Authors need all three.
 
 use std::iter::Peekable;
+use std::ops::Range;
 use std::str::Chars;
 
 /// What is wrong with a cell before anyone asks what it means.
@@ -27,6 +28,8 @@ pub(super) struct Cell {
     pub text: String,
     /// Where it begins.
     pub line: usize,
+    /// Its bytes in the file, with its quotes but without the spaces around it; in a file that is UTF-8.
+    pub span: Range<usize>,
     pub fault: Option<Fault>,
 }
 
@@ -41,17 +44,25 @@ impl Cell {
 pub(super) struct Row {
     pub line: usize,
     pub cells: Vec<Cell>,
+    /// Its bytes in the file with its line end; in a file that is UTF-8.
+    pub span: Range<usize>,
 }
 
 /// All rows that hold something; blank lines, rows of empty cells and lines that start with `#` are skipped. Lines end with LF,
 /// CRLF or CR; a UTF-8 byte-order mark is passed over.
 pub(super) fn rows(bytes: &[u8]) -> Vec<Row> {
     if let Some(fault) = fault_of_file(bytes) {
-        return vec![Row { line: 1, cells: vec![Cell { text: String::new(), line: 1, fault: Some(fault) }] }];
+        let all = 0..bytes.len();
+        return vec![Row {
+            line: 1,
+            cells: vec![Cell { text: String::new(), line: 1, span: all.clone(), fault: Some(fault) }],
+            span: all,
+        }];
     }
     let text = String::from_utf8_lossy(bytes);
     let damaged = matches!(text, std::borrow::Cow::Owned(_));
-    let mut scanner = Scanner { chars: text.strip_prefix('\u{feff}').unwrap_or(&text).chars().peekable(), line: 1 };
+    let unmarked = text.strip_prefix('\u{feff}').unwrap_or(&text);
+    let mut scanner = Scanner { chars: unmarked.chars().peekable(), line: 1, at: text.len() - unmarked.len() };
     let mut rows = Vec::new();
     while let Some(mut row) = scanner.row() {
         if damaged {
@@ -85,14 +96,18 @@ fn fault_of_file(bytes: &[u8]) -> Option<Fault> {
 struct Scanner<'a> {
     chars: Peekable<Chars<'a>>,
     line: usize,
+    /// Bytes before the next character.
+    at: usize,
 }
 
 impl Scanner<'_> {
     /// The next row, possibly blank; `None` at the end of the text.
     fn row(&mut self) -> Option<Row> {
+        let mut begin = self.at;
         self.skip_spaces();
         while self.chars.peek() == Some(&'#') {
             while !matches!(self.next(), Some('\n') | None) {}
+            begin = self.at;
             self.skip_spaces();
         }
         self.chars.peek()?;
@@ -101,48 +116,57 @@ impl Scanner<'_> {
         while self.next() == Some(',') {
             cells.push(self.cell());
         }
-        Some(Row { line, cells })
+        Some(Row { line, cells, span: begin..self.at })
     }
 
     /// The next cell, up to but without its comma or line end.
     fn cell(&mut self) -> Cell {
         self.skip_spaces();
-        let line = self.line;
-        if self.chars.next_if_eq(&'"').is_none() {
-            return Cell { text: self.plain().trim_end().to_owned(), line, fault: None };
+        let (line, begin) = (self.line, self.at);
+        if self.take_if(|c| c == '"').is_none() {
+            let text = self.plain().trim_end().to_owned();
+            return Cell { span: begin..begin + text.len(), text, line, fault: None };
         }
         let mut text = String::new();
         loop {
             match self.next() {
-                None => return Cell { text, line, fault: Some(Fault::Unclosed) },
-                Some('"') if self.chars.next_if_eq(&'"').is_some() => text.push('"'),
+                None => return Cell { text, line, span: begin..self.at, fault: Some(Fault::Unclosed) },
+                Some('"') if self.take_if(|c| c == '"').is_some() => text.push('"'),
                 Some('"') => break,
                 Some(other) => text.push(other),
             }
         }
+        let closed = self.at;
         let rest = self.plain();
         let fault = (!rest.trim().is_empty()).then_some(Fault::AfterQuote);
-        Cell { text: text + rest.trim_end(), line, fault }
+        Cell { text: text + rest.trim_end(), line, span: begin..closed + rest.trim_end().len(), fault }
     }
 
     /// Everything up to the next comma or line end.
     fn plain(&mut self) -> String {
         let mut text = String::new();
-        while let Some(c) = self.chars.next_if(|c| !matches!(c, ',' | '\n' | '\r')) {
+        while let Some(c) = self.take_if(|c| !matches!(c, ',' | '\n' | '\r')) {
             text.push(c);
         }
         text
     }
 
     fn skip_spaces(&mut self) {
-        while self.chars.next_if(|c| c.is_whitespace() && !matches!(c, '\n' | '\r')).is_some() {}
+        while self.take_if(|c| c.is_whitespace() && !matches!(c, '\n' | '\r')).is_some() {}
+    }
+
+    /// The next character if it is one of those.
+    fn take_if(&mut self, wanted: impl Fn(char) -> bool) -> Option<char> {
+        let taken = self.chars.next_if(|c| wanted(*c))?;
+        self.at += taken.len_utf8();
+        Some(taken)
     }
 
     /// The next character; every kind of line end is one `\n`.
     fn next(&mut self) -> Option<char> {
-        let next = match self.chars.next()? {
+        let next = match self.take_if(|_| true)? {
             '\r' => {
-                self.chars.next_if_eq(&'\n');
+                self.take_if(|c| c == '\n');
                 '\n'
             }
             other => other,
@@ -182,12 +206,23 @@ mod tests {
 
     #[test]
     fn faults_are_found_where_they_are() {
-        assert_eq!(rows(b"1\n2,\"3\n4")[1].cells[1], Cell { text: "3\n4".into(), line: 2, fault: Some(Fault::Unclosed) });
+        let unclosed = Cell { text: "3\n4".into(), line: 2, span: 4..8, fault: Some(Fault::Unclosed) };
+        assert_eq!(rows(b"1\n2,\"3\n4")[1].cells[1], unclosed);
         assert_eq!(rows(b"\"1\" 2,3")[0].cells[0].fault, Some(Fault::AfterQuote));
         let latin = rows(b"# \xe9\n1,caf\xe9");
         assert_eq!((latin[0].cells[0].fault, latin[0].cells[1].fault), (None, Some(Fault::NotUtf8)));
         assert_eq!(rows("caf\u{fffd}".as_bytes())[0].cells[0].fault, None);
         assert_eq!(rows(&[0xff, 0xfe, b'x', 0])[0].cells[0].fault, Some(Fault::Utf16));
+    }
+
+    #[test]
+    fn spans_are_the_bytes_of_rows_and_cells() {
+        let text = "\u{feff}# é\r\n x , \"y\"\"é\" ,\r\n\n1,2\r3".as_bytes();
+        let found = rows(text);
+        let cut = |span: &Range<usize>| std::str::from_utf8(&text[span.clone()]).unwrap();
+        let cells: Vec<Vec<&str>> = found.iter().map(|row| row.cells.iter().map(|cell| cut(&cell.span)).collect()).collect();
+        assert_eq!(cells, [vec!["x", "\"y\"\"é\"", ""], vec!["1", "2"], vec!["3"]]);
+        assert_eq!(found.iter().map(|row| cut(&row.span)).collect::<Vec<_>>(), [" x , \"y\"\"é\" ,\r\n", "1,2\r", "3"]);
     }
 
     #[test]

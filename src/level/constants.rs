@@ -28,7 +28,7 @@ const CONSTANT_NAMES: [&str; 9] =
     ["gravity", "gravity_x", "air_density", "optimal_time", "title", "metre", "rest_speed", "width", "height"];
 
 /// All that constants.csv can name.
-fn names() -> impl Iterator<Item = &'static str> {
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
     CONSTANT_NAMES.into_iter().chain(awards::SETTINGS.map(|(name, _)| name))
 }
 

@@ -4,12 +4,12 @@ use super::name::{self, NameFault};
 use super::problem::{Problem, quoted};
 use super::read::{Files, Loaded, read};
 use super::rows;
-use super::table::Layout;
+use super::table::{self, Layout, Record};
 use super::types::Look;
 use crate::files;
 use std::cmp::Ordering;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Loads the level in `folder`; images are looked up there, then under `project`, the folder that holds `assets/` and `levels/`. The paths in
 /// the level can be opened as they are.
@@ -17,6 +17,12 @@ use std::path::Path;
 /// # Errors
 /// Every problem in every file; a folder that is none is one problem, and so is one with the name of another leaderboard.
 pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
+    load_from(&Disk { folder, project }, &Disk { folder, project })
+}
+
+/// As [`load`], with the level's files from elsewhere.
+pub(super) fn load_from(disk: &Disk, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
+    let Disk { folder, .. } = disk;
     // `.` and `..` have a name only once they are resolved.
     let resolved = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
     let name = folder.file_name().or(resolved.file_name()).map_or_else(|| folder.to_string_lossy(), |name| name.to_string_lossy());
@@ -28,7 +34,7 @@ pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     if let Some((NameFault::Board(_), problem)) = fault {
         return Err(vec![problem]);
     }
-    let mut loaded = read(&name, &Disk { folder, project })?;
+    let mut loaded = read(&name, files)?;
     // It can be played here, but the folder cannot be handed on to everyone.
     loaded.warnings.extend(fault.map(|(_, problem)| problem));
     let level = &mut loaded.level;
@@ -38,9 +44,7 @@ pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
         Look::Box | Look::Ball => None,
     });
     for path in images.chain(level.decoration.iter_mut().map(|picture| &mut picture.image)) {
-        // As they were looked for.
-        let own = folder.join(&*path);
-        *path = if own.exists() { own } else { project.join(&*path) };
+        *path = disk.picture(path);
     }
     Ok(loaded)
 }
@@ -48,9 +52,18 @@ pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
 /// What a problem with the folder itself names in place of a file and a column.
 const NAME: Layout = Layout { file: "folder", columns: "name" };
 
-struct Disk<'a> {
-    folder: &'a Path,
-    project: &'a Path,
+/// A level's folder, and the project's.
+pub(super) struct Disk<'a> {
+    pub folder: &'a Path,
+    pub project: &'a Path,
+}
+
+impl Disk<'_> {
+    /// Where the picture of that name is, as it is looked for.
+    pub fn picture(&self, name: &Path) -> PathBuf {
+        let own = self.folder.join(name);
+        if own.exists() { own } else { self.project.join(name) }
+    }
 }
 
 impl Files for Disk<'_> {
@@ -79,12 +92,21 @@ impl Files for Disk<'_> {
     }
 }
 
+/// The title that a level's constants.csv gives it, without reading anything else of it.
+pub fn title(folder: &Path) -> Option<String> {
+    let bytes = files::read(&folder.join(rows::CONSTANTS.file), files::LEVEL_TABLE).ok()?;
+    let table = table::read(rows::CONSTANTS, &bytes, &mut Vec::new());
+    let settings = table.records.iter().map(Record::row::<rows::ConstantRow>);
+    let is_title = |row: &rows::ConstantRow| row.name.as_str().is_some_and(|name| name.eq_ignore_ascii_case("title"));
+    settings.into_iter().find(is_title).and_then(|row| row.value.as_str().map(str::to_owned)).filter(|title| !title.is_empty())
+}
+
 /// The names of the level folders in `levels`: those named by a number first and in numeric order (2 before 10), the others after,
 /// by name. Hidden folders and folders whose name is no text are left out; a folder that cannot be read holds none.
 pub fn list(levels: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(levels).into_iter().flatten().flatten();
     let mut names: Vec<String> = entries
-        .filter(|entry| entry.path().is_dir())
+        .filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_dir() || kind.is_symlink() && entry.path().is_dir()))
         .filter_map(|entry| entry.file_name().into_string().ok())
         .filter(|name| !name.starts_with('.'))
         .collect();

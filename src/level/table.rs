@@ -21,7 +21,8 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    fn columns(&self) -> impl Iterator<Item = Column> + use<> {
+    /// All columns in the documented order.
+    pub fn columns(&self) -> impl Iterator<Item = Column> + use<> {
         self.columns.split(',').map(|name| match name.strip_prefix('[') {
             Some(name) => Column { name: name.trim_end_matches(']'), required: false },
             None => Column { name, required: true },
@@ -43,10 +44,11 @@ impl Layout {
     }
 }
 
+/// A column of a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Column {
-    name: &'static str,
-    required: bool,
+pub(super) struct Column {
+    pub name: &'static str,
+    pub required: bool,
 }
 
 /// A row whose cells have found their columns.
@@ -124,6 +126,40 @@ pub(super) fn read(layout: Layout, bytes: &[u8], problems: &mut Vec<Problem>) ->
     table
 }
 
+/// How a file's rows are to be understood, for whoever writes into it.
+#[derive(Clone, Debug)]
+pub(super) struct Plan {
+    /// The column of each cell; `None` for one that is not known.
+    pub columns: Vec<Option<Column>>,
+    /// How many rows at the beginning name columns.
+    pub headers: usize,
+}
+
+/// How the rows of a file are understood by [`read`]; `None` where they are not.
+pub(super) fn plan(layout: Layout, rows: &[Row]) -> Option<Plan> {
+    let plain = || layout.columns().map(Some).collect();
+    let Some(first) = rows.first() else { return Some(Plan { columns: plain(), headers: 0 }) };
+    if separator_said(layout, first).is_some() || is_foreign_header(layout, first) {
+        return None;
+    }
+    if !is_header(layout, first) {
+        return Some(Plan { columns: plain(), headers: 0 });
+    }
+    let readable = first.cells.len() <= MOST_COLUMNS;
+    readable.then(|| Plan { columns: header(layout, first, &mut Vec::new()), headers: 1 })
+}
+
+/// How many rows at the beginning of objectives.csv name columns.
+pub(super) fn headers_by_kind(rows: &[Row]) -> usize {
+    rows.iter().take_while(|row| names_place(row)).count()
+}
+
+/// Whether a row of objectives.csv names columns.
+fn names_place(row: &Row) -> bool {
+    let is_cell = |i: usize, name: &str| row.cells.get(i).is_some_and(|cell| cell.text.trim().eq_ignore_ascii_case(name));
+    is_cell(1, "x") && is_cell(2, "y")
+}
+
 /// Reads a file whose rows have the layout that `of_kind` gives for their first cell. Leading rows that name columns (`x` and `y`
 /// in the second and third cell) are passed over.
 pub(super) fn read_by_kind(
@@ -132,12 +168,10 @@ pub(super) fn read_by_kind(
     bytes: &[u8],
     problems: &mut Vec<Problem>,
 ) -> Table {
-    let is_cell =
-        |row: &Row, i: usize, name: &str| row.cells.get(i).is_some_and(|cell| cell.text.trim().eq_ignore_ascii_case(name));
     let rows = cells::rows(bytes);
     let mut table = Table::default();
     let enough = problems.len() + MOST_PROBLEMS;
-    for row in rows.iter().skip_while(|row| is_cell(row, 1, "x") && is_cell(row, 2, "y")) {
+    for row in rows.iter().skip(headers_by_kind(&rows)) {
         table.lines.push(row.line);
         if problems.len() >= enough {
             problems.push(too_many(kinds.file, row.line));

@@ -3,12 +3,11 @@
 
 use super::journal::{Journal, damage_text, rescue_text};
 use super::leaderboard::subject;
-use super::level_select::Entry;
 use super::library::{Library, Refusal};
 use super::{
-    Attempt, Classic, Classics, Facts, Flight, FlightCandidate, Flights, Flown, Fresh, Gain, Input, Jumper, Key, Lab, Leaderboard,
-    LevelSelect, Menu, Miniature, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring, Screen, SettingsPanel, Source,
-    Spectator, TileRun, Visit, Watch, Way, footage, jumper,
+    Attempt, Classic, Classics, Editor, Facts, Flight, FlightCandidate, Flights, Flown, FolderWatch, Fresh, Gain, Input, Jumper,
+    Key, Lab, Leaderboard, LevelSelect, Menu, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring, Screen, SettingsPanel,
+    Source, Spectator, TileRun, Visit, Watch, Way, footage, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Medals, Outcome, Reel, RunResult, TICK_RATE, level_hash};
@@ -43,18 +42,18 @@ pub struct Places {
 #[derive(Debug)]
 pub struct App {
     places: Places,
-    library: Library,
+    pub(super) library: Library,
     scores: Scores,
-    screen: Screen,
+    pub(super) screen: Screen,
     /// How long the screen has been there, s.
     shown_for: f64,
     /// Who plays, and what they have done.
-    journal: Journal,
+    pub(super) journal: Journal,
     /// What the attempt on the screen, which has ended, brought whoever flew.
-    ended: Option<String>,
+    pub(super) ended: Option<String>,
     /// The level that was last chosen: where the keyboard is when the list comes back.
-    last_level: Option<String>,
-    settings: Settings,
+    pub(super) last_level: Option<String>,
+    pub(super) settings: Settings,
     settings_file: SettingsFile,
     /// What is wrong with the settings' file, a line each.
     settings_problems: Vec<String>,
@@ -62,6 +61,10 @@ pub struct App {
     menus: u64,
     /// A score that another program keeps from being saved.
     waiting: Option<Waiting>,
+    /// The files of the level that is flown.
+    pub(super) watch: Option<FolderWatch>,
+    /// The editor, while what is edited is flown.
+    pub(super) editing: Option<Box<Editor>>,
 }
 
 /// A score to be saved as soon as another program lets go of the board.
@@ -94,12 +97,16 @@ impl App {
             last_level: None,
             menus: 0,
             waiting: None,
+            watch: None,
+            editing: None,
         }
     }
 
     /// One frame; `false` when the player has chosen to quit.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
         let input = &self.with_settings(input);
+        self.look_at_files(input.frame_time, spectator);
+        self.refresh_view(input.frame_time);
         self.shown_for += input.frame_time;
         self.journal.update(input.frame_time);
         let asked = self.update_screen(input, spectator);
@@ -113,6 +120,7 @@ impl App {
             Some(request) => self.grant(request, spectator),
             None => self.save_what_waits(input.frame_time),
         }
+        self.fill_in_view();
         // Whatever has just opened knows its places, and what is under the pointer, before it is drawn.
         let nothing_more = self.update_screen(&input.without_edges(), spectator);
         debug_assert!(nothing_more.is_none(), "{nothing_more:?} was asked for by no one");
@@ -140,6 +148,7 @@ impl App {
             Screen::Flight(screen) => screen.update(input, spectator),
             Screen::Watch(screen) => screen.update(input, spectator),
             Screen::Flights(screen) => screen.update(input),
+            Screen::Editor(screen) => screen.update(input),
             Screen::Scoring(screen) => screen.update(input),
             Screen::SaveScore(screen) => screen.update(input),
             Screen::Leaderboard(screen) => screen.update(input),
@@ -174,25 +183,41 @@ impl App {
         let next = match request {
             Request::Menu => self.menu(),
             Request::LevelSelect(purpose) => Screen::LevelSelect(self.level_select(purpose)),
-            Request::Play(name) => match self.library.load(&name) {
-                Ok(level) => self.flight(Attempt::by_hand(level), spectator),
-                Err(refusal) => self.refused(Purpose::Play, &name, refusal),
+            Request::Play(name) => {
+                self.library.close();
+                match self.library.load(&name) {
+                    Ok(level) => self.flight(Attempt::by_hand(level), spectator),
+                    Err(refusal) => self.refused(Purpose::Play, &name, refusal),
+                }
+            }
+            Request::Restart => return self.restart(spectator),
+            Request::Edit(name) => self.edit(&name),
+            Request::Make(make) => match self.make(&make) {
+                Ok(screen) => screen,
+                Err(reason) => {
+                    if let Screen::LevelSelect(screen) = &mut self.screen {
+                        screen.refuse(reason);
+                    }
+                    return;
+                }
             },
+            Request::TestFly(level) => self.test_fly(level, spectator),
+            Request::BackToEditor(how) => self.back_to_editor(how),
             Request::Attempt(attempt) => self.flight(attempt, spectator),
             Request::Score(attempt, result, flown) => self.scoring(attempt, result, flown),
             Request::Flights(visit) => self.flights(visit),
             Request::Watch(visit, candidate) => match self.watch(visit, &candidate, spectator) {
                 Ok(screen) => screen,
-                Err(problem) => return self.tell(problem, true),
+                Err(problem) => return self.tell_flights(problem, true),
             },
             Request::Race(visit, candidates) => match self.race(&visit, &candidates) {
                 Ok(attempt) => self.flight(attempt, spectator),
-                Err(problem) => return self.tell(problem, true),
+                Err(problem) => return self.tell_flights(problem, true),
             },
             Request::Keep(visit, candidate) => {
                 let kept = self.keep(&visit, &candidate);
                 let bad = kept.is_err();
-                return self.tell(kept.unwrap_or_else(|problem| problem), bad);
+                return self.tell_flights(kept.unwrap_or_else(|problem| problem), bad);
             }
             Request::SaveScore(gain) => self.save_score(gain),
             Request::Submit(gain, name) => match self.save(Waiting { gain, name, since: 0.0 }) {
@@ -212,7 +237,7 @@ impl App {
             Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),
             Request::Settings => Screen::Settings(Box::new(SettingsPanel::new(self.settings, self.settings_problems.clone()))),
             Request::Set(settings) => return self.set(settings),
-            Request::Open(path) => self.open(&path),
+            Request::Open(path) => self.open(&path, spectator),
             Request::Quit => return,
         };
         self.screen = next;
@@ -256,25 +281,20 @@ impl App {
         Screen::Players(Box::new(Players::new(self.journal.players(), self.journal.current(), trouble)))
     }
 
-    fn level_select(&self, purpose: Purpose) -> LevelSelect {
-        let entry = |name: String| {
-            let (level, best) = (self.library.load(&name), self.journal.best(&name));
-            let awards = level.as_ref().map_or_else(|_| Awards::default(), |level| level.awards);
-            let medals = self.journal.medals(&name).with_best(&awards, best);
-            let level = level.map(|level| (level.title.clone(), Miniature::of(&level)));
-            Entry { level, best, awards, medals, name }
-        };
-        let mut screen = LevelSelect::new(purpose, self.library.names().into_iter().map(entry).collect());
+    pub(super) fn level_select(&mut self, purpose: Purpose) -> LevelSelect {
+        self.library.close();
+        let mut screen = LevelSelect::new(purpose, self.library.names());
         if let Some(name) = &self.last_level {
             screen.turn_to_level(name);
         }
         screen
     }
 
-    fn flight(&mut self, attempt: Attempt, spectator: &mut dyn Spectator) -> Screen {
+    pub(super) fn flight(&mut self, attempt: Attempt, spectator: &mut dyn Spectator) -> Screen {
         let name = attempt.level.name.clone();
         self.last_level = Some(name.clone());
         self.ended = None;
+        self.watch = Some(self.library.watch(&attempt.level));
         match Flight::new(attempt, spectator) {
             Ok(mut flight) => {
                 flight.tell_of_settings(self.settings, &self.settings_problems);
@@ -285,23 +305,29 @@ impl App {
     }
 
     /// The list of levels with what is wrong with one of them.
-    fn refused(&self, purpose: Purpose, name: &str, refusal: Refusal) -> Screen {
+    fn refused(&mut self, purpose: Purpose, name: &str, refusal: Refusal) -> Screen {
         let mut screen = self.level_select(purpose);
         screen.show_problems(name, refusal);
         Screen::LevelSelect(screen)
     }
 
-    /// Whether a file that is dropped on the window is taken: nobody who flies or writes is interrupted.
+    /// Whether a file that is dropped on the window is taken: nobody who flies, writes or edits is interrupted.
     fn takes_files(&self) -> bool {
         match &self.screen {
-            Screen::Flight(flight) => flight.pause().is_some(),
+            Screen::Flight(flight) => flight.pause().is_some() && self.editing.is_none(),
+            Screen::Editor(editor) => !editor.is_unsaved(),
             Screen::SaveScore(_) => false,
             _ => true,
         }
     }
 
-    /// Installs the level of an archive; the list of levels then, with what became of it.
-    fn open(&mut self, path: &Path) -> Screen {
+    /// Opens what was dropped: an archive is installed, and the list of levels says what became of it; a level's folder, or a file of one,
+    /// is flown where it is.
+    fn open(&mut self, path: &Path, spectator: &mut dyn Spectator) -> Screen {
+        if path.is_dir() || path.extension().is_some_and(|ending| ["csv", "png"].iter().any(|own| ending.eq_ignore_ascii_case(own)))
+        {
+            return self.open_folder(path, spectator);
+        }
         let (heading, lines) = match self.library.install(path) {
             Ok(Installed::New(folder)) => {
                 self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
@@ -383,7 +409,7 @@ impl App {
     }
 
     /// Says on the list of flights what became of something.
-    fn tell(&mut self, words: String, bad: bool) {
+    fn tell_flights(&mut self, words: String, bad: bool) {
         if let Screen::Flights(screen) = &mut self.screen {
             screen.tell(words, bad);
         }
@@ -398,6 +424,9 @@ impl App {
     /// Takes note of the attempt on the screen, once, when it has ended. Who watches a recording has flown nothing.
     fn note_end(&mut self) {
         let Screen::Flight(flight) = &self.screen else { return };
+        if self.editing.is_some() {
+            return;
+        }
         let game = flight.game();
         if game.outcome() == Outcome::Running {
             self.ended = None;
@@ -516,7 +545,7 @@ impl App {
 
     /// A board with its buttons, and how many other versions of the level have boards of their own; or the list of levels, where it cannot
     /// be read.
-    fn board(&self, subject: String, name: &str, shown: Result<(Loaded, usize), ScoresError>, ways: Vec<Way>) -> Screen {
+    fn board(&mut self, subject: String, name: &str, shown: Result<(Loaded, usize), ScoresError>, ways: Vec<Way>) -> Screen {
         match shown {
             Ok((Loaded { board, damage }, others)) => {
                 let damage = (!damage.is_empty()).then(|| damage_text(&damage));

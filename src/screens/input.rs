@@ -31,13 +31,15 @@ pub struct Input {
     pub holding: bool,
     /// The right button went down.
     pub right_click: bool,
+    /// The right or the middle button is down.
+    pub dragging: bool,
     /// Notches of the wheel, positive away from the player (up).
     pub wheel: f32,
     /// Keys that went down, also those that are up again by now.
     pub pressed: Keys,
     /// Keys that are down.
     pub held: Keys,
-    /// Files that were dropped on the window.
+    /// Files and folders that were dropped on the window.
     pub dropped: Vec<PathBuf>,
     /// Characters that were typed, in order.
     pub typed: String,
@@ -71,6 +73,7 @@ impl Input {
             frame: self.frame,
             pointer: self.pointer,
             holding: self.holding,
+            dragging: self.dragging,
             held: self.held,
             settings: self.settings,
             ..Self::default()

@@ -1,11 +1,18 @@
-//! A page of cards, one a level, used twice: to choose what to play and to choose whose leaderboard to see.
+//! A page of cards, one a level, used three times: to choose what to play, whose leaderboard to see, and what to edit. Only the levels in
+//! view are loaded, and again when their files change; typing finds those with such a name or title.
 
+use super::folder_watch::Stamp;
+use super::input::Repeat;
 use super::library::Refusal;
-use super::{Buttons, Input, Key, Miniature, Problems, Request, Visit};
+use super::prompt::{Prompt, Reply};
+use super::{Buttons, Input, Key, Make, Miniature, Problems, Request, Visit};
 use crate::game::Medals;
 use crate::level::Awards;
 use crate::settings::Action;
 use crate::view::layout::{Area, Frame, GAP, ROW_BUTTON, Vec2};
+
+#[cfg(feature = "window")]
+mod drawing;
 
 /// Levels a page.
 pub const PAGE: usize = 15;
@@ -29,6 +36,8 @@ pub enum Purpose {
     Play,
     /// To see its leaderboard.
     Leaderboard,
+    /// To edit it.
+    Edit,
 }
 
 /// A level in the list.
@@ -36,8 +45,12 @@ pub enum Purpose {
 pub struct Entry {
     /// Its folder's name.
     pub name: String,
-    /// Its title and what it looks like, or why it does not load.
-    pub level: Result<(String, Miniature), Refusal>,
+    /// Its title and what it looks like, or why it does not load; `None` until it has been in view.
+    pub level: Option<Result<(String, Miniature), Refusal>>,
+    /// What its folder looked like then.
+    pub stamp: Stamp,
+    /// Its title, as far as it has been looked for.
+    pub title: Option<String>,
     /// The best time of whoever plays without help, s; `None` where there is none.
     pub best: Option<f64>,
     /// What its medals ask for.
@@ -46,14 +59,65 @@ pub struct Entry {
     pub medals: Medals,
 }
 
+impl Entry {
+    /// A level of which nothing but its name is known.
+    pub fn new(name: String) -> Self {
+        Self {
+            name,
+            level: None,
+            stamp: Stamp::default(),
+            title: None,
+            best: None,
+            awards: Awards::default(),
+            medals: Medals::default(),
+        }
+    }
+
+    /// Whether its name or title has these letters in it, which are small.
+    fn has(&self, letters: &str) -> bool {
+        let has = |text: &str| text.to_lowercase().contains(letters);
+        has(&self.name) || self.title.as_deref().is_some_and(has)
+    }
+}
+
+/// What a level is to be chosen for, besides the list's own purpose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Pick {
+    Copy,
+    Rename,
+}
+
+/// How many titles are looked for in a frame while something is to be found: a few milliseconds' worth.
+const TITLES_A_FRAME: usize = 100;
+/// From one look at the files in view to the next, s.
+const LOOK_EVERY: f64 = 0.5;
+/// The most letters to find something by.
+const MOST_LETTERS: usize = 40;
+
 /// The grid of levels.
 #[derive(Debug)]
 pub struct LevelSelect {
     purpose: Purpose,
     entries: Vec<Entry>,
+    /// What is to be found, and which entries that finds.
+    find: String,
+    found: Vec<usize>,
     page: usize,
     buttons: Buttons,
     problems: Option<Problems>,
+    pick: Option<Pick>,
+    prompt: Option<Box<(Prompt, Asked)>>,
+    repeat: Repeat,
+    /// Until the next look at files, s.
+    look: f64,
+}
+
+/// What a name is asked for.
+#[derive(Clone, Debug)]
+enum Asked {
+    New,
+    Copy(String),
+    Rename(String),
 }
 
 /// What a button of the screen is for.
@@ -63,17 +127,34 @@ enum Press {
     Back,
     Previous,
     Next,
+    Edit,
+    New,
+    Copy,
+    Rename,
 }
 
 impl LevelSelect {
-    /// The list for that purpose.
-    pub fn new(purpose: Purpose, entries: Vec<Entry>) -> Self {
-        Self { purpose, entries, page: 0, buttons: Buttons::default(), problems: None }
+    /// The list of those levels for that purpose.
+    pub fn new(purpose: Purpose, names: Vec<String>) -> Self {
+        let entries: Vec<Entry> = names.into_iter().map(Entry::new).collect();
+        Self {
+            purpose,
+            found: (0..entries.len()).collect(),
+            entries,
+            find: String::new(),
+            page: 0,
+            buttons: Buttons::default(),
+            problems: None,
+            pick: None,
+            prompt: None,
+            repeat: Repeat::default(),
+            look: LOOK_EVERY,
+        }
     }
 
     /// Opens the page of a level and puts the keyboard on it.
     pub fn turn_to_level(&mut self, name: &str) {
-        if let Some(index) = self.entries.iter().position(|entry| entry.name == name) {
+        if let Some(index) = self.found.iter().position(|index| self.entries[*index].name == name) {
             self.page = index / PAGE;
             self.buttons = Buttons::focused_on(index % PAGE);
         }
@@ -90,19 +171,68 @@ impl LevelSelect {
         self.problems = Some(Problems::new(heading, problems));
     }
 
+    /// Says why a name will not do.
+    pub fn refuse(&mut self, reason: String) {
+        if let Some(asked) = &mut self.prompt {
+            asked.0.refuse(reason);
+        }
+    }
+
+    /// The entries in view.
+    pub fn in_view(&self) -> Vec<usize> {
+        self.found.iter().skip(self.page * PAGE).take(PAGE).copied().collect()
+    }
+
+    /// Whether it is time to look whether files have changed.
+    pub fn looks(&mut self, frame_time: f64) -> bool {
+        self.look -= frame_time;
+        let due = self.look <= 0.0;
+        if due {
+            self.look = LOOK_EVERY;
+        }
+        due
+    }
+
+    /// Takes over what is known of a level now.
+    pub fn tell(&mut self, index: usize, entry: Entry) {
+        self.entries[index] = entry;
+    }
+
+    /// Looks for some of the titles that are not known yet, while something is to be found.
+    pub fn learn_titles(&mut self, title: impl Fn(&str) -> String) {
+        if self.find.is_empty() {
+            return;
+        }
+        let unknown = self.entries.iter_mut().filter(|entry| entry.title.is_none()).take(TITLES_A_FRAME);
+        let mut learnt = false;
+        for entry in unknown {
+            entry.title = Some(title(&entry.name));
+            learnt = true;
+        }
+        if learnt {
+            self.search(false);
+        }
+    }
+
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
         let presses = self.presses();
-        let cards = cards(self.entries.len().min(PAGE), &input.frame);
-        self.buttons.place(presses.iter().map(|press| place(*press, &cards, &input.frame)).collect());
+        let cards = cards(self.found.len().min(PAGE), &input.frame);
+        self.buttons.place(presses.iter().map(|press| self.place(*press, &cards, &input.frame)).collect());
         if let Some(problems) = &mut self.problems {
             if problems.update(input) {
                 self.problems = None;
             }
             return None;
         }
+        if self.prompt.is_some() {
+            return self.update_prompt(input);
+        }
         if input.pressed(Key::Escape) {
-            return Some(Request::Menu);
+            return self.go_back();
+        }
+        if self.type_in(input) {
+            return None;
         }
         if input.pressed(Key::PageDown) {
             self.turn_to(self.page + 1);
@@ -131,9 +261,19 @@ impl LevelSelect {
         self.page
     }
 
-    /// Its buttons: the levels of the page, Back, and where there are more pages Previous and Next.
+    /// What is to be found.
+    pub fn find(&self) -> &str {
+        &self.find
+    }
+
+    /// Its buttons: the levels of the page, Back, and what else there is.
     pub fn buttons(&self) -> &Buttons {
-        &self.buttons
+        self.prompt.as_ref().map_or(&self.buttons, |asked| asked.0.buttons())
+    }
+
+    /// The panel that asks for a name, while it is open.
+    pub fn prompt(&self) -> Option<&Prompt> {
+        self.prompt.as_ref().map(|asked| &asked.0)
     }
 
     /// Why a level does not load, while that is shown.
@@ -148,21 +288,94 @@ impl LevelSelect {
         let Press::Level(index) = *presses.get(at?)? else { return None };
         let Entry { name, level, .. } = &self.entries[index];
         let back = Box::new(Request::LevelSelect(self.purpose));
-        level.is_ok().then(|| Visit { level: name.clone(), flown: None, back })
+        let loads = level.as_ref().is_some_and(Result::is_ok) && self.purpose != Purpose::Edit;
+        loads.then(|| Visit { level: name.clone(), flown: None, back })
+    }
+
+    /// Esc: out of what was begun last.
+    fn go_back(&mut self) -> Option<Request> {
+        if !self.find.is_empty() {
+            self.find.clear();
+            self.search(true);
+            return None;
+        }
+        if self.pick.take().is_some() {
+            return None;
+        }
+        match self.purpose {
+            Purpose::Edit => Some(Request::LevelSelect(Purpose::Play)),
+            Purpose::Play | Purpose::Leaderboard => Some(Request::Menu),
+        }
+    }
+
+    /// Letters are what is to be found; whether there were any.
+    fn type_in(&mut self, input: &Input) -> bool {
+        let before = self.find.clone();
+        let room = MOST_LETTERS.saturating_sub(self.find.chars().count());
+        self.find.extend(input.typed.chars().filter(|letter| !letter.is_control()).take(room));
+        self.find = self.find.trim_start().to_owned();
+        if !self.repeat.strokes(input, &[Key::Backspace]).is_empty() {
+            self.find.pop();
+        }
+        let changed = self.find != before;
+        if changed {
+            self.search(true);
+        }
+        changed
+    }
+
+    fn search(&mut self, anew: bool) {
+        let letters = self.find.trim().to_lowercase();
+        self.found = (0..self.entries.len()).filter(|index| self.entries[*index].has(&letters)).collect();
+        if anew {
+            self.page = 0;
+            self.buttons = Buttons::default();
+        }
+        self.page = self.page.min(self.pages() - 1);
+    }
+
+    fn update_prompt(&mut self, input: &Input) -> Option<Request> {
+        let (prompt, asked) = &mut **self.prompt.as_mut()?;
+        match prompt.update(input)? {
+            Reply::Cancel => {
+                self.prompt = None;
+                None
+            }
+            Reply::Text(name) => Some(Request::Make(match asked.clone() {
+                Asked::New => Make::New(name),
+                Asked::Copy(from) => Make::Copy(from, name),
+                Asked::Rename(from) => Make::Rename(from, name),
+            })),
+        }
     }
 
     fn press(&mut self, press: Press) -> Option<Request> {
         match press {
-            Press::Back => return Some(Request::Menu),
+            Press::Back => return self.go_back(),
             Press::Previous => self.turn_to(self.page.saturating_sub(1)),
             Press::Next => self.turn_to(self.page + 1),
+            Press::Edit => return Some(Request::LevelSelect(Purpose::Edit)),
+            Press::New => self.prompt = Some(Box::new((Prompt::new("What is the new level called?", ""), Asked::New))),
+            Press::Copy => self.pick = Some(Pick::Copy),
+            Press::Rename => self.pick = Some(Pick::Rename),
             Press::Level(index) => {
-                let Entry { name, level, .. } = self.entries[index].clone();
-                match (level, self.purpose) {
-                    (Err(refusal), _) => self.show_problems(&name, refusal),
-                    (Ok(_), Purpose::Play) => return Some(Request::Play(name)),
-                    (Ok(_), Purpose::Leaderboard) => return Some(Request::Leaderboard(name)),
-                }
+                let name = self.entries[index].name.clone();
+                return match (self.purpose, self.pick.take()) {
+                    (_, Some(Pick::Copy)) => {
+                        let heading = format!("What is the copy of {name} called?");
+                        self.prompt = Some(Box::new((Prompt::new(heading, &format!("{name}-copy")), Asked::Copy(name))));
+                        None
+                    }
+                    (_, Some(Pick::Rename)) => {
+                        let heading = format!("What is {name} called from now on?");
+                        self.prompt = Some(Box::new((Prompt::new(heading, &name), Asked::Rename(name))));
+                        None
+                    }
+                    // Whether it loads is found out afresh: it may have been mended since.
+                    (Purpose::Play, None) => Some(Request::Play(name)),
+                    (Purpose::Leaderboard, None) => Some(Request::Leaderboard(name)),
+                    (Purpose::Edit, None) => Some(Request::Edit(name)),
+                };
             }
         }
         None
@@ -176,16 +389,45 @@ impl LevelSelect {
     }
 
     fn pages(&self) -> usize {
-        self.entries.len().div_ceil(PAGE).max(1)
+        self.found.len().div_ceil(PAGE).max(1)
     }
 
     fn presses(&self) -> Vec<Press> {
-        let first = self.page * PAGE;
-        let levels = (first..self.entries.len().min(first + PAGE)).map(Press::Level);
         let turns: &[Press] = if self.pages() > 1 { &[Press::Previous, Press::Next] } else { &[] };
-        levels.chain([Press::Back]).chain(turns.iter().copied()).collect()
+        let more: &[Press] = match self.purpose {
+            Purpose::Play => &[Press::Edit],
+            Purpose::Edit => &[Press::New, Press::Copy, Press::Rename],
+            Purpose::Leaderboard => &[],
+        };
+        let levels = self.in_view().into_iter().map(Press::Level);
+        levels.chain([Press::Back]).chain(turns.iter().copied()).chain(more.iter().copied()).collect()
+    }
+
+    /// Where a button is: a level's card, the others in a row below the cards.
+    fn place(&self, press: Press, cards: &[Area], frame: &Frame) -> Area {
+        let top = frame.size.y - FOOT - ROW_BUTTON.y;
+        let left = |nth: f32| Area { min: Vec2::new(SIDE + nth * (FOOT_BUTTON.x + GAP), top), size: FOOT_BUTTON };
+        let right = |nth: f32| Area {
+            min: Vec2::new(frame.size.x - SIDE - FOOT_BUTTON.x - nth * (FOOT_BUTTON.x + GAP), top),
+            size: FOOT_BUTTON,
+        };
+        match press {
+            Press::Level(index) => {
+                let nth = self.found.iter().position(|found| *found == index).unwrap_or(0);
+                cards[nth % PAGE]
+            }
+            Press::Back => left(0.0),
+            Press::Edit | Press::New => left(1.0),
+            Press::Copy => left(2.0),
+            Press::Rename => left(3.0),
+            Press::Previous => right(1.0),
+            Press::Next => right(0.0),
+        }
     }
 }
+
+/// A button at the foot.
+const FOOT_BUTTON: Vec2 = Vec2::new(160.0, ROW_BUTTON.y);
 
 /// The places of a page's cards: as many across as make the cards largest, all the window between the heading and the foot.
 fn cards(count: usize, frame: &Frame) -> Vec<Area> {
@@ -212,108 +454,6 @@ fn cards(count: usize, frame: &Frame) -> Vec<Area> {
         Area { min: first + Vec2::new(column as f32, row as f32) * (size + BETWEEN), size }
     };
     (0..count).map(place).collect()
-}
-
-/// Where a button is: a level's card, the others in a row below the cards.
-fn place(press: Press, cards: &[Area], frame: &Frame) -> Area {
-    let below = |left: f32| Area { min: Vec2::new(left, frame.size.y - FOOT - ROW_BUTTON.y), size: ROW_BUTTON };
-    match press {
-        Press::Level(index) => cards[index % PAGE],
-        Press::Back => below(SIDE),
-        Press::Previous => below(frame.size.x - SIDE - 2.0 * ROW_BUTTON.x - GAP),
-        Press::Next => below(frame.size.x - SIDE - ROW_BUTTON.x),
-    }
-}
-
-#[cfg(feature = "window")]
-mod drawing {
-    use super::{Entry, FOOT, HEAD, LevelSelect, Press, Purpose};
-    use crate::screens::scoring::precise;
-    use crate::view::canvas::{Canvas, Style};
-    use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, ROW_BUTTON, TEXT, Vec2};
-    use crate::view::{medals, theme, widgets};
-
-    /// From a card's edge to what is on it.
-    const INSIDE: f32 = 12.0;
-    /// Height of the words below a card's picture, in lines of text.
-    const WORDS: f32 = 2.4;
-
-    impl LevelSelect {
-        /// Draws the cards, and the problems above them.
-        pub fn draw(&self, canvas: &Canvas) {
-            let frame = canvas.frame();
-            widgets::graph_paper(canvas);
-            let heading = match self.purpose {
-                Purpose::Play => "Choose a level",
-                Purpose::Leaderboard => "Whose leaderboard?",
-            };
-            widgets::heading(canvas, heading, HEAD / 2.0 - 10.0);
-            let hint = Style::new(DETAILS, theme::quiet()).centred().middle();
-            canvas.text("Tab or a right click: the flights of a level", Vec2::new(frame.size.x / 2.0, HEAD - 16.0), hint);
-            for (i, (press, area)) in self.presses().iter().zip(self.buttons.areas()).enumerate() {
-                let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
-                match press {
-                    Press::Level(index) => card(canvas, *area, &self.entries[*index], hover, focus),
-                    Press::Back => widgets::button(canvas, *area, "Back", hover, focus),
-                    Press::Previous => widgets::button(canvas, *area, "Previous", hover && self.page > 0, focus),
-                    Press::Next => widgets::button(canvas, *area, "Next", hover && self.page + 1 < self.pages(), focus),
-                }
-            }
-            let quiet = Style::new(TEXT, theme::quiet()).centred().middle();
-            if self.pages() > 1 {
-                let page = format!("Page {} of {}", self.page + 1, self.pages());
-                canvas.text(&page, Vec2::new(frame.size.x / 2.0, frame.size.y - FOOT - ROW_BUTTON.y / 2.0), quiet);
-            }
-            if self.entries.is_empty() {
-                canvas.text("There are no levels here yet.", frame.size / 2.0, quiet);
-            }
-            if let Some(problems) = &self.problems {
-                widgets::curtain(canvas, 0.7);
-                problems.draw(canvas);
-            }
-        }
-    }
-
-    /// A level's picture, its name and title, and below them what whoever plays has reached.
-    fn card(canvas: &Canvas, area: Area, entry: &Entry, hover: bool, focus: bool) {
-        widgets::button_box(canvas, area, hover, focus);
-        let line = canvas.line_height(TEXT);
-        let inner = area.inset(INSIDE);
-        let picture = Area { min: inner.min, size: Vec2::new(inner.size.x, inner.size.y - WORDS * line) };
-        let middle = |lines: f32| Vec2::new(inner.centre().x, picture.max().y + lines * line);
-        let fitted = |text: &str, lines: f32, sizes: &[f32], colour| {
-            widgets::fitted(canvas, text, middle(lines), inner.size.x, sizes, colour);
-        };
-        match &entry.level {
-            Ok((title, miniature)) => {
-                miniature.draw(canvas, picture);
-                let named = if *title == entry.name { title.clone() } else { format!("{} · {title}", entry.name) };
-                let sizes: &[f32] = if area.size.x > 400.0 { &[BUTTON_TEXT, TEXT, DETAILS] } else { &[TEXT, DETAILS] };
-                fitted(&named, 0.9, sizes, theme::text());
-                match entry.medals.medal {
-                    Some(_) => {
-                        let (style, at) = (Style::new(TEXT, theme::text()).mono().middle(), middle(1.95));
-                        let time = entry.best.map_or("with help".to_owned(), precise);
-                        let width = canvas.width(&time, style);
-                        // The medals go before the time, and all of it stands in the middle.
-                        let room = 28.0 * medals::offered(&entry.awards) as f32;
-                        let left = at.x - (room + width) / 2.0;
-                        canvas.text(&time, Vec2::new(left + room + 2.0, at.y), style);
-                        medals::draw_earned(canvas, entry.medals, &entry.awards, Vec2::new(left + 11.0, at.y), 11.0);
-                    }
-                    None => fitted("not done yet", 1.95, &[TEXT, DETAILS], theme::quiet()),
-                }
-            }
-            Err(_) => {
-                let sign = picture.centre();
-                widgets::fitted(canvas, &entry.name, sign, picture.size.x, &[HEADING, BUTTON_TEXT, TEXT, DETAILS], theme::quiet());
-                fitted("does not load", 0.9, &[TEXT, DETAILS], theme::bad());
-                let corner = Vec2::new(area.max().x - 18.0, area.min.y + 22.0);
-                canvas.rounded(Area::around(corner, Vec2::new(4.0, 12.0)), 2.0, theme::bad());
-                canvas.disc(corner + Vec2::new(0.0, 11.0), 2.5, theme::bad());
-            }
-        }
-    }
 }
 
 #[cfg(test)]

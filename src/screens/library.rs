@@ -1,11 +1,12 @@
 //! The levels on disk, as the screens list them, the tile run's map and commands, and the charts that were measured here.
 
+use super::folder_watch::FolderWatch;
 use super::lab::Shown;
 use crate::classics::tile_run::{Command, InputError, Map};
 use crate::files::{self, CHART, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::lab::charts::Charts;
 use crate::lab::kept;
-use crate::level::{self, Level};
+use crate::level::{self, Level, Look};
 use crate::pack::{self, Installed};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -24,12 +25,14 @@ pub type Refusal = Vec<String>;
 pub struct Library {
     root: PathBuf,
     levels: PathBuf,
+    /// A level's folder that is not one of `levels`, while that level is played or edited.
+    outside: Option<PathBuf>,
 }
 
 impl Library {
     /// The levels in `levels`, with images under `root`.
     pub fn new(root: impl Into<PathBuf>, levels: impl Into<PathBuf>) -> Self {
-        Self { root: root.into(), levels: levels.into() }
+        Self { root: root.into(), levels: levels.into(), outside: None }
     }
 
     /// The names of all levels, those named by a number first and in numeric order. A folder that cannot be read holds none.
@@ -42,12 +45,58 @@ impl Library {
         self.names().into_iter().skip_while(|other| other != name).nth(1)
     }
 
+    /// The project's folder.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// The folder of levels.
+    pub fn levels(&self) -> &Path {
+        &self.levels
+    }
+
+    /// The folder of a level.
+    pub fn folder(&self, name: &str) -> PathBuf {
+        let outside = self.outside.iter().find(|folder| folder.file_name().is_some_and(|own| own.to_string_lossy() == name));
+        outside.cloned().unwrap_or_else(|| self.levels.join(name))
+    }
+
+    /// Lets a folder outside of `levels` be the level of its name, until the next call; the name. A file stands for its folder.
+    pub fn open(&mut self, path: &Path) -> Option<String> {
+        let folder = if path.is_dir() { path } else { path.parent()? }.canonicalize().ok()?;
+        let name = folder.file_name()?.to_string_lossy().into_owned();
+        let listed = self.levels.join(&name).canonicalize().is_ok_and(|listed| listed == folder);
+        self.outside = (!listed).then_some(folder);
+        Some(name)
+    }
+
+    /// Every name means a level in `levels` again.
+    pub fn close(&mut self) {
+        self.outside = None;
+    }
+
+    /// A level's title, without loading it; its name where it has none.
+    pub fn title(&self, name: &str) -> String {
+        level::title(&self.levels.join(name)).unwrap_or_else(|| name.to_owned())
+    }
+
+    /// What a level's folder and its pictures look like from the outside.
+    pub fn watch(&self, level: &Level) -> FolderWatch {
+        let folder = self.folder(&level.name);
+        let images = level.objects.iter().filter_map(|object| match &object.look {
+            Look::Image(path) => Some(path.clone()),
+            Look::Box | Look::Ball => None,
+        });
+        let pictures = images.chain(level.decoration.iter().map(|picture| picture.image.clone()));
+        FolderWatch::new(folder, pictures.collect())
+    }
+
     /// Reads a level.
     ///
     /// # Errors
     /// All its problems, a line each.
     pub fn load(&self, name: &str) -> Result<Arc<Level>, Refusal> {
-        match level::load(&self.levels.join(name), &self.root) {
+        match level::load(&self.folder(name), &self.root) {
             Ok(loaded) => Ok(Arc::new(loaded.level)),
             Err(problems) => Err(problems.iter().map(ToString::to_string).collect()),
         }

@@ -8,8 +8,11 @@ mod balls;
 mod buttons;
 mod classics;
 mod credits;
+mod editor;
+mod files;
 mod flight;
 mod flights;
+mod folder_watch;
 mod footage;
 mod hover;
 mod input;
@@ -29,6 +32,7 @@ mod pad;
 mod pi;
 mod players;
 mod problems;
+mod prompt;
 mod prover;
 mod race;
 mod save_score;
@@ -47,8 +51,10 @@ pub use app::{App, Places};
 pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
 pub use credits::Credits;
-pub use flight::{Attempt, Flight, Flown, Spectator};
+pub use editor::{Editor, Tool as EditorTool};
+pub use flight::{Attempt, Flight, Flown, News, Spectator};
 pub use flights::{Candidate as FlightCandidate, Flights, Source, Visit};
+pub use folder_watch::{FolderWatch, Stamp};
 pub use input::{Answer, Input};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Half, Lab, Line, PAGES, Page, Shown};
@@ -63,6 +69,7 @@ pub use observer::{Observer, PACES as OBSERVED_PACES};
 pub use pi::Pi;
 pub use players::{Candidate, Players};
 pub use problems::Problems;
+pub use prompt::{Prompt, Reply};
 pub use prover::Prover;
 pub use race::{Gap, Ghost, MOST_RIVALS, Race, Rival, Split};
 pub use save_score::{Gain, SaveScore};
@@ -73,14 +80,16 @@ pub use tile_run::TileRun;
 pub use toolbar::Toolbar;
 pub use watch::{PACES, Watch};
 #[cfg(feature = "window")]
-pub use window::open;
+pub use window::{Start, open};
 
 use crate::classics::jumper::scene::Scene;
 use crate::game::RunResult;
+use crate::level::Level;
 use crate::scores::Name;
 use crate::settings::Settings;
 use std::path::PathBuf;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// What is on the screen, with all that it needs.
 #[derive(Debug)]
@@ -95,6 +104,8 @@ pub enum Screen {
     Watch(Box<Watch>),
     /// Recorded flights of a level.
     Flights(Box<Flights>),
+    /// A level that is edited.
+    Editor(Box<Editor>),
     /// What it came to.
     Scoring(Box<Scoring>),
     /// Under which name.
@@ -131,6 +142,17 @@ impl Screen {
     }
 }
 
+/// A folder that is to be made or named.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Make {
+    /// A new level of that name.
+    New(String),
+    /// A copy of the first, named like the second.
+    Copy(String, String),
+    /// The first, named like the second.
+    Rename(String, String),
+}
+
 /// What a screen asks for: the next screen, with what it needs.
 #[derive(Clone, Debug)]
 pub enum Request {
@@ -140,6 +162,16 @@ pub enum Request {
     LevelSelect(Purpose),
     /// The level of that name, read afresh.
     Play(String),
+    /// The attempt on the screen, from its start, in the level as its files are now.
+    Restart,
+    /// The level of that name, to be edited.
+    Edit(String),
+    /// A level is to be made, and edited; or renamed.
+    Make(Make),
+    /// The level that is edited is to be flown as it is in memory.
+    TestFly(Arc<Level>),
+    /// The editor again, with how the flight of what is edited ended, in words.
+    BackToEditor(String),
     /// Another attempt at a level that is there.
     Attempt(Attempt),
     /// An attempt has ended, with the flight where it was flown by hand.

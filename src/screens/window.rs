@@ -1,5 +1,6 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
+use super::editor::Sheets;
 use super::pad::Pads;
 use super::watch::FOOT;
 use super::{Answer, App, Attempt, Flight, Input, Key, Keys, Noise, Places, Request, Screen, Spectator, Watch};
@@ -20,6 +21,7 @@ use macroquad::time::{get_fps, get_frame_time, get_time};
 use macroquad::window::{next_frame, set_fullscreen};
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
+use std::path::PathBuf;
 use std::rc::Rc;
 use std::time::Duration;
 
@@ -49,11 +51,20 @@ const MORE_KEYS: [(KeyCode, Key); 8] = [
     (KeyCode::RightAlt, Key::Alt),
 ];
 
+/// What the window opens with.
+#[derive(Clone, Debug)]
+pub enum Start {
+    /// An attempt at the level in that folder.
+    Play(PathBuf, Attempt),
+    /// The editor of the level in that folder, which has that name.
+    Edit(PathBuf, String),
+}
+
 /// Opens the window, in a level where one is given, and returns when it is closed.
 ///
 /// # Errors
 /// There is no display, or what the window needs cannot be had; in words.
-pub fn open(places: Places, start: Option<Attempt>) -> Result<(), String> {
+pub fn open(places: Places, start: Option<Start>) -> Result<(), String> {
     let conf = || Conf {
         window_title: "Resultant".into(),
         window_width: DESIGN.x as i32,
@@ -88,12 +99,14 @@ pub fn open(places: Places, start: Option<Attempt>) -> Result<(), String> {
     Err("the window cannot be opened: there is no display, or it lacks OpenGL".into())
 }
 
-async fn run(places: Places, start: Option<Attempt>) -> Result<(), String> {
+async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     let mut canvas = Canvas::new()?;
     let mut theatre = Theatre::new(Speaker::new());
     let mut app = App::new(places);
-    if let Some(attempt) = start {
-        app.grant(Request::Attempt(attempt), &mut theatre);
+    match start {
+        Some(Start::Play(folder, attempt)) => app.begin(&folder, Request::Attempt(attempt), &mut theatre),
+        Some(Start::Edit(folder, name)) => app.begin(&folder, Request::Edit(name), &mut theatre),
+        None => {}
     }
     let mut pads = Pads::new();
     let mut fullscreen = false;
@@ -134,6 +147,7 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
         click: is_mouse_button_pressed(MouseButton::Left),
         holding: is_mouse_button_down(MouseButton::Left),
         right_click: is_mouse_button_pressed(MouseButton::Right),
+        dragging: is_mouse_button_down(MouseButton::Right) || is_mouse_button_down(MouseButton::Middle),
         // Systems disagree by a factor of 120 on what a notch is; they agree on its sign.
         wheel: mouse_wheel().1.clamp(-1.0, 1.0),
         pressed: keys(is_key_pressed) | pad_pressed,
@@ -147,10 +161,11 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
 fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) {
     match app.screen() {
         Screen::Menu(screen) => screen.draw(&theatre.art, canvas),
-        Screen::LevelSelect(screen) => screen.draw(canvas),
+        Screen::LevelSelect(screen) => screen.draw(canvas, app.shown_for()),
+        Screen::Editor(screen) => screen.draw(&mut theatre.sheets, canvas, app.shown_for()),
         Screen::Flight(screen) => {
             theatre.draw(screen, *app.settings(), frame_time, canvas);
-            screen.draw_pause(canvas);
+            screen.draw_over(canvas);
         }
         Screen::Watch(screen) => {
             // The flight is above the controls.
@@ -184,6 +199,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) 
 /// What watches the attempt that is on the screen: its view, its sounds, and how long its ticks take.
 struct Theatre {
     art: Rc<Art>,
+    sheets: Sheets,
     speaker: Speaker,
     ear: Ear,
     view: Option<GameView>,
@@ -194,7 +210,15 @@ struct Theatre {
 
 impl Theatre {
     fn new(speaker: Speaker) -> Self {
-        Self { art: Rc::new(Art::new()), speaker, ear: Ear::default(), view: None, tick_started: 0.0, tick_cost: 0.0 }
+        Self {
+            art: Rc::new(Art::new()),
+            sheets: Sheets::default(),
+            speaker,
+            ear: Ear::default(),
+            view: None,
+            tick_started: 0.0,
+            tick_cost: 0.0,
+        }
     }
 
     /// The body under the pointer, where a game is shown.
@@ -292,6 +316,7 @@ fn music(screen: &Screen) -> Option<&str> {
         | Screen::Players(_)
         | Screen::Credits(_)
         | Screen::LevelSelect(_)
+        | Screen::Editor(_)
         | Screen::Classics(_)
         | Screen::Lab(_)
         | Screen::Settings(_) => Some(MENU),
@@ -303,6 +328,14 @@ impl Spectator for Theatre {
         self.ear = Ear::default();
         self.view = Some(GameView::new(game, self.art.clone(), &|path| level::read_picture(path).ok()));
         self.tick_cost = 0.0;
+    }
+
+    fn goes_on(&mut self, game: &Game) {
+        let read = |path: &std::path::Path| level::read_picture(path).ok();
+        match &self.view {
+            Some(view) => self.view = Some(view.goes_on(game, &read)),
+            None => self.begins(game),
+        }
     }
 
     fn before_tick(&mut self) {

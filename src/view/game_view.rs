@@ -115,6 +115,12 @@ impl GameView {
         }
     }
 
+    /// The same for a game that goes on in another level: it looks where it looked.
+    #[must_use]
+    pub fn goes_on(&self, game: &Game, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
+        Self { camera: self.camera, time: self.time, ..Self::new(game, self.art.clone(), read) }
+    }
+
     /// Takes up what happened in the tick just made. To be called once a tick.
     pub fn after_tick(&mut self, game: &Game) {
         for event in game.events() {

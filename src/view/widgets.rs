@@ -51,15 +51,25 @@ pub fn fitted(canvas: &Canvas, text: &str, middle: Vec2, widest: f32, sizes: &[f
         return canvas.text(text, middle, style(*size));
     }
     let style = style(sizes.last().copied().unwrap_or(BUTTON_TEXT));
+    canvas.text(&cut(canvas, text, widest, style), middle, style);
+}
+
+/// A line of text, cut off with an ellipsis where it would be wider than that.
+pub fn cut(canvas: &Canvas, text: &str, widest: f32, style: Style) -> String {
+    if canvas.width(text, style) <= widest {
+        return text.to_owned();
+    }
     let mut kept: Vec<char> = text.chars().collect();
-    let shortened = loop {
+    // Not letter by letter: a line may have thousands of them.
+    let narrowest = style.size * 0.2;
+    kept.truncate((widest / narrowest) as usize + 1);
+    loop {
         kept.pop();
         let shortened = kept.iter().collect::<String>() + "…";
         if kept.is_empty() || canvas.width(&shortened, style) <= widest {
-            break shortened;
+            return shortened;
         }
-    };
-    canvas.text(&shortened, middle, style);
+    }
 }
 
 /// A tick, as large as a letter of twice that height.

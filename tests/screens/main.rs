@@ -1,11 +1,13 @@
 //! The screens as a player meets them, without a window: every way between them by mouse and by keyboard, one action a press.
 
+mod editor;
 mod flight;
 mod flights;
 mod levels;
 mod menu;
 mod observed;
 mod players;
+mod reload;
 mod scores;
 mod settings;
 mod sitting;

@@ -164,7 +164,7 @@ fn a_level_that_shares_a_name_with_the_players_file_is_refused() {
     let mut sitting = Sitting::with(|root| level(root, "Players", crate::sitting::FAR_AWAY, ""));
     sitting.choose(1).rest();
     let entry = sitting.level_select().entries().iter().find(|entry| entry.name == "Players").unwrap();
-    assert!(entry.level.as_ref().is_err_and(|problems| problems[0].contains("players.csv")), "{entry:?}");
+    assert!(entry.level.as_ref().unwrap().as_ref().is_err_and(|problems| problems[0].contains("players.csv")), "{entry:?}");
 }
 
 #[test]

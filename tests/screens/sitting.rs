@@ -126,6 +126,7 @@ impl Sitting {
             Screen::Menu(screen) => screen.buttons(),
             Screen::LevelSelect(screen) => screen.buttons(),
             Screen::Settings(screen) => screen.buttons(),
+            Screen::Editor(screen) => screen.buttons(),
             Screen::Flight(screen) => match screen.settings() {
                 Some(settings) => settings.buttons(),
                 None => screen.pause().expect("the pause panel is open"),
@@ -152,8 +153,11 @@ impl Sitting {
             Screen::LevelSelect(screen) => match screen.purpose() {
                 Purpose::Play => "level select",
                 Purpose::Leaderboard => "leaderboards",
+                Purpose::Edit => "levels to edit",
             },
             Screen::Settings(_) => "settings",
+            Screen::Editor(_) => "editor",
+            Screen::Flight(screen) if screen.is_test() => "test flight",
             Screen::Flight(screen) if screen.settings().is_some() => "settings in flight",
             Screen::Flight(screen) if screen.pause().is_some() => "pause",
             Screen::Flight(_) => "flight",
@@ -175,6 +179,11 @@ impl Sitting {
 
     pub fn level_select(&self) -> &LevelSelect {
         let Screen::LevelSelect(screen) = self.app.screen() else { panic!("at {}", self.at()) };
+        screen
+    }
+
+    pub fn editor(&self) -> &resultant::screens::Editor {
+        let Screen::Editor(screen) = self.app.screen() else { panic!("at {}", self.at()) };
         screen
     }
 

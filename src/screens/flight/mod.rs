@@ -1,9 +1,12 @@
 //! The game screen: one attempt at a level, its keys and its pause panel.
 
+#[cfg(feature = "window")]
+mod drawing;
+
 use super::observer::Observer;
 use super::race::{Race, Rival};
 use super::{Buttons, Input, Key, Purpose, Request, SettingsPanel};
-use crate::game::{Clock, Controls, Game, GameError, History, Inputs, Latch, Outcome, Playback, Replay, RunResult};
+use crate::game::{Clock, Controls, Game, GameError, History, Inputs, Latch, Outcome, Playback, Replay, RunResult, level_hash};
 use crate::level::Level;
 use crate::settings::{Action, Settings};
 use std::rc::Rc;
@@ -12,7 +15,10 @@ use std::sync::Arc;
 /// From the end of an attempt to its score, s: long enough to see what happened.
 const END_PAUSE: f64 = 1.2;
 /// The words on the pause panel's buttons, from top to bottom.
-pub const PAUSE_LABELS: [&str; 5] = ["Resume", "Restart", "Settings", "Level Select", "Main Menu"];
+pub const PAUSE_LABELS: [&str; 6] = ["Resume", "Restart", "Settings", "Level Select", "Main Menu", "Edit Level"];
+
+/// From the middle of the window up to the first of them.
+const PAUSE_TOP: f32 = 152.0;
 
 /// What is flown: a level, and the inputs that replace the keys, if any.
 #[derive(Clone, Debug)]
@@ -53,6 +59,8 @@ pub trait Spectator {
     fn after_tick(&mut self, _game: &Game) {}
     /// What is watched has jumped to another moment.
     fn jumped(&mut self, _game: &Game) {}
+    /// The attempt goes on in a level that was edited meanwhile.
+    fn goes_on(&mut self, _game: &Game) {}
 }
 
 impl Spectator for () {}
@@ -83,6 +91,22 @@ pub struct Flight {
     details: bool,
     hitboxes: bool,
     observer: Observer,
+    /// Whether it is flown to try out what is edited: nothing comes of it.
+    test: bool,
+    /// What became of the level's files since they were read, while that is shown.
+    news: Option<News>,
+}
+
+/// How long it is told that a level was read anew, s.
+const TOLD: f64 = 5.0;
+
+/// What became of a level's files while it is flown.
+#[derive(Clone, Debug, PartialEq)]
+pub enum News {
+    /// They were read anew, so long ago, s; whether the flight goes on where it was, or began again.
+    Changed(f64, bool),
+    /// They do not load; a line a problem.
+    Broken(Vec<String>),
 }
 
 impl Flight {
@@ -107,18 +131,42 @@ impl Flight {
             details: false,
             hitboxes: false,
             observer: Observer::default(),
+            test: false,
+            news: None,
             attempt,
             game,
         })
     }
 
+    /// The same, to try out what is edited: Esc and F5 lead back, and so does its end.
+    ///
+    /// # Errors
+    /// As [`Flight::new`].
+    pub(super) fn test(level: Arc<Level>, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
+        Ok(Self { test: true, ..Self::new(Attempt::by_hand(level), spectator)? })
+    }
+
+    /// Whether it is flown to try out what is edited.
+    pub fn is_test(&self) -> bool {
+        self.test
+    }
+
     /// One frame.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+        if self.test && (input.pressed(Key::F5) || input.pressed(Key::Escape) || input.acts(Action::Pause)) {
+            return Some(Request::BackToEditor(self.told()));
+        }
+        if let Some(News::Changed(since, _)) = &mut self.news {
+            *since += input.frame_time;
+            if *since > TOLD {
+                self.news = None;
+            }
+        }
         if self.pause.is_some() {
-            return self.update_pause(input, spectator);
+            return self.update_pause(input);
         }
         if input.acts(Action::Restart) {
-            return self.restart(spectator);
+            return Some(Request::Restart);
         }
         self.details ^= input.acts(Action::Details);
         self.hitboxes ^= input.acts(Action::Hitboxes);
@@ -228,7 +276,7 @@ impl Flight {
         if self.observer.frozen() { 1.0 } else { self.clock.alpha() }
     }
 
-    /// The pause panel's buttons, while it is open: Resume, Restart, Settings, Level Select, Main Menu.
+    /// The pause panel's buttons, while it is open, as in [`PAUSE_LABELS`].
     pub fn pause(&self) -> Option<&Buttons> {
         self.pause.as_ref()
     }
@@ -266,12 +314,12 @@ impl Flight {
         }
     }
 
-    fn update_pause(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+    fn update_pause(&mut self, input: &Input) -> Option<Request> {
         if self.settings.is_some() {
             return self.update_settings(input);
         }
         let pause = self.pause.as_mut()?;
-        pause.place(input.frame.column(PAUSE_LABELS.len(), input.frame.size.y / 2.0 - 120.0));
+        pause.place(input.frame.column(PAUSE_LABELS.len(), input.frame.size.y / 2.0 - PAUSE_TOP));
         // What the overlays show stays right while paused, so they can be switched.
         self.details ^= input.acts(Action::Details);
         self.hitboxes ^= input.acts(Action::Hitboxes);
@@ -281,10 +329,11 @@ impl Flight {
         }
         match pause.update(input)? {
             0 => self.pause = None,
-            1 => return self.restart(spectator),
+            1 => return Some(Request::Restart),
             2 => self.settings = Some(Box::new(SettingsPanel::new(input.settings, self.settings_problems.clone()))),
             3 => return Some(Request::LevelSelect(Purpose::Play)),
-            _ => return Some(Request::Menu),
+            4 => return Some(Request::Menu),
+            _ => return Some(Request::Edit(self.attempt.level.name.clone())),
         }
         None
     }
@@ -294,6 +343,9 @@ impl Flight {
         self.ended += input.frame_time;
         let over = self.ended >= END_PAUSE || input.pressed(Key::Escape) || input.pressed(Key::Enter);
         let result = || RunResult { assisted: self.assisted, ..self.game.result() };
+        if self.test {
+            return over.then(|| Request::BackToEditor(self.told()));
+        }
         over.then(|| Request::Score(self.attempt.clone(), result(), self.flown()))
     }
 
@@ -307,64 +359,70 @@ impl Flight {
     }
 
     /// Begins anew, with the overlays as they are.
-    fn restart(&mut self, spectator: &mut dyn Spectator) -> Option<Request> {
-        match Self::new(self.attempt.clone(), spectator) {
-            Ok(fresh) => {
-                *self = Self {
-                    details: self.details,
-                    hitboxes: self.hitboxes,
-                    observer: self.observer,
-                    settings_problems: std::mem::take(&mut self.settings_problems),
-                    // What is known of the others' ways stays known.
-                    race: self.race.take().map(Race::again),
-                    ..fresh
-                };
-                None
-            }
-            // A level that made a world once makes it again; should it not, the app says why.
-            Err(_) => Some(Request::Attempt(self.attempt.clone())),
+    ///
+    /// # Errors
+    /// The level makes no world; the flight goes on then.
+    pub(super) fn restart(&mut self, level: Arc<Level>, spectator: &mut dyn Spectator) -> Result<(), GameError> {
+        let same = level_hash(&level) == level_hash(&self.attempt.level);
+        let mut fresh = Self::new(Attempt { level, ..self.attempt.clone() }, spectator)?;
+        if same {
+            // What is known of the others' ways stays known.
+            fresh.race = self.race.take().map(Race::again);
         }
+        *self = Self {
+            details: self.details,
+            hitboxes: self.hitboxes,
+            observer: self.observer,
+            test: self.test,
+            settings_problems: std::mem::take(&mut self.settings_problems),
+            ..fresh
+        };
+        Ok(())
+    }
+
+    /// What is flown.
+    pub(super) fn attempt(&self) -> &Attempt {
+        &self.attempt
+    }
+
+    /// Goes on in a level that has been edited: where it is, as far as there is room, else from its start. What is flown in two levels counts as
+    /// flown with help.
+    pub(super) fn take_over(&mut self, level: Arc<Level>, spectator: &mut dyn Spectator) {
+        if self.game.outcome() != Outcome::Running {
+            return;
+        }
+        let carried = if self.is_by_hand() { self.game.carried_into(&self.attempt.level, &level) } else { None };
+        let goes_on = carried.is_some();
+        if let Some(game) = carried {
+            self.history = History::new(&game);
+            (self.game, self.attempt.level, self.assisted) = (game, level, true);
+            spectator.goes_on(&self.game);
+        } else {
+            let (pause, settings) = (self.pause.take(), self.settings.take());
+            if let Err(error) = self.restart(level, spectator) {
+                return self.tell_of_problems(vec![error.to_string()]);
+            }
+            (self.pause, self.settings) = (pause, settings);
+        }
+        self.news = Some(News::Changed(0.0, goes_on));
+    }
+
+    /// Shows why the level's files do not load any more; the flight goes on.
+    pub(super) fn tell_of_problems(&mut self, problems: Vec<String>) {
+        self.news = Some(News::Broken(problems));
+    }
+
+    /// The level's files are what is flown again.
+    pub(super) fn tell_of_mending(&mut self) {
+        self.news = None;
+    }
+
+    /// What became of the level's files, while that is shown.
+    pub fn news(&self) -> Option<&News> {
+        self.news.as_ref()
     }
 }
 
 fn controls(is: impl Fn(Action) -> bool) -> Controls {
     Controls { thrust: is(Action::Thrust), reverse: is(Action::Reverse), left: is(Action::Left), right: is(Action::Right) }
-}
-
-#[cfg(feature = "window")]
-mod drawing {
-    use super::{Flight, PAUSE_LABELS};
-    use crate::view::canvas::{Canvas, Style};
-    use crate::view::layout::{Area, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
-    use crate::view::{theme, widgets};
-
-    impl Flight {
-        /// How the time goes, where it does not go as it does: at the head of the canvas.
-        fn draw_time(&self, canvas: &Canvas) {
-            let Some(words) = self.observer.words() else { return };
-            let style = Style::new(TEXT, theme::accent()).middle().centred();
-            let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
-            let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, GAP), size };
-            widgets::panel(canvas, area);
-            canvas.text(&words, area.centre(), style);
-        }
-
-        /// Draws the pause panel, where it is open, above the game.
-        pub fn draw_pause(&self, canvas: &Canvas) {
-            if let Some(settings) = &self.settings {
-                widgets::curtain(canvas, 1.0);
-                return settings.draw(canvas);
-            }
-            let Some(pause) = &self.pause else { return self.draw_time(canvas) };
-            widgets::curtain(canvas, 0.45);
-            let middle = canvas.size() / 2.0;
-            let height = PAUSE_LABELS.len() as f32 * (WIDE_BUTTON.y + GAP) + HEADING + 4.0 * PADDING;
-            let panel = Area::around(middle, Vec2::new(WIDE_BUTTON.x + 4.0 * PADDING, height));
-            widgets::panel(canvas, panel);
-            widgets::heading(canvas, "Paused", panel.min.y + PADDING + HEADING * 0.8);
-            for (i, area) in pause.areas().iter().enumerate() {
-                widgets::button(canvas, *area, PAUSE_LABELS[i], pause.hover() == Some(i), pause.focus() == i);
-            }
-        }
-    }
 }

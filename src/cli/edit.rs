@@ -1,0 +1,36 @@
+//! `resultant edit LEVEL`: opens the editor.
+
+use super::{Project, Status, Stop};
+use std::io::Write;
+
+/// What to edit.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// A name under levels/, or a level's folder
+    pub level: String,
+}
+
+/// Opens the editor and returns when the window is closed.
+///
+/// # Errors
+/// No such level; folders that are missing; no display; a build without a window.
+#[cfg(feature = "window")]
+pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
+    use crate::screens::{Editor, Start};
+    super::play::show(project, || {
+        let folder = project.level_folder(&args.level)?;
+        // What cannot be opened is told before there is a window.
+        let editor = Editor::open(&folder, project.root()).map_err(Stop::Refused)?;
+        Ok(Some(Start::Edit(folder, editor.name().to_owned())))
+    })
+}
+
+/// Opens nothing: this build has no window.
+///
+/// # Errors
+/// Always.
+#[cfg(not(feature = "window"))]
+pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
+    project.level_folder(&args.level)?;
+    Err(Stop::Refused("this build of resultant has no window: see --help for what it does without one".into()))
+}

@@ -1,0 +1,53 @@
+//! An attempt that goes on while its level is edited.
+
+use super::{Game, Outcome, SHIP};
+use crate::level::Level;
+use crate::physics::{Aabb, Body, DVec2, Sides};
+use std::sync::Arc;
+
+/// What two boxes may lie within each other, m: far above the rounding of contacts, far below anything that can be seen.
+const TOUCH: f64 = 1e-4;
+
+impl Game {
+    /// The attempt as it goes on in a level that has been changed since: the ship where it is, with its velocity, angle, fuel and time, and so
+    /// is each object that is as it was in `before`, the level as it was read. What has been changed, and all that is worked or moves by
+    /// itself, begins anew. `None` where the attempt has ended, or where the ship has no room any more.
+    pub fn carried_into(&self, before: &Level, level: &Arc<Level>) -> Option<Self> {
+        if self.outcome != Outcome::Running {
+            return None;
+        }
+        let mut start = Level::clone(level);
+        let surfaces = level.world_def().surfaces;
+        let solid = surfaces.iter().filter(|surface| surface.present && surface.sides == Sides::ALL);
+        let surfaces: Vec<Aabb> = solid.map(|surface| surface.bounds).collect();
+        let room = |bounds: &Aabb| level.bounds().contains(bounds, TOUCH) && !surfaces.iter().any(|other| overlap(bounds, other));
+        let ship = self.world.body(SHIP);
+        if !room(&ship.bounds()) {
+            return None;
+        }
+        let mut placed = vec![ship.bounds()];
+        for (i, object) in start.objects.iter_mut().enumerate() {
+            let body = self.world.bodies().get(i + 1).filter(|_| before.objects.get(i) == Some(object));
+            if let Some(Body { position, velocity, .. }) = body.filter(|body| room(&body.bounds())) {
+                (object.position, object.velocity) = (*position, *velocity);
+            }
+            let bounds = Aabb::around(object.position, object.size * 0.5);
+            if placed.iter().any(|other| overlap(&bounds, other)) {
+                return None;
+            }
+            placed.push(bounds);
+        }
+        (start.player.position, start.player.velocity, start.player.angle) = (ship.position, ship.velocity, self.ship.angle);
+        let mut game = Self::with_tick_rate(Arc::new(start), self.tick_rate).ok()?;
+        game.ship.fill(self.ship.fuel.min(level.player.fuel));
+        game.ticks = self.ticks;
+        game.flight = self.flight.clone();
+        Some(game)
+    }
+}
+
+/// Whether two boxes lie within each other.
+fn overlap(a: &Aabb, b: &Aabb) -> bool {
+    let depth: DVec2 = a.max.min(b.max) - a.min.max(b.min);
+    depth.min_element() > TOUCH
+}

@@ -1,0 +1,128 @@
+//! The editor on the screen: the picture and what lies on it, then the panels around it.
+
+mod overlay;
+mod panels;
+mod picture;
+
+use super::ask::Ask;
+use super::hand::{Drag, Handle, stream_zone};
+use super::layout::{BETWEEN, INSIDE, PROBLEM_LINES};
+use super::{AT_LEFT, COMMANDS, Editor, Tool};
+use crate::level::document::{Kind, Place, RowId, choices, number, unit};
+use crate::level::read_picture;
+use crate::physics::DVec2;
+use crate::view::canvas::{Canvas, Style};
+use crate::view::layout::{Area, BUTTON_TEXT, DESIGN, DETAILS, PADDING, TEXT, Vec2};
+use crate::view::{theme, widgets};
+use macroquad::color::{Color, WHITE};
+use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
+use macroquad::texture::{DrawTextureParams, FilterMode, Image, Texture2D, draw_texture_ex};
+use macroquad::window::{screen_height, screen_width};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// The pictures of the level that is edited, read when they are first drawn and again when files have changed.
+#[derive(Default)]
+pub struct Sheets {
+    version: u64,
+    textures: BTreeMap<PathBuf, Option<Texture2D>>,
+}
+
+impl Sheets {
+    fn get(&mut self, path: &Path) -> Option<Texture2D> {
+        let read = || {
+            let image = Image::from_file_with_format(&read_picture(path).ok()?, None).ok()?;
+            let texture = Texture2D::from_image(&image);
+            texture.set_filter(FilterMode::Linear);
+            Some(texture)
+        };
+        self.textures.entry(path.to_path_buf()).or_insert_with(read).clone()
+    }
+}
+
+/// The colours of kinds: those of the game, where it has one.
+fn colour(kind: Kind) -> Color {
+    let of = |r, g, b| Color::from_rgba(r, g, b, 255);
+    match kind {
+        Kind::Setting | Kind::Text => theme::text(),
+        Kind::Ship => theme::text(),
+        Kind::Solid => theme::solid_top(),
+        Kind::Mover => of(120, 150, 190),
+        Kind::Door => of(190, 140, 90),
+        Kind::Switch => of(110, 200, 220),
+        Kind::Object => theme::quiet(),
+        Kind::Key => theme::accent(),
+        Kind::Pad => theme::player_objective(),
+        Kind::KeyPad => theme::physics_objective(),
+        Kind::Deadly => theme::bad(),
+        Kind::Stream => of(150, 170, 200),
+        Kind::Fluid => of(70, 130, 190),
+        Kind::Gravity => of(150, 110, 210),
+        Kind::Pod => theme::good(),
+        Kind::Picture => of(140, 140, 140),
+    }
+}
+
+/// What a block is made of, as a shade of its fill.
+fn material(name: &str) -> Color {
+    let of = |r, g, b| Color::from_rgba(r, g, b, 255);
+    match name.to_ascii_lowercase().as_str() {
+        "steel" => of(92, 106, 124),
+        "ice" => of(120, 160, 180),
+        "rubber" => of(48, 50, 58),
+        "wood" => of(112, 84, 60),
+        "glass" => of(88, 122, 128),
+        "trampoline" => of(96, 60, 92),
+        _ => theme::solid(),
+    }
+}
+
+fn fill(area: Area, colour: Color) {
+    draw_rectangle(area.min.x, area.min.y, area.size.x, area.size.y, colour);
+}
+
+/// A rectangle's edge, half of which lies inside: at least a pixel of the window.
+fn edge(area: Area, width: f32, colour: Color) {
+    let pixel = (DESIGN / Vec2::new(screen_width(), screen_height())).max_element();
+    draw_rectangle_lines(area.min.x, area.min.y, area.size.x, area.size.y, 2.0 * width.max(pixel), colour);
+}
+
+impl Editor {
+    /// Draws all of it; `time` (s) makes the caret blink.
+    pub fn draw(&self, sheets: &mut Sheets, canvas: &Canvas, time: f64) {
+        if sheets.version != self.pictures {
+            *sheets = Sheets { version: self.pictures, ..Sheets::default() };
+        }
+        self.draw_picture(sheets, canvas);
+        canvas.end_layer();
+        self.draw_selection(canvas);
+        canvas.end_layer();
+        self.draw_commands(canvas);
+        self.draw_tools(canvas);
+        self.draw_panel(canvas, time);
+        self.draw_problems(canvas);
+        self.draw_map();
+        if let Some(ask) = &self.ask {
+            panels::draw_ask(ask, canvas);
+        }
+    }
+}
+
+fn draw_picture(texture: &Texture2D, area: Area) {
+    let size = macroquad::math::Vec2::new(area.size.x, area.size.y);
+    draw_texture_ex(
+        texture,
+        area.min.x,
+        area.min.y,
+        WHITE,
+        DrawTextureParams { dest_size: Some(size), ..DrawTextureParams::default() },
+    );
+}
+
+/// A short arrow around a point.
+fn arrow(canvas: &Canvas, middle: Vec2, way: Vec2, colour: Color) {
+    let (tip, tail) = (middle + way * 16.0, middle - way * 16.0);
+    canvas.line(tail, tip - way * 6.0, 2.0, colour);
+    let side = Vec2::new(-way.y, way.x) * 5.0;
+    canvas.convex(&[tip, tip - way * 9.0 + side, tip - way * 9.0 - side], colour);
+}

@@ -1,0 +1,184 @@
+//! The author's picture and what lies on it.
+
+use super::*;
+
+impl Editor {
+    pub(super) fn draw_picture(&self, sheets: &mut Sheets, canvas: &Canvas) {
+        let level = self.view.rect(&Place { min: DVec2::ZERO, size: self.document.size() });
+        fill(self.parts.middle, theme::panel());
+        fill(level, theme::ground());
+        let background = self.folder.background().and_then(|path| sheets.get(&path));
+        match background {
+            Some(texture) => draw_picture(&texture, level),
+            None => self.draw_grid(canvas, level),
+        }
+        let visible = self.view.visible();
+        let mut things: Vec<(RowId, Kind, Place)> = self
+            .document
+            .things()
+            .filter_map(|(row, place)| Some((row, self.document.kind(row)?, place)))
+            .filter(|(row, kind, place)| {
+                place.meets(&visible) || *kind == Kind::Stream && stream_zone(&self.document, *row, *place).0.meets(&visible)
+            })
+            .collect();
+        // Zones below, what is solid above them, what moves above that.
+        let depth = |kind: Kind| match kind {
+            Kind::Picture => 0,
+            Kind::Fluid | Kind::Gravity => 1,
+            Kind::Stream => 2,
+            Kind::Solid => 3,
+            Kind::Door | Kind::Mover | Kind::Deadly => 4,
+            Kind::Switch | Kind::Pad | Kind::KeyPad | Kind::Pod => 5,
+            Kind::Setting | Kind::Object | Kind::Key | Kind::Ship | Kind::Text => 6,
+        };
+        things.sort_by_key(|(_, kind, _)| depth(*kind));
+        for (row, kind, place) in &things {
+            self.draw_thing(sheets, canvas, *row, *kind, place);
+        }
+        edge(level, 1.0, theme::quiet());
+        for wire in self.document.wires() {
+            if let (Some(from), Some(to)) = (self.document.place(wire.switch), self.document.place(wire.thing)) {
+                let colour = theme::faded(colour(Kind::Switch), 0.8);
+                let (a, b) = (self.view.point(from.centre()), self.view.point(to.centre()));
+                canvas.line(a, b, if wire.inverted { 1.0 } else { 2.0 }, colour);
+                canvas.disc(b, 3.5, if wire.inverted { theme::bad() } else { colour });
+            }
+        }
+    }
+
+    /// Paper with a square a metre, a heavy line every ten, where there is no picture.
+    fn draw_grid(&self, canvas: &Canvas, level: Area) {
+        let metre = self.document.metre() * self.view.scale();
+        let steps: &[(f64, Color)] = &[(1.0, theme::grid_fine()), (10.0, theme::grid_heavy())];
+        for (metres, colour) in steps.iter().filter(|(metres, _)| metres * metre > 6.0) {
+            let step = (metres * metre) as f32;
+            let seen = |from: f32, least: f32| ((least - from) / step).ceil().max(0.0) as i32;
+            let middle = self.parts.middle;
+            let (end_x, end_y) = (level.max().x.min(middle.max().x), level.max().y.min(middle.max().y));
+            let (top, left) = (level.min.y.max(middle.min.y), level.min.x.max(middle.min.x));
+            for x in (seen(level.min.x, middle.min.x)..).map(|i| level.min.x + i as f32 * step).take_while(|x| *x <= end_x) {
+                canvas.hairline(Vec2::new(x, top), Vec2::new(x, end_y), *colour);
+            }
+            for y in (seen(level.min.y, middle.min.y)..).map(|i| level.min.y + i as f32 * step).take_while(|y| *y <= end_y) {
+                canvas.hairline(Vec2::new(left, y), Vec2::new(end_x, y), *colour);
+            }
+        }
+    }
+
+    fn draw_thing(&self, sheets: &mut Sheets, canvas: &Canvas, row: RowId, kind: Kind, place: &Place) {
+        let (area, own) = (self.view.rect(place), colour(kind));
+        let cell = |column: &str| self.document.cell(row, column).unwrap_or_default();
+        match kind {
+            Kind::Solid => {
+                // Two rectangles instead of one and four lines: a level has thousands of blocks.
+                fill(area, own);
+                fill(area.inset(canvas.frame().pixel.max(1.0).min(area.size.min_element() * 0.25)), material(cell("material")));
+                self.draw_one_way(canvas, area, cell("one_way"));
+            }
+            Kind::Mover | Kind::Door => {
+                fill(area, theme::faded(own, if kind == Kind::Door { 0.5 } else { 0.75 }));
+                edge(area, 1.5, own);
+                self.draw_way(canvas, row, place);
+            }
+            Kind::Stream => {
+                let (zone, end) = stream_zone(&self.document, row, *place);
+                fill(self.view.rect(&zone), theme::faded(own, 0.12));
+                edge(self.view.rect(&zone), 0.5, theme::faded(own, 0.5));
+                fill(area, theme::solid());
+                edge(area, 1.5, own);
+                let force = DVec2::new(
+                    self.document.number(row, "force_x").unwrap_or(0.0),
+                    self.document.number(row, "force_y").unwrap_or(0.0),
+                );
+                let (from, to) = (self.view.point(place.centre()), self.view.point(end));
+                if force != DVec2::ZERO {
+                    arrow(canvas, (from + to) / 2.0, force.normalize().as_vec2(), own);
+                }
+            }
+            Kind::Fluid | Kind::Gravity => {
+                let given = ["r", "g", "b"].map(|channel| self.document.number(row, channel));
+                let own = match given {
+                    [Some(r), Some(g), Some(b)] if kind == Kind::Fluid => Color::from_rgba(r as u8, g as u8, b as u8, 255),
+                    _ => own,
+                };
+                fill(area, theme::faded(own, 0.3));
+                edge(area, 1.0, own);
+                if kind == Kind::Gravity {
+                    let field = DVec2::new(
+                        self.document.number(row, "field_x").unwrap_or(0.0),
+                        self.document.number(row, "field_y").unwrap_or(0.0),
+                    );
+                    if field != DVec2::ZERO {
+                        arrow(canvas, area.centre(), field.normalize().as_vec2(), own);
+                    }
+                }
+            }
+            Kind::Object | Kind::Key | Kind::Picture => self.draw_object(sheets, canvas, row, area),
+            Kind::Ship => {
+                canvas.rounded(area, area.size.x * 0.25, theme::faded(own, 0.9));
+                let centre = area.centre();
+                canvas.disc(centre - Vec2::new(0.0, area.size.y * 0.12), area.size.x * 0.16, theme::ground());
+                let angle = self.document.number(row, "angle").unwrap_or(0.0).to_radians();
+                arrow(canvas, centre, Vec2::new(angle.sin() as f32, -angle.cos() as f32), theme::accent());
+            }
+            Kind::Text => {
+                let size = crate::view::layout::nearest_size(area.size.y);
+                if area.size.y > 10.0 {
+                    canvas.text(cell("text"), area.min, Style::new(size, own));
+                } else {
+                    fill(area, theme::faded(own, 0.5));
+                }
+            }
+            Kind::Switch | Kind::Pad | Kind::KeyPad | Kind::Deadly | Kind::Pod | Kind::Setting => {
+                let plate = kind != Kind::Switch || !cell("weight").is_empty();
+                fill(area, theme::faded(own, if plate { 0.7 } else { 0.25 }));
+                edge(area, 1.0, own);
+            }
+        }
+    }
+
+    fn draw_object(&self, sheets: &mut Sheets, canvas: &Canvas, row: RowId, area: Area) {
+        let image = self.document.cell(row, "image").unwrap_or_default();
+        let channel = |name: &str| self.document.number(row, name).map(|value| value as u8);
+        let own = match (channel("r"), channel("g"), channel("b")) {
+            (Some(r), Some(g), Some(b)) => Color::from_rgba(r, g, b, 255),
+            _ => colour(Kind::Object),
+        };
+        let round = image.to_ascii_lowercase().starts_with("ball:")
+            || self.document.cell(row, "circular").is_some_and(|cell| cell.eq_ignore_ascii_case("true"));
+        if !image.contains(':')
+            && let Some(texture) = sheets.get(&self.folder.picture(image))
+        {
+            return draw_picture(&texture, area);
+        }
+        if round && (area.size.x - area.size.y).abs() < 0.01 * area.size.x {
+            canvas.disc(area.centre(), area.size.x / 2.0, own);
+        } else {
+            fill(area, own);
+        }
+    }
+
+    fn draw_one_way(&self, canvas: &Canvas, area: Area, side: &str) {
+        let (a, b, c) = (area.min, area.max(), 1.5);
+        let (from, to) = match side.to_ascii_lowercase().as_str() {
+            "top" => (a, Vec2::new(b.x, a.y)),
+            "bottom" => (Vec2::new(a.x, b.y), b),
+            "left" => (a, Vec2::new(a.x, b.y)),
+            "right" => (Vec2::new(b.x, a.y), b),
+            _ => return,
+        };
+        canvas.line(from, to, 2.0 * c, theme::accent());
+    }
+
+    /// The way of a mover: lines between the middles of where it stops.
+    fn draw_way(&self, canvas: &Canvas, row: RowId, place: &Place) {
+        let half = place.size * 0.5;
+        let mut from = place.centre();
+        for stop in self.document.way_points(row) {
+            let to = stop + half;
+            canvas.line(self.view.point(from), self.view.point(to), 1.5, theme::faded(colour(Kind::Mover), 0.9));
+            edge(self.view.rect(&Place { min: stop, size: place.size }), 0.75, theme::faded(colour(Kind::Mover), 0.6));
+            from = to;
+        }
+    }
+}

@@ -1,0 +1,298 @@
+//! What the pointer does in the picture: it selects, moves, sizes, draws, and drags way points, streams' ends and wires.
+
+use super::snap::Snap;
+use super::{Editor, Tool};
+use crate::level::document::{Document, Kind, Place, RowId, SetCell, number, way_text};
+use crate::physics::DVec2;
+use crate::screens::{Input, Key};
+use crate::view::layout::Vec2;
+
+/// How near to a handle the pointer has to be, canvas units.
+const GRAB: f32 = 9.0;
+/// A drag shorter than this is a click, canvas units.
+const CLICK: f32 = 4.0;
+/// How near an edge has to be to be snapped to, canvas units.
+const SNAP_REACH: f64 = 7.0;
+
+/// A point of a selected thing that can be dragged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Handle {
+    /// A corner or side: which edges it moves, −1 … 1 along each axis.
+    Size(DVec2),
+    /// A way point of a mover.
+    Way(usize),
+    /// Adds a way point.
+    MoreWay,
+    /// How far a stream reaches.
+    Reach,
+    /// A switch's wire.
+    Wire,
+}
+
+/// What is being dragged.
+#[derive(Clone, Debug)]
+pub enum Drag {
+    /// The view, from where the pointer was.
+    Pan(Vec2),
+    /// A frame around what is to be selected, from that point; what was selected before stays.
+    Frame(DVec2, Vec<RowId>),
+    /// The selected things; where the first of them was, and where it was grabbed.
+    Move { from: Place, grabbed: DVec2, begun: Vec2, moved: bool },
+    /// A handle of a thing, which lay there.
+    Handle { row: RowId, handle: Handle, from: Place },
+    /// A new thing, from that point.
+    Draw(Kind, DVec2),
+}
+
+impl Editor {
+    /// The handles of what is selected, and where they are: one thing alone has some.
+    pub fn handles(&self) -> Vec<(Handle, DVec2)> {
+        let [row] = self.selection[..] else { return Vec::new() };
+        let Some(place) = self.document.place(row) else { return Vec::new() };
+        let mut handles = Vec::new();
+        if self.document.is_sizable(row) {
+            for side in SIDES {
+                handles.push((Handle::Size(side), place.centre() + side * place.size * 0.5));
+            }
+        }
+        match self.document.kind(row) {
+            Some(Kind::Mover) => {
+                let way = self.document.way_points(row);
+                let half = place.size * 0.5;
+                handles.extend(way.iter().enumerate().map(|(i, point)| (Handle::Way(i), *point + half)));
+                let last = way.last().copied().unwrap_or(place.min) + half;
+                handles.push((Handle::MoreWay, last + DVec2::new(26.0, 0.0) / self.view.scale()));
+            }
+            Some(Kind::Stream) => handles.push((Handle::Reach, stream_end(&self.document, row, place))),
+            Some(Kind::Switch) => {
+                handles.push((Handle::Wire, place.centre() - DVec2::new(0.0, place.size.y * 0.5 + 22.0 / self.view.scale())));
+            }
+            _ => {}
+        }
+        handles
+    }
+
+    /// The uppermost thing at a point: of those that lie one above the other the smallest.
+    pub fn thing_at(&self, at: DVec2) -> Option<RowId> {
+        let slack = DVec2::splat(f64::from(CLICK) / self.view.scale());
+        let near = self
+            .document
+            .things()
+            .filter(|(_, place)| Place { min: place.min - slack, size: place.size + 2.0 * slack }.contains(at));
+        near.min_by(|(_, a), (_, b)| a.size.element_product().total_cmp(&b.size.element_product())).map(|(row, _)| row)
+    }
+
+    /// What there is to snap to, besides those rows.
+    fn snap(&self, input: &Input, without: &[RowId]) -> Snap {
+        let visible = self.view.visible();
+        let level = Place { min: DVec2::ZERO, size: self.document.size() };
+        let others =
+            self.document.things().filter(|(row, place)| !without.contains(row) && place.meets(&visible)).map(|(_, place)| place);
+        let on = self.snapping != input.held(Key::Alt);
+        Snap::new(on, SNAP_REACH / self.view.scale(), others.chain([level]))
+    }
+
+    /// One frame of the pointer in the picture.
+    pub(super) fn update_hand(&mut self, input: &Input) {
+        let inside = self.parts.middle.contains(input.pointer);
+        let at = self.view.pixels(input.pointer);
+        if inside && input.wheel != 0.0 {
+            self.view.zoom(f64::from(input.wheel), input.pointer);
+        }
+        match self.drag.take() {
+            Some(drag) => self.drag_on(drag, input, at),
+            None if inside && input.click && input.held(Key::Space) => self.drag = Some(Drag::Pan(input.pointer)),
+            None if inside && input.click => self.take_hold(input, at),
+            None if inside && input.dragging => {
+                self.drag = Some(Drag::Pan(input.pointer));
+                if input.right_click && self.tool != Tool::Select {
+                    self.tool = Tool::Select;
+                }
+            }
+            None => {}
+        }
+    }
+
+    fn take_hold(&mut self, input: &Input, at: DVec2) {
+        self.next_gesture();
+        if let Tool::Add(kind) = self.tool {
+            let from = self.snap(input, &[]).point(at);
+            self.drag = Some(Drag::Draw(kind, from));
+            return;
+        }
+        let near = |point: DVec2| self.view.point(point).distance(input.pointer) <= GRAB;
+        let handle = self.handles().into_iter().rev().find(|(_, point)| near(*point));
+        if let (Some((handle, _)), [row]) = (handle, &self.selection[..])
+            && let Some(from) = self.document.place(*row)
+        {
+            self.drag = Some(Drag::Handle { row: *row, handle, from });
+            return;
+        }
+        let more = input.held(Key::Shift) || input.held(Key::Control);
+        let Some(row) = self.thing_at(at) else {
+            let kept = if more { self.selection.clone() } else { Vec::new() };
+            self.select(kept.clone());
+            self.drag = Some(Drag::Frame(at, kept));
+            return;
+        };
+        // A thing of several that are selected takes the others along.
+        let under = self.selection.iter().find(|row| self.document.place(**row).is_some_and(|place| place.contains(at)));
+        match (more, self.selection.iter().position(|known| *known == row)) {
+            (true, Some(known)) => {
+                let mut fewer = self.selection.clone();
+                fewer.remove(known);
+                return self.select(fewer);
+            }
+            (true, None) => self.select(self.selection.iter().copied().chain([row]).collect()),
+            (false, None) if under.is_none() || self.selection.len() == 1 => self.select(vec![row]),
+            (false, _) => {}
+        }
+        if let Some(from) = self.selection.first().and_then(|row| self.document.place(*row)) {
+            self.drag = Some(Drag::Move { from, grabbed: at, begun: input.pointer, moved: false });
+        }
+    }
+
+    fn drag_on(&mut self, drag: Drag, input: &Input, at: DVec2) {
+        let held = if matches!(drag, Drag::Pan(_)) { input.holding || input.dragging } else { input.holding };
+        match drag {
+            Drag::Pan(from) => {
+                if held {
+                    self.view.pan(input.pointer - from);
+                    self.drag = Some(Drag::Pan(input.pointer));
+                }
+            }
+            Drag::Frame(from, kept) => {
+                let frame = Place::between(from, at);
+                let within = self.document.things().filter(|(_, place)| frame.contains(place.min) && frame.contains(place.max()));
+                let mut rows: Vec<RowId> = kept.iter().copied().chain(within.map(|(row, _)| row)).collect();
+                rows.sort_unstable();
+                rows.dedup();
+                self.select(rows);
+                self.drag = held.then_some(Drag::Frame(from, kept));
+            }
+            Drag::Move { from, grabbed, begun, moved } => {
+                let moved = moved || input.pointer.distance(begun) > CLICK;
+                if moved {
+                    let to = self.snap(input, &self.selection).moved(Place { min: from.min + at - grabbed, ..from });
+                    let now = self.selection.first().and_then(|row| self.document.place(*row)).unwrap_or(from);
+                    self.shift_selection(to.min - now.min);
+                }
+                self.drag = held.then_some(Drag::Move { from, grabbed, begun, moved });
+            }
+            Drag::Handle { row, handle, from } => {
+                if handle == Handle::Wire {
+                    return self.drag_wire(row, from, input, at);
+                }
+                let at = self.snap(input, &[row]).point(at);
+                let (handle, cells) = self.handle_moved(row, handle, from, at);
+                self.set(&cells);
+                self.drag = held.then_some(Drag::Handle { row, handle, from });
+            }
+            Drag::Draw(kind, from) => {
+                if held {
+                    self.drag = Some(Drag::Draw(kind, from));
+                    return;
+                }
+                let to = self.snap(input, &[]).point(at);
+                let mut place = Place::between(from, to);
+                let drawn = place.size * self.view.scale();
+                if drawn.max_element() < f64::from(CLICK) * 2.0 {
+                    // Put down with a click.
+                    let (width, height) = kind.usual_size();
+                    place = Place { min: from, size: DVec2::new(width, height) };
+                }
+                self.put(kind, place);
+            }
+        }
+    }
+
+    fn drag_wire(&mut self, row: RowId, from: Place, input: &Input, at: DVec2) {
+        if input.holding {
+            self.drag = Some(Drag::Handle { row, handle: Handle::Wire, from });
+            return;
+        }
+        let near = self.document.things().filter(|(thing, place)| self.document.can_be_worked(*thing) && place.contains(at));
+        let thing =
+            near.min_by(|(_, a), (_, b)| a.size.element_product().total_cmp(&b.size.element_product())).map(|(thing, _)| thing);
+        match thing {
+            Some(thing) => {
+                let cells = self.document.rewired(row, thing);
+                self.set(&cells);
+            }
+            None => self.say("A switch works movers, doors, air streams and blocks with a belt: pull its wire onto one."),
+        }
+    }
+
+    /// What cells hold when a handle has been dragged there, and which handle it is from then on.
+    fn handle_moved(&self, row: RowId, handle: Handle, from: Place, at: DVec2) -> (Handle, Vec<SetCell>) {
+        match handle {
+            Handle::Size(side) => {
+                let along = |axis: usize| {
+                    let (near, far) = (from.min[axis], from.max()[axis]);
+                    match side[axis] {
+                        side if side < 0.0 => (at[axis].min(far - 1.0), far),
+                        side if side > 0.0 => (near, at[axis].max(near + 1.0)),
+                        _ => (near, far),
+                    }
+                };
+                let ((left, right), (top, bottom)) = (along(0), along(1));
+                let to = Place { min: DVec2::new(left, top), size: DVec2::new(right - left, bottom - top) };
+                (handle, self.document.placed(row, to))
+            }
+            Handle::Way(index) => {
+                let mut way = self.document.way_points(row);
+                if let Some(point) = way.get_mut(index) {
+                    *point = at - (from.size * 0.5).floor();
+                }
+                (handle, vec![SetCell { row, column: "way_points", text: way_text(&way) }])
+            }
+            Handle::MoreWay => {
+                let mut way = self.document.way_points(row);
+                way.push(at - (from.size * 0.5).floor());
+                (Handle::Way(way.len() - 1), vec![SetCell { row, column: "way_points", text: way_text(&way) }])
+            }
+            Handle::Reach => {
+                let away = at - from.centre();
+                // Along the axis that it is pulled further out of the source.
+                let across = away.x.abs() / from.size.x > away.y.abs() / from.size.y;
+                let beyond = |axis: usize| {
+                    if away[axis] < 0.0 { (at[axis] - from.min[axis]).min(-1.0) } else { (at[axis] - from.max()[axis]).max(1.0) }
+                };
+                let (wide, high) = if across { (beyond(0), 0.0) } else { (0.0, beyond(1)) };
+                let cell = |column, value| SetCell { row, column, text: number(value) };
+                (handle, vec![cell("stream_width", wide), cell("stream_height", high)])
+            }
+            Handle::Wire => (handle, Vec::new()),
+        }
+    }
+}
+
+/// The corners and sides that can be dragged.
+const SIDES: [DVec2; 8] = [
+    DVec2::new(-1.0, 0.0),
+    DVec2::new(1.0, 0.0),
+    DVec2::new(0.0, -1.0),
+    DVec2::new(0.0, 1.0),
+    DVec2::new(-1.0, -1.0),
+    DVec2::new(1.0, -1.0),
+    DVec2::new(-1.0, 1.0),
+    DVec2::new(1.0, 1.0),
+];
+
+/// The middle of a stream's far end.
+fn stream_end(document: &Document, row: RowId, place: Place) -> DVec2 {
+    stream_zone(document, row, place).1
+}
+
+/// Where a stream blows, and the middle of its far end.
+pub fn stream_zone(document: &Document, row: RowId, place: Place) -> (Place, DVec2) {
+    let reach = DVec2::new(
+        document.number(row, "stream_width").unwrap_or_default(),
+        document.number(row, "stream_height").unwrap_or_default(),
+    );
+    let (centre, half) = (place.centre(), place.size * 0.5);
+    let side = reach.signum() * DVec2::new(f64::from(u8::from(reach.x != 0.0)), f64::from(u8::from(reach.y != 0.0)));
+    let end = centre + side * half + reach;
+    let across = DVec2::new(if reach.x == 0.0 { half.x } else { 0.0 }, if reach.y == 0.0 { half.y } else { 0.0 });
+    (Place::between(centre + side * half - across, end + across), end)
+}

@@ -1,0 +1,112 @@
+//! Which part of the author's picture is in view, and how large.
+
+use crate::level::document::Place;
+use crate::physics::DVec2;
+use crate::view::layout::{Area, Vec2};
+
+/// Canvas units a pixel of the picture, at least and at most.
+const SCALES: (f64, f64) = (1e-5, 16.0);
+/// How much a notch of the wheel magnifies.
+const NOTCH: f64 = 1.15;
+/// How much room is left around what is brought into view, of the window's size.
+const ROOM: f64 = 0.06;
+
+/// The part in view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// What lies at the window's top left corner, pixels of the picture.
+    origin: DVec2,
+    /// Canvas units a pixel of the picture.
+    scale: f64,
+    /// Where it is shown, canvas units.
+    pub area: Area,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { origin: DVec2::ZERO, scale: 1.0, area: Area::default() }
+    }
+}
+
+impl View {
+    /// Canvas units a pixel of the picture.
+    pub const fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Where a point of the picture is shown.
+    pub fn point(&self, pixels: DVec2) -> Vec2 {
+        self.area.min + ((pixels - self.origin) * self.scale).as_vec2()
+    }
+
+    /// Where a rectangle of the picture is shown.
+    #[cfg(feature = "window")]
+    pub fn rect(&self, place: &Place) -> Area {
+        let (min, max) = (self.point(place.min), self.point(place.max()));
+        Area { min, size: max - min }
+    }
+
+    /// The point of the picture that is shown there.
+    pub fn pixels(&self, point: Vec2) -> DVec2 {
+        self.origin + (point - self.area.min).as_dvec2() / self.scale
+    }
+
+    /// The part of the picture in view.
+    pub fn visible(&self) -> Place {
+        Place { min: self.origin, size: self.area.size.as_dvec2() / self.scale }
+    }
+
+    /// Brings all of a rectangle into view, as large as it can be.
+    pub fn fit(&mut self, place: &Place) {
+        let room = self.area.size.as_dvec2() * (1.0 - 2.0 * ROOM);
+        let scale = (room / place.size.max(DVec2::ONE)).min_element();
+        self.scale = scale.clamp(SCALES.0, SCALES.1);
+        self.centre(place.centre());
+    }
+
+    /// Brings a point into the middle.
+    pub fn centre(&mut self, pixels: DVec2) {
+        self.origin = pixels - self.area.size.as_dvec2() / self.scale * 0.5;
+    }
+
+    /// Moves what is shown by so many canvas units.
+    pub fn pan(&mut self, by: Vec2) {
+        self.origin -= by.as_dvec2() / self.scale;
+    }
+
+    /// Magnifies by so many notches of the wheel around a point of the canvas, which stays where it is.
+    pub fn zoom(&mut self, notches: f64, around: Vec2) {
+        let fixed = self.pixels(around);
+        self.scale = (self.scale * NOTCH.powf(notches)).clamp(SCALES.0, SCALES.1);
+        self.origin = fixed - (around - self.area.min).as_dvec2() / self.scale;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_pointer_is_on_stays_there_while_it_zooms() {
+        let mut view = View { area: Area::new(100.0, 50.0, 800.0, 600.0), ..View::default() };
+        view.fit(&Place { min: DVec2::ZERO, size: DVec2::new(1280.0, 720.0) });
+        let at = Vec2::new(333.0, 222.0);
+        let fixed = view.pixels(at);
+        for notches in [1.0, -5.0, 12.0, -100.0, 100.0] {
+            view.zoom(notches, at);
+            assert!(view.pixels(at).distance(fixed) < 1e-6 && view.point(fixed).distance(at) < 1e-2);
+        }
+    }
+
+    #[test]
+    fn all_of_what_is_fitted_is_in_view() {
+        let mut view = View { area: Area::new(100.0, 50.0, 800.0, 600.0), ..View::default() };
+        for place in
+            [Place { min: DVec2::new(-50.0, 3.0), size: DVec2::new(9000.0, 20.0) }, Place { min: DVec2::ZERO, size: DVec2::ONE }]
+        {
+            view.fit(&place);
+            let seen = view.visible();
+            assert!(seen.contains(place.min) && seen.contains(place.max()));
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Draws what a flight tells above the game: how its time goes, what became of the level's files, the pause panel.
+
+use super::{Flight, News, PAUSE_LABELS, PAUSE_TOP};
+use crate::view::canvas::{Canvas, Style};
+use crate::view::layout::{Area, DETAILS, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
+use crate::view::{theme, widgets};
+
+impl Flight {
+    /// How the time goes, where it does not go as it does: at the head of the canvas.
+    fn draw_time(&self, canvas: &Canvas) {
+        let Some(words) = self.observer.words() else { return };
+        let style = Style::new(TEXT, theme::accent()).middle().centred();
+        let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
+        let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, GAP), size };
+        widgets::panel(canvas, area);
+        canvas.text(&words, area.centre(), style);
+    }
+
+    /// Draws what is to be told of the level's files, and the pause panel where it is open, above the game.
+    pub fn draw_over(&self, canvas: &Canvas) {
+        if self.test {
+            let at = Vec2::new(canvas.size().x / 2.0, canvas.size().y - 28.0);
+            let style = Style::new(TEXT, theme::accent()).centred().middle();
+            canvas.end_layer();
+            canvas.text("A test flight: Esc or F5 leads back to the editor", at, style);
+        }
+        if let (Some(news), None) = (&self.news, &self.settings) {
+            draw_news(news, canvas);
+        }
+        if let Some(settings) = &self.settings {
+            widgets::curtain(canvas, 1.0);
+            return settings.draw(canvas);
+        }
+        let Some(pause) = &self.pause else { return self.draw_time(canvas) };
+        widgets::curtain(canvas, 0.45);
+        let middle = canvas.size() / 2.0;
+        let top = middle.y - PAUSE_TOP - HEADING - 2.5 * PADDING;
+        let bottom = pause.areas().last().map_or(middle.y, |last| last.max().y) + 1.5 * PADDING;
+        let width = WIDE_BUTTON.x + 4.0 * PADDING;
+        let panel = Area::new(middle.x - width / 2.0, top, width, bottom - top);
+        widgets::panel(canvas, panel);
+        widgets::heading(canvas, "Paused", panel.min.y + PADDING + HEADING * 0.8);
+        for (i, area) in pause.areas().iter().enumerate() {
+            widgets::button(canvas, *area, PAUSE_LABELS[i], pause.hover() == Some(i), pause.focus() == i);
+        }
+    }
+}
+
+/// The most problems that are listed above a flight.
+const LISTED: usize = 6;
+
+/// How far the box with time and speed reaches.
+const BESIDE: f32 = 290.0;
+
+/// What became of the level's files, at the window's top.
+fn draw_news(news: &News, canvas: &Canvas) {
+    let (words, colour, problems): (&str, _, &[String]) = match news {
+        News::Changed(_, true) => ("Read anew: you fly on in it, with help. R restarts it.", theme::good(), &[]),
+        News::Changed(_, false) => ("Read anew, from its start.", theme::good(), &[]),
+        News::Broken(problems) => ("The files do not load now: you fly on in what was there.", theme::bad(), problems),
+    };
+    let line = canvas.line_height(DETAILS);
+    let more = problems.len().saturating_sub(LISTED);
+    let lines = problems.len().min(LISTED) + usize::from(more > 0);
+    // Beside the box with time and speed, which grows with the words.
+    let left = 16.0 + BESIDE * canvas.frame().text.max(1.0);
+    let room = canvas.size().x - left - PADDING;
+    let width = if problems.is_empty() { room.min(560.0) } else { room };
+    let height = canvas.line_height(TEXT) + 1.5 * PADDING + lines as f32 * line;
+    let panel = Area::new(left, PADDING, width, height);
+    widgets::curtain(canvas, 0.0);
+    widgets::panel_in(canvas, panel, theme::faded(theme::panel(), 0.95), colour);
+    let top = panel.min + Vec2::new(PADDING, 0.75 * PADDING);
+    canvas.text(words, top, Style::new(TEXT, colour));
+    for (i, problem) in problems.iter().take(LISTED).enumerate() {
+        let at = top + Vec2::new(0.0, canvas.line_height(TEXT) + i as f32 * line);
+        canvas.text(
+            &widgets::cut(canvas, problem, width - 2.0 * PADDING, Style::new(DETAILS, theme::text()).mono()),
+            at,
+            Style::new(DETAILS, theme::text()).mono(),
+        );
+    }
+    if more > 0 {
+        let at = top + Vec2::new(0.0, canvas.line_height(TEXT) + LISTED as f32 * line);
+        canvas.text(&format!("and {more} more"), at, Style::new(DETAILS, theme::quiet()).mono());
+    }
+}

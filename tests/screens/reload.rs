@@ -1,0 +1,115 @@
+//! A level whose files change while it is flown.
+
+use crate::sitting::{FAR_AWAY, Sitting, level};
+use resultant::physics::DVec2;
+use resultant::screens::{Input, Key, News};
+use std::fs;
+use std::path::PathBuf;
+
+fn file(sitting: &Sitting, name: &str) -> PathBuf {
+    sitting.folder.path().join("levels/2").join(name)
+}
+
+fn solids(sitting: &Sitting) -> usize {
+    sitting.flight().game().level().world.len()
+}
+
+#[test]
+fn a_saved_file_is_there_within_half_a_second_and_the_flight_goes_on_where_it_was() {
+    let mut sitting = Sitting::new();
+    sitting.fly(1).wait(0.3);
+    let before = sitting.flight().game().clone();
+    fs::write(file(&sitting, "world.csv"), "0,580,800,20\n").unwrap();
+    let frames = (0..60).find(|_| solids(sitting.rest()) == 1).expect("it is read");
+    assert!(frames <= 28, "{frames} frames of a 60th of a second");
+    let game = sitting.flight().game();
+    let fallen = game.world().body(resultant::game::SHIP).position - before.world().body(resultant::game::SHIP).position;
+    assert!(fallen.length() < 4.0 && fallen.y > 0.0, "{fallen}");
+    assert!(game.ticks() > before.ticks() && game.fuel() == before.fuel());
+    assert!(matches!(sitting.flight().news(), Some(News::Changed(_, true))));
+    assert!(sitting.flight().is_assisted(), "what was flown in two levels is no score");
+    // R begins again, in the new one.
+    sitting.press(Key::R);
+    assert_eq!((sitting.flight().game().level().player.position, solids(&sitting)), (DVec2::new(400.0, 300.0) / 30.0, 1));
+    assert!(!sitting.flight().is_assisted() && sitting.flight().news().is_none());
+}
+
+#[test]
+fn where_the_ship_has_no_room_the_level_begins_again() {
+    let mut sitting = Sitting::new();
+    sitting.fly(1).wait(0.3);
+    fs::write(file(&sitting, "player.csv"), "100,100,100,500,3000\n").unwrap();
+    fs::write(file(&sitting, "world.csv"), "200,200,600,400\n").unwrap();
+    sitting.wait(0.4);
+    assert!(matches!(sitting.flight().news(), Some(News::Changed(_, false))));
+    assert!((sitting.flight().game().world().body(resultant::game::SHIP).position.x - 100.0 / 30.0).abs() < 0.1);
+}
+
+#[test]
+fn a_broken_edit_is_told_above_the_flight_that_goes_on_and_gone_when_it_is_mended() {
+    let mut sitting = Sitting::new();
+    sitting.fly(1).wait(0.2);
+    let sound = fs::read(file(&sitting, "objectives.csv")).unwrap();
+    fs::write(file(&sitting, "objectives.csv"), "PLAYER,10,ten,20,20\n").unwrap();
+    sitting.wait(0.4);
+    let Some(News::Broken(problems)) = sitting.flight().news() else { panic!("nothing is told") };
+    assert!(problems[0].starts_with("objectives.csv:1: column \"y\": found \"ten\""), "{problems:?}");
+    let ticks = sitting.flight().game().ticks();
+    sitting.wait(0.2);
+    assert!(sitting.flight().game().ticks() > ticks && matches!(sitting.flight().news(), Some(News::Broken(_))));
+    // R begins again in what was there, and still tells.
+    sitting.press(Key::R);
+    assert!(sitting.flight().game().ticks() < 5 && matches!(sitting.flight().news(), Some(News::Broken(_))));
+    fs::write(file(&sitting, "objectives.csv"), sound).unwrap();
+    sitting.wait(0.4);
+    assert!(!matches!(sitting.flight().news(), Some(News::Broken(_))));
+}
+
+#[test]
+fn r_reads_the_files_afresh_at_once() {
+    let mut sitting = Sitting::new();
+    sitting.fly(1).wait(0.05);
+    fs::write(file(&sitting, "world.csv"), "0,580,800,20\n").unwrap();
+    assert_eq!(solids(sitting.press(Key::R)), 1);
+    sitting.wait(0.5);
+    assert!(sitting.flight().news().is_none(), "it is known already");
+}
+
+#[test]
+fn a_paused_flight_is_read_anew_too_and_stays_paused() {
+    let mut sitting = Sitting::new();
+    sitting.fly(1).wait(0.1).press(Key::Escape);
+    fs::write(file(&sitting, "world.csv"), "0,580,800,20\n").unwrap();
+    sitting.wait(0.4);
+    assert_eq!((sitting.at(), solids(&sitting)), ("pause", 1));
+}
+
+#[test]
+fn what_is_dropped_on_the_window_opens() {
+    let mut sitting = Sitting::new();
+    let elsewhere = tempfile::tempdir().unwrap();
+    level(elsewhere.path(), "mine", FAR_AWAY, "");
+    let folder = elsewhere.path().join("levels/mine");
+    for path in [folder.clone(), folder.join("player.csv")] {
+        sitting.give(Input { dropped: vec![path], ..Input::default() });
+        assert_eq!((sitting.at(), sitting.flight().game().level().name.as_str()), ("flight", "mine"));
+        // It is read anew like any other, also by R.
+        fs::write(folder.join("world.csv"), "0,580,800,20\n").unwrap();
+        sitting.wait(0.4);
+        assert_eq!(solids(sitting.press(Key::R)), 1);
+    }
+    fs::write(folder.join("player.csv"), "1,2\n").unwrap();
+    sitting.give(Input { dropped: vec![folder], ..Input::default() });
+    assert_eq!(sitting.at(), "problems");
+    sitting.give(Input { dropped: vec![elsewhere.path(].join("nothing/there")), ..Input::default() });
+    assert_eq!(sitting.at(), "problems");
+}
+
+#[test]
+fn what_the_flight_does_not_depend_on_changes_nothing_of_it() {
+    let mut sitting = Sitting::new();
+    sitting.fly(1).wait(0.2);
+    fs::write(file(&sitting, "obstacles.csv"), "# a comment\n").unwrap();
+    sitting.wait(0.5);
+    assert!(!sitting.flight().is_assisted() && sitting.flight().news().is_none());
+}
