@@ -101,7 +101,7 @@ fn what_is_dropped_on_the_window_opens() {
     fs::write(folder.join("player.csv"), "1,2\n").unwrap();
     sitting.give(Input { dropped: vec![folder], ..Input::default() });
     assert_eq!(sitting.at(), "problems");
-    sitting.give(Input { dropped: vec![elsewhere.path(].join("nothing/there")), ..Input::default() });
+    sitting.give(Input { dropped: vec![elsewhere.path().join("nothing/there")], ..Input::default() });
     assert_eq!(sitting.at(), "problems");
 }
 
