@@ -111,7 +111,7 @@ impl App {
         self.journal.update(input.frame_time);
         let asked = self.update_screen(input, spectator);
         self.note_end();
-        let asked = asked.or_else(|| input.dropped.first().filter(|_| self.takes_files()).cloned().map(Request::Open));
+        let asked = asked.or_else(|| input.dropped.first().filter(|path| self.takes(path)).cloned().map(Request::Open));
         match asked {
             Some(Request::Quit) => {
                 self.journal.close();
@@ -311,10 +311,11 @@ impl App {
         Screen::LevelSelect(screen)
     }
 
-    /// Whether a file that is dropped on the window is taken: nobody who flies, writes or edits is interrupted.
-    fn takes_files(&self) -> bool {
+    /// Whether what is dropped on the window is taken: nothing that is written or edited gets lost by it, and nobody who flies is
+    /// interrupted by an archive. Whoever drops a level's folder then wants to fly that.
+    fn takes(&self, path: &Path) -> bool {
         match &self.screen {
-            Screen::Flight(flight) => flight.pause().is_some() && self.editing.is_none(),
+            Screen::Flight(flight) => self.editing.is_none() && (flight.pause().is_some() || is_of_level(path)),
             Screen::Editor(editor) => !editor.is_unsaved(),
             Screen::SaveScore(_) => false,
             _ => true,
@@ -324,8 +325,7 @@ impl App {
     /// Opens what was dropped: an archive is installed, and the list of levels says what became of it; a level's folder, or a file of one,
     /// is flown where it is.
     fn open(&mut self, path: &Path, spectator: &mut dyn Spectator) -> Screen {
-        if path.is_dir() || path.extension().is_some_and(|ending| ["csv", "png"].iter().any(|own| ending.eq_ignore_ascii_case(own)))
-        {
+        if is_of_level(path) {
             return self.open_folder(path, spectator);
         }
         let (heading, lines) = match self.library.install(path) {
@@ -561,6 +561,11 @@ impl App {
             }
         }
     }
+}
+
+/// Whether that is a folder, or a file as levels have them.
+fn is_of_level(path: &Path) -> bool {
+    path.is_dir() || path.extension().is_some_and(|ending| ["csv", "png"].iter().any(|own| ending.eq_ignore_ascii_case(own)))
 }
 
 /// Whose settings of play hold while this one plays: a guest has none of their own.
