@@ -4,7 +4,7 @@
 use resultant::lab::charts::Charts;
 use resultant::lab::kept;
 use resultant::lab::side_by_side::exhibits;
-use resultant::screens::{App, Input, Key, Lab, Line, PAGES, Page, Places, Request, Screen};
+use resultant::screens::{App, Attempt, Input, Key, Lab, Line, PAGES, Page, Places, Request, Screen};
 use resultant::view::layout::{Area, Frame, Vec2};
 use std::fs;
 use std::path::Path;
@@ -97,7 +97,7 @@ fn the_pages_are_reached_by_key_and_by_mouse_and_left_by_esc_and_back() {
 #[test]
 fn nothing_lies_on_anything_else_in_any_window() {
     for (width, height) in SIZES {
-        let mut sitting = Sitting::new();
+        let mut sitting = Sitting::with(experiments);
         sitting.frame = Frame::of_window(Vec2::new(width, height));
         for (page, _) in PAGES {
             sitting.page(page).give(Input::default());
@@ -108,6 +108,10 @@ fn nothing_lies_on_anything_else_in_any_window() {
                 Page::Charts => areas.push(lab.charts().plot(&sitting.frame).unwrap().panel),
                 Page::Survival => areas.extend(lab.survival().bar().map(|bar| bar.track)),
                 Page::SideBySide => areas.extend(lab.side_by_side().choices().areas()),
+                Page::Experiments => {
+                    areas.extend(lab.experiments().list().areas());
+                    assert_eq!(lab.experiments().experiments().len(), 12);
+                }
             }
             for (i, a) in areas.iter().enumerate() {
                 assert!(
@@ -320,6 +324,49 @@ fn error_and_energy_over_time_are_shown_of_what_was_followed() {
         sitting.press(Key::Right);
     }
     assert_eq!(followed, 2);
+}
+
+/// Those that come with the game.
+fn experiments(root: &Path) {
+    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments");
+    for entry in fs::read_dir(&from).unwrap().map(Result::unwrap) {
+        let to = root.join("experiments").join(entry.file_name());
+        if entry.path().is_dir() {
+            fs::create_dir_all(&to).unwrap();
+            for file in fs::read_dir(entry.path()).unwrap().map(Result::unwrap) {
+                fs::copy(file.path(), to.join(file.file_name())).unwrap();
+            }
+        } else {
+            fs::create_dir_all(root.join("experiments")).unwrap();
+            fs::copy(entry.path(), to).unwrap();
+        }
+    }
+}
+
+#[test]
+fn an_experiment_is_guessed_flown_and_of_no_account() {
+    let mut sitting = Sitting::with(experiments);
+    sitting.page(Page::Experiments);
+    let chosen = |sitting: &Sitting| sitting.lab().experiments().chosen().unwrap().clone();
+    assert_eq!(chosen(&sitting).title, "Free fall");
+    assert!(!sitting.lab().experiments().answered());
+    assert!(sitting.press(Key::Space).lab().experiments().answered());
+    assert!(!sitting.press(Key::Down).lab().experiments().answered(), "each is guessed anew");
+    assert_eq!(chosen(&sitting).folder, "terminal-velocity");
+    // A click chooses, a second one flies.
+    let third = sitting.lab().experiments().list().areas()[2];
+    sitting.click(third);
+    assert_eq!(chosen(&sitting).folder, "force-mass-acceleration");
+    sitting.click(third);
+    let Screen::Flight(flight) = sitting.app.screen() else { panic!("it flies") };
+    assert!(flight.details(), "what acts is what it is about");
+    assert_eq!(flight.game().level().name, "force-mass-acceleration");
+    // Nobody's attempts grow by it, and its end leads back to it.
+    sitting.app.grant(Request::Experiment("lift".into()), &mut ());
+    let Screen::Flight(flight) = sitting.app.screen() else { panic!("it flies") };
+    let (level, result) = (std::sync::Arc::new(flight.game().level().clone()), flight.game().result());
+    sitting.app.grant(Request::Score(Attempt::by_hand(level), result, None), &mut ());
+    assert_eq!((sitting.lab().page(), chosen(&sitting).folder.as_str()), (Page::Experiments, "lift"));
 }
 
 /// The same to the last bit; what blew up is not a number, and so not equal to itself.

@@ -204,6 +204,8 @@ impl App {
             Request::TestFly(level) => self.test_fly(level, spectator),
             Request::BackToEditor(how) => self.back_to_editor(how),
             Request::Attempt(attempt) => self.flight(attempt, spectator),
+            // Nothing comes of an experiment but what was seen.
+            Request::Score(attempt, ..) if self.library.is_experiment(&attempt.level.name) => self.lab(Some(&attempt.level.name)),
             Request::Score(attempt, result, flown) => self.scoring(attempt, result, flown),
             Request::Flights(visit) => self.flights(visit),
             Request::Watch(visit, candidate) => match self.watch(visit, &candidate, spectator) {
@@ -232,7 +234,15 @@ impl App {
             Request::Credits => Screen::Credits(Box::default()),
             Request::Leaderboard(level) => self.leaderboard(&level),
             Request::Classics(left) => Screen::Classics(Classics::new(left, None)),
-            Request::Lab => Screen::Lab(Box::new(Lab::new(self.library.charts()))),
+            Request::Lab => self.lab(None),
+            Request::Experiment(name) => {
+                let folder = self.library.experiment(&name);
+                let mut screen = self.open_folder(&folder, spectator);
+                if let Screen::Flight(flight) = &mut screen {
+                    flight.open_details();
+                }
+                screen
+            }
             Request::Classic(classic) => self.classic(classic),
             Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),
             Request::Settings => Screen::Settings(Box::new(SettingsPanel::new(self.settings, self.settings_problems.clone()))),
@@ -309,6 +319,11 @@ impl App {
         let mut screen = self.level_select(purpose);
         screen.show_problems(name, refusal);
         Screen::LevelSelect(screen)
+    }
+
+    /// The lab, on the page with an experiment that was left.
+    fn lab(&mut self, left: Option<&str>) -> Screen {
+        Screen::Lab(Box::new(Lab::new(self.library.charts(), self.library.experiments(), left)))
     }
 
     /// Whether what is dropped on the window is taken: nothing that is written or edited gets lost by it, and nobody who flies is
@@ -424,10 +439,10 @@ impl App {
     /// Takes note of the attempt on the screen, once, when it has ended. Who watches a recording has flown nothing.
     fn note_end(&mut self) {
         let Screen::Flight(flight) = &self.screen else { return };
-        if self.editing.is_some() {
+        let game = flight.game();
+        if self.editing.is_some() || self.library.is_experiment(&game.level().name) {
             return;
         }
-        let game = flight.game();
         if game.outcome() == Outcome::Running {
             self.ended = None;
         } else if self.ended.is_none() {

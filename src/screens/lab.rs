@@ -1,14 +1,17 @@
-//! The lab in the window, on three pages: the charts, what each method survives, and two methods side by side. What `resultant chart`
+//! The lab in the window, on four pages: the charts, what each method survives, two methods side by side, and experiments. What `resultant chart`
 //! measures is handed in; nothing is measured here.
 
 mod charts;
+mod experiments;
 mod side_by_side;
 mod survival;
 
 pub use charts::ChartsPage;
+pub use experiments::{Experiment, ExperimentsPage};
 pub use side_by_side::{Half, SideBySide};
 pub use survival::{Line, SurvivalPage};
 
+use self::experiments::Wish;
 use super::{Buttons, Input, Key, Keys, Request, Toolbar};
 use crate::lab::charts::Charts;
 use crate::view::layout::{Area, Frame, GAP};
@@ -34,11 +37,17 @@ pub enum Page {
     Survival,
     /// Two methods at the same time.
     SideBySide,
+    /// Levels for lessons.
+    Experiments,
 }
 
 /// The pages and the words on their tabs.
-pub const PAGES: [(Page, &str); 3] =
-    [(Page::Charts, "Charts"), (Page::Survival, "Stress tests"), (Page::SideBySide, "Side by side")];
+pub const PAGES: [(Page, &str); 4] = [
+    (Page::Charts, "Charts"),
+    (Page::Survival, "Stress tests"),
+    (Page::SideBySide, "Side by side"),
+    (Page::Experiments, "Experiments"),
+];
 /// Width and height of a tab.
 const TAB: (f32, f32) = (200.0, 40.0);
 /// From the canvas' top to the tabs.
@@ -58,14 +67,16 @@ pub struct Lab {
     charts: ChartsPage,
     survival: SurvivalPage,
     side_by_side: SideBySide,
+    experiments: ExperimentsPage,
 }
 
 impl Lab {
-    /// The lab with its first page open.
-    pub fn new(shown: Shown) -> Self {
+    /// The lab with its first page open, or with an experiment that was left.
+    pub fn new(shown: Shown, experiments: Result<Vec<Experiment>, String>, left: Option<&str>) -> Self {
         let survival = SurvivalPage::new(&shown.charts.stress);
         Self {
-            page: Page::default(),
+            page: if left.is_some() { Page::Experiments } else { Page::default() },
+            experiments: ExperimentsPage::new(experiments, left),
             tabs: Buttons::default(),
             charts: ChartsPage::new(shown),
             survival,
@@ -87,6 +98,10 @@ impl Lab {
             Page::Charts => self.charts.update(input),
             Page::Survival => self.survival.update(input),
             Page::SideBySide => self.side_by_side.update(input),
+            Page::Experiments => match self.experiments.update(input)? {
+                Wish::Leave => true,
+                Wish::Fly(folder) => return Some(Request::Experiment(folder)),
+            },
         };
         away.then_some(Request::Menu)
     }
@@ -116,12 +131,18 @@ impl Lab {
         &self.side_by_side
     }
 
+    /// The page with the experiments.
+    pub fn experiments(&self) -> &ExperimentsPage {
+        &self.experiments
+    }
+
     /// The buttons at the foot of the page; the first one is Back.
     pub fn toolbar(&self) -> &Toolbar {
         match self.page {
             Page::Charts => self.charts.toolbar(),
             Page::Survival => self.survival.toolbar(),
             Page::SideBySide => self.side_by_side.toolbar(),
+            Page::Experiments => self.experiments.toolbar(),
         }
     }
 }
@@ -167,6 +188,7 @@ mod drawing {
                 Page::Charts => self.charts.draw(canvas),
                 Page::Survival => self.survival.draw(canvas),
                 Page::SideBySide => self.side_by_side.draw(canvas),
+                Page::Experiments => self.experiments.draw(canvas),
             }
         }
     }

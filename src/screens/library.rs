@@ -1,7 +1,7 @@
 //! The levels on disk, as the screens list them, the tile run's map and commands, and the charts that were measured here.
 
 use super::folder_watch::FolderWatch;
-use super::lab::Shown;
+use super::lab::{Experiment, Shown};
 use crate::classics::tile_run::{Command, InputError, Map};
 use crate::files::{self, CHART, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::lab::charts::Charts;
@@ -13,6 +13,9 @@ use std::sync::Arc;
 
 /// Where the tile run's `map.txt` and `commands.txt` are, from the project's root.
 const TILE_RUN: &str = "assets/tile_run";
+
+/// Where the experiments are, from the project's root.
+const EXPERIMENTS: &str = "experiments";
 
 /// Where `resultant chart` writes, from the project's root.
 const CHARTS: &str = "charts";
@@ -114,6 +117,35 @@ impl Library {
         let bytes = files::read(path, pack::LARGEST).map_err(|error| named(error.to_string()))?;
         let package = pack::read(&bytes, &path.file_stem().unwrap_or_default().to_string_lossy()).map_err(named)?;
         pack::install(&package, &self.levels, &self.root, true)
+    }
+
+    /// The experiments, as `experiments/experiments.csv` lists them.
+    ///
+    /// # Errors
+    /// The list is missing or damaged.
+    pub fn experiments(&self) -> Result<Vec<Experiment>, String> {
+        let folder = self.root.join(EXPERIMENTS);
+        let list = format!("{EXPERIMENTS}/experiments.csv");
+        let text = read_text(&folder.join("experiments.csv"), files::LEVEL_TABLE).map_err(|error| format!("{list}: {error}"))?;
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+        let named = |row: Result<Experiment, csv::Error>| {
+            let experiment = row.map_err(|error| format!("{list}: {error}"))?;
+            let title = level::title(&folder.join(&experiment.folder)).unwrap_or_else(|| experiment.folder.clone());
+            Ok(Experiment { title, ..experiment })
+        };
+        reader.deserialize().map(named).collect()
+    }
+
+    /// The folder of an experiment.
+    pub fn experiment(&self, name: &str) -> PathBuf {
+        self.root.join(EXPERIMENTS).join(name)
+    }
+
+    /// Whether the level of that name is an experiment now: its attempts are of no account.
+    pub fn is_experiment(&self, name: &str) -> bool {
+        let folder = self.folder(name);
+        let inside = self.root.join(EXPERIMENTS).canonicalize().is_ok_and(|experiments| folder.starts_with(experiments));
+        inside && self.outside.is_some()
     }
 
     /// The map of the tile run and the commands to watch, from `assets/tile_run/`.

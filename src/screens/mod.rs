@@ -57,7 +57,7 @@ pub use flights::{Candidate as FlightCandidate, Flights, Source, Visit};
 pub use folder_watch::{FolderWatch, Stamp};
 pub use input::{Answer, Input};
 pub use jumper::{Jumper, Press as JumperPress};
-pub use lab::{Half, Lab, Line, PAGES, Page, Shown};
+pub use lab::{Experiment, Half, Lab, Line, PAGES, Page, Shown};
 pub use leaderboard::{Fresh, Leaderboard, Way};
 pub use level_select::{Entry, LevelSelect, Purpose};
 pub use library::Library;
@@ -202,8 +202,10 @@ pub enum Request {
     Set(Settings),
     /// The list of classics, with the keyboard on the one that was left.
     Classics(Option<Classic>),
-    /// Charts, stress tests, two methods side by side.
+    /// Charts, stress tests, two methods side by side, experiments.
     Lab,
+    /// The experiment of that folder.
+    Experiment(String),
     /// One of them, from its beginning.
     Classic(Classic),
     /// A climb that has ended.

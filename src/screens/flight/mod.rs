@@ -281,6 +281,11 @@ impl Flight {
         self.pause.as_ref()
     }
 
+    /// Shows the forces from the start.
+    pub(super) fn open_details(&mut self) {
+        self.details = true;
+    }
+
     /// Whether forces are shown.
     pub fn details(&self) -> bool {
         self.details
