@@ -87,7 +87,7 @@ impl Observer {
         let pace = self.pace();
         let how = if pace < 1.0 { format!("1/{:.0}", 1.0 / pace) } else { format!("{pace} times") };
         match (self.frozen, pace == 1.0) {
-            (true, _) => Some("Frozen: F goes on, . a tick on, , a tick back".to_owned()),
+            (true, _) => Some("Frozen: F goes on, “.” a tick on, “,” a tick back".to_owned()),
             (false, false) => Some(format!("{how} as fast: [ slower, ] faster")),
             (false, true) => None,
         }

@@ -2,16 +2,19 @@
 
 use super::{Flight, News, PAUSE_LABELS, PAUSE_TOP};
 use crate::view::canvas::{Canvas, Style};
-use crate::view::layout::{Area, DETAILS, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
+use crate::view::layout::{Area, DETAILS, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
 use crate::view::{theme, widgets};
 
+/// From the canvas' foot to what is told above the fuel bar.
+const ABOVE_FUEL: f32 = 52.0;
+
 impl Flight {
-    /// How the time goes, where it does not go as it does: at the head of the canvas.
+    /// How the time goes, where it does not go as it does: above the fuel bar.
     fn draw_time(&self, canvas: &Canvas) {
         let Some(words) = self.observer.words() else { return };
         let style = Style::new(TEXT, theme::accent()).middle().centred();
         let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
-        let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, GAP), size };
+        let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, canvas.size().y - ABOVE_FUEL - size.y), size };
         widgets::panel(canvas, area);
         canvas.text(&words, area.centre(), style);
     }

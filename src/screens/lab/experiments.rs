@@ -155,7 +155,7 @@ mod drawing {
             }
             let panel = told(canvas.frame());
             widgets::panel(canvas, panel);
-            let answer = if self.answered { "Hide the answer" } else { "The answer" };
+            let answer = if self.answered { "Hide it" } else { "Answer" };
             self.toolbar.draw(canvas, &[("Back", "Esc"), ("Fly it", "Enter"), (answer, "Space")]);
             let Some(chosen) = self.chosen() else {
                 let words = self.problem().unwrap_or("There are no experiments here.");
