@@ -276,7 +276,7 @@ impl Flight {
         if self.observer.frozen() { 1.0 } else { self.clock.alpha() }
     }
 
-    /// The pause panel's buttons, while it is open, as in [`PAUSE_LABELS`].
+    /// The pause panel's buttons, while it is open, from Resume on.
     pub fn pause(&self) -> Option<&Buttons> {
         self.pause.as_ref()
     }
