@@ -25,8 +25,6 @@ const LINE: f32 = 44.0;
 const APART: f32 = 4.0;
 /// Of the width, what the list takes.
 const LIST: f32 = 0.42;
-/// Between the list and what is told of an experiment.
-const BETWEEN: f32 = 24.0;
 /// The toolbar's keys: back, fly, the answer.
 const KEYS: [Key; 3] = [Key::Escape, Key::Enter, Key::Space];
 
@@ -127,21 +125,23 @@ fn places(frame: &Frame, count: usize) -> Vec<Area> {
     (0..count).map(line).collect()
 }
 
-/// What is told of the one that is chosen.
-#[cfg(feature = "window")]
-fn told(frame: &Frame) -> Area {
-    let body = body(frame);
-    let left = body.size.x * LIST + BETWEEN;
-    Area::new(body.min.x + left, body.min.y, body.size.x - left, body.size.y)
-}
-
 #[cfg(feature = "window")]
 mod drawing {
-    use super::{ExperimentsPage, told};
+    use super::{ExperimentsPage, LIST, body};
     use crate::view::canvas::{Canvas, Style};
-    use crate::view::layout::{BUTTON_TEXT, PADDING, TEXT, Vec2};
+    use crate::view::layout::{Area, BUTTON_TEXT, Frame, PADDING, TEXT, Vec2};
     use crate::view::{theme, widgets};
     use macroquad::color::Color;
+
+    /// Between the list and what is told of an experiment.
+    const BETWEEN: f32 = 24.0;
+
+    /// What the one that is chosen is told on.
+    fn told(frame: &Frame) -> Area {
+        let body = body(frame);
+        let left = body.size.x * LIST + BETWEEN;
+        Area::new(body.min.x + left, body.min.y, body.size.x - left, body.size.y)
+    }
 
     impl ExperimentsPage {
         /// Draws the list, what is told of the one that is chosen, and the buttons.
