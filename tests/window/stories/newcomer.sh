@@ -54,9 +54,10 @@ printf 'PLAYER,600,330,80,60,0.001\n' >"$data/levels/0/objectives.csv"
 open_game play 0
 expect done hides "$accent" 14 90 72 10 5 # the fuel bar has gone: this is the score
 expect done shows "$good" 0 0 100 100 0.02
+sleep 0.5 # until it has faded in: a key pressed before is lost in a slow first frame
 press Right Return
 expect leaderboard shows "$yellow" 22 24 56 8 0.1 # the best row
-grep -q "^$user,[0-9]*$" "$data/scores/0.csv" || fail "$user is not in 0.csv: $(cat "$data/scores/0.csv")"
+grep -q "^$user,[0-9]*,$user-" "$data/scores/0.csv" || fail "$user is not in 0.csv: $(cat "$data/scores/0.csv")"
 grep -q "^0,$user,completed," "$data/scores/attempts.csv" || fail "the attempt is not in attempts.csv"
 grep -q "^$user,0,0" "$data/scores/players.csv" || fail "what was done is not in players.csv"
 press Return
