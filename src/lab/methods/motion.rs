@@ -48,6 +48,9 @@ pub const METHODS: [(&str, Step); 10] = [
     ("Strang", strang),
 ];
 
+/// Those of them that know nothing of drag in particular.
+pub static INTEGRATORS: &[(&str, Step)] = METHODS.split_at(7).0;
+
 impl Law {
     /// Acceleration at place `x` (m) and velocity `v` (m/s), m/s².
     pub fn acceleration(&self, Point { x, v }: Point) -> DVec2 {
@@ -206,24 +209,25 @@ pub fn semi_implicit_euler_f32(law: &Law, point: Point, h: f64) -> Point {
 mod tests {
     use super::*;
 
+    const ORDERS: [(Step, f64); 9] = [
+        (explicit_euler, 1.0),
+        (semi_implicit_euler, 1.0),
+        (linearised_drag, 1.0),
+        (exact_decay, 1.0),
+        (velocity_verlet, 2.0),
+        (midpoint, 2.0),
+        (heun, 2.0),
+        (strang, 2.0),
+        (rk4, 4.0),
+    ];
+
     /// Halving the step divides the error by 2^order.
     #[test]
     fn each_method_has_its_order() {
         let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..Law::default() };
         let start = Point { x: DVec2::ZERO, v: DVec2::new(0.0, 3.0) };
         let exact = exact_fall(&law, start, 2.0).x.y;
-        let methods: [(Step, f64); 9] = [
-            (explicit_euler, 1.0),
-            (semi_implicit_euler, 1.0),
-            (linearised_drag, 1.0),
-            (exact_decay, 1.0),
-            (velocity_verlet, 2.0),
-            (midpoint, 2.0),
-            (heun, 2.0),
-            (strang, 2.0),
-            (rk4, 4.0),
-        ];
-        for (i, (step, order)) in methods.into_iter().enumerate() {
+        for (i, (step, order)) in ORDERS.into_iter().enumerate() {
             let error = |h: f64| (follow(step, &law, start, 2.0, h).x.y - exact).abs();
             let measured = (error(1.0 / 64.0) / error(1.0 / 128.0)).log2();
             assert!((measured - order).abs() < 0.15, "method {i}: order {measured}, expected {order}");
@@ -236,17 +240,7 @@ mod tests {
         let law = Law { spring: 9.0, ..Law::default() };
         let start = Point { x: DVec2::new(0.0, 1.0), v: DVec2::ZERO };
         let exact = libm::cos(3.0 * 2.0);
-        for (step, order) in [
-            (explicit_euler as Step, 1.0),
-            (semi_implicit_euler, 1.0),
-            (linearised_drag, 1.0),
-            (exact_decay, 1.0),
-            (velocity_verlet, 2.0),
-            (midpoint, 2.0),
-            (heun, 2.0),
-            (strang, 2.0),
-            (rk4, 4.0),
-        ] {
+        for (step, order) in ORDERS {
             let error = |h: f64| (follow(step, &law, start, 2.0, h).x.y - exact).abs();
             let measured = (error(1.0 / 128.0) / error(1.0 / 256.0)).log2();
             assert!((measured - order).abs() < 0.2, "order {measured}, expected {order}");

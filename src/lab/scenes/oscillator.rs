@@ -2,9 +2,7 @@
 //! their strength: their energy swings about the right one, where that of others grows or fades.
 
 use crate::lab::course::{Moment, sampled, worst};
-use crate::lab::methods::motion::{
-    Law, Point, Step, adaptive, explicit_euler, heun, midpoint, rk4, semi_implicit_euler, velocity_verlet,
-};
+use crate::lab::methods::motion::{INTEGRATORS, Law, Point, Step};
 use crate::lab::{Scene, shipped};
 use crate::physics::{BodyDef, BodyId, DVec2, World};
 
@@ -24,17 +22,6 @@ const PERIODS: f64 = 1000.0;
 const STEPS: [f64; 4] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0];
 /// Relative: an energy this far off is a swing that is half a percent too high.
 const SEEN: f64 = 0.01;
-
-/// The usual integrators; without drag, those that split it off are Verlet's and semi-implicit Euler.
-pub const METHODS: [(&str, Step); 7] = [
-    ("explicit Euler", explicit_euler),
-    ("semi-implicit Euler", semi_implicit_euler),
-    ("velocity Verlet", velocity_verlet),
-    ("midpoint", midpoint),
-    ("Heun", heun),
-    ("RK4", rk4),
-    ("adaptive 3(2)", adaptive),
-];
 
 /// ω² = ρ·g·A/m with A = 1 m², 1/s².
 fn stiffness() -> f64 {
@@ -104,7 +91,7 @@ fn moments(points: impl Iterator<Item = (f64, Point)>) -> Vec<Moment> {
 /// For ten seconds.
 pub fn swing() -> Scene {
     let mut scene = Scene::new("oscillator", "A floating box swings without drag (ω = √(ρgA/m)), 10 s", SECONDS, 1);
-    for (name, step) in METHODS {
+    for &(name, step) in INTEGRATORS {
         scene = scene.method(name, move |h| error_at_end(by_hand(step, SECONDS, h)));
     }
     scene.shipped(|h| error_at_end(by_engine(MASS, SWING, SECONDS, h)))
@@ -117,7 +104,7 @@ pub fn energy_kept() -> Scene {
         .measuring("worst error of the energy at any time, parts of 1")
         .within(SEEN)
         .at_steps(&STEPS);
-    for (name, step) in METHODS {
+    for &(name, step) in INTEGRATORS {
         scene = scene
             .method(name, move |h| worst_energy(by_hand(step, seconds, h)))
             .over_time(move |h| moments(by_hand(step, seconds, h)));
@@ -130,6 +117,7 @@ pub fn energy_kept() -> Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lab::methods::motion::{explicit_euler, rk4, velocity_verlet};
 
     /// Verlet's energy on a spring stays within (ωh)²/4 of the right one for ever (Hairer, Lubich, Wanner, I.5); RK4's fades by
     /// (ωh)⁶/72 a step.

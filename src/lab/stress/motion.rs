@@ -1,7 +1,7 @@
 //! Where integrators fail: things so light that a step overshoots their terminal velocity, and gusts that turn them round.
 
 use super::{G, Rows, Survival, TICK};
-use crate::lab::methods::motion::{Law, METHODS, Point, Step, exact_fall, follow};
+use crate::lab::methods::motion::{INTEGRATORS, Law, METHODS, Point, Step, exact_fall, follow};
 use crate::lab::scenes::oscillator;
 use crate::lab::shipped;
 use crate::physics::DVec2;
@@ -96,7 +96,7 @@ pub fn swings() -> Vec<Survival> {
     let range = (0.09, 10.0);
     let keeps = |amplitude: f64| (amplitude - 1.0).abs() <= AMPLITUDE;
     let mut rows = Rows::of("amplitude of 100 swings afloat to 10 %", "ω·h, with the step h");
-    for (name, step) in oscillator::METHODS {
+    for &(name, step) in INTEGRATORS {
         rows = rows.method(name, range, |turn| keeps(swing(step, turn)));
     }
     rows.shipped(range, |turn| keeps(shipped_swing(turn)))
