@@ -21,9 +21,14 @@ pub(super) fn parabola((x, v): Pose, a: DVec2, t: f64) -> Pose {
 
 /// Where `body` is after `t` seconds under `law`.
 pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
+    flow_through(media, body, law, t, &mut None)
+}
+
+/// The same; `middle` is a place on its way as [`swim`] tells it, none where it is smooth.
+pub(super) fn flow_through(media: &Media, body: &Body, law: &Law, t: f64, middle: &mut Option<(f64, DVec2)>) -> Pose {
     let pose = (body.position, body.velocity);
     if law.is_near_liquid() {
-        return swim(media, body, law, t);
+        return swim(media, body, law, t, middle);
     }
     let (end, steps) = fly_in_steps(pose, law.constant, &law.air, t);
     media.spend(WORK_OF_A_STEP * u64::from(steps));

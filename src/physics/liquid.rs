@@ -63,8 +63,9 @@ struct Swimmer<'a> {
 /// How a step ends: how long it was, where it led, and how long the next may be.
 type Taken = (f64, Pose, f64);
 
-/// Where `body` is after `t` seconds under `law`.
-pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
+/// Where `body` is after `t` seconds under `law`; `middle` becomes the end of the step that ended nearest to half of that time, s, and where it
+/// was then, if there was more than one.
+pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64, middle: &mut Option<(f64, DVec2)>) -> Pose {
     let swimmer = Swimmer { media, body, law };
     let mut pose = (body.position, body.velocity);
     let mut regime = Regime::new(media, body, law, pose.0);
@@ -85,6 +86,10 @@ pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
         pose = end;
         left -= taken;
         h = next;
+        let nearer = |(at, _): &(f64, DVec2)| (t - left - 0.5 * t).abs() < (at - 0.5 * t).abs();
+        if left > 0.0 && middle.as_ref().is_none_or(nearer) {
+            *middle = Some((t - left, pose.0));
+        }
     }
     if left > 0.0 {
         media.end_early();

@@ -1,6 +1,6 @@
 //! What touches what at an event: contacts begin, last and end, and what meets is brought exactly together.
 
-use super::{Events, Scene, WORK_OF_A_CONTACT, WORK_OF_A_LOOK, WORK_OF_AN_ITEM};
+use super::{Events, Item, Scene, WORK_OF_A_CONTACT, WORK_OF_A_LOOK, WORK_OF_AN_ITEM};
 use crate::physics::Aabb;
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
@@ -9,6 +9,8 @@ use glam::DVec2;
 
 /// Steps of Newton's method for the time at which two motions meet.
 const POLISH: u32 = 4;
+/// Halvings of a time, at most, where it does not end.
+const HALVINGS: u32 = 64;
 /// m. A gap of bodies that have met is left if it is smaller than this.
 const CLOSED: f64 = 1e-12;
 /// m. What is deeper in something than this did not get there by rounding.
@@ -41,6 +43,9 @@ impl Events {
                     self.concern(j);
                     self.locate(scene, j as usize);
                     let contact = self.touch(scene, contact, met.is_some());
+                    if !contact.lasts && met.is_none() && self.is_in(&contact) {
+                        self.close(scene, &contact);
+                    }
                     self.touching.push(contact);
                 }
             }
@@ -48,6 +53,14 @@ impl Events {
         self.concerned.sort_unstable();
         self.touching.sort_unstable_by_key(Contact::ends);
         self.work += (WORK_OF_AN_ITEM + WORK_OF_A_LOOK * self.items.len() as u64) * self.concerned.len() as u64;
+    }
+
+    /// Whether two things that meet are in each other by more than the slop: something else happened on the rest of a way that was foreseen
+    /// roughly.
+    fn is_in(&self, contact: &Contact) -> bool {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        let reach = self.items[lo].body.half[axis] + self.items[hi].body.half[axis];
+        self.places[hi][axis] - self.places[lo][axis] - reach < -SLOP
     }
 
     /// Whether an item may touch a box now.
@@ -155,11 +168,21 @@ impl Events {
                 }
                 self.now = next;
             }
+            self.bracket(scene, contact, reach);
         }
+        self.close(scene, contact);
+        true
+    }
+
+    /// Takes away the gap, or the overlap, that the roughness of a foreseen way has left of two things that meet now: shared as their masses
+    /// say; a surface gives way to nothing.
+    fn close(&mut self, scene: &Scene, contact: &Contact) {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        let reach = self.items[lo].body.half[axis] + self.items[hi].body.half[axis];
         let gap = self.locate(scene, hi)[axis] - self.locate(scene, lo)[axis] - reach;
         let weight = |item: usize| if item < self.movable { 1.0 / self.items[item].body.mass } else { 0.0 };
         let (of_lo, of_hi) = (weight(lo), weight(hi));
-        if gap < -DEEP {
+        if gap < -DEEP && !self.were_apart(scene, contact, reach) {
             // They began in each other: nothing is put right at a stroke.
         } else if of_lo == 0.0 || of_hi == 0.0 {
             let (body, ground, side) = if of_lo == 0.0 { (hi, lo, 1.0) } else { (lo, hi, -1.0) };
@@ -171,7 +194,43 @@ impl Events {
             self.places[lo][axis] += gap * (of_lo / (of_lo + of_hi));
             self.places[hi][axis] -= gap * (of_hi / (of_lo + of_hi));
         }
-        true
+    }
+
+    /// Whether two things were not in each other where their ways began.
+    fn were_apart(&self, scene: &Scene, contact: &Contact, reach: f64) -> bool {
+        let (lo, hi) = (&self.items[contact.lo as usize], &self.items[contact.hi as usize]);
+        let at = lo.since.max(hi.since);
+        let place = |item: &Item| item.pose(scene.media, at).0[contact.axis];
+        at < self.now && place(hi) - place(lo) - reach >= -SLOP
+    }
+
+    /// Where Newton's method has ended with two things in each other: halves the time between the last event, when they were not, and now,
+    /// until they are not by more than the slop.
+    fn bracket(&mut self, scene: &Scene, contact: &Contact, reach: f64) {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        let gap = |events: &Self, at: f64| {
+            let place = |item: usize| events.items[item].pose(scene.media, at).0[axis];
+            place(hi) - place(lo) - reach
+        };
+        let mut apart = self.items.iter().map(|item| item.since).fold(0.0, f64::max);
+        if apart >= self.now || gap(self, self.now) >= -SLOP || gap(self, apart) < 0.0 {
+            return;
+        }
+        let mut met = self.now;
+        for _ in 0..HALVINGS {
+            self.work += WORK_OF_AN_ITEM;
+            let middle = 0.5 * (apart + met);
+            let between = gap(self, middle);
+            if between >= -SLOP {
+                apart = middle
+            } else {
+                met = middle
+            }
+            if between.abs() <= SLOP {
+                break;
+            }
+        }
+        self.now = apart;
     }
 
     /// What lies on a body that has been put out of a surface goes with it by as much (m, along `axis`), and so does what lies on that: it

@@ -2,7 +2,7 @@
 
 use super::track::Track;
 use crate::physics::bath::Regime;
-use crate::physics::flow::{Pose, flow, parabola};
+use crate::physics::flow::{Pose, flow, flow_through, parabola};
 use crate::physics::impact_time::Cubic;
 use crate::physics::media::{Law, Media};
 use crate::physics::surface::Surface;
@@ -14,7 +14,12 @@ const RK4_REACH: f64 = 0.02;
 /// Runge–Kutta steps of one slide between two events, at most: its way is foreseen for half a time constant, which takes 25.
 const MOST_STEPS: f64 = 64.0;
 
-/// Work of one of them, what media do not count left out.
+/// m. How far a cubic may be beside the way that it follows. Larger: what rises through a surface is met beside its way; smaller: ways are foreseen
+/// in more parts.
+const STRAY: f64 = 1e-5;
+/// s. Shorter parts are not worth it.
+const SHORTEST: f64 = 1e-9;
+/// Work of one step of a slide, what media do not count left out.
 const WORK_OF_A_STEP: u64 = 60;
 
 /// How something moves from one event to its next.
@@ -230,29 +235,41 @@ impl Item {
         pose
     }
 
-    /// Foresees the way, from `since` to `until`.
+    /// Foresees the way, from `since` to `until`, or to where one cubic follows it.
     pub(super) fn foresee(&mut self, media: &Media) -> Track {
         let (x, v) = (self.body.position, self.body.velocity);
         let t = self.until - self.since;
         self.end = None;
-        if t > 0.0 && matches!(self.motion, Motion::Flow | Motion::Slide) {
-            self.end = Some((self.since, self.until, self.pose(media, self.until)));
-        }
         let way = match self.motion {
             Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
-            // Right at once, so that things that bounce on each other thousands of times a second meet when they should; and where it ends.
-            Motion::Flow if t > 0.0 => {
-                let a = media.acceleration(&self.body, &self.law, x, v);
-                let end = self.pose(media, self.until).0;
-                Cubic { c: [x, v, a * 0.5, (end - x - (v + a * (0.5 * t)) * t) / (t * t * t)] }
-            }
+            Motion::Flow if t > 0.0 => self.foresee_flow(media),
             Motion::Slide if t > 0.0 => {
                 let (end_x, end_v) = self.pose(media, self.until);
+                self.end = Some((self.since, self.until, (end_x, end_v)));
                 Cubic::hermite(x, v, end_x, end_v, t)
             }
             Motion::Parabola | Motion::Flow | Motion::Slide => Cubic::parabola(x, v, self.mean),
         };
         Track::new(self, way)
+    }
+
+    /// A cubic that is right at once, so that things that bounce on each other thousands of times a second meet when they should; where it ends;
+    /// and, within [`STRAY`], in the midst of it: a way that enters or leaves a liquid has a kink, and is followed in shorter parts.
+    fn foresee_flow(&mut self, media: &Media) -> Cubic {
+        let (x, v) = (self.body.position, self.body.velocity);
+        let a = media.acceleration(&self.body, &self.law, x, v);
+        loop {
+            let t = self.until - self.since;
+            let mut middle = None;
+            let end = flow_through(media, &self.body, &self.law, t, &mut middle);
+            let way = Cubic { c: [x, v, a * 0.5, (end.0 - x - (v + a * (0.5 * t)) * t) / (t * t * t)] };
+            let strays = middle.is_some_and(|(at, place)| way.from(at).c[0].distance(place) > STRAY);
+            if !strays || t <= SHORTEST {
+                self.end = Some((self.since, self.until, end));
+                return way;
+            }
+            self.until = self.since + 0.5 * t;
+        }
     }
 }
 

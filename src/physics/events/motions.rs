@@ -19,10 +19,15 @@ const CUBIC_REACH: f64 = 0.1;
 const CUBIC_REACH_IN_LIQUID: f64 = 0.5;
 /// How far beyond the end of a slide a mean acceleration reaches, as a part of its time: so that the end is found before.
 const BEYOND_A_STOP: f64 = 1.25;
-/// The shortest part of a tick for which the way of something light in air is foreseen at once.
+/// The shortest part of a tick for which the way of something light in air is foreseen at once, as long as it bends by little.
 const SHORTEST: f64 = 1.0 / 256.0;
 /// The same near liquids.
 const SHORTEST_IN_LIQUID: f64 = 1.0 / 64.0;
+/// How far a way is foreseen at once near liquids, as a part of the time in which half of the body enters one: where it does, its way has a kink.
+const PART_OF_A_CROSSING: f64 = 0.5;
+/// m. How far a way may leave its tangent within that. Larger: what is braked from hundreds of kilometres a second meets things metres
+/// beside its way.
+const BENT: f64 = 1e-3;
 
 /// s from the tick's start. How long the cubic of something that moves through a medium follows its flow.
 fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
@@ -30,7 +35,15 @@ fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
         if item.law.is_near_liquid() { (CUBIC_REACH_IN_LIQUID, SHORTEST_IN_LIQUID) } else { (CUBIC_REACH, SHORTEST) };
     let pose = (item.body.position, item.body.velocity);
     let rate = scene.media.rate(&item.body, &item.law, pose, scene.tick - item.since);
-    (item.since + (reach / rate).max(scene.tick * shortest)).min(scene.tick)
+    let (mut long, least) = (reach / rate, scene.tick * shortest);
+    if item.law.is_near_liquid() {
+        long = long.min((item.body.half / pose.1.abs()).min_element() * PART_OF_A_CROSSING);
+    }
+    if long >= least {
+        return (item.since + long).min(scene.tick);
+    }
+    let pull = scene.media.acceleration(&item.body, &item.law, pose.0, pose.1).length();
+    (item.since + long.max(least.min((BENT / pull).sqrt()))).min(scene.tick)
 }
 
 impl Events {

@@ -249,14 +249,27 @@ pub(super) fn hits(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
     across.0.max(along.0) < across.1.min(along.1)
 }
 
-/// Whether a pair that is expected to pass does not: overlaps in the end, or, unless its impacts were `followed`, on the way.
+/// Whether one of two things has come to the far side of the other while they face each other by a quarter, before and after: whatever it
+/// has hit meanwhile, it did not get there round a corner.
+fn passed(bodies: &Bodies, (a, b): (usize, usize)) -> bool {
+    let axis = |x: &[f64], p: &[f64], h: &[f64]| {
+        let (from, to, reach) = (x[a] - x[b], p[a] - p[b], h[a] + h[b] - 0.5 * h[a].min(h[b]));
+        (from * to < 0.0, from.abs() < reach && to.abs() < reach)
+    };
+    let (through_x, beside_x) = axis(&bodies.x, &bodies.px, &bodies.hx);
+    let (through_y, beside_y) = axis(&bodies.y, &bodies.py, &bodies.hy);
+    (through_x && beside_y && !beside_x) || (through_y && beside_x && !beside_y)
+}
+
+/// Whether a pair that is expected to pass does not: overlaps in the end or has passed, or, unless its impacts were `followed`, meets on the
+/// way.
 pub(super) fn meets(bodies: &Bodies, (a, b): (usize, usize), hair: f64, followed: bool) -> bool {
     if !followed {
         return hits(bodies, (a, b), hair);
     }
     let deep_x = bodies.hx[a] + bodies.hx[b] - (bodies.px[a] - bodies.px[b]).abs();
     let deep_y = bodies.hy[a] + bodies.hy[b] - (bodies.py[a] - bodies.py[b]).abs();
-    deep_x > hair && deep_y > hair
+    (deep_x > hair && deep_y > hair) || passed(bodies, (a, b))
 }
 
 /// Between which parts of the way from one distance to another it is less than `reach`; an empty range if never.

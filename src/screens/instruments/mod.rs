@@ -1,6 +1,7 @@
 //! What a lesson measures with, beside the flight: a rail of buttons, which I opens, and what each of them shows. It takes the clicks and keys
 //! that are its own; the flight has the rest.
 
+#[cfg(feature = "window")]
 mod centre;
 #[cfg(feature = "window")]
 mod drawing;
@@ -11,6 +12,7 @@ use super::{Buttons, Input, Key, Keys};
 use crate::game::{Game, History};
 use crate::view::focus::Focus;
 use crate::view::layout::{Area, Frame};
+#[cfg(feature = "window")]
 pub use centre::centre_of_mass;
 use places::Places;
 
