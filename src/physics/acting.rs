@@ -96,8 +96,8 @@ fn fly(state: &State, scratch: &mut Scratch, scene: &Scene, i: usize) -> Pose {
 
 /// What is held meets no drag on a way that it does not go: its contacts have to bear all that pulls at it. Returns whether nothing does.
 fn hold(media: &Media, pile: &mut Pile, i: usize, (body, force): (&Body, DVec2), dt: f64) -> bool {
-    let law = media.law(body, force, 0.0);
-    let a = media.acceleration(body, &law, body.position, DVec2::ZERO);
+    // It stands still.
+    let a = media.acceleration_under(body, force);
     pile.guide(i, body.position + a * (0.5 * dt * dt), a * dt);
     a == DVec2::ZERO
 }

@@ -31,7 +31,7 @@ impl Choice {
     pub const MOST_AT_FIRST: usize = 1024;
     /// The budget of an island, and what each of its bodies adds to it. Larger: the worst tick lasts longer; smaller: exactness is given up
     /// where fewer impacts fall into one tick.
-    const BUDGET: u64 = 250_000;
+    const BUDGET: u64 = 200_000;
     const BUDGET_OF_A_BODY: u64 = 1_500;
     /// What the budget of an island of few comes to for each body: so many bodies as one island may have, in however many islands they are,
     /// stay within what one island may.
@@ -58,14 +58,14 @@ pub(super) struct Pause {
 }
 
 impl Pause {
-    /// What follows for a body from how it ended tick `now`: a pause, or, if its island stayed within its budget, leave to try as often as it
-    /// likes again.
+    /// What follows for a body from how it ended tick `now`: a pause, or, if its island stayed within its budget, that the next one will be
+    /// half as long.
     pub fn go_on(&mut self, after: &After, now: u64) {
         if after.busy {
             let length = (2 * self.length).clamp(Choice::FIRST_PAUSE, Choice::LONGEST_PAUSE);
             *self = Self { until: now + 1 + u64::from(length), length };
         } else if after.members > 0 && !after.dense {
-            self.length = 0;
+            self.length /= 2;
         }
     }
 }
@@ -130,7 +130,7 @@ impl Advance for Tick<'_> {
         self.scratch.members.sort_unstable();
         let count = store.len();
         let large = count > Choice::MOST_BY_EVENTS || self.scene.dense;
-        if large || round > Choice::MOST_GROWTHS || (round == 0 && self.pauses()) {
+        if large || round > Choice::MOST_GROWTHS || self.pauses() || self.budget() == 0 {
             self.guards.dense_ticks += 1;
             self.scratch.leave();
             return Verdict::Left(f64::INFINITY);

@@ -164,6 +164,9 @@ impl Media {
     /// The same in place of an earlier one.
     pub fn renew(&self, law: &mut Law, body: &Body, force: DVec2, t: f64) {
         (law.constant, law.air) = (self.constant(body, force), self.air(body));
+        if self.fluids.is_empty() {
+            return;
+        }
         // Half its size besides: what others push may meet a liquid earlier.
         let (around, way) = (body.half * 1.5, (body.velocity.abs() + law.constant.abs() * t) * t);
         law.near = Aabb::around(body.position, around + way);
@@ -218,6 +221,14 @@ impl Media {
             return law.constant - v * law.air.rate(v);
         }
         Regime::new(self, body, law, x).acceleration(x, v)
+    }
+
+    /// The same of a body under a `force` (N) that is not its weight, as it is.
+    pub fn acceleration_under(&self, body: &Body, force: DVec2) -> DVec2 {
+        if self.fluids.is_empty() {
+            return self.constant(body, force) - body.velocity * self.air(body).rate(body.velocity);
+        }
+        self.acceleration(body, &self.law(body, force, 0.0), body.position, body.velocity)
     }
 
     /// The linearisation of [`Media::acceleration`].

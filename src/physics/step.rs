@@ -193,14 +193,11 @@ impl World {
             (known[i], held[i]) = (after.known, after.held);
             if after.members == 0 {
                 // It flew by itself.
-                let force = zones::force_on(media, body, drives[i]);
-                let law = media.law(body, force, 0.0);
-                body.acceleration = media.acceleration(body, &law, body.position, body.velocity);
+                body.acceleration = media.acceleration_under(body, zones::force_on(media, body, drives[i]));
                 known[i] = true;
             } else if after.dense {
                 // What contacts add is known when they are listed.
-                let law = media.law(body, zones::force_on(media, body, drives[i]), 0.0);
-                body.acceleration = media.acceleration(body, &law, body.position, body.velocity);
+                body.acceleration = media.acceleration_under(body, zones::force_on(media, body, drives[i]));
             } else {
                 body.acceleration = after.acceleration;
             }

@@ -33,7 +33,9 @@ impl Events {
                 }
             }
             let bounds = Aabb::around(self.places[i as usize], self.items[i as usize].body.half);
-            for j in 0..self.items.len() as u32 {
+            let mut near = std::mem::take(&mut self.near);
+            self.lanes.touching(&bounds, &mut near);
+            for &j in &near {
                 let looked_at = || self.concerned[..next].contains(&j);
                 if j == i || !self.may_touch(&bounds, j as usize) || looked_at() {
                     continue;
@@ -49,6 +51,7 @@ impl Events {
                     self.touching.push(contact);
                 }
             }
+            self.near = near;
         }
         self.concerned.sort_unstable();
         self.touching.sort_unstable_by_key(Contact::ends);
@@ -153,7 +156,8 @@ impl Events {
         let reach = self.items[lo].body.half[axis] + self.items[hi].body.half[axis];
         if !(self.tracks[lo].is_exact() && self.tracks[hi].is_exact()) {
             let begin = self.items[lo].since.max(self.items[hi].since);
-            let others = self.nexts.iter().enumerate().filter(|(k, _)| *k != lo && *k != hi).map(|(_, next)| next.at);
+            let others = self.nexts.iter().enumerate().filter(|(k, next)| *k != lo && *k != hi && !self.is_void(next));
+            let others = others.map(|(_, next)| next.at);
             let end = others.fold(self.items[lo].until.min(self.items[hi].until).min(scene.tick), f64::min);
             for _ in 0..POLISH {
                 let (a, b) = (self.items[lo].pose(scene.media, self.now), self.items[hi].pose(scene.media, self.now));

@@ -66,7 +66,7 @@ pub(super) enum Kind {
     /// Its slide over another item ends.
     Stop { other: u32 },
     /// Its contact with another item ends, because they no longer face each other.
-    Edge,
+    Edge { other: u32 },
     /// It enters or leaves an air stream.
     Border,
     /// Its motion has been foreseen up to here only.
@@ -75,21 +75,33 @@ pub(super) enum Kind {
     Resume,
 }
 
+impl Kind {
+    /// With whom it happens.
+    pub fn other(self) -> Option<u32> {
+        match self {
+            Self::Hit { other, .. } | Self::Stop { other } | Self::Edge { other } => Some(other),
+            Self::Nothing | Self::Border | Self::Renew | Self::Resume => None,
+        }
+    }
+}
+
 /// The next event of an item.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Next {
     /// s, from the tick's start.
     pub at: f64,
     pub kind: Kind,
+    /// Which way of the other one it was foreseen on, if there is one.
+    pub foreseen_on: u32,
 }
 
 impl Next {
-    pub const NEVER: Self = Self { at: f64::INFINITY, kind: Kind::Nothing };
+    pub const NEVER: Self = Self { at: f64::INFINITY, kind: Kind::Nothing, foreseen_on: 0 };
 
     /// Takes the other one if that is earlier.
     pub fn or_earlier(&mut self, at: f64, kind: Kind) {
         if at < self.at {
-            *self = Self { at, kind };
+            *self = Self { at, kind, foreseen_on: 0 };
         }
     }
 }

@@ -39,7 +39,7 @@ use glam::DVec2;
 pub(super) use impacts::Hit;
 pub(super) use item::{Item, Motion};
 use item::{Kind, Next};
-use track::Track;
+use track::{Lanes, Track};
 
 /// What the work of an island is counted in: about a nanosecond.
 const WORK_OF_A_ROOT: u64 = 45;
@@ -129,7 +129,10 @@ pub(super) struct Events {
     pub contacts: Vec<Contact>,
     /// Of each item: how it goes on, and its next event.
     tracks: Vec<Track>,
+    lanes: Lanes,
     nexts: Vec<Next>,
+    /// Of each item: how many ways it has had in this tick.
+    ways: Vec<u32>,
     /// Of each item: the streams that it touches on its way, and maybe some near it.
     borders: Vec<ZoneList>,
     /// The air streams near the island.
@@ -171,8 +174,9 @@ pub(super) struct Events {
     /// Contacts of what is concerned, and copies of them that can be asked what else they would carry.
     trial: Vec<Contact>,
     asked: Vec<Contact>,
-    /// What presses on the item whose next event is sought.
+    /// What presses on the item whose next event is sought, and who is near.
     pressing: Vec<u32>,
+    near: Vec<u32>,
     /// For the implicit step of what is in contact: of each item concerned, and the mean accelerations of all.
     implicit: Vec<Implicit>,
     means: Vec<DVec2>,
@@ -234,6 +238,10 @@ impl Events {
             // Whatever an event is, it is counted: no chain of them goes on for ever.
             self.work += WORK_OF_AN_ITEM + WORK_OF_A_LOOK * self.items.len() as u64;
             if self.spent(scene) > budget {
+                continue;
+            }
+            if self.is_void(&next) {
+                self.predict(scene, i);
                 continue;
             }
             self.happen(scene, i, next.kind);
@@ -305,6 +313,11 @@ impl Events {
         (first.1.at <= scene.tick).then_some(first)
     }
 
+    /// Whether with whom it was to happen has gone another way since. Nothing has happened to the item then, but from now on others may.
+    fn is_void(&self, next: &Next) -> bool {
+        next.kind.other().is_some_and(|other| self.ways[other as usize] != next.foreseen_on)
+    }
+
     /// Makes room for all items.
     fn clear_buffers(&mut self) {
         let (all, bodies) = (self.items.len(), self.movable);
@@ -319,9 +332,17 @@ impl Events {
         }
         self.nexts.clear();
         self.nexts.resize(all, Next::NEVER);
+        self.ways.clear();
+        self.ways.resize(all, 0);
+        self.near.clear();
+        self.near.reserve(all);
         self.tracks.clear();
         self.tracks
             .extend(self.items.iter().map(|item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO))));
+        self.lanes.resize(all);
+        for (i, track) in self.tracks.iter().enumerate() {
+            self.lanes.set(i, &track.swept, track.rounding);
+        }
         self.borders.clear();
         if !self.streams.is_empty() {
             self.borders.resize(bodies, ZoneList::default());
@@ -351,7 +372,7 @@ impl Events {
         for i in bodies..all {
             self.foresee(scene, i);
             if self.items[i].until < scene.tick {
-                self.nexts[i] = Next { at: self.items[i].until, kind: Kind::Renew };
+                self.nexts[i].or_earlier(self.items[i].until, Kind::Renew);
             }
         }
         self.start(scene);
@@ -387,7 +408,7 @@ impl Events {
         self.concern(i as u32);
         let mut hit = None;
         match kind {
-            Kind::Nothing | Kind::Edge | Kind::Border => {}
+            Kind::Nothing | Kind::Edge { .. } | Kind::Border => {}
             Kind::Renew if i >= self.movable => {
                 self.turn(scene, i);
                 return self.release();

@@ -5,7 +5,7 @@
 //! implicit midpoint step, which is stable at any rate: in `v′ = f − D·v − K·x` the step is one contact solve with the masses
 //! M·(1 + ½hD + ¼h²K). So a group in a medium needs one more solve than one without, and its ways are parabolas as well.
 
-use super::item::{Item, Kind, Motion, Slide};
+use super::item::{Item, Motion, Next, Slide};
 use super::track::Track;
 use super::{Events, Implicit, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
 use crate::physics::contact::Contact;
@@ -119,13 +119,7 @@ impl Events {
         }
         let still = self.tracks.iter().all(Track::is_still);
         for i in 0..self.items.len() {
-            let changed = |item: usize| self.is_concerned[item] || item >= self.movable && self.items[item].stops_at == self.now;
-            let stale = match self.nexts[i].kind {
-                Kind::Hit { other, .. } | Kind::Stop { other } => changed(other as usize),
-                Kind::Edge => true,
-                _ => false,
-            };
-            if stale || changed(i) {
+            if self.is_concerned[i] || i >= self.movable && self.items[i].stops_at == self.now {
                 if still {
                     self.predict_still(scene, i);
                 } else {
@@ -138,13 +132,13 @@ impl Events {
     /// Foresees the way of an item.
     pub(super) fn foresee(&mut self, scene: &Scene, i: usize) {
         let track = self.items[i].foresee(scene.media);
-        if i < self.movable {
-            self.grown |= !self.items[i].searched.contains(&track.swept, 0.0);
-            if !self.streams.is_empty() && !track.is_still() {
-                self.borders[i] = scene.media.streams_at(&track.swept);
-            }
+        if i < self.movable && !self.streams.is_empty() && !track.is_still() {
+            self.borders[i] = scene.media.streams_at(&track.swept);
         }
+        self.lanes.set(i, &track.swept, track.rounding);
         self.tracks[i] = track;
+        self.nexts[i] = Next::NEVER;
+        self.ways[i] += 1;
     }
 
     /// How everything concerned moves from now on.

@@ -1,4 +1,4 @@
-//! Which pairs will touch, and in which order.
+//! Which pairs will touch, in which order, and who knows of it.
 
 use std::cmp::Ordering;
 
@@ -8,10 +8,32 @@ pub(super) struct Pair {
     pub a: u32,
     pub b: u32,
     pub restitution: f64,
-    /// Counts how often its bodies were hit: what was due before is void.
-    pub version: u32,
+    /// On which ways of its bodies, counted as in [`Due::ways`], it has been seen to touch: that comes once.
+    pub passed: u32,
     /// How often it has bounced.
     pub hits: u32,
+}
+
+/// A pair in the chain of one of its ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Link {
+    pub other: u32,
+    pub next: u32,
+}
+
+/// What somebody has found looking ahead.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Looked {
+    /// Where it stays until then: left, right, top, bottom, m.
+    pub lane: [f64; 4],
+    /// When it touches something, s; infinite if it does not in this step.
+    pub next: f64,
+    /// How often it has looked, and set out on another way.
+    pub count: u32,
+    pub ways: u32,
+    /// When it set out last, s, and how many had before, of all.
+    pub since: f64,
+    pub departure: u32,
 }
 
 /// A pair will touch.
@@ -20,7 +42,11 @@ pub(super) struct Due {
     pub time: f64,
     pub speed: f64,
     pub pair: u32,
-    pub version: u32,
+    /// How many ways its bodies had set out on: if these are more, it is void.
+    pub ways: u32,
+    /// Who has found it, and at which of its looks: it has no other.
+    pub by: u32,
+    pub look: u32,
     pub axis: usize,
 }
 

@@ -16,6 +16,7 @@
 mod bounce;
 mod course;
 mod due;
+mod look;
 
 use super::bodies::Bodies;
 use super::contacts::Contacts;
@@ -24,8 +25,8 @@ use super::gravity::Anchors;
 use super::islands::Island;
 use super::neighbours::Neighbours;
 use super::reach::Reach;
-use course::{Course, time_of_impact};
-use due::{Due, Pair};
+use course::Course;
+use due::{Due, Link, Looked, Pair};
 use std::collections::BinaryHeap;
 
 /// Impacts slower than this are none, m/s. Smaller: rounding bounces.
@@ -40,8 +41,9 @@ const BUDGET_OF_A_BODY: u64 = 300;
 /// Once half of the budget is used up, who has been hit so often waits. Fewer: what is hit seldom loses time; more: what is hit often takes
 /// the other half too.
 const OFTEN: u32 = 4;
-/// Units of work, about a nanosecond each: looking when a pair touches, and an impact without that.
-const WORK_OF_A_LOOK: u64 = 8;
+/// Units of work, about a nanosecond each: a pair looked at, when it touches, and an impact without that.
+const WORK_OF_A_LINK: u64 = 2;
+const WORK_OF_A_LOOK: u64 = 10;
 const WORK_OF_AN_IMPACT: u64 = 150;
 
 /// The direction of a contact's normal.
@@ -108,7 +110,12 @@ pub(super) struct Impacts {
     allowed: u64,
     /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
     chain: Vec<u32>,
-    next: Vec<u32>,
+    links: Vec<Link>,
+    /// What each body does next, by slot; of surfaces only where they are.
+    looks: Vec<Looked>,
+    /// The time up to which impacts have been followed, s, and how often somebody set out on another way.
+    clock: f64,
+    departures: u32,
     courses: [Vec<Course>; 2],
     due: BinaryHeap<Due>,
     dt: f64,
@@ -132,7 +139,8 @@ impl Impacts {
             hits: vec![0; count],
             waits: vec![false; count],
             chain: vec![NONE; all],
-            next: Vec::with_capacity(8 * count),
+            links: Vec::with_capacity(8 * count),
+            looks: vec![Looked::default(); all],
             courses: [vec![Course::default(); all], vec![Course::default(); all]],
             due: BinaryHeap::with_capacity(4 * count),
             ..Self::default()
@@ -164,14 +172,13 @@ impl Impacts {
             self.add(bodies, a, b);
         }
         self.follow_ups += 1;
-        for pair in 0..self.pairs.len() {
-            self.look(bodies, pair, 0.0);
-        }
+        self.look_at_all(bodies, island);
         self.allowed = BUDGET + BUDGET_OF_A_BODY * island.members.len() as u64;
         let most = self.work + self.allowed;
         while let Some(due) = self.due.pop() {
-            if self.pairs[due.pair as usize].version == due.version {
+            if self.is_next(bodies, around, &due) {
                 self.go_on(bodies, anchors, around, (due, most));
+                self.pass(bodies, around, &due);
             }
         }
         self.any = true;
@@ -279,14 +286,6 @@ impl Impacts {
         }
     }
 
-    /// Body i has another way from `time` on.
-    fn leave(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize, time: f64) {
-        if !bodies.is_swept(i) {
-            self.widen(bodies, around, i);
-        }
-        self.look_again(bodies, i, time);
-    }
-
     /// A quick test whether any pair that bounces closes.
     fn any_due(&self, bodies: &Bodies, island: Island<'_>, contacts: &Contacts) -> bool {
         let lively = |a: usize, b: usize| bodies.traits[a].restitution > 0.0 || bodies.traits[b].restitution > 0.0;
@@ -313,7 +312,7 @@ impl Impacts {
 
     fn gather(&mut self, bodies: &Bodies, island: Island<'_>, anchors: &Anchors) {
         self.pairs.clear();
-        self.next.clear();
+        self.links.clear();
         self.due.clear();
         let per_second = 1.0 / self.dt;
         for &i in island.members {
@@ -369,77 +368,14 @@ impl Impacts {
             return;
         }
         let pair = self.pairs.len() as u32;
-        self.pairs.push(Pair { a: i, b: j, restitution, version: 0, hits: 0 });
-        self.next.extend([self.chain[a], NONE]);
+        self.pairs.push(Pair { a: i, b: j, restitution, passed: NONE, hits: 0 });
+        let of_b = if b < bodies.len() { std::mem::replace(&mut self.chain[b], 2 * pair + 1) } else { NONE };
+        self.links.extend([Link { other: j, next: self.chain[a] }, Link { other: i, next: of_b }]);
         self.chain[a] = 2 * pair;
-        if b < bodies.len() {
-            self.next[2 * pair as usize + 1] = self.chain[b];
-            self.chain[b] = 2 * pair + 1;
-        } else {
+        if b >= bodies.len() {
             self.courses[0][b] = Course { at: bodies.x[b], velocity: bodies.vx[b], pull: 0.0 };
             self.courses[1][b] = Course { at: bodies.y[b], velocity: bodies.vy[b], pull: 0.0 };
-        }
-    }
-
-    /// Finds when a pair touches next, from `now` on.
-    fn look(&mut self, bodies: &Bodies, pair: usize, now: f64) {
-        let Pair { a, b, restitution, version, hits } = self.pairs[pair];
-        if restitution < 1.0 && hits >= RATTLE {
-            return;
-        }
-        self.work += WORK_OF_A_LOOK;
-        let (a, b) = (a as usize, b as usize);
-        let left = self.dt - now;
-        let reach = [bodies.hx[a] + bodies.hx[b], bodies.hy[a] + bodies.hy[b]];
-        let mut motion = [[0.0; 3]; 2];
-        for (axis, motion) in motion.iter_mut().enumerate() {
-            let (of_a, of_b) = (&self.courses[axis][a], &self.courses[axis][b]);
-            let (apart, velocity, pull) =
-                (of_b.place(now) - of_a.place(now), of_a.speed(now) - of_b.speed(now), of_a.pull - of_b.pull);
-            // Too far to touch in what is left, whatever the signs.
-            if apart.abs() - reach[axis] > (velocity.abs() + 0.5 * pull.abs() * left) * left + self.touch {
-                return;
-            }
-            *motion = [apart, velocity, pull];
-        }
-        if motion.iter().all(|[_, velocity, pull]| *velocity == 0.0 && *pull == 0.0) {
-            return;
-        }
-        let mut best: Option<Due> = None;
-        for axis in 0..2 {
-            let [apart, velocity, pull] = motion[axis];
-            let side = if apart < 0.0 { -1.0 } else { 1.0 };
-            let gap = apart * side - reach[axis];
-            if gap < -self.touch {
-                continue;
-            }
-            let (closing, pull) = (velocity * side, pull * side);
-            let Some((after, speed)) = time_of_impact(if gap > self.hair { gap } else { 0.0 }, closing, pull) else { continue };
-            let time = now + after;
-            let ends = restitution < 1.0 && restitution * speed < self.rest_speed;
-            if time >= self.dt || speed <= SLOWEST || ends || best.is_some_and(|best| best.time <= time) {
-                continue;
-            }
-            let (across_a, across_b) = (&self.courses[1 - axis][a], &self.courses[1 - axis][b]);
-            let beside = (across_b.place(time) - across_a.place(time)).abs() - reach[1 - axis];
-            let open = b >= bodies.len() && !bodies.sides[b].face(axis, side < 0.0);
-            if beside < -self.touch && !open {
-                best = Some(Due { time, speed, pair: pair as u32, version, axis });
-            }
-        }
-        if let Some(due) = best {
-            self.due.push(due);
-        }
-    }
-
-    /// Looks at all pairs of a body that has been hit.
-    fn look_again(&mut self, bodies: &Bodies, i: usize, now: f64) {
-        let mut at = self.chain[i];
-        while at != NONE {
-            let pair = at as usize / 2;
-            self.pairs[pair].version += 1;
-            self.look(bodies, pair, now);
-            at = self.next[at as usize];
+            self.looks[b] = Looked { lane: self.lane(bodies, b, (0.0, self.dt)), ..Looked::default() };
         }
     }
 }

@@ -16,6 +16,8 @@ use super::grid::{Edges, Grid, overlap};
 const LEFT: f64 = 1.0 / 24.0;
 /// The fewest and the most steps ahead for which the allowed boxes are made; in between as many as keep the pairs few.
 const HORIZON: (f64, f64) = (4.0, 64.0);
+/// Where more of few bodies than these leave their boxes at once, all pairs are listed anew.
+const ONE_BY_ONE: usize = 8;
 /// Up to this many surfaces are tested one by one.
 const FEW_SURFACES: usize = 8;
 
@@ -52,6 +54,10 @@ pub(super) struct Neighbours {
     age: f64,
     fall: f64,
     horizon: f64,
+    /// How many steps ago all was sought, how often that was, and whether only for the step then at hand.
+    updates: u32,
+    searches: u32,
+    hurries: bool,
     skin: f64,
     /// Half the width and half the height of the largest boxes that are not large, m.
     reach: (f64, f64),
@@ -170,6 +176,7 @@ impl Neighbours {
 
     /// Lets bodies into all of what they sweep, without numbering anything anew.
     pub fn follow(&mut self, bodies: &mut Bodies, slots: &[u32]) {
+        let all_anew = slots.len() > ONE_BY_ONE && self.is_few(bodies.len());
         for &i in slots {
             let i = i as usize;
             let (s, (dx, dy), hx, hy) = (bodies.swept[i], bodies.shift, bodies.hx[i], bodies.hy[i]);
@@ -179,13 +186,23 @@ impl Neighbours {
             bodies.allowed_bottom[i] = bodies.allowed_bottom[i].max(s[3] - hy - dy);
             let (left, right) = (bodies.allowed_left[i] - hx, bodies.allowed_right[i] + hx);
             self.left += 1;
-            self.add(bodies, i, [left, right, bodies.allowed_top[i] - hy, bodies.allowed_bottom[i] + hy]);
+            let mine = [left, right, bodies.allowed_top[i] - hy, bodies.allowed_bottom[i] + hy];
+            if all_anew {
+                self.edges[i] = mine;
+            } else {
+                self.add(bodies, i, mine);
+            }
+        }
+        if all_anew {
+            self.revision += 1;
+            self.pair_up(bodies.len());
         }
     }
 
     /// Makes sure that all pairs that these bodies can touch on what they sweep now are known. Returns false where all have to be sought anew.
     pub fn update(&mut self, bodies: &mut Bodies, slots: &[u32], dt: f64) -> bool {
         let n = bodies.len();
+        self.updates += 1;
         let mut beyond = std::mem::take(&mut self.beyond);
         beyond.clear();
         for &i in slots {
@@ -247,6 +264,11 @@ impl Neighbours {
     /// Collects the bodies besides i whose boxes overlap `mine`.
     fn find_near_body(&mut self, mine: &Edges, i: usize) {
         self.near.clear();
+        if self.is_few(self.edges.len()) {
+            self.near_among(mine, self.edges.len());
+            self.near.retain(|j| *j as usize != i);
+            return;
+        }
         self.near_in_grid(mine, |j, is_large| !is_large[j] && j != i);
         for &j in &self.large {
             if j as usize != i && overlap(mine, &self.edges[j as usize]) {

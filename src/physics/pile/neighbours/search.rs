@@ -13,6 +13,10 @@ const LARGE: f64 = 2.0;
 const FEW: f64 = 1.0 / 64.0;
 /// Fewer pairs a body than the first: look further ahead; more than the second: less far.
 const PAIRS: (f64, f64) = (0.25, 4.0);
+/// Up to so many bodies are tested one by one, without a grid.
+const FEW_BODIES: usize = 96;
+/// Where all of few bodies are sought anew step by step, one looks ahead only every so many times: what is fast leaves every box.
+const OFTEN: u32 = 8;
 /// The most cells of the surfaces' grid.
 const MOST_CELLS: f64 = 65_536.0;
 
@@ -58,13 +62,34 @@ impl Neighbours {
             self.age = dt;
             bodies.shift = self.drifted(dt);
         }
+        self.hurries = self.is_few(n) && self.updates <= 1 && self.searches % OFTEN != 0;
+        (self.updates, self.searches) = (0, self.searches + 1);
         self.edges.clear();
         for i in 0..n {
             let edges = self.allow(bodies, i, dt);
             self.edges.push(edges);
         }
-        self.fill_grid(bodies);
+        if self.is_few(n) {
+            self.large.clear();
+            self.is_large.fill(false);
+        } else {
+            self.fill_grid(bodies);
+        }
         self.left = 0;
+        self.pair_up(n);
+        let pairs = self.with.len() as f64 / n.max(1) as f64;
+        if self.hurries {
+            return;
+        }
+        if pairs < PAIRS.0 {
+            self.horizon = (self.horizon * 2.0).min(HORIZON.1);
+        } else if pairs > PAIRS.1 {
+            self.horizon = (self.horizon * 0.5).max(HORIZON.0);
+        }
+    }
+
+    /// Lists all pairs whose boxes overlap.
+    pub(super) fn pair_up(&mut self, n: usize) {
         self.more.clear();
         self.first.fill(NONE);
         self.with.clear();
@@ -78,17 +103,11 @@ impl Neighbours {
             self.with.extend_from_slice(&self.near);
         }
         self.start[n] = self.with.len() as u32;
-        let pairs = self.with.len() as f64 / n.max(1) as f64;
-        if pairs < PAIRS.0 {
-            self.horizon = (self.horizon * 2.0).min(HORIZON.1);
-        } else if pairs > PAIRS.1 {
-            self.horizon = (self.horizon * 0.5).max(HORIZON.0);
-        }
     }
 
     /// Gives a body a new allowed range of its centre, in which it sweeps now and in the next steps; returns its allowed box.
     pub(super) fn allow(&self, bodies: &mut Bodies, i: usize, dt: f64) -> Edges {
-        let ahead = self.horizon * dt;
+        let ahead = if self.hurries { dt } else { self.horizon * dt };
         let (now, then) = (self.drifted((self.age - dt).max(0.0)), bodies.shift);
         let (x, px, y, py) = (bodies.x[i] - now.0, bodies.px[i] - then.0, bodies.y[i] - now.1, bodies.py[i] - then.1);
         let falling = self.drift.1 + self.fall * (self.age - dt).max(0.0);
@@ -160,10 +179,8 @@ impl Neighbours {
     /// Collects the lower bodies near body i.
     pub(super) fn near_bodies(&mut self, i: usize) {
         let mine = self.edges[i];
-        if self.is_large[i] {
-            let near = self.edges[..i].iter().enumerate().filter(|(_, other)| overlap(&mine, other)).map(|(j, _)| j as u32);
-            self.near.extend(near);
-            return;
+        if self.is_large[i] || self.is_few(self.edges.len()) {
+            return self.near_among(&mine, i);
         }
         for &j in &self.large {
             if (j as usize) < i && overlap(&mine, &self.edges[j as usize]) {
@@ -171,6 +188,23 @@ impl Neighbours {
             }
         }
         self.near_in_grid(&mine, |j, _| j < i);
+    }
+
+    /// Whether all are tested one by one.
+    pub(super) fn is_few(&self, bodies: usize) -> bool {
+        bodies <= FEW_BODIES
+    }
+
+    /// Collects those of so many bodies whose boxes overlap `mine`, without a branch for each.
+    pub(super) fn near_among(&mut self, mine: &Edges, count: usize) {
+        let Self { edges, near, .. } = self;
+        let mut found = near.len();
+        near.resize(found + count, 0);
+        for (j, other) in edges[..count].iter().enumerate() {
+            near[found] = j as u32;
+            found += usize::from(overlap(mine, other));
+        }
+        near.truncate(found);
     }
 
     /// Collects the bodies of the grid whose boxes overlap `mine`.

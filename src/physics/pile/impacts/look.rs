@@ -1,0 +1,165 @@
+//! Looking ahead: who touches whom next.
+//!
+//! Each body knows the first pair of its own that will touch, and no other. Who sets out on another way looks at all of its pairs, each up to
+//! what the other one knows of already; so of two that touch, the one that has looked last knows. What somebody knew of one that has
+//! gone another way is void: it looks again if that time comes (after Lubachevsky 1991). What a pair comes to is always reckoned from
+//! when the later of the two set out.
+
+use super::super::bodies::Bodies;
+use super::super::islands::{Island, apart};
+use super::course::time_of_impact;
+use super::due::{Due, Looked, Pair};
+use super::{Around, Impacts, NONE, RATTLE, SLOWEST, WORK_OF_A_LINK, WORK_OF_A_LOOK};
+
+impl Impacts {
+    /// All look ahead for the first time.
+    pub(super) fn look_at_all(&mut self, bodies: &Bodies, island: Island<'_>) {
+        self.clock = 0.0;
+        self.departures = 0;
+        for &i in island.members {
+            let lane = self.lane(bodies, i as usize, (0.0, self.dt));
+            self.looks[i as usize] = Looked { lane, next: f64::INFINITY, ..Looked::default() };
+        }
+        for &i in island.members {
+            self.look(bodies, i as usize);
+        }
+    }
+
+    /// Whether what is due comes now. If it is void, who knew of it looks again.
+    pub(super) fn is_next(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, due: &Due) -> bool {
+        if self.looks[due.by as usize].count != due.look {
+            return false;
+        }
+        self.clock = due.time;
+        let holds = self.ways_of(&self.pairs[due.pair as usize]) == due.ways;
+        if !holds {
+            self.look_on(bodies, around, due.by as usize);
+        }
+        holds
+    }
+
+    /// A pair has touched: if that changed nothing for who knew of it, it looks for what comes after that.
+    pub(super) fn pass(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, due: &Due) {
+        self.pairs[due.pair as usize].passed = due.ways;
+        if self.looks[due.by as usize].count == due.look {
+            self.look_on(bodies, around, due.by as usize);
+        }
+    }
+
+    /// Body i sets out on another way, which is its own from `time` on.
+    pub(super) fn leave(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize, time: f64) {
+        self.departures += 1;
+        let looked = &mut self.looks[i];
+        looked.ways += 1;
+        (looked.since, looked.departure) = (time, self.departures);
+        self.look_on(bodies, around, i);
+    }
+
+    /// Body i looks ahead, also where that leads it further than contacts were looked for.
+    fn look_on(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize) {
+        self.look(bodies, i);
+        let (lane, swept, touch) = (&self.looks[i].lane, &bodies.swept[i], self.touch);
+        let strays =
+            (0..2).any(|axis| lane[2 * axis] + touch < swept[2 * axis] || lane[2 * axis + 1] - touch > swept[2 * axis + 1]);
+        if strays && !bodies.is_swept(i) {
+            self.widen(bodies, around, i);
+            self.look(bodies, i);
+        }
+    }
+
+    /// The box that something does not leave between two times, m.
+    pub(super) fn lane(&self, bodies: &Bodies, i: usize, (from, to): (f64, f64)) -> [f64; 4] {
+        let mut lane = [0.0; 4];
+        for (axis, half) in [bodies.hx[i], bodies.hy[i]].into_iter().enumerate() {
+            let course = &self.courses[axis][i];
+            let (begin, end) = (course.place(from), course.place(to));
+            // A parabola strays no further from its chord.
+            let reach = half + 0.125 * course.pull.abs() * (to - from) * (to - from) + self.touch;
+            (lane[2 * axis], lane[2 * axis + 1]) = (begin.min(end) - reach, begin.max(end) + reach);
+        }
+        lane
+    }
+
+    fn ways_of(&self, pair: &Pair) -> u32 {
+        let of = |i: u32| self.looks[i as usize].ways;
+        of(pair.a).wrapping_add(of(pair.b))
+    }
+
+    /// Finds what body i touches next.
+    fn look(&mut self, bodies: &Bodies, i: usize) {
+        let mut lane = self.lane(bodies, i, (self.clock, self.dt));
+        let mut best: Option<Due> = None;
+        let mut at = self.chain[i];
+        while at != NONE {
+            let link = self.links[at as usize];
+            self.work += WORK_OF_A_LINK;
+            let other = &self.looks[link.other as usize];
+            if !apart(&lane, &other.lane) {
+                let known = if (link.other as usize) < bodies.len() { other.next } else { f64::INFINITY };
+                self.work += WORK_OF_A_LOOK;
+                let due = self.touches(bodies, at / 2).filter(|due| due.time <= known);
+                if let Some(due) = due.filter(|due| best.is_none_or(|best| *due > best)) {
+                    lane = self.lane(bodies, i, (self.clock, due.time));
+                    best = Some(due);
+                }
+            }
+            at = link.next;
+        }
+        let looked = &mut self.looks[i];
+        looked.count = looked.count.wrapping_add(1);
+        (looked.lane, looked.next) = (lane, best.map_or(f64::INFINITY, |due| due.time));
+        let look = looked.count;
+        self.due.extend(best.map(|due| Due { by: i as u32, look, ..due }));
+    }
+
+    /// When a pair touches, on the ways that its bodies are on now.
+    fn touches(&self, bodies: &Bodies, pair: u32) -> Option<Due> {
+        let of = &self.pairs[pair as usize];
+        let Pair { a, b, restitution, passed, hits } = *of;
+        let (a, b, ways) = (a as usize, b as usize, self.ways_of(of));
+        if (restitution < 1.0 && hits >= RATTLE) || passed == ways {
+            return None;
+        }
+        let (of_a, of_b) = (&self.looks[a], &self.looks[b]);
+        let now = if of_a.departure >= of_b.departure { of_a.since } else { of_b.since };
+        let left = self.dt - now;
+        let reach = [bodies.hx[a] + bodies.hx[b], bodies.hy[a] + bodies.hy[b]];
+        let mut motion = [[0.0; 3]; 2];
+        for (axis, motion) in motion.iter_mut().enumerate() {
+            let (of_a, of_b) = (&self.courses[axis][a], &self.courses[axis][b]);
+            let (apart, velocity, pull) =
+                (of_b.place(now) - of_a.place(now), of_a.speed(now) - of_b.speed(now), of_a.pull - of_b.pull);
+            // Too far to touch in what is left, whatever the signs.
+            if apart.abs() - reach[axis] > (velocity.abs() + 0.5 * pull.abs() * left) * left + self.touch {
+                return None;
+            }
+            *motion = [apart, velocity, pull];
+        }
+        if motion.iter().all(|[_, velocity, pull]| *velocity == 0.0 && *pull == 0.0) {
+            return None;
+        }
+        let mut best: Option<Due> = None;
+        for axis in 0..2 {
+            let [apart, velocity, pull] = motion[axis];
+            let side = if apart < 0.0 { -1.0 } else { 1.0 };
+            let gap = apart * side - reach[axis];
+            if gap < -self.touch {
+                continue;
+            }
+            let (closing, pull) = (velocity * side, pull * side);
+            let Some((after, speed)) = time_of_impact(if gap > self.hair { gap } else { 0.0 }, closing, pull) else { continue };
+            let time = now + after;
+            let ends = restitution < 1.0 && restitution * speed < self.rest_speed;
+            if time >= self.dt || speed <= SLOWEST || ends || best.is_some_and(|best| best.time <= time) {
+                continue;
+            }
+            let (across_a, across_b) = (&self.courses[1 - axis][a], &self.courses[1 - axis][b]);
+            let beside = (across_b.place(time) - across_a.place(time)).abs() - reach[1 - axis];
+            let open = b >= bodies.len() && !bodies.sides[b].face(axis, side < 0.0);
+            if beside < -self.touch && !open {
+                best = Some(Due { time, speed, pair, ways, by: 0, look: 0, axis });
+            }
+        }
+        best
+    }
+}
