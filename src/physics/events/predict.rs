@@ -60,7 +60,8 @@ impl Events {
         let track = &self.tracks[i];
         let until = track.until.min(self.nexts[i].at);
         // The pose of what moves nearly as its way says is asked for elsewhere than on it.
-        let lane = if track.is_exact() && !track.is_still() {
+        let as_foreseen = track.since == self.now && until >= track.until;
+        let lane = if track.is_exact() && !track.is_still() && !as_foreseen {
             swept(&track.way_from(self.now), track.half, until - self.now)
         } else {
             track.swept
@@ -88,6 +89,7 @@ impl Events {
         let mine = &self.tracks[i];
         let from_here = mine.way_from(self.now);
         let (left, half, rounding) = (mine.until - self.now, mine.half, mine.rounding);
+        let foreseen = (mine.since == self.now).then_some(mine.swept);
         let [_, v, ..] = from_here.c;
         let few = self.tracks.len() <= FEW;
         let mut ahead = if few || mine.is_still() { left } else { LOOK_AHEAD * (half.x + half.y) / (v.x.abs() + v.y.abs()) };
@@ -98,7 +100,7 @@ impl Events {
             if stretch <= 0.0 {
                 break;
             }
-            let mut lane = swept(&from_here, half, stretch);
+            let mut lane = foreseen.filter(|_| stretch == left).unwrap_or_else(|| swept(&from_here, half, stretch));
             (lane.min, lane.max) = (lane.min - (rounding + SLOP), lane.max + (rounding + SLOP));
             self.lanes.touching(&lane, &mut near);
             self.work += WORK_OF_A_LOOK * self.tracks.len() as u64;
