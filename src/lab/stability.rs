@@ -113,7 +113,11 @@ pub fn examples() -> [(&'static str, Complex); 2] {
 
 /// A limit on one of the two rays, as people read it.
 pub fn limit(value: f64) -> String {
-    if value >= FAR { "any".to_owned() } else { format!("{value:.2}") }
+    match value {
+        0.0 => "none".to_owned(),
+        FAR.. => "any".to_owned(),
+        _ => format!("{value:.2}"),
+    }
 }
 
 /// Where so many cells to the right and upwards are.

@@ -114,7 +114,8 @@ fn draw<'a>(regions: &[Region], root: &Area<'a>) -> Drawn<'a> {
     for (name, at) in examples() {
         let (x, y) = chart.backend_coord(&at);
         root.draw(&Circle::new((x, y), 5, rgb(TEXT).stroke_width(2)))?;
-        root.draw_text(name, &quiet, (x + 10, y - 18))?;
+        let wide = root.estimate_text_size(name, &quiet)?.0 as i32;
+        root.draw_text(name, &quiet, (if at.0 < 0.0 { x - wide } else { x + 10 }, y - 20))?;
     }
     for (line, words) in WORDS.iter().enumerate() {
         root.draw_text(words, &quiet, (24, (TOP + HEIGHT + LABELS) as i32 + 22 + 20 * line as i32))?;

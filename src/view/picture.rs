@@ -28,8 +28,8 @@ pub fn large(canvas: &Canvas, area: Area, picture: &Picture, colour: Color) {
     let quiet = Style::new(DETAILS, theme::quiet()).middle();
     let up = widgets::cut(canvas, picture.up, plot.size.x, words);
     canvas.text(&up, Vec2::new(plot.min.x, plot.min.y - 32.0), words);
-    canvas.text(&format!("up to {}", number(most)), Vec2::new(plot.min.x, plot.min.y - 10.0), quiet);
-    canvas.text(&format!("down to {}", number(least)), Vec2::new(plot.min.x + 4.0, plot.max().y - 12.0), quiet);
+    let span = format!("from {} to {}", number(least), number(most));
+    canvas.text(&span, Vec2::new(plot.min.x, plot.min.y - 10.0), quiet);
     let foot = plot.max().y + 14.0;
     canvas.text(&number(from), Vec2::new(plot.min.x, foot), quiet);
     canvas.text(&number(to), Vec2::new(plot.max().x, foot), quiet.right());

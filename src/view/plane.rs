@@ -53,7 +53,7 @@ pub use drawing::draw;
 
 #[cfg(feature = "window")]
 mod drawing {
-    use super::Plane;
+    use super::{LINE, Plane};
     use crate::lab::look::Look;
     use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
     use crate::lab::stability_diagram::{look, shipped_look};
@@ -65,6 +65,9 @@ mod drawing {
     /// From a legend line's left end to its words, and from its right end to the two limits.
     const WORDS: f32 = 52.0;
     const LIMITS: [f32; 2] = [84.0, 8.0];
+    /// What the marks on the two rays are.
+    const MARKS: [&str; 2] =
+        ["h/τ: drag alone, without a spring; ω·h: a swing without drag.", "Marks on the two rays: these limits."];
     /// Length of the sample of an edge in the legend.
     const SAMPLE: f32 = 40.0;
 
@@ -90,9 +93,11 @@ mod drawing {
             region.marks().for_each(|z| marker(canvas, plane.at(z), look.marker, colour));
         }
         for (name, z) in examples() {
-            let at = plane.at(z);
+            let (at, style) = (plane.at(z), Style::new(DETAILS, theme::text()).middle());
             canvas.ring(at, 5.0, 2.0, theme::text());
-            canvas.text(name, at + Vec2::new(8.0, -16.0), Style::new(DETAILS, theme::text()).middle());
+            // What fades stands to the left of its point, what swings to the right.
+            let (beside, style) = if z.0 < 0.0 { (-8.0, style.right()) } else { (10.0, style) };
+            canvas.text(name, at + Vec2::new(beside, -16.0), style);
         }
         legend(canvas, plane, regions, picked);
     }
@@ -162,5 +167,9 @@ mod drawing {
             line(index + 1, &look(index), (region.name, [region.drag, region.swing]), whole);
         }
         line(regions.len() + 1, &shipped_look(), (SHIPPED, SHIPPED_LIMITS), true);
+        for (down, words) in MARKS.into_iter().enumerate() {
+            let area = plane.legend(regions.len() + 2 + down);
+            canvas.text(words, area.min + Vec2::new(WORDS, LINE / 2.0), Style::new(DETAILS, theme::quiet()).middle());
+        }
     }
 }

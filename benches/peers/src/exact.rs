@@ -148,7 +148,6 @@ fn line(blocks: &[(f64, f64, f64)]) -> Spec {
     };
     Spec {
         gravity: 0.0,
-        swept: true,
         statics: vec![],
         ..spec(blocks.iter().map(block).collect())
     }

@@ -164,7 +164,7 @@ fn blown(velocities: &[f64], speed: f64) -> Picture {
     let after = velocities.iter().take(SHOWN / 3).enumerate().map(|(i, v)| ((i + 1) as f64, v / speed));
     let found = Picture::of("steps since the start", "velocity / the air's").found(std::iter::once((0.0, 1.0)).chain(after));
     let k = gust_law().drag;
-    found.exact((0..=100).map(|i| f64::from(i) * 0.1).map(|steps| (steps, 1.0 / (1.0 + k * speed * steps * TICK))))
+    found.exact((0..=SHOWN / 3).map(|steps| steps as f64).map(|steps| (steps, 1.0 / (1.0 + k * speed * steps * TICK))))
 }
 
 fn gusts(name: &'static str, survives: fn(&[f64], f64) -> bool) -> Test {
