@@ -87,6 +87,7 @@ fn draw<'a>(regions: &[Region], root: &Area<'a>) -> Drawn<'a> {
         .x_desc("real part: −h/τ, what fades")
         .x_labels(8)
         .y_labels(8)
+        .max_light_lines(1)
         .axis_style(rgb(HEAVY_GRID))
         .bold_line_style(rgb(HEAVY_GRID))
         .light_line_style(rgb(GRID))

@@ -114,7 +114,7 @@ fn about_the_stop(h: f64) -> (f64, f64) {
 
 /// The velocities about the stop, in units of what friction takes in a step.
 fn chattering(h: f64) -> Picture {
-    let first = (SLIDE / brake() / h) as usize - 8;
+    let first = ((SLIDE / brake() / h) as usize).saturating_sub(8);
     let line = slides(by_sign, h).enumerate().skip(first).take(24);
     let line = line.map(|(i, (_, v))| ((i + 1 - first) as f64, v / (brake() * h)));
     Picture::of("steps about the stop", "velocity / friction's in a step").found(line).within(0.0, 0.0)

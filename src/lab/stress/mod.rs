@@ -119,21 +119,27 @@ impl Test {
     /// How a method fails just beyond the largest value that it survives, or how it survives the largest that was tried.
     pub fn picture(&self, method: &str, largest: f64) -> Option<Picture> {
         let method = self.methods.iter().find(|found| found.name == method)?;
-        let value = self.beyond(largest);
+        let value = self.beyond(largest, &method.survives);
         let picture = method.picture.as_ref()?(value);
         Some(Picture { value, ..picture })
     }
 
-    fn beyond(&self, largest: f64) -> f64 {
+    /// A value beyond that one at which it does fail; the largest that was tried where it survives all.
+    fn beyond(&self, largest: f64, survives: impl Fn(f64) -> bool) -> f64 {
         let (least, most) = self.range;
-        let next = if self.whole { largest + 1.0 } else { largest * BEYOND };
         // Of a number in a file anything may be asked.
-        if next.is_nan() { least } else { next.clamp(least, most) }
+        let next = |further: f64| {
+            let next = if self.whole { largest + further.ceil() } else { largest * (1.0 + further) };
+            if next.is_nan() { least } else { next.clamp(least, most) }
+        };
+        let nearest = next(BEYOND[0]);
+        if nearest >= most { nearest } else { BEYOND.map(next).into_iter().find(|value| !survives(*value)).unwrap_or(nearest) }
     }
 }
 
-/// Relative: how far beyond what it survives a method's failure is shown. Nearer, it would be there and not be seen.
-const BEYOND: f64 = 1.25;
+/// Relative: how far beyond what it survives a method's failure is shown. Nearer than the first it would be there and not be seen; some
+/// methods survive again a little further on.
+const BEYOND: [f64; 5] = [0.25, 0.1, 0.03, 0.01, 0.003];
 
 /// The largest value from `least` to `most` up to which `survives` holds: doubled until it does not, then halved in between.
 /// 0 if it does not hold for `least`.
@@ -207,7 +213,7 @@ mod tests {
 
     #[test]
     fn a_failure_is_shown_just_beyond_what_is_survived() {
-        let test = Test::of("a", "b", (1.0, 100.0)).method("m", |_| true).drawn(|value| Picture { value, ..Picture::default() });
+        let test = Test::of("a", "b", (1.0, 100.0)).method("m", |value| value < 9.0).drawn(|value| Picture { value, ..Picture::default() });
         let at = |largest: f64| test.picture("m", largest).map(|picture| picture.value);
         assert_eq!([0.0, 8.0, 90.0, 100.0, f64::NAN].map(at), [Some(1.0), Some(10.0), Some(100.0), Some(100.0), Some(1.0)]);
         assert_eq!(test.picture("another", 1.0), None);
