@@ -213,7 +213,9 @@ mod tests {
 
     #[test]
     fn a_failure_is_shown_just_beyond_what_is_survived() {
-        let test = Test::of("a", "b", (1.0, 100.0)).method("m", |value| value < 9.0).drawn(|value| Picture { value, ..Picture::default() });
+        let test = Test::of("a", "b", (1.0, 100.0))
+            .method("m", |value| value < 9.0)
+            .drawn(|value| Picture { value, ..Picture::default() });
         let at = |largest: f64| test.picture("m", largest).map(|picture| picture.value);
         assert_eq!([0.0, 8.0, 90.0, 100.0, f64::NAN].map(at), [Some(1.0), Some(10.0), Some(100.0), Some(100.0), Some(1.0)]);
         assert_eq!(test.picture("another", 1.0), None);
