@@ -1,10 +1,10 @@
 //! Draws the table, and beside it the failure of the line that is asked.
 
-use super::{Line, ROW, SurvivalPage, line_of, panel, told};
+use super::{Line, ROW, SurvivalPage, TABLE, WIDEST, body, line_of, panel};
 use crate::lab::axes::number;
 use crate::lab::stress::Survival;
 use crate::view::canvas::{Canvas, Style};
-use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
+use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, Frame, PADDING, TEXT, Vec2};
 use crate::view::{picture, theme, widgets};
 use macroquad::color::Color;
 
@@ -12,6 +12,8 @@ use macroquad::color::Color;
 const COLUMNS: [f32; 3] = [24.0, 48.0, 48.0];
 /// From the panel's right edge to a line's picture, and the width of that.
 const PICTURE: (f32, f32) = (336.0, 176.0);
+/// Between the table and the large picture.
+const BETWEEN: f32 = 16.0;
 /// From the told panel's top to its picture, and from that to its foot.
 const HEAD: f32 = 88.0;
 const FOOT: f32 = 92.0;
@@ -83,6 +85,13 @@ impl SurvivalPage {
         let legend = "green: what is right, and how far off still counts";
         widgets::fitted(canvas, legend, Vec2::new(middle, foot + 72.0), widest, &[TEXT, DETAILS], theme::good());
     }
+}
+
+/// What the large picture lies on.
+fn told(frame: &Frame) -> Area {
+    let (body, table) = (body(frame), panel(frame));
+    let left = table.max().x + BETWEEN;
+    Area::new(left, table.min.y, body.size.x.min(WIDEST) - TABLE - BETWEEN, table.size.y)
 }
 
 fn draw_test(canvas: &Canvas, line: Area, (test, parameter): (&str, &str), ruled: bool) {

@@ -15,8 +15,6 @@ use std::collections::HashMap;
 const ROW: f32 = 40.0;
 /// Width of the table.
 const TABLE: f32 = 768.0;
-/// Between the table and the large picture.
-const BETWEEN: f32 = 16.0;
 /// Widest that both get.
 const WIDEST: f32 = 1440.0;
 /// From the panel's top and foot to the lines.
@@ -123,13 +121,6 @@ fn panel(frame: &Frame) -> Area {
     let width = body.size.x.min(WIDEST);
     let room = Area::new(body.centre().x - width / 2.0, body.min.y + WORDS, TABLE, body.size.y - WORDS);
     Area::new(room.min.x, room.min.y, TABLE, page(room) as f32 * ROW + 2.0 * PADDING)
-}
-
-/// What the large picture lies on.
-pub(super) fn told(frame: &Frame) -> Area {
-    let (body, table) = (body(frame), panel(frame));
-    let left = table.max().x + BETWEEN;
-    Area::new(left, table.min.y, body.size.x.min(WIDEST) - TABLE - BETWEEN, table.size.y)
 }
 
 /// A line in view, from the panel's left edge to its bar.
