@@ -106,6 +106,7 @@ fn nothing_lies_on_anything_else_in_any_window() {
             areas.extend(lab.toolbar().buttons().areas());
             match page {
                 Page::Charts => areas.push(lab.charts().plot(&sitting.frame).unwrap().panel),
+                Page::Stability => areas.push(lab.stability().plane(&sitting.frame).panel),
                 Page::Survival => areas.extend(lab.survival().bar().map(|bar| bar.track)),
                 Page::SideBySide => areas.extend(lab.side_by_side().choices().areas()),
                 Page::Experiments => {
@@ -207,6 +208,56 @@ fn the_table_has_every_stress_test_and_scrolls() {
     let bar = sitting.lab().survival().bar().unwrap();
     let end = Vec2::new(bar.track.centre().x, bar.track.max().y - 1.0);
     assert_eq!(range(sitting.click(Area::around(end, Vec2::ONE))).end, all);
+}
+
+#[test]
+fn the_failures_in_view_are_drawn_within_a_second_and_the_one_pointed_at_is_told() {
+    let mut sitting = Sitting::new();
+    sitting.page(Page::Survival);
+    for key in [Key::Home, Key::PageDown, Key::End] {
+        sitting.press(key).wait(1.0);
+        let page = sitting.lab().survival();
+        for line in page.range() {
+            let Line::Method(row) = &page.lines()[line] else { continue };
+            let refused = row.shipped && row.test.starts_with("nonsense");
+            assert_eq!(page.picture(line).is_none(), refused, "{}, {}", row.test, row.method);
+        }
+    }
+    sitting.press(Key::Home).point_at(Vec2::ZERO);
+    assert_eq!(sitting.lab().survival().chosen(), Some(1), "the first method, below the name of its test");
+    // Below it, line by line.
+    let bar = sitting.lab().survival().bar().unwrap().track;
+    let told: Vec<Option<usize>> = (0..200)
+        .map(|i| sitting.point_at(Vec2::new(bar.min.x - 100.0, bar.min.y + 2.0 * i as f32)).lab().survival().chosen())
+        .collect();
+    let in_view = sitting.lab().survival().range();
+    assert!((in_view.start + 1..in_view.end - 2).all(|line| told.contains(&Some(line))), "{told:?}");
+}
+
+#[test]
+fn a_region_of_stability_is_picked_out_by_key_and_by_its_line() {
+    let mut sitting = Sitting::new();
+    sitting.page(Page::Stability).give(Input::default());
+    let names: Vec<&str> = sitting.lab().stability().regions().iter().map(|region| region.name).collect();
+    assert!(names.contains(&"RK4") && names.contains(&"velocity Verlet") && names.len() == 10);
+    let picked = |sitting: &Sitting| sitting.lab().stability().picked();
+    assert_eq!(picked(&sitting), None);
+    for method in 0..names.len() {
+        assert_eq!(picked(sitting.press(Key::Down)), Some(method));
+    }
+    assert_eq!(picked(sitting.press(Key::Down)), None, "none comes after the last");
+    assert_eq!(picked(sitting.press(Key::Up)), Some(names.len() - 1));
+    let third = sitting.lab().stability().plane(&sitting.frame).legend(3);
+    assert_eq!(picked(sitting.point_at(third.centre())), Some(2), "while the pointer is there");
+    assert_eq!(picked(sitting.click(third).point_at(Vec2::ZERO)), Some(2), "for good");
+    // As many pixels for 1 to the right as upwards, and all of it in the panel.
+    for (width, height) in SIZES {
+        let plane = sitting.lab().stability().plane(&Frame::of_window(Vec2::new(width, height)));
+        let unit = (plane.at((1.0, 1.0)) - plane.at((0.0, 0.0))).abs();
+        assert!((unit.x - unit.y).abs() < 1e-3);
+        assert!(plane.area.max().x < plane.legend(0).min.x && plane.legend(names.len() + 1).max().y < plane.panel.max().y);
+        assert!(plane.area.min.cmpgt(plane.panel.min).all() && plane.area.max().y < plane.panel.max().y);
+    }
 }
 
 #[test]

@@ -128,16 +128,19 @@ fn numbers_beyond_all_axes_are_refused() {
         let told = charts("fall.csv", &format!("method,origin,step,work,error\n{row}\n")).unwrap_err();
         assert!(told.ends_with("expected a number above 0, from 1e-100 to 1e100"), "{told}");
     }
-    let told = peers::add_peers(&format!("{}\nfall,other,0.1,1.8e308,0.1\n", peers::PEERS_HEAD), &mut Vec::new()).unwrap_err();
-    assert!(told.contains("work from 1e-100 to 1e100"), "{told}");
+    let head = peers::PEERS_HEAD.join(",");
+    let text = format!("{head}\nfall,other,1,,0.1,1.8e308,0.1,0,0,1\n");
+    let told = peers::add_peers("results.csv", &text, &mut Vec::new()).unwrap_err();
+    assert!(told.ends_with("expected a number above 0, from 1e-100 to 1e100"), "{told}");
     // At the ends of what is accepted everything is drawn, and soon.
     let mut diagrams = Vec::new();
-    let far = "pile-100,other,1e-100,1e-100,0.1\npile-100,another,1e100,1e100,1e308\npile-100,third,1,1,1e-308\n";
-    peers::add_peers(&format!("{}\n{far}", peers::PEERS_HEAD), &mut diagrams).unwrap();
+    let far = ["other,1,,1e-100,1e-100,0.1", "another,1,,1e100,1e100,1e308", "third,1,,1,1,1e-308"];
+    let far: String = far.into_iter().map(|row| format!("pile-100,{row},0,0,1\n")).collect();
+    peers::add_peers("results.csv", &format!("{head}\n{far}"), &mut diagrams).unwrap();
     let charts = Charts { diagrams, ..Charts::default() };
     quick("the widest diagram", || {
         assert!(diagram::svg(&charts.diagrams[0]).is_ok_and(|svg| !svg.contains("NaN") && !svg.contains("inf")));
-        report::summary(&charts)
+        report::summary(&charts, &[])
     });
 }
 
@@ -150,12 +153,12 @@ fn the_table_of_pi_wants_a_row_a_step() {
     let other_steps = "N = 0,lab,0.1,1,0\nN = 1,lab,0.2,1,0\n";
     assert!(charts("pi.csv", &format!("{head}{other_steps}")).is_err());
     let even = charts("pi.csv", &format!("{head}N = 0,lab,0.1,1,0\nN = 1,lab,0.1,2,1\n")).unwrap();
-    assert!(report::summary(&even).contains("| 1/10 s | 0 | 1 |"));
+    assert!(report::summary(&even, &[]).contains("| 1/10 s | 0 | 1 |"));
     // Also where charts do not come from files.
     let mut ragged = even;
     let pi = ragged.diagrams.iter_mut().find(|measured| measured.name == report::PI).unwrap();
     pi.curves[1].points.clear();
-    assert!(report::summary(&ragged).contains("| 1/10 s | 0 | 1 |"));
+    assert!(report::summary(&ragged, &[]).contains("| 1/10 s | 0 | 1 |"));
     let text = filled("N = 0,lab,0.1,1,0\n", 100);
     assert!(charts("pi.csv", &format!("{head}{text}")).is_ok());
 }

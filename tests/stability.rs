@@ -8,7 +8,7 @@ use resultant::lab::methods::motion::{
 use resultant::lab::methods::{bounce, chain::sweeps_needed, friction, impact};
 use resultant::lab::scenes::{bouncing as bounces, stacks};
 use resultant::lab::stress::motion::{Fall, fall, gust, shipped_fall_error, shipped_gust};
-use resultant::lab::stress::{G, TICK, bouncing, contacts, robustness};
+use resultant::lab::stress::{G, TICK, bouncing, contacts, robustness, standing};
 
 #[test]
 fn terminal_velocity() {
@@ -76,8 +76,8 @@ fn heavy_on_light() {
         assert_eq!(sweeps_needed(&[1.0, ratio], 0.01, sweeps - 1), None, "R = {ratio}");
     }
     for ratio in [10.0, 1000.0, 1e4, 1e6] {
-        assert!(contacts::stands(&[1.0, ratio]), "R = {ratio}");
-        assert_eq!(contacts::shipped_sag(ratio), 0.0, "R = {ratio}");
+        assert!(standing::stands(&[1.0, ratio]), "R = {ratio}");
+        assert_eq!(standing::shipped_sag(ratio), 0.0, "R = {ratio}");
     }
 }
 
@@ -90,7 +90,7 @@ fn columns() {
     let (_, four) = stacks::SOLVERS[0];
     assert!(stacks::sag_by_hand(&[1.0; 20], four, 10.0, TICK) > 0.5);
     for n in [2, 10, 50, 100] {
-        assert!(contacts::stands(&vec![1.0; n]), "N = {n}");
+        assert!(standing::stands(&vec![1.0; n]), "N = {n}");
     }
 }
 

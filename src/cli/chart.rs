@@ -10,7 +10,7 @@ use crate::lab::course::{Course, OverTime};
 use crate::lab::curve::{Curve, Measured, Origin, Point};
 use crate::lab::peers::add_peers;
 use crate::lab::report::{shipped_csv, summary};
-use crate::lab::{Method, Scene, course_diagram, diagram, scenes, stress};
+use crate::lab::{Method, Scene, course_diagram, diagram, scenes, stability, stability_diagram, stress};
 use std::hint::black_box;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -32,6 +32,7 @@ use std::time::Instant as Clock;
     scenes.csv   the diagrams: titles, axes, tolerances\n  \
     shipped.csv  what the shipped engine costs in each scene, and the cheapest method\n  \
     stress.csv   the largest value that each method survives\n  \
+    stability.svg, .csv, stability-limits.csv  where methods are stable, on the complex plane\n  \
     setting.csv  machine, commit, build\n\n\
     All files are written when everything has been measured, or none. Points of other engines are taken from\n\
     benches/peers/results.csv where that file is there. The game's Lab shows what is in charts/ of its data folder.")]
@@ -83,13 +84,12 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     }
     let mut survivals = Vec::new();
     for (index, test) in stress::TESTS.iter().enumerate() {
-        let rows = test();
-        let name = rows.first().map_or("", |row| row.test.as_str());
-        progress(&format!("stress {}/{} {name}", index + 1, stress::TESTS.len()));
-        survivals.extend(rows);
+        let test = test();
+        progress(&format!("stress {}/{} {}", index + 1, stress::TESTS.len(), test.name));
+        survivals.extend(test.rows());
     }
     if let Some((path, text)) = &peers {
-        add_peers(text, &mut diagrams).map_err(|problem| bad_peers(path, &problem))?;
+        add_peers(path, text, &mut diagrams).map_err(Stop::Refused)?;
     }
 
     let profile = if cfg!(debug_assertions) { "debug" } else { "release" }.to_owned();
@@ -102,8 +102,12 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
         let over_time = course_diagram::svg(measured).map_err(|error| Stop::refused(format!("{}: {error}", measured.name)))?;
         files.extend(over_time.map(|drawn| (format!("{}-over-time.svg", measured.name), drawn)));
     }
+    let regions = stability::regions();
+    let drawn = stability_diagram::svg(&regions).map_err(|error| Stop::refused(format!("{}: {error}", stability_diagram::SVG)))?;
+    files.push((stability_diagram::SVG.to_owned(), drawn));
+    files.extend(stability_diagram::csv(&regions).map(|(name, text)| (name.to_owned(), text)));
     files.push(("shipped.csv".to_owned(), shipped_csv(&charts.diagrams)));
-    files.push(("summary.md".to_owned(), summary(&charts)));
+    files.push(("summary.md".to_owned(), summary(&charts, &regions)));
     folder.write(&files)?;
     for (name, _) in &files {
         writeln!(out, "{}", args.out.join(name).display())?;
@@ -111,19 +115,15 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     Ok(Status::Done)
 }
 
-/// The peers' results, where there are any: the file and its text, found to be sound before minutes are spent.
-fn peers(project: &Project) -> Result<Option<(PathBuf, String)>, Stop> {
+/// The peers' results, where there are any: the file's name and its text, found to be sound before minutes are spent.
+fn peers(project: &Project) -> Result<Option<(String, String)>, Stop> {
     let path = project.root().join("benches/peers/results.csv");
     if !path.exists() {
         return Ok(None);
     }
-    let text = read_text(&path, CHART)?;
-    add_peers(&text, &mut Vec::new()).map_err(|problem| bad_peers(&path, &problem))?;
-    Ok(Some((path, text)))
-}
-
-fn bad_peers(path: &Path, problem: &str) -> Stop {
-    Stop::refused(format!("{}: {problem}", path.display()))
+    let (name, text) = (path.display().to_string(), read_text(&path, CHART)?);
+    add_peers(&name, &text, &mut Vec::new()).map_err(Stop::Refused)?;
+    Ok(Some((name, text)))
 }
 
 /// Where the files go.

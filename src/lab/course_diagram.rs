@@ -64,8 +64,8 @@ fn draw<'a>(measured: &Measured, courses: &[Course], axes: &Timeline, root: &Are
 fn look(measured: &Measured, course: &Course) -> Look {
     let same = |curve: &Curve| curve.name == course.name && curve.origin == course.origin;
     let index = measured.curves.iter().position(same).unwrap_or(0);
-    let curve = Curve { name: course.name.clone(), origin: course.origin, points: Vec::new() };
-    Look { width: Look::of(index, &curve).width.min(2), ..Look::of(index, &curve) }
+    let look = Look::of(index, course.origin);
+    Look { width: look.width.min(2), ..look }
 }
 
 /// What stands along an upright axis: its name, values with their parts of the way up, and a dotted line at one.
@@ -142,18 +142,8 @@ mod tests {
         let moment = |time, error, energy| Moment { time, error, energy: Some(energy) };
         let moments = vec![moment(1.0, 0.0, 1.0), moment(2.0, f64::NAN, f64::INFINITY), moment(3.0, 1e300, f64::NAN)];
         let course = Course { name: "wild".into(), origin: Origin::Lab, moments };
-        let mut measured = Measured {
-            name: "n".into(),
-            title: "A title".into(),
-            error: "error, m".into(),
-            work: "work, ns".into(),
-            tolerance: 1e-3,
-            shipped_step: 0.01,
-            alike: true,
-            note: String::new(),
-            curves: Vec::new(),
-            over_time: Some(OverTime { step: 1.0 / 60.0, courses: vec![course] }),
-        };
+        let over_time = Some(OverTime { step: 1.0 / 60.0, courses: vec![course] });
+        let mut measured = Measured { over_time, ..Measured::of_curves(Vec::new()) };
         let drawn = svg(&measured).unwrap().unwrap();
         for word in ["A title: over time, step 1/60 s", "error, m", "energy", "wild", "time, s"] {
             assert!(drawn.contains(word), "{word}");

@@ -100,6 +100,23 @@ impl Curve {
 }
 
 impl Measured {
+    /// A diagram of such curves, for tests.
+    #[cfg(test)]
+    pub(crate) fn of_curves(curves: Vec<Curve>) -> Self {
+        Self {
+            name: "n".into(),
+            title: "A title".into(),
+            error: "error, m".into(),
+            work: "work, ns".into(),
+            tolerance: 1e-3,
+            shipped_step: 0.01,
+            alike: true,
+            note: String::new(),
+            curves,
+            over_time: None,
+        }
+    }
+
     /// The curve of the engine as it is shipped, if the scene has one, and its points at the step at which the game ships.
     pub fn shipped(&self) -> Option<(&Curve, impl Iterator<Item = Point>)> {
         let curve = self.curves.iter().find(|curve| curve.origin == Origin::Shipped)?;

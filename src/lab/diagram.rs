@@ -2,7 +2,7 @@
 //! on the upper edge is a run that blew up; a point on the lower edge has no error but rounding, or none.
 
 use super::axes::{Axes, LEAST_ERROR, number, power};
-use super::curve::{Curve, Measured, Point};
+use super::curve::{Curve, Measured, Origin, Point};
 use super::look::{FRAME, GOOD, Look, Marker, RING, SHIPPED, TEXT, TOLERANCE_DASH};
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -11,12 +11,14 @@ use std::error::Error;
 // Sizes of type are given as the plotting library wants them: it writes 1/1.24 of them.
 
 /// Pixels.
-pub(super) const SIZE: (u32, u32) = (1040, 600);
+pub(super) const SIZE: (u32, u32) = (1120, 600);
 /// Pixels. Where the legend begins.
 pub(super) const LEGEND: i32 = 740;
 /// Pixels between the legend's lines.
 pub(super) const LINE: i32 = 26;
 
+/// Lines of the legend below those of the curves, and half a line before them.
+const NOTES: i32 = 7;
 /// Pixels. What the number of an order takes up.
 const ORDER: (i32, i32) = (24, 13);
 
@@ -86,7 +88,7 @@ fn draw<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
     chart.draw_series(DashedLineSeries::new(tolerance, on, off, rgb(GOOD).stroke_width(2)))?;
     let mut orders: Vec<(i32, i32)> = Vec::new();
     for (index, curve) in measured.curves.iter().enumerate() {
-        let look = Look::of(index, curve);
+        let look = Look::of(index, curve.origin);
         if let Some((order, point)) = curve.order().zip(curve.finest_fitted()) {
             let at = free_place(chart.backend_coord(&place(&point)), &orders);
             let style = ("sans-serif", 15).into_font().color(&rgb(look.colour));
@@ -119,16 +121,18 @@ fn legend<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
     let style = ("sans-serif", 17).into_font().color(&rgb(TEXT));
     let quiet = ("sans-serif", 16).into_font().color(&rgb(QUIET));
     let mut y = 64;
+    // Nearer to each other where there are many, so that all have room.
+    let line = LINE.min((SIZE.1 as i32 - y) / (measured.curves.len() as i32 + NOTES));
     for (index, curve) in measured.curves.iter().enumerate() {
-        let look = Look::of(index, curve);
+        let look = Look::of(index, curve.origin);
         sample(root, &look, y)?;
         for piece in polygons((LEGEND + 18, y), look.marker, look.colour) {
             root.draw(&piece)?;
         }
         root.draw_text(&with_order(curve), &style, (LEGEND + 46, y - 8))?;
-        y += LINE;
+        y += line;
     }
-    y += LINE / 2;
+    y += line / 2;
     for x in (LEGEND..LEGEND + 36).step_by(6) {
         root.draw(&PathElement::new(vec![(x, y), (x + 2, y)], rgb(GOOD).stroke_width(2)))?;
     }
@@ -138,16 +142,16 @@ fn legend<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
         format!("tolerance: {}", number(measured.tolerance))
     };
     root.draw_text(&tolerance, &quiet, (LEGEND + 46, y - 8))?;
-    y += LINE;
+    y += line;
     if measured.shipped().is_some() {
         root.draw(&ring((LEGEND + 18, y)))?;
         root.draw_text("as shipped", &quiet, (LEGEND + 46, y - 8))?;
-        y += LINE;
+        y += line;
     }
     if measured.cheapest().is_some() {
         root.draw(&frame((LEGEND + 18, y)))?;
         root.draw_text("cheapest within the tolerance", &quiet, (LEGEND + 46, y - 8))?;
-        y += LINE;
+        y += line;
     }
     let points = || measured.curves.iter().flat_map(|curve| &curve.points);
     if points().any(Point::blew_up) {
@@ -155,11 +159,11 @@ fn legend<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
             root.draw(&piece)?;
         }
         root.draw_text("on the upper edge: blew up", &quiet, (LEGEND + 46, y - 8))?;
-        y += LINE;
+        y += line;
     }
     if points().any(|point| point.error < LEAST_ERROR) {
         root.draw_text("on the lower edge: no error", &quiet, (LEGEND, y))?;
-        y += LINE;
+        y += line;
     }
     root.draw_text("lower left is better", &quiet, (LEGEND, y))?;
     Ok(())
@@ -178,9 +182,10 @@ pub(super) fn sample<'a>(root: &Area<'a>, look: &Look, y: i32) -> Drawn<'a> {
     Ok(())
 }
 
-/// A curve's name, and its order where one is seen.
+/// A curve's name, and its order where one is seen; a peer's name is long enough, and its order stands at the curve.
 pub fn with_order(curve: &Curve) -> String {
-    curve.order().map_or_else(|| curve.name.clone(), |order| format!("{}, order {order:.1}", curve.name))
+    let order = if curve.origin == Origin::Peer { None } else { curve.order() };
+    order.map_or_else(|| curve.name.clone(), |order| format!("{}, order {order:.1}", curve.name))
 }
 
 /// Where an order is written: right of its point, or below what stands there.
@@ -222,27 +227,15 @@ fn label(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::curve::Origin;
 
     #[test]
     fn a_diagram_has_its_words_as_text_and_no_bad_numbers() {
         let point = |step, work, error| Point { step, work, error };
         let curve = |name: &str, origin, points| Curve { name: name.to_owned(), origin, points };
-        let measured = Measured {
-            name: "n".into(),
-            title: "A title".into(),
-            error: "error, m".into(),
-            work: "work, ns".into(),
-            tolerance: 1e-3,
-            shipped_step: 0.01,
-            alike: true,
-            note: String::new(),
-            over_time: None,
-            curves: vec![
-                curve("wild", Origin::Lab, vec![point(0.1, 10.0, f64::NAN), point(0.01, 100.0, 1e-2)]),
-                curve("ours", Origin::Shipped, vec![point(0.01, 50.0, 0.0)]),
-            ],
-        };
+        let measured = Measured::of_curves(vec![
+            curve("wild", Origin::Lab, vec![point(0.1, 10.0, f64::NAN), point(0.01, 100.0, 1e-2)]),
+            curve("ours", Origin::Shipped, vec![point(0.01, 50.0, 0.0)]),
+        ]);
         let svg = svg(&measured).unwrap();
         for word in ["A title", "error, m", "work, ns", "wild", "ours", "as shipped", "blew up", "tolerance"] {
             assert!(svg.contains(word), "{word}");

@@ -4,6 +4,7 @@
 //! - [`methods`]: the methods, written by hand, each a small pure function.
 //! - [`scenes`]: what they are run on, one file a family; each scene knows its exact answer.
 //! - [`stress`]: where methods fail: the largest value that each survives.
+//! - [`stability`]: where methods are stable, on the complex plane; [`stability_diagram`]: as SVG and CSV.
 //! - [`side_by_side`]: two methods on a scene, to be watched.
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
 //! - [`curve`]: the numbers behind a diagram; [`course`]: error and energy over time. [`charts`]: all that one run measured, as CSV and back; [`kept`]: the run that comes with
@@ -27,6 +28,8 @@ mod scene;
 pub mod scenes;
 mod shipped;
 pub mod side_by_side;
+pub mod stability;
+pub mod stability_diagram;
 pub mod stress;
 pub mod timeline;
 

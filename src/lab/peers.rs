@@ -1,15 +1,13 @@
 //! Other engines' points, from the file that `benches/peers` wrote: the same scenes, measured on one machine in one run. A scene of
-//! the lab gets their points into its diagram; the others, which no method by hand could run, make diagrams of their own.
+//! the lab gets their points into its diagram, a curve for each version and setting; the others, which no method by hand could run, make
+//! diagrams of their own.
 
 use super::TOLERANCE;
 use super::curve::{Curve, MOST_CURVES, Measured, NUMBERS, Origin, Point};
+use super::rows::rows;
 
-/// The columns that are read of the file that `benches/peers` writes; more may follow.
-pub const PEERS_HEAD: &str = "scene,engine,step,work,error";
-/// How many these are.
-const COLUMNS: usize = 5;
-/// How many letters of a line that cannot be read are shown.
-const MOST_SHOWN: usize = 120;
+/// The columns of the file that `benches/peers` writes.
+pub const PEERS_HEAD: [&str; 10] = ["scene", "engine", "version", "settings", "step", "work", "error", "overlap", "speed", "times"];
 /// What `benches/peers` calls this engine.
 pub const OURS: &str = "Resultant";
 /// What its scenes end with in which bodies that rest may sleep, as they always may in the lab.
@@ -71,7 +69,8 @@ impl Family {
             error: self.error.to_owned(),
             work: work.to_owned(),
             tolerance: self.tolerance,
-            shipped_step: step,
+            // Of sizes, the only one there is; else the one at which the game ships.
+            shipped_step: if self.sizes { step } else { 1.0 / crate::game::TICK_RATE },
             alike: !self.sizes,
             note: String::new(),
             over_time: None,
@@ -81,37 +80,23 @@ impl Family {
 }
 
 /// Adds the peers' points to the diagrams of their scenes, and diagrams for the scenes that only engines take part in. Scenes that are
-/// neither are left out.
+/// neither are left out. `file` is where the text is from.
 ///
 /// # Errors
-/// A sentence with the line of the first row that cannot be read.
-pub fn add_peers(text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String> {
-    let mut lines = text.lines().enumerate();
-    if lines.next().is_none_or(|(_, head)| !head.split(',').map(str::trim).take(COLUMNS).eq(PEERS_HEAD.split(','))) {
-        return Err(format!("line 1: expected {PEERS_HEAD}"));
-    }
+/// A sentence with file and line of the first row that cannot be read.
+pub fn add_peers(file: &str, text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String> {
     let mut families = FAMILIES.map(|family| (family, None::<Measured>));
-    for (index, line) in lines.filter(|(_, line)| !line.trim().is_empty()) {
-        let fields: Vec<&str> = line.split(',').map(str::trim).collect();
-        let number = |i: usize| fields.get(i).and_then(|field| field.parse::<f64>().ok());
-        let above_zero = |i: usize| number(i).filter(|value| NUMBERS.contains(value));
-        let error = number(4).filter(|error| error.is_nan() || *error >= 0.0);
-        let (Some(step), Some(work), Some(error)) = (above_zero(2), above_zero(3), error) else {
-            let (least, most) = (NUMBERS.start(), NUMBERS.end());
-            return Err(format!(
-                "line {}: expected a scene, an engine, step and work from {least:e} to {most:e} and an error of 0 or more, found {}",
-                index + 1,
-                line.chars().take(MOST_SHOWN).collect::<String>()
-            ));
-        };
-        let too_many = |()| format!("line {}: found another engine, expected at most {MOST_CURVES} curves in a diagram", index + 1);
-        let (scene, ours) = (fields[0], fields[1] == OURS);
-        let (scene, engine) = match scene.strip_suffix(SLEEP) {
+    for row in rows(file, text, &PEERS_HEAD)? {
+        let (scene, ours) = (row.word(0), row.word(1) == OURS);
+        let (step, work, error) = (row.above_zero(4)?, row.above_zero(5)?, row.error(6)?);
+        let too_many = |()| row.problem(1, &format!("at most {MOST_CURVES} curves in a diagram"));
+        let (scene, sleeps) = match scene.strip_suffix(SLEEP) {
             // Ours with sleep is what the lab measures.
             Some(_) if ours => continue,
-            Some(scene) => (scene, format!("{}, with sleep", fields[1])),
-            None => (scene, fields[1].to_owned()),
+            Some(scene) => (scene, true),
+            None => (scene.as_str(), false),
         };
+        let engine = curve_name(&row.word(1), &row.word(2), &row.word(3), sleeps);
         if let Some(measured) = diagrams.iter_mut().find(|measured| measured.name == scene) {
             // In the scenes of the lab the shipped engine is measured here and now.
             if !ours {
@@ -126,6 +111,15 @@ pub fn add_peers(text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String>
     }
     diagrams.extend(families.into_iter().filter_map(|(_, measured)| measured));
     Ok(())
+}
+
+/// What a curve is called: the engine with its version and its settings. Ours needs neither: it is the one that is at hand.
+fn curve_name(engine: &str, version: &str, settings: &str, sleeps: bool) -> String {
+    if engine == OURS {
+        return engine.to_owned();
+    }
+    let settings = [settings, if sleeps { "with sleep" } else { "" }].into_iter().filter(|words| !words.is_empty());
+    settings.fold(format!("{engine} {version}"), |name, words| format!("{name}, {words}"))
 }
 
 /// Adds a point to a curve of that name.
@@ -145,52 +139,70 @@ fn add(measured: &mut Measured, name: &str, origin: Origin, point: Point) -> Res
 mod tests {
     use super::*;
 
+    /// The file with such rows: all of a row up to its error.
+    fn file(rows: &[&str]) -> String {
+        let rows = rows.iter().map(|row| format!("{row},0,0,1\n"));
+        std::iter::once(format!("{}\n", PEERS_HEAD.join(","))).chain(rows).collect()
+    }
+
     #[test]
     fn peers_are_added_to_their_scenes_and_the_rest_make_their_own() {
         let mut diagrams = vec![Measured { name: "fall".into(), ..FAMILIES[0].diagram(0.01) }];
-        let text = "scene,engine,step,work,error,overlap\nfall,other,0.01,100,0.5,0\nfall-sleep,other,0.01,50,0.5,0\n\
-                    fall,Resultant,0.01,10,0\npile-100,other,0.5,10,0.1\npile-100,Resultant,0.5,1,0\npile-1000,Resultant,0.5,2,0\n\
-                    column-100,other,0.01,7,0\nunheard-of,other,0.01,7,0\nflight-drag-1000,other,0.5,8,NaN\n";
-        add_peers(text, &mut diagrams).unwrap();
+        let text = file(&[
+            "fall,other,1.2,\"4 parts, soft\",0.01,100,0.5",
+            "fall,other,1.2,\"4 parts, soft\",0.005,200,0.25",
+            "fall,other,1.2,\"32 parts, stiff\",0.01,800,0.1",
+            "fall-sleep,other,1.2,\"4 parts, soft\",0.01,50,0.5",
+            "fall,Resultant,0.1.0,,0.01,10,0",
+            "pile-100,other,1.2,,0.5,10,0.1",
+            "pile-100,Resultant,0.1.0,,0.5,1,0",
+            "pile-1000,Resultant,0.1.0,,0.5,2,0",
+            "column-100,other,1.2,,0.01,7,0",
+            "column-100,Resultant,0.1.0,,0.01,9,0",
+            "column-100,Resultant,0.1.0,,8.333333333333333e-3,8,0",
+            "unheard-of,other,1.2,,0.01,7,0",
+            "flight-drag-1000,other,1.2,,0.5,8,NaN",
+        ]);
+        add_peers("results.csv", &text, &mut diagrams).unwrap();
         let names: Vec<&str> = diagrams.iter().map(|measured| measured.name.as_str()).collect();
         assert_eq!(names, ["fall", "piles", "flights-with-drag", "column-100"]);
         let curves =
             |i: usize| diagrams[i].curves.iter().map(|curve| (curve.name.as_str(), curve.points.clone())).collect::<Vec<_>>();
         let point = |step, work, error| Point { step, work, error };
-        assert_eq!(curves(0), [("other", vec![point(0.01, 100.0, 0.5)]), ("other, with sleep", vec![point(0.01, 50.0, 0.5)])]);
-        assert_eq!(curves(1), [("other", vec![point(0.5, 5.0, 0.1)]), (OURS, vec![point(0.5, 0.5, 0.0), point(0.5, 1.0, 0.0)])]);
-        assert_eq!(curves(3), [("other", vec![point(0.01, 7.0, 0.0)])]);
+        assert_eq!(
+            curves(0),
+            [
+                ("other 1.2, 4 parts, soft", vec![point(0.01, 100.0, 0.5), point(0.005, 200.0, 0.25)]),
+                ("other 1.2, 32 parts, stiff", vec![point(0.01, 800.0, 0.1)]),
+                ("other 1.2, 4 parts, soft, with sleep", vec![point(0.01, 50.0, 0.5)])
+            ]
+        );
+        assert_eq!(
+            curves(1),
+            [("other 1.2", vec![point(0.5, 5.0, 0.1)]), (OURS, vec![point(0.5, 0.5, 0.0), point(0.5, 1.0, 0.0)])]
+        );
         let (_, shipped) = diagrams[1].shipped().unwrap();
         assert_eq!(shipped.count(), 2, "every size is shipped");
+        assert_eq!(diagrams[3].shipped_point().map(|point| point.work), Some(8.0), "the point at the game's own step");
     }
 
     #[test]
-    fn a_bad_row_is_named() {
-        let problem = add_peers("scene,engine,step,work,error\nfall,other,0.01,many,0\n", &mut Vec::new()).unwrap_err();
-        assert_eq!(
-            problem,
-            "line 2: expected a scene, an engine, step and work from 1e-100 to 1e100 and an error of 0 or more, found fall,other,0.01,many,0"
-        );
-        assert_eq!(add_peers("", &mut Vec::new()).unwrap_err(), "line 1: expected scene,engine,step,work,error");
-    }
-
-    #[test]
-    fn numbers_that_cannot_be_are_refused() {
-        for row in [
-            "fall,other,0,1,0",
-            "fall,other,0.1,1.8e308,0",
-            "fall,other,0.1,NaN,0",
-            "fall,other,0.1,1,-1",
-            "fall,other,0.1,inf,0",
-            "fall,other",
+    fn numbers_that_cannot_be_are_refused_by_line_and_column() {
+        let above_zero = "a number above 0, from 1e-100 to 1e100";
+        for (row, column, found, expected) in [
+            ("fall,other,1,,0,1,0", "step", "0", above_zero),
+            ("fall,other,1,,0.1,1.8e308,0", "work", "1.8e308", above_zero),
+            ("fall,other,1,,0.1,NaN,0", "work", "NaN", above_zero),
+            ("fall,other,1,,0.1,many,0", "work", "many", above_zero),
+            ("fall,other,1,,0.1,1,-1", "error", "-1", "an error of 0 or more, inf or NaN"),
+            ("fall,other,1,,inf,1,0", "step", "inf", above_zero),
         ] {
-            let problem = add_peers(&format!("{PEERS_HEAD}\n{row}\n"), &mut Vec::new()).unwrap_err();
-            assert_eq!(
-                problem,
-                format!(
-                    "line 2: expected a scene, an engine, step and work from 1e-100 to 1e100 and an error of 0 or more, found {row}"
-                )
-            );
+            let problem = add_peers("results.csv", &file(&[row]), &mut Vec::new()).unwrap_err();
+            assert_eq!(problem, format!("results.csv:2: column \"{column}\": found \"{found}\", expected {expected}"));
         }
+        let head = PEERS_HEAD.join(",");
+        let problem = add_peers("results.csv", "scene,engine,step,work,error\n", &mut Vec::new()).unwrap_err();
+        assert_eq!(problem, format!("results.csv:1: found \"scene,engine,step,work,error\", expected the head {head}"));
+        assert!(add_peers("results.csv", "", &mut Vec::new()).unwrap_err().starts_with("results.csv: found nothing"));
     }
 }

@@ -4,6 +4,8 @@ use super::axes::{number, step};
 use super::charts::Charts;
 use super::curve::{Curve, Measured, Origin, Point};
 use super::rows::table;
+use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, limit};
+use super::stability_diagram::{SVG, TITLE};
 use std::fmt::Write;
 
 /// What the shipped engine costs in a scene, beside the cheapest there.
@@ -57,7 +59,7 @@ pub fn shipped_csv(diagrams: &[Measured]) -> String {
 }
 
 /// Everything on one page, in Markdown.
-pub fn summary(charts: &Charts) -> String {
+pub fn summary(charts: &Charts, regions: &[Region]) -> String {
     let Charts { setting, diagrams, stress } = charts;
     let mut text = "# Accuracy against speed\n\n".to_owned();
     let commit = setting.commit.as_deref().unwrap_or("unknown");
@@ -73,6 +75,7 @@ pub fn summary(charts: &Charts) -> String {
     if let Some(measured) = diagrams.iter().find(|measured| measured.name == PI) {
         pi_table(&mut text, measured);
     }
+    stability_table(&mut text, regions);
     text.push_str(
         "\n## What each method survives\n\nThe largest value that a method survives; 0: none, ≥: nothing larger was tried.\n\n",
     );
@@ -92,6 +95,17 @@ pub fn summary(charts: &Charts) -> String {
         }
     }
     text
+}
+
+/// Where each method is stable.
+fn stability_table(text: &mut String, regions: &[Region]) {
+    let _ = writeln!(text, "\n## {TITLE}\n\n![{TITLE}]({SVG})\n");
+    text.push_str("| method | drag alone, stable up to h/τ | a swing, stable up to ω·h |\n|---|---|---|\n");
+    for region in regions {
+        let _ = writeln!(text, "| {} | {} | {} |", region.name, limit(region.drag), limit(region.swing));
+    }
+    let [drag, swing] = SHIPPED_LIMITS.map(limit);
+    let _ = writeln!(text, "| **{SHIPPED}** | **{drag}** | **{swing}** |");
 }
 
 /// The table of the shipped engine beside the cheapest.

@@ -51,6 +51,11 @@ impl Row<'_> {
         self.number(column, &wanted, |value| NUMBERS.contains(&value))
     }
 
+    /// An error: 0 or more, infinite, or not a number where a run blew up.
+    pub fn error(&self, column: usize) -> Result<f64, String> {
+        self.number(column, "an error of 0 or more, inf or NaN", |error| error.is_nan() || error >= 0.0)
+    }
+
     /// `true` or `false`.
     pub fn flag(&self, column: usize) -> Result<bool, String> {
         self.cells[column].parse().map_err(|_| self.problem(column, "true or false"))

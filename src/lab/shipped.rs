@@ -13,6 +13,20 @@ pub(super) fn run(def: WorldDef, seconds: f64, h: f64) -> Option<World> {
     Some(world)
 }
 
+/// Place and velocity of every body of a world of such a definition after each of so many steps of `h` s. Nothing where it is refused.
+pub(super) fn places(def: WorldDef, steps: usize, h: f64) -> Vec<Vec<Point>> {
+    World::new(def).map(|world| places_in(world, steps, h)).unwrap_or_default()
+}
+
+/// The same of a world.
+pub(super) fn places_in(mut world: World, steps: usize, h: f64) -> Vec<Vec<Point>> {
+    let after_step = |_| {
+        world.step(h);
+        world.bodies().iter().map(|body| Point { x: body.position, v: body.velocity }).collect()
+    };
+    (0..steps).map(after_step).collect()
+}
+
 /// A floor whose top is at y = 0.
 pub(super) fn floor() -> SurfaceDef {
     SurfaceDef::fixed(Aabb::new(DVec2::new(-1e4, 0.0), DVec2::new(1e4, 1.0)), Material::ASPHALT)

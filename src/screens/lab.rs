@@ -1,14 +1,16 @@
-//! The lab in the window, on four pages: the charts, what each method survives, two methods side by side, and experiments. What `resultant chart`
+//! The lab in the window, on five pages: the charts, where methods are stable, what each survives, two methods side by side, and experiments. What `resultant chart`
 //! measures is handed in; nothing is measured here.
 
 mod charts;
 mod experiments;
 mod side_by_side;
+mod stability;
 mod survival;
 
 pub use charts::ChartsPage;
 pub use experiments::{Experiment, ExperimentsPage};
 pub use side_by_side::{Half, SideBySide};
+pub use stability::StabilityPage;
 pub use survival::{Line, SurvivalPage};
 
 use self::experiments::Wish;
@@ -33,6 +35,8 @@ pub enum Page {
     /// Accuracy against speed.
     #[default]
     Charts,
+    /// Where each method is stable.
+    Stability,
     /// What each method survives.
     Survival,
     /// Two methods at the same time.
@@ -42,8 +46,9 @@ pub enum Page {
 }
 
 /// The pages and the words on their tabs.
-pub const PAGES: [(Page, &str); 4] = [
+pub const PAGES: [(Page, &str); 5] = [
     (Page::Charts, "Charts"),
+    (Page::Stability, "Stability"),
     (Page::Survival, "Stress tests"),
     (Page::SideBySide, "Side by side"),
     (Page::Experiments, "Experiments"),
@@ -65,6 +70,7 @@ pub struct Lab {
     page: Page,
     tabs: Buttons,
     charts: ChartsPage,
+    stability: StabilityPage,
     survival: SurvivalPage,
     side_by_side: SideBySide,
     experiments: ExperimentsPage,
@@ -79,6 +85,7 @@ impl Lab {
             experiments: ExperimentsPage::new(experiments, left),
             tabs: Buttons::default(),
             charts: ChartsPage::new(shown),
+            stability: StabilityPage::default(),
             survival,
             side_by_side: SideBySide::default(),
         }
@@ -96,6 +103,7 @@ impl Lab {
         }
         let away = match self.page {
             Page::Charts => self.charts.update(input),
+            Page::Stability => self.stability.update(input),
             Page::Survival => self.survival.update(input),
             Page::SideBySide => self.side_by_side.update(input),
             Page::Experiments => match self.experiments.update(input)? {
@@ -111,7 +119,7 @@ impl Lab {
         self.page
     }
 
-    /// The tabs: Charts, Stress tests, Side by side.
+    /// The tabs, in the order of [`PAGES`].
     pub fn tabs(&self) -> &Buttons {
         &self.tabs
     }
@@ -119,6 +127,11 @@ impl Lab {
     /// The page with the charts.
     pub fn charts(&self) -> &ChartsPage {
         &self.charts
+    }
+
+    /// The page with the regions of stability.
+    pub fn stability(&self) -> &StabilityPage {
+        &self.stability
     }
 
     /// The page with the stress tests.
@@ -140,6 +153,7 @@ impl Lab {
     pub fn toolbar(&self) -> &Toolbar {
         match self.page {
             Page::Charts => self.charts.toolbar(),
+            Page::Stability => self.stability.toolbar(),
             Page::Survival => self.survival.toolbar(),
             Page::SideBySide => self.side_by_side.toolbar(),
             Page::Experiments => self.experiments.toolbar(),
@@ -186,6 +200,7 @@ mod drawing {
             }
             match self.page {
                 Page::Charts => self.charts.draw(canvas),
+                Page::Stability => self.stability.draw(canvas),
                 Page::Survival => self.survival.draw(canvas),
                 Page::SideBySide => self.side_by_side.draw(canvas),
                 Page::Experiments => self.experiments.draw(canvas),

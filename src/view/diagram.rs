@@ -37,7 +37,7 @@ pub fn draw(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
     let ends = [Vec2::new(plot.area.min.x, tolerance), Vec2::new(plot.area.max().x, tolerance)];
     dashed(canvas, &ends, TOLERANCE_DASH, 2.0, theme::good());
     for (index, curve) in measured.curves.iter().enumerate() {
-        let look = Look::of(index, curve);
+        let look = Look::of(index, curve.origin);
         let colour = shade(theme::rgb(look.colour), picked.curve.is_none_or(|picked| picked == index));
         let line: Vec<Vec2> = curve.points.iter().filter(|point| !point.blew_up()).map(|point| plot.at(point)).collect();
         stroke(canvas, &line, &look, colour);
@@ -108,7 +108,7 @@ pub(super) fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), widt
     }
 }
 
-fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Color) {
+pub(super) fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Color) {
     for piece in shape.pieces() {
         let corners: Vec<Vec2> = piece.into_iter().map(|corner| at + Vec2::from(corner)).collect();
         canvas.convex(&corners, colour);
@@ -134,11 +134,14 @@ pub(super) fn legend_of_curves(canvas: &Canvas, plot: &Plot, measured: &Measured
             canvas.rounded(area, 6.0, theme::panel_hover());
         }
         let whole = picked.is_none_or(|picked| picked == index);
-        let look = Look::of(index, curve);
+        let look = Look::of(index, curve.origin);
         let colour = shade(theme::rgb(look.colour), whole);
         stroke(canvas, &[Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y)], &look, colour);
         marker(canvas, middle, look.marker, colour);
-        canvas.text(&with_order(curve), words, Style::new(TEXT, shade(theme::text(), whole)).middle());
+        let (name, room) = (with_order(curve), area.max().x - words.x);
+        let style = |size: f32| Style::new(size, shade(theme::text(), whole)).middle();
+        let size = if canvas.width(&name, style(TEXT)) <= room { TEXT } else { DETAILS };
+        canvas.text(&widgets::cut(canvas, &name, room, style(size)), words, style(size));
     }
 }
 

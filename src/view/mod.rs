@@ -46,7 +46,10 @@ pub mod names;
 #[cfg(feature = "window")]
 pub mod particles;
 #[cfg(feature = "window")]
+pub mod picture;
+#[cfg(feature = "window")]
 pub mod pictures;
+pub mod plane;
 #[cfg(feature = "window")]
 pub mod quantity;
 #[cfg(feature = "window")]

@@ -108,18 +108,7 @@ mod tests {
         let point = |work, error| Point { step: 0.1, work, error };
         let curve =
             Curve { name: "a".into(), origin: Origin::Lab, points: vec![point(10.0, 1.0), point(1e3, 1e-6), point(1e3, f64::NAN)] };
-        let measured = Measured {
-            name: "n".into(),
-            title: "t".into(),
-            error: "e".into(),
-            work: "w".into(),
-            tolerance: 1e-3,
-            shipped_step: 0.1,
-            alike: true,
-            note: String::new(),
-            over_time: None,
-            curves: vec![curve],
-        };
+        let measured = Measured::of_curves(vec![curve]);
         let plot = Plot::of(Area::new(24.0, 104.0, 1232.0, 488.0), &measured);
         for (index, point) in measured.curves[0].points.iter().enumerate() {
             let at = plot.at(point);

@@ -85,7 +85,7 @@ pub fn draw(canvas: &Canvas, plot: &Plot, (measured, over_time): (&Measured, &Ov
         else {
             continue;
         };
-        let look = Look { width: 2, ..Look::of(index, curve) };
+        let look = Look { width: 2, ..Look::of(index, curve.origin) };
         let colour = shade(theme::rgb(look.colour), picked.is_none_or(|picked| picked == index));
         let line: Vec<Vec2> = course.moments.iter().map(|moment| upper.at(axes.error_at(moment))).collect();
         stroke(canvas, &line, &look, colour);

@@ -1,12 +1,14 @@
 //! Box2D v3 through boxdd, with 4 substeps. Rotation is off by the lock *and* by a rotational inertia of 0: the lock alone gives soft,
 //! lossy contacts.
 
-use crate::engine::{Engine, Lift, Spec, V};
+use crate::engine::{Engine, Lift, NO_LIMIT, STIFFER, Spec, V, settings};
 use boxdd::shapes::SurfaceMaterial;
 use boxdd::{BodyId, BodyType, Foundation, MassData, MotionLocks, Position, ShapeDef, Vec2, World, WorldBuilder, shapes};
 
 /// Box2D's own advice.
-const SUBSTEPS: i32 = 4;
+const SUBSTEPS: u32 = 4;
+/// Box2D's default stiffness of contacts, Hz; it takes no more than an eighth of the substeps a second.
+const HERTZ: f64 = 30.0;
 
 /// Its world, the ids of its bodies, and the forces on them, which hold for one step only.
 pub struct Box2d {
@@ -16,14 +18,21 @@ pub struct Box2d {
     lift: Option<(BodyId, Lift)>,
     /// The scene, where there is water in it.
     water: Option<Spec>,
+    substeps: u32,
     time: f64,
 }
 
 impl Box2d {
     fn build(spec: &Spec) -> boxdd::Result<Self> {
         let foundation = Foundation::get().map_or_else(Foundation::initialize_default, Ok)?;
-        let gravity = Vec2::new(0.0, spec.gravity as f32);
-        let mut world = foundation.create_world(WorldBuilder::from(foundation.world_def()).gravity(gravity).build()?)?;
+        let mut builder = WorldBuilder::from(foundation.world_def()).gravity(Vec2::new(0.0, spec.gravity as f32));
+        let mut substeps = SUBSTEPS;
+        if spec.stiff {
+            substeps *= STIFFER;
+            let hertz = HERTZ * f64::from(STIFFER);
+            builder = builder.contact_hertz(hertz as f32).maximum_linear_speed(NO_LIMIT as f32);
+        }
+        let mut world = foundation.create_world(builder.build()?)?;
         world.enable_sleeping(spec.sleep)?;
         let solid = |restitution: f64| -> boxdd::Result<ShapeDef> {
             let material = SurfaceMaterial::default()
@@ -85,6 +94,7 @@ impl Box2d {
             forces,
             lift: platform,
             water: spec.liquid.is_some().then(|| spec.clone()),
+            substeps,
             time: 0.0,
         })
     }
@@ -116,13 +126,22 @@ impl Box2d {
                 .body(self.ids[body])?
                 .apply_force_to_center(Vec2::new(force, 0.0), true)?;
         }
-        self.world.step(dt as f32, SUBSTEPS).map(|_| ())
+        self.world.step(dt as f32, self.substeps as i32).map(|_| ())
     }
 }
 
 impl Engine for Box2d {
     const NAME: &'static str = "Box2D";
     const QUADRATIC: bool = false;
+
+    fn version() -> String {
+        let version = boxdd::version().map(|version| format!("{}.{}.{}", version.major, version.minor, version.revision));
+        version.unwrap_or_else(|_| "?".to_owned())
+    }
+
+    fn settings(stiff: bool) -> String {
+        settings(SUBSTEPS, "substeps", HERTZ, stiff)
+    }
 
     fn new(spec: &Spec) -> Option<Self> {
         Self::build(spec)

@@ -83,6 +83,9 @@ pub struct Spec {
     pub swept: bool,
     /// Whether what rests may sleep.
     pub sleep: bool,
+    /// Whether engines that iterate shall do so [`STIFFER`] times as often, with contacts as many times as stiff, and without a limit of
+    /// speeds.
+    pub stiff: bool,
     /// What moves.
     pub bodies: Vec<Box>,
     /// What does not: centre and half size, m.
@@ -93,10 +96,33 @@ pub struct Spec {
     pub lift: Option<Lift>,
 }
 
+/// See [`Spec::stiff`].
+pub const STIFFER: u32 = 8;
+/// m/s. Faster than anything in a stiff scene.
+pub const NO_LIMIT: f64 = 1e6;
+
+/// The settings of an engine that solves in so many parts, with contacts of so many hertz.
+pub fn settings(parts: u32, of: &str, hertz: f64, stiff: bool) -> String {
+    let times = if stiff { STIFFER } else { 1 };
+    format!("{} {of}, {} Hz", parts * times, hertz * f64::from(times))
+}
+
+/// The version of a crate that was built in.
+pub fn version(of: &str) -> String {
+    let lock = include_str!("../Cargo.lock");
+    let named = lock.split_once(&format!("name = \"{of}\"\nversion = \""));
+    let version = named.and_then(|(_, rest)| rest.split_once('"'));
+    version.map_or_else(|| "?".to_owned(), |(version, _)| version.to_owned())
+}
+
 /// An engine with a scene in it.
 pub trait Engine: Sized {
     /// For the table.
     const NAME: &'static str;
+    /// Of what was built in.
+    fn version() -> String;
+    /// How hard it tries, in words; nothing where that cannot be chosen.
+    fn settings(stiff: bool) -> String;
     /// Whether its drag grows with the square of the speed.
     const QUADRATIC: bool;
     /// Builds the scene; `None` if the engine refuses it.

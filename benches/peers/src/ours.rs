@@ -1,7 +1,6 @@
 //! Resultant: the exact engine for small scenes, the pile engine for piles.
 
-use crate::engine::Lift;
-use crate::engine::{Engine, Spec, V};
+use crate::engine::{Engine, Lift, Spec, V, version};
 use resultant::physics::pile::{Pile, PileBody, PileDef, PileSurface};
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, SurfaceDef, World, WorldDef};
 
@@ -30,6 +29,14 @@ const NUDGE: f64 = 1e-100;
 impl Engine for Scenes {
     const NAME: &'static str = "Resultant";
     const QUADRATIC: bool = true;
+
+    fn version() -> String {
+        version("resultant")
+    }
+
+    fn settings(_: bool) -> String {
+        String::new()
+    }
 
     fn new(spec: &Spec) -> Option<Self> {
         let material = Material {
@@ -112,6 +119,14 @@ pub struct Piles {
 impl Engine for Piles {
     const NAME: &'static str = "Resultant";
     const QUADRATIC: bool = true;
+
+    fn version() -> String {
+        version("resultant")
+    }
+
+    fn settings(_: bool) -> String {
+        String::new()
+    }
 
     fn new(spec: &Spec) -> Option<Self> {
         let bodies = spec.bodies.iter().map(|body| PileBody {

@@ -1,10 +1,14 @@
 //! Rapier, in f32 and in f64: the same code on two crates.
 
+/// Rapier's default of iterations, and its default stiffness of contacts between what moves, Hz; at what does not move it is twice that.
+const ITERATIONS: u32 = 4;
+const HERTZ: f64 = 30.0;
+
 macro_rules! rapier {
-    ($module:ident, $krate:ident, $real:ty, $name:literal) => {
+    ($module:ident, $krate:ident, $real:ty, $name:literal, $version:literal) => {
         /// One precision of it.
         pub mod $module {
-            use crate::engine::{Box, Engine, Lift, Liquid, Spec, V};
+            use crate::engine::{Box, Engine, Lift, Liquid, NO_LIMIT, STIFFER, Spec, V, settings, version};
             use $krate::prelude::*;
 
             /// Its world, and the handles of its bodies.
@@ -31,9 +35,24 @@ macro_rules! rapier {
                 const NAME: &'static str = $name;
                 const QUADRATIC: bool = false;
 
+                fn version() -> String {
+                    version($version)
+                }
+
+                fn settings(stiff: bool) -> String {
+                    settings(super::ITERATIONS, "iterations", super::HERTZ, stiff)
+                }
+
                 fn new(spec: &Spec) -> Option<Self> {
                     let mut world = PhysicsWorld::new();
                     world.gravity = vector((0.0, spec.gravity));
+                    if spec.stiff {
+                        let parameters = &mut world.integration_parameters;
+                        parameters.num_solver_iterations *= STIFFER as usize;
+                        parameters.contact_softness.natural_frequency *= STIFFER as $real;
+                        parameters.static_contact_softness.natural_frequency *= STIFFER as $real;
+                        parameters.normalized_max_linear_velocity = NO_LIMIT as $real;
+                    }
                     let solid = |half: V, restitution: f64| {
                         ColliderBuilder::cuboid(half.0 as $real, half.1 as $real)
                             .friction(spec.friction as $real)
@@ -108,5 +127,5 @@ macro_rules! rapier {
     };
 }
 
-rapier!(single, rapier2d, f32, "Rapier f32");
-rapier!(double, rapier2d_f64, f64, "Rapier f64");
+rapier!(single, rapier2d, f32, "Rapier f32", "rapier2d");
+rapier!(double, rapier2d_f64, f64, "Rapier f64", "rapier2d-f64");

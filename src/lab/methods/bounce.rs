@@ -75,18 +75,20 @@ pub fn exact((mut y, mut v): Ball, g: f64, e: f64, h: f64) -> Ball {
     }
 }
 
-/// The same without the series: how many impacts it makes within `seconds`, at most `cap`. With e < 1 it meets the cap.
-pub fn event_loop(mut ball: Ball, g: f64, e: f64, seconds: f64, cap: u32) -> u32 {
-    let mut left = seconds;
-    for impacts in 0..cap {
+/// The same without the series: the times of all impacts, s. With e < 1 they come nearer and nearer to its end.
+pub fn impact_times(mut ball: Ball, g: f64, e: f64) -> impl Iterator<Item = f64> {
+    let mut time = 0.0;
+    std::iter::repeat_with(move || {
         let t = time_to_floor(ball, g);
-        if t > left {
-            return impacts;
-        }
-        left -= t;
+        time += t;
         ball = (0.0, e * (ball.1 - g * t).abs());
-    }
-    cap
+        time
+    })
+}
+
+/// How many of them there are within `seconds`, at most `cap`. With e < 1 it meets the cap.
+pub fn event_loop(ball: Ball, g: f64, e: f64, seconds: f64, cap: u32) -> u32 {
+    (0..cap).zip(impact_times(ball, g, e)).take_while(|(_, time)| *time <= seconds).count() as u32
 }
 
 /// E/m over the floor, J/kg.

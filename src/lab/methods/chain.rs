@@ -136,17 +136,33 @@ impl Chain {
     }
 }
 
-/// How many sweeps from cold bring every contact's impulse of an anchored chain of these masses (kg) at rest within `part` of its
-/// exact value, the weight of all beyond it times the step; `None` if `most` do not.
-pub fn sweeps_needed(masses: &[f64], part: f64, most: u32) -> Option<u32> {
-    let h = 1.0;
+/// The impulse furthest from its exact value, over that, after each sweep from cold of an anchored chain of these masses (kg) at rest. The
+/// exact one is the weight of all beyond it times the step.
+pub fn swept_loads(masses: &[f64]) -> impl Iterator<Item = f64> + use<> {
     let mut chain = Chain::new(masses, true);
-    chain.velocities[1..].fill(-h);
-    let exact: Vec<f64> = (0..masses.len()).map(|i| masses[i..].iter().sum::<f64>() * h).collect();
-    (1..=most).find(|_| {
-        chain.sweep(h);
-        chain.impulses.iter().zip(&exact).all(|(found, exact)| (found / exact - 1.0).abs() <= part)
+    chain.velocities[1..].fill(-1.0);
+    let exact = weights(masses);
+    std::iter::repeat_with(move || {
+        chain.sweep(1.0);
+        worst_load(&chain.impulses, &exact)
     })
+}
+
+/// What each body of a column carries together with itself, kg.
+pub fn weights(masses: &[f64]) -> Vec<f64> {
+    (0..masses.len()).map(|i| masses[i..].iter().sum()).collect()
+}
+
+/// Of all loads, over what each should be, the one furthest from 1.
+pub fn worst_load(found: &[f64], exact: &[f64]) -> f64 {
+    let ratios = found.iter().zip(exact).map(|(found, exact)| found / exact);
+    ratios.fold(1.0, |worst: f64, ratio| if worst.is_nan() || (ratio - 1.0).abs() <= (worst - 1.0).abs() { worst } else { ratio })
+}
+
+/// How many sweeps from cold bring every contact's impulse of an anchored chain of these masses (kg) at rest within `part` of its
+/// exact value; `None` if `most` do not.
+pub fn sweeps_needed(masses: &[f64], part: f64, most: u32) -> Option<u32> {
+    (1..=most).zip(swept_loads(masses)).find(|(_, load)| (load - 1.0).abs() <= part).map(|(sweeps, _)| sweeps)
 }
 
 #[cfg(test)]

@@ -34,6 +34,9 @@ pub struct Point {
 /// One step of so many seconds.
 pub type Step = fn(&Law, Point, f64) -> Point;
 
+/// The name of the one that chooses its steps itself.
+pub const ADAPTIVE: &str = "adaptive 3(2)";
+
 /// Every method that steps a motion through drag, by the name that charts and tables show.
 pub const METHODS: [(&str, Step); 10] = [
     ("explicit Euler", explicit_euler),
@@ -42,7 +45,7 @@ pub const METHODS: [(&str, Step); 10] = [
     ("midpoint", midpoint),
     ("Heun", heun),
     ("RK4", rk4),
-    ("adaptive 3(2)", adaptive),
+    (ADAPTIVE, adaptive),
     ("linearised drag", linearised_drag),
     ("exact drag (Lie)", exact_decay),
     ("Strang", strang),
@@ -142,6 +145,11 @@ pub fn adaptive(law: &Law, point: Point, h: f64) -> Point {
     point
 }
 
+/// The third order of that pair alone, in a single part: what [`adaptive`] takes as often as it must.
+pub fn third_order(law: &Law, point: Point, h: f64) -> Point {
+    bogacki_shampine(law, point, h).0
+}
+
 /// One step of the pair: the end by the third order, and how far the second order is from it, m with a velocity of 1 m/s counted as 1 m.
 fn bogacki_shampine(law: &Law, point: Point, h: f64) -> (Point, f64) {
     let p2 = law.along(point, point, 0.5 * h);
@@ -167,7 +175,7 @@ pub fn linearised_drag(law: &Law, Point { x, v }: Point, h: f64) -> Point {
 /// The exact decay of drag alone, in the air's frame: u·(1 − c·q)/(1 + k·|u|·q) with q = (1 − e^(−c·h))/c, which is h where c = 0.
 pub fn decay(law: &Law, v: DVec2, h: f64) -> DVec2 {
     let u = v - law.wind;
-    let q = if law.viscous > 0.0 { -libm::expm1(-law.viscous * h) / law.viscous } else { h };
+    let q = if law.viscous != 0.0 { -libm::expm1(-law.viscous * h) / law.viscous } else { h };
     law.wind + u * ((1.0 - law.viscous * q) / (1.0 + law.drag * u.length() * q))
 }
 

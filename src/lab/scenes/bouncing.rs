@@ -94,6 +94,24 @@ pub fn height_at(t: f64) -> f64 {
     G * since * (fall - 0.5 * since)
 }
 
+/// How high a ball of restitution `e` below 1 reaches in the flight that it is in after `t` seconds, m: 0 once the series is over.
+pub fn lossy_apex_at(e: f64, t: f64) -> f64 {
+    let fall = (2.0 * HEIGHT / G).sqrt();
+    if t < fall {
+        return HEIGHT;
+    }
+    if t >= series_end(e) {
+        return 0.0;
+    }
+    // Each flight takes e times as long as the one before; the first, 2·e·fall.
+    let (mut since, mut flight) = (t - fall, 2.0 * e * fall);
+    while since > flight {
+        since -= flight;
+        flight *= e;
+    }
+    G * flight * flight / 8.0
+}
+
 /// How far a ball that loses nothing is from its place at the worst of all steps, m. A height alone would forgive one that is late.
 pub fn worst_place(balls: impl Iterator<Item = (f64, Ball)>) -> f64 {
     worst(balls.map(|(t, ball)| (ball.0 - height_at(t)).abs()))

@@ -48,6 +48,25 @@ pub fn by_engine(blocks: &[Block], seconds: f64, h: f64) -> Vec<Block> {
     shipped::run(shipped::line(blocks, 1.0), seconds, h).map(read).unwrap_or_default()
 }
 
+/// Where they are at the start and after each of so many steps, by hand, m.
+pub fn paths_by_hand(line: Line, mut blocks: Vec<Block>, steps: usize, h: f64) -> Vec<Vec<f64>> {
+    let places = |blocks: &[Block]| blocks.iter().map(|block| block.x).collect::<Vec<f64>>();
+    let mut paths = vec![places(&blocks)];
+    for _ in 0..steps {
+        line(&mut blocks, 1.0, h);
+        paths.push(places(&blocks));
+    }
+    paths
+}
+
+/// The same with the shipped engine: of what can move.
+pub fn paths_by_engine(blocks: &[Block], steps: usize, h: f64) -> Vec<Vec<f64>> {
+    let movable = blocks.iter().filter(|block| block.mass.is_finite());
+    let after = shipped::places(shipped::line(blocks, 1.0), steps, h).into_iter();
+    let after = after.map(|bodies| bodies.iter().map(|body| body.x.x).collect());
+    std::iter::once(movable.map(|block| block.x).collect()).chain(after).collect()
+}
+
 /// The largest error of a place, m.
 fn worst(found: &[Block], places: &[f64]) -> f64 {
     if found.len() != places.len() {

@@ -10,6 +10,8 @@ use crate::physics::{BodyId, DVec2};
 const G: f64 = 9.81;
 /// s.
 const SECONDS: f64 = 10.0;
+/// m/s. Terminal velocity of what the gust catches.
+pub const LIGHT: f64 = 0.18;
 /// s. A gust is over in no time; what follows is a fall at terminal velocity.
 const GUST_SECONDS: f64 = 1.0;
 
@@ -92,7 +94,7 @@ pub fn projectile() -> Scene {
 
 /// Something that falls at 0.18 m/s, caught by 40 m/s of wind.
 pub fn gust() -> Scene {
-    let law = Law { constant: DVec2::new(0.0, G), drag: G / (0.18 * 0.18), wind: DVec2::new(40.0, 0.0), ..Law::default() };
+    let law = Law { constant: DVec2::new(0.0, G), drag: G / (LIGHT * LIGHT), wind: DVec2::new(40.0, 0.0), ..Law::default() };
     let start = Point::default();
     let exact = reference::drag_in_two_dimensions(&law, start, GUST_SECONDS).x;
     let title = "A gust of 40 m/s on something light (terminal velocity 0.18 m/s), 1 s";

@@ -28,14 +28,19 @@ fn stiffness() -> f64 {
     DENSITY * G / MASS
 }
 
+/// 1/s.
+pub fn omega() -> f64 {
+    stiffness().sqrt()
+}
+
 /// s.
 fn period() -> f64 {
-    std::f64::consts::TAU / stiffness().sqrt()
+    std::f64::consts::TAU / omega()
 }
 
 /// Where it is after `t` seconds, m.
 fn place_at(t: f64) -> f64 {
-    SWING * libm::cos(stiffness().sqrt() * t)
+    SWING * libm::cos(omega() * t)
 }
 
 /// Energy over what it was at the start, `swing` m away at rest, with ω² = `stiffness` 1/s²: swings have it as motion and as lift.

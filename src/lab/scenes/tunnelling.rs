@@ -5,9 +5,9 @@ use crate::lab::methods::impact::Block;
 use crate::lab::scenes::collisions::{METHODS, by_engine, by_hand};
 
 /// m. Widths of the flying box and of what it meets.
-const BOX: f64 = 0.5;
+pub const BOX: f64 = 0.5;
 /// m.
-const THIN: f64 = 0.1;
+pub const THIN: f64 = 0.1;
 /// Starting places within one step of travel: some phase of the step is the worst one.
 const PHASES: usize = 16;
 
@@ -27,7 +27,7 @@ pub fn worst_error(run: Run<'_>, speed: f64, mass: f64, h: f64) -> f64 {
         let steps = (0.5 / h).round().max(2.0);
         let delay = (0.5 * steps + phase as f64 / PHASES as f64) * h;
         let blocks = flight(speed, mass, delay);
-        let leaves = if mass.is_infinite() { -speed } else { speed * (1.0 - mass) / (1.0 + mass) };
+        let (leaves, _) = after(speed, mass);
         let exact = speed * delay + leaves * (steps * h - delay);
         let found = run(blocks, steps * h, h);
         let error = found.first().map_or(f64::NAN, |block| (block.x - exact).abs());
@@ -36,14 +36,28 @@ pub fn worst_error(run: Run<'_>, speed: f64, mass: f64, h: f64) -> f64 {
     worst
 }
 
-/// Whether the box stays on its side at every phase of the step.
-pub fn holds(run: Run<'_>, speed: f64, mass: f64, h: f64) -> bool {
-    (0..PHASES).all(|phase| {
-        let delay = (1.0 + phase as f64 / PHASES as f64) * h;
-        let found = run(flight(speed, mass, delay), 4.0 * h, h);
-        found.len() < 2 && mass.is_infinite() && found.first().is_some_and(|block| block.v < 0.0)
-            || found.get(1).is_some_and(|other| found[0].x <= other.x && found[0].v <= other.v)
+/// Steps within which box and thin thing meet and part.
+pub const STEPS: usize = 4;
+
+/// The start of the flight at that phase of the step, and when the two meet, s.
+pub fn start_at(phase: usize, speed: f64, mass: f64, h: f64) -> (Vec<Block>, f64) {
+    let delay = (1.0 + phase as f64 / PHASES as f64) * h;
+    (flight(speed, mass, delay), delay)
+}
+
+/// The first phase of the step at which the box does not stay on its side, if there is one.
+pub fn fails_at(run: Run<'_>, speed: f64, mass: f64, h: f64) -> Option<usize> {
+    (0..PHASES).find(|&phase| {
+        let found = run(start_at(phase, speed, mass, h).0, STEPS as f64 * h, h);
+        let turned = found.len() < 2 && mass.is_infinite() && found.first().is_some_and(|block| block.v < 0.0);
+        let in_order = found.get(1).is_some_and(|other| found[0].x <= other.x && found[0].v <= other.v);
+        !(turned || in_order)
     })
+}
+
+/// Velocity of the box of 1 kg, and of what it met, after they have met without loss, m/s.
+pub fn after(speed: f64, mass: f64) -> (f64, f64) {
+    if mass.is_infinite() { (-speed, 0.0) } else { (speed * (1.0 - mass) / (1.0 + mass), 2.0 * speed / (1.0 + mass)) }
 }
 
 fn scene(name: &'static str, title: &str, speed: f64, mass: f64) -> Scene {

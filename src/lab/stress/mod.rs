@@ -4,7 +4,11 @@
 pub mod bouncing;
 pub mod contacts;
 pub mod motion;
+pub mod picture;
 pub mod robustness;
+pub mod standing;
+
+use picture::Picture;
 
 use super::axes::number;
 
@@ -37,41 +41,114 @@ impl Survival {
     }
 }
 
-/// A test's rows.
-#[derive(Debug)]
-pub struct Rows {
-    test: &'static str,
-    parameter: &'static str,
-    rows: Vec<Survival>,
+/// A test: methods, and what is made larger until they fail.
+pub struct Test {
+    /// What has to hold.
+    pub name: &'static str,
+    /// What is made larger, with its unit.
+    pub parameter: &'static str,
+    range: (f64, f64),
+    whole: bool,
+    methods: Vec<Method>,
 }
 
-impl Rows {
-    fn of(test: &'static str, parameter: &'static str) -> Self {
-        Self { test, parameter, rows: Vec::new() }
+/// One that takes part in a test.
+struct Method {
+    name: String,
+    shipped: bool,
+    survives: Box<dyn Fn(f64) -> bool>,
+    picture: Option<Box<dyn Fn(f64) -> Picture>>,
+}
+
+impl std::fmt::Debug for Test {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Test").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+impl Test {
+    /// A test that tries values of a range.
+    fn of(name: &'static str, parameter: &'static str, range: (f64, f64)) -> Self {
+        Self { name, parameter, range, whole: false, methods: Vec::new() }
     }
 
-    /// Tries values of `range` on a method.
-    fn method(mut self, name: impl Into<String>, range: (f64, f64), survives: impl Fn(f64) -> bool) -> Self {
-        let largest = largest(range, survives);
-        let method = name.into();
-        let (test, parameter, tried) = (self.test.to_owned(), self.parameter.to_owned(), range.1);
-        self.rows.push(Survival { test, parameter, method, largest, tried, shipped: false });
+    /// The same of which only whole numbers count.
+    fn of_whole(name: &'static str, parameter: &'static str, range: (f64, f64)) -> Self {
+        Self { whole: true, ..Self::of(name, parameter, range) }
+    }
+
+    /// With a method.
+    fn method(mut self, name: impl Into<String>, survives: impl Fn(f64) -> bool + 'static) -> Self {
+        self.methods.push(Method { name: name.into(), shipped: false, survives: Box::new(survives), picture: None });
         self
     }
 
-    /// Tries them on the shipped engine.
-    fn shipped(mut self, range: (f64, f64), survives: impl Fn(f64) -> bool) -> Vec<Survival> {
-        self = self.method("shipped engine", range, survives);
-        if let Some(row) = self.rows.last_mut() {
-            row.shipped = true;
+    /// With the shipped engine.
+    fn shipped(mut self, survives: impl Fn(f64) -> bool + 'static) -> Self {
+        self = self.method("shipped engine", survives);
+        if let Some(method) = self.methods.last_mut() {
+            method.shipped = true;
         }
-        self.rows
+        self
+    }
+
+    /// The last of the methods shows what it makes of a value.
+    fn drawn(mut self, picture: impl Fn(f64) -> Picture + 'static) -> Self {
+        if let Some(method) = self.methods.last_mut() {
+            method.picture = Some(Box::new(picture));
+        }
+        self
+    }
+
+    /// What each method survives.
+    pub fn rows(&self) -> Vec<Survival> {
+        let row = |method: &Method| {
+            let found = largest(self.range, &method.survives);
+            Survival {
+                test: self.name.to_owned(),
+                parameter: self.parameter.to_owned(),
+                method: method.name.clone(),
+                largest: if self.whole { found.floor() } else { found },
+                tried: self.range.1,
+                shipped: method.shipped,
+            }
+        };
+        self.methods.iter().map(row).collect()
+    }
+
+    /// How a method fails just beyond the largest value that it survives, or how it survives the largest that was tried.
+    pub fn picture(&self, method: &str, largest: f64) -> Option<Picture> {
+        let method = self.methods.iter().find(|found| found.name == method)?;
+        let value = self.beyond(largest, &method.survives);
+        let picture = method.picture.as_ref()?(value);
+        Some(Picture { value, ..picture })
+    }
+
+    /// A value beyond that one at which it does fail; the largest that was tried where it survives all.
+    fn beyond(&self, largest: f64, survives: impl Fn(f64) -> bool) -> f64 {
+        let (least, most) = self.range;
+        // Of a number in a file anything may be asked.
+        let next = |further: f64| {
+            let next = if self.whole { largest + further.ceil() } else { largest * (1.0 + further) };
+            if next.is_nan() { least } else { next.clamp(least, most) }
+        };
+        let nearest = next(BEYOND[0]);
+        if nearest >= most { nearest } else { BEYOND.map(next).into_iter().find(|value| !survives(*value)).unwrap_or(nearest) }
     }
 }
 
+/// Relative: how far beyond what it survives a method's failure is shown. Nearer than the first it would be there and not be seen; some
+/// methods survive again a little further on.
+const BEYOND: [f64; 5] = [0.25, 0.1, 0.03, 0.01, 0.003];
+
 /// The largest value from `least` to `most` up to which `survives` holds: doubled until it does not, then halved in between.
 /// 0 if it does not hold for `least`.
-pub fn largest((least, most): (f64, f64), survives: impl Fn(f64) -> bool) -> f64 {
+pub fn largest(range: (f64, f64), survives: impl Fn(f64) -> bool) -> f64 {
+    largest_to(RESOLUTION, range, survives)
+}
+
+/// The same, to within such a part of itself.
+pub fn largest_to(resolution: f64, (least, most): (f64, f64), survives: impl Fn(f64) -> bool) -> f64 {
     if !survives(least) {
         return 0.0;
     }
@@ -86,7 +163,7 @@ pub fn largest((least, most): (f64, f64), survives: impl Fn(f64) -> bool) -> f64
         }
         good = next;
     };
-    while bad > good * (1.0 + RESOLUTION) {
+    while bad > good * (1.0 + resolution) {
         let middle = 0.5 * (good + bad);
         if survives(middle) { good = middle } else { bad = middle }
     }
@@ -96,19 +173,16 @@ pub fn largest((least, most): (f64, f64), survives: impl Fn(f64) -> bool) -> f64
 /// How finely [`largest`] looks, relative.
 const RESOLUTION: f64 = 1e-3;
 
-/// A test: all its rows.
-type Test = fn() -> Vec<Survival>;
-
 /// All tests, in the order of the report.
-pub const TESTS: [Test; 17] = [
+pub const TESTS: [fn() -> Test; 17] = [
     motion::terminal_velocity,
     motion::swings,
     motion::gust_reversal,
     motion::gust_blow_up,
     contacts::tunnelling,
     contacts::tunnelling_of_bodies,
-    contacts::heavy_on_light,
-    contacts::columns,
+    standing::heavy_on_light,
+    standing::columns,
     bouncing::resting_jitter,
     bouncing::coulomb_stop,
     bouncing::zeno,
@@ -120,6 +194,11 @@ pub const TESTS: [Test; 17] = [
     robustness::nonsense,
 ];
 
+/// How a row's method fails; nothing where its test or its method is not known here.
+pub fn picture(row: &Survival) -> Option<Picture> {
+    TESTS.iter().map(|test| test()).find(|test| test.name == row.test)?.picture(&row.method, row.largest)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -130,5 +209,17 @@ mod tests {
         assert_eq!(largest((1.0, 100.0), |_| false), 0.0);
         let found = largest((0.1, 100.0), |value| value < 37.0);
         assert!((found / 37.0 - 1.0).abs() < 2.0 * RESOLUTION, "{found}");
+    }
+
+    #[test]
+    fn a_failure_is_shown_just_beyond_what_is_survived() {
+        let test = Test::of("a", "b", (1.0, 100.0))
+            .method("m", |value| value < 9.0)
+            .drawn(|value| Picture { value, ..Picture::default() });
+        let at = |largest: f64| test.picture("m", largest).map(|picture| picture.value);
+        assert_eq!([0.0, 8.0, 90.0, 100.0, f64::NAN].map(at), [Some(1.0), Some(10.0), Some(100.0), Some(100.0), Some(1.0)]);
+        assert_eq!(test.picture("another", 1.0), None);
+        let whole = Test::of_whole("a", "b", (2.0, 20.0)).method("m", |_| true).drawn(|_| Picture::default());
+        assert_eq!(whole.picture("m", 7.0).map(|picture| picture.value), Some(8.0));
     }
 }

@@ -1,6 +1,7 @@
 //! Where programs fail: far from the origin, after a hitch, and on nonsense.
 
-use super::{G, Rows, Survival, TICK};
+use super::picture::Picture;
+use super::{G, TICK, Test};
 use crate::game::{Clock, TICK_RATE};
 use crate::lab::methods::motion::{Law, Point, Step, semi_implicit_euler, semi_implicit_euler_f32};
 use crate::lab::{TOLERANCE, shipped};
@@ -9,27 +10,50 @@ use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, 
 /// s.
 const DRIFT: f64 = 10.0;
 
-/// The error (m) of something that drifts for 10 s at 1 m/s, so many metres from the origin, by hand.
-pub fn drift(step: Step, distance: f64) -> f64 {
+/// How far from its place (m) something is that drifts for 10 s at 1 m/s, so many metres from the origin: the time after each step and
+/// that, by hand.
+fn drifts(step: Step, distance: f64) -> impl Iterator<Item = (f64, f64)> {
+    let mut point = Point { x: DVec2::new(distance, 0.0), v: DVec2::new(1.0, 0.0) };
+    (1..=(DRIFT / TICK) as u32).map(move |tick| {
+        point = step(&Law::default(), point, TICK);
+        let time = f64::from(tick) * TICK;
+        (time, point.x.x - distance - time)
+    })
+}
+
+/// The same by the shipped engine.
+fn shipped_drifts(distance: f64) -> impl Iterator<Item = (f64, f64)> {
     let start = Point { x: DVec2::new(distance, 0.0), v: DVec2::new(1.0, 0.0) };
-    let ticks = 0..(DRIFT / TICK) as u32;
-    let end = ticks.fold(start, |point, _| step(&Law::default(), point, TICK));
-    (end.x.x - distance - DRIFT).abs()
+    let bodies = shipped::places(shipped::in_air(&Law::default(), start), (DRIFT / TICK) as usize, TICK).into_iter();
+    bodies.enumerate().map(move |(i, bodies)| {
+        let time = (i + 1) as f64 * TICK;
+        (time, bodies[0].x.x - distance - time)
+    })
+}
+
+/// The error (m) at the end, by hand.
+pub fn drift(step: Step, distance: f64) -> f64 {
+    drifts(step, distance).last().map_or(f64::NAN, |(_, off)| off.abs())
 }
 
 /// The same by the shipped engine.
 pub fn shipped_drift(distance: f64) -> f64 {
-    let start = Point { x: DVec2::new(distance, 0.0), v: DVec2::new(1.0, 0.0) };
-    (shipped::flight(&Law::default(), start, DRIFT, TICK).x.x - distance - DRIFT).abs()
+    shipped_drifts(distance).last().map_or(f64::NAN, |(_, off)| off.abs())
 }
 
 /// Places keep their tenth of a pixel.
-pub fn far_from_the_origin() -> Vec<Survival> {
-    let range = (1.0, 1e11);
-    Rows::of("drift of 10 s at 1 m/s to a tenth of a pixel", "distance from the origin, m")
-        .method("semi-implicit Euler, f32", range, |distance| drift(semi_implicit_euler_f32, distance) <= TOLERANCE)
-        .method("semi-implicit Euler, f64", range, |distance| drift(semi_implicit_euler, distance) <= TOLERANCE)
-        .shipped(range, |distance| shipped_drift(distance) <= TOLERANCE)
+pub fn far_from_the_origin() -> Test {
+    let picture = |drifts: &mut dyn Iterator<Item = (f64, f64)>| {
+        Picture::of("time, s", "off its place, m").found(drifts).within(0.0, TOLERANCE)
+    };
+    let name = "drift of 10 s at 1 m/s to a tenth of a pixel";
+    Test::of(name, "distance from the origin, m, at h = 1/60 s", (1.0, 1e11))
+        .method("semi-implicit Euler, f32", |distance| drift(semi_implicit_euler_f32, distance) <= TOLERANCE)
+        .drawn(move |distance| picture(&mut drifts(semi_implicit_euler_f32, distance)))
+        .method("semi-implicit Euler, f64", |distance| drift(semi_implicit_euler, distance) <= TOLERANCE)
+        .drawn(move |distance| picture(&mut drifts(semi_implicit_euler, distance)))
+        .shipped(|distance| shipped_drift(distance) <= TOLERANCE)
+        .drawn(move |distance| picture(&mut shipped_drifts(distance)))
 }
 
 /// A box falls from 1 m onto a floor of 0.5 m; then one frame takes long.
@@ -100,14 +124,36 @@ pub fn shipped_step(frame: f64) -> Hitch {
     Hitch { height: world.map_or(f64::NAN, |world| -0.5 - world.body(BodyId(0)).position.y), ticks: 1 }
 }
 
+/// The box before the frame and after it, beside how it would have fallen.
+fn fallen(frame: f64, hitch: &Hitch) -> Picture {
+    let lies = (2.0 * DROP / G).sqrt();
+    let exact = (0..=40).map(|i| frame * f64::from(i) / 40.0).map(|t| (t, if t < lies { DROP - 0.5 * G * t * t } else { 0.0 }));
+    let picture = Picture::of("time, s", "height, m").found([(0.0, DROP), (frame, hitch.height)]).exact(exact);
+    picture.solid(-FLOOR, 0.0)
+}
+
+/// The ticks that a frame asks for, beside those that it can afford.
+fn asked(frame: f64) -> Picture {
+    let asked = [0.0, frame].map(|frame| (frame, f64::from(ticks_without_cap(frame).ticks)));
+    let affordable = f64::from(AFFORDABLE);
+    Picture::of("length of the frame, s", "ticks to compute").found(asked).exact([(0.0, affordable), (frame, affordable)])
+}
+
 /// One frame takes long.
-pub fn hitch() -> Vec<Survival> {
-    let range = (1.0 / 240.0, 10.0);
-    Rows::of("a hitch: nothing tunnels, nothing stalls", "length of one frame, s")
-        .method("frame time as step", range, |frame| frame_as_step(frame).survived())
-        .method("fixed ticks, no cap", range, |frame| ticks_without_cap(frame).survived())
-        .method("shipped engine, frame time as step", range, |frame| shipped_step(frame).survived())
-        .shipped(range, |frame| shipped_hitch(frame).survived())
+pub fn hitch() -> Test {
+    Test::of("a hitch: nothing tunnels, nothing stalls", "length of one frame, s", (1.0 / 240.0, 10.0))
+        .method("frame time as step", |frame| frame_as_step(frame).survived())
+        .drawn(|frame| fallen(frame, &frame_as_step(frame)))
+        .method("fixed ticks, no cap", |frame| ticks_without_cap(frame).survived())
+        .drawn(asked)
+        .method("shipped engine, frame time as step", |frame| shipped_step(frame).survived())
+        .drawn(|frame| fallen(frame, &shipped_step(frame)))
+        .shipped(|frame| shipped_hitch(frame).survived())
+        .drawn(|frame| {
+            // The clock hands the engine no more than a few ticks of it.
+            let hitch = shipped_hitch(frame);
+            fallen(f64::from(hitch.ticks) / TICK_RATE, &hitch)
+        })
 }
 
 /// Bodies that make no sense, and what is wrong with them.
@@ -134,24 +180,29 @@ const NONSENSE_HEIGHT: f64 = 20.0;
 /// How much faster than after that fall first-order methods may be.
 const FASTER: f64 = 1.05;
 
-/// Whether a nonsense body does no harm by hand: its numbers are taken as they are, and for ten seconds over a floor they stay
-/// finite and it is never faster than its fall can make it.
-pub fn naive_takes(body: &BodyDef) -> bool {
+/// Heights over the floor (m) and speeds (m/s) after each step, for ten seconds, of a nonsense body whose numbers are taken as they are.
+fn naively(body: &BodyDef) -> impl Iterator<Item = (f64, f64)> {
     let area = 2.0 * body.half.x;
     let law = Law {
         constant: DVec2::new(0.0, G * body.mass / body.mass),
         drag: 0.5 * 1.2041 * body.drag * area / body.mass,
         ..Law::default()
     };
-    let fastest = FASTER * (body.velocity.length_squared() + 2.0 * G * NONSENSE_HEIGHT).sqrt();
-    let mut point = Point { x: body.position, v: body.velocity };
-    (0..(NONSENSE / TICK) as u32).all(|_| {
+    let (mut point, e) = (Point { x: body.position, v: body.velocity }, body.restitution);
+    (0..(NONSENSE / TICK) as u32).map(move |_| {
         point = semi_implicit_euler(&law, point, TICK);
         if point.x.y > 0.0 && point.v.y > 0.0 {
-            point = Point { x: DVec2::new(point.x.x, 0.0), v: DVec2::new(point.v.x, -body.restitution * point.v.y) };
+            point = Point { x: DVec2::new(point.x.x, 0.0), v: DVec2::new(point.v.x, -e * point.v.y) };
         }
-        point.x.is_finite() && point.v.length() <= fastest
+        (if point.x.is_finite() { -point.x.y } else { f64::NAN }, point.v.length())
     })
+}
+
+/// Whether a nonsense body does no harm by hand: for ten seconds over a floor its numbers stay finite and it is never faster than its fall
+/// can make it.
+pub fn naive_takes(body: &BodyDef) -> bool {
+    let fastest = FASTER * (body.velocity.length_squared() + 2.0 * G * NONSENSE_HEIGHT).sqrt();
+    naively(body).all(|(height, speed)| height.is_finite() && speed <= fastest)
 }
 
 /// Whether it does no harm with the shipped engine: it is refused.
@@ -160,19 +211,18 @@ pub fn shipped_refuses(body: &BodyDef) -> bool {
 }
 
 /// How many kinds of nonsense do no harm.
-pub fn nonsense() -> Vec<Survival> {
+pub fn nonsense() -> Test {
     let bodies = nonsense_bodies();
     let all = bodies.len() as f64;
-    let row = |method: &str, harmless: usize, shipped: bool| Survival {
-        test: "nonsense does no harm".to_owned(),
-        parameter: "of ten kinds, how many".to_owned(),
-        method: method.to_owned(),
-        largest: harmless as f64,
-        tried: all,
-        shipped,
-    };
-    vec![
-        row("taken as it is", bodies.iter().filter(|(_, body)| naive_takes(body)).count(), false),
-        row("shipped engine", bodies.iter().filter(|(_, body)| shipped_refuses(body)).count(), true),
-    ]
+    let harmless = bodies.iter().filter(|(_, body)| naive_takes(body)).count() as f64;
+    let refused = bodies.iter().filter(|(_, body)| shipped_refuses(body)).count() as f64;
+    Test::of_whole("nonsense does no harm", "of ten kinds, how many", (1.0, all))
+        .method("taken as it is", move |kinds| kinds.floor() <= harmless)
+        .drawn(move |_| {
+            // The last kind, which gives back more than it took.
+            let heights = bodies.last().into_iter().flat_map(|(_, body)| naively(body)).enumerate();
+            let line = heights.map(|(i, (height, _))| ((i + 1) as f64 * TICK, height));
+            Picture::of("time, s", "height at e = 2, m").found(line).exact([(0.0, NONSENSE_HEIGHT), (NONSENSE, NONSENSE_HEIGHT)])
+        })
+        .shipped(move |kinds| kinds.floor() <= refused)
 }

@@ -1,4 +1,5 @@
-# Menu → Lab: the charts one after the other, the stress tests, two methods side by side; by keyboard and by mouse, in three sizes.
+# Menu → Lab: the charts one after the other, where methods are stable, the stress tests, two methods side by side; by keyboard and by
+# mouse, in three sizes.
 
 open_game
 expect lab-menu shows "$accent" 0 0 100 45 0.3
@@ -13,8 +14,15 @@ expect lab-charts-again resembles lab-charts 0.3
 press Down
 expect lab-picked differs lab-charts 0.3
 press Tab
-expect lab-stress differs lab-picked 3
-expect lab-stress shows "$good" 60 15 30 70 0.02 # what survives all
+expect lab-plane differs lab-picked 3
+expect lab-plane shows "$accent" 5 20 60 60 0.1 # the two rays
+press Down
+expect lab-plane-picked differs lab-plane 0.3
+press Tab
+sleep 2
+expect lab-stress differs lab-plane-picked 3
+expect lab-stress shows "$good" 50 15 15 70 0.02 # what survives all
+expect lab-stress shows "$yellow" 65 20 32 50 0.02 # how the first one fails, large
 press End
 expect lab-stress-end differs lab-stress 0.3
 press Tab space # side by side, paused
@@ -24,7 +32,7 @@ press Down
 sleep 2
 press space
 expect lab-throw differs lab-side 0.3
-click 25 5 # the tab of the charts
+click 16 5 # the tab of the charts
 expect lab-charts-by-mouse resembles lab-picked 3
 press Up # no method is picked out any more
 for size in "900 500" "1280 720" "1920 1080"; do

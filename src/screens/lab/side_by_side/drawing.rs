@@ -49,16 +49,15 @@ impl SideBySide {
         self.toolbar.draw(canvas, &labels);
     }
 
-    /// Below the halves: what the outline means at the left, the time at the right.
+    /// Below the halves: what the outline and the lines above mean at the left, the time at the right.
     fn draw_words(&self, canvas: &Canvas, row: Area) {
         let quiet = Style::new(TEXT, theme::quiet()).middle();
         let ghost = Area::around(Vec2::new(row.min.x + 8.0, row.centre().y), Vec2::splat(16.0));
         canvas.rounded_edge(ghost, 0.0, 2.0, theme::good());
-        canvas.text("the exact answer", Vec2::new(ghost.max().x + 10.0, row.centre().y), quiet);
-        let middle = Vec2::new(row.centre().x, row.centre().y);
-        canvas.text("above: the error of each over time", middle, quiet.centred());
+        let words = "the exact answer   above: the errors so far, green: a tenth of a pixel";
+        canvas.text(words, Vec2::new(ghost.max().x + 10.0, row.centre().y), quiet);
         let speed = self.exhibit().speed;
-        let pace = if speed < 1.0 { format!("   {} times slower than real", number(1.0 / speed)) } else { String::new() };
+        let pace = if speed < 1.0 { format!("   {} times slower", number(1.0 / speed)) } else { String::new() };
         let end = if self.is_over() { "   the end" } else { "" };
         let words = format!("time {:6.3} s{pace}{end}", self.time());
         canvas.text(&words, Vec2::new(row.max().x, row.centre().y), quiet.mono().right());

@@ -1,0 +1,159 @@
+//! What a method's failure looks like: a few lines over time, or over whatever goes on, beside what is right. Everything in it is
+//! computed by the method itself.
+
+/// A line: how far to the right, and how far up.
+pub type Line = Vec<(f64, f64)>;
+
+/// Points of a line, at most: more would be closer together than pixels.
+const MOST: usize = 160;
+/// How far a line may leave what is right and still be seen, in heights of that.
+const BEYOND: f64 = 1.0;
+/// The same where what is right is a band.
+const BEYOND_BAND: f64 = 40.0;
+/// What is free above and below, in heights of all that is seen.
+const MARGIN: f64 = 0.08;
+
+/// A run of a method at one value, to be drawn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Picture {
+    /// The value.
+    pub value: f64,
+    /// What goes to the right, with its unit.
+    pub across: &'static str,
+    /// What goes upwards, with its unit.
+    pub up: &'static str,
+    /// What the method makes of it.
+    pub found: Vec<Line>,
+    /// What is right.
+    pub exact: Vec<Line>,
+    /// From where to where upwards it counts as right.
+    pub right: Option<(f64, f64)>,
+    /// Something solid, from where to where upwards.
+    pub solid: Option<(f64, f64)>,
+}
+
+/// From and to which value.
+type Span = (f64, f64);
+
+impl Picture {
+    /// One with nothing on it yet.
+    pub(super) fn of(across: &'static str, up: &'static str) -> Self {
+        Self { across, up, ..Self::default() }
+    }
+
+    /// With a line that the method makes.
+    pub(super) fn found(mut self, line: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        self.found.push(thinned(line.into_iter().collect()));
+        self
+    }
+
+    /// With a line that is right.
+    pub(super) fn exact(mut self, line: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        self.exact.push(thinned(line.into_iter().collect()));
+        self
+    }
+
+    /// With what is right at a height, and how far off still counts as right.
+    pub(super) fn within(mut self, height: f64, off: f64) -> Self {
+        let (from, to) = self.across_span();
+        self.right = Some((height - off, height + off));
+        self.exact(vec![(from, height), (to, height)])
+    }
+
+    /// With something solid.
+    pub(super) fn solid(self, from: f64, to: f64) -> Self {
+        Self { solid: Some((from, to)), ..self }
+    }
+
+    /// Where all lines begin and end.
+    fn across_span(&self) -> Span {
+        let points = self.found.iter().chain(&self.exact).flatten();
+        span(points.map(|(x, _)| *x)).unwrap_or((0.0, 1.0))
+    }
+
+    /// What is seen: from where to where, to the right and upwards. All that is right is; what the method makes, where it does not leave
+    /// that too far.
+    pub fn window(&self) -> (Span, Span) {
+        let heights = |lines: &[Line]| span(lines.iter().flatten().map(|(_, y)| *y));
+        let band = self.right.into_iter().chain(self.solid).flat_map(|(from, to)| [from, to]);
+        let right = span(band.chain(self.exact.iter().flatten().map(|(_, y)| *y)));
+        let (least, most) = match (right, heights(&self.found)) {
+            (None, None) => (0.0, 1.0),
+            (Some((least, most)), Some((lowest, highest))) if most > least => {
+                let free = (most - least) * if self.right.is_some() { BEYOND_BAND } else { BEYOND };
+                (least.min(lowest.max(least - free)), most.max(highest.min(most + free)))
+            }
+            (Some((least, most)), Some((lowest, highest))) => (least.min(lowest), most.max(highest)),
+            (Some(seen), None) | (None, Some(seen)) => seen,
+        };
+        let free = if most > least { (most - least) * MARGIN } else { least.abs().max(1.0) * MARGIN };
+        let (from, to) = self.across_span();
+        ((from, if to > from { to } else { from + 1.0 }), (least - free, most + free))
+    }
+
+    /// The lines as parts of the way to the right and upwards, cut where they leave what is seen; what is no number any more has left it
+    /// upwards.
+    pub fn parts(&self, lines: &[Line]) -> Vec<Line> {
+        let ((from, to), (least, most)) = self.window();
+        let part = |&(x, y): &(f64, f64)| {
+            let up = if y.is_nan() { 1.0 } else { ((y - least) / (most - least)).clamp(0.0, 1.0) };
+            (((x - from) / (to - from)).clamp(0.0, 1.0), up)
+        };
+        lines.iter().map(|line| line.iter().map(part).collect()).collect()
+    }
+}
+
+/// From the least to the largest of what is finite.
+fn span(values: impl Iterator<Item = f64>) -> Option<Span> {
+    let finite = values.filter(|value| value.is_finite());
+    finite.fold(None, |span, value| {
+        let (least, most) = span.unwrap_or((value, value));
+        Some((least.min(value), most.max(value)))
+    })
+}
+
+/// A few of many points, the last one among them.
+fn thinned(line: Line) -> Line {
+    let every = line.len().div_ceil(MOST).max(1);
+    let last = line.len().saturating_sub(1);
+    line.into_iter().enumerate().filter(|(i, _)| i % every == 0 || *i == last).map(|(_, point)| point).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_right_is_always_seen_and_what_leaves_it_is_cut() {
+        let wild = [(0.0, 1.0), (1.0, -1e300), (2.0, f64::NAN), (3.0, f64::INFINITY)];
+        let picture = Picture::of("t", "v").found(wild).exact([(0.0, 0.0), (3.0, 1.0)]);
+        let ((from, to), (least, most)) = picture.window();
+        assert_eq!((from, to), (0.0, 3.0));
+        assert!(least < -1.0 && least > -1.5 && most > 1.0 && most < 1.5, "{least} {most}");
+        let parts = &picture.parts(&picture.found)[0];
+        assert_eq!((parts[1].1, parts[2].1, parts[3].1), (0.0, 1.0, 1.0));
+        let band = Picture::of("t", "v").found([(0.0, 1.005), (9.0, 5.0)]).within(1.0, 0.01);
+        let (_, (least, most)) = band.window();
+        assert!(least < 0.99 && most > 1.5 && most < 2.0, "{least} {most}");
+    }
+
+    #[test]
+    fn there_is_a_window_whatever_there_is_to_see() {
+        for picture in [
+            Picture::default(),
+            Picture::of("t", "v").found([]),
+            Picture::of("t", "v").found([(1.0, 2.0)]),
+            Picture::of("t", "v").found([(f64::NAN, f64::NAN)]),
+            Picture::of("t", "v").exact([(0.0, 0.0), (1.0, 0.0)]).found([(0.0, 0.0), (1.0, 0.0)]),
+        ] {
+            let ((from, to), (least, most)) = picture.window();
+            assert!(to > from && most > least, "{picture:?}");
+        }
+    }
+
+    #[test]
+    fn a_long_line_is_thinned_and_keeps_its_end() {
+        let line = thinned((0..10_001).map(|i| (f64::from(i), 0.0)).collect());
+        assert!(line.len() <= MOST + 1 && line.last() == Some(&(10_000.0, 0.0)));
+    }
+}

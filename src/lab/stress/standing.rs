@@ -1,0 +1,119 @@
+//! Where solvers of resting contacts fail: unequal masses and tall columns.
+
+use super::picture::Picture;
+use super::{G, TICK, Test};
+use crate::lab::methods::chain::{Chain, Solver, sweeps_needed, swept_loads, weights, worst_load};
+use crate::lab::scenes::stacks;
+use crate::lab::shipped;
+use crate::physics::{BodyId, ForceKind, World};
+
+/// m. The overlap that a resting pair may show at any tick.
+pub const OVERLAP: f64 = 1e-6;
+/// Relative: how right a resting contact's force has to be, of the shipped engine.
+pub const FORCE: f64 = 1e-9;
+/// Relative: how right it has to be for sweeps.
+const SWEPT_FORCE: f64 = 0.01;
+/// Sweeps of the solvers in the table.
+const SWEEPS: [u32; 4] = [10, 50, 500, 5000];
+/// Those that have 2 s to find the forces.
+const AT_REST: [(&str, Solver); 3] = [
+    ("impulses, 20 sweeps, warm, after 2 s", Solver::Sweeps { sweeps: 20, warm: true }),
+    ("impulses, 20 substeps, after 2 s", Solver::Substeps(20)),
+    ("direct", Solver::Direct),
+];
+/// s. How long things have to rest.
+const RESTING: f64 = 2.0;
+/// What every picture shows upwards.
+const LOAD: &str = "worst force / right one";
+
+/// A column of these masses with the shipped engine, if it takes it.
+fn column(masses: &[f64]) -> Option<World> {
+    let bodies = masses.iter().enumerate().map(|(i, &mass)| shipped::crate_at(0.0, i as f64, mass));
+    World::new(shipped::on_floor(G, 1.0, bodies.collect())).ok()
+}
+
+/// What carries a body of it, N: its reaction from below without what it hands on from above, which is the weight of what it carries.
+fn carried(world: &World, body: usize) -> f64 {
+    let forces = world.forces(BodyId(body as u32));
+    -forces.total(ForceKind::Reaction).y - forces.total(ForceKind::Push).y
+}
+
+/// Whether a column of these masses stands with the shipped engine: nothing moves, and every reaction is the weight above.
+pub fn stands(masses: &[f64]) -> bool {
+    let Some(mut world) = column(masses) else { return false };
+    let above = weights(masses);
+    (0..(RESTING / TICK) as u32).all(|_| {
+        world.step(TICK);
+        (0..masses.len()).all(|i| {
+            let still = (world.body(BodyId(i as u32)).position.y + 0.5 + i as f64).abs() <= OVERLAP;
+            still && (carried(&world, i) - masses[i] * G).abs() <= FORCE * above[i] * G
+        })
+    })
+}
+
+/// The load furthest from right after each tick, with its time (s), by the shipped engine.
+fn shipped_loads(masses: &[f64]) -> Vec<(f64, f64)> {
+    let Some(mut world) = column(masses) else { return Vec::new() };
+    let exact: Vec<f64> = masses.iter().map(|mass| mass * G).collect();
+    let after_step = |tick: u32| {
+        world.step(TICK);
+        let found: Vec<f64> = (0..masses.len()).map(|i| carried(&world, i)).collect();
+        (f64::from(tick) * TICK, worst_load(&found, &exact))
+    };
+    (1..=(RESTING / TICK) as u32).map(after_step).collect()
+}
+
+/// The same of a column that rests for a while, solved by hand.
+fn loads(masses: &[f64], solver: Solver) -> Vec<(f64, f64)> {
+    let mut chain = Chain::new(masses, true);
+    let mut accelerations = vec![-G; masses.len() + 1];
+    accelerations[0] = 0.0;
+    let parts = if let Solver::Substeps(parts) = solver { f64::from(parts) } else { 1.0 };
+    let exact: Vec<f64> = weights(masses).iter().map(|mass| mass * G * TICK / parts).collect();
+    let after_step = |tick: u32| {
+        chain.step(&accelerations, solver, TICK);
+        (f64::from(tick) * TICK, worst_load(&chain.impulses, &exact))
+    };
+    (1..=(RESTING / TICK) as u32).map(after_step).collect()
+}
+
+/// Whether a column of these masses that has rested for a while is carried by the right impulses, to 1 %, solved by hand.
+pub fn carries(masses: &[f64], solver: Solver) -> bool {
+    loads(masses, solver).last().is_some_and(|(_, load)| (load - 1.0).abs() <= SWEPT_FORCE)
+}
+
+/// Columns that a value stands for, by every solver.
+fn columns_of(mut test: Test, column: fn(f64) -> Vec<f64>) -> Test {
+    let over_time = |loads: Vec<(f64, f64)>| Picture::of("time, s", LOAD).found(loads).within(1.0, SWEPT_FORCE);
+    for sweeps in SWEEPS {
+        test = test.method(format!("impulses from cold, {sweeps} sweeps"), move |value| {
+            sweeps_needed(&column(value), SWEPT_FORCE, sweeps).is_some()
+        });
+        test = test.drawn(move |value| {
+            let loads = (1..=sweeps).map(f64::from).zip(swept_loads(&column(value)));
+            Picture::of("sweeps", LOAD).found(loads).within(1.0, SWEPT_FORCE)
+        });
+    }
+    for (name, solver) in AT_REST {
+        test = test.method(name, move |value| carries(&column(value), solver));
+        test = test.drawn(move |value| over_time(loads(&column(value), solver)));
+    }
+    test.shipped(move |value| stands(&column(value))).drawn(move |value| over_time(shipped_loads(&column(value))))
+}
+
+/// R times its mass on a block.
+pub fn heavy_on_light() -> Test {
+    let test = Test::of("heavy on light: forces to 1 %", "mass ratio R at h = 1/60 s", (1.0, 1e8));
+    columns_of(test, |ratio| vec![1.0, ratio])
+}
+
+/// N equal blocks.
+pub fn columns() -> Test {
+    let test = Test::of_whole("column: forces to 1 %", "equal blocks N at h = 1/60 s", (1.0, 200.0));
+    columns_of(test, |n| vec![1.0; n.floor() as usize])
+}
+
+/// The sag of a resting pair of 1 kg and `ratio` kg with the shipped engine, m.
+pub fn shipped_sag(ratio: f64) -> f64 {
+    stacks::sag_by_engine(&[1.0, ratio], RESTING, TICK)
+}

@@ -1,0 +1,106 @@
+//! Where methods are stable: their regions of the complex plane of z = h·λ. One of them can be picked out.
+
+use super::body;
+use crate::lab::stability::{Region, regions};
+use crate::screens::{Input, Key, Toolbar};
+use crate::view::layout::{Area, Frame};
+use crate::view::plane::Plane;
+
+/// The toolbar's keys: back, another method.
+const KEYS: [Key; 2] = [Key::Escape, Key::Down];
+/// From the body's top to the plane: its title.
+const TITLE: f32 = 40.0;
+/// From the plane to the body's foot: what it says in words.
+const WORDS: f32 = 56.0;
+
+/// The page.
+#[derive(Debug, Default)]
+pub struct StabilityPage {
+    /// Computed when the page is opened first.
+    regions: Vec<Region>,
+    picked: Option<usize>,
+    /// The line of the legend under the pointer.
+    pointed: Option<usize>,
+    toolbar: Toolbar,
+}
+
+impl StabilityPage {
+    /// One frame; whether the lab is left.
+    pub(super) fn update(&mut self, input: &Input) -> bool {
+        if self.regions.is_empty() {
+            self.regions = regions();
+        }
+        let pressed = self.toolbar.update(input, &KEYS);
+        // None stands before the first and after the last.
+        let places = self.regions.len() + 1;
+        let further = |picked: Option<usize>, by: usize| ((picked.map_or(0, |picked| picked + 1) + by) % places).checked_sub(1);
+        if pressed == Some(1) {
+            self.picked = further(self.picked, 1);
+        } else if input.pressed(Key::Up) {
+            self.picked = further(self.picked, places - 1);
+        }
+        let plane = self.plane(&input.frame);
+        self.pointed = (0..self.regions.len()).find(|line| plane.legend(line + 1).contains(input.pointer));
+        if input.click && self.pointed.is_some() {
+            self.picked = if self.picked == self.pointed { None } else { self.pointed };
+        }
+        pressed == Some(0)
+    }
+
+    /// All methods whose step is the same at any moment.
+    pub fn regions(&self) -> &[Region] {
+        &self.regions
+    }
+
+    /// The one that is picked out: the one in whose line the pointer is, or else the chosen one.
+    pub fn picked(&self) -> Option<usize> {
+        self.pointed.or(self.picked)
+    }
+
+    /// Where everything is.
+    pub fn plane(&self, frame: &Frame) -> Plane {
+        let body = body(frame);
+        Plane::of(Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - WORDS))
+    }
+
+    /// Its buttons: Back, Method.
+    pub const fn toolbar(&self) -> &Toolbar {
+        &self.toolbar
+    }
+}
+
+#[cfg(feature = "window")]
+mod drawing {
+    use super::StabilityPage;
+    use crate::lab::stability_diagram::TITLE;
+    use crate::view::canvas::Canvas;
+    use crate::view::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
+    use crate::view::{plane, theme, widgets};
+
+    const WORDS: [&str; 2] = [
+        "h: the step; λ: the rate at which a motion e^(λt) fades (left) and swings (up). Inside its edge a method's errors fade, outside they grow.",
+        "Near its terminal velocity v_t a fall has z = −2·g·h/v_t. The truth, e^z, fades in all of the left half; so does the shipped engine on both rays.",
+    ];
+
+    impl StabilityPage {
+        /// Draws the plane, what it says, and the buttons.
+        pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
+            let place = self.plane(canvas.frame());
+            let (middle, widest) = (place.panel.centre().x, place.panel.size.x);
+            let title = Vec2::new(middle, place.panel.min.y - 20.0);
+            widgets::fitted(canvas, TITLE, title, widest, &[BUTTON_TEXT, TEXT], theme::text());
+            plane::draw(canvas, &place, self.regions(), self.picked());
+            for (words, down) in WORDS.iter().zip([18.0, 42.0]) {
+                widgets::fitted(
+                    canvas,
+                    words,
+                    Vec2::new(middle, place.panel.max().y + down),
+                    widest,
+                    &[TEXT, DETAILS],
+                    theme::text(),
+                );
+            }
+            self.toolbar.draw(canvas, &[("Back", "Esc"), ("Method", "↓")]);
+        }
+    }
+}

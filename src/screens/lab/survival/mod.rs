@@ -1,0 +1,134 @@
+//! What each method survives: the table of the stress tests, a small picture of each failure, and a large one of the line that is asked.
+
+#[cfg(feature = "window")]
+mod drawing;
+
+use super::body;
+use crate::lab::stress::picture::Picture;
+use crate::lab::stress::{self, Survival};
+use crate::screens::scroll::{Bar, Scroll, bar_beside};
+use crate::screens::{Input, Key, Toolbar};
+use crate::view::layout::{Area, Frame};
+use std::collections::HashMap;
+
+/// Height of a line.
+const ROW: f32 = 40.0;
+/// Width of the table.
+const TABLE: f32 = 768.0;
+/// Widest that both get.
+const WIDEST: f32 = 1440.0;
+/// From the panel's top and foot to the lines.
+const PADDING: f32 = 8.0;
+/// From the body's top to the panel: what the table says.
+const WORDS: f32 = 40.0;
+
+/// A line of the table.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Line {
+    /// A test, and what is made larger in it, with its unit.
+    Test(String, String),
+    /// What a method survives.
+    Method(Survival),
+}
+
+/// The page.
+#[derive(Debug)]
+pub struct SurvivalPage {
+    lines: Vec<Line>,
+    /// How each line's method fails; of lines that came into view only.
+    pictures: HashMap<usize, Option<Picture>>,
+    /// The line under the pointer.
+    pointed: Option<usize>,
+    scroll: Scroll,
+    toolbar: Toolbar,
+}
+
+impl SurvivalPage {
+    pub(super) fn new(stress: &[Survival]) -> Self {
+        let tests = stress.chunk_by(|a, b| a.test == b.test);
+        let lines = tests.flat_map(|rows| {
+            let head = Line::Test(rows[0].test.clone(), rows[0].parameter.clone());
+            std::iter::once(head).chain(rows.iter().cloned().map(Line::Method))
+        });
+        Self {
+            lines: lines.collect(),
+            pictures: HashMap::new(),
+            pointed: None,
+            scroll: Scroll::default(),
+            toolbar: Toolbar::default(),
+        }
+    }
+
+    /// One frame; whether the lab is left.
+    pub(super) fn update(&mut self, input: &Input) -> bool {
+        let panel = panel(&input.frame);
+        let page = page(panel);
+        let rows = panel.min.y + PADDING;
+        self.scroll.place(self.lines.len(), page, bar_beside(panel, rows, rows + page as f32 * ROW));
+        self.scroll.update(input);
+        let in_line = |place: &usize| line_of(panel, *place).contains(input.pointer);
+        let pointed = (0..self.range().len()).find(in_line).map(|place| self.range().start + place);
+        self.pointed = pointed.filter(|line| matches!(self.lines[*line], Line::Method(_)));
+        self.draw_one_more();
+        self.toolbar.update(input, &[Key::Escape]).is_some()
+    }
+
+    /// Lets one method in view fail that has not done so yet, the one that is told of first: each takes up to a few milliseconds.
+    fn draw_one_more(&mut self) {
+        let missing = |line: &usize| !self.pictures.contains_key(line);
+        let wanted = self.chosen().into_iter().chain(self.range()).filter(missing);
+        let method = |line: usize| if let Line::Method(row) = &self.lines[line] { Some((line, row)) } else { None };
+        if let Some((line, row)) = wanted.filter_map(method).next() {
+            let picture = stress::picture(row);
+            self.pictures.insert(line, picture);
+        }
+    }
+
+    /// All lines.
+    pub fn lines(&self) -> &[Line] {
+        &self.lines
+    }
+
+    /// Those in view.
+    pub fn range(&self) -> std::ops::Range<usize> {
+        self.scroll.range()
+    }
+
+    /// The line that is told of: the one under the pointer, or else the first method in view.
+    pub fn chosen(&self) -> Option<usize> {
+        self.pointed.or_else(|| self.range().find(|line| matches!(self.lines[*line], Line::Method(_))))
+    }
+
+    /// How a line's method fails just beyond what it survives, once that is computed.
+    pub fn picture(&self, line: usize) -> Option<&Picture> {
+        self.pictures.get(&line)?.as_ref()
+    }
+
+    /// The scroll bar, where not all lines are in view.
+    pub fn bar(&self) -> Option<Bar> {
+        self.scroll.bar()
+    }
+
+    /// Its button: Back.
+    pub fn toolbar(&self) -> &Toolbar {
+        &self.toolbar
+    }
+}
+
+/// What the table lies on: as high as its lines.
+fn panel(frame: &Frame) -> Area {
+    let body = body(frame);
+    let width = body.size.x.min(WIDEST);
+    let room = Area::new(body.centre().x - width / 2.0, body.min.y + WORDS, TABLE, body.size.y - WORDS);
+    Area::new(room.min.x, room.min.y, TABLE, page(room) as f32 * ROW + 2.0 * PADDING)
+}
+
+/// A line in view, from the panel's left edge to its bar.
+fn line_of(panel: Area, place: usize) -> Area {
+    Area::new(panel.min.x, panel.min.y + PADDING + place as f32 * ROW, panel.size.x - 24.0, ROW)
+}
+
+/// Lines that a panel holds.
+fn page(panel: Area) -> usize {
+    ((panel.size.y - 2.0 * PADDING) / ROW).floor() as usize
+}

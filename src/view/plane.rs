@@ -1,0 +1,175 @@
+//! Where the complex plane of z = h·λ goes on the canvas, with its legend; drawn with the regions in which methods are stable.
+
+use super::layout::{Area, Vec2};
+use crate::lab::stability::{Complex, IMAGINARY, REAL};
+
+/// From the panel's left edge to the plane, from its top, and from its foot: values and names of the axes.
+const LEFT: f32 = 64.0;
+const TOP: f32 = 48.0;
+const BOTTOM: f32 = 60.0;
+/// Width of the legend.
+const LEGEND: f32 = 400.0;
+/// Between the plane and the legend.
+const BETWEEN: f32 = 32.0;
+/// From one line of the legend to the next.
+const LINE: f32 = 30.0;
+
+/// Its places.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// What it lies on.
+    pub panel: Area,
+    /// Between the axes: as many pixels for 1 to the right as upwards.
+    pub area: Area,
+    /// These pixels.
+    scale: f32,
+}
+
+impl Plane {
+    /// A plane that fills a panel, as far as it goes without stretching.
+    pub fn of(panel: Area) -> Self {
+        let room = Vec2::new(panel.size.x - LEFT - BETWEEN - LEGEND, panel.size.y - TOP - BOTTOM);
+        let spans = Vec2::new((REAL.1 - REAL.0) as f32, (IMAGINARY.1 - IMAGINARY.0) as f32);
+        let scale = (room.x / spans.x).min(room.y / spans.y);
+        let size = spans * scale;
+        let area = Area::new(panel.min.x + LEFT + (room.x - size.x) / 2.0, panel.min.y + TOP, size.x, size.y);
+        Self { panel, area, scale }
+    }
+
+    /// Where a number is.
+    pub fn at(&self, (re, im): Complex) -> Vec2 {
+        Vec2::new(self.area.min.x + (re - REAL.0) as f32 * self.scale, self.area.max().y - (im - IMAGINARY.0) as f32 * self.scale)
+    }
+
+    /// A line of the legend: its head, then the methods, then the shipped engine and the notes.
+    pub fn legend(&self, line: usize) -> Area {
+        let top = self.panel.min.y + 16.0 + line as f32 * LINE;
+        Area::new(self.panel.max().x - LEGEND, top, LEGEND - 16.0, LINE)
+    }
+}
+
+#[cfg(feature = "window")]
+pub use drawing::draw;
+
+#[cfg(feature = "window")]
+mod drawing {
+    use super::{LINE, Plane};
+    use crate::lab::look::Look;
+    use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
+    use crate::lab::stability_diagram::{look, shipped_look};
+    use crate::view::canvas::{Canvas, Style};
+    use crate::view::diagram::{marker, shade, stroke};
+    use crate::view::layout::{Area, DETAILS, TEXT, Vec2};
+    use crate::view::{theme, widgets};
+
+    /// From a legend line's left end to its words, and from its right end to the two limits.
+    const WORDS: f32 = 52.0;
+    const LIMITS: [f32; 2] = [84.0, 8.0];
+    /// What the marks on the two rays are.
+    const MARKS: [&str; 2] =
+        ["h/τ: drag alone, without a spring; ω·h: a swing without drag.", "Marks on the two rays: these limits."];
+    /// Length of the sample of an edge in the legend.
+    const SAMPLE: f32 = 40.0;
+
+    /// Draws the plane, the edges of all regions, and all of the one that is picked out.
+    pub fn draw(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
+        widgets::panel(canvas, plane.panel);
+        canvas.rounded(plane.area, 0.0, theme::ground());
+        if let Some(region) = picked.and_then(|picked| regions.get(picked)) {
+            fill(canvas, plane, region);
+        }
+        axes(canvas, plane);
+        let engine = shipped_look();
+        let rays: [[Complex; 2]; 2] = [[(REAL.0, 0.0), (0.0, 0.0)], [(0.0, 0.0), (0.0, IMAGINARY.1)]];
+        for ray in rays {
+            stroke(canvas, &ray.map(|z| plane.at(z)), &engine, theme::accent());
+        }
+        for (index, region) in regions.iter().enumerate() {
+            let look = look(index);
+            let colour = shade(theme::rgb(look.colour), picked.is_none_or(|picked| picked == index));
+            for line in &region.edge {
+                stroke(canvas, &line.iter().map(|z| plane.at(*z)).collect::<Vec<_>>(), &look, colour);
+            }
+            region.marks().for_each(|z| marker(canvas, plane.at(z), look.marker, colour));
+        }
+        for (name, z) in examples() {
+            let (at, style) = (plane.at(z), Style::new(DETAILS, theme::text()).middle());
+            canvas.ring(at, 5.0, 2.0, theme::text());
+            // What fades stands to the left of its point, what swings to the right.
+            let (beside, style) = if z.0 < 0.0 { (-8.0, style.right()) } else { (10.0, style) };
+            canvas.text(name, at + Vec2::new(beside, -16.0), style);
+        }
+        legend(canvas, plane, regions, picked);
+    }
+
+    /// All cells in whose middle a method is stable: its outline says where exactly they end.
+    fn fill(canvas: &Canvas, plane: &Plane, region: &Region) {
+        let colour = theme::faded(theme::good(), 0.16);
+        for (row, cells) in region.inside.chunks(CELLS.0).enumerate() {
+            let mut column = 0;
+            for run in cells.chunk_by(|a, b| a == b) {
+                let ends = [place(column as f64, row as f64 + 1.0), place((column + run.len()) as f64, row as f64)];
+                let [min, max] = ends.map(|z| plane.at(z));
+                if run[0] {
+                    canvas.rounded(Area { min, size: max - min }, 0.0, colour);
+                }
+                column += run.len();
+            }
+        }
+    }
+
+    fn axes(canvas: &Canvas, plane: &Plane) {
+        let quiet = Style::new(DETAILS, theme::quiet()).middle();
+        let (area, end) = (plane.area, plane.area.max());
+        for re in REAL.0.ceil() as i32..=REAL.1.floor() as i32 {
+            let foot = plane.at((f64::from(re), 0.0));
+            canvas.hairline(foot, Vec2::new(foot.x, area.min.y), theme::panel_edge());
+            canvas.text(&re.to_string().replace('-', "−"), foot + Vec2::new(0.0, 16.0), quiet.centred());
+        }
+        for im in 0..=IMAGINARY.1.floor() as i32 {
+            let left = plane.at((REAL.0, f64::from(im)));
+            canvas.hairline(left, Vec2::new(end.x, left.y), theme::panel_edge());
+            canvas.text(&format!("{im}i"), left - Vec2::new(10.0, 0.0), quiet.right());
+        }
+        canvas.rounded_edge(area, 0.0, 1.0, theme::solid());
+        let words = Style::new(TEXT, theme::text()).middle();
+        canvas.text("imaginary part of z: ω·h, what swings", Vec2::new(area.min.x, area.min.y - 22.0), words);
+        canvas.text("real part of z: −h/τ, what fades", Vec2::new(area.centre().x, end.y + 42.0), words.centred());
+    }
+
+    /// The methods by name, with how far they go on the two rays.
+    fn legend(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
+        let words = Style::new(TEXT, theme::text()).middle();
+        let quiet = Style::new(TEXT, theme::quiet()).middle();
+        let limits = |area: Area, texts: [&str; 2], style: Style| {
+            for (text, from_right) in texts.into_iter().zip(LIMITS) {
+                canvas.text(text, Vec2::new(area.max().x - from_right, area.centre().y), style.right());
+            }
+        };
+        let head = plane.legend(0);
+        canvas.text("stable up to", Vec2::new(head.min.x + WORDS, head.centre().y), quiet);
+        limits(head, ["h/τ", "ω·h"], quiet);
+        let line = |line: usize, look: &Look, (name, [drag, swing]): (&str, [f64; 2]), whole: bool| {
+            let area = plane.legend(line);
+            let (y, colour) = (area.centre().y, shade(theme::rgb(look.colour), whole));
+            let sample = [area.min.x, area.min.x + SAMPLE].map(|x| Vec2::new(x, y));
+            stroke(canvas, &sample, look, colour);
+            marker(canvas, Vec2::new(area.min.x + SAMPLE / 2.0, y), look.marker, colour);
+            let style = if whole { words } else { quiet };
+            canvas.text(name, Vec2::new(area.min.x + WORDS, y), style);
+            limits(area, [&limit(drag), &limit(swing)], style);
+        };
+        for (index, region) in regions.iter().enumerate() {
+            if picked == Some(index) {
+                canvas.rounded(plane.legend(index + 1), 6.0, theme::panel_hover());
+            }
+            let whole = picked.is_none_or(|picked| picked == index);
+            line(index + 1, &look(index), (region.name, [region.drag, region.swing]), whole);
+        }
+        line(regions.len() + 1, &shipped_look(), (SHIPPED, SHIPPED_LIMITS), true);
+        for (down, words) in MARKS.into_iter().enumerate() {
+            let area = plane.legend(regions.len() + 2 + down);
+            canvas.text(words, area.min + Vec2::new(WORDS, LINE / 2.0), Style::new(DETAILS, theme::quiet()).middle());
+        }
+    }
+}
