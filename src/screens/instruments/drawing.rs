@@ -30,6 +30,7 @@ impl Instruments {
             let at = Vec2::new(area.min.x + GRID, area.centre().y);
             canvas.text(tool.name(), at, Style::new(DETAILS, colour).middle());
         }
+        self.vary.draw(canvas);
     }
 }
 
