@@ -141,6 +141,9 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
     assert_eq!(value(&sitting, Parameter::Mass(0)), 25.0);
     sitting.click_at(number).press(Key::Home).write("1").press(Key::Enter);
     assert_eq!(value(&sitting, Parameter::Mass(0)), 125.0);
+    let enter = Input { pressed: [Key::Enter].into_iter().collect(), typed: "7".into(), ..Input::default() };
+    sitting.click_at(number).write("1").give(enter);
+    assert_eq!(value(&sitting, Parameter::Mass(0)), 17.0, "typed in the frame of Enter");
     sitting.click_at(number).press(Key::Backspace).write("100").press(Key::Enter);
     // Each of two is accepted, but not both.
     type_in(&mut sitting, Parameter::Thrust, "1e7");

@@ -59,11 +59,14 @@ pub struct Instruments {
     used: [bool; Tool::ALL.len()],
     rail: Buttons,
     vary: Vary,
+    /// Whether the level that is shown can be varied: not that of a flight which is watched.
+    can_vary: bool,
 }
 
 impl Instruments {
     /// One frame; the answer is what is left of the input for the flight.
     pub fn update(&mut self, input: &Input, stage: &Stage) -> Input {
+        self.can_vary = stage.varied.is_some();
         let open = self.uses(Tool::Vary);
         let input = &self.vary.update(input, stage, open);
         let mut rest = input.clone();
@@ -75,7 +78,7 @@ impl Instruments {
         self.rail.place(places.rail.clone());
         // Arrows and Enter fly.
         let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
-        if let Some(tool) = self.rail.update(&pointer_only) {
+        if let Some(tool) = self.rail.update(&pointer_only).filter(|tool| self.offers(Tool::ALL[*tool])) {
             self.used[tool] ^= true;
         }
         rest.click &= !places.areas().any(|area| area.contains(input.pointer));
@@ -109,6 +112,11 @@ impl Instruments {
     /// Whether the rail is there.
     pub const fn is_open(&self) -> bool {
         self.open
+    }
+
+    /// Whether a tool can be used here.
+    pub fn offers(&self, tool: Tool) -> bool {
+        tool != Tool::Vary || self.can_vary
     }
 
     /// Whether a tool is in use.

@@ -35,7 +35,7 @@ impl Vary {
         let at = Vec2::new(heading.min.x, heading.centre().y);
         canvas.text(&format!("What if: {} and level", self.title), at, Style::new(DETAILS, theme::accent()).middle());
         let hint = Style::new(DETAILS, theme::quiet()).middle().right();
-        canvas.text("N: next object", Vec2::new(heading.max().x, at.y), hint);
+        canvas.text("Tab, N: another object", Vec2::new(heading.max().x, at.y), hint);
         for (i, line) in self.lines.iter().enumerate() {
             self.draw_line(i, line, canvas);
         }
@@ -54,7 +54,7 @@ impl Vary {
 
     fn draw_button(&self, (label, open, chosen): (&str, bool, bool), area: Area, canvas: &Canvas) {
         let area = Area::new(area.min.x, area.min.y + APART, area.size.x, area.size.y - 2.0 * APART);
-        let fill = if open && area.contains(self.hover) { theme::panel_hover() } else { theme::ground() };
+        let fill = if open && area.contains(self.pointer) { theme::panel_hover() } else { theme::ground() };
         let edge = if chosen { theme::accent() } else { theme::panel_edge() };
         widgets::panel_in(canvas, area, fill, edge);
         let colour = if open { theme::text() } else { theme::quiet() };
@@ -88,7 +88,7 @@ impl Vary {
                 draw_field((field, self.fresh), number, canvas)
             }
             _ => {
-                let hover = line.open && number.contains(self.hover);
+                let hover = line.open && number.contains(self.pointer);
                 widgets::panel_in(canvas, number, if hover { theme::panel_hover() } else { theme::ground() }, theme::panel_edge());
                 let style = Style::new(DETAILS, colour).mono().middle().right();
                 let text = written(line.parameter, line.value);
@@ -98,10 +98,10 @@ impl Vary {
         }
         if varied {
             let reset = inner(layout.reset(index));
-            let hover = reset.contains(self.hover);
+            let hover = reset.contains(self.pointer);
             widgets::panel_in(canvas, reset, if hover { theme::panel_hover() } else { theme::panel() }, theme::panel_edge());
-            let was = format!("was {}", written(line.parameter, line.usual));
-            widgets::fitted(canvas, &was, reset.centre(), reset.size.x - INSIDE, &[DETAILS], quiet);
+            let back = format!("← {}", written(line.parameter, line.usual));
+            widgets::fitted(canvas, &back, reset.centre(), reset.size.x - INSIDE, &[DETAILS], quiet);
         }
     }
 
@@ -121,7 +121,7 @@ impl Vary {
             (_, Some((words, bad)), _) => say(words, if *bad { theme::bad() } else { theme::good() }),
             (_, None, Some(progress)) => say(&format!("Flown again: {:.0} %", 100.0 * progress), theme::accent()),
             (Some(_), None, None) => say("Enter takes it, Esc gives it up, ↑ ↓ step", theme::quiet()),
-            (None, None, None) => {}
+            (None, None, None) => say("Drag, turn the wheel, or click a number to type", theme::quiet()),
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::view::layout::{Area, DETAILS, Frame, GRID, LINE, Vec2};
 
 /// Widths in heights of the text: of a line's name, slider, number and reset.
-const COLUMNS: [f32; 4] = [7.6, 6.4, 7.2, 5.8];
+const COLUMNS: [f32; 4] = [7.2, 6.0, 7.2, 6.6];
 /// Between two columns, and inside the panel's edge.
 const GAP: f32 = GRID;
 const INSIDE: f32 = 1.5 * GRID;
@@ -77,6 +77,7 @@ impl Layout {
         Area::new(begins, self.top + line as f32 * self.line, ends - begins, self.line)
     }
 
+    #[cfg(feature = "window")]
     pub fn name(&self, line: usize) -> Area {
         self.cell(line, 0)
     }
@@ -94,6 +95,7 @@ impl Layout {
     }
 
     /// Of the panel's name.
+    #[cfg(feature = "window")]
     pub fn heading(&self) -> Area {
         Area::new(self.columns[0].0, self.panel.min.y + INSIDE, self.panel.size.x - 2.0 * INSIDE, self.line)
     }

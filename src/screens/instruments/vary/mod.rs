@@ -100,7 +100,7 @@ pub struct Vary {
     fresh: bool,
     /// What was said last, and whether it is bad.
     told: Option<(String, bool)>,
-    hover: Vec2,
+    pointer: Vec2,
     progress: Option<f64>,
     wish: Option<Wish>,
 }
@@ -114,7 +114,7 @@ impl Vary {
         };
         self.read(&varied, stage.focus.followed().map_or(0, |body| body.index()));
         self.layout = Layout::new(&input.frame, self.lines.len());
-        self.hover = input.pointer;
+        self.pointer = input.pointer;
         let mut rest = input.clone();
         if self.entry.is_some() {
             // What is typed flies nothing.
@@ -169,6 +169,21 @@ impl Vary {
         self.told.as_ref().map(|(words, bad)| (words.as_str(), *bad))
     }
 
+    /// What its first lines are of.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// How much has been flown again, 0 … 1, while it is.
+    pub const fn progress(&self) -> Option<f64> {
+        self.progress
+    }
+
+    /// Where the pointer was last.
+    pub const fn pointer(&self) -> Vec2 {
+        self.pointer
+    }
+
     /// From where on changes hold.
     pub const fn from(&self) -> From {
         self.from
@@ -205,34 +220,34 @@ impl Vary {
         self.last = Some(line.parameter);
     }
 
-    fn step(&mut self, line: Line, steps: f64, level: &Level, variation: Option<&Variation>) {
+    /// Asks for a number so many fine steps further, which it answers.
+    fn step(&mut self, line: Line, steps: f64, level: &Level, variation: Option<&Variation>) -> f64 {
         let value = Track::of(line.parameter, line.usual).stepped(line.value, steps, line.parameter.limits());
         self.ask(line, value, level, (variation, true));
+        value
     }
 
     /// Keys while something is written: Enter takes it, Esc gives it up, up and down are fine steps.
     fn follow_keys(&mut self, input: &Input, level: &Level, variation: Option<&Variation>) {
         let Some((entry, field)) = &mut self.entry else { return };
-        let entry = *entry;
+        let pressed = |keys: &[Key]| keys.iter().any(|key| input.pressed(*key));
+        if self.fresh && (!input.typed.is_empty() || pressed(&[Key::Backspace, Key::Delete])) {
+            (*field, self.fresh) = (TextField::new("", MOST), false);
+        }
+        self.fresh &= !pressed(&[Key::Left, Key::Right, Key::Home, Key::End]);
+        // What was typed in the same frame as Enter is taken with it.
+        if field.update(input) {
+            self.told = None;
+        }
+        let steps = f64::from(u8::from(input.pressed(Key::Up))) - f64::from(u8::from(input.pressed(Key::Down)));
         if input.pressed(Key::Escape) {
             (self.entry, self.told) = (None, None);
         } else if input.pressed(Key::Enter) {
             self.take_entry(level, variation);
-        } else if let (Entry::Number(parameter), true) = (entry, input.pressed(Key::Up) || input.pressed(Key::Down)) {
+        } else if let (Entry::Number(parameter), true) = (*entry, steps != 0.0) {
             let Some(line) = self.line(parameter) else { return };
-            let steps = f64::from(u8::from(input.pressed(Key::Up))) - f64::from(u8::from(input.pressed(Key::Down)));
-            let value = Track::of(parameter, line.usual).stepped(line.value, steps, parameter.limits());
-            self.ask(line, value, level, (variation, true));
-            (self.entry, self.fresh) = (Some((entry, TextField::new(&value.to_string(), MOST))), true);
-        } else {
-            let pressed = |keys: &[Key]| keys.iter().any(|key| input.pressed(*key));
-            if self.fresh && (!input.typed.is_empty() || pressed(&[Key::Backspace, Key::Delete])) {
-                (*field, self.fresh) = (TextField::new("", MOST), false);
-            }
-            self.fresh &= !pressed(&[Key::Left, Key::Right, Key::Home, Key::End]);
-            if field.update(input) {
-                self.told = None;
-            }
+            let value = self.step(line, steps, level, variation);
+            (self.entry, self.fresh) = (Some((Entry::Number(parameter), TextField::new(&value.to_string(), MOST))), true);
         }
     }
 
