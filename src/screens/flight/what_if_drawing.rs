@@ -73,7 +73,8 @@ impl Flight {
         if self.tells_of_the_end() && self.pause.is_none() {
             let words = format!("{} A “what if” counts for nothing: R flies it again, Esc the level as it is.", self.told());
             let style = Style::new(TEXT, theme::text()).centred().middle();
-            let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
+            let width = (canvas.width(&words, style) + 2.0 * PADDING).min(canvas.size().x - 2.0 * PADDING);
+            let size = Vec2::new(width, canvas.line_height(TEXT) + PADDING);
             let above = Vec2::new(canvas.size().x / 2.0, canvas.size().y - 2.5 * size.y);
             widgets::panel(canvas, Area::around(above, size));
             widgets::fitted(canvas, &words, above, canvas.size().x - 4.0 * PADDING, &[TEXT, DETAILS], theme::text());

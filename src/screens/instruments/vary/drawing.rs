@@ -39,12 +39,11 @@ impl Vary {
         for (i, line) in self.lines.iter().enumerate() {
             self.draw_line(i, line, canvas);
         }
-        let is_varied = self.lines.iter().any(Line::is_varied);
         let buttons = [
             ("From the start", true, self.from == From::Start),
             ("From now", true, self.from == From::Now),
             ("Reset all", true, false),
-            ("Save as level", is_varied, false),
+            ("Save as level", self.is_varied, false),
         ];
         for ((label, open, chosen), area) in buttons.into_iter().zip(layout.buttons) {
             self.draw_button((label, open, chosen), area, canvas);

@@ -102,6 +102,8 @@ pub struct Vary {
     told: Option<(String, bool)>,
     pointer: Vec2,
     progress: Option<f64>,
+    /// Whether anything is varied, of whatever object.
+    is_varied: bool,
     wish: Option<Wish>,
 }
 
@@ -195,6 +197,7 @@ impl Vary {
             self.entry = self.entry.take().filter(|(entry, _)| *entry == Entry::Name);
         }
         self.progress = varied.progress;
+        self.is_varied = varied.variation.is_some_and(|variation| !variation.is_empty());
         self.title = body_title(varied.level, BodyId(self.body as u32));
         let line = |parameter: Parameter| {
             let usual = parameter.of(varied.level)?;
@@ -280,7 +283,7 @@ impl Vary {
                 Some(Button::FromStart) => self.from = From::Start,
                 Some(Button::FromNow) => self.from = From::Now,
                 Some(Button::Restore) if variation.is_some() => self.wish = Some(Wish::Restore),
-                Some(Button::Save) if variation.is_some_and(|variation| !variation.is_empty()) => {
+                Some(Button::Save) if self.is_varied => {
                     if written != Some(Entry::Name) {
                         (self.entry, self.fresh, self.told) = (Some((Entry::Name, TextField::new("", MOST))), false, None);
                     }
