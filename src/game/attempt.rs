@@ -112,6 +112,11 @@ impl Game {
         self.ship.fuel_lasts = lasts;
     }
 
+    /// Whether the engine burns no fuel.
+    pub const fn lasting_fuel(&self) -> bool {
+        self.ship.fuel_lasts
+    }
+
     /// Whether nothing that the player can do moves the ship any more: its tank is empty and it is at rest.
     pub fn is_stranded(&self) -> bool {
         let ship = self.world.body(SHIP);
@@ -239,6 +244,11 @@ impl Game {
 
     /// The level.
     pub fn level(&self) -> &Level {
+        &self.level
+    }
+
+    /// The same, to be kept.
+    pub const fn shared_level(&self) -> &Arc<Level> {
         &self.level
     }
 

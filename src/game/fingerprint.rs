@@ -1,7 +1,7 @@
 //! Which level a run was flown in: a hash of all that a flight and its score depend on.
 
 use super::hash::Fnv1a;
-use crate::level::{Field, Fluid, Level, Mover, Object, Objective, Player, Pod, Solid, Stream, Switch, Work};
+use crate::level::{Field, Fluid, Level, Mover, Object, Objective, Player, Pod, SHIP_DRAG, Solid, Stream, Switch, Work};
 use crate::physics::{Aabb, DVec2, Leg, Material, Path, Sides};
 
 /// The hash of a level. Its name, its words and how things look are left out, and so is how its files are written: two levels with the
@@ -22,6 +22,7 @@ pub fn level_hash(level: &Level) -> u64 {
         air_density,
         optimal_time,
         rest_speed,
+        friction,
         player,
         world,
         movers,
@@ -39,6 +40,7 @@ pub fn level_hash(level: &Level) -> u64 {
     hash.vectors(&[*size]);
     hash.numbers(&[*gravity, *air_density, *optimal_time, *rest_speed]);
     hash.player(player);
+    hash.given("friction", *friction != 1.0, |hash| hash.numbers(&[*friction]));
     hash.given("gravity_x", *gravity_x != 0.0, |hash| hash.numbers(&[*gravity_x]));
     hash.each(world, Hash::solid);
     hash.each(objects, Hash::object);
@@ -160,11 +162,13 @@ impl Hash {
     }
 
     fn player(&mut self, player: &Player) {
-        let Player { position, velocity, angle, mass, fuel, thrust, feels_air, material } = player;
+        let Player { position, velocity, angle, mass, fuel, thrust, feels_air, material, drag, restitution } = player;
         self.vectors(&[*position, *velocity]);
         self.numbers(&[*angle, *mass, *fuel, *thrust]);
         self.material(material);
         self.0.write(u64::from(*feels_air));
+        self.given("drag", *drag != SHIP_DRAG, |hash| hash.numbers(&[*drag]));
+        self.given("bounces", *restitution != 0.0, |hash| hash.numbers(&[*restitution]));
     }
 
     fn object(&mut self, object: &Object) {

@@ -4,7 +4,7 @@
 //! Copies are taken at equal distances. Where there are too many of them every second one goes, and the distance doubles: a flight of any
 //! length keeps to the same memory, and the way from a copy to the tick asked for grows with its length only.
 
-use super::{Controls, Game, GameError, Inputs, Outcome, Playback, Recorder, Replay};
+use super::{Controls, Game, GameError, Inputs, Outcome, Playback, Recorder, Replay, Tape};
 use crate::level::Level;
 use std::sync::Arc;
 
@@ -24,6 +24,8 @@ pub struct History {
     recorder: Recorder,
     /// Whether the fuel lasted, from a tick on: an assist that is switched while a flight lasts.
     lasting: Vec<(u64, bool)>,
+    /// The level that it is flown in, from a tick on: one that is varied on the way.
+    levels: Vec<(u64, Arc<Level>)>,
     /// The game after 0, `every`, 2 `every` … ticks.
     copies: Vec<Game>,
     every: u64,
@@ -35,7 +37,24 @@ impl History {
     pub fn new(start: &Game) -> Self {
         let most = (BODIES_IN_COPIES / start.world().bodies().len().max(1)).clamp(FEWEST_COPIES, MOST_COPIES);
         let lasting = vec![(start.ticks(), start.ship().fuel_lasts)];
-        Self { recorder: Recorder::default(), lasting, copies: vec![start.clone()], every: EVERY, most }
+        let levels = vec![(start.ticks(), start.shared_level().clone())];
+        Self { recorder: Recorder::default(), lasting, levels, copies: vec![start.clone()], every: EVERY, most }
+    }
+
+    /// Lets the game, which is where this history ends, go on in a level that differs from its own in numbers alone.
+    ///
+    /// # Errors
+    /// As [`Game::go_on_in`]; nothing has changed then.
+    pub fn go_on_in(&mut self, game: &mut Game, level: Arc<Level>) -> Result<(), GameError> {
+        game.go_on_in(level.clone())?;
+        self.levels.retain(|(since, _)| *since < game.ticks());
+        self.levels.push((game.ticks(), level));
+        Ok(())
+    }
+
+    /// The controls from the start on, to be flown in another level.
+    pub fn tape(&self) -> Tape {
+        Tape { start: Box::new(self.copies[0].clone()), inputs: self.inputs().clone(), lasting: self.lasting.clone() }
     }
 
     /// Takes up the tick that was just made with these controls.
@@ -94,6 +113,7 @@ impl History {
         for (at, controls) in (from..tick).zip(self.inputs().after(from - self.begins())) {
             self.step(game, at, controls);
         }
+        self.enter_level(game);
     }
 
     /// The history up to that tick, or all of it where there are fewer: what was flown after it is gone.
@@ -101,6 +121,7 @@ impl History {
     pub fn until(&self, tick: u64) -> Self {
         let mut game = self.copies[0].clone();
         let mut history = Self::new(&game);
+        history.levels = self.levels.iter().filter(|(since, _)| *since <= tick).cloned().collect();
         for (at, controls) in (self.begins()..tick.min(self.ticks())).zip(self.inputs().after(0)) {
             self.step(&mut game, at, controls);
             history.note(&game, controls);
@@ -116,10 +137,25 @@ impl History {
     }
 
     fn step(&self, game: &mut Game, at: u64, controls: Controls) {
-        let lasts = self.lasting.iter().rev().find(|(since, _)| *since <= at).is_some_and(|(_, lasts)| *lasts);
-        game.set_lasting_fuel(lasts);
+        self.enter_level(game);
+        game.set_lasting_fuel(lasts(&self.lasting, at));
         game.step(controls);
     }
+
+    /// Brings a game into the level that it goes on in from its tick on.
+    fn enter_level(&self, game: &mut Game) {
+        let level = self.levels.iter().rev().find(|(since, _)| *since <= game.ticks()).map(|(_, level)| level);
+        if let Some(level) = level.filter(|level| !Arc::ptr_eq(level, game.shared_level())) {
+            // What the engine took once it takes again.
+            let entered = game.go_on_in(level.clone());
+            debug_assert!(entered.is_ok(), "{entered:?}");
+        }
+    }
+}
+
+/// Whether the fuel lasts in the tick after `at`.
+pub(super) fn lasts(lasting: &[(u64, bool)], at: u64) -> bool {
+    lasting.iter().rev().find(|(since, _)| *since <= at).is_some_and(|(_, lasts)| *lasts)
 }
 
 /// A flight that can be watched from any tick on: one that was flown, or a record that is flown again as far as it is known.

@@ -8,6 +8,7 @@
 //! view.draw(&game, clock.alpha())
 //! ```
 
+mod again;
 mod attempt;
 mod clock;
 mod death;
@@ -31,6 +32,7 @@ mod ship;
 mod touch;
 mod track;
 
+pub use again::{Again, Tape};
 pub use attempt::{DAMAGING_SPEED, DUST_SPEED, Game, SHIP, TICK_RATE, TICK_RATES};
 pub use clock::{Clock, TICKS_A_FRAME};
 pub use death::Death;
@@ -43,7 +45,7 @@ pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
 pub use latch::Latch;
 pub use mechanisms::{Change, Mechanisms};
 pub use medals::{Goal, Medal, Medals, Prize, goals, words};
-pub use names::{obstacle_name, source_name};
+pub use names::{body_title, obstacle_name, source_name};
 pub use proof::Proof;
 pub use pushes::APART;
 pub use replay::{MOST_SECONDS, Mismatch, PROGRAM, Recorder, Replay};

@@ -1,3 +1,4 @@
 //! What a lesson measures with, without a window: it reads a flight tick by tick and changes nothing in it.
 
+pub mod vary;
 pub mod walk;

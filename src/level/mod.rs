@@ -2,7 +2,7 @@
 //! but drawing; drawing, rules and physics do not live here.
 //!
 //! The way of a level: `cells` cuts a file's bytes into cells that know their line; `table` finds out which cell belongs to which
-//! column; `quantity` says which numbers are accepted; `rows`, `blocks` and `extras` turn each file's records into typed rows; `read`
+//! column; `quantity` says which numbers are accepted, `varied` which of them can be varied while a level is flown; `rows`, `blocks` and `extras` turn each file's records into typed rows; `read`
 //! puts the rows together, `names`, `strength`, `placement`, `reach` and `winnable` look at the whole. All of that is pure: [`read()`] asks [`Files`] for bytes. Only `folder`
 //! knows the disk: [`load`] and [`list`].
 
@@ -29,6 +29,7 @@ mod shade;
 mod strength;
 mod table;
 mod types;
+mod varied;
 mod winnable;
 mod wiring;
 mod words;
@@ -45,4 +46,5 @@ pub use types::{
     Decoration, Field, Fluid, Latch, Level, Look, Mover, Object, Objective, ObjectiveKind, Player, Pod, Presser, Route, SHIP_DRAG,
     SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Switch, Text, Work,
 };
+pub use varied::{Parameter, varied};
 pub use wiring::{SurfaceOf, Wire, Worked};

@@ -48,6 +48,10 @@ pub(super) const IMPULSE: Quantity = Quantity::new(1e-3, 1e9, "N·s");
 pub(super) const LOAD: Quantity = Quantity::new(1e-3, 1e9, "N");
 pub(super) const METRE: Quantity = Quantity::new(1e-3, 1e6, "pixels a metre");
 pub(super) const REST_SPEED: Quantity = Quantity::new(0.0, 1e6, "m/s");
+/// What all winds are multiplied by.
+pub(super) const WIND: Quantity = Quantity::new(0.0, 1e3, "");
+/// A factor; with rubber it makes a coefficient of 11.5, beyond anything there is.
+pub(super) const FRICTION: Quantity = Quantity::new(0.0, 10.0, "");
 
 impl Quantity {
     pub const fn new(low: f64, high: f64, unit: &'static str) -> Self {
@@ -60,13 +64,29 @@ impl Quantity {
     /// What is expected instead: the text is no finite number, or it lies outside the range.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let value = number(text)?;
+        self.judge(value).map(|()| value)
+    }
+
+    /// The least and the most that is accepted.
+    pub const fn limits(&self) -> (f64, f64) {
+        (self.low, self.high)
+    }
+
+    /// Whether a number is accepted.
+    ///
+    /// # Errors
+    /// What is expected instead.
+    pub fn judge(&self, value: f64) -> Result<(), String> {
+        if !value.is_finite() {
+            return Err("a finite number".into());
+        }
         if value < self.low || value > self.high {
             return Err(self.range(value));
         }
         if value > 0.0 && value < self.gap {
             return Err(format!("0, or at least {} {}", short(self.gap), self.unit));
         }
-        Ok(value)
+        Ok(())
     }
 
     /// What is expected instead of a `value` outside the range.

@@ -123,6 +123,7 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
             air_density: constants.air_density,
             optimal_time: constants.optimal_time,
             rest_speed: constants.rest_speed,
+            friction: constants.friction,
             awards: constants.awards,
             player: player.item.clone(),
             world: items(draft.world),

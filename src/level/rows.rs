@@ -8,12 +8,13 @@ use super::nearest::meant;
 use super::problem::{Problem, quoted};
 use super::quantity::{self as q, Scale};
 use super::table::{CellText, Given, Layout, Record, cell};
-use super::types::{Fluid, Look, Object, Objective, ObjectiveKind, Player, Stream, Text};
+use super::types::{Fluid, Look, Object, Objective, ObjectiveKind, Player, SHIP_DRAG, Stream, Text};
 use crate::physics::{Aabb, DVec2, Material};
 use serde::Deserialize;
 
 pub(super) const CONSTANTS: Layout = Layout { file: "constants.csv", columns: "name,value" };
-pub(super) const PLAYER: Layout = Layout { file: "player.csv", columns: "x,y,mass,fuel,thrust,[air],[vx],[vy],[angle],[material]" };
+pub(super) const PLAYER: Layout =
+    Layout { file: "player.csv", columns: "x,y,mass,fuel,thrust,[air],[vx],[vy],[angle],[material],[drag],[restitution]" };
 pub(super) const OBJECTS: Layout =
     Layout { file: "objects.csv", columns: "x,y,image,mass,drag,circular,restitution,[vx],[vy],[material],[weightless]" };
 pub(super) const OBSTACLES: Layout = Layout { file: "obstacles.csv", columns: "x,y,width,height" };
@@ -49,6 +50,8 @@ struct PlayerRow {
     vy: CellText,
     angle: CellText,
     material: CellText,
+    drag: CellText,
+    restitution: CellText,
 }
 
 /// A row of obstacles.csv, and what tells the kinds of objectives.csv apart.
@@ -223,6 +226,8 @@ pub(super) fn player(record: &Record, scale: Scale, problems: &mut Vec<Problem>)
     let velocity = velocity(record, [cell!(row.vx), cell!(row.vy)], problems);
     let angle = record.number_or(cell!(row.angle), 0.0, q::ANGLE, problems);
     let material = material(record, cell!(row.material), problems);
+    let drag = record.number_or(cell!(row.drag), SHIP_DRAG, q::DRAG, problems);
+    let restitution = record.number_or(cell!(row.restitution), 0.0, q::RESTITUTION, problems);
     Some(Player {
         position: position?,
         velocity: velocity?,
@@ -232,6 +237,8 @@ pub(super) fn player(record: &Record, scale: Scale, problems: &mut Vec<Problem>)
         thrust: thrust?,
         feels_air: feels_air?,
         material: material?,
+        drag: drag?,
+        restitution: restitution?,
     })
 }
 

@@ -1,6 +1,7 @@
 //! New folders for levels: made, copied, renamed. Each is made under a hidden name, which no list of levels shows, and gets its own when it
 //! is whole.
 
+use super::document::{Document, Table};
 use super::name::judge_name;
 use super::problem::quoted;
 use std::fs;
@@ -10,18 +11,21 @@ use std::path::Path;
 /// What the name of a level's folder begins with until it is whole.
 const HIDDEN: &str = ".new-";
 
+/// How many names of one stem are tried.
+const MOST_NAMES: usize = 1000;
+
 /// The files of a new level: a room of 1280 × 720 pixels with a floor, a ledge and an objective on it.
 pub const FILES: [(&str, &str); 14] = [
     (
         "constants.csv",
         "# All settings; width and height (pixels) are not needed once there is a background.png. silver and gold (s) and one mark\n\
          # (mark_hits, mark_fuel, mark_pushes or mark_speed) are what the level's medals ask for.\n\
-         name,value\ntitle,{name}\ngravity,15\ngravity_x,0\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
+         name,value\ntitle,{name}\ngravity,15\ngravity_x,0\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nfriction,1\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
     ),
     (
         "player.csv",
         "# The ship: its centre in pixels (it is 51 high), kg, fuel units, N.\n\
-         x,y,mass,fuel,thrust,air,vx,vy,angle,material\n150,650,100,500,2500,TRUE,0,0,0,Asphalt\n",
+         x,y,mass,fuel,thrust,air,vx,vy,angle,material,drag,restitution\n150,650,100,500,2500,TRUE,0,0,0,Asphalt,1.15,0\n",
     ),
     (
         "world.csv",
@@ -99,16 +103,41 @@ pub fn make(levels: &Path, name: &str, files: &[(&str, &str)]) -> io::Result<()>
 /// # Errors
 /// As [`make`].
 pub fn copy(from: &Path, levels: &Path, name: &str) -> io::Result<()> {
-    build(levels, name, |folder| {
-        for entry in fs::read_dir(from)? {
-            let entry = entry?;
-            let hidden = entry.file_name().to_string_lossy().starts_with('.');
-            if !hidden && fs::metadata(entry.path())?.is_file() {
-                fs::copy(entry.path(), folder.join(entry.file_name()))?;
-            }
+    build(levels, name, |folder| copy_files(from, folder, |_| true))
+}
+
+/// Copies what is wanted of a folder's files, none that is hidden.
+fn copy_files(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> io::Result<()> {
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        let (file, path) = (entry.file_name(), entry.path());
+        let name = file.to_string_lossy();
+        if !name.starts_with('.') && wanted(&name) && fs::metadata(&path)?.is_file() {
+            fs::copy(path, to.join(&file))?;
         }
-        Ok(())
+    }
+    Ok(())
+}
+
+/// As [`copy`], with the tables as they stand in a document of that level.
+///
+/// # Errors
+/// As [`make`].
+pub fn copy_edited(from: &Path, levels: &Path, name: &str, document: &Document) -> io::Result<()> {
+    build(levels, name, |folder| {
+        copy_files(from, folder, |file| Table::of_file(file).is_none())?;
+        let tables = Table::ALL.iter().filter_map(|table| Some((table.file(), document.bytes(*table)?)));
+        tables.into_iter().try_for_each(|(file, bytes)| fs::write(folder.join(file), bytes))
     })
+}
+
+/// A name for a level that is made of another one, which no level has.
+pub fn free_name(levels: &Path, of: &str) -> String {
+    let names = |stem: String| (1_u32..).map(move |n| if n == 1 { stem.clone() } else { format!("{stem}-{n}") });
+    let free = |name: &String| judge(levels, name).is_ok();
+    // Where its name is no word, or as long as one can be, the new one is a plain word.
+    let of_its_own = names(format!("{of}-what-if")).take(MOST_NAMES).find(free);
+    of_its_own.or_else(|| names("what-if".to_owned()).find(free)).unwrap_or_default()
 }
 
 /// Gives a level's folder another name.

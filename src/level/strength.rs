@@ -7,13 +7,17 @@ use super::read::Draft;
 /// through a whole level, and what the result is depends on roundings.
 const MOST: f64 = 1e6;
 
+/// What is expected where a force is more than anything of that mass may feel; `None` where it is not.
+pub(super) fn judge(force: f64, mass: f64) -> Option<String> {
+    (force.abs() > MOST * mass).then(|| format!("at most {} N, which is {MOST:e} m/s²", MOST * mass))
+}
+
 /// The ship, where its thrust is too strong for it, and every stream that is too strong for what is lightest.
 pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     let mut problems = Vec::new();
     if let Some(ship) = &draft.player {
         let (thrust, mass) = (ship.item.thrust, ship.item.mass);
-        if thrust > MOST * mass {
-            let expected = format!("at most {} N, which is {MOST:e} m/s²", MOST * mass);
+        if let Some(expected) = judge(thrust, mass) {
             problems.push(ship.problem("thrust", format!("{thrust} N on a ship of {mass} kg"), expected));
         }
     }
@@ -27,11 +31,10 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     for stream in &draft.streams {
         let force = stream.item.force;
         for (column, force) in [("force_x", force.x), ("force_y", force.y)] {
-            if force.abs() > MOST * lightest.item {
+            if let Some(expected) = judge(force, lightest.item) {
                 let (file, line, mass) = (lightest.file, lightest.line, lightest.item);
                 let found = format!("{force} N, with {mass} kg in {file}:{line}");
-                let expected = format!("at most {} N, which is {MOST:e} m/s² for what is lightest", MOST * mass);
-                problems.push(stream.problem(column, found, expected));
+                problems.push(stream.problem(column, found, expected + " for what is lightest"));
             }
         }
     }

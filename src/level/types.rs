@@ -9,7 +9,7 @@ pub const SHIP_HEIGHT: f64 = 1.7;
 pub const SHIP_HALF: DVec2 = DVec2::new(0.85, 0.85);
 /// The ship's height in pixels at the default scale of 30 pixels a metre.
 pub const SHIP_PIXELS: f64 = 51.0;
-/// The ship's drag coefficient.
+/// The ship's drag coefficient where its level gives none.
 pub const SHIP_DRAG: f64 = 1.15;
 
 /// A level that can be played. All lengths in metres.
@@ -33,6 +33,8 @@ pub struct Level {
     pub optimal_time: f64,
     /// m/s.
     pub rest_speed: f64,
+    /// What all coefficients of friction are multiplied by.
+    pub friction: f64,
     /// What its medals ask for.
     pub awards: Awards,
     /// The ship.
@@ -86,6 +88,10 @@ pub struct Player {
     pub feels_air: bool,
     /// What it is made of.
     pub material: Material,
+    /// Drag coefficient.
+    pub drag: f64,
+    /// Coefficient of restitution.
+    pub restitution: f64,
 }
 
 /// A solid rectangle.

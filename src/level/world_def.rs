@@ -1,6 +1,6 @@
 //! A level as the engine sees it.
 
-use super::types::{Level, SHIP_DRAG, SHIP_HALF, Solid};
+use super::types::{Level, SHIP_HALF, Solid};
 use super::wiring::Worked;
 use crate::physics::{Aabb, BodyDef, DVec2, FieldDef, FluidDef, Material, StreamDef, SurfaceDef, WorldDef};
 
@@ -21,10 +21,10 @@ impl Level {
             velocity: self.player.velocity,
             half: SHIP_HALF,
             mass: self.player.mass,
-            drag: SHIP_DRAG,
-            restitution: 0.0,
+            drag: self.player.drag,
+            restitution: self.player.restitution,
             feels_air: self.player.feels_air,
-            material: self.player.material,
+            material: self.rubbing(self.player.material),
             ..BodyDef::default()
         };
         let objects = self.objects.iter().map(|object| BodyDef {
@@ -35,7 +35,7 @@ impl Level {
             drag: object.drag,
             round: object.circular,
             restitution: object.restitution,
-            material: object.material,
+            material: self.rubbing(object.material),
             weightless: object.weightless,
             ..BodyDef::default()
         });
@@ -44,6 +44,7 @@ impl Level {
             air_density: self.air_density,
             rest_speed: self.rest_speed,
             bounds: Some(self.bounds()),
+            edge: self.rubbing(Material::ASPHALT),
             surfaces: self.surfaces(),
             streams: self.streams.iter().map(|stream| StreamDef { zone: stream.zone, force: stream.force }).collect(),
             fields: self.fields(),
@@ -56,18 +57,31 @@ impl Level {
         }
     }
 
+    /// A material with the friction that it has in this level.
+    fn rubbing(&self, material: Material) -> Material {
+        let Material { static_friction, kinetic_friction, .. } = material;
+        Material {
+            static_friction: self.friction * static_friction,
+            kinetic_friction: self.friction * kinetic_friction,
+            ..material
+        }
+    }
+
     /// In the order of [`Level::surface`].
     fn surfaces(&self) -> Vec<SurfaceDef> {
         let off: Vec<bool> = vec![false; self.switches.len()];
         let wires = self.wires();
         let starts_on = |worked| wires.iter().find(|wire| wire.worked == worked).map(|wire| wire.is_on(&off));
-        let block =
-            |solid: &Solid| SurfaceDef { sides: solid.sides, belt: solid.belt, ..SurfaceDef::fixed(solid.bounds, solid.material) };
+        let block = |solid: &Solid| SurfaceDef {
+            sides: solid.sides,
+            belt: solid.belt,
+            ..SurfaceDef::fixed(solid.bounds, self.rubbing(solid.material))
+        };
         let world = self.world.iter().enumerate().map(|(i, solid)| {
             let runs = starts_on(Worked::Belt(i)).unwrap_or(true);
             SurfaceDef { belt: if runs { solid.belt } else { 0.0 }, ..block(solid) }
         });
-        let sources = self.streams.iter().map(|stream| SurfaceDef::fixed(stream.source, Material::ASPHALT));
+        let sources = self.streams.iter().map(|stream| SurfaceDef::fixed(stream.source, self.rubbing(Material::ASPHALT)));
         let movers = self.movers.iter().enumerate().map(|(i, mover)| {
             let runs = starts_on(Worked::Mover(i)).unwrap_or(true);
             SurfaceDef { path: mover.path.clone(), runs, ..block(&mover.solid) }
@@ -76,7 +90,7 @@ impl Level {
             let open = starts_on(Worked::Door(i)).unwrap_or(false);
             SurfaceDef { present: !open, ..block(door) }
         });
-        let plates = self.plates().map(|switch| SurfaceDef::fixed(self.switches[switch].bounds, Material::STEEL));
+        let plates = self.plates().map(|switch| SurfaceDef::fixed(self.switches[switch].bounds, self.rubbing(Material::STEEL)));
         world.chain(sources).chain(movers).chain(doors).chain(plates).collect()
     }
 

@@ -1,7 +1,9 @@
-//! What can be changed in a world between ticks: engines, and what switches work. Whatever it concerns is looked at anew.
+//! What can be changed in a world between ticks: engines, what switches work, and for a "what if" the numbers that all of it hangs on. Whatever
+//! it concerns is looked at anew.
 
-use super::BodyId;
-use super::world::World;
+use super::surface::Surface;
+use super::world::{State, World, pile_of};
+use super::{Body, BodyId, DefError, WorldDef};
 use glam::DVec2;
 
 impl World {
@@ -52,6 +54,37 @@ impl World {
             let zone = self.state.media.streams[stream].zone;
             self.disturb_in(&zone);
         }
+    }
+
+    /// Goes on by another definition of the same bodies, surfaces and zones: everything stays where it is and moves as it does, under other
+    /// masses, coefficients, gravity and media. Start places and velocities are not asked for any more.
+    ///
+    /// # Errors
+    /// What [`World::new`] refuses, or another number of bodies, surfaces or zones; nothing has changed then.
+    pub fn go_on_by(&mut self, def: WorldDef) -> Result<(), DefError> {
+        let mut next = Self::new(def)?;
+        let counts = |world: &Self| (world.state.bodies.len(), world.state.surfaces.len(), world.state.media.streams.len());
+        if counts(&next) != counts(self) {
+            return Err(DefError("a world goes on with as many bodies, surfaces and zones as it has".to_owned()));
+        }
+        let State { bodies, drives, surfaces, media, pauses, ticks, .. } = &self.state;
+        for (body, now) in next.state.bodies.iter_mut().zip(bodies) {
+            *body = Body { position: now.position, velocity: now.velocity, ..body.clone() };
+        }
+        for (surface, now) in next.state.surfaces.iter_mut().zip(surfaces) {
+            *surface = Surface { material: surface.material, def: surface.def.clone(), ..now.clone() };
+        }
+        for (stream, now) in next.state.media.streams.iter_mut().zip(&media.streams) {
+            stream.blows = now.blows;
+        }
+        (next.state.drives, next.state.pauses, next.state.ticks) = (drives.clone(), pauses.clone(), *ticks);
+        *next.pile = pile_of(&next.state, next.plan.direct)?;
+        next.state.contacts.clear();
+        next.records = self.records.clone();
+        next.awaited.clone_from(&self.awaited);
+        next.begin();
+        *self = next;
+        Ok(())
     }
 
     /// Whether an air stream blows.

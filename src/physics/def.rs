@@ -43,6 +43,8 @@ pub struct WorldDef {
     pub rest_speed: f64,
     /// The edge of the level: solid on all four sides. `None`: no edge.
     pub bounds: Option<Aabb>,
+    /// What the edge is made of.
+    pub edge: Material,
     /// Solid, immovable rectangles.
     pub surfaces: Vec<SurfaceDef>,
     /// Air streams.
@@ -62,6 +64,7 @@ impl Default for WorldDef {
             air_density: 1.2041,
             rest_speed: 0.0,
             bounds: None,
+            edge: Material::ASPHALT,
             surfaces: Vec::new(),
             streams: Vec::new(),
             fields: Vec::new(),
@@ -97,6 +100,7 @@ impl WorldDef {
         number("rest speed", self.rest_speed, 0.0)?;
         if let Some(bounds) = &self.bounds {
             rectangle("the level's edge", bounds)?;
+            material(&self.edge)?;
         }
         for surface in &self.surfaces {
             surface.check()?;

@@ -132,7 +132,7 @@ impl World {
         let [.., left, right, top, bottom] = self.state.surfaces.as_slice() else { return Ok(()) };
         let min = DVec2::new(left.bounds.max.x, top.bounds.max.y);
         let level = Aabb::new(min, DVec2::new(right.bounds.min.x, bottom.bounds.min.y));
-        if edges(&level).iter().zip([left, right, top, bottom]).any(|(edge, of)| edge.bounds != of.bounds) {
+        if edges(&level, left.material).iter().zip([left, right, top, bottom]).any(|(edge, of)| edge.bounds != of.bounds) {
             return Ok(());
         }
         let outside = |of: &Aabb| (level.min - of.min).max(of.max - level.max).max_element();

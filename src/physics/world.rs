@@ -145,7 +145,7 @@ impl World {
     /// As [`World::new`].
     pub fn with_plan(mut def: WorldDef, plan: Plan) -> Result<Self, DefError> {
         def.check()?;
-        def.surfaces.extend(def.bounds.iter().flat_map(edges));
+        def.surfaces.extend(def.bounds.iter().flat_map(|bounds| edges(bounds, def.edge)));
         let n = def.bodies.len();
         let state = State {
             bodies: def.bodies.iter().map(Body::new).collect(),
@@ -315,7 +315,7 @@ impl World {
 ///
 /// # Errors
 /// What the store refuses.
-fn pile_of(state: &State, sleep: bool) -> Result<Pile, DefError> {
+pub(super) fn pile_of(state: &State, sleep: bool) -> Result<Pile, DefError> {
     let body = |body: &Body| PileBody {
         position: body.position,
         half: body.half,
@@ -354,10 +354,10 @@ fn pile_of(state: &State, sleep: bool) -> Result<Pile, DefError> {
 }
 
 /// The four solid edges around a level: left, right, top, bottom.
-pub(super) fn edges(bounds: &Aabb) -> [SurfaceDef; 4] {
+pub(super) fn edges(bounds: &Aabb, material: Material) -> [SurfaceDef; 4] {
     let (min, max) = (bounds.min, bounds.max);
     let t = EDGE_THICKNESS;
-    let edge = |x0, y0, x1, y1| SurfaceDef::fixed(Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), Material::ASPHALT);
+    let edge = |x0, y0, x1, y1| SurfaceDef::fixed(Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), material);
     [
         edge(min.x - t, min.y - t, min.x, max.y + t),
         edge(max.x, min.y - t, max.x + t, max.y + t),

@@ -201,6 +201,7 @@ impl App {
                     return;
                 }
             },
+            Request::SaveVaried(variation, name) => return self.save_varied(&variation, &name),
             Request::TestFly(level) => self.test_fly(level, spectator),
             Request::BackToEditor(how) => self.back_to_editor(how),
             Request::Attempt(attempt) => self.flight(attempt, spectator),
@@ -441,6 +442,10 @@ impl App {
         let Screen::Flight(flight) = &self.screen else { return };
         let game = flight.game();
         if self.editing.is_some() || self.library.is_experiment(&game.level().name) {
+            return;
+        }
+        if flight.variation().is_some() {
+            self.ended = None;
             return;
         }
         if game.outcome() == Outcome::Running {

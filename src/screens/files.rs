@@ -3,8 +3,10 @@
 
 use super::level_select::Entry;
 use super::{App, Attempt, Editor, Flight, LevelSelect, Make, Miniature, Purpose, Request, Screen, Spectator, Stamp};
-use crate::game::Outcome;
-use crate::level::{Awards, Level, scaffold};
+use crate::game::{Outcome, level_hash};
+use crate::instruments::vary::Variation;
+use crate::level::document::{Folder, Opened};
+use crate::level::{Awards, Level, Problem, scaffold};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -152,6 +154,40 @@ impl App {
             Make::Rename(..) => Screen::LevelSelect(self.level_select(Purpose::Edit)),
             Make::New(_) | Make::Copy(..) => self.edit(name),
         })
+    }
+
+    /// Saves the level that is flown as it is varied, and says on the panel what became of that.
+    pub(super) fn save_varied(&mut self, variation: &Variation, name: &str) {
+        let saved = self.write_varied(variation, name);
+        if let Screen::Flight(flight) = &mut self.screen {
+            flight.tell_of_saving(saved);
+        }
+    }
+
+    /// Writes a folder with the files of the level that is flown, in which other numbers stand; where it is, in words.
+    fn write_varied(&mut self, variation: &Variation, name: &str) -> Result<String, String> {
+        let Screen::Flight(flight) = &self.screen else { return Err("Nothing is flown.".to_owned()) };
+        if self.editing.is_some() {
+            return Err("What is edited is saved in the editor.".to_owned());
+        }
+        let level = flight.attempt().level.clone();
+        let first = |problems: Vec<Problem>| problems.first().map_or_else(String::new, ToString::to_string);
+        let wanted = variation.apply(&level).map_err(first)?;
+        let levels = self.library.levels().to_path_buf();
+        let name = if name.is_empty() { scaffold::free_name(&levels, &level.name) } else { name.to_owned() };
+        scaffold::judge(&levels, &name)?;
+        let from = self.library.folder(&level.name);
+        let Opened { mut document, folder, .. } = Folder::open(&from, self.library.root())?;
+        document.vary(&wanted, &variation.parameters(), None)?;
+        let loaded = folder.check(&document).map_err(first)?;
+        if level_hash(&loaded.level) != level_hash(&wanted) {
+            return Err("The level's files have changed since: R reads them.".to_owned());
+        }
+        document.set_setting("title", &format!("{}: what if", level.title), None)?;
+        scaffold::copy_edited(&from, &levels, &name, &document).map_err(|error| error.to_string())?;
+        let saved = format!("Saved as {}", levels.join(&name).display());
+        self.last_level = Some(name);
+        Ok(saved)
     }
 
     /// Flies what is edited; the editor waits.

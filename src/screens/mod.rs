@@ -57,6 +57,7 @@ pub use flight::{Attempt, Flight, Flown, News, Spectator};
 pub use flights::{Candidate as FlightCandidate, Flights, Source, Visit};
 pub use folder_watch::{FolderWatch, Stamp};
 pub use input::{Answer, Input};
+pub use instruments::vary::{Entry as VaryEntry, From as VaryFrom, Line as VaryLine, Varied, Vary};
 pub use instruments::{Instruments, Stage, Tool as Instrument};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Experiment, Half, Lab, Line, PAGES, Page, Shown};
@@ -86,6 +87,7 @@ pub use window::{Start, open};
 
 use crate::classics::jumper::scene::Scene;
 use crate::game::RunResult;
+use crate::instruments::vary::Variation;
 use crate::level::Level;
 use crate::scores::Name;
 use crate::settings::Settings;
@@ -170,6 +172,8 @@ pub enum Request {
     Edit(String),
     /// A level is to be made, and edited; or renamed.
     Make(Make),
+    /// The level that is flown is to be saved as it is varied, under that name, or any where that is empty.
+    SaveVaried(Variation, String),
     /// The level that is edited is to be flown as it is in memory.
     TestFly(Arc<Level>),
     /// The editor again, with how the flight of what is edited ended, in words.

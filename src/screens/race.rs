@@ -143,7 +143,9 @@ mod drawing {
     impl Race {
         /// Where the ghosts are drawn.
         pub fn poses(&self, tick: u64, alpha: f64) -> Vec<Ghost> {
-            self.ghosts(tick, alpha).map(|(ghost, pose)| Ghost { name: ghost.name.clone(), pose }).collect()
+            self.ghosts(tick, alpha)
+                .map(|(ghost, pose)| Ghost { name: ghost.name.clone(), pose: Some(pose), objects: Vec::new() })
+                .collect()
         }
 
         /// Draws how the ship stands to each ghost at the objective that it met last, in a strip beside the timer.

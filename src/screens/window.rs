@@ -242,7 +242,7 @@ impl Theatre {
         if flight.pause().is_none() {
             self.speaker.surround(Ambience::of(flight.game(), view.burning()));
         }
-        view.set_ghosts(flight.race().map(|race| race.poses(flight.game().ticks(), flight.alpha())).unwrap_or_default());
+        view.set_ghosts(flight.ghosts());
         view.draw(flight.game(), flight.alpha(), overlays, &figures(self.tick_cost), canvas);
         draw_instruments(flight.instruments(), view, (flight.game(), flight.alpha()), canvas);
         if let Some(race) = flight.race() {

@@ -63,8 +63,10 @@ pub struct GameView {
 pub struct Ghost {
     /// Whose flight it is.
     pub name: String,
-    /// Where it is.
-    pub pose: Pose,
+    /// Where it is; none where it is where the ship is.
+    pub pose: Option<Pose>,
+    /// Objects of that time that are elsewhere now, by their index in the level, each with its centre, m.
+    pub objects: Vec<(usize, DVec2)>,
 }
 
 /// Which overlays are shown.
@@ -276,10 +278,16 @@ impl GameView {
             things::draw_object(object, at, zones::in_liquid(&level.fluids, &Aabb::around(at, object.size * 0.5)), brushes);
         }
         for (i, ghost) in self.ghosts.iter().enumerate() {
+            for (index, at) in &ghost.objects {
+                let apart =
+                    at.distance(game.world().body(BodyId(*index as u32 + 1)).position) > level.objects[*index].size.max_element();
+                things::draw_ghost_object(apart.then_some(ghost.name.as_str()), (&level.objects[*index], *at), brushes);
+            }
+            let Some(pose) = ghost.pose else { continue };
             // Names that would lie on each other, or on the ship, say nothing.
-            let others = self.ghosts[..i].iter().map(|other| other.pose.centre).chain([ship.0]);
-            let apart = others.into_iter().all(|other| other.distance(ghost.pose.centre) > NAMED_APART);
-            things::draw_ghost(apart.then_some(ghost.name.as_str()), ghost.pose, brushes);
+            let others = self.ghosts[..i].iter().filter_map(|other| Some(other.pose?.centre)).chain([ship.0]);
+            let apart = others.into_iter().all(|other| other.distance(pose.centre) > NAMED_APART);
+            things::draw_ghost(apart.then_some(ghost.name.as_str()), pose, brushes);
         }
         match &self.wreck {
             Some(wreck) if !wreck.is_whole() => wreck.draw(view),

@@ -156,6 +156,26 @@ pub fn draw_ghost(name: Option<&str>, pose: Pose, Brushes { art, view, canvas, .
     }
 }
 
+/// An object of another time: its pale outline, and its name below it where that is given.
+pub fn draw_ghost_object(name: Option<&str>, (object, centre): (&Object, DVec2), Brushes { view, canvas, .. }: Brushes<'_>) {
+    const SIDES: usize = 32;
+    let area = exact(&Aabb::around(centre, object.size * 0.5), view);
+    let (fill, edge) = (faded(theme::text(), 0.10), faded(theme::text(), 0.55));
+    let corners: Vec<Vec2> = if object.circular || object.look == Look::Ball {
+        let turn = |i: usize| Vec2::from_angle(std::f32::consts::TAU * i as f32 / SIDES as f32);
+        (0..SIDES).map(|i| area.center() + turn(i) * area.size() / 2.0).collect()
+    } else {
+        let (min, max) = (area.point(), area.point() + area.size());
+        vec![min, Vec2::new(max.x, min.y), max, Vec2::new(min.x, max.y)]
+    };
+    canvas.convex(&corners, fill);
+    canvas.convex_edge(&corners, 1.5, edge);
+    if let Some(name) = name {
+        let below = view.point(centre + DVec2::new(0.0, object.size.y / 2.0)) + Vec2::new(0.0, canvas.line_height(DETAILS) * 0.6);
+        canvas.text(name, below, Style::new(DETAILS, faded(theme::text(), 0.7)).centred().middle());
+    }
+}
+
 /// Where a moving box lies, not rounded to pixels: it glides.
 pub fn exact(bounds: &Aabb, view: &Viewport) -> Rect {
     let (min, max) = (view.point(bounds.min), view.point(bounds.max));

@@ -12,6 +12,7 @@ mod reload;
 mod scores;
 mod settings;
 mod sitting;
+mod what_if;
 
 use resultant::screens::Key;
 use resultant::view::layout::{Frame, Vec2};

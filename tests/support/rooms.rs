@@ -1,7 +1,7 @@
 //! Levels built by hand, for tests of the rules.
 
 pub use super::area;
-use resultant::level::{Awards, Level, Look, Object, Objective, ObjectiveKind, Player, Solid};
+use resultant::level::{Awards, Level, Look, Object, Objective, ObjectiveKind, Player, SHIP_DRAG, Solid};
 use resultant::physics::{Aabb, DVec2, Material};
 
 /// An empty room of 100 m × 100 m without gravity and air, the ship (100 kg, 2000 N, 500 fuel) at rest in its middle, its box
@@ -17,6 +17,7 @@ pub fn room() -> Level {
         air_density: 0.0,
         optimal_time: 60.0,
         rest_speed: 1.0,
+        friction: 1.0,
         awards: Awards::default(),
         player: Player {
             position: DVec2::splat(50.0),
@@ -27,6 +28,8 @@ pub fn room() -> Level {
             thrust: 2000.0,
             feels_air: true,
             material: Material::ASPHALT,
+            drag: SHIP_DRAG,
+            restitution: 0.0,
         },
         world: vec![],
         movers: vec![],

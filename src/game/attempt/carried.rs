@@ -1,6 +1,6 @@
-//! An attempt that goes on while its level is edited.
+//! An attempt that goes on while its level is edited, or varied.
 
-use super::{Game, Outcome, SHIP};
+use super::{Game, GameError, Outcome, SHIP};
 use crate::level::Level;
 use crate::physics::{Aabb, Body, DVec2, Sides};
 use std::sync::Arc;
@@ -9,6 +9,16 @@ use std::sync::Arc;
 const TOUCH: f64 = 1e-4;
 
 impl Game {
+    /// Goes on in a level that differs from its own in numbers alone (see [`varied`](crate::level::varied)): everything stays where it is.
+    ///
+    /// # Errors
+    /// What the engine refuses, or a level with other things in it; nothing has changed then.
+    pub fn go_on_in(&mut self, level: Arc<Level>) -> Result<(), GameError> {
+        self.world.go_on_by(level.world_def()).map_err(GameError::World)?;
+        self.level = level;
+        Ok(())
+    }
+
     /// The attempt as it goes on in a level that has been changed since: the ship where it is, with its velocity, angle, fuel and time, and so
     /// is each object that is as it was in `before`, the level as it was read. What has been changed, and all that is worked or moves by
     /// itself, begins anew. `None` where the attempt has ended, or where the ship has no room any more.

@@ -278,7 +278,7 @@ pub fn choices(column: &str) -> &'static [&'static str] {
 }
 
 /// The settings that constants.csv can hold, with what holds where it says nothing.
-pub const SETTINGS: [(&str, &str); 15] = [
+pub const SETTINGS: [(&str, &str); 16] = [
     ("title", "the name"),
     ("width", ""),
     ("height", ""),
@@ -288,6 +288,7 @@ pub const SETTINGS: [(&str, &str); 15] = [
     ("optimal_time", "60"),
     ("metre", "30"),
     ("rest_speed", "0"),
+    ("friction", "1"),
     ("silver", ""),
     ("gold", ""),
     ("mark_hits", ""),

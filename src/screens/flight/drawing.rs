@@ -29,6 +29,7 @@ impl Flight {
             canvas.end_layer();
             canvas.text("A test flight: Esc or F5 leads back to the editor", at, style);
         }
+        self.draw_what_if(canvas);
         if let (Some(news), None) = (&self.news, &self.settings) {
             draw_news(news, canvas);
         }

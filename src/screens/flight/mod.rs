@@ -2,7 +2,11 @@
 
 #[cfg(feature = "window")]
 mod drawing;
+mod what_if;
+#[cfg(feature = "window")]
+mod what_if_drawing;
 
+use super::instruments::vary::Wish;
 use super::instruments::{Instruments, Stage};
 use super::observer::Observer;
 use super::race::{Race, Rival};
@@ -12,6 +16,7 @@ use crate::level::Level;
 use crate::settings::{Action, Settings};
 use std::rc::Rc;
 use std::sync::Arc;
+use what_if::WhatIf;
 
 /// From the end of an attempt to its score, s: long enough to see what happened.
 const END_PAUSE: f64 = 1.2;
@@ -93,6 +98,10 @@ pub struct Flight {
     hitboxes: bool,
     observer: Observer,
     instruments: Instruments,
+    /// The level as it is varied, while it is: nothing comes of that either.
+    what_if: Option<Box<WhatIf>>,
+    /// How many ticks are flown again in a frame.
+    ahead: u64,
     /// Whether it is flown to try out what is edited: nothing comes of it.
     test: bool,
     /// What became of the level's files since they were read, while that is shown.
@@ -134,6 +143,8 @@ impl Flight {
             hitboxes: false,
             observer: Observer::default(),
             instruments: Instruments::default(),
+            what_if: None,
+            ahead: what_if::AT_FIRST,
             test: false,
             news: None,
             attempt,
@@ -168,18 +179,25 @@ impl Flight {
         if self.pause.is_some() {
             return self.update_pause(input);
         }
-        let input = &self.measure(input);
+        let (input, wish) = self.measure(input);
+        let input = &input;
+        if let Some(request) = wish.and_then(|wish| self.grant(wish, spectator)) {
+            return Some(request);
+        }
         if input.acts(Action::Restart) {
             return Some(Request::Restart);
         }
         self.details ^= input.acts(Action::Details);
         self.hitboxes ^= input.acts(Action::Hitboxes);
+        if self.update_what_if(input.frame_time, spectator) {
+            return None;
+        }
         match self.observer.update(input, self.game.world().bodies().len(), self.details) {
             0 => {}
             ticks => self.step(ticks, input, spectator),
         }
         if self.game.outcome() != Outcome::Running && !self.observer.frozen() {
-            return self.wait_for_score(input);
+            return if self.what_if.is_some() { self.end_what_if(input) } else { self.wait_for_score(input) };
         }
         if input.acts(Action::Pause) {
             self.latch.clear();
@@ -204,10 +222,19 @@ impl Flight {
         None
     }
 
-    /// The instruments' part of a frame; what is left of the input for the flight.
-    fn measure(&mut self, input: &Input) -> Input {
-        let stage = Stage { game: &self.game, history: &self.history, focus: self.observer.focus() };
-        self.instruments.update(input, &stage)
+    /// The instruments' part of a frame; what is left of the input for the flight, and what is to be varied.
+    fn measure(&mut self, input: &Input) -> (Input, Option<Wish>) {
+        let mut instruments = std::mem::take(&mut self.instruments);
+        let stage = Stage {
+            game: &self.game,
+            history: &self.history,
+            focus: self.observer.focus(),
+            varied: Some(self.varied()),
+            before: self.before(),
+        };
+        let rest = instruments.update(input, &stage);
+        self.instruments = instruments;
+        (rest, self.instruments.vary_mut().take_wish())
     }
 
     /// A tick by the keys, or by the recording.
@@ -219,6 +246,7 @@ impl Flight {
         spectator.before_tick();
         self.game.step(controls);
         self.history.note(&self.game, controls);
+        self.after_tick_of_what_if(controls);
         if let Some(race) = &mut self.race {
             race.after_tick(&self.game);
         }
@@ -232,6 +260,7 @@ impl Flight {
         let wanted = self.game.ticks().saturating_add_signed(ticks);
         if wanted <= self.history.ticks() {
             self.history.seek(&mut self.game, wanted);
+            self.show_before(false);
             spectator.jumped(&self.game);
         } else if self.game.outcome() == Outcome::Running {
             self.latch.frame(controls(|action| input.keeps(action)), Controls::default());
@@ -244,12 +273,18 @@ impl Flight {
         let now = self.game.ticks();
         if now < self.history.ticks() {
             self.history = self.history.until(now);
+            self.show_before(true);
             self.instruments.back_to(&self.history, now);
             self.ended = 0.0;
-            let mut again = self.attempt.inputs.as_deref().map(|inputs| inputs.clone().into_iter());
-            again.iter_mut().for_each(|playback| playback.take(now as usize).for_each(drop));
-            self.playback = again;
+            self.play_on_from(now);
         }
+    }
+
+    /// The recording, if there is one, goes on from there.
+    fn play_on_from(&mut self, tick: u64) {
+        let mut again = self.attempt.inputs.as_deref().map(|inputs| inputs.clone().into_iter());
+        again.iter_mut().for_each(|playback| playback.take(tick as usize).for_each(drop));
+        self.playback = again;
     }
 
     /// Whoever looks on: whether the world stands still, how fast it goes, and whom the details tell of.
@@ -267,9 +302,9 @@ impl Flight {
         self.playback.is_none()
     }
 
-    /// Those who fly along, if any do.
-    pub const fn race(&self) -> Option<&Race> {
-        self.race.as_ref()
+    /// Those who fly along, if any do: they were flown in the level as it is.
+    pub fn race(&self) -> Option<&Race> {
+        self.race.as_ref().filter(|_| self.what_if.is_none())
     }
 
     /// The flight so far.
@@ -384,7 +419,7 @@ impl Flight {
     /// # Errors
     /// The level makes no world; the flight goes on then.
     pub(super) fn restart(&mut self, level: Arc<Level>, spectator: &mut dyn Spectator) -> Result<(), GameError> {
-        let same = level_hash(&level) == level_hash(&self.attempt.level);
+        let (same, varied) = (level_hash(&level) == level_hash(&self.attempt.level), self.what_if.take());
         let mut fresh = Self::new(Attempt { level, ..self.attempt.clone() }, spectator)?;
         if same {
             // What is known of the others' ways stays known.
@@ -399,6 +434,9 @@ impl Flight {
             settings_problems: std::mem::take(&mut self.settings_problems),
             ..fresh
         };
+        if let Some(Err(words)) = varied.map(|varied| self.begin_varied(varied, same)) {
+            self.instruments.vary_mut().tell(words, true);
+        }
         Ok(())
     }
 
@@ -413,7 +451,9 @@ impl Flight {
         if self.game.outcome() != Outcome::Running {
             return;
         }
-        let carried = if self.is_by_hand() { self.game.carried_into(&self.attempt.level, &level) } else { None };
+        // A level that is varied is varied anew, from its start.
+        let carried =
+            if self.is_by_hand() && self.what_if.is_none() { self.game.carried_into(&self.attempt.level, &level) } else { None };
         let goes_on = carried.is_some();
         if let Some(game) = carried {
             self.history = History::new(&game);

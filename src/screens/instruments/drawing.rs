@@ -26,10 +26,15 @@ impl Instruments {
         canvas.end_layer();
         for (i, (area, tool)) in self.rail.areas().iter().zip(Tool::ALL).enumerate() {
             widgets::button_box(canvas, *area, self.rail.hover() == Some(i), false);
-            let colour = if self.uses(tool) { theme::accent() } else { theme::text() };
+            let colour = match (self.offers(tool), self.uses(tool)) {
+                (false, _) => theme::quiet(),
+                (true, true) => theme::accent(),
+                (true, false) => theme::text(),
+            };
             let at = Vec2::new(area.min.x + GRID, area.centre().y);
             canvas.text(tool.name(), at, Style::new(DETAILS, colour).middle());
         }
+        self.vary.draw(canvas);
     }
 }
 

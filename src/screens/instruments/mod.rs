@@ -6,6 +6,7 @@ mod centre;
 #[cfg(feature = "window")]
 mod drawing;
 pub mod places;
+pub mod vary;
 
 use super::observer::pressed;
 use super::{Buttons, Input, Key, Keys};
@@ -15,22 +16,26 @@ use crate::view::layout::{Area, Frame};
 #[cfg(feature = "window")]
 pub use centre::centre_of_mass;
 use places::Places;
+use vary::Vary;
 
 /// What there is on the rail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tool {
     /// The centre of mass of everything that moves.
     Centre,
+    /// Numbers of the level are varied.
+    Vary,
 }
 
 impl Tool {
     /// All of them, from the top.
-    pub const ALL: [Self; 1] = [Self::Centre];
+    pub const ALL: [Self; 2] = [Self::Centre, Self::Vary];
 
     /// What stands on its button.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Centre => "Centre of mass",
+            Self::Vary => "What if …",
         }
     }
 }
@@ -43,6 +48,10 @@ pub struct Stage<'a> {
     pub history: &'a History,
     /// Who is followed.
     pub focus: &'a Focus,
+    /// The level that can be varied, where it can.
+    pub varied: Option<vary::Varied<'a>>,
+    /// The run before the last change, where the level is varied: it stays, to be compared.
+    pub before: Option<&'a History>,
 }
 
 /// The instruments.
@@ -51,11 +60,17 @@ pub struct Instruments {
     open: bool,
     used: [bool; Tool::ALL.len()],
     rail: Buttons,
+    vary: Vary,
+    /// Whether the level that is shown can be varied: not that of a flight which is watched.
+    can_vary: bool,
 }
 
 impl Instruments {
     /// One frame; the answer is what is left of the input for the flight.
-    pub fn update(&mut self, input: &Input, _stage: &Stage) -> Input {
+    pub fn update(&mut self, input: &Input, stage: &Stage) -> Input {
+        self.can_vary = stage.varied.is_some();
+        let open = self.uses(Tool::Vary);
+        let input = &self.vary.update(input, stage, open);
         let mut rest = input.clone();
         self.open ^= pressed(input, Key::I);
         if !self.open {
@@ -65,7 +80,7 @@ impl Instruments {
         self.rail.place(places.rail.clone());
         // Arrows and Enter fly.
         let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
-        if let Some(tool) = self.rail.update(&pointer_only) {
+        if let Some(tool) = self.rail.update(&pointer_only).filter(|tool| self.offers(Tool::ALL[*tool])) {
             self.used[tool] ^= true;
         }
         rest.click &= !places.areas().any(|area| area.contains(input.pointer));
@@ -74,6 +89,21 @@ impl Instruments {
 
     /// The flight was left at that tick and goes on otherwise.
     pub fn back_to(&mut self, _history: &History, _tick: u64) {}
+
+    /// The flight was flown again from its start, in a level that was varied: whatever was read of it is read anew.
+    pub fn flown_again(&mut self, history: &History) {
+        self.back_to(history, 0);
+    }
+
+    /// The panel that varies the level.
+    pub const fn vary(&self) -> &Vary {
+        &self.vary
+    }
+
+    /// The same, to take its wishes and to tell it what became of them.
+    pub(super) const fn vary_mut(&mut self) -> &mut Vary {
+        &mut self.vary
+    }
 
     /// The same for another flight: what is open stays open, and what was measured is put away.
     #[must_use]
@@ -86,6 +116,11 @@ impl Instruments {
         self.open
     }
 
+    /// Whether a tool can be used here.
+    pub fn offers(&self, tool: Tool) -> bool {
+        tool != Tool::Vary || self.can_vary
+    }
+
     /// Whether a tool is in use.
     pub const fn uses(&self, tool: Tool) -> bool {
         self.open && self.used[tool as usize]
@@ -93,7 +128,7 @@ impl Instruments {
 
     /// What covers the flight.
     pub fn areas(&self, frame: &Frame) -> Vec<Area> {
-        if self.open { self.places(frame).areas().collect() } else { Vec::new() }
+        if self.open { self.places(frame).areas().chain(self.vary.area()).collect() } else { Vec::new() }
     }
 
     fn places(&self, frame: &Frame) -> Places {

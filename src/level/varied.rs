@@ -1,0 +1,260 @@
+//! What of a level can be varied: each number by itself, what it may be, and in which cells it stands. The limits are the loader's own.
+
+use super::document::{Document, Kind, RowId, SetCell, Table};
+use super::problem::Problem;
+use super::quantity::{self as q, Quantity};
+use super::strength;
+use super::types::{Level, Object};
+
+/// A number of a level that can be varied. Bodies are counted as in its world: 0 is the ship, i + 1 is object i.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Parameter {
+    /// Of a body, kg.
+    Mass(usize),
+    /// Drag coefficient of a body.
+    Drag(usize),
+    /// Coefficient of restitution of a body, 0 … 1.
+    Restitution(usize),
+    /// Start velocity of a body to the right, m/s.
+    VelocityX(usize),
+    /// Start velocity of a body upwards, m/s.
+    VelocityY(usize),
+    /// Of the ship's engine, N.
+    Thrust,
+    /// Of the level, N/kg, downwards.
+    Gravity,
+    /// Density of the air, kg/m³.
+    Air,
+    /// What all coefficients of friction are multiplied by.
+    Friction,
+    /// What the forces of all air streams are multiplied by, compared with those of the level that is varied.
+    Wind,
+}
+
+impl Parameter {
+    /// What can be varied of a body of the level, and of the level.
+    pub fn all(level: &Level, body: usize) -> Vec<Self> {
+        let mut all = Vec::new();
+        if body <= level.objects.len() {
+            all.push(Self::Mass(body));
+            all.extend((body == 0).then_some(Self::Thrust));
+            all.extend([Self::VelocityX, Self::VelocityY, Self::Restitution, Self::Drag].map(|of| of(body)));
+        }
+        all.extend([Self::Gravity, Self::Air, Self::Friction]);
+        all.extend((!level.streams.is_empty()).then_some(Self::Wind));
+        all
+    }
+
+    /// What it is called.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Mass(_) => "Mass",
+            Self::Drag(_) => "Drag coefficient",
+            Self::Restitution(_) => "Restitution",
+            Self::VelocityX(_) => "Start velocity →",
+            Self::VelocityY(_) => "Start velocity ↑",
+            Self::Thrust => "Thrust",
+            Self::Gravity => "Gravity",
+            Self::Air => "Air density",
+            Self::Friction => "All friction ×",
+            Self::Wind => "All wind ×",
+        }
+    }
+
+    /// Its unit; empty where it has none.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Mass(_) => "kg",
+            Self::VelocityX(_) | Self::VelocityY(_) => "m/s",
+            Self::Thrust => "N",
+            Self::Gravity => "N/kg",
+            Self::Air => "kg/m³",
+            Self::Drag(_) | Self::Restitution(_) | Self::Friction | Self::Wind => "",
+        }
+    }
+
+    /// The body that it is of, if it is of one.
+    pub const fn body(self) -> Option<usize> {
+        match self {
+            Self::Mass(i) | Self::Drag(i) | Self::Restitution(i) | Self::VelocityX(i) | Self::VelocityY(i) => Some(i),
+            Self::Thrust => Some(0),
+            Self::Gravity | Self::Air | Self::Friction | Self::Wind => None,
+        }
+    }
+
+    /// Whether only a flight from its start shows what it does.
+    pub const fn is_of_the_start(self) -> bool {
+        matches!(self, Self::VelocityX(_) | Self::VelocityY(_))
+    }
+
+    /// The least and the most that it may be.
+    pub fn limits(self) -> (f64, f64) {
+        self.quantity().limits()
+    }
+
+    const fn quantity(self) -> Quantity {
+        match self {
+            Self::Mass(_) => q::MASS,
+            Self::Drag(_) => q::DRAG,
+            Self::Restitution(_) => q::RESTITUTION,
+            Self::VelocityX(_) | Self::VelocityY(_) => q::VELOCITY,
+            Self::Thrust => q::THRUST,
+            Self::Gravity => q::GRAVITY,
+            Self::Air => q::DENSITY,
+            Self::Friction => q::FRICTION,
+            Self::Wind => q::WIND,
+        }
+    }
+
+    /// The number that a text holds, as in a level's file.
+    ///
+    /// # Errors
+    /// What is expected instead, in words.
+    pub fn parse(self, text: &str) -> Result<f64, String> {
+        // A true minus is what the game itself writes.
+        self.quantity().parse(&text.trim().replace('−', "-"))
+    }
+
+    /// What it is in a level; `None` where that has no such body.
+    pub fn of(self, level: &Level) -> Option<f64> {
+        let (player, object) = (&level.player, |i: usize| level.objects.get(i - 1));
+        let of = |i: usize, ship: f64, value: fn(&Object) -> f64| if i == 0 { Some(ship) } else { object(i).map(value) };
+        match self {
+            Self::Mass(i) => of(i, player.mass, |object| object.mass),
+            Self::Drag(i) => of(i, player.drag, |object| object.drag),
+            Self::Restitution(i) => of(i, player.restitution, |object| object.restitution),
+            Self::VelocityX(i) => of(i, player.velocity.x, |object| object.velocity.x),
+            // Adding zero turns a negative zero into zero.
+            Self::VelocityY(i) => of(i, player.velocity.y, |object| object.velocity.y).map(|down| 0.0 - down),
+            Self::Thrust => Some(player.thrust),
+            Self::Gravity => Some(level.gravity),
+            Self::Air => Some(level.air_density),
+            Self::Friction => Some(level.friction),
+            Self::Wind => Some(1.0),
+        }
+    }
+
+    fn put(self, level: &mut Level, value: f64) {
+        let (player, objects) = (&mut level.player, &mut level.objects);
+        macro_rules! field {
+            ($i:ident, $($field:ident).+, $value:expr) => {
+                match $i {
+                    0 => player.$($field).+ = $value,
+                    _ => objects[$i - 1].$($field).+ = $value,
+                }
+            };
+        }
+        match self {
+            Self::Mass(i) => field!(i, mass, value),
+            Self::Drag(i) => field!(i, drag, value),
+            Self::Restitution(i) => field!(i, restitution, value),
+            Self::VelocityX(i) => field!(i, velocity.x, value),
+            Self::VelocityY(i) => field!(i, velocity.y, 0.0 - value),
+            Self::Thrust => player.thrust = value,
+            Self::Gravity => level.gravity = value,
+            Self::Air => level.air_density = value,
+            Self::Friction => level.friction = value,
+            Self::Wind => level.streams.iter_mut().for_each(|stream| stream.force *= value),
+        }
+    }
+
+    /// The file and the column that it stands in.
+    fn place(self, level: &Level) -> (&'static str, &'static str) {
+        let of_body = |i: usize, column| {
+            let key = i > 0 && level.objects.get(i - 1).is_some_and(|object| object.key.is_some());
+            let table = if i == 0 {
+                Table::Player
+            } else if key {
+                Table::Objectives
+            } else {
+                Table::Objects
+            };
+            (table.file(), column)
+        };
+        match self {
+            Self::Mass(i) => of_body(i, "mass"),
+            Self::Drag(i) => of_body(i, "drag"),
+            Self::Restitution(i) => of_body(i, "restitution"),
+            Self::VelocityX(i) => of_body(i, "vx"),
+            Self::VelocityY(i) => of_body(i, "vy"),
+            Self::Thrust => of_body(0, "thrust"),
+            Self::Gravity => (Table::Constants.file(), "gravity"),
+            Self::Air => (Table::Constants.file(), "air_density"),
+            Self::Friction => (Table::Constants.file(), "friction"),
+            Self::Wind => (Table::Hazards.file(), "force_x"),
+        }
+    }
+}
+
+/// The level with other numbers, judged by the loader's rules.
+///
+/// # Errors
+/// Every number that is not accepted, by file and column; their lines are not known here.
+pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<Problem>> {
+    let mut problems = Vec::new();
+    let mut refuse = |parameter: Parameter, found: String, expected: String| {
+        let (file, column) = parameter.place(level);
+        problems.push(Problem::new(file, 0, column, found, expected));
+    };
+    let mut varied = level.clone();
+    for (parameter, value) in changes {
+        if parameter.of(level).is_none() {
+            refuse(*parameter, format!("no object {}", parameter.body().unwrap_or_default()), "an object of the level".to_owned());
+        } else if let Err(expected) = parameter.quantity().judge(*value) {
+            refuse(*parameter, value.to_string(), expected);
+        } else {
+            parameter.put(&mut varied, *value);
+        }
+    }
+    let changed = |parameter: &Parameter| changes.iter().any(|(changed, _)| changed == parameter);
+    let (thrust, mass) = (varied.player.thrust, varied.player.mass);
+    if let Some(expected) = strength::judge(thrust, mass) {
+        let parameter = if changed(&Parameter::Thrust) { Parameter::Thrust } else { Parameter::Mass(0) };
+        refuse(parameter, format!("{thrust} N on a ship of {mass} kg"), expected);
+    }
+    let lightest = varied.objects.iter().map(|object| object.mass).fold(mass, f64::min);
+    let strongest = varied.streams.iter().map(|stream| stream.force.abs().max_element()).fold(0.0, f64::max);
+    if let Err(expected) = q::FORCE.judge(strongest) {
+        refuse(Parameter::Wind, format!("{strongest} N"), expected);
+    } else if let Some(expected) = strength::judge(strongest, lightest) {
+        refuse(Parameter::Wind, format!("{strongest} N on {lightest} kg"), expected);
+    }
+    if problems.is_empty() { Ok(varied) } else { Err(problems) }
+}
+
+impl Document {
+    /// Makes the files hold those numbers of a level, which was varied from what they hold: an operation as [`Document::set`].
+    ///
+    /// # Errors
+    /// As [`Document::set`]; a body or stream whose row is not there.
+    pub fn vary(&mut self, varied: &Level, parameters: &[Parameter], gesture: Option<u64>) -> Result<(), String> {
+        let mut cells = Vec::new();
+        for parameter in parameters {
+            let (_, column) = parameter.place(varied);
+            let value = match parameter {
+                Parameter::Wind => {
+                    for (row, stream) in self.rows(Table::Hazards).zip(&varied.streams) {
+                        let cell = |column, force: f64| SetCell { row, column, text: force.to_string() };
+                        cells.extend([cell("force_x", stream.force.x), cell("force_y", stream.force.y)]);
+                    }
+                    continue;
+                }
+                // The files count y downwards.
+                Parameter::VelocityY(_) => parameter.of(varied).map(|up| 0.0 - up),
+                _ => parameter.of(varied),
+            };
+            let text = value.ok_or("there is no such object")?.to_string();
+            match parameter.body() {
+                None => self.set_setting(column, &text, gesture)?,
+                Some(body) => cells.push(SetCell { row: self.row_of(body).ok_or("there is no such row")?, column, text }),
+            }
+        }
+        self.set(&cells, gesture)
+    }
+
+    /// The row of a body of the level: objects come before key objects, each in the order of their file.
+    fn row_of(&self, body: usize) -> Option<RowId> {
+        let keys = self.rows(Table::Objectives).filter(|row| self.kind(*row) == Some(Kind::Key));
+        self.rows(Table::Player).take(1).chain(self.rows(Table::Objects)).chain(keys).nth(body)
+    }
+}

@@ -1,0 +1,250 @@
+//! "What if": the level with other numbers, flown again by the same controls or on from where it is, beside the run before as a ghost. Nothing
+//! of it counts: only a fresh attempt at the level as it is does.
+
+#[cfg(feature = "window")]
+use super::END_PAUSE;
+use super::Flight;
+use crate::game::{Again, Controls, Game, History, Outcome, Tape};
+use crate::instruments::vary::Variation;
+use crate::level::Level;
+use crate::screens::instruments::vary::{From, Varied, Wish};
+use crate::screens::{Input, Key, Request, Spectator};
+use std::sync::Arc;
+
+/// How many ticks are flown again in a frame, at first, and at least and at most: as many as frames stay short with.
+pub(super) const AT_FIRST: u64 = 1200;
+const AHEAD: (u64, u64) = (60, 20_000);
+/// A frame that takes longer than this is no short one, s.
+const SHORT_FRAME: f64 = 1.0 / 40.0;
+
+/// A level that is varied while it is flown.
+#[derive(Debug)]
+pub(super) struct WhatIf {
+    variation: Variation,
+    before: Before,
+    /// The controls up to the moment that is shown, and that moment: a run that ends sooner does not lose them.
+    tape: Tape,
+    moment: u64,
+    /// What is being flown again.
+    again: Option<Box<Again>>,
+}
+
+/// The run before the last change: as it was, and beyond its end by the controls of the run that is shown.
+#[derive(Debug)]
+struct Before {
+    history: History,
+    /// Up to which tick it had been flown when the change was made.
+    known: u64,
+    /// Where it is at the moment that is shown.
+    game: Box<Game>,
+}
+
+impl Before {
+    fn new(history: &History, game: &Game) -> Self {
+        Self { known: history.ticks(), game: Box::new(game.clone()), history: history.clone() }
+    }
+
+    /// Shows it at a moment, or at its end.
+    fn show(&mut self, tick: u64) {
+        if self.game.ticks() != tick.min(self.history.ticks()) {
+            self.history.seek(&mut self.game, tick);
+        }
+    }
+
+    /// The run that is shown has made a tick with these controls.
+    fn after_tick(&mut self, shown: &Game, controls: Controls) {
+        let beyond = self.history.ticks() + 1 == shown.ticks() && self.game.outcome() == Outcome::Running;
+        if beyond && self.game.ticks() + 1 == shown.ticks() {
+            self.game.set_lasting_fuel(shown.lasting_fuel());
+            self.game.step(controls);
+            self.history.note(&self.game, controls);
+        } else {
+            self.show(shown.ticks());
+        }
+    }
+
+    /// The run that is shown goes on otherwise from there: what was flown beyond its end by its controls has not been.
+    fn back_to(&mut self, tick: u64) {
+        let kept = tick.max(self.known);
+        if kept < self.history.ticks() {
+            self.history = self.history.until(kept);
+        }
+        self.show(tick);
+    }
+}
+
+impl Flight {
+    /// The level that can be varied, and how it is.
+    pub(super) fn varied(&self) -> Varied<'_> {
+        Varied {
+            level: &self.attempt.level,
+            variation: self.variation(),
+            progress: self.what_if.as_ref().and_then(|what_if| Some(what_if.again.as_ref()?.progress())),
+        }
+    }
+
+    /// The level as it is in its files, whatever is varied of it.
+    pub fn attempt_level(&self) -> &Level {
+        &self.attempt.level
+    }
+
+    /// What is varied; none while the level is flown as it is. It may be empty: then all was taken back, but what was flown counts no more.
+    pub fn variation(&self) -> Option<&Variation> {
+        self.what_if.as_ref().map(|what_if| &what_if.variation)
+    }
+
+    /// The run before the last change, where the level is varied.
+    pub fn before(&self) -> Option<&History> {
+        self.what_if.as_ref().map(|what_if| &what_if.before.history)
+    }
+
+    /// The game of that run at the moment that is shown, or where it ended before.
+    pub fn game_before(&self) -> Option<&Game> {
+        self.what_if.as_ref().map(|what_if| &*what_if.before.game)
+    }
+
+    /// Does what the panel asks for.
+    pub(super) fn grant(&mut self, wish: Wish, spectator: &mut dyn Spectator) -> Option<Request> {
+        match wish {
+            Wish::Vary(variation, from, goes_on) => {
+                if let Err(words) = self.vary(variation, from, goes_on) {
+                    self.instruments.vary_mut().tell(words, true);
+                }
+                self.fly_again(self.ahead, spectator);
+                None
+            }
+            Wish::Restore => Some(self.restore()),
+            Wish::Save(name) => Some(Request::SaveVaried(self.variation()?.clone(), name)),
+        }
+    }
+
+    /// Says what became of a level that was to be saved.
+    pub(in crate::screens) fn tell_of_saving(&mut self, saved: Result<String, String>) {
+        let bad = saved.is_err();
+        self.instruments.vary_mut().tell(saved.unwrap_or_else(|reason| reason), bad);
+    }
+
+    /// The level as it is, from its start: a fresh attempt. Until that has begun what is shown counts no more than before.
+    fn restore(&mut self) -> Request {
+        if let Some(what_if) = &mut self.what_if {
+            what_if.variation = Variation::default();
+        }
+        Request::Restart
+    }
+
+    /// Varies the level from there on.
+    ///
+    /// # Errors
+    /// What the loader or the engine would not accept, in words; nothing has changed then.
+    fn vary(&mut self, variation: Variation, from: From, goes_on: bool) -> Result<(), String> {
+        let expected = |problems: Vec<crate::level::Problem>| {
+            problems.first().map_or_else(String::new, |problem| format!("Expected {}.", problem.expected))
+        };
+        let level = Arc::new(variation.apply(&self.attempt.level).map_err(expected)?);
+        self.leave_what_came_after();
+        let running = self.game.outcome() == Outcome::Running;
+        let (tape, moment) = match self.what_if.take() {
+            Some(what_if) if !running && what_if.moment > self.game.ticks() => {
+                let kept = (what_if.tape.clone(), what_if.moment);
+                self.what_if = Some(what_if);
+                kept
+            }
+            what_if => {
+                self.what_if = what_if;
+                (self.history.tape(), self.game.ticks())
+            }
+        };
+        let again = match from {
+            From::Start => Some(Box::new(tape.fly_in(level.clone(), moment).map_err(|error| error.to_string())?)),
+            From::Now if !running => return Err("This run has ended: a change holds from its start.".to_owned()),
+            From::Now => None,
+        };
+        let before = match self.what_if.take() {
+            Some(what_if) if goes_on => what_if.before,
+            _ => Before::new(&self.history, &self.game),
+        };
+        if again.is_none() {
+            // What was accepted above is accepted by the engine.
+            self.history.go_on_in(&mut self.game, level).map_err(|error| error.to_string())?;
+        }
+        self.assisted = true;
+        self.what_if = Some(Box::new(WhatIf { variation, before, tape, moment, again }));
+        Ok(())
+    }
+
+    /// One frame of a level that is varied: whether it is still being flown again.
+    pub(super) fn update_what_if(&mut self, frame_time: f64, spectator: &mut dyn Spectator) -> bool {
+        let Some(what_if) = &self.what_if else { return false };
+        if what_if.again.is_some() && frame_time > 0.0 {
+            let (least, most) = AHEAD;
+            self.ahead = if frame_time > SHORT_FRAME { self.ahead / 2 } else { self.ahead * 5 / 4 }.clamp(least, most);
+            self.fly_again(self.ahead, spectator);
+        }
+        self.what_if.as_ref().is_some_and(|what_if| what_if.again.is_some())
+    }
+
+    /// Flies on what is flown again, and shows it once it is where it was to be.
+    fn fly_again(&mut self, ticks: u64, spectator: &mut dyn Spectator) {
+        let Some(what_if) = &mut self.what_if else { return };
+        if !what_if.again.as_mut().is_some_and(|again| again.fly(ticks)) {
+            return;
+        }
+        let Some(again) = what_if.again.take() else { return };
+        (self.game, self.history) = again.done();
+        what_if.before.show(self.game.ticks());
+        self.ended = 0.0;
+        self.play_on_from(self.game.ticks());
+        self.instruments.flown_again(&self.history);
+        spectator.jumped(&self.game);
+    }
+
+    /// The run before goes along.
+    pub(super) fn after_tick_of_what_if(&mut self, controls: Controls) {
+        if let Some(what_if) = &mut self.what_if {
+            what_if.before.after_tick(&self.game, controls);
+        }
+    }
+
+    /// The game has been brought to another moment of its history; whether it goes on otherwise from there.
+    pub(super) fn show_before(&mut self, goes_on_otherwise: bool) {
+        let tick = self.game.ticks();
+        match &mut self.what_if {
+            Some(what_if) if goes_on_otherwise => what_if.before.back_to(tick),
+            Some(what_if) => what_if.before.show(tick),
+            None => {}
+        }
+    }
+
+    /// A run that counts for nothing has ended: Esc or Enter lead back to the level as it is.
+    pub(super) fn end_what_if(&mut self, input: &Input) -> Option<Request> {
+        self.ended += input.frame_time;
+        let left = input.pressed(Key::Escape) || input.pressed(Key::Enter);
+        left.then(|| self.restore())
+    }
+
+    /// Whether it is said that the run has ended, and what leads on.
+    #[cfg(feature = "window")]
+    pub(super) fn tells_of_the_end(&self) -> bool {
+        self.what_if.is_some() && self.game.outcome() != Outcome::Running && self.ended >= END_PAUSE
+    }
+
+    /// Begins a level anew as it was varied before it began anew: from the start, beside the run before where the level is the same.
+    ///
+    /// # Errors
+    /// What is not accepted in the level as it is now, in words: it is flown as it is then.
+    pub(super) fn begin_varied(&mut self, varied: Box<WhatIf>, same: bool) -> Result<(), String> {
+        if varied.variation.is_empty() {
+            return Ok(());
+        }
+        let gone = "The level has changed: it is flown as it is now.";
+        let level = Arc::new(varied.variation.apply(&self.attempt.level).map_err(|_| gone)?);
+        let game = Game::new(level).map_err(|error| error.to_string())?;
+        let mut before = if same { varied.before } else { Before::new(&self.history, &self.game) };
+        before.show(0);
+        before.known = before.history.ticks();
+        (self.history, self.game, self.assisted) = (History::new(&game), game, true);
+        let (tape, moment) = (self.history.tape(), 0);
+        self.what_if = Some(Box::new(WhatIf { before, tape, moment, again: None, ..*varied }));
+        Ok(())
+    }
+}

@@ -1,0 +1,98 @@
+//! Draws what tells that a level is varied: a sign with what is, the ghost of the run before, and how to go on at its end.
+
+use super::Flight;
+use crate::game::{Game, Pose, SHIP, body_title};
+use crate::physics::{BodyId, DVec2};
+use crate::screens::instruments::vary::written;
+use crate::view::canvas::{Canvas, Style};
+use crate::view::layout::{Area, DETAILS, GRID, HudLayout, PADDING, TEXT, Vec2};
+use crate::view::{Ghost, theme, widgets};
+
+/// What is nearer to where it was in the run before is where it was, m.
+const SAME: f64 = 1e-3;
+/// What is turned less than this is as it was, degrees.
+const AS_TURNED: f64 = 0.01;
+
+impl Flight {
+    /// Those who are not there: who flies along, or the run before the last change.
+    pub fn ghosts(&self) -> Vec<Ghost> {
+        let race = self.race().map(|race| race.poses(self.game.ticks(), self.alpha()));
+        race.into_iter().flatten().chain(self.ghost_before()).collect()
+    }
+
+    fn ghost_before(&self) -> Option<Ghost> {
+        let (before, alpha) = (self.game_before()?, self.alpha());
+        let at = |game: &Game, id: BodyId| game.world().previous_position(id).lerp(game.world().body(id).position, alpha);
+        let elsewhere = |id: BodyId| Some(at(before, id)).filter(|then| then.distance(at(&self.game, id)) > SAME);
+        let angle = before.ship().angle;
+        let turned = (angle - self.game.ship().angle).abs() > AS_TURNED;
+        let centre: Option<DVec2> = elsewhere(SHIP).or_else(|| turned.then(|| at(before, SHIP)));
+        let object = |i: usize| Some((i, elsewhere(BodyId(i as u32 + 1))?));
+        Some(Ghost {
+            name: "before".to_owned(),
+            pose: centre.map(|centre| Pose { centre, angle }),
+            objects: (0..before.level().objects.len()).filter_map(object).collect(),
+        })
+    }
+
+    /// What is varied, in a sign beside the timer.
+    fn what_if_words(&self) -> Option<String> {
+        let variation = self.variation()?;
+        let change = |(parameter, value): (crate::level::Parameter, f64)| {
+            let usual = parameter.of(&self.attempt.level)?;
+            let name = parameter.name().trim_end_matches(" ×").to_lowercase();
+            let body = parameter.body().filter(|body| *body > 0).map(|body| BodyId(body as u32));
+            let of = body.map_or_else(String::new, |body| body_title(&self.attempt.level, body) + ": ");
+            Some(format!("{of}{name} {} (was {})", written(parameter, value), written(parameter, usual)))
+        };
+        let changes: Vec<String> = variation.changes().filter_map(change).collect();
+        Some(if changes.is_empty() {
+            "What if: all as it was; R flies it so that it counts".into()
+        } else {
+            format!("What if: {}", changes.join(", "))
+        })
+    }
+
+    /// The sign, and what leads on once the run has ended.
+    pub(super) fn draw_what_if(&self, canvas: &Canvas) {
+        let Some(words) = self.what_if_words() else { return };
+        canvas.end_layer();
+        let hud = HudLayout::new(canvas.frame()).status;
+        let panel = self.instruments.vary().area().map_or(canvas.size().x, |area| area.min.x);
+        let left = hud.max().x + GRID;
+        let style = Style::new(DETAILS, theme::accent());
+        let room = panel - left - GRID - 2.0 * PADDING;
+        let lines = wrapped(canvas, &words, room, style);
+        let line = canvas.line_height(DETAILS);
+        let widest = lines.iter().map(|line| canvas.width(line, style)).fold(0.0, f32::max);
+        let area = Area::new(left, hud.min.y, widest + 2.0 * PADDING, lines.len() as f32 * line + PADDING);
+        widgets::panel_in(canvas, area, theme::faded(theme::panel(), 0.9), theme::accent());
+        for (i, text) in lines.iter().enumerate() {
+            canvas.text(text, area.min + Vec2::new(PADDING, PADDING / 2.0 + i as f32 * line), style);
+        }
+        if self.tells_of_the_end() && self.pause.is_none() {
+            let words = format!("{} A “what if” counts for nothing: R flies it again, Esc the level as it is.", self.told());
+            let style = Style::new(TEXT, theme::text()).centred().middle();
+            let width = (canvas.width(&words, style) + 2.0 * PADDING).min(canvas.size().x - 2.0 * PADDING);
+            let size = Vec2::new(width, canvas.line_height(TEXT) + PADDING);
+            let above = Vec2::new(canvas.size().x / 2.0, canvas.size().y - 2.5 * size.y);
+            widgets::panel(canvas, Area::around(above, size));
+            widgets::fitted(canvas, &words, above, canvas.size().x - 4.0 * PADDING, &[TEXT, DETAILS], theme::text());
+        }
+    }
+}
+
+/// Words in lines that are at most so wide.
+fn wrapped(canvas: &Canvas, words: &str, widest: f32, style: Style) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words.split(' ') {
+        match lines.last_mut() {
+            Some(line) if canvas.width(&format!("{line} {word}"), style) <= widest => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}

@@ -1,0 +1,234 @@
+//! Levels with other numbers: what is accepted is what the loader accepts, and what is written is what was flown.
+
+use crate::package;
+use proptest::prelude::*;
+use proptest::sample::Index;
+use resultant::game::{Controls, Game, History, SHIP, level_hash};
+use resultant::instruments::vary::{Track, Variation};
+use resultant::level::document::{Folder, Opened};
+use resultant::level::{self, Level, Parameter, scaffold};
+use std::path::PathBuf;
+use std::sync::{Arc, LazyLock};
+
+/// The folders of all shipped levels and experiments.
+static FOLDERS: LazyLock<Vec<PathBuf>> = LazyLock::new(|| {
+    let all = ["levels", "experiments"].map(|of| package().join(of));
+    let folders: Vec<PathBuf> = all.iter().flat_map(|of| level::list(of).into_iter().map(|name| of.join(name))).collect();
+    assert!(folders.len() >= 27, "{folders:?}");
+    folders
+});
+
+fn load(folder: &str) -> Level {
+    level::load(&package().join(folder), package()).expect("it ships").level
+}
+
+/// Flies on by no key.
+fn fly(game: &mut Game, history: &mut History, ticks: u64) {
+    for tick in 0..ticks {
+        let controls = Controls { thrust: tick % 3 == 0, right: tick % 7 == 0, ..Controls::default() };
+        game.step(controls);
+        history.note(game, controls);
+    }
+}
+
+/// Which number of a level, where on its slider, and how far beyond what is accepted.
+fn change() -> impl Strategy<Value = (Index, Index, f64, Option<f64>)> {
+    (any::<Index>(), any::<Index>(), 0.0_f64..=1.0, proptest::option::weighted(0.2, -1.5_f64..=1.5))
+}
+
+fn vary(level: &Level, changes: &[(Index, Index, f64, Option<f64>)]) -> Variation {
+    let mut variation = Variation::default();
+    for (body, which, part, beyond) in changes {
+        let all = Parameter::all(level, body.index(level.objects.len() + 1));
+        let parameter = all[which.index(all.len())];
+        let usual = parameter.of(level).expect("it is of this level");
+        let value = match beyond {
+            Some(times) => times * parameter.limits().1,
+            None => Track::of(parameter, usual).value(*part),
+        };
+        variation.set(parameter, value, level);
+    }
+    variation
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 192, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn what_is_accepted_is_what_the_loader_reads_back(at in any::<Index>(), changes in proptest::collection::vec(change(), 1..6)) {
+        let folder = at.get(&FOLDERS);
+        let level = level::load(folder, package()).expect("it ships").level;
+        let variation = vary(&level, &changes);
+        let Opened { mut document, folder: opened, .. } = Folder::open(folder, package()).expect("it can be opened");
+        match variation.apply(&level) {
+            Ok(varied) => {
+                document.vary(&varied, &variation.parameters(), None).expect("it has these rows");
+                let read = opened.check(&document).map_err(|problems| TestCaseError::fail(problems[0].to_string()))?;
+                prop_assert_eq!(&read.level, &varied);
+                let mut game = Game::new(Arc::new(varied)).expect("the engine takes what the loader takes");
+                for _ in 0..60 {
+                    game.step(Controls { thrust: true, ..Controls::default() });
+                }
+                prop_assert!(game.world().bodies().iter().all(|body| body.position.is_finite() && body.velocity.is_finite()));
+            }
+            Err(problems) => {
+                // Written nevertheless, it is refused for as many reasons.
+                let told: Vec<String> = problems.iter().map(ToString::to_string).collect();
+                prop_assert!(!told.is_empty() && told.iter().all(|line| line.contains("expected ")), "{:?}", told);
+                let written = variation.changes().filter(|(parameter, _)| *parameter != Parameter::Wind).collect::<Vec<_>>();
+                for (parameter, value) in written {
+                    prop_assert_eq!(parameter.parse(&value.to_string()).is_ok(), {
+                        let (least, most) = parameter.limits();
+                        (least..=most).contains(&value)
+                    });
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_level_that_is_written_as_it_is_varied_loads_as_that() {
+    let level = load("levels/8");
+    let mut variation = Variation::default();
+    let keys = level.objects.iter().position(|object| object.key.is_some()).expect("it has a key") + 1;
+    for (parameter, value) in [
+        (Parameter::Mass(keys), 12.5),
+        (Parameter::VelocityY(keys), 0.25),
+        (Parameter::Drag(0), 0.5),
+        (Parameter::Restitution(0), 0.25),
+        (Parameter::Gravity, 1.62),
+        (Parameter::Friction, 0.5),
+        (Parameter::Wind, 0.75),
+    ] {
+        variation.set(parameter, value, &level);
+    }
+    let varied = variation.apply(&level).expect("sensible numbers");
+    assert_eq!(varied.objects[keys - 1].velocity.y, -0.25, "upwards");
+    let levels = tempfile::tempdir().unwrap();
+    let from = package().join("levels/8");
+    let Opened { mut document, .. } = Folder::open(&from, package()).unwrap();
+    document.vary(&varied, &variation.parameters(), None).unwrap();
+    let name = scaffold::free_name(levels.path(), "8");
+    scaffold::copy_edited(&from, levels.path(), &name, &document).unwrap();
+    let read = level::load(&levels.path().join(&name), package()).expect("it loads").level;
+    assert_eq!((name.as_str(), level_hash(&read)), ("8-what-if", level_hash(&varied)));
+    // Nobody's level is written over.
+    assert!(scaffold::copy_edited(&from, levels.path(), &name, &document).is_err());
+    assert_eq!(scaffold::free_name(levels.path(), "8"), "8-what-if-2");
+    assert_eq!(scaffold::free_name(levels.path(), "no word!"), "what-if");
+    assert_eq!(level::list(levels.path()), [name], "and nothing half written is left");
+}
+
+#[test]
+fn forces_that_are_too_strong_for_a_mass_are_refused_together() {
+    let level = load("experiments/friction");
+    let refused = |changes: &[(Parameter, f64)]| {
+        let mut variation = Variation::default();
+        changes.iter().for_each(|(parameter, value)| variation.set(*parameter, *value, &level));
+        variation.apply(&level).err().map(|problems| problems[0].to_string())
+    };
+    assert_eq!(refused(&[(Parameter::Thrust, 1e7)]), None);
+    assert_eq!(
+        refused(&[(Parameter::Thrust, 1e7), (Parameter::Mass(0), 1.0)]).as_deref(),
+        Some("player.csv: found 10000000 N on a ship of 1 kg, expected at most 1000000 N, which is 1e6 m/s²")
+    );
+    assert_eq!(
+        refused(&[(Parameter::Wind, 1000.0), (Parameter::Mass(2), 1e-3)]).as_deref(),
+        Some("hazards.csv: found 60000 N on 0.001 kg, expected at most 1000 N, which is 1e6 m/s²")
+    );
+    assert_eq!(
+        refused(&[(Parameter::Mass(9), 1.0)]).as_deref(),
+        Some("objects.csv: found no object 9, expected an object of the level")
+    );
+    for value in [f64::NAN, f64::INFINITY, -1.0, 1e7] {
+        assert!(refused(&[(Parameter::Mass(1), value)]).is_some(), "{value}");
+    }
+}
+
+#[test]
+fn a_tape_flown_in_another_level_is_the_same_controls_under_other_laws() {
+    let level = Arc::new(load("experiments/free-fall"));
+    let mut game = Game::new(level.clone()).unwrap();
+    let mut history = History::new(&game);
+    fly(&mut game, &mut history, 120);
+    let mut same = history.tape().fly_in(level.clone(), 120).unwrap();
+    assert!(!same.fly(50) && (same.progress() - 50.0 / 120.0).abs() < 1e-12 && same.fly(1000));
+    assert_eq!(same.done().0.hash(), game.hash());
+
+    let mut variation = Variation::default();
+    variation.set(Parameter::Gravity, 1.62, &level);
+    let moon = Arc::new(variation.apply(&level).unwrap());
+    let mut again = history.tape().fly_in(moon, 120).unwrap();
+    assert!(again.fly(1000));
+    let (flown, again) = again.done();
+    for (i, object) in level.objects.iter().enumerate() {
+        let fallen = flown.world().bodies()[i + 1].position.y - object.position.y;
+        assert!((fallen - 0.5 * 1.62).abs() < 1e-12, "½·g·t² after a second: {fallen}");
+    }
+    assert_eq!((again.inputs(), again.ticks()), (history.inputs(), 120));
+}
+
+/// What goes on from now is a flight like any other: it can be gone through in both directions, over the change.
+#[test]
+fn a_flight_that_goes_on_in_a_varied_level_has_a_history_over_the_change() {
+    for name in ["levels/8", "levels/15", "levels/14", "experiments/bounce", "experiments/pushed-row"] {
+        let level = load(name);
+        let mut game = Game::new(Arc::new(level.clone())).unwrap();
+        let mut history = History::new(&game);
+        let mut hashes = vec![game.hash()];
+        let mut leg = |game: &mut Game, history: &mut History, ticks: u64| {
+            for _ in 0..ticks {
+                fly(game, history, 1);
+                hashes.push(game.hash());
+            }
+        };
+        leg(&mut game, &mut history, 130);
+        for (gravity, mass) in [(5.0, 50.0), (2.5, 70.0)] {
+            let (place, motion) = (game.world().body(SHIP).position, game.world().body(SHIP).velocity);
+            let mut variation = Variation::default();
+            variation.set(Parameter::Gravity, gravity, &level);
+            variation.set(Parameter::Mass(0), mass, &level);
+            history.go_on_in(&mut game, Arc::new(variation.apply(&level).unwrap())).unwrap();
+            assert_eq!((game.world().body(SHIP).position, game.world().body(SHIP).velocity), (place, motion), "{name}");
+            assert_eq!((game.world().body(SHIP).mass, game.level().gravity), (mass, gravity));
+            leg(&mut game, &mut history, 77);
+        }
+        for tick in [0, 60, 129, 131, 200, 208, 284, 150, 90] {
+            assert_eq!(history.at(tick).hash(), hashes[tick as usize], "{name} after {tick} ticks");
+        }
+        let until = history.until(220);
+        assert_eq!((until.ticks(), until.at(220).hash()), (220, hashes[220]), "{name}");
+        // What is not the same level but for its numbers is none to go on in.
+        let other = Arc::new(load("levels/1"));
+        let before = game.hash();
+        assert!(history.go_on_in(&mut game, other).is_err() && game.hash() == before, "{name}");
+    }
+}
+
+/// At its start a world that is told other numbers is the world that begins with them.
+#[test]
+fn to_go_on_by_other_numbers_from_the_start_is_to_begin_with_them() {
+    for folder in FOLDERS.iter() {
+        let level = level::load(folder, package()).expect("it ships").level;
+        let mut variation = Variation::default();
+        for parameter in [Parameter::Gravity, Parameter::Air, Parameter::Friction, Parameter::Mass(0), Parameter::Drag(0)] {
+            let usual = parameter.of(&level).unwrap();
+            variation.set(parameter, Track::of(parameter, usual).value(0.7), &level);
+        }
+        let varied = Arc::new(variation.apply(&level).expect("from sliders"));
+        let mut told = Game::new(Arc::new(level)).unwrap();
+        told.go_on_in(varied.clone()).unwrap();
+        let mut begun = Game::new(varied).unwrap();
+        for tick in 0..240 {
+            let controls = Controls { thrust: tick > 60, left: tick % 5 == 0, ..Controls::default() };
+            told.step(controls);
+            begun.step(controls);
+            let state = |game: &Game| {
+                let bodies = game.world().bodies().iter();
+                bodies.map(|body| (body.position, body.velocity, body.acceleration)).collect::<Vec<_>>()
+            };
+            assert_eq!(state(&told), state(&begun), "{} after {tick} ticks", folder.display());
+        }
+    }
+}

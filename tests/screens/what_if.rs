@@ -1,0 +1,429 @@
+//! "What if": a level is varied while it is flown, beside the run before, and nothing of it counts.
+
+use crate::sitting::{Sitting, level};
+use resultant::game::{Outcome, SHIP};
+use resultant::instruments::vary::Track;
+use resultant::level::{self, Parameter};
+use resultant::physics::DVec2;
+use resultant::screens::{Attempt, Input, Instrument, Key, Request, Rival, VaryEntry, VaryFrom};
+use resultant::view::layout::{Frame, Vec2};
+use std::fs;
+use std::sync::Arc;
+
+/// A level that lasts: a ship in free fall, and a ball.
+const BALL: &str = "x,y,image,mass,drag,circular,restitution\n600,300,ball:30x30,10,0.5,TRUE,0.5\n";
+
+fn varying() -> Sitting {
+    let mut sitting = Sitting::with(|root| fs::write(root.join("levels/2/objects.csv"), BALL).unwrap());
+    open(sitting.fly(1));
+    sitting
+}
+
+/// Opens the rail, and on it the panel.
+fn open(sitting: &mut Sitting) {
+    sitting.press(Key::I);
+    let areas = sitting.flight().instruments().areas(&sitting.frame);
+    sitting.click_at(areas[Instrument::Vary as usize].centre());
+    assert!(sitting.flight().instruments().uses(Instrument::Vary));
+    assert!(!sitting.flight().instruments().vary().lines().is_empty());
+}
+
+fn parts(sitting: &Sitting, parameter: Parameter) -> [Vec2; 3] {
+    sitting.flight().instruments().vary().parts(parameter).expect("it has a line").map(|area| area.centre())
+}
+
+/// Types a number into its field.
+fn type_in(sitting: &mut Sitting, parameter: Parameter, text: &str) {
+    let [_, number, _] = parts(sitting, parameter);
+    sitting.click_at(number);
+    for _ in 0..40 {
+        sitting.press(Key::Backspace);
+    }
+    sitting.write(text).press(Key::Enter);
+}
+
+fn button(sitting: &mut Sitting, index: usize) {
+    let at = sitting.flight().instruments().vary().buttons()[index].centre();
+    sitting.click_at(at);
+}
+
+fn ship(sitting: &Sitting) -> DVec2 {
+    sitting.flight().game().world().body(SHIP).position
+}
+
+fn attempts(sitting: &Sitting) -> usize {
+    sitting.scores_file("attempts.csv").lines().count().saturating_sub(1)
+}
+
+fn value(sitting: &Sitting, parameter: Parameter) -> f64 {
+    parameter.of(sitting.flight().game().level()).unwrap()
+}
+
+#[test]
+fn a_typed_number_is_flown_at_once_by_the_same_keys_beside_the_run_before() {
+    let mut sitting = varying();
+    for _ in 0..20 {
+        sitting.give(Input { held: [Key::Space, Key::Right].into_iter().collect(), ..Input::default() });
+    }
+    sitting.press(Key::F);
+    let before = sitting.flight().game().clone();
+    let tape = sitting.flight().history().tape();
+    type_in(&mut sitting, Parameter::Gravity, "3.5");
+    let flight = sitting.flight();
+    assert_eq!((flight.game().ticks(), flight.game().level().gravity), (before.ticks(), 3.5), "the same moment");
+    assert_eq!(flight.attempt_level().gravity, 15.0, "the level itself is as it was");
+    // One thing was changed: it is what the same keys make of the other level.
+    let mut again = tape.fly_in(flight.game().shared_level().clone(), before.ticks()).unwrap();
+    assert!(again.fly(u64::MAX));
+    assert_eq!(again.done().0.hash(), flight.game().hash());
+    let ghost = flight.game_before().expect("the run before stays");
+    assert_eq!((ghost.hash(), flight.before().unwrap().ticks()), (before.hash(), before.ticks()));
+    assert!(ship(&sitting).y < ghost.world().body(SHIP).position.y - 0.01, "it fell less");
+    assert!(sitting.flight().observer().frozen() && sitting.flight().is_assisted());
+
+    // Back, on and beyond the end the ghost goes along, there by the keys of the run that is shown.
+    sitting.press_all(&[Key::Comma, Key::Comma]);
+    assert_eq!(sitting.flight().game_before().unwrap().ticks(), before.ticks() - 2);
+    sitting.press_all(&[Key::Period, Key::Period, Key::Period]);
+    let (flight, ticks) = (sitting.flight(), before.ticks() + 1);
+    assert_eq!(
+        (flight.game().ticks(), flight.game_before().unwrap().ticks(), flight.before().unwrap().ticks()),
+        (ticks, ticks, ticks)
+    );
+    sitting.press(Key::F).wait(0.5);
+    let flight = sitting.flight();
+    assert_eq!(flight.game_before().unwrap().ticks(), flight.game().ticks());
+    assert_eq!(flight.game_before().unwrap().level().gravity, 15.0);
+    // Who goes back and on from there leaves in the ghost's way what was flown beyond its end.
+    let end = flight.game().ticks();
+    sitting.press(Key::F).press_all(&[Key::Comma; 10]).press(Key::F).wait(0.05);
+    assert!(sitting.flight().before().unwrap().ticks() < end);
+    assert_eq!(sitting.flight().game_before().unwrap().ticks(), sitting.flight().game().ticks());
+}
+
+#[test]
+fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
+    let mut sitting = varying();
+    let [_, number, _] = parts(&sitting, Parameter::Mass(0));
+    sitting.click_at(number);
+    assert_eq!(sitting.flight().instruments().vary().entry(), Some((VaryEntry::Number(Parameter::Mass(0)), "100".into())));
+    let (fuel, angle) = (sitting.flight().game().ship().fuel, sitting.flight().game().ship().angle);
+    for key in [Key::Space, Key::Left, Key::F, Key::I, Key::Tab, Key::F3] {
+        sitting.press(key);
+    }
+    sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
+    let flight = sitting.flight();
+    assert_eq!((flight.game().ship().fuel, flight.game().ship().angle), (fuel, angle));
+    assert!(!flight.observer().frozen() && !flight.details() && flight.instruments().is_open() && flight.pause().is_none());
+    // R types nothing here and restarts nothing.
+    let ticks = flight.game().ticks();
+    sitting.press(Key::R);
+    assert!(sitting.flight().game().ticks() > ticks);
+    assert_eq!(sitting.press(Key::Escape).at(), "flight", "Esc gives it up");
+    assert!(sitting.flight().instruments().vary().entry().is_none() && sitting.flight().variation().is_none());
+
+    for (text, told) in [
+        ("0", "Expected a number above 0 kg."),
+        ("1e9", "Expected a number from 0.001 to 1e6 kg."),
+        ("1,5", "Expected a number with a decimal point, not a comma."),
+        ("nan", "Expected a finite number."),
+        ("", "Expected a number such as 12.5."),
+    ] {
+        type_in(&mut sitting, Parameter::Mass(0), text);
+        let vary = sitting.flight().instruments().vary();
+        assert_eq!((vary.told(), vary.entry()), (Some((told, true)), Some((VaryEntry::Number(Parameter::Mass(0)), text.into()))));
+        sitting.press(Key::Escape);
+        assert!(sitting.flight().variation().is_none());
+    }
+    // What is there is taken the place of by what is typed, unless the caret was moved.
+    let [_, number, _] = parts(&sitting, Parameter::Mass(0));
+    sitting.click_at(number).write("2").write("5").press(Key::Enter);
+    assert_eq!(value(&sitting, Parameter::Mass(0)), 25.0);
+    sitting.click_at(number).press(Key::Home).write("1").press(Key::Enter);
+    assert_eq!(value(&sitting, Parameter::Mass(0)), 125.0);
+    let enter = Input { pressed: [Key::Enter].into_iter().collect(), typed: "7".into(), ..Input::default() };
+    sitting.click_at(number).write("1").give(enter);
+    assert_eq!(value(&sitting, Parameter::Mass(0)), 17.0, "typed in the frame of Enter");
+    sitting.click_at(number).press(Key::Backspace).write("100").press(Key::Enter);
+    // Each of two is accepted, but not both.
+    type_in(&mut sitting, Parameter::Thrust, "1e7");
+    type_in(&mut sitting, Parameter::Mass(0), "1");
+    let (told, bad) = sitting.flight().instruments().vary().told().expect("it is refused");
+    assert!(bad && told.contains("1e6 m/s²"), "{told}");
+    assert_eq!((value(&sitting, Parameter::Thrust), value(&sitting, Parameter::Mass(0))), (1e7, 100.0));
+    // A true minus is a minus, and up is up.
+    type_in(&mut sitting, Parameter::VelocityY(0), "−2.5");
+    assert_eq!(sitting.flight().game().level().player.velocity, DVec2::new(0.0, 2.5));
+}
+
+#[test]
+fn a_slider_is_dragged_against_one_run_before_and_steps_are_fine() {
+    let mut sitting = varying();
+    sitting.wait(0.5).press(Key::F);
+    let flown = sitting.flight().game().hash();
+    let [slider, ..] = sitting.flight().instruments().vary().parts(Parameter::Gravity).unwrap();
+    let at = |part: f32| Vec2::new(slider.min.x + slider.size.x * part, slider.centre().y);
+    sitting.point_at(at(0.5)).give(Input { pointer: at(0.4), click: true, holding: true, ..Input::default() });
+    for part in [0.3, 0.2, 0.1] {
+        sitting.give(Input { pointer: at(part), holding: true, ..Input::default() });
+        assert_eq!(sitting.flight().game_before().unwrap().hash(), flown, "one drag, one run before");
+    }
+    // Off its end it stays held, and clicks that are the panel's follow nobody.
+    sitting.give(Input { pointer: at(-3.0), holding: true, ..Input::default() });
+    assert_eq!(value(&sitting, Parameter::Gravity), 0.0);
+    sitting.point_at(at(0.9));
+    assert_eq!(value(&sitting, Parameter::Gravity), 0.0, "let go");
+    let weightless = sitting.flight().game().hash();
+
+    // The next gesture has the run before it for its own.
+    sitting.give(Input { pointer: at(0.5), wheel: 1.0, ..Input::default() });
+    assert_eq!((value(&sitting, Parameter::Gravity), sitting.flight().game_before().unwrap().hash()), (0.01, flown), "it goes on");
+    let [mass, number, reset] = parts(&sitting, Parameter::Mass(0));
+    sitting.give(Input { pointer: mass, wheel: 1.0, ..Input::default() });
+    assert_eq!(value(&sitting, Parameter::Mass(0)), 110.0);
+    assert_ne!(sitting.flight().game_before().unwrap().hash(), flown);
+    assert_ne!(sitting.flight().game_before().unwrap().hash(), weightless);
+    sitting.click_at(number).press_all(&[Key::Up, Key::Up, Key::Down]).press(Key::Enter);
+    assert_eq!(value(&sitting, Parameter::Mass(0)), 120.0);
+    sitting.click_at(reset);
+    assert_eq!((value(&sitting, Parameter::Mass(0)), value(&sitting, Parameter::Gravity)), (100.0, 0.01));
+}
+
+#[test]
+fn of_an_object_that_is_followed_its_own_numbers_are_varied() {
+    let mut sitting = varying();
+    sitting.press(Key::Tab).press_all(&[Key::N, Key::N]).rest();
+    assert_eq!(sitting.flight().observer().focus().followed().map(|body| body.index()), Some(1));
+    assert!(sitting.flight().instruments().vary().parts(Parameter::Thrust).is_none(), "only the ship has an engine");
+    sitting.wait(0.2);
+    type_in(&mut sitting, Parameter::Restitution(1), "1");
+    type_in(&mut sitting, Parameter::VelocityX(1), "4");
+    let flight = sitting.flight();
+    let ball = &flight.game().level().objects[0];
+    assert_eq!((ball.restitution, ball.velocity), (1.0, DVec2::new(4.0, 0.0)));
+    let moved = flight.game().world().bodies()[1].position.x - flight.game_before().unwrap().world().bodies()[1].position.x;
+    assert!(moved > 0.5, "{moved}");
+}
+
+#[test]
+fn from_now_it_goes_on_where_it_is_and_start_velocities_wait_for_a_start() {
+    let mut sitting = varying();
+    sitting.wait(0.5).press(Key::F);
+    button(&mut sitting, 1);
+    assert_eq!(sitting.flight().instruments().vary().from(), VaryFrom::Now);
+    let (place, ticks) = (ship(&sitting), sitting.flight().game().ticks());
+    type_in(&mut sitting, Parameter::Gravity, "0");
+    assert_eq!((ship(&sitting), sitting.flight().game().ticks(), value(&sitting, Parameter::Gravity)), (place, ticks, 0.0));
+    let falls = sitting.flight().game().world().body(SHIP).velocity.y;
+    sitting.press(Key::F).wait(0.25);
+    let flight = sitting.flight();
+    let now = flight.game().world().body(SHIP).velocity.y;
+    assert!(now > 0.5 * falls && now <= falls, "without weight it only brakes: {falls}, {now}");
+    assert!(flight.game_before().unwrap().world().body(SHIP).velocity.y > falls, "the run before falls on");
+    assert_eq!(flight.game_before().unwrap().ticks(), flight.game().ticks());
+    // It can be gone back over the change.
+    sitting.press(Key::F);
+    let back = (sitting.flight().game().ticks() - ticks) as usize + 5;
+    sitting.press_all(&vec![Key::Comma; back]);
+    assert_eq!((sitting.flight().game().ticks(), value(&sitting, Parameter::Gravity)), (ticks - 5, 15.0));
+    let [_, number, _] = parts(&sitting, Parameter::VelocityX(0));
+    sitting.click_at(number);
+    assert!(sitting.flight().instruments().vary().entry().is_none());
+    // From the start again, all that is varied holds from there.
+    button(&mut sitting, 0);
+    type_in(&mut sitting, Parameter::Mass(0), "200");
+    let flight = sitting.flight();
+    assert_eq!((flight.game().level().gravity, flight.game().ticks()), (0.0, ticks - 5));
+    assert_eq!(flight.history().at(0).level().gravity, 0.0);
+}
+
+#[test]
+fn a_varied_run_that_ends_is_no_attempt_and_leads_back_to_the_level_as_it_is() {
+    // Level 1 is completed by its first tick: that attempt counts, nothing that follows does.
+    let mut sitting = Sitting::new();
+    open(sitting.fly(0));
+    assert_eq!((attempts(&sitting), sitting.flight().game().outcome()), (1, Outcome::Completed));
+    type_in(&mut sitting, Parameter::Gravity, "3");
+    assert_eq!(sitting.flight().game().outcome(), Outcome::Completed);
+    sitting.wait(3.0);
+    assert_eq!((sitting.at(), attempts(&sitting)), ("flight", 1), "it waits, and is no attempt");
+    // Also where all was taken back, one by one.
+    let [.., reset] = parts(&sitting, Parameter::Gravity);
+    sitting.click_at(reset).wait(2.0);
+    assert_eq!((value(&sitting, Parameter::Gravity), sitting.flight().game().outcome()), (15.0, Outcome::Completed));
+    assert!(sitting.flight().variation().is_some_and(|variation| variation.is_empty()));
+    assert_eq!((sitting.at(), attempts(&sitting)), ("flight", 1));
+    assert!(!sitting.folder.path().join("flights").exists(), "nor is it kept");
+    // The level as it is, from its start, counts again.
+    sitting.press(Key::Escape);
+    assert!(sitting.flight().variation().is_none() && !sitting.flight().is_assisted());
+    sitting.wait(1.5);
+    let list = sitting.scores_file("attempts.csv");
+    assert_eq!((sitting.at(), attempts(&sitting)), ("scoring", 2), "{list}");
+    assert!(sitting.scoring().result().score.total > 10_000 && !sitting.scoring().result().assisted);
+}
+
+#[test]
+fn reset_all_is_a_fresh_attempt_and_r_begins_the_varied_level_again() {
+    let mut sitting = varying();
+    sitting.wait(0.3);
+    type_in(&mut sitting, Parameter::Gravity, "3");
+    let flown = sitting.flight().game().ticks();
+    sitting.press(Key::R);
+    let flight = sitting.flight();
+    assert!(flight.game().ticks() < 5 && flight.game().level().gravity == 3.0 && flight.variation().is_some());
+    assert!(flight.before().unwrap().ticks() >= flown, "the run before stays a ghost");
+    sitting.wait(0.2);
+    assert_eq!(sitting.flight().game_before().unwrap().ticks(), sitting.flight().game().ticks());
+    button(&mut sitting, 2);
+    let flight = sitting.flight();
+    assert!(flight.game().ticks() < 5 && flight.game().level().gravity == 15.0);
+    assert!(flight.variation().is_none() && flight.before().is_none() && !flight.is_assisted());
+    // Taken back by hand it still is no attempt, until it begins anew.
+    type_in(&mut sitting, Parameter::Gravity, "3");
+    type_in(&mut sitting, Parameter::Gravity, "15");
+    assert!(sitting.flight().variation().is_some_and(|variation| variation.is_empty()) && sitting.flight().is_assisted());
+    sitting.press(Key::R);
+    assert!(sitting.flight().variation().is_none() && !sitting.flight().is_assisted());
+    // And who leaves the level leaves that behind.
+    type_in(&mut sitting, Parameter::Gravity, "3");
+    sitting.press(Key::Escape).choose(3).choose(1);
+    assert!(sitting.flight().variation().is_none() && sitting.flight().game().level().gravity == 15.0);
+}
+
+#[test]
+fn an_edit_of_the_files_varies_the_new_level_from_its_start() {
+    let mut sitting = varying();
+    sitting.wait(0.3);
+    type_in(&mut sitting, Parameter::Gravity, "3");
+    let file = sitting.folder.path().join("levels/2/player.csv");
+    fs::write(&file, "x,y,mass,fuel,thrust\n300,300,50,500,3000\n").unwrap();
+    sitting.wait(0.4);
+    let flight = sitting.flight();
+    assert_eq!((flight.game().level().gravity, flight.game().level().player.mass), (3.0, 50.0));
+    assert!(flight.game().time() < 0.4 && flight.variation().is_some() && flight.is_assisted());
+    // What is no longer there cannot be varied: the level is flown as it is, as a fresh attempt.
+    sitting.press(Key::Tab).press_all(&[Key::N, Key::N]).rest();
+    type_in(&mut sitting, Parameter::Mass(1), "3");
+    fs::remove_file(sitting.folder.path().join("levels/2/objects.csv")).unwrap();
+    sitting.wait(0.4);
+    let flight = sitting.flight();
+    assert!(flight.variation().is_none() && flight.game().level().gravity == 15.0 && !flight.is_assisted());
+    assert!(flight.instruments().vary().told().is_some_and(|(_, bad)| bad));
+}
+
+#[test]
+fn neither_recordings_nor_rivals_nor_assists_make_it_count() {
+    let flown = {
+        let sitting = varying();
+        let root = sitting.folder.path();
+        Arc::new(level::load(&root.join("levels/1"), root).unwrap().level)
+    };
+    for recorded in [true, false] {
+        let mut sitting = Sitting::new();
+        let inputs = recorded.then(Arc::default);
+        let rivals = vec![Rival { name: "ann".into(), inputs: Arc::default() }];
+        sitting.app.grant(Request::Attempt(Attempt { level: flown.clone(), inputs, rivals }), &mut ());
+        sitting.rest();
+        assert!(sitting.flight().race().is_some());
+        open(&mut sitting);
+        let counted = attempts(&sitting);
+        type_in(&mut sitting, Parameter::Mass(0), "20");
+        assert!(sitting.flight().race().is_none(), "those flew in the level as it is");
+        sitting.wait(3.0);
+        assert_eq!((sitting.at(), attempts(&sitting)), ("flight", counted));
+        button(&mut sitting, 2);
+        assert!(sitting.flight().race().is_some());
+    }
+}
+
+#[test]
+fn what_is_varied_is_saved_as_a_level_of_its_own_that_can_be_chosen() {
+    let mut sitting = varying();
+    type_in(&mut sitting, Parameter::Gravity, "1.62");
+    type_in(&mut sitting, Parameter::VelocityY(0), "3");
+    let varied = sitting.flight().game().level().clone();
+    let levels = sitting.folder.path().join("levels");
+    for (typed, name) in [("moon", "moon"), ("", "2-what-if"), ("", "2-what-if-2")] {
+        button(&mut sitting, 3);
+        assert_eq!(sitting.flight().instruments().vary().entry(), Some((VaryEntry::Name, String::new())));
+        sitting.write(typed).press(Key::Enter);
+        let told = sitting.flight().instruments().vary().told().expect("it is said where").0.to_owned();
+        assert_eq!(told, format!("Saved as {}", levels.join(name).display()));
+        let read = level::load(&levels.join(name), sitting.folder.path()).expect("it loads").level;
+        assert_eq!((read.title.as_str(), read.name.as_str()), ("2: what if", name));
+        assert_eq!(level::Level { name: varied.name.clone(), title: varied.title.clone(), ..read }, varied);
+    }
+    for (typed, refusal) in [("moon", "there is one of that name already"), ("../x", "letters, digits"), ("jumper", "Jumper")] {
+        button(&mut sitting, 3);
+        sitting.write(typed).press(Key::Enter);
+        let (told, bad) = sitting.flight().instruments().vary().told().unwrap();
+        assert!(bad && told.contains(refusal), "{told}");
+    }
+    assert_eq!(fs::read_dir(&levels).unwrap().count(), 5 + 3);
+    assert!(sitting.flight().variation().is_some(), "it is flown on");
+    sitting.press(Key::Escape).choose(3);
+    let names: Vec<&str> = sitting.level_select().entries().iter().map(|entry| entry.name.as_str()).collect();
+    assert!(names.contains(&"moon"), "{names:?}");
+    sitting.choose(names.iter().position(|name| *name == "moon").unwrap());
+    assert_eq!((sitting.at(), sitting.flight().game().level().gravity), ("flight", 1.62));
+    assert!(sitting.flight().variation().is_none() && !sitting.flight().is_assisted(), "a level like any other");
+}
+
+/// The moment that is shown is not lost where a run ends before it.
+#[test]
+fn a_run_that_ends_early_keeps_the_moment_for_the_next_change() {
+    let mut sitting = Sitting::with(|root| {
+        level(root, "2", "PLAYER,10,10,20,20\n", "0,590,800,10\n");
+        fs::write(root.join("levels/2/constants.csv"), "width,800\nheight,600\noptimal_time,10\ngravity,1\n").unwrap();
+    });
+    open(sitting.fly(1));
+    sitting.wait(1.5).press(Key::F);
+    let ticks = sitting.flight().game().ticks();
+    type_in(&mut sitting, Parameter::Gravity, "50");
+    assert_eq!(sitting.flight().game().outcome(), Outcome::Failed);
+    assert!(sitting.flight().game().ticks() < ticks);
+    type_in(&mut sitting, Parameter::Gravity, "2");
+    assert_eq!((sitting.flight().game().ticks(), sitting.flight().game().outcome()), (ticks, Outcome::Running));
+}
+
+#[test]
+fn a_long_flight_is_flown_again_over_several_frames() {
+    let mut sitting = varying();
+    sitting.give(Input { pressed: [Key::RightBracket].into_iter().collect(), ..Input::default() });
+    sitting.press_all(&[Key::RightBracket; 3]);
+    sitting.wait(40.0).press(Key::F);
+    let ticks = sitting.flight().game().ticks();
+    assert!(ticks > 2000, "{ticks}");
+    type_in(&mut sitting, Parameter::Gravity, "3");
+    sitting.wait(0.5);
+    assert_eq!((sitting.flight().game().ticks(), value(&sitting, Parameter::Gravity)), (ticks, 3.0));
+}
+
+#[test]
+fn the_panel_is_on_the_screen_and_its_parts_are_apart_in_every_window() {
+    for (size, text) in
+        [((1280.0, 720.0), 1.0), ((900.0, 500.0), 1.0), ((1280.0, 720.0), 1.5), ((900.0, 500.0), 1.5), ((1920.0, 1080.0), 1.5)]
+    {
+        let mut sitting = varying();
+        sitting.frame = Frame::of_window(Vec2::new(size.0, size.1)).with_text(text);
+        sitting.rest();
+        let (vary, frame) = (sitting.flight().instruments().vary(), sitting.frame);
+        let panel = vary.area().expect("it is open");
+        assert!(panel.min.min_element() >= 0.0 && panel.max().cmple(frame.size).all(), "{size:?} {text}: {panel:?}");
+        assert!(panel.min.x > frame.size.x / 2.0 + 30.0, "{size:?} {text}: the ship, in the middle, stays in view: {panel:?}");
+        let mut areas: Vec<_> = vary.lines().iter().flat_map(|line| vary.parts(line.parameter).unwrap()).collect();
+        areas.extend(vary.buttons());
+        for (i, area) in areas.iter().enumerate() {
+            assert!(area.min.cmpge(panel.min).all() && area.max().cmple(panel.max()).all(), "{area:?} in {panel:?}");
+            for other in &areas[i + 1..] {
+                assert!(
+                    area.max().cmple(other.min + 0.01).any() || other.max().cmple(area.min + 0.01).any(),
+                    "{area:?}, {other:?}"
+                );
+            }
+        }
+        let line = vary.lines()[0];
+        assert!(Track::of(line.parameter, line.usual).part(line.value) > 0.0);
+    }
+}
