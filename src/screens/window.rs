@@ -222,8 +222,9 @@ impl Theatre {
     }
 
     /// The body under the pointer, where a game is shown.
-    fn pointed(&self, screen: &Screen, input: &Input) -> Option<BodyId> {
-        let view = self.view.as_ref()?;
+    fn pointed(&mut self, screen: &Screen, input: &Input) -> Option<BodyId> {
+        let view = self.view.as_mut()?;
+        view.point_at(input.pointer);
         let (game, alpha) = match screen {
             Screen::Flight(flight) => (flight.game(), flight.alpha()),
             Screen::Watch(watch) => (watch.game(), watch.alpha()),
