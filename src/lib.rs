@@ -7,6 +7,7 @@
 //! - [`physics`]: the engine: bodies, named forces, contacts, impacts, motion. It knows no pixel, key, clock or file.
 //! - [`level`]: the text of a level folder becomes a valid [`level::Level`], or the list of all its problems.
 //! - [`game`]: one run of a level: controls, fuel, objectives, hazards, events, score.
+//! - [`instruments`]: what a lesson measures with: quantities, curves, work; it reads a flight and changes nothing in it.
 //! - [`pack`]: a level as one file that is handed on, and what may be taken of one that came from anywhere.
 //! - [`scores`]: user names and leaderboards, and their files.
 //! - [`settings`]: what a player has set, and the file that keeps it.
@@ -24,6 +25,7 @@ pub mod classics;
 pub mod cli;
 pub mod files;
 pub mod game;
+pub mod instruments;
 pub mod lab;
 pub mod level;
 pub mod pack;

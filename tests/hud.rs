@@ -4,8 +4,7 @@
 use resultant::level::{self, Level};
 use resultant::physics::Aabb;
 use resultant::view::camera::{Camera, Viewport, Window};
-use resultant::view::hud::HudLayout;
-use resultant::view::layout::{Area, Frame, Vec2, nearest_size, text_room};
+use resultant::view::layout::{Area, Frame, HudLayout, Vec2, nearest_size, text_room};
 use std::path::Path;
 
 /// Against how many most race. More need a wider strip, which what lies behind is seen through.

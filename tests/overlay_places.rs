@@ -12,8 +12,7 @@ use resultant::view::details::{Details, Looking};
 use resultant::view::facts::facts;
 use resultant::view::focus::Focus;
 use resultant::view::free_body::{head_area, told};
-use resultant::view::hud::HudLayout;
-use resultant::view::layout::{Area, Frame, Vec2};
+use resultant::view::layout::{Area, Frame, HudLayout, Vec2};
 use std::sync::Arc;
 use support::shipped::{experiment, experiments, flights, levels, load};
 

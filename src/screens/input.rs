@@ -1,6 +1,6 @@
 //! What the player did in one frame, in canvas units and without a window.
 
-use crate::physics::BodyId;
+use crate::physics::{BodyId, DVec2};
 use crate::settings::{Action, Key, Keys, Settings};
 use crate::view::layout::{Frame, Vec2};
 use std::cell::Cell;
@@ -45,6 +45,8 @@ pub struct Input {
     pub typed: String,
     /// The body of the game under the pointer, if there is one.
     pub pointed: Option<BodyId>,
+    /// Where in the game's level the pointer is, m, where a game is shown.
+    pub place: Option<DVec2>,
     /// What the player has set.
     pub settings: Settings,
     /// What the buttons made of it, also of a copy that leaves something out: they say so with [`Input::answer`].

@@ -11,7 +11,7 @@ pub const PACES: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.
 const AS_IT_IS: usize = 6;
 
 /// Whether a key went down to which the player has given no work of its own.
-fn pressed(input: &Input, key: Key) -> bool {
+pub(super) fn pressed(input: &Input, key: Key) -> bool {
     input.pressed(key) && !Action::ALL.iter().any(|action| input.settings.keys.of(*action).contains(&Some(key)))
 }
 

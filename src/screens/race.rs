@@ -137,8 +137,7 @@ impl Gap {
 mod drawing {
     use super::{Gap, Race};
     use crate::view::canvas::{Canvas, Style};
-    use crate::view::hud::HudLayout;
-    use crate::view::layout::{DETAILS, GRID, TEXT, Vec2};
+    use crate::view::layout::{DETAILS, GRID, HudLayout, TEXT, Vec2};
     use crate::view::{Ghost, theme, widgets};
 
     impl Race {

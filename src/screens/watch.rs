@@ -2,6 +2,7 @@
 //! itself, flown again to the moment that is asked for.
 
 use super::input::Repeat;
+use super::instruments::{Instruments, Stage};
 use super::observer;
 use super::{Input, Key, Request, Spectator, Toolbar, Visit};
 use crate::game::{Game, Reel};
@@ -40,6 +41,7 @@ pub struct Watch {
     details: bool,
     focus: Focus,
     hitboxes: bool,
+    instruments: Instruments,
     /// Whether the pointer holds the line of time.
     dragged: bool,
     /// How many ticks are flown ahead in a frame.
@@ -65,6 +67,7 @@ impl Watch {
             details: false,
             focus: Focus::default(),
             hitboxes: false,
+            instruments: Instruments::default(),
             dragged: false,
             ahead: AHEAD[1],
             repeat: Repeat::default(),
@@ -76,6 +79,7 @@ impl Watch {
     /// One frame.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         self.line = line(&input.frame);
+        let input = &self.measure(input);
         self.fly_ahead(input.frame_time);
         // The arrows to the sides repeat; the rest of the row does not.
         let once = [Key::Left, Key::Right, Key::PadLeft, Key::PadRight].into_iter().collect();
@@ -97,6 +101,13 @@ impl Watch {
         self.drag(input, spectator);
         self.play(input.frame_time, spectator);
         None
+    }
+
+    /// The instruments' part of a frame; what is left of the input for the flight.
+    fn measure(&mut self, input: &Input) -> Input {
+        let stage = Stage { game: &self.game, history: self.reel.history(), focus: &self.focus };
+        let rest = self.instruments.update(&Input { frame: above(&input.frame), ..input.clone() }, &stage);
+        Input { frame: input.frame, ..rest }
     }
 
     /// Keys that have no button, or repeat.
@@ -175,6 +186,11 @@ impl Watch {
         self.hitboxes
     }
 
+    /// What it is measured with.
+    pub const fn instruments(&self) -> &Instruments {
+        &self.instruments
+    }
+
     /// Its buttons.
     pub const fn toolbar(&self) -> &Toolbar {
         &self.toolbar
@@ -250,6 +266,11 @@ impl Watch {
             self.go((f64::from(part) * self.reel.ticks() as f64).round() as u64, spectator);
         }
     }
+}
+
+/// The part of the canvas in which the flight is: above the controls.
+pub const fn above(frame: &Frame) -> Frame {
+    Frame { size: Vec2::new(frame.size.x, frame.size.y - FOOT), ..*frame }
 }
 
 /// Where the line of time is.

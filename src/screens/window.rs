@@ -2,11 +2,11 @@
 
 use super::editor::Sheets;
 use super::pad::Pads;
-use super::watch::FOOT;
-use super::{Answer, App, Attempt, Flight, Input, Key, Keys, Noise, Places, Request, Screen, Spectator, Watch};
+use super::watch::above;
+use super::{Answer, App, Attempt, Flight, Input, Instruments, Key, Keys, Noise, Places, Request, Screen, Spectator, Watch};
 use crate::game::Game;
 use crate::level;
-use crate::physics::BodyId;
+use crate::physics::{BodyId, DVec2};
 use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
 use crate::view::layout::{DESIGN, Vec2};
@@ -114,7 +114,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         theme::wear(app.settings().palette);
         canvas.begin(text_scale(&app))?;
         let mut input = read_input(&canvas, pads.read());
-        input.pointed = theatre.pointed(app.screen(), &input);
+        (input.pointed, input.place) = theatre.pointed(app.screen(), &input);
         if !app.update(&input, &mut theatre) {
             return Ok(());
         }
@@ -168,10 +168,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) 
             screen.draw_over(canvas);
         }
         Screen::Watch(screen) => {
-            // The flight is above the controls.
-            let mut above = *canvas.frame();
-            above.size.y -= FOOT;
-            let whole = canvas.use_frame(above);
+            let whole = canvas.use_frame(above(canvas.frame()));
             theatre.draw_watched(screen, *app.settings(), frame_time, canvas);
             canvas.use_frame(whole);
             screen.draw_controls(canvas);
@@ -221,16 +218,17 @@ impl Theatre {
         }
     }
 
-    /// The body under the pointer, where a game is shown.
-    fn pointed(&mut self, screen: &Screen, input: &Input) -> Option<BodyId> {
-        let view = self.view.as_mut()?;
+    /// The body under the pointer, and the place in the level, m, where a game is shown.
+    fn pointed(&mut self, screen: &Screen, input: &Input) -> (Option<BodyId>, Option<DVec2>) {
+        let Some(view) = &mut self.view else { return (None, None) };
         view.point_at(input.pointer);
-        let (game, alpha) = match screen {
-            Screen::Flight(flight) => (flight.game(), flight.alpha()),
-            Screen::Watch(watch) => (watch.game(), watch.alpha()),
-            _ => return None,
+        let (game, alpha, frame) = match screen {
+            Screen::Flight(flight) => (flight.game(), flight.alpha(), input.frame),
+            Screen::Watch(watch) => (watch.game(), watch.alpha(), above(&input.frame)),
+            _ => return (None, None),
         };
-        view.body_at(game, alpha, input.pointer, &input.frame)
+        let place = view.viewport(game, alpha, &frame).metres(input.pointer);
+        (view.body_at(game, alpha, input.pointer, &frame), Some(place))
     }
 
     /// Lets the view move on by the frame just updated, and draws it.
@@ -247,6 +245,7 @@ impl Theatre {
         }
         view.set_ghosts(flight.race().map(|race| race.poses(flight.game().ticks(), flight.alpha())).unwrap_or_default());
         view.draw(flight.game(), flight.alpha(), overlays, &figures(self.tick_cost), canvas);
+        draw_instruments(flight.instruments(), view, (flight.game(), flight.alpha()), canvas);
         if let Some(race) = flight.race() {
             race.draw(canvas);
         }
@@ -264,6 +263,15 @@ impl Theatre {
             self.speaker.surround(Ambience::of(watch.game(), view.burning()));
         }
         view.draw(watch.game(), watch.alpha(), overlays, &figures(self.tick_cost), canvas);
+        draw_instruments(watch.instruments(), view, (watch.game(), watch.alpha()), canvas);
+    }
+}
+
+/// What it is measured with, above the flight.
+fn draw_instruments(instruments: &Instruments, view: &GameView, (game, alpha): (&Game, f64), canvas: &Canvas) {
+    if instruments.is_open() {
+        instruments.draw_in_level(game, &view.viewport(game, alpha, canvas.frame()), canvas);
+        instruments.draw(canvas);
     }
 }
 

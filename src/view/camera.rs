@@ -152,6 +152,11 @@ impl Viewport {
         (metres * self.scale - self.origin).as_vec2()
     }
 
+    /// The point of the level, m, that lies there: what [`Viewport::point`] undoes.
+    pub fn metres(&self, point: Vec2) -> DVec2 {
+        (point.as_dvec2() + self.origin) / self.scale
+    }
+
     /// Where a box of the level lies, its edges on whole physical pixels so that boxes that adjoin leave no seam.
     pub fn rect(&self, bounds: &Aabb) -> Rect {
         let min = self.snap(bounds.min * self.scale - self.origin).as_vec2();

@@ -332,7 +332,8 @@ impl GameView {
         }
     }
 
-    fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {
+    /// The part of the level that is shown.
+    pub fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {
         let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let level = game.level();
         let ship = centre(game, SHIP, alpha);

@@ -4,8 +4,7 @@
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
 use super::facts::number;
-use super::hud::HudLayout;
-use super::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
+use super::layout::{Area, DETAILS, Frame, GRID, HudLayout, LINE, MONO_ADVANCE, Vec2};
 use super::theme::{self, faded, rgb};
 use crate::game::{Game, SHIP};
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind, Source};

@@ -2,7 +2,7 @@
 
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
-use super::layout::{Area, DETAILS, Frame, GRID, TEXT, Vec2};
+use super::layout::{Area, DETAILS, GRID, HudLayout, TEXT, Vec2};
 use super::theme::{self, faded, rgb};
 use super::widgets::panel_in;
 use crate::game::{DAMAGING_SPEED, Game, SHIP};
@@ -10,15 +10,9 @@ use crate::physics::DVec2;
 use crate::settings::{Action, Settings};
 use macroquad::color::Color;
 
-/// Width and height of the fuel bar as shares of the window's.
-const BAR: Vec2 = Vec2::new(0.75, 0.03);
 /// The fuel bar's colour when full; it runs to [`FUEL_EMPTY`].
 const FUEL_FULL: Color = rgb(0xFFB01C);
 const FUEL_EMPTY: Color = rgb(0xF2302F);
-/// Height of the panel at the top left.
-const STATUS_HEIGHT: f32 = 72.0;
-/// Width of a ghost's column in a race, in heights of text.
-const RACE_COLUMN: f32 = 6.6;
 /// The gauge of speed ends here, m/s.
 const GAUGE_END: f64 = 2.0 * DAMAGING_SPEED;
 /// Length of the arrow of velocity, m of the level a m/s, and where it begins and ends, m from the ship's centre.
@@ -31,45 +25,6 @@ const VELOCITY_HEAD: f32 = 9.0;
 const VELOCITY_LEAST: f64 = 0.5;
 /// For how long the keys are told at the start of the first level, s.
 const HINT_TIME: f64 = 12.0;
-
-/// Where the parts stand: nothing else should cover them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HudLayout {
-    /// Timer and objectives, at the top left.
-    pub status: Area,
-    /// The fuel bar, at the bottom centre.
-    pub fuel: Area,
-}
-
-impl HudLayout {
-    /// The places on a canvas.
-    pub fn new(frame: &Frame) -> Self {
-        let bar = frame.size * BAR;
-        let left = (frame.size.x - bar.x) / 2.0;
-        Self {
-            status: Area::new(
-                2.0 * GRID,
-                2.0 * GRID,
-                15.2 * frame.text_height(TEXT),
-                STATUS_HEIGHT.max(frame.text_height(TEXT) * 3.2),
-            ),
-            fuel: Area::new(left, frame.size.y - bar.y - 2.0 * GRID, bar.x, bar.y),
-        }
-    }
-
-    /// Where a race stands: a strip beside the timer, with a column for each of so many ghosts.
-    pub fn race(&self, frame: &Frame, ghosts: usize) -> Area {
-        let left = self.status.max().x + GRID;
-        let column = RACE_COLUMN * frame.text_height(TEXT);
-        let width = (column * ghosts as f32).min(frame.size.x - left - 2.0 * GRID);
-        Area::new(left, self.status.min.y, width, frame.text_height(TEXT) * 2.8)
-    }
-
-    /// Every part.
-    pub fn areas(&self) -> [Area; 2] {
-        [self.status, self.fuel]
-    }
-}
 
 /// Draws all of it; whether the keys of the flight are `told` at the start of the first level.
 pub fn draw(game: &Game, settings: &Settings, told: bool, canvas: &Canvas) {
@@ -203,6 +158,7 @@ pub fn clock(time: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::view::layout::Frame;
 
     #[test]
     fn the_clock_counts_hundredths() {

@@ -203,6 +203,52 @@ impl Default for Frame {
     }
 }
 
+/// Width and height of the fuel bar in the head-up display as shares of the window's.
+const BAR: Vec2 = Vec2::new(0.75, 0.03);
+/// Height of its panel at the top left.
+const STATUS_HEIGHT: f32 = 72.0;
+/// Width of a ghost's column in a race, in heights of text.
+const RACE_COLUMN: f32 = 6.6;
+
+/// Where the parts of the head-up display stand: nothing else should cover them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HudLayout {
+    /// Timer and objectives, at the top left.
+    pub status: Area,
+    /// The fuel bar, at the bottom centre.
+    pub fuel: Area,
+}
+
+impl HudLayout {
+    /// The places on a canvas.
+    pub fn new(frame: &Frame) -> Self {
+        let bar = frame.size * BAR;
+        let left = (frame.size.x - bar.x) / 2.0;
+        Self {
+            status: Area::new(
+                2.0 * GRID,
+                2.0 * GRID,
+                15.2 * frame.text_height(TEXT),
+                STATUS_HEIGHT.max(frame.text_height(TEXT) * 3.2),
+            ),
+            fuel: Area::new(left, frame.size.y - bar.y - 2.0 * GRID, bar.x, bar.y),
+        }
+    }
+
+    /// Where a race stands: a strip beside the timer, with a column for each of so many ghosts.
+    pub fn race(&self, frame: &Frame, ghosts: usize) -> Area {
+        let left = self.status.max().x + GRID;
+        let column = RACE_COLUMN * frame.text_height(TEXT);
+        let width = (column * ghosts as f32).min(frame.size.x - left - 2.0 * GRID);
+        Area::new(left, self.status.min.y, width, frame.text_height(TEXT) * 2.8)
+    }
+
+    /// Every part.
+    pub fn areas(&self) -> [Area; 2] {
+        [self.status, self.fuel]
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,6 +3,7 @@
 mod editor;
 mod flight;
 mod flights;
+mod instruments;
 mod levels;
 mod menu;
 mod observed;

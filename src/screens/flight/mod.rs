@@ -3,6 +3,7 @@
 #[cfg(feature = "window")]
 mod drawing;
 
+use super::instruments::{Instruments, Stage};
 use super::observer::Observer;
 use super::race::{Race, Rival};
 use super::{Buttons, Input, Key, Purpose, Request, SettingsPanel};
@@ -91,6 +92,7 @@ pub struct Flight {
     details: bool,
     hitboxes: bool,
     observer: Observer,
+    instruments: Instruments,
     /// Whether it is flown to try out what is edited: nothing comes of it.
     test: bool,
     /// What became of the level's files since they were read, while that is shown.
@@ -131,6 +133,7 @@ impl Flight {
             details: false,
             hitboxes: false,
             observer: Observer::default(),
+            instruments: Instruments::default(),
             test: false,
             news: None,
             attempt,
@@ -165,6 +168,7 @@ impl Flight {
         if self.pause.is_some() {
             return self.update_pause(input);
         }
+        let input = &self.measure(input);
         if input.acts(Action::Restart) {
             return Some(Request::Restart);
         }
@@ -198,6 +202,12 @@ impl Flight {
             race.update(self.game.ticks(), input.frame_time);
         }
         None
+    }
+
+    /// The instruments' part of a frame; what is left of the input for the flight.
+    fn measure(&mut self, input: &Input) -> Input {
+        let stage = Stage { game: &self.game, history: &self.history, focus: self.observer.focus() };
+        self.instruments.update(input, &stage)
     }
 
     /// A tick by the keys, or by the recording.
@@ -234,6 +244,7 @@ impl Flight {
         let now = self.game.ticks();
         if now < self.history.ticks() {
             self.history = self.history.until(now);
+            self.instruments.back_to(&self.history, now);
             self.ended = 0.0;
             let mut again = self.attempt.inputs.as_deref().map(|inputs| inputs.clone().into_iter());
             again.iter_mut().for_each(|playback| playback.take(now as usize).for_each(drop));
@@ -244,6 +255,11 @@ impl Flight {
     /// Whoever looks on: whether the world stands still, how fast it goes, and whom the details tell of.
     pub const fn observer(&self) -> &Observer {
         &self.observer
+    }
+
+    /// What it is measured with.
+    pub const fn instruments(&self) -> &Instruments {
+        &self.instruments
     }
 
     /// Whether the keys fly, and not a recording.
@@ -378,6 +394,7 @@ impl Flight {
             details: self.details,
             hitboxes: self.hitboxes,
             observer: self.observer,
+            instruments: std::mem::take(&mut self.instruments).of_another_flight(),
             test: self.test,
             settings_problems: std::mem::take(&mut self.settings_problems),
             ..fresh
@@ -400,6 +417,7 @@ impl Flight {
         let goes_on = carried.is_some();
         if let Some(game) = carried {
             self.history = History::new(&game);
+            self.instruments = std::mem::take(&mut self.instruments).of_another_flight();
             (self.game, self.attempt.level, self.assisted) = (game, level, true);
             spectator.goes_on(&self.game);
         } else {

@@ -1,0 +1,27 @@
+//! The centre of mass of everything that moves: without forces from outside it goes on in a straight line, whatever the parts do.
+
+use crate::physics::{DVec2, World};
+
+/// Σ m·r / Σ m over all bodies, m.
+pub fn centre_of_mass(world: &World) -> DVec2 {
+    let (moment, mass) = world
+        .bodies()
+        .iter()
+        .fold((DVec2::ZERO, 0.0), |(moment, mass), body| (moment + body.mass * body.position, mass + body.mass));
+    moment / mass
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::{BodyDef, WorldDef};
+
+    #[test]
+    fn it_lies_nearer_to_the_heavier() {
+        let mut world = World::new(WorldDef::default()).expect("an empty world");
+        for (mass, x) in [(1.0, 10.0), (3.0, 14.0)] {
+            world.add_body(BodyDef { mass, position: DVec2::new(x, 50.0), ..BodyDef::default() }).expect("a body");
+        }
+        assert_eq!(centre_of_mass(&world), DVec2::new(13.0, 50.0));
+    }
+}
