@@ -6,7 +6,11 @@ mod support;
 use resultant::game::{Controls, Game, READABLE, SHIP};
 use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2, ForceKind};
+use resultant::view::camera::{Viewport, Window};
+use resultant::view::details::{Details, Looking, Placed};
 use resultant::view::facts::{Facts, Row, Shown, Value, facts};
+use resultant::view::focus::Focus;
+use resultant::view::layout::{Frame, Vec2};
 use resultant::view::quantity::quantity;
 use std::sync::Arc;
 use support::rooms::{area, crate_at, room};
@@ -30,8 +34,8 @@ fn row<'a>(facts: &'a Facts, name: &str) -> &'a Row {
 }
 
 fn vector(facts: &Facts, name: &str) -> DVec2 {
-    match &row(facts, name).value {
-        Value::Vector(vector) => *vector,
+    match row(facts, name).value {
+        Value::Vector(vector) => vector,
         other => panic!("{name} is {other:?}"),
     }
 }
@@ -57,11 +61,11 @@ fn the_ship_begins_with_its_engine_and_other_bodies_have_none() {
     let mut game = game(on_the_floor());
     game.step(Controls { thrust: true, ..Controls::default() });
     let ship = facts(&game, SHIP);
-    assert_eq!((ship.rows[0].name, ship.rows[0].value.clone(), ship.rows[0].unit), ("Engine drive", Value::Scalar(2000.0), "N"));
+    assert_eq!((ship.rows[0].name, ship.rows[0].value, ship.rows[0].unit), ("Engine drive", Value::Scalar(2000.0), "N"));
     assert_eq!(vector(&ship, "Drive"), DVec2::new(0.0, -2000.0));
     assert_eq!(ship.title, "Ship");
     let crate_box = facts(&game, BodyId(1));
-    assert_eq!((crate_box.rows[0].name, crate_box.rows[0].value.clone()), ("Mass", Value::Scalar(10.0)));
+    assert_eq!((crate_box.rows[0].name, crate_box.rows[0].value), ("Mass", Value::Scalar(10.0)));
     game.step(Controls { reverse: true, ..Controls::default() });
     assert_eq!(facts(&game, SHIP).rows[0].value, Value::Scalar(-2000.0));
     game.step(Controls::default());
@@ -172,17 +176,150 @@ fn an_impact_is_told_for_half_a_second() {
     let mut game = game(level);
     let lines = |game: &Game, body: u32| -> Vec<String> {
         let told = facts(game, BodyId(body)).rows.into_iter().skip_while(|row| row.shown != Some(Shown::Impact));
-        told.map(|row| format!("{} {}", row.name, quantity(&row, 6))).collect()
+        told.map(|row| format!("{} {}", row.label(), quantity(&row, 6))).collect()
     };
     while game.world().impulses().iter().all(|impulse| impulse.on(BodyId(1)).is_none()) {
         assert_eq!(lines(&game, 1), Vec::<String>::new());
         game.step(Controls::default());
     }
     // It has fallen by 1.5 m.
-    let told = ["Impact (     0,   67.1) N·s", " by edge bottom"];
+    let told = ["Impact by floor (     0,   67.1) N·s"];
     for _ in 0..=60 {
         assert_eq!(lines(&game, 1), told);
         game.step(Controls::default());
     }
     assert_eq!(lines(&game, 1), Vec::<String>::new());
+}
+
+/// The details of a game as they are laid out for whoever points there.
+fn arrange(details: &mut Details, game: &Game, focus: &Focus, pointer: Option<Vec2>) {
+    let frame = Frame::default();
+    let centres: Vec<DVec2> = game.world().bodies().iter().map(|body| body.position).collect();
+    let window = Window { size: frame.size.as_dvec2(), pixel: 1.0 };
+    let view = Viewport::new(centres[0], centres[0], game.level().size, game.level().metre, window);
+    details.arrange(game, &Looking { centres: &centres, focus, pointer, model: false, velocity: false }, &[], &view, &frame);
+}
+
+/// The box of a body.
+fn placed(details: &Details, body: u32) -> &Placed {
+    details.boxes().iter().find(|placed| placed.text.body == BodyId(body)).expect("it has a box")
+}
+
+/// The middle of a line of a body's box.
+fn line(details: &Details, body: u32, label: &str) -> Vec2 {
+    let placed = placed(details, body);
+    let index =
+        placed.text.lines.iter().position(|line| line.label == label).unwrap_or_else(|| panic!("{label}: {:?}", placed.text));
+    placed.line(index).centre()
+}
+
+/// The labels of the lines that are lit, with their vectors.
+fn lit(details: &Details, game: &Game) -> Vec<(u32, String, DVec2)> {
+    let told = |(body, row): &(BodyId, usize)| {
+        let row = facts(game, *body).rows.swap_remove(*row);
+        let Value::Vector(vector) = row.value else { panic!("{row:?}") };
+        (body.0, row.label(), vector)
+    };
+    details.lit().iter().map(told).collect()
+}
+
+/// A crate on a crate on the floor, beside the ship.
+fn stack() -> Game {
+    let mut level = on_the_floor();
+    level.objects = [99.5, 98.5].map(|y| crate_at(DVec2::new(60.0, y), DVec2::ZERO, None)).into();
+    game(level)
+}
+
+/// Who points at a force sees who else feels it: the other body's line and arrow, and in words also where that is no part of the level.
+#[test]
+fn pointing_at_a_force_lights_its_partner() {
+    let (game, mut details, all) = (stack(), Details::default(), Focus::default());
+    arrange(&mut details, &game, &all, None);
+    assert!(details.lit().is_empty() && details.tip().is_none());
+    let at = line(&details, 2, "Reaction by Box 1");
+    arrange(&mut details, &game, &all, Some(at));
+    let up = DVec2::new(0.0, -150.0);
+    assert_eq!(lit(&details, &game), [(2, "Reaction by Box 1".to_owned(), up), (1, "Reaction by Box 2".to_owned(), -up)]);
+    let words = |details: &Details| details.tip().expect("it is told").lines.join(" ");
+    assert_eq!(words(&details), "Third law: Box 2 presses on Box 1 with (0, −150) N");
+    assert!(details.tip().is_some_and(|tip| tip.area.is_some()));
+
+    // By its arrow as by its line.
+    let arrow = details.arrows().arrows.iter().find(|arrow| arrow.body == BodyId(1) && arrow.name() == "Weight").expect("an arrow");
+    let at = arrow.to;
+    arrange(&mut details, &game, &all, Some(at));
+    assert_eq!(lit(&details, &game), [(1, "Weight by planet".to_owned(), DVec2::new(0.0, 150.0))]);
+    assert_eq!(words(&details), "Third law: Box 1 pulls planet with (0, 150) N");
+
+    // A sum has no partner.
+    let at = line(&details, 2, "Resultant");
+    arrange(&mut details, &game, &all, Some(at));
+    assert!(details.lit().is_empty() && details.tip().is_none());
+}
+
+/// A partner of whom nothing else is told has its arrow all the same.
+#[test]
+fn the_partner_of_who_is_followed_alone_is_seen() {
+    let (game, mut details, mut focus) = (stack(), Details::default(), Focus::default());
+    focus.pick(Some(BodyId(2)), false);
+    arrange(&mut details, &game, &focus, None);
+    assert!(details.arrows().arrows.iter().all(|arrow| arrow.body == BodyId(2)));
+    let at = line(&details, 2, "Reaction by Box 1");
+    arrange(&mut details, &game, &focus, Some(at));
+    let other: Vec<_> = details.arrows().arrows.iter().filter(|arrow| arrow.body == BodyId(1)).collect();
+    assert!(other.len() == 1 && other[0].name() == "Reaction" && other[0].to.y > other[0].from.y, "{other:?}");
+    assert!(details.lit().contains(&(BodyId(1), other[0].row)) && details.boxes().len() == 1);
+}
+
+/// What exerts a force is named; several are counted.
+#[test]
+fn who_exerts_a_force_is_named() {
+    let mut level = on_the_floor();
+    (level.gravity, level.air_density) = (9.81, 1.2);
+    level.player.position = DVec2::new(50.0, 60.0);
+    level.objects = [(60.0, 99.5), (61.2, 99.5), (60.6, 98.5)].map(|(x, y)| crate_at(DVec2::new(x, y), DVec2::ZERO, None)).into();
+    let mut game = game(level);
+    game.step(Controls { thrust: true, ..Controls::default() });
+    let labels = |body: u32| -> Vec<String> {
+        let told = facts(&game, BodyId(body)).rows.into_iter().filter(|row| !row.causes.is_empty());
+        told.map(|row| row.label()).collect()
+    };
+    assert_eq!(labels(0), ["Weight by Earth", "Drive by exhaust", "Air Resistance by air"]);
+    assert_eq!(labels(1), ["Weight by Earth", "Reaction by Box 3", "Reaction by floor"]);
+    assert_eq!(labels(3), ["Weight by Earth", "Reaction by 2 objects"]);
+}
+
+/// Arrows are as long as the scale says, as far as they are not marked, and none is nothing, however small its force.
+#[test]
+fn every_force_has_an_arrow_and_what_is_not_to_scale_is_marked() {
+    let mut level = on_the_floor();
+    level.objects = [55.0, 60.0].map(|x| crate_at(DVec2::new(x, 99.5), DVec2::ZERO, None)).into();
+    (level.objects[0].mass, level.objects[1].mass) = (1e-6, 1e6);
+    let (game, mut details) = (game(level), Details::default());
+    arrange(&mut details, &game, &Focus::default(), None);
+    let arrows = &details.arrows().arrows;
+    assert_eq!((arrows.len(), details.arrows().left_out), (6, 0));
+    for arrow in arrows {
+        assert_eq!(arrow.to_scale, arrow.body == SHIP, "{arrow:?}");
+        assert!((15.0..720.0).contains(&arrow.length()), "{arrow:?}");
+    }
+    assert!(details.legend().lines.iter().any(|line| line.contains("not to scale")));
+    // Followed alone, each has a scale that suits it.
+    for body in [1, 2] {
+        let mut focus = Focus::default();
+        focus.pick(Some(BodyId(body)), false);
+        arrange(&mut details, &game, &focus, None);
+        assert!(details.arrows().arrows.iter().all(|arrow| arrow.to_scale && arrow.body == BodyId(body)), "{:?}", details.arrows());
+    }
+    // By hand, however long or short: they stay in the window, and none becomes nothing.
+    for steps in [24, -24] {
+        let mut focus = Focus::default();
+        focus.lengthen(steps);
+        arrange(&mut details, &game, &focus, None);
+        assert_eq!((details.arrows().arrows.len(), details.arrows().left_out), (6, 0));
+        for arrow in &details.arrows().arrows {
+            let inside = |point: Vec2| Frame::default().area().contains(point);
+            assert!(arrow.length() >= 15.0 && inside(arrow.from) && inside(arrow.to), "{steps}: {arrow:?}");
+        }
+    }
 }

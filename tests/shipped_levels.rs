@@ -3,12 +3,11 @@
 mod support;
 
 use resultant::game::{BURN_RATE, Controls, Game, Medal, Medals, Outcome, PROGRAM, Replay, SHIP, TICK_RATE};
-use resultant::level::{self, Level, ObjectiveKind, SHIP_HALF};
+use resultant::level::{Level, ObjectiveKind, SHIP_HALF};
 use resultant::physics::{Aabb, Body, DVec2, Guards, World};
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use support::adversary;
+use support::shipped::{flights, levels, load, project};
 
 /// How far two solids may ever overlap, m.
 const OVERLAP: f64 = 1e-3;
@@ -19,37 +18,6 @@ const CLEARANCE: f64 = 0.3;
 const HUNT: f64 = 120.0;
 /// What the adversary is meant to find: in level 3 who flies into the chamber stays there.
 const KNOWN: [(&str, adversary::Kind); 1] = [("3", adversary::Kind::Trapped)];
-
-fn project() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-fn load(name: &str) -> Arc<Level> {
-    let loaded = level::load(&project().join("levels").join(name), project());
-    let loaded = loaded.unwrap_or_else(|problems| panic!("level {name}: {problems:?}"));
-    assert!(loaded.warnings.is_empty(), "level {name}: {:?}", loaded.warnings);
-    Arc::new(loaded.level)
-}
-
-/// The levels that ship.
-fn levels() -> Vec<String> {
-    let names = level::list(&project().join("levels"));
-    assert!(names.len() >= 3, "{names:?}");
-    names
-}
-
-/// The flights of a level, by their names.
-fn flights(name: &str) -> BTreeMap<String, Replay> {
-    let folder = project().join("levels").join(name).join("flights");
-    let files = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
-    let flight = |path: PathBuf| {
-        let file = path.file_name().unwrap().to_str().unwrap();
-        let flight = file.strip_suffix(".replay.csv").unwrap_or_else(|| panic!("{}: no record", path.display()));
-        let replay = Replay::parse(file, &std::fs::read_to_string(&path).unwrap()).unwrap_or_else(|problems| panic!("{problems}"));
-        (flight.to_owned(), replay)
-    };
-    files.map(|entry| flight(entry.unwrap().path())).collect()
-}
 
 /// Flies a level by a record; `each_tick` sees the game after every tick.
 fn fly(level: &Arc<Level>, replay: &Replay, mut each_tick: impl FnMut(&Game)) -> Game {

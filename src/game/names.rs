@@ -1,4 +1,5 @@
-//! What exerts a force in a level, by name: bodies as the telemetry numbers them, all else as the level's files count their rows.
+//! What exerts a force in a level, by name: bodies as the telemetry numbers them, all else as the level's files count their rows. The
+//! files have one set of names, the players' pages another, with the same numbers.
 
 use crate::level::{Level, Look, SurfaceOf};
 use crate::physics::{BodyId, Obstacle, Source};
@@ -21,6 +22,31 @@ pub fn source_name(level: &Level, source: Source) -> String {
         Source::Fluid(index) => format!("fluid {}", index + 1),
         Source::Surface(index) => surface_name(level, index as usize),
         Source::Body(body) => format!("object {}", body.0),
+    }
+}
+
+/// The strength of the Earth's field, N/kg, and how far from it a level's may be to be told as the Earth's.
+const EARTH: f64 = 9.81;
+const EARTH_WITHIN: f64 = 0.05;
+/// The edges of a level as players are told.
+const WALLS: [&str; 4] = ["left edge", "right edge", "roof", "floor"];
+
+/// What exerts a force, in a player's words: `Earth` (`planet`, where gravity is another one's), `exhaust` (what leaves the engine pushes the
+/// ship), `air`, `wind N`, `liquid N`, `block N`, `mover N`, `floor` …; numbers as in [`source_name`].
+pub fn told_name(level: &Level, source: Source) -> String {
+    match source {
+        Source::Gravity if (level.gravity - EARTH).abs() <= EARTH_WITHIN => "Earth".to_owned(),
+        Source::Gravity => "planet".to_owned(),
+        Source::Engine => "exhaust".to_owned(),
+        Source::Stream(index) => format!("wind {}", index + 1),
+        Source::Fluid(index) => format!("liquid {}", index + 1),
+        Source::Surface(index) => match level.surface(index as usize) {
+            SurfaceOf::World(index) => format!("block {}", index + 1),
+            SurfaceOf::Source(index) => format!("fan {}", index + 1),
+            SurfaceOf::Edge(index) => WALLS[index].to_owned(),
+            SurfaceOf::Mover(_) | SurfaceOf::Door(_) | SurfaceOf::Plate(_) => surface_name(level, index as usize),
+        },
+        Source::Air | Source::Field(_) | Source::Body(_) => source_name(level, source),
     }
 }
 

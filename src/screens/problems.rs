@@ -2,7 +2,7 @@
 
 use super::scroll::{BAR_WIDTH, Scroll, bar_beside};
 use super::{Buttons, Input, Key};
-use crate::view::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, Vec2};
+use crate::view::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, Vec2, wrapped};
 
 /// From the canvas' edges to the panel.
 const MARGIN: Vec2 = Vec2::new(80.0, 56.0);
@@ -14,6 +14,9 @@ const FOOT: f32 = 3.0 * PADDING + ROW_BUTTON.y;
 const LEFT: f32 = PADDING + 8.0;
 /// What its width has beside the lines, for the bar.
 const ASIDE: f32 = LEFT + 2.0 * PADDING + BAR_WIDTH;
+
+/// How far the further lines of a problem are set in, characters.
+const INDENT: usize = 4;
 
 /// The panel; it can be scrolled where it is long.
 #[derive(Debug)]
@@ -67,7 +70,8 @@ impl Problems {
         self.frame = frame;
         let (height, widest) = (frame.text_height(DETAILS), frame.size - 2.0 * MARGIN);
         let columns = ((widest.x - ASIDE) / (height * MONO_ADVANCE)).floor().max(1.0) as usize;
-        self.lines = self.problems.iter().flat_map(|problem| wrapped(problem, columns)).collect();
+        let lines = |problem: &String| wrapped(problem, columns, INDENT).into_iter().enumerate().map(|(i, line)| (line, i == 0));
+        self.lines = self.problems.iter().flat_map(lines).collect();
         let room = ((widest.y - HEAD - FOOT) / (height * LINE)).floor().max(1.0) as usize;
         let page = self.lines.len().clamp(1, room);
         let size = Vec2::new(widest.x, HEAD + page as f32 * height * LINE + FOOT);
@@ -77,27 +81,6 @@ impl Problems {
         let close = Vec2::new(panel.centre().x, panel.max().y - PADDING - ROW_BUTTON.y / 2.0);
         self.close.place(vec![Area::around(close, ROW_BUTTON)]);
     }
-}
-
-/// A text in lines of at most `columns` characters, cut between words where it can be; lines after the first are set in.
-fn wrapped(text: &str, columns: usize) -> Vec<(String, bool)> {
-    const INDENT: &str = "    ";
-    let mut lines = Vec::new();
-    let mut line = String::new();
-    let fits = |line: &str, more: usize| line.chars().count() + more <= columns;
-    for word in text.split_inclusive(' ') {
-        if !line.trim().is_empty() && !fits(&line, word.trim_end().chars().count()) {
-            lines.push(std::mem::replace(&mut line, INDENT.into()));
-        }
-        for character in word.chars() {
-            if !fits(&line, 1) && line.len() > INDENT.len() {
-                lines.push(std::mem::replace(&mut line, INDENT.into()));
-            }
-            line.push(character);
-        }
-    }
-    lines.push(line);
-    lines.into_iter().enumerate().map(|(i, line)| (line, i == 0)).collect()
 }
 
 #[cfg(feature = "window")]
@@ -125,23 +108,6 @@ mod drawing {
                 widgets::scroll_bar(canvas, bar.track, bar.handle, bar.held);
             }
             widgets::button(canvas, self.close.areas()[0], "Close", self.close.hover().is_some(), true);
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn long_problems_are_cut_between_words_and_lose_nothing() {
-        let text = "world.csv:3: column \"width\": found a-word-that-is-longer-than-the-whole-panel, expected > 0";
-        for columns in [20, 30, 200] {
-            let lines = wrapped(text, columns);
-            assert!(lines.iter().all(|(line, _)| line.trim_end().chars().count() <= columns), "{lines:?}");
-            let joined: String = lines.iter().flat_map(|(line, _)| line.chars()).filter(|c| *c != ' ').collect();
-            assert_eq!(joined, text.replace(' ', ""));
-            assert!(lines[0].1 && lines[1..].iter().all(|(_, begins)| !begins));
         }
     }
 }

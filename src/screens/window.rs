@@ -219,8 +219,9 @@ impl Theatre {
     }
 
     /// The body under the pointer, and the place in the level, m, where a game is shown.
-    fn pointed(&self, screen: &Screen, input: &Input) -> (Option<BodyId>, Option<DVec2>) {
-        let Some(view) = &self.view else { return (None, None) };
+    fn pointed(&mut self, screen: &Screen, input: &Input) -> (Option<BodyId>, Option<DVec2>) {
+        let Some(view) = &mut self.view else { return (None, None) };
+        view.point_at(input.pointer);
         let (game, alpha, frame) = match screen {
             Screen::Flight(flight) => (flight.game(), flight.alpha(), input.frame),
             Screen::Watch(watch) => (watch.game(), watch.alpha(), above(&input.frame)),

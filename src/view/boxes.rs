@@ -1,4 +1,5 @@
-//! Where the details boxes go: near their objects, inside the window, out of each other's way. Plain arithmetic.
+//! Where the details boxes go: near their objects, inside the window, out of each other's way, and never over what has to be seen. Plain
+//! arithmetic on a grid of cells, so that it takes as long in a crowd as anywhere.
 
 use super::layout::{Area, Vec2};
 
@@ -6,13 +7,17 @@ use super::layout::{Area, Vec2};
 const OBJECT_GAP: f32 = 28.0;
 /// Between a box and another, and between a box and the window's edge, canvas units.
 const GAP: f32 = 8.0;
-/// How much it costs to cover an object or an arrow, a little and entirely, in canvas units of distance.
-const TOUCH_COST: f32 = 40.0;
-const COVER_COST: f32 = 260.0;
+/// How much it costs to cover an object, an arrow or words entirely, in canvas units of distance, and a single cell of it.
+const COVER_COST: f32 = 300.0;
+const CELL_COST: f32 = 10.0;
 /// How much it costs a box to change its place beside its object, for each unit of the change: what keeps boxes from jumping about.
 const MOVE_COST: f32 = 0.6;
+/// What a change costs at most: who stands far off comes back when there is room.
+const MOVE_MOST: f32 = 120.0;
 /// How much nearer two boxes together must come for it to be worth their changing places, canvas units: less makes them flutter.
 const EXCHANGE_GAIN: f32 = 40.0;
+/// The side of a cell, canvas units: finer finds tighter places, in time that grows with the square.
+const CELL: f32 = 16.0;
 
 /// A box that wants a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,12 +34,14 @@ pub struct Wish {
 /// `kept_clear` (objects, arrows) is covered only when that spares a long way. `None` where no place is left.
 pub fn place(wishes: &[Wish], window: Area, taken: &[Area], kept_clear: &[Area]) -> Vec<Option<Area>> {
     let mut fixed = taken.to_vec();
+    let mut map = Map::new(window, taken, kept_clear);
     let mut places: Vec<Option<Area>> = wishes
         .iter()
         .map(|wish| {
-            let area = best(wish, window, &fixed, kept_clear);
-            fixed.extend(area);
-            area
+            let area = best(wish, window, &fixed, &map)?;
+            fixed.push(area);
+            map.take(&area);
+            Some(area)
         })
         .collect();
     exchange(wishes, &mut places);
@@ -58,65 +65,146 @@ fn exchange(wishes: &[Wish], places: &mut [Option<Area>]) {
     }
 }
 
-fn best(wish: &Wish, window: Area, fixed: &[Area], kept_clear: &[Area]) -> Option<Area> {
+fn best(wish: &Wish, window: Area, fixed: &[Area], map: &Map) -> Option<Area> {
     let (low, high) = (window.min + GAP, window.max() - wish.size - GAP);
     if high.x < low.x || high.y < low.y {
         return None;
     }
     let middle = wish.object.centre();
-    let columns = stops(wish, fixed, |v| v.x).into_iter().chain(wish.before.map(|before| middle.x + before.x));
-    let rows: Vec<f32> = stops(wish, fixed, |v| v.y).into_iter().chain(wish.before.map(|before| middle.y + before.y)).collect();
     let mut found: Option<(f32, Area)> = None;
-    for x in columns {
-        for &y in &rows {
-            let area = Area { min: Vec2::new(x, y).clamp(low, high), size: wish.size };
-            let away = distance(&area, middle);
-            let moved = wish.before.map_or(0.0, |before| (area.min - middle - before).length() * MOVE_COST);
-            let cost = away + moved;
-            if found.is_some_and(|(least, _)| cost >= least) || fixed.iter().any(|other| apart(&area, other) < GAP - 0.01) {
-                continue;
-            }
-            let covered: f32 = kept_clear.iter().map(|other| cost_of_covering(covered(&area, other))).sum();
-            let cost = cost + covered;
-            if found.is_none_or(|(least, _)| cost < least) {
+    let mut consider = |min: Vec2, free: &dyn Fn(&Area) -> bool| {
+        let area = Area { min, size: wish.size };
+        let moved = wish.before.map_or(0.0, |before| ((min - middle - before).length() * MOVE_COST).min(MOVE_MOST));
+        let cost = distance(&area, middle) + moved;
+        let better = |cost: f32| found.is_none_or(|(least, _)| cost < least);
+        if better(cost) && free(&area) {
+            let cost = cost + map.cost(&area);
+            if better(cost) {
                 found = Some((cost, area));
             }
+        }
+    };
+    // Where it was, and beside, above and below its object, to the point; then on the grid.
+    let exactly = |area: &Area| fixed.iter().all(|other| area.gap(other) >= GAP - 0.01);
+    if let Some(before) = wish.before {
+        consider((middle + before).clamp(low, high), &exactly);
+    }
+    let stops = |axis: fn(Vec2) -> f32| {
+        let (size, from, to) = (axis(wish.size), axis(wish.object.min), axis(wish.object.max()));
+        [to + OBJECT_GAP, from - OBJECT_GAP - size, (from + to - size) * 0.5, from, to - size]
+    };
+    for x in stops(|v| v.x) {
+        for y in stops(|v| v.y) {
+            consider(Vec2::new(x, y).clamp(low, high), &exactly);
+        }
+    }
+    let cells = ((high - low) / CELL).floor();
+    for column in 0..=cells.x as usize {
+        for row in 0..=cells.y as usize {
+            consider(low + CELL * Vec2::new(column as f32, row as f32), &|area| map.is_free(area));
         }
     }
     found.map(|(_, area)| area)
 }
 
-/// Where along one axis a box can begin: beside, above and below its object, flush with it, and against what already has its place.
-fn stops(wish: &Wish, fixed: &[Area], axis: impl Fn(Vec2) -> f32) -> Vec<f32> {
-    let (size, from, to) = (axis(wish.size), axis(wish.object.min), axis(wish.object.max()));
-    let own = [to + OBJECT_GAP, from - OBJECT_GAP - size, (from + to - size) * 0.5, from, to - size, f32::MIN, f32::MAX];
-    let others = fixed.iter().flat_map(|other| [axis(other.max()) + GAP, axis(other.min) - GAP - size]);
-    own.into_iter().chain(others).collect()
+/// The window in cells, each with what lies there. Both tables hold sums over all cells above and to the left, so that a box of any size is looked
+/// up in four of them.
+struct Map {
+    min: Vec2,
+    columns: usize,
+    rows: usize,
+    /// Cells that are taken, with the gap around what takes them.
+    taken: Vec<bool>,
+    taken_sums: Vec<u32>,
+    cost_sums: Vec<f32>,
+}
+
+impl Map {
+    fn new(window: Area, taken: &[Area], kept_clear: &[Area]) -> Self {
+        let cells = (window.size / CELL).ceil();
+        let (columns, rows) = (cells.x as usize, cells.y as usize);
+        let sums = (columns + 1) * (rows + 1);
+        let mut map = Self {
+            min: window.min,
+            columns,
+            rows,
+            taken: vec![false; columns * rows],
+            taken_sums: vec![0; sums],
+            cost_sums: vec![0.0; sums],
+        };
+        taken.iter().for_each(|area| map.mark(area));
+        map.sum();
+        let mut costs = vec![0.0; columns * rows];
+        for area in kept_clear {
+            let [left, top, right, bottom] = map.cells(area);
+            let count = ((right - left) * (bottom - top)).max(1);
+            let each = (COVER_COST / count as f32).max(CELL_COST);
+            (top..bottom)
+                .for_each(|row| costs[row * columns + left..row * columns + right].iter_mut().for_each(|cost| *cost += each));
+        }
+        let width = columns + 1;
+        for row in 0..rows {
+            let mut line = 0.0;
+            for column in 0..columns {
+                line += costs[row * columns + column];
+                map.cost_sums[(row + 1) * width + column + 1] = map.cost_sums[row * width + column + 1] + line;
+            }
+        }
+        map
+    }
+
+    /// The cells that an area touches: from column and row to column and row.
+    fn cells(&self, area: &Area) -> [usize; 4] {
+        let most = Vec2::new(self.columns as f32, self.rows as f32);
+        let from = ((area.min - self.min) / CELL).floor().clamp(Vec2::ZERO, most);
+        let to = ((area.max() - self.min) / CELL).ceil().clamp(from, most);
+        [from.x as usize, from.y as usize, to.x as usize, to.y as usize]
+    }
+
+    fn mark(&mut self, area: &Area) {
+        let [left, top, right, bottom] = self.cells(&area.inset(-GAP));
+        for row in top..bottom {
+            self.taken[row * self.columns + left..row * self.columns + right].fill(true);
+        }
+    }
+
+    fn sum(&mut self) {
+        let width = self.columns + 1;
+        for row in 0..self.rows {
+            let mut line = 0;
+            for column in 0..self.columns {
+                line += u32::from(self.taken[row * self.columns + column]);
+                self.taken_sums[(row + 1) * width + column + 1] = self.taken_sums[row * width + column + 1] + line;
+            }
+        }
+    }
+
+    /// A box has its place here now.
+    fn take(&mut self, area: &Area) {
+        self.mark(area);
+        self.sum();
+    }
+
+    fn is_free(&self, area: &Area) -> bool {
+        let (sums, [a, b, c, d]) = (&self.taken_sums, self.corners(area));
+        sums[d] + sums[a] == sums[b] + sums[c]
+    }
+
+    fn cost(&self, area: &Area) -> f32 {
+        let (sums, [a, b, c, d]) = (&self.cost_sums, self.corners(area));
+        (sums[d] + sums[a] - sums[b] - sums[c]).max(0.0)
+    }
+
+    /// Where the sums of a box's four corners are: top left, top right, bottom left, bottom right.
+    fn corners(&self, area: &Area) -> [usize; 4] {
+        let ([left, top, right, bottom], width) = (self.cells(area), self.columns + 1);
+        [top * width + left, top * width + right, bottom * width + left, bottom * width + right]
+    }
 }
 
 /// From a box to a point, 0 inside.
 fn distance(area: &Area, point: Vec2) -> f32 {
     (area.min - point).max(point - area.max()).max(Vec2::ZERO).length()
-}
-
-/// The gap between two boxes, negative where they overlap.
-fn apart(a: &Area, b: &Area) -> f32 {
-    (b.min - a.max()).max(a.min - b.max()).max_element()
-}
-
-/// Whether a box overlaps none of the others.
-pub fn covers_none(area: &Area, others: &[Area]) -> bool {
-    others.iter().all(|other| apart(area, other) >= 0.0)
-}
-
-fn cost_of_covering(share: f32) -> f32 {
-    if share > 0.0 { TOUCH_COST + share * COVER_COST } else { 0.0 }
-}
-
-/// The share of `other` that `area` covers.
-fn covered(area: &Area, other: &Area) -> f32 {
-    let shared = (area.max().min(other.max()) - area.min.max(other.min)).max(Vec2::ZERO);
-    shared.x * shared.y / (other.size.x * other.size.y).max(1.0)
 }
 
 #[cfg(test)]
@@ -134,7 +222,7 @@ mod tests {
         for (i, area) in all.iter().enumerate() {
             assert!(area.min.cmpge(Vec2::ZERO).all() && area.max().cmple(WINDOW.size).all(), "{area:?} leaves the window");
             for other in all[i + 1..].iter().chain(taken) {
-                assert!(apart(area, other) >= 0.0, "{area:?} overlaps {other:?}");
+                assert!(area.gap(other) >= 0.0, "{area:?} overlaps {other:?}");
             }
         }
     }
@@ -147,7 +235,7 @@ mod tests {
                 let places = place(&[wish], WINDOW, &[], &[wish.object]);
                 check(&places, &[]);
                 let area = places[0].expect("there is room");
-                assert_eq!(covered(&area, &wish.object), 0.0, "the box at ({x}, {y}) covers its object");
+                assert!(area.gap(&wish.object) >= 0.0, "the box at ({x}, {y}) covers its object");
                 assert!(distance(&area, wish.object.centre().clamp(Vec2::ZERO, WINDOW.size)) < 100.0);
             }
         }

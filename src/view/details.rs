@@ -1,231 +1,297 @@
 //! The details overlay: a box for each body in view, tied to it by a thin line, the free-body arrows with their labels, and a legend
-//! with the arrows' scale and the parts of the model that are at work.
+//! with the arrows' scale. What is pointed at is lit with its partner of the third law. Here all of it is arranged; drawn below.
 
-use super::arrows::{self, Arrow, Label, Scale, place_labels};
-use super::boxes::{self, Wish, covers_none};
+mod drawing;
+mod legend;
+mod text;
+
+pub use legend::Note;
+pub use text::{BoxText, Line};
+
+use super::boxes::{self, Wish};
 use super::camera::Viewport;
-use super::canvas::{Canvas, Style};
-use super::facts::{Facts, Value, facts};
+use super::facts::facts;
 use super::focus::Focus;
-use super::layout::{Area, CORNER, DETAILS, Frame, GRID, HudLayout, LINE, MONO_ADVANCE, Vec2};
-use super::quantity::{number_width, quantity, scalar};
-use super::theme::{self, faded};
+use super::free_body::{Arranged, Ground, Label, Subject, head_area, place_labels, reaches};
+use super::hud::velocity_tip;
+use super::layout::{Area, DETAILS, Frame, GRID, HudLayout, MONO_ADVANCE, Vec2};
+use super::names;
+use super::partner::{answer, partner};
+use super::scale::Steady;
 use crate::game::{Game, SHIP};
 use crate::level::Text;
 use crate::physics::{Aabb, BodyId, DVec2};
 
 /// Inside a box's edge, canvas units: above and below less than in a panel, for there may be many.
-const PADDING: Vec2 = Vec2::new(2.0 * GRID, GRID);
-/// Characters of the longest name in a box, and of the longest unit, with the space before each of the two other columns.
-const NAME_WIDTH: usize = 15;
-const UNIT_WIDTH: usize = 6;
-/// Numbers are given room for this many characters at least, so that boxes seldom change their width: "−0.123".
-const NUMBER_WIDTH: usize = 6;
-/// The longest line of the legend, characters: longer ones are wrapped, so that it leaves room for the boxes.
-const LEGEND_WIDTH: usize = 46;
+const PADDING: Vec2 = Vec2::new(1.5 * GRID, 0.75 * GRID);
 /// About the mean width of a letter of the sans face, in heights of the text.
 const WORDS_ADVANCE: f32 = 0.5;
+/// How far what may not be covered is kept clear around, canvas units.
+const CLEAR: f32 = 2.0;
+/// An arrow is pointed at from this near, canvas units.
+const NEAR: f32 = 7.0;
+/// The room below and beside the pointer for what is told of what it points at, canvas units.
+const POINTER: f32 = 20.0;
+
+/// What is looked at, and how.
+#[derive(Clone, Copy, Debug)]
+pub struct Looking<'a> {
+    /// Where each body is drawn, m.
+    pub centres: &'a [DVec2],
+    /// Of whom is told.
+    pub focus: &'a Focus,
+    /// Where the pointer is, canvas units.
+    pub pointer: Option<Vec2>,
+    /// Whether the parts of the model are listed.
+    pub model: bool,
+    /// Whether the ship bears the arrow of its velocity.
+    pub velocity: bool,
+}
 
 /// A box with its place.
-struct Placed {
-    facts: Facts,
-    area: Area,
+#[derive(Clone, Debug)]
+pub struct Placed {
+    /// What it says.
+    pub text: BoxText,
+    /// Where it stands.
+    pub area: Area,
+    /// The middle of its object.
     object: Vec2,
+}
+
+impl Placed {
+    /// Where one of its lines is, from its left edge to its right one.
+    pub fn line(&self, line: usize) -> Area {
+        let height = (self.area.size.y - 2.0 * PADDING.y) / (self.text.lines.len() + 1) as f32;
+        let top = self.area.min.y + PADDING.y + (line + 1) as f32 * height;
+        Area::new(self.area.min.x, top, self.area.size.x, height)
+    }
 }
 
 /// The overlay as it is laid out for one frame.
 #[derive(Default)]
 pub struct Details {
     boxes: Vec<Placed>,
-    arrows: Vec<Arrow>,
+    arranged: Arranged,
     labels: Vec<Label>,
-    legend: Vec<String>,
-    legend_area: Area,
-    /// Whether the legend is at the left: it changes sides when the ship comes to it.
-    legend_left: bool,
+    names: Vec<(String, Area)>,
+    legend: Note,
+    /// What is told of what is pointed at.
+    tip: Option<Note>,
+    /// The lines and arrows that are lit, and the places.
+    lit: Vec<(BodyId, usize)>,
+    lit_places: Vec<Area>,
     /// Bodies in view without a box.
     left_out: usize,
     /// Where each body's box was from its middle, so that it stays there.
     before: Vec<Option<Vec2>>,
     /// How many boxes were full ones.
     full: Option<usize>,
+    scale: Steady,
 }
 
 impl Details {
-    /// Lays everything out anew. `centres` says where each body is drawn (m), `focus` of whom is told, `covered` what else stands on the screen.
-    pub fn arrange(
+    /// Lays everything out anew. `covered` are the panels on the screen besides the head-up display.
+    pub fn arrange(&mut self, game: &Game, looking: &Looking, covered: &[Area], view: &Viewport, frame: &Frame) {
+        self.before.resize(looking.centres.len(), None);
+        let shown = self.shown(game, looking, view);
+        let pointed = self.pointed(looking.pointer);
+        let subject = |id: BodyId| Subject { facts: facts(game, id), object: on_canvas(&bounds(game, looking, id), view) };
+        let mut subjects: Vec<Subject> = shown.iter().map(|&id| subject(id)).collect();
+        let (away, places) = self.light(game, &subjects, pointed, subject);
+        self.lit_places = places.iter().map(|bounds| on_canvas(bounds, view)).collect();
+        subjects.extend(away.into_iter().filter(|away| away.object.gap(&frame.area()) < 0.0));
+        let told = &subjects[..shown.len()];
+
+        let never = self.never(game, looking, view, frame);
+        let panels: Vec<Area> = HudLayout::new(frame).areas().into_iter().chain(covered.iter().copied()).collect();
+        let ground = Ground { window: frame.area(), never: &never, panels: &panels };
+        let reaches = reaches(&subjects, &ground);
+        let scale = self.scale.update(game, (looking.focus, &shown), view.scale(), [&reaches[0], &reaches[1]]);
+        self.arranged.arrange(&subjects, &scale, view.scale(), &ground);
+
+        let mut taken: Vec<Area> = panels;
+        taken.extend(&never);
+        taken.extend(self.arranged.arrows.iter().map(|arrow| head_area(arrow.from, arrow.to, arrow.shown)));
+        let words = game.level().texts.iter().map(|text| words_area(text, view));
+        let objects = told.iter().map(|told| told.object);
+        let kept_clear: Vec<Area> = objects.chain(self.arranged.arrows.iter().map(|arrow| arrow.area())).chain(words).collect();
+        self.place_legend(game, (&scale, looking), frame, (&taken, &kept_clear));
+        taken.extend(self.legend.area);
+        self.place_boxes(told, frame, &taken, &kept_clear);
+        taken.extend(self.boxes.iter().map(|placed| placed.area));
+        let text = frame.text_height(DETAILS);
+        let width = |name: &str| name.chars().count() as f32 * MONO_ADVANCE * text;
+        self.labels = place_labels(&self.arranged.arrows, text * 1.1, width, frame.area(), &taken);
+        taken.extend(self.labels.iter().map(|label| label.area));
+        self.names = names::place(names::told(game, view), text, frame.area(), &mut taken);
+        self.place_tip(looking.pointer, frame, &taken);
+    }
+
+    /// The bodies in view of whom is told: those near the ship choose first; the sort is stable, and the ship is nearest to itself.
+    fn shown(&self, game: &Game, looking: &Looking, view: &Viewport) -> Vec<BodyId> {
+        let (centres, visible) = (looking.centres, view.visible());
+        let ids = (0..centres.len() as u32).map(BodyId).filter(|&id| looking.focus.shows(id));
+        let mut shown: Vec<BodyId> = ids.filter(|&id| bounds(game, looking, id).touches(&visible, 0.0)).collect();
+        let from_ship = |id: &BodyId| centres[id.index()].distance_squared(centres[SHIP.index()]);
+        shown.sort_by(|a, b| from_ship(a).total_cmp(&from_ship(b)));
+        shown
+    }
+
+    /// What nothing may cover: the ship, hazards and goals in view, and the tip of the ship's velocity.
+    fn never(&self, game: &Game, looking: &Looking, view: &Viewport, frame: &Frame) -> Vec<Area> {
+        let level = game.level();
+        let goals = level.objectives.iter().map(|objective| objective.bounds);
+        let sources = level.streams.iter().map(|stream| stream.source);
+        let seen = level.obstacles.iter().copied().chain(goals).chain(sources).chain([bounds(game, looking, SHIP)]);
+        let ship = (game.world().body(SHIP).velocity, looking.centres[SHIP.index()]);
+        let tip = if looking.velocity { velocity_tip(ship.0, ship.1, view) } else { None };
+        let areas = seen.map(|bounds| on_canvas(&bounds, view).inset(-CLEAR)).chain(tip);
+        areas.filter(|area| area.gap(&frame.area()) < 0.0).collect()
+    }
+
+    /// The line that was pointed at in the frame before: in a box or by its arrow.
+    fn pointed(&self, pointer: Option<Vec2>) -> Option<(BodyId, usize)> {
+        let pointer = pointer?;
+        if let Some(placed) = self.boxes.iter().find(|placed| placed.area.contains(pointer)) {
+            let line = (0..placed.text.lines.len()).find(|&line| placed.line(line).contains(pointer))?;
+            return Some((placed.text.body, placed.text.lines[line].row));
+        }
+        let far = self.arranged.arrows.iter().map(|arrow| (arrow.distance(pointer), arrow));
+        let (_, arrow) = far.filter(|(far, _)| *far <= NEAR).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((arrow.body, arrow.row))
+    }
+
+    /// Lights what is pointed at and its partner. The answer is what is told besides: partners of whom nothing else is, each made by
+    /// `subject`, and the places of those that are no bodies, m.
+    fn light(
         &mut self,
         game: &Game,
-        (centres, focus): (&[DVec2], &Focus),
-        covered: Option<Area>,
-        view: &Viewport,
-        frame: &Frame,
-    ) {
-        self.before.resize(centres.len(), None);
-        let visible = view.visible();
-        let bounds = |i: usize| Aabb::around(centres[i], game.world().bodies()[i].half);
-        let mut shown: Vec<usize> =
-            (0..centres.len()).filter(|&i| focus.shows(id(i)) && bounds(i).touches(&visible, 0.0)).collect();
-        // Those near the ship choose first; the sort is stable, and the ship is nearest to itself.
-        let from_ship = |i: &usize| centres[*i].distance_squared(centres[SHIP.index()]);
-        shown.sort_by(|a, b| from_ship(a).total_cmp(&from_ship(b)));
-
-        let scale = Scale::of(game, focus);
-        self.arrows = shown.iter().flat_map(|&i| arrows::arrows(game, (id(i), centres[i]), &scale, view)).collect();
-        let objects: Vec<Area> = shown.iter().map(|&i| on_canvas(&bounds(i), view)).collect();
-        let level = game.level();
-        let goals = level.objectives.iter().map(|objective| &objective.bounds);
-        let marks = level.obstacles.iter().chain(goals).map(|bounds| on_canvas(bounds, view));
-        let words = level.texts.iter().map(|text| words_area(text, view));
-        let kept_clear: Vec<Area> =
-            objects.iter().copied().chain(self.arrows.iter().map(Arrow::area)).chain(marks).chain(words).collect();
-        self.legend = legend(game, &scale);
-        let hud = HudLayout::new(frame);
-        let below = covered.map_or(hud.status.max().y, |area| area.max().y) + 2.0 * GRID;
-        let ship = on_canvas(&bounds(SHIP.index()), view).inset(-2.0 * GRID);
-        let place = |left: bool| legend_area(&self.legend, frame, left.then_some(below));
-        self.legend_left ^= !covers_none(&place(self.legend_left), &[ship]);
-        self.legend_area = place(self.legend_left);
-        let taken: Vec<Area> = hud.areas().into_iter().chain([self.legend_area]).chain(covered).collect();
-
-        let (all, places) = self.fit(game, &shown, &objects, frame, &taken, &kept_clear);
-        self.left_out = places.iter().filter(|place| place.is_none()).count();
-        self.before.fill(None);
-        self.boxes.clear();
-        for (((facts, place), body), object) in all.into_iter().zip(places).zip(shown).zip(objects) {
-            if let Some(area) = place {
-                self.before[body] = Some(area.min - object.centre());
-                self.boxes.push(Placed { facts, area, object: object.centre() });
+        told: &[Subject],
+        pointed: Option<(BodyId, usize)>,
+        subject: impl Fn(BodyId) -> Subject,
+    ) -> (Vec<Subject>, Vec<Aabb>) {
+        (self.tip, self.lit) = (None, Vec::new());
+        let mut away = Vec::new();
+        let of = |body: BodyId| told.iter().map(|told| &told.facts).find(|facts| facts.body == body);
+        let Some((own, row)) = pointed.and_then(|(body, row)| Some((of(body)?, row))) else {
+            return (away, Vec::new());
+        };
+        let line = own.rows.get(row);
+        let Some((partner, (shown, _))) = line.and_then(|line| Some((partner(game, own, line)?, line.exerted()?))) else {
+            return (away, Vec::new());
+        };
+        self.lit.push((own.body, row));
+        for body in partner.bodies {
+            if let Some(facts) = of(body) {
+                self.lit.extend(answer(facts, shown, own.body).map(|row| (body, row)));
+                continue;
+            }
+            let mut other = subject(body);
+            if let Some(row) = answer(&other.facts, shown, own.body) {
+                other.facts.rows = vec![other.facts.rows.swap_remove(row)];
+                self.lit.push((body, 0));
+                away.push(other);
             }
         }
-        if self.left_out > 0 {
-            let more = format!("{} more objects without a box", self.left_out);
-            self.legend.push(more);
-            self.legend_area = legend_area(&self.legend, frame, self.legend_left.then_some(below));
-        }
-        let taken: Vec<Area> = taken.into_iter().chain(self.boxes.iter().map(|placed| placed.area)).collect();
-        let width = |name: &str| name.chars().count() as f32 * MONO_ADVANCE * frame.text_height(DETAILS);
-        self.labels = place_labels(&self.arrows, frame.text_height(DETAILS) * 1.1, width, frame.area(), &taken);
+        self.tip = Some(Note { lines: partner.words, area: None });
+        (away, partner.places)
     }
 
     /// The boxes and their places: as many full ones as go in, for the first bodies, and short ones for the rest. The number of full
     /// ones is found from that of the frame before, for it seldom changes.
-    fn fit(
-        &mut self,
-        game: &Game,
-        shown: &[usize],
-        objects: &[Area],
-        frame: &Frame,
-        taken: &[Area],
-        kept_clear: &[Area],
-    ) -> (Vec<Facts>, Vec<Option<Area>>) {
-        let told: Vec<Facts> = shown.iter().map(|&body| facts(game, id(body))).collect();
-        let sizes: Vec<[Vec2; 2]> = told.iter().map(|full| [full, &full.short()].map(|facts| box_size(facts, frame))).collect();
+    fn place_boxes(&mut self, told: &[Subject], frame: &Frame, taken: &[Area], kept_clear: &[Area]) {
+        let texts: Vec<[BoxText; 2]> =
+            told.iter().map(|told| [false, true].map(|short| BoxText::new(&told.facts, short))).collect();
+        let sizes: Vec<[Vec2; 2]> = texts.iter().map(|texts| [0, 1].map(|short| texts[short].size(frame))).collect();
         let try_full = |full: usize| {
-            let wish = |(i, (&body, &object)): (usize, (&usize, &Area))| Wish {
-                object,
+            let wish = |(i, told): (usize, &Subject)| Wish {
+                object: told.object,
                 size: sizes[i][usize::from(i >= full)],
-                before: self.before[body],
+                before: self.before[told.facts.body.index()],
             };
-            let wishes: Vec<Wish> = shown.iter().zip(objects).enumerate().map(wish).collect();
+            let wishes: Vec<Wish> = told.iter().enumerate().map(wish).collect();
             boxes::place(&wishes, frame.area(), taken, kept_clear)
         };
-        let fits = |places: &Vec<Option<Area>>| places.iter().all(Option::is_some);
-        let mut full = self.full.unwrap_or(shown.len()).clamp(1, shown.len().max(1));
+        let fits = |places: &[Option<Area>]| places.iter().all(Option::is_some);
+        let mut full = self.full.unwrap_or(told.len()).clamp(1, told.len().max(1));
         let mut best = try_full(full);
+        // Half as many at a time: a crowd that comes into view is not to take a frame.
         while !fits(&best) && full > 1 {
-            full -= 1;
+            full = full * 2 / 3;
             best = try_full(full);
         }
-        if fits(&best) && full < shown.len() {
+        if fits(&best) && full < told.len() {
             let more = try_full(full + 1);
             if fits(&more) {
                 (full, best) = (full + 1, more);
             }
         }
         self.full = Some(full);
-        let told = told.into_iter().enumerate().map(|(i, facts)| if i < full { facts } else { facts.short() }).collect();
-        (told, best)
-    }
-
-    /// Draws the shapes and the words.
-    pub fn draw(&self, canvas: &Canvas) {
-        for placed in &self.boxes {
-            let near = placed.object.clamp(placed.area.min, placed.area.max());
-            canvas.line(near, placed.object, 1.5, faded(theme::quiet(), 0.6));
-            canvas.disc(near, 3.0, theme::quiet());
-        }
-        arrows::draw(&self.arrows, canvas);
-        for placed in &self.boxes {
-            draw_box(placed, canvas);
-        }
-        arrows::draw_labels(&self.arrows, &self.labels, canvas);
-        self.draw_legend(canvas);
-    }
-
-    fn draw_legend(&self, canvas: &Canvas) {
-        panel(canvas, self.legend_area);
-        for (i, line) in self.legend.iter().enumerate() {
-            let at = self.legend_area.min + PADDING + Vec2::new(0.0, i as f32 * canvas.line_height(DETAILS));
-            canvas.text(line, at, Style::new(DETAILS, theme::quiet()).mono());
-        }
-    }
-}
-
-fn draw_box(placed: &Placed, canvas: &Canvas) {
-    panel(canvas, placed.area);
-    let line = canvas.line_height(DETAILS);
-    let at = |row: usize| placed.area.min + PADDING + Vec2::new(0.0, row as f32 * line);
-    canvas.text(&placed.facts.title, at(0), Style::new(DETAILS, theme::accent()).mono());
-    let width = number_width(&placed.facts.rows, NUMBER_WIDTH);
-    let numbers = Vec2::new(NAME_WIDTH as f32 * MONO_ADVANCE * canvas.frame().text_height(DETAILS), 0.0);
-    for (i, row) in placed.facts.rows.iter().enumerate() {
-        let colour = row.shown.map_or(theme::quiet(), arrows::colour);
-        canvas.text(row.name, at(i + 1), Style::new(DETAILS, colour).mono());
-        let colour = if matches!(row.value, Value::Vector(DVec2::ZERO) | Value::Words(_)) { theme::quiet() } else { theme::text() };
-        canvas.text(&quantity(row, width), at(i + 1) + numbers, Style::new(DETAILS, colour).mono());
-    }
-}
-
-fn panel(canvas: &Canvas, area: Area) {
-    canvas.rounded(area, CORNER, faded(theme::panel(), 0.97));
-    canvas.rounded_edge(area, CORNER, 1.5, theme::panel_edge());
-}
-
-/// The size of a box: its longest possible line at the width of its numbers, and its lines.
-fn box_size(facts: &Facts, frame: &Frame) -> Vec2 {
-    let text = frame.text_height(DETAILS);
-    // Brackets, comma and space stand between and around the two numbers.
-    let characters = NAME_WIDTH + 2 * number_width(&facts.rows, NUMBER_WIDTH) + 4 + UNIT_WIDTH;
-    let lines = facts.rows.len() + 1;
-    Vec2::new(characters as f32 * MONO_ADVANCE * text, lines as f32 * text * LINE) + 2.0 * PADDING
-}
-
-fn legend(game: &Game, scale: &Scale) -> Vec<String> {
-    let plan = game.world().plan().parts();
-    let (newtons, newton_seconds) = (scalar(scale.newtons, "N"), scalar(scale.newton_seconds, "N·s"));
-    let mut lines = vec![format!("Arrows: one square = {newtons}"), format!("Impacts: one square = {newton_seconds}")];
-    if !plan.is_empty() {
-        lines.push("Model at work:".to_owned());
-        lines.extend(plan.into_iter().flat_map(|part| wrapped(&format!("· {part}"), LEGEND_WIDTH)));
-    }
-    lines
-}
-
-/// Words in lines of at most `width` characters, if no word is longer; from the second on they stand below the first one's words.
-fn wrapped(words: &str, width: usize) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in words.split(' ') {
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
-                line.push(' ');
-                line.push_str(word);
+        self.left_out = best.iter().filter(|place| place.is_none()).count();
+        self.before.fill(None);
+        self.boxes.clear();
+        for (i, ((place, [long, short]), Subject { facts, object })) in best.into_iter().zip(texts).zip(told).enumerate() {
+            if let Some(area) = place {
+                self.before[facts.body.index()] = Some(area.min - object.centre());
+                self.boxes.push(Placed { text: if i < full { long } else { short }, area, object: object.centre() });
             }
-            Some(_) => lines.push(format!("  {word}")),
-            None => lines.push(word.to_owned()),
         }
     }
-    lines
+
+    /// What is told of the partner: near the pointer, beside everything or, where there is no room, above the boxes.
+    fn place_tip(&mut self, pointer: Option<Vec2>, frame: &Frame, taken: &[Area]) {
+        if let (Some(tip), Some(pointer)) = (&mut self.tip, pointer) {
+            let object = Area::around(pointer, Vec2::splat(POINTER));
+            let wish = Wish { object, size: Note::size(&tip.lines, frame), before: None };
+            tip.area = boxes::place(&[wish], frame.area(), taken, &[])[0]
+                .or_else(|| boxes::place(&[wish], frame.area(), &[object], &[])[0]);
+        }
+    }
+
+    /// The boxes.
+    pub fn boxes(&self) -> &[Placed] {
+        &self.boxes
+    }
+
+    /// The arrows that are drawn, and how many are not.
+    pub const fn arrows(&self) -> &Arranged {
+        &self.arranged
+    }
+
+    /// The arrows' labels.
+    pub fn labels(&self) -> &[Label] {
+        &self.labels
+    }
+
+    /// The names of mechanisms.
+    pub fn names(&self) -> &[(String, Area)] {
+        &self.names
+    }
+
+    /// The legend.
+    pub const fn legend(&self) -> &Note {
+        &self.legend
+    }
+
+    /// What is told of the partner of what is pointed at.
+    pub const fn tip(&self) -> Option<&Note> {
+        self.tip.as_ref()
+    }
+
+    /// What is lit: whose line of its box, as its full facts count them.
+    pub fn lit(&self) -> &[(BodyId, usize)] {
+        &self.lit
+    }
+
+    /// How many bodies in view have no box.
+    pub const fn left_out(&self) -> usize {
+        self.left_out
+    }
+}
+
+fn bounds(game: &Game, looking: &Looking, id: BodyId) -> Aabb {
+    Aabb::around(looking.centres[id.index()], game.world().body(id).half)
 }
 
 /// About where words of the level stand.
@@ -234,32 +300,7 @@ fn words_area(text: &Text, view: &Viewport) -> Area {
     Area { min: view.point(text.position), size: Vec2::new(letters * WORDS_ADVANCE, 1.0) * view.length(text.size) }
 }
 
-/// At the top right, or at the left so far down.
-fn legend_area(lines: &[String], frame: &Frame, left: Option<f32>) -> Area {
-    let text = frame.text_height(DETAILS);
-    let longest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0);
-    let size = Vec2::new(longest as f32 * MONO_ADVANCE * text, lines.len() as f32 * text * LINE) + 2.0 * PADDING;
-    let right = Vec2::new(frame.size.x - size.x - 2.0 * GRID, 2.0 * GRID);
-    Area { min: left.map_or(right, |top| Vec2::new(2.0 * GRID, top)), size }
-}
-
 fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
     let min = view.point(bounds.min);
     Area { min, size: view.point(bounds.max) - min }
-}
-
-const fn id(body: usize) -> BodyId {
-    BodyId(body as u32)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn long_lines_of_the_legend_are_wrapped_below_their_words() {
-        assert_eq!(wrapped("· one two three", 46), ["· one two three"]);
-        assert_eq!(wrapped("· one two three four", 9), ["· one two", "  three", "  four"]);
-        assert_eq!(wrapped("· incompressible", 9), ["·", "  incompressible"]);
-    }
 }

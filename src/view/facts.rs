@@ -1,21 +1,21 @@
 //! What the details box of a body says: read off the world's own state, nothing computed anew. How it is written is not here.
 
-use crate::game::{Game, SHIP, body_title, obstacle_name};
-use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, Impulse, Obstacle};
+use crate::game::{Game, SHIP, body_title, told_name};
+use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, Impulse, Obstacle, Source};
 
 /// Below this length (N) a force's direction is no more than rounding: it is kept by itself.
 const SMALLEST_FORCE: f64 = 1e-9;
 /// Two forces of a name with directions closer than this (sine of the angle) are one arrow and one line.
 const SAME_DIRECTION: f64 = 1e-6;
 
-/// An impact that passed on less (N·s) is not told: it would read 0.0.
-const SMALLEST_IMPACT: f64 = 0.05;
+/// Impacts that together change a body's velocity by less (m/s) are not told: what lies still is full of them.
+const SMALLEST_IMPACT: f64 = 1e-3;
 const IMPULSE_UNIT: &str = "N·s";
 /// How many impacts have lines and an arrow of their own; those that were smaller are told together.
 const IMPACTS: usize = 3;
 
 /// What a line or an arrow stands for, if it has a colour of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Shown {
     /// The resultant force.
     Resultant,
@@ -26,6 +26,11 @@ pub enum Shown {
 }
 
 impl Shown {
+    /// Whether it is an impact, and no force.
+    pub const fn is_impact(self) -> bool {
+        matches!(self, Self::Impact)
+    }
+
     /// The name shown to the player.
     pub const fn name(self) -> &'static str {
         match self {
@@ -37,14 +42,12 @@ impl Shown {
 }
 
 /// A quantity as it is shown.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     /// A number.
     Scalar(f64),
     /// Its x and y components.
     Vector(DVec2),
-    /// No number: what exerted the impact above.
-    Words(String),
 }
 
 /// One line of a box.
@@ -52,18 +55,44 @@ pub enum Value {
 pub struct Row {
     /// What it is.
     pub name: &'static str,
+    /// By whom, in words; empty where nobody exerts it, or it is a sum.
+    pub by: String,
     /// How much.
     pub value: Value,
     /// In what.
     pub unit: &'static str,
     /// What it tells of, if that has a colour.
     pub shown: Option<Shown>,
+    /// What exerts it.
+    pub causes: Vec<Source>,
+}
+
+impl Row {
+    /// A line that nobody exerts.
+    pub const fn plain(name: &'static str, value: Value, unit: &'static str) -> Self {
+        Self { name, by: String::new(), value, unit, shown: None, causes: Vec::new() }
+    }
+
+    /// What the line is called: "Reaction by floor".
+    pub fn label(&self) -> String {
+        if self.by.is_empty() { self.name.to_owned() } else { format!("{} by {}", self.name, self.by) }
+    }
+
+    /// The force or the impulse that it tells of, with what exerts it.
+    pub fn exerted(&self) -> Option<(Shown, DVec2)> {
+        match (self.shown, self.value) {
+            (Some(shown), Value::Vector(vector)) if !self.causes.is_empty() => Some((shown, vector)),
+            _ => None,
+        }
+    }
 }
 
 /// A box's heading and lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Facts {
-    /// The name of the body.
+    /// The body.
+    pub body: BodyId,
+    /// Its name.
     pub title: String,
     /// Its lines, from the top.
     pub rows: Vec<Row>,
@@ -73,37 +102,34 @@ pub struct Facts {
 pub fn facts(game: &Game, id: BodyId) -> Facts {
     let (world, ship) = (game.world(), id == SHIP);
     let (body, forces) = (world.body(id), world.forces(id));
-    let row = |name, value, unit| Row { name, value, unit, shown: None };
     let mut rows = Vec::with_capacity(16);
     if ship {
         // Along the nose positive, against it negative.
         let drive = forces.total(ForceKind::Drive).length() * if game.ship().burning < 0 { -1.0 } else { 1.0 };
-        rows.push(row("Engine drive", Value::Scalar(drive), "N"));
+        rows.push(Row::plain("Engine drive", Value::Scalar(drive), "N"));
     }
-    rows.push(row("Mass", Value::Scalar(body.mass), "kg"));
-    rows.push(row("Velocity", Value::Vector(body.velocity), "m/s"));
-    rows.push(row("Acceleration", Value::Vector(body.acceleration), "m/s²"));
-    let line = |shown: Shown, vector, unit| Row { name: shown.name(), value: Value::Vector(vector), unit, shown: Some(shown) };
+    rows.push(Row::plain("Mass", Value::Scalar(body.mass), "kg"));
+    rows.push(Row::plain("Velocity", Value::Vector(body.velocity), "m/s"));
+    rows.push(Row::plain("Acceleration", Value::Vector(body.acceleration), "m/s²"));
+    let line = |shown: Shown, vector, unit| Row { shown: Some(shown), ..Row::plain(shown.name(), Value::Vector(vector), unit) };
     rows.push(line(Shown::Resultant, forces.resultant(), "N"));
-    rows.extend(by_name(&forces).into_iter().map(|(kind, vector)| line(Shown::Force(kind), vector, "N")));
+    let exerted = |row: Row, causes: Vec<Source>| Row { by: by_whom(game, &causes), causes, ..row };
+    let told = by_name(&forces).into_iter();
+    rows.extend(told.map(|told| exerted(line(Shown::Force(told.kind), told.vector, "N"), told.by)));
     let impacts = impacts(game, id);
-    for (impulse, by) in &impacts.each {
-        rows.push(line(Shown::Impact, *impulse, IMPULSE_UNIT));
-        rows.push(row("", Value::Words(format!("by {}", by_whom(game, *by))), ""));
-    }
+    rows.extend(impacts.each.iter().map(|(impulse, by)| exerted(line(Shown::Impact, *impulse, IMPULSE_UNIT), vec![*by])));
     if impacts.others.0 > 0 {
-        rows.push(line(Shown::Impact, impacts.others.1, IMPULSE_UNIT));
-        let ones = if impacts.others.0 == 1 { "a smaller one".to_owned() } else { format!("{} smaller ones", impacts.others.0) };
-        rows.push(row("", Value::Words(ones), ""));
+        let by = if impacts.others.0 == 1 { "a lesser one".to_owned() } else { format!("{} lesser ones", impacts.others.0) };
+        rows.push(Row { by, ..line(Shown::Impact, impacts.others.1, IMPULSE_UNIT) });
     }
-    Facts { title: body_title(game.level(), id), rows }
+    Facts { body: id, title: body_title(game.level(), id), rows }
 }
 
 /// The impacts on a body that are told: the largest ones, each with what exerted it, and how many more there were, with their sum (N·s).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ImpactsTold {
     /// The largest first.
-    pub each: Vec<(DVec2, Obstacle)>,
+    pub each: Vec<(DVec2, Source)>,
     /// All others.
     pub others: (usize, DVec2),
 }
@@ -111,43 +137,69 @@ pub struct ImpactsTold {
 /// What is told of the impacts that can still be read.
 pub fn impacts(game: &Game, id: BodyId) -> ImpactsTold {
     let mut told = ImpactsTold::default();
-    for felt in game.impacts(id).into_iter().filter(|felt| felt.impulse.length() >= SMALLEST_IMPACT) {
-        if told.each.len() < IMPACTS {
-            told.each.push((felt.impulse, felt.by));
+    let least = SMALLEST_IMPACT * game.world().body(id).mass;
+    for felt in game.impacts(id) {
+        if told.each.len() < IMPACTS && felt.impulse.length() >= least {
+            told.each.push((felt.impulse, source(felt.by)));
         } else {
             told.others.0 += 1;
             told.others.1 += felt.impulse;
         }
     }
+    if told.others.1.length() < least {
+        told.others.0 = 0;
+    }
     told
 }
 
-/// What exerted an impact: bodies by the titles of their boxes, all else as the level's files count it.
-fn by_whom(game: &Game, by: Obstacle) -> String {
-    match by {
-        Obstacle::Body(body) => body_title(game.level(), body),
-        Obstacle::Surface(_) => obstacle_name(game.level(), by),
+const fn source(obstacle: Obstacle) -> Source {
+    match obstacle {
+        Obstacle::Surface(index) => Source::Surface(index),
+        Obstacle::Body(body) => Source::Body(body),
     }
 }
 
-impl Facts {
-    /// The short form, for when there is no room: heading and resultant.
-    pub fn short(&self) -> Self {
-        let rows = self.rows.iter().filter(|row| row.shown == Some(Shown::Resultant));
-        Self { title: self.title.clone(), rows: rows.cloned().collect() }
+/// What exerts a force or an impact: bodies by the titles of their boxes, all else as players are told. Several are counted.
+pub fn by_whom(game: &Game, causes: &[Source]) -> String {
+    let all = |sort: fn(&Source) -> bool| causes.iter().all(sort);
+    match causes {
+        [] => String::new(),
+        [Source::Body(body)] => body_title(game.level(), *body),
+        [one] => told_name(game.level(), *one),
+        many if all(|cause| matches!(cause, Source::Body(_))) => format!("{} objects", many.len()),
+        many if all(|cause| matches!(cause, Source::Surface(_))) => format!("{} blocks", many.len()),
+        many if all(|cause| matches!(cause, Source::Stream(_))) => format!("{} winds", many.len()),
+        many if all(|cause| matches!(cause, Source::Fluid(_))) => format!("{} liquids", many.len()),
+        many => format!("{} things", many.len()),
     }
+}
+
+/// Forces of one name that point the same way, and what exerts them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Told {
+    /// Their name.
+    pub kind: ForceKind,
+    /// Their sum, N.
+    pub vector: DVec2,
+    /// Each of their sources once.
+    pub by: Vec<Source>,
 }
 
 /// The forces by name, in the usual order. Forces of one name that point the same way (the reactions of two floor tiles) are one;
 /// those of one name that oppose each other stay apart, for together they would hide what presses.
-pub fn by_name(forces: &ForceManager) -> Vec<(ForceKind, DVec2)> {
-    let mut named: Vec<(ForceKind, DVec2)> = Vec::new();
+pub fn by_name(forces: &ForceManager) -> Vec<Told> {
+    let mut named: Vec<Told> = Vec::new();
     for kind in ForceKind::ALL {
         let first = named.len();
         for force in forces.forces().iter().filter(|force| force.kind == kind) {
-            match named[first..].iter_mut().find(|(_, sum)| same_way(*sum, force.vector)) {
-                Some((_, sum)) => *sum += force.vector,
-                None => named.push((kind, force.vector)),
+            match named[first..].iter_mut().find(|told| same_way(told.vector, force.vector)) {
+                Some(told) => {
+                    told.vector += force.vector;
+                    if !told.by.contains(&force.source) {
+                        told.by.push(force.source);
+                    }
+                }
+                None => named.push(Told { kind, vector: force.vector, by: vec![force.source] }),
             }
         }
     }

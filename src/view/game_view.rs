@@ -3,11 +3,11 @@
 use super::art::Art;
 use super::camera::{Camera, Viewport, Window};
 use super::canvas::Canvas;
-use super::details::Details;
+use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
 use super::focus::Focus;
-use super::layout::{Frame, Vec2};
+use super::layout::{Area, Frame, Vec2};
 use super::particles::Particles;
 use super::pictures::Pictures;
 use super::terrain::Terrain;
@@ -15,7 +15,7 @@ use super::theme::faded;
 use super::things::Brushes;
 use super::touchdown::{GENTLE, Touchdown};
 use super::wreck::Wreck;
-use super::{decoration, hitboxes, hud, mechanisms, names, theme, things, world, zones};
+use super::{decoration, hitboxes, hud, mechanisms, theme, things, world, zones};
 use crate::game::{Game, GameEvent, Outcome, Pose, SHIP};
 use crate::level::SHIP_HALF;
 use crate::physics::{Aabb, BodyId, DVec2};
@@ -49,6 +49,8 @@ pub struct GameView {
     emitters: Emitters,
     feedback: Feedback,
     details: Details,
+    /// Where the pointer is, canvas units.
+    pointer: Option<Vec2>,
     touchdown: Touchdown,
     /// Once the ship is lost.
     wreck: Option<Wreck>,
@@ -110,6 +112,7 @@ impl GameView {
             emitters: Emitters::new(level),
             feedback: Feedback::default(),
             details: Details::default(),
+            pointer: None,
             touchdown: Touchdown::default(),
             wreck: None,
             ghosts: Vec::new(),
@@ -185,8 +188,15 @@ impl GameView {
         self.feedback.advance(frame_time);
         if overlays.details {
             let centres: Vec<DVec2> = ids(game).map(|id| centre(game, id, alpha)).collect();
-            let figures = overlays.hitboxes.then(|| hitboxes::figures_area(game, frame));
-            self.details.arrange(game, (&centres, &overlays.focus), figures, &view, frame);
+            let covered: Vec<Area> = overlays.hitboxes.then(|| hitboxes::figures_area(game, frame)).into_iter().collect();
+            let looking = Looking {
+                centres: &centres,
+                focus: &overlays.focus,
+                pointer: self.pointer,
+                model: overlays.hitboxes,
+                velocity: overlays.settings.velocity,
+            };
+            self.details.arrange(game, &looking, &covered, &view, frame);
         }
     }
 
@@ -219,6 +229,11 @@ impl GameView {
         }
     }
 
+    /// Says where the pointer is, canvas units, for the details.
+    pub const fn point_at(&mut self, pointer: Vec2) {
+        self.pointer = Some(pointer);
+    }
+
     /// Says who flies along, and where.
     pub fn set_ghosts(&mut self, ghosts: Vec<Ghost>) {
         self.ghosts = ghosts;
@@ -239,8 +254,6 @@ impl GameView {
             hitboxes::draw(game, figures, &view, canvas);
         }
         if overlays.details {
-            names::draw(game, &view, canvas);
-            canvas.end_layer();
             self.details.draw(canvas);
         }
         if overlays.settings.velocity && self.wreck.is_none() {

@@ -19,6 +19,8 @@ const GAUGE_END: f64 = 2.0 * DAMAGING_SPEED;
 const VELOCITY_SCALE: f64 = 0.22;
 const VELOCITY_START: f64 = 1.25;
 const VELOCITY_END: f64 = 6.0;
+/// Length of its head, canvas units.
+const VELOCITY_HEAD: f32 = 9.0;
 /// Slower than this has no arrow, m/s.
 const VELOCITY_LEAST: f64 = 0.5;
 /// For how long the keys are told at the start of the first level, s.
@@ -96,17 +98,27 @@ fn speed_colour(speed: f64) -> Color {
     if speed >= DAMAGING_SPEED { theme::bad() } else { theme::text() }
 }
 
-/// The arrow of the ship's velocity (m/s), beside the ship whose centre is drawn at `centre` (m).
-pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &Canvas) {
+/// Where the arrow of the ship's velocity (m/s) begins and ends, beside the ship whose centre is drawn at `centre` (m); none for a slow ship.
+fn velocity_arrow(velocity: DVec2, centre: DVec2, view: &Viewport) -> Option<(Vec2, Vec2)> {
     let speed = velocity.length();
-    if speed < VELOCITY_LEAST {
-        return;
-    }
     let along = velocity / speed;
     let length = (speed * VELOCITY_SCALE).min(VELOCITY_END);
-    let (from, to) = (view.point(centre + along * VELOCITY_START), view.point(centre + along * (VELOCITY_START + length)));
-    let colour = faded(speed_colour(speed), 0.85);
-    let (way, head) = ((to - from).normalize_or_zero(), 9.0);
+    let ends = || (view.point(centre + along * VELOCITY_START), view.point(centre + along * (VELOCITY_START + length)));
+    (speed >= VELOCITY_LEAST).then(ends)
+}
+
+/// The box around its head.
+pub fn velocity_tip(velocity: DVec2, centre: DVec2, view: &Viewport) -> Option<Area> {
+    let (from, to) = velocity_arrow(velocity, centre, view)?;
+    let middle = to - (to - from).normalize_or_zero() * VELOCITY_HEAD * 0.5;
+    Some(Area::around(middle, Vec2::splat(VELOCITY_HEAD * 1.2)))
+}
+
+/// Draws it.
+pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &Canvas) {
+    let Some((from, to)) = velocity_arrow(velocity, centre, view) else { return };
+    let colour = faded(speed_colour(velocity.length()), 0.85);
+    let (way, head) = ((to - from).normalize_or_zero(), VELOCITY_HEAD);
     canvas.line(from, to - way * head * 0.6, 3.0, colour);
     canvas.convex(&[to, to - way * head + way.perp() * head * 0.5, to - way * head - way.perp() * head * 0.5], colour);
 }

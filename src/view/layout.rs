@@ -38,6 +38,32 @@ pub fn text_room(words: &str, height: f32) -> Vec2 {
     Vec2::new(words.chars().count() as f32 * WIDE_ADVANCE, LINE) * height
 }
 
+/// A text in lines of at most `columns` characters, cut between words where it can be; those after the first are set in by `indent`.
+pub fn wrapped(text: &str, columns: usize, indent: usize) -> Vec<String> {
+    let mut lines = Vec::new();
+    let (mut line, mut length) = (String::new(), 0);
+    let mut end = |line: &mut String, length: &mut usize| {
+        lines.push(line.trim_end().to_owned());
+        *line = " ".repeat(indent);
+        *length = indent;
+    };
+    for word in text.split_inclusive(' ') {
+        if !line.trim().is_empty() && length + word.trim_end().chars().count() > columns {
+            end(&mut line, &mut length);
+        }
+        for character in word.chars() {
+            // A line takes one character at least, however far it is set in.
+            if length >= columns && character != ' ' && !line.trim().is_empty() {
+                end(&mut line, &mut length);
+            }
+            line.push(character);
+            length += 1;
+        }
+    }
+    end(&mut line, &mut length);
+    lines
+}
+
 /// The step of the grid on which everything stands.
 pub const GRID: f32 = 8.0;
 /// Radius of a panel's corners.
@@ -86,6 +112,33 @@ impl Area {
     /// Whether a point lies in it.
     pub fn contains(&self, point: Vec2) -> bool {
         point.cmpge(self.min).all() && point.cmplt(self.max()).all()
+    }
+
+    /// The gap to another box; negative where they overlap.
+    pub fn gap(&self, other: &Self) -> f32 {
+        (other.min - self.max()).max(self.min - other.max()).max_element()
+    }
+
+    /// Whether it overlaps none of the others.
+    pub fn covers_none(&self, others: &[Self]) -> bool {
+        others.iter().all(|other| self.gap(other) >= 0.0)
+    }
+
+    /// From where to where, seen from its start, a line is inside; `None` where it passes by.
+    pub fn stretch(&self, from: Vec2, along: Vec2, length: f32) -> Option<(f32, f32)> {
+        let (mut enters, mut leaves) = (0.0_f32, length);
+        for axis in 0..2 {
+            let (low, high) = (self.min[axis] - from[axis], self.max()[axis] - from[axis]);
+            if along[axis] == 0.0 {
+                if low > 0.0 || high < 0.0 {
+                    return None;
+                }
+                continue;
+            }
+            let (a, b) = (low / along[axis], high / along[axis]);
+            (enters, leaves) = (enters.max(a.min(b)), leaves.min(a.max(b)));
+        }
+        (enters < leaves).then_some((enters, leaves))
     }
 
     /// The box whose edges lie `by` further in (or out, where negative).
@@ -216,6 +269,33 @@ mod tests {
             assert!(small.text_height(size) / small.pixel >= SMALLEST_TEXT - 1e-3);
         }
         assert_eq!(Frame::default().text_height(DETAILS), DETAILS);
+    }
+
+    #[test]
+    fn a_line_is_inside_of_a_box_from_where_it_enters_to_where_it_leaves() {
+        let area = Area::new(0.0, 0.0, 1000.0, 500.0);
+        let stretch = |x: f32, y: f32, along: Vec2, length: f32| area.stretch(Vec2::new(x, y), along, length);
+        assert_eq!(stretch(100.0, 100.0, Vec2::X, 50.0), Some((0.0, 50.0)));
+        assert_eq!(stretch(100.0, 100.0, Vec2::X, 1e9), Some((0.0, 900.0)));
+        assert_eq!(stretch(100.0, 900.0, -Vec2::Y, 1e9), Some((400.0, 900.0)));
+        assert_eq!(stretch(-100.0, 100.0, -Vec2::X, 1e9), None);
+        assert_eq!(stretch(100.0, 900.0, Vec2::X, 1e9), None);
+    }
+
+    #[test]
+    fn long_lines_are_cut_between_words_and_lose_nothing() {
+        assert_eq!(wrapped("· one two three", 46, 2), ["· one two three"]);
+        assert_eq!(wrapped("· one two three four", 9, 2), ["· one two", "  three", "  four"]);
+        assert_eq!(wrapped("· incompressible", 16, 2), ["· incompressible"]);
+        assert_eq!(wrapped("ab cdefgh", 3, 0), ["ab", "cde", "fgh"]);
+        assert_eq!(wrapped("", 3, 2), [""]);
+        assert_eq!(wrapped("abc", 1, 4), ["a", "    b", "    c"], "no room is still room for one character");
+        let text = "world.csv:3: column \"width\": found a-word-that-is-longer-than-the-whole-panel, expected > 0";
+        for columns in [20, 30, 200] {
+            let lines = wrapped(text, columns, 4);
+            assert!(lines.iter().all(|line| line.chars().count() <= columns), "{lines:?}");
+            assert_eq!(lines.concat().replace(' ', ""), text.replace(' ', ""));
+        }
     }
 
     #[test]

@@ -32,6 +32,8 @@ pub mod focus;
 #[cfg(feature = "window")]
 pub mod fonts;
 #[cfg(feature = "window")]
+pub mod free_body;
+#[cfg(feature = "window")]
 pub mod game_view;
 #[cfg(feature = "window")]
 pub mod hitboxes;
@@ -46,12 +48,16 @@ pub mod names;
 #[cfg(feature = "window")]
 pub mod particles;
 #[cfg(feature = "window")]
+pub mod partner;
+#[cfg(feature = "window")]
 pub mod picture;
 #[cfg(feature = "window")]
 pub mod pictures;
 pub mod plane;
 #[cfg(feature = "window")]
 pub mod quantity;
+#[cfg(feature = "window")]
+pub mod scale;
 #[cfg(feature = "window")]
 pub mod shapes;
 #[cfg(feature = "window")]

@@ -2,19 +2,29 @@
 
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
-use super::layout::{DETAILS, Vec2};
+use super::layout::{Area, DETAILS, MONO_ADVANCE, Vec2};
 use super::theme::{self, faded};
-use crate::game::{Game, obstacle_name};
+use crate::game::{Game, told_name};
 use crate::level::SurfaceOf;
-use crate::physics::{Aabb, DVec2, Obstacle};
+use crate::physics::{Aabb, DVec2, Source};
 use macroquad::shapes::draw_rectangle;
 
-/// Writes the names of all mechanisms in view, as the command line and the details call them, and by what switches call them.
-pub fn draw(game: &Game, view: &Viewport, canvas: &Canvas) {
+/// Around a name, canvas units.
+const AROUND: Vec2 = Vec2::new(5.0, 2.0);
+
+/// The names of all mechanisms in view with where these are, as the details call them, and by what switches call them.
+pub fn told(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
     let level = game.level();
-    let label = |of: SurfaceOf, name: Option<&str>, bounds: &Aabb| {
-        let plain = obstacle_name(level, Obstacle::Surface(level.surface_index(of) as u32));
-        write_name(&name.map_or(plain.clone(), |name| format!("{plain}: {name}")), bounds, view, canvas);
+    let mut told: Vec<(String, Area)> = Vec::new();
+    let mut write_name = |words: &str, bounds: &Aabb| {
+        if bounds.touches(&view.visible(), 0.0) {
+            let rect = view.rect(bounds);
+            told.push((words.to_owned(), Area::new(rect.x, rect.y, rect.w, rect.h)));
+        }
+    };
+    let called = |of: SurfaceOf, name: Option<&str>| {
+        let plain = told_name(level, Source::Surface(level.surface_index(of) as u32));
+        name.map_or(plain.clone(), |name| format!("{plain}: {name}"))
     };
     for (index, solid) in level.world.iter().enumerate() {
         let special = !solid.is_rock() || solid.belt != 0.0 || solid.material.restitution > 0.0;
@@ -23,37 +33,50 @@ pub fn draw(game: &Game, view: &Viewport, canvas: &Canvas) {
                 Some(impulse) => Some(format!("breaks above {impulse:.0} N·s")),
                 None => solid.name.clone(),
             };
-            label(SurfaceOf::World(index), name.as_deref(), &solid.bounds);
+            write_name(&called(SurfaceOf::World(index), name.as_deref()), &solid.bounds);
         }
     }
     for (index, mover) in level.movers.iter().enumerate() {
         let bounds = game.world().surfaces()[level.surface_index(SurfaceOf::Mover(index))].bounds;
-        label(SurfaceOf::Mover(index), mover.solid.name.as_deref(), &bounds);
+        write_name(&called(SurfaceOf::Mover(index), mover.solid.name.as_deref()), &bounds);
     }
     for (index, door) in level.doors.iter().enumerate() {
-        label(SurfaceOf::Door(index), door.name.as_deref(), &door.bounds);
+        write_name(&called(SurfaceOf::Door(index), door.name.as_deref()), &door.bounds);
     }
     for (index, switch) in level.switches.iter().enumerate() {
         let works: Vec<&str> = switch.works.iter().map(|work| work.name.as_str()).collect();
         let words = format!("switch {}: {}", index + 1, works.join(", "));
-        write_name(&words, &switch.bounds, view, canvas);
+        write_name(&words, &switch.bounds);
     }
     for (index, field) in level.fields.iter().enumerate() {
         let DVec2 { x, y } = field.strength;
-        write_name(&format!("gravity {}: ({x:.1}, {y:.1}) N/kg", index + 1), &field.zone, view, canvas);
+        write_name(&format!("gravity {}: ({x:.1}, {y:.1}) N/kg", index + 1), &field.zone);
     }
     for (index, pod) in level.pods.iter().enumerate().filter(|(index, _)| !game.mechanisms().is_taken(*index)) {
-        write_name(&format!("pod {}: {:.0} fuel", index + 1, pod.fuel), &pod.bounds, view, canvas);
+        write_name(&format!("pod {}: {:.0} fuel", index + 1, pod.fuel), &pod.bounds);
     }
+    told
 }
 
-/// A name above a box.
-fn write_name(words: &str, bounds: &Aabb, view: &Viewport, canvas: &Canvas) {
-    if bounds.touches(&view.visible(), 0.0) {
-        let area = view.rect(bounds);
-        let style = Style::new(DETAILS, theme::text()).mono().centred().middle();
-        let (width, at) = (canvas.width(words, style) + 10.0, Vec2::new(area.center().x, (area.y - 12.0).max(10.0)));
-        draw_rectangle(at.x - width / 2.0, at.y - 9.0, width, 18.0, faded(theme::ground(), 0.8));
-        canvas.text(words, at, style);
+/// Gives each name a place beside what it names, if there is one: none over what is taken, which grows by them. `text` is the height of letters.
+pub fn place(told: Vec<(String, Area)>, text: f32, window: Area, taken: &mut Vec<Area>) -> Vec<(String, Area)> {
+    let mut placed = Vec::new();
+    for (name, of) in told {
+        let size = Vec2::new(name.chars().count() as f32 * MONO_ADVANCE, 1.0) * text + 2.0 * AROUND;
+        let (middle, out) = (of.centre(), (of.size + size) * 0.5 + 4.0);
+        let ways = [-Vec2::Y, Vec2::Y, Vec2::X, -Vec2::X, Vec2::ZERO];
+        let low = window.min + size * 0.5 + 4.0;
+        let areas = ways.map(|way| Area::around((middle + way * out).clamp(low, (window.max() - size * 0.5 - 4.0).max(low)), size));
+        if let Some(area) = areas.into_iter().find(|area| area.covers_none(taken)) {
+            taken.push(area);
+            placed.push((name, area));
+        }
     }
+    placed
+}
+
+/// Writes a name in its place.
+pub fn draw(name: &str, area: Area, canvas: &Canvas) {
+    draw_rectangle(area.min.x, area.min.y, area.size.x, area.size.y, faded(theme::ground(), 0.8));
+    canvas.text(name, area.centre(), Style::new(DETAILS, theme::text()).mono().centred().middle());
 }

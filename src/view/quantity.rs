@@ -9,7 +9,7 @@ const PREFIXES: [(f64, &str); 6] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""
 /// Masses have a prefix already, and names of their own for larger ones.
 const MASSES: [(f64, &str); 6] = [(1e9, "Mt"), (1e6, "kt"), (1e3, "t"), (1.0, "kg"), (1e-3, "g"), (1e-6, "mg")];
 /// Units: what is smaller is nothing but rounding.
-const NOTHING: f64 = 1e-9;
+pub const NOTHING: f64 = 1e-9;
 /// The unit without a prefix is kept down to this part of it: 0.5 m/s says more than 500 mm/s.
 const PLAIN_FROM: f64 = 0.1;
 /// What rounds up to the next larger number of digits counts as that.
@@ -69,33 +69,28 @@ pub fn scalar(value: f64, unit: &str) -> String {
     format!("{} {}", scale.number(value), scale.unit())
 }
 
-/// The numbers of a row as they are written, y upwards; none where it has words.
-fn numbers(row: &Row) -> Option<(Vec<String>, Scale)> {
-    let (values, largest) = match &row.value {
-        Value::Words(_) => return None,
-        Value::Scalar(value) => (vec![*value], value.abs()),
+/// The numbers of a row as they are written, y upwards.
+fn numbers(row: &Row) -> (Vec<String>, Scale) {
+    let (values, largest) = match row.value {
+        Value::Scalar(value) => (vec![value], value.abs()),
         Value::Vector(v) => (vec![v.x, -v.y], v.abs().max_element()),
     };
     let scale = Scale::of(largest, row.unit);
-    Some((values.into_iter().map(|value| scale.number(value)).collect(), scale))
+    (values.into_iter().map(|value| scale.number(value)).collect(), scale)
 }
 
 /// The numbers of a row, each in a field of `width` characters, and the unit.
 pub fn quantity(row: &Row, width: usize) -> String {
-    match (&row.value, numbers(row)) {
-        (Value::Words(words), _) => words.clone(),
-        (_, Some((numbers, scale))) if numbers.len() == 2 => {
-            format!("({:>width$}, {:>width$}) {}", numbers[0], numbers[1], scale.unit())
-        }
-        (_, Some((numbers, scale))) => format!(" {:>width$}  {:width$}  {}", numbers[0], "", scale.unit()),
-        (_, None) => String::new(),
+    let (numbers, scale) = numbers(row);
+    match &numbers[..] {
+        [x, y] => format!("({x:>width$}, {y:>width$}) {}", scale.unit()),
+        numbers => format!(" {:>width$}  {:width$}  {}", numbers.concat(), "", scale.unit()),
     }
 }
 
 /// The width of the longest number in the rows, but at least `least`, characters.
 pub fn number_width(rows: &[Row], least: usize) -> usize {
-    let longest = |row: &Row| numbers(row).into_iter().flat_map(|(numbers, _)| numbers).map(|number| number.chars().count()).max();
-    rows.iter().filter_map(longest).fold(least, usize::max)
+    rows.iter().flat_map(|row| numbers(row).0).map(|number| number.chars().count()).fold(least, usize::max)
 }
 
 #[cfg(test)]
@@ -130,7 +125,7 @@ mod tests {
 
     #[test]
     fn vectors_share_a_unit_and_count_y_upwards() {
-        let row = |value, unit| Row { name: "", value, unit, shown: None };
+        let row = |value, unit| Row::plain("", value, unit);
         let texts = [
             (row(Value::Vector(DVec2::new(-12.34, 0.0)), "m/s"), "( −12.3,      0) m/s"),
             (row(Value::Vector(DVec2::new(0.04, 123_456.7)), "N"), "(     0,   −123) kN"),

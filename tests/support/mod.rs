@@ -12,6 +12,7 @@ pub mod memory;
 mod random;
 pub mod rooms;
 pub mod scenes;
+pub mod shipped;
 pub mod slow;
 pub mod strategies;
 pub mod written;

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::level::Problem;
+use crate::view::layout::wrapped;
 use macroquad::time::get_fps;
 
 impl Editor {
@@ -133,7 +134,7 @@ impl Editor {
         let own = self.problems.iter().zip(&self.about).filter(|((problem, _), row)| self.is_about(problem, **row));
         for ((problem, refused), _) in own.take(4) {
             let words = format!("{}: found {}, expected {}", problem.column, problem.found, problem.expected);
-            for line in wrapped(&words, columns.max(8)) {
+            for line in wrapped(&words, columns.max(8), 0) {
                 if y + self.parts.line > self.parts.right.max().y {
                     return;
                 }
@@ -212,22 +213,4 @@ pub(super) fn draw_ask(ask: &Ask, canvas: &Canvas) {
     for (i, (label, area)) in ask.answers().iter().zip(ask.buttons().areas()).enumerate() {
         widgets::button(canvas, *area, label, ask.buttons().hover() == Some(i), ask.buttons().focus() == i);
     }
-}
-
-/// A text in lines of at most so many letters.
-fn wrapped(text: &str, columns: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split_inclusive(' ') {
-        for piece in word.chars().collect::<Vec<_>>().chunks(columns) {
-            let piece: String = piece.iter().collect();
-            let room = columns.saturating_sub(lines.last().map_or(0, |line| line.chars().count()));
-            if piece.trim_end().chars().count() > room {
-                lines.push(String::new());
-            }
-            if let Some(line) = lines.last_mut() {
-                line.push_str(&piece);
-            }
-        }
-    }
-    lines
 }

@@ -1,0 +1,77 @@
+//! The legend: the scale of the arrows, what the marks mean, what is left out, and the parts of the model when they are asked for.
+
+use super::{Details, Looking, PADDING};
+use crate::game::Game;
+use crate::view::boxes::{self, Wish};
+use crate::view::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, Vec2, wrapped};
+use crate::view::quantity::scalar;
+use crate::view::scale::Scale;
+
+/// The longest line of the legend, characters: longer ones are wrapped, so that it leaves room for the boxes.
+const LEGEND_WIDTH: usize = 46;
+/// Its further lines stand below the first one's words, behind the dot.
+const LEGEND_INDENT: usize = 2;
+
+/// A few lines in a panel of their own.
+#[derive(Clone, Debug, Default)]
+pub struct Note {
+    /// The lines.
+    pub lines: Vec<String>,
+    /// Where it stands; nowhere, where it finds no room.
+    pub area: Option<Area>,
+}
+
+impl Note {
+    /// The room that such lines need.
+    pub(super) fn size(lines: &[String], frame: &Frame) -> Vec2 {
+        let text = frame.text_height(DETAILS);
+        let longest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0);
+        Vec2::new(longest as f32 * MONO_ADVANCE * text, lines.len() as f32 * text * LINE) + 2.0 * PADDING
+    }
+}
+
+impl Details {
+    /// The legend, as near to the top right as there is room.
+    pub(super) fn place_legend(
+        &mut self,
+        game: &Game,
+        (scale, looking): (&Scale, &Looking),
+        frame: &Frame,
+        (taken, kept_clear): (&[Area], &[Area]),
+    ) {
+        let pointed = looking.pointer.zip(self.legend.area).is_some_and(|(pointer, area)| area.contains(pointer));
+        let lines = self.legend_lines(game, scale, looking.model || pointed);
+        let (size, corner) = (Note::size(&lines, frame), Vec2::new(frame.size.x, 0.0));
+        let stays = self.legend.area.filter(|area| area.size == size).map(|area| area.min - corner);
+        let wish = Wish { object: Area { min: corner, size: Vec2::ZERO }, size, before: stays };
+        self.legend = Note { lines, area: boxes::place(&[wish], frame.area(), taken, kept_clear)[0] };
+    }
+
+    fn legend_lines(&self, game: &Game, scale: &Scale, model: bool) -> Vec<String> {
+        let has = |impact: bool| self.arranged.arrows.iter().any(|arrow| impact == arrow.shown.is_impact());
+        let mut lines = Vec::new();
+        if has(false) {
+            lines.push(format!("Arrows: 1 square = {}", scalar(scale.newtons, "N")));
+        }
+        if has(true) {
+            lines.push(format!("Impacts: 1 square = {}", scalar(scale.newton_seconds, "N·s")));
+        }
+        if self.arranged.arrows.iter().any(|arrow| !arrow.to_scale) {
+            lines.push("Marked //: not to scale".to_owned());
+        }
+        // The boxes are those of the frame before: where they go depends on where this is.
+        for (count, what, how) in [(self.left_out, "object", "without a box"), (self.arranged.left_out, "arrow", "without room")] {
+            if count > 0 {
+                lines.push(format!("{count} more {what}{} {how}", if count > 1 { "s" } else { "" }));
+            }
+        }
+        if model {
+            lines.push("Model at work:".to_owned());
+            let parts = game.world().plan().parts().into_iter();
+            lines.extend(parts.flat_map(|part| wrapped(&format!("· {part}"), LEGEND_WIDTH, LEGEND_INDENT)));
+        } else {
+            lines.push("Point here: the model".to_owned());
+        }
+        lines
+    }
+}

@@ -1,0 +1,296 @@
+//! Where free-body arrows go: from the middle of their body and to scale wherever that hides nothing. A head that would cover another
+//! one, the ship, a hazard, a goal or the head-up display moves aside, along its line of action, or, at last, off its scale, which is
+//! marked. No force is nothing: what would be too short to be seen is as long as its head needs. Plain arithmetic.
+
+use super::arrows::{Arrow, HEAD_SPREAD, head_length};
+use super::facts::{Facts, Row, Shown, Value};
+use super::layout::{Area, Vec2};
+use super::quantity::NOTHING;
+use super::scale::{Reach, Scale};
+use crate::game::SHIP;
+use crate::physics::{BodyId, DVec2};
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+/// From the window's edge to an arrow's ends, canvas units.
+const EDGE: f32 = 6.0;
+/// Between two heads, and between a head and what it may not cover, canvas units.
+const APART: f32 = 1.0;
+/// By so much more must the usual place be free for an arrow to go back to it, canvas units: less makes it flutter.
+const RETURNS: f32 = 6.0;
+/// The shaft that is seen at least, canvas units; the ship's heads stand so far outside of it.
+const SHAFT: f32 = 9.0;
+const BEYOND: f32 = 3.0;
+/// How far a step moves an arrow aside and along its line, and how much it lengthens it, canvas units; by what share it shortens it.
+const ASIDE: f32 = 9.0;
+const SLIDE: f32 = 14.0;
+const LENGTHEN: f32 = 14.0;
+const SHORTEN: f32 = 0.15;
+/// An arrow this near to its length by the scale is to scale, canvas units.
+const TO_SCALE: f32 = 0.5;
+
+/// Canvas units: longer than any window, and still a number that can be reckoned with.
+const LONGEST: f64 = 1e6;
+
+/// A body with what is told of it.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// Its lines.
+    pub facts: Facts,
+    /// Where it is drawn.
+    pub object: Area,
+}
+
+/// What arrows keep off.
+#[derive(Clone, Copy, Debug)]
+pub struct Ground<'a> {
+    /// The window.
+    pub window: Area,
+    /// What no head may cover: the ship, hazards, goals.
+    pub never: &'a [Area],
+    /// What neither head nor shaft may cross: the head-up display.
+    pub panels: &'a [Area],
+}
+
+impl Ground<'_> {
+    /// The point of a body that its arrows begin at: its middle, or what the window shows next to that.
+    pub fn start(&self, object: &Area) -> Vec2 {
+        let inner = self.window.inset(EDGE + 1.0);
+        object.centre().clamp(inner.min, inner.max())
+    }
+
+    /// How far a line goes from a point before it meets the window's edge or a panel.
+    fn room(&self, from: Vec2, along: Vec2) -> f32 {
+        let farthest = self.window.size.length();
+        let inner = self.window.inset(EDGE).stretch(from, along, farthest).map_or(0.0, |(_, leaves)| leaves);
+        // Who is below a panel already is not helped by what lies before it.
+        let meets = |panel: &Area| panel.stretch(from, along, farthest).map(|(enters, _)| enters).filter(|enters| *enters > 0.0);
+        self.panels.iter().filter_map(meets).map(|enters| enters - EDGE).fold(inner, f32::min)
+    }
+
+    /// Half of what the window shows of a line through a point: what an arrow there may take up, for it can move along its line.
+    fn half(&self, at: Vec2, along: Vec2) -> f32 {
+        0.5 * (self.room(at, along) + self.room(at, -along))
+    }
+
+    fn crosses_panel(&self, from: Vec2, along: Vec2, length: f32) -> bool {
+        self.panels.iter().any(|panel| panel.stretch(from, along, length).is_some_and(|(enters, _)| enters > 0.0))
+    }
+}
+
+/// The line of a box that has an arrow: what it stands for, and its vector. What is written as nothing has none.
+pub fn told(row: &Row) -> Option<(Shown, DVec2)> {
+    let exerted = row.exerted();
+    match (row.shown, row.value) {
+        (Some(Shown::Resultant), Value::Vector(vector)) => Some((Shown::Resultant, vector)),
+        _ => exerted,
+    }
+    .filter(|(_, vector)| vector.length() >= NOTHING)
+}
+
+/// The sizes of the forces and of the impulses of some bodies, with the room that their arrows have.
+pub fn reaches(subjects: &[Subject], ground: &Ground) -> [Vec<Reach>; 2] {
+    let mut found = [Vec::new(), Vec::new()];
+    for subject in subjects {
+        let from = ground.start(&subject.object);
+        for (shown, vector) in subject.facts.rows.iter().filter_map(told) {
+            let room = ground.half(from, vector.normalize_or_zero().as_vec2());
+            found[usize::from(shown.is_impact())].push((vector.length(), room));
+        }
+    }
+    found
+}
+
+/// The arrows from frame to frame.
+#[derive(Clone, Debug, Default)]
+pub struct Arranged {
+    /// Those that have a place.
+    pub arrows: Vec<Arrow>,
+    /// How many have none.
+    pub left_out: usize,
+    /// Which of [`MOVES`] each had: by its body, what it stands for, and its place among those of the same.
+    moved: HashMap<(BodyId, Shown, usize), usize>,
+}
+
+impl Arranged {
+    /// Gives all arrows their places; `metre` is what a metre of the level is drawn as, canvas units.
+    pub fn arrange(&mut self, subjects: &[Subject], scale: &Scale, metre: f64, ground: &Ground) {
+        let before = std::mem::take(&mut self.moved);
+        self.arrows.clear();
+        self.left_out = 0;
+        let mut heads: Vec<Area> = Vec::new();
+        for subject in subjects {
+            let mut rows: Vec<(usize, Shown, DVec2)> = told_rows(&subject.facts, scale);
+            // The longest first, so that a shorter one over a longer can be seen; the resultant below all.
+            rows.sort_by(|a, b| {
+                (b.1 == Shown::Resultant)
+                    .cmp(&(a.1 == Shown::Resultant))
+                    .then(b.2.length_squared().total_cmp(&a.2.length_squared()))
+            });
+            for (i, &(row, shown, metres)) in rows.iter().enumerate() {
+                let nth = rows[..i].iter().filter(|other| other.1 == shown).count();
+                let key = (subject.facts.body, shown, nth);
+                let drawn = (metres.normalize_or_zero().as_vec2(), (metres.length() * metre).min(LONGEST) as f32);
+                let wish = Wish::new(subject, shown, drawn, ground);
+                let near: Vec<Area> =
+                    ground.never.iter().chain(&heads).copied().filter(|area| area.gap(&wish.reach) < 0.0).collect();
+                match wish.place(before.get(&key).copied(), &near, ground) {
+                    Some((index, from, to, to_scale)) => {
+                        self.moved.insert(key, index);
+                        heads.push(head_area(from, to, shown));
+                        self.arrows.push(Arrow { body: subject.facts.body, row, shown, from, to, to_scale });
+                    }
+                    None => self.left_out += 1,
+                }
+            }
+        }
+    }
+}
+
+/// The lines of a body that have arrows, and these in metres of the level.
+fn told_rows(facts: &Facts, scale: &Scale) -> Vec<(usize, Shown, DVec2)> {
+    let one = |shown: Shown| if shown.is_impact() { scale.newton_seconds } else { scale.newtons };
+    let rows = facts.rows.iter().enumerate().filter_map(|(row, told_of)| Some((row, told(told_of)?)));
+    rows.map(|(row, (shown, vector))| (row, shown, vector / one(shown))).collect()
+}
+
+/// The box around an arrow's head.
+pub fn head_area(from: Vec2, to: Vec2, shown: Shown) -> Area {
+    let along = (to - from).normalize_or_zero();
+    let length = head_length(shown);
+    let (foot, side) = (to - along * length.x, along.perp() * length.y * HEAD_SPREAD * 1.3);
+    let corners = [to + side, to - side, foot + side, foot - side];
+    let (min, max) = corners.iter().fold((to, to), |(min, max), corner| (min.min(*corner), max.max(*corner)));
+    Area { min: min - 1.0, size: max - min + 2.0 }
+}
+
+/// How an arrow is moved from its usual place, in steps.
+#[derive(Clone, Copy, Debug)]
+struct Move {
+    aside: i8,
+    slide: i8,
+    stretch: i8,
+}
+
+/// How far along its line an arrow moves at most, in steps against its direction and with it.
+const SLIDES: [i8; 2] = [13, 8];
+
+/// All moves that are tried, the least first; no more than two sorts at once.
+static MOVES: LazyLock<Vec<Move>> = LazyLock::new(|| {
+    let mut moves = Vec::new();
+    for aside in -6..=6_i8 {
+        for slide in -SLIDES[0]..=SLIDES[1] {
+            for stretch in -4..=10_i8 {
+                if aside == 0 || slide == 0 || stretch == 0 {
+                    moves.push(Move { aside, slide, stretch });
+                }
+            }
+        }
+    }
+    let cost = |by: &Move| {
+        let off_scale = if by.stretch == 0 { 0.0 } else { 8.0 };
+        f32::from(by.aside.abs()) + 1.2 * f32::from(by.slide.abs()) + 1.2 * f32::from(by.stretch.abs()) + off_scale
+    };
+    moves.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+    moves
+});
+
+/// An arrow that wants a place.
+struct Wish {
+    shown: Shown,
+    from: Vec2,
+    along: Vec2,
+    /// Its length by the scale, the least that can be seen, and what it is drawn with where nothing is in the way.
+    length: f32,
+    least: f32,
+    base: f32,
+    /// What it could come near to.
+    reach: Area,
+}
+
+impl Wish {
+    fn new(subject: &Subject, shown: Shown, (along, length): (Vec2, f32), ground: &Ground) -> Self {
+        let from = ground.start(&subject.object);
+        let exit = || subject.object.stretch(from, along, f32::MAX).map_or(0.0, |(_, leaves)| leaves);
+        let outside = if subject.facts.body == SHIP { exit() + BEYOND } else { 0.0 };
+        let least = outside.max(SHAFT) + head_length(shown).x;
+        let (room, slides) = (ground.room(from, along), f32::from(SLIDES[0]) * SLIDE);
+        // What is longer than it can be moved along its line is cut.
+        let base = if length > room + slides { room } else { length }.max(least);
+        let far = Vec2::splat(slides + head_length(shown).x);
+        let (min, max) = (from.min(from + along * base) - far, from.max(from + along * base) + far);
+        Self { shown, from, along, length, least, base, reach: Area { min, size: max - min } }
+    }
+
+    /// The first place that is free: the usual one, that of the frame before, any other. Which it is, the arrow's ends, and whether it is to scale.
+    fn place(&self, before: Option<usize>, near: &[Area], ground: &Ground) -> Option<(usize, Vec2, Vec2, bool)> {
+        let usual_clearance = if before.is_some_and(|index| index > 0) { RETURNS } else { APART };
+        let tried = |index: usize, apart: f32| self.tried(index, apart, near, ground);
+        tried(0, usual_clearance)
+            .or_else(|| tried(before?, APART))
+            .or_else(|| (0..MOVES.len()).find_map(|index| tried(index, APART)))
+    }
+
+    fn tried(&self, index: usize, apart: f32, near: &[Area], ground: &Ground) -> Option<(usize, Vec2, Vec2, bool)> {
+        let Move { aside, slide, stretch } = *MOVES.get(index)?;
+        let stretch = f32::from(stretch);
+        let length = if stretch > 0.0 { self.base + stretch * LENGTHEN } else { self.base * (1.0 + stretch * SHORTEN) };
+        if length < self.least {
+            return None;
+        }
+        let from = self.from + self.along.perp() * (f32::from(aside) * ASIDE) + self.along * (f32::from(slide) * SLIDE);
+        let to = from + self.along * length;
+        let inner = ground.window.inset(EDGE - 1.0);
+        let head = head_area(from, to, self.shown);
+        let free = inner.contains(from)
+            && head.min.cmpge(inner.min).all()
+            && head.max().cmple(inner.max()).all()
+            && near.iter().chain(ground.panels).all(|other| head.gap(other) >= apart)
+            && !ground.crosses_panel(from, self.along, length);
+        free.then_some((index, from, to, (length - self.length).abs() <= TO_SCALE))
+    }
+}
+
+/// A label and its place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Label {
+    /// The index of its arrow.
+    pub arrow: usize,
+    /// Where it stands.
+    pub area: Area,
+}
+
+/// Where the arrows' labels stand: beyond the tip, or next to it where that is taken; none over another or over `taken`, all inside
+/// the window. `width` gives a label's width. An arrow whose label finds no room has none: its box names it.
+pub fn place_labels(arrows: &[Arrow], height: f32, width: impl Fn(&str) -> f32, window: Area, taken: &[Area]) -> Vec<Label> {
+    let mut fixed = taken.to_vec();
+    let mut labels = Vec::new();
+    for (index, arrow) in arrows.iter().enumerate() {
+        let size = Vec2::new(width(arrow.name()), height);
+        let along = (arrow.to - arrow.from).normalize_or_zero();
+        // From the tip to the label's middle so that the label just clears the tip in that direction.
+        let beyond = |way: Vec2, gap: f32| arrow.to + way * ((size * 0.5 * way.abs()).element_sum() + gap);
+        let sides = [along.perp(), -along.perp()];
+        let beside = |back: f32| sides.map(|side| beyond(side, 9.0) - along * back);
+        let length = arrow.length();
+        let places = [beyond(along, 4.0)]
+            .into_iter()
+            .chain(beside(6.0))
+            .chain([beyond(along, 4.0 + height)])
+            .chain(beside(6.0 + height))
+            .chain([beyond(along, 4.0 + 2.0 * height)])
+            // For a tip at the window's edge or before a box: beside the shaft.
+            .chain(beside(length * 0.4))
+            .chain(beside(length * 0.65));
+        let reach = Area::around(arrow.to, 2.0 * (size + 3.0 * height) + 1.3 * length);
+        let near: Vec<Area> = fixed.iter().copied().filter(|other| other.gap(&reach) < 0.0).collect();
+        let area = places
+            .map(|middle| Area::around(middle, size))
+            .find(|area| area.min.cmpge(window.min).all() && area.max().cmple(window.max()).all() && area.covers_none(&near));
+        if let Some(area) = area {
+            fixed.push(area);
+            labels.push(Label { arrow: index, area });
+        }
+    }
+    labels
+}

@@ -1,0 +1,150 @@
+//! How long arrows are drawn: a round number of newtons a square that suits whom the details tell of, so that the longest arrow fits. It
+//! changes at once when an arrow would no longer fit, and back only after a while: arrows that breathe cannot be compared.
+
+use super::focus::Focus;
+use crate::game::{DAMAGING_SPEED, Game, SHIP};
+use crate::physics::BodyId;
+
+/// How long what a body usually feels is drawn, canvas units: its weight, half of the ship's thrust, what stops it at damaging speed.
+const USUAL: f64 = 200.0;
+/// The least that this may shrink to where others feel far more than the ship, canvas units: theirs are cut then.
+const USUAL_LEAST: f64 = 60.0;
+/// An arrow with less room in the window, as in its corner, is cut instead of making all of them shorter, canvas units.
+const LEAST_ROOM: f32 = 120.0;
+/// N/kg. What the weight of a body is taken for where there is no gravity.
+const STANDARD: f64 = 9.81;
+/// For how long longer arrows must have fitted before they are drawn longer, s of the game.
+const PATIENCE: f64 = 2.0;
+
+/// How long arrows are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// Newtons a metre of the level, for forces.
+    pub newtons: f64,
+    /// Newton-seconds a metre of the level, for impacts.
+    pub newton_seconds: f64,
+}
+
+/// A force or an impulse (N, N·s) and the room that its arrow has, canvas units.
+pub type Reach = (f64, f32);
+
+/// The scale from frame to frame.
+#[derive(Clone, Debug, Default)]
+pub struct Steady {
+    newtons: Step,
+    newton_seconds: Step,
+    asked: Option<Focus>,
+}
+
+impl Steady {
+    /// The scale of this frame, in which a metre is drawn `metre` canvas units long, for those who are shown and their forces and impulses.
+    pub fn update(
+        &mut self,
+        game: &Game,
+        (focus, shown): (&Focus, &[BodyId]),
+        metre: f64,
+        [forces, impulses]: [&[Reach]; 2],
+    ) -> Scale {
+        // Whoever asks for other arrows gets them at once.
+        if self.asked != Some(*focus) {
+            *self = Self { asked: Some(*focus), ..Self::default() };
+        }
+        let patience = (PATIENCE * game.tick_rate()) as u64;
+        let wanted = |usual: f64, reaches: &[Reach]| {
+            let needed = reaches.iter().map(|(size, room)| size / f64::from(room.max(LEAST_ROOM))).fold(0.0, f64::max);
+            let most = if focus.followed().is_some() { f64::INFINITY } else { usual / USUAL_LEAST };
+            (usual / USUAL).max(needed.min(most)) * metre / focus.length()
+        };
+        let [force, impulse] = usual(game, focus, shown);
+        Scale {
+            newtons: self.newtons.update(wanted(force, forces), game.ticks(), patience),
+            newton_seconds: self.newton_seconds.update(wanted(impulse, impulses), game.ticks(), patience),
+        }
+    }
+}
+
+/// The force and the impulse that are usual, N and N·s: for those who are followed; where nobody is, for the ship or, where that is not shown
+/// either, for the heaviest who is.
+fn usual(game: &Game, focus: &Focus, shown: &[BodyId]) -> [f64; 2] {
+    let level = game.level();
+    let gravity = if level.gravity == 0.0 { STANDARD } else { level.gravity.abs() };
+    let one = |id: &BodyId| {
+        let mass = game.world().body(*id).mass;
+        let force = if *id == SHIP { (mass * level.gravity.abs()).max(0.5 * level.player.thrust) } else { mass * gravity };
+        [force, mass * DAMAGING_SPEED]
+    };
+    let whose = if focus.followed().is_none() && shown.contains(&SHIP) { &[SHIP] } else { shown };
+    let [force, impulse] = whose.iter().map(one).fold([0.0_f64; 2], |most, one| [most[0].max(one[0]), most[1].max(one[1])]);
+    // Nobody is shown: any scale will do.
+    if whose.is_empty() { [1.0; 2] } else { [force, impulse] }
+}
+
+/// One of the two numbers.
+#[derive(Clone, Debug, Default)]
+struct Step {
+    now: Option<f64>,
+    /// Since when a smaller one would do, in ticks, and the largest that was wanted since.
+    loose: Option<(u64, f64)>,
+}
+
+impl Step {
+    fn update(&mut self, wanted: f64, tick: u64, patience: u64) -> f64 {
+        let fitting = round_up(wanted);
+        let now = match self.now {
+            Some(now) if fitting < now => {
+                let (since, largest) = self.loose.filter(|(since, _)| *since <= tick).unwrap_or((tick, fitting));
+                let largest = largest.max(fitting);
+                let over = tick - since >= patience;
+                self.loose = (!over).then_some((since, largest));
+                if over { largest } else { now }
+            }
+            _ => {
+                self.loose = None;
+                fitting
+            }
+        };
+        self.now = Some(now);
+        now
+    }
+}
+
+/// The next number from …, 0.1, 0.2, 0.5, 1, 2, 5, 10, …
+fn round_up(value: f64) -> f64 {
+    let mut decade = 1e-9;
+    while decade * 10.0 < value {
+        decade *= 10.0;
+    }
+    [1.0, 2.0, 5.0].into_iter().map(|step| step * decade).find(|step| *step >= value).unwrap_or(10.0 * decade)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scale_is_a_round_number() {
+        let near = |value: f64, wanted: f64| (round_up(value) / wanted - 1.0).abs() < 1e-9;
+        for (value, wanted) in
+            [(0.3, 0.5), (0.99, 1.0), (1.1, 2.0), (375.0, 500.0), (499.0, 500.0), (501.0, 1000.0), (750.0, 1000.0)]
+        {
+            assert!(near(value, wanted), "{value}: {}", round_up(value));
+        }
+    }
+
+    #[test]
+    fn arrows_grow_shorter_at_once_and_longer_after_a_while() {
+        let mut step = Step::default();
+        assert_eq!(step.update(90.0, 0, 10), 100.0);
+        assert_eq!(step.update(101.0, 1, 10), 200.0, "what no longer fits is drawn shorter at once");
+        for tick in 2..12 {
+            // A moment in which more was wanted is remembered.
+            assert_eq!(step.update(if tick == 5 { 45.0 } else { 3.0 }, tick, 10), 200.0, "tick {tick}");
+        }
+        assert_eq!(step.update(3.0, 12, 10), 50.0);
+        assert_eq!(step.update(3.0, 13, 10), 50.0);
+        // Time that is taken back begins the while anew.
+        assert_eq!(step.update(3.0, 4, 10), 50.0);
+        assert_eq!(step.update(3.0, 13, 10), 50.0);
+        assert_eq!(step.update(3.0, 14, 10), 5.0);
+    }
+}
