@@ -1,7 +1,6 @@
 //! What the details box of a body says: read off the world's own state, nothing computed anew. How it is written is not here.
 
-use crate::game::{Game, SHIP, obstacle_name};
-use crate::level::Look;
+use crate::game::{Game, SHIP, body_name, obstacle_name};
 use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, Impulse, Obstacle};
 
 /// Below this length (N) a force's direction is no more than rounding: it is kept by itself.
@@ -161,16 +160,7 @@ fn same_way(a: DVec2, b: DVec2) -> bool {
 }
 
 fn title(game: &Game, id: BodyId) -> String {
-    let Some(object) = id.index().checked_sub(1).and_then(|i| game.level().objects.get(i)) else {
-        return "Ship".to_owned();
-    };
-    let kind = match object.look {
-        _ if object.key.is_some() => "Key object",
-        _ if object.circular => "Ball",
-        Look::Ball => "Ball",
-        Look::Image(_) | Look::Box => "Box",
-    };
-    format!("{kind} {}", id.0)
+    body_name(game.level(), id)
 }
 
 /// A figure for authors, to one decimal place with a true minus sign; what rounds to zero has no sign.

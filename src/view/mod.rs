@@ -1,6 +1,6 @@
 //! Drawing only: reads the game and changes nothing in it. The screens hand over what they hold; what they decide is in
-//! [`crate::screens`]. Only [`layout`], [`plot`] and the geometry of [`terrain`], which are plain arithmetic,
-//! are there without a window.
+//! [`crate::screens`]. Only [`layout`], [`plot`], [`quantity`] and the geometry of [`terrain`], which are plain
+//! arithmetic, are there without a window.
 
 pub mod layout;
 pub mod plot;
@@ -47,7 +47,6 @@ pub mod names;
 pub mod particles;
 #[cfg(feature = "window")]
 pub mod pictures;
-#[cfg(feature = "window")]
 pub mod quantity;
 #[cfg(feature = "window")]
 pub mod shapes;

@@ -156,6 +156,13 @@ impl Flight {
 
     /// One frame.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+        let request = self.go_on(input, spectator);
+        // What is read is that of the moment that is drawn.
+        self.instruments.read(&Stage { game: &self.game, history: &self.history, focus: self.observer.focus() });
+        request
+    }
+
+    fn go_on(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         if self.test && (input.pressed(Key::F5) || input.pressed(Key::Escape) || input.acts(Action::Pause)) {
             return Some(Request::BackToEditor(self.told()));
         }
@@ -174,7 +181,8 @@ impl Flight {
         }
         self.details ^= input.acts(Action::Details);
         self.hitboxes ^= input.acts(Action::Hitboxes);
-        match self.observer.update(input, self.game.world().bodies().len(), self.details) {
+        let looked_at = self.details || self.instruments.is_open();
+        match self.observer.update(input, self.game.world().bodies().len(), looked_at) {
             0 => {}
             ticks => self.step(ticks, input, spectator),
         }

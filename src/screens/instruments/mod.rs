@@ -2,16 +2,25 @@
 //! that are its own; the flight has the rest.
 
 mod centre;
+mod dock;
 #[cfg(feature = "window")]
 mod drawing;
+mod figures;
+mod measure;
+#[cfg(feature = "window")]
+mod measured;
 pub mod places;
+mod ruler;
+mod vectors;
 
 use super::observer::pressed;
 use super::{Buttons, Input, Key, Keys};
 use crate::game::{Game, History};
 use crate::view::focus::Focus;
 use crate::view::layout::{Area, Frame};
-pub use centre::centre_of_mass;
+pub use centre::{centre_of_mass, velocity_of_centre};
+pub use figures::Table;
+pub use measure::Measures;
 use places::Places;
 
 /// What there is on the rail.
@@ -19,16 +28,31 @@ use places::Places;
 pub enum Tool {
     /// The centre of mass of everything that moves.
     Centre,
+    /// Where things were, ten times a second.
+    Trails,
+    /// Arrows of velocity and acceleration.
+    Vectors,
+    /// A ruler.
+    Ruler,
+    /// A stop clock.
+    StopClock,
+    /// Momentum, energy and work.
+    Figures,
 }
 
 impl Tool {
     /// All of them, from the top.
-    pub const ALL: [Self; 1] = [Self::Centre];
+    pub const ALL: [Self; 6] = [Self::Centre, Self::Trails, Self::Vectors, Self::Ruler, Self::StopClock, Self::Figures];
 
     /// What stands on its button.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Centre => "Centre of mass",
+            Self::Trails => "Trails",
+            Self::Vectors => "v and a",
+            Self::Ruler => "Ruler",
+            Self::StopClock => "Stop clock",
+            Self::Figures => "Energy, work",
         }
     }
 }
@@ -49,15 +73,15 @@ pub struct Instruments {
     open: bool,
     used: [bool; Tool::ALL.len()],
     rail: Buttons,
+    measures: Measures,
 }
 
 impl Instruments {
     /// One frame; the answer is what is left of the input for the flight.
-    pub fn update(&mut self, input: &Input, _stage: &Stage) -> Input {
-        let mut rest = input.clone();
+    pub fn update(&mut self, input: &Input, stage: &Stage) -> Input {
         self.open ^= pressed(input, Key::I);
         if !self.open {
-            return rest;
+            return input.clone();
         }
         let places = self.places(&input.frame);
         self.rail.place(places.rail.clone());
@@ -66,17 +90,30 @@ impl Instruments {
         if let Some(tool) = self.rail.update(&pointer_only) {
             self.used[tool] ^= true;
         }
-        rest.click &= !places.areas().any(|area| area.contains(input.pointer));
+        let used = self.used;
+        let covered = self.areas(&input.frame).iter().any(|area| area.contains(input.pointer));
+        let mut rest = self.measures.update(input, stage, (&places.rail, covered), |tool| used[tool as usize]);
+        rest.click &= !self.areas(&input.frame).iter().any(|area| area.contains(input.pointer));
         rest
     }
 
+    /// Reads what is known of the moment that is drawn, at the end of its frame.
+    pub fn read(&mut self, stage: &Stage) {
+        if self.open {
+            let used = self.used;
+            self.measures.read(stage, |tool| used[tool as usize]);
+        }
+    }
+
     /// The flight was left at that tick and goes on otherwise.
-    pub fn back_to(&mut self, _history: &History, _tick: u64) {}
+    pub fn back_to(&mut self, _history: &History, tick: u64) {
+        self.measures.back_to(tick);
+    }
 
     /// The same for another flight: what is open stays open, and what was measured is put away.
     #[must_use]
     pub fn of_another_flight(self) -> Self {
-        self
+        Self { measures: self.measures.of_another_flight(), ..self }
     }
 
     /// Whether the rail is there.
@@ -91,7 +128,12 @@ impl Instruments {
 
     /// What covers the flight.
     pub fn areas(&self, frame: &Frame) -> Vec<Area> {
-        if self.open { self.places(frame).areas().collect() } else { Vec::new() }
+        if self.open { self.places(frame).areas().chain(self.measures.areas()).collect() } else { Vec::new() }
+    }
+
+    /// What is measured with at the left.
+    pub const fn measures(&self) -> &Measures {
+        &self.measures
     }
 
     fn places(&self, frame: &Frame) -> Places {
