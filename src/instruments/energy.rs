@@ -66,10 +66,11 @@ mod tests {
         assert_eq!(ground(&level(0.0, 9.81)), DVec2::new(0.0, 20.0));
         assert_eq!(ground(&level(0.0, -9.81)), DVec2::ZERO);
         assert_eq!(ground(&level(2.0, 0.0)), DVec2::new(40.0, 0.0));
-        let game = Game::new(std::sync::Arc::new(level(0.0, 10.0))).expect("a level");
+        let high = Level { size: DVec2::splat(1000.0), ..level(0.0, 10.0) };
+        let game = Game::new(std::sync::Arc::new(high)).expect("a level");
         let ship = game.world().body(BodyId(0));
         let state = State::of(&game, BodyId(0));
-        assert!((state.potential - ship.mass * 10.0 * (20.0 - ship.position.y)).abs() < 1e-9);
+        assert!((state.potential - ship.mass * 10.0 * (1000.0 - ship.position.y)).abs() < 1e-9);
         let all = State::of_all(&game);
         assert!(all.potential >= state.potential && all.kinetic == 0.0 && all.momentum == DVec2::ZERO);
     }

@@ -1,8 +1,9 @@
 //! Draws the instruments: what lies in the level, and the rail and the panels above it.
 
 use super::measured::{label, pair};
-use super::{Instruments, Tool, centre_of_mass, velocity_of_centre};
+use super::{Instruments, Tool};
 use crate::game::{Game, SHIP};
+use crate::instruments::centre::{centre_of_mass, velocity_of_centre};
 use crate::view::camera::Viewport;
 use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{DETAILS, GRID, Vec2};

@@ -4,15 +4,14 @@
 use super::dock::{self, dock};
 use super::figures::{Figures, Table, told};
 use super::ruler::{Click, Ruler};
-use super::vectors::{Scales, Vector};
+use super::vectors::Scales;
 use super::{Stage, Tool};
-use crate::instruments::stop_clock::{MOST_LAPS, StopClock, seconds};
+use crate::instruments::stop_clock::{MOST_LAPS, StopClock};
 use crate::instruments::trail::Trail;
 use crate::physics::BodyId;
 use crate::screens::{Buttons, Input, Keys};
 use crate::view::focus::Focus;
 use crate::view::layout::{Area, Frame, GRID, Vec2};
-use crate::view::quantity::scalar;
 
 /// How many ticks trails are read on in a frame at most.
 const AHEAD: u64 = 600;
@@ -75,7 +74,7 @@ impl Measures {
     pub fn read(&mut self, stage: &Stage, uses: impl Fn(Tool) -> bool) {
         self.focus = *stage.focus;
         if uses(Tool::Trails) {
-            self.trail.go(stage.history, stage.game.ticks(), AHEAD, &with_trails(stage));
+            self.trail.go(stage.history, stage.game.ticks(), AHEAD, &with_trails(&self.focus, stage.game.world().bodies().len()));
         }
         if uses(Tool::Figures) {
             self.figures.update(stage);
@@ -191,16 +190,6 @@ impl Measures {
         &self.work_buttons
     }
 
-    /// What an arrow's scale is, in words, where a metre stands for so much.
-    pub(super) fn scale_words(vector: Vector, a_metre: f64) -> String {
-        format!("{}: one square = {}", vector.sign(), scalar(a_metre, vector.unit()))
-    }
-
-    /// The lines of the laps, for a game of that rate.
-    pub(super) fn lap_lines(&self, rate: f64) -> Vec<String> {
-        self.clock.laps().map(|(lap, ticks)| format!("Lap {lap} {:>10} s", seconds(ticks, rate))).collect()
-    }
-
     /// The characters of the table's names and of each column.
     pub(super) fn columns(&self) -> (usize, usize) {
         let table = self.figures.table();
@@ -232,10 +221,9 @@ impl Measures {
 }
 
 /// Whose trails are drawn: of whoever is followed and compared, or of all.
-fn with_trails(stage: &Stage) -> Vec<BodyId> {
-    let bodies = stage.game.world().bodies().len();
-    match stage.focus.followed() {
-        Some(_) => told(stage.focus, bodies),
+fn with_trails(focus: &Focus, bodies: usize) -> Vec<BodyId> {
+    match focus.followed() {
+        Some(_) => told(focus, bodies),
         None => (0..bodies as u32).map(BodyId).collect(),
     }
 }

@@ -232,7 +232,8 @@ impl Measures {
 
     fn draw_scales(&self, scene: (&Game, f64), area: Area, (view, canvas): (&Viewport, &Canvas)) {
         for (i, vector) in Vector::ALL.into_iter().enumerate() {
-            let words = Self::scale_words(vector, self.fitting(vector, scene, view, canvas));
+            let a_metre = scalar(self.fitting(vector, scene, view, canvas), vector.unit());
+            let words = format!("{}: one square = {a_metre}", vector.sign());
             let at = area.min + GRID + Vec2::new(0.0, i as f32 * dock::line(canvas.frame()));
             canvas.text(&words, at, Style::new(DETAILS, colour(vector)).mono());
         }
@@ -246,9 +247,9 @@ impl Measures {
         let count = format!("{ticks} ticks").replace('-', "−");
         let right = Vec2::new(area.max().x - GRID, at.y + 0.5 * (dock::large(canvas.frame()) - line));
         canvas.text(&count, right, Style::new(DETAILS, theme::quiet()).mono().right());
-        for (i, lap) in self.lap_lines(rate).iter().enumerate() {
+        for (i, (lap, read)) in self.clock.laps().enumerate() {
             let below = Vec2::new(0.0, dock::large(canvas.frame()) + i as f32 * line);
-            canvas.text(lap, at + below, Style::new(DETAILS, theme::text()).mono());
+            canvas.text(&format!("Lap {lap} {:>10} s", seconds(read, rate)), at + below, Style::new(DETAILS, theme::text()).mono());
         }
         let [start, lap, reset] = CLOCK_BUTTONS;
         draw_buttons(&self.clock_buttons, &[if self.clock.runs() { "Stop" } else { start }, lap, reset], canvas);
@@ -273,6 +274,24 @@ impl Measures {
             }
         }
         draw_buttons(&self.work_buttons, &WORK_BUTTONS, canvas);
+    }
+}
+
+impl Vector {
+    /// Its sign in formulas.
+    pub const fn sign(self) -> &'static str {
+        match self {
+            Self::Velocity => "v",
+            Self::Acceleration => "a",
+        }
+    }
+
+    /// Its unit.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Velocity => "m/s",
+            Self::Acceleration => "m/s²",
+        }
     }
 }
 

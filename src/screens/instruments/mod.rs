@@ -1,7 +1,6 @@
 //! What a lesson measures with, beside the flight: a rail of buttons, which I opens, and what each of them shows. It takes the clicks and keys
 //! that are its own; the flight has the rest.
 
-mod centre;
 mod dock;
 #[cfg(feature = "window")]
 mod drawing;
@@ -18,7 +17,6 @@ use super::{Buttons, Input, Key, Keys};
 use crate::game::{Game, History};
 use crate::view::focus::Focus;
 use crate::view::layout::{Area, Frame};
-pub use centre::{centre_of_mass, velocity_of_centre};
 pub use figures::Table;
 pub use measure::Measures;
 use places::Places;

@@ -18,22 +18,6 @@ impl Vector {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Velocity, Self::Acceleration];
 
-    /// Its sign in formulas.
-    pub const fn sign(self) -> &'static str {
-        match self {
-            Self::Velocity => "v",
-            Self::Acceleration => "a",
-        }
-    }
-
-    /// Its unit.
-    pub const fn unit(self) -> &'static str {
-        match self {
-            Self::Velocity => "m/s",
-            Self::Acceleration => "m/s²",
-        }
-    }
-
     /// That of a body, y downwards.
     pub fn of(self, world: &World, body: BodyId) -> DVec2 {
         let body = world.body(body);
@@ -125,8 +109,8 @@ mod tests {
         for velocity in [6.0, 0.5, 0.1, 0.0, 0.1, 0.5, 6.0] {
             drawn(&mut scales, velocity, 5, 1.0);
         }
-        assert_eq!(scales, Scales { short_for: [0.0; 2], ..Scales::default() });
+        assert_eq!(scales.a_metre(Vector::Velocity, 1.0), 2.0);
         drawn(&mut scales, 0.0, 600, 1.0);
-        assert_eq!(scales, Scales::default(), "what rests has no arrow that could be longer");
+        assert_eq!(scales.a_metre(Vector::Velocity, 1.0), 2.0, "what rests has no arrow that could be longer");
     }
 }
