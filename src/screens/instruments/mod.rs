@@ -8,6 +8,8 @@ mod figures;
 mod measure;
 #[cfg(feature = "window")]
 mod measured;
+#[cfg(feature = "window")]
+mod panels;
 pub mod places;
 mod ruler;
 mod vectors;
