@@ -77,6 +77,11 @@ impl History {
         }
     }
 
+    /// The game as it began.
+    pub fn start(&self) -> &Game {
+        &self.copies[0]
+    }
+
     /// After how many ticks it begins: not at once where a level was edited while it was flown.
     fn begins(&self) -> u64 {
         self.copies[0].ticks()

@@ -58,7 +58,7 @@ pub use flights::{Candidate as FlightCandidate, Flights, Source, Visit};
 pub use folder_watch::{FolderWatch, Stamp};
 pub use input::{Answer, Input};
 pub use instruments::vary::{Entry as VaryEntry, From as VaryFrom, Line as VaryLine, Varied, Vary};
-pub use instruments::{Instruments, Stage, Tool as Instrument};
+pub use instruments::{Instruments, Measures, Stage, Table as Figures, Tool as Instrument};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Experiment, Half, Lab, Line, PAGES, Page, Shown};
 pub use leaderboard::{Fresh, Leaderboard, Way};

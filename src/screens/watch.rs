@@ -78,6 +78,14 @@ impl Watch {
 
     /// One frame.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+        let request = self.go_on(input, spectator);
+        // What is read is that of the moment that is drawn.
+        let stage = Stage { game: &self.game, history: self.reel.history(), focus: &self.focus, varied: None, before: None };
+        self.instruments.read(&stage);
+        request
+    }
+
+    fn go_on(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         self.line = line(&input.frame);
         let input = &self.measure(input);
         self.fly_ahead(input.frame_time);
@@ -95,7 +103,7 @@ impl Watch {
             None => self.follow_keys(input, spectator),
         }
         // What is below the line of time is its own.
-        if self.details && row.is_none() && input.pointer.y < self.line.min.y {
+        if (self.details || self.instruments.is_open()) && row.is_none() && input.pointer.y < self.line.min.y {
             observer::look(&mut self.focus, input, self.game.world().bodies().len());
         }
         self.drag(input, spectator);

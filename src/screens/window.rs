@@ -270,8 +270,9 @@ impl Theatre {
 /// What it is measured with, above the flight.
 fn draw_instruments(instruments: &Instruments, view: &GameView, (game, alpha): (&Game, f64), canvas: &Canvas) {
     if instruments.is_open() {
-        instruments.draw_in_level(game, &view.viewport(game, alpha, canvas.frame()), canvas);
-        instruments.draw(canvas);
+        let view = view.viewport(game, alpha, canvas.frame());
+        instruments.draw_in_level((game, alpha), &view, canvas);
+        instruments.draw((game, alpha), &view, canvas);
     }
 }
 

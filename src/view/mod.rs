@@ -1,6 +1,6 @@
 //! Drawing only: reads the game and changes nothing in it. The screens hand over what they hold; what they decide is in
-//! [`crate::screens`]. Only [`layout`], [`plot`] and the geometry of [`terrain`], which are plain arithmetic,
-//! are there without a window.
+//! [`crate::screens`]. Only [`layout`], [`plot`], [`quantity`] and the geometry of [`terrain`], which are plain
+//! arithmetic, are there without a window.
 
 pub mod layout;
 pub mod plot;
@@ -54,7 +54,6 @@ pub mod picture;
 #[cfg(feature = "window")]
 pub mod pictures;
 pub mod plane;
-#[cfg(feature = "window")]
 pub mod quantity;
 #[cfg(feature = "window")]
 pub mod scale;

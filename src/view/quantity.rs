@@ -1,6 +1,7 @@
 //! How quantities are written for players: three significant digits, a unit with a prefix, a true minus sign, and y upwards as in
 //! school. The engine and the level's files count y downwards.
 
+#[cfg(feature = "window")]
 use super::facts::{Row, Value};
 use crate::lab::axes;
 
@@ -69,7 +70,19 @@ pub fn scalar(value: f64, unit: &str) -> String {
     format!("{} {}", scale.number(value), scale.unit())
 }
 
+/// The next number from …, 0.1, 0.2, 0.5, 1, 2, 5, 10, …: what one square of the graph paper stands for where arrows are drawn to scale.
+pub fn round_up(value: f64) -> f64 {
+    // What is a round number but for rounding is one.
+    let value = value * (1.0 - 1e-9);
+    let mut decade = NOTHING;
+    while decade * 10.0 < value {
+        decade *= 10.0;
+    }
+    [1.0, 2.0, 5.0].into_iter().map(|step| step * decade).find(|step| *step >= value).unwrap_or(10.0 * decade)
+}
+
 /// The numbers of a row as they are written, y upwards.
+#[cfg(feature = "window")]
 fn numbers(row: &Row) -> (Vec<String>, Scale) {
     let (values, largest) = match row.value {
         Value::Scalar(value) => (vec![value], value.abs()),
@@ -80,6 +93,7 @@ fn numbers(row: &Row) -> (Vec<String>, Scale) {
 }
 
 /// The numbers of a row, each in a field of `width` characters, and the unit.
+#[cfg(feature = "window")]
 pub fn quantity(row: &Row, width: usize) -> String {
     let (numbers, scale) = numbers(row);
     match &numbers[..] {
@@ -89,6 +103,7 @@ pub fn quantity(row: &Row, width: usize) -> String {
 }
 
 /// The width of the longest number in the rows, but at least `least`, characters.
+#[cfg(feature = "window")]
 pub fn number_width(rows: &[Row], least: usize) -> usize {
     rows.iter().flat_map(|row| numbers(row).0).map(|number| number.chars().count()).fold(least, usize::max)
 }
@@ -96,7 +111,6 @@ pub fn number_width(rows: &[Row], least: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::DVec2;
 
     #[test]
     fn three_digits_and_a_prefix_say_any_number() {
@@ -124,7 +138,16 @@ mod tests {
     }
 
     #[test]
+    fn round_numbers_are_one_two_five() {
+        for (value, wanted) in [(0.3, 0.5), (0.99, 1.0), (1.1, 2.0), (375.0, 500.0), (501.0, 1000.0), (0.0, 1e-9)] {
+            assert!((round_up(value) / wanted - 1.0).abs() < 1e-9, "{value}: {}", round_up(value));
+        }
+    }
+
+    #[cfg(feature = "window")]
+    #[test]
     fn vectors_share_a_unit_and_count_y_upwards() {
+        use crate::physics::DVec2;
         let row = |value, unit| Row::plain("", value, unit);
         let texts = [
             (row(Value::Vector(DVec2::new(-12.34, 0.0)), "m/s"), "( −12.3,      0) m/s"),

@@ -2,6 +2,7 @@
 //! changes at once when an arrow would no longer fit, and back only after a while: arrows that breathe cannot be compared.
 
 use super::focus::Focus;
+use super::quantity::round_up;
 use crate::game::{DAMAGING_SPEED, Game, SHIP};
 use crate::physics::BodyId;
 
@@ -108,28 +109,9 @@ impl Step {
     }
 }
 
-/// The next number from …, 0.1, 0.2, 0.5, 1, 2, 5, 10, …
-fn round_up(value: f64) -> f64 {
-    let mut decade = 1e-9;
-    while decade * 10.0 < value {
-        decade *= 10.0;
-    }
-    [1.0, 2.0, 5.0].into_iter().map(|step| step * decade).find(|step| *step >= value).unwrap_or(10.0 * decade)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_scale_is_a_round_number() {
-        let near = |value: f64, wanted: f64| (round_up(value) / wanted - 1.0).abs() < 1e-9;
-        for (value, wanted) in
-            [(0.3, 0.5), (0.99, 1.0), (1.1, 2.0), (375.0, 500.0), (499.0, 500.0), (501.0, 1000.0), (750.0, 1000.0)]
-        {
-            assert!(near(value, wanted), "{value}: {}", round_up(value));
-        }
-    }
 
     #[test]
     fn arrows_grow_shorter_at_once_and_longer_after_a_while() {

@@ -163,6 +163,10 @@ pub fn physics_objective() -> Color {
 /// The resultant force.
 pub const RESULTANT: Color = rgb(0xFFFFFF);
 
+/// Velocity and acceleration, wherever they are drawn.
+pub const VELOCITY: Color = rgb(0x2EE6D6);
+pub const ACCELERATION: Color = rgb(0xFF8FB1);
+
 /// An impact. Told apart from every force, in normal sight and in the three common kinds of colour blindness, by 11 units of CIEDE2000
 /// at least (colours simulated after Machado, Oliveira and Fernandes, 2009).
 pub const IMPACT: Color = rgb(0xAE62FF);

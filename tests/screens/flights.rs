@@ -4,8 +4,9 @@ use crate::sitting::{HERE, Sitting, level};
 use resultant::game::{Game, Outcome, Replay};
 use resultant::pack;
 use resultant::scores::Standing;
-use resultant::screens::{Gap, Input, Key, MOST_RIVALS, Screen, Spectator, Split};
+use resultant::screens::{Gap, Input, Instrument, Key, MOST_RIVALS, Screen, Spectator, Split};
 use resultant::view::layout::Vec2;
+use resultant::view::quantity::scalar;
 use std::fs;
 use std::path::Path;
 
@@ -68,6 +69,33 @@ fn a_flight_is_watched_from_its_score_bit_for_bit() {
     sitting.press(Key::Escape);
     assert_eq!(sitting.at(), "flights");
     assert_eq!(sitting.press(Key::Escape).at(), "scoring");
+}
+
+/// What the instruments tell is of the very moment that is shown, wherever one jumps.
+#[test]
+fn what_is_watched_is_measured_as_it_was_flown() {
+    let mut sitting = sitting();
+    sitting.choose(1).choose(0);
+    fly_up(&mut sitting, 0);
+    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
+    sitting.choose(flights).choose(0).press(Key::I);
+    for tool in [Instrument::Trails, Instrument::Figures] {
+        let rail = sitting.watch().instruments().areas(&Input::default().frame);
+        sitting.click_at(rail[tool as usize].centre());
+    }
+    sitting.wait(3.0);
+    for key in [Key::Left, Key::Home, Key::Right, Key::End, Key::PageUp, Key::Right] {
+        sitting.press(key);
+        let (watch, ship) = (sitting.watch(), |game: &Game| game.world().bodies()[0].clone());
+        let (tick, measures) = (watch.place().0, watch.instruments().measures());
+        let dots: Vec<_> = measures.trail().dots(tick, 120.0).map(|dots| (dots.number, dots.places[0])).collect();
+        assert_eq!(dots.len() as u64, tick / 12 + 1, "tick {tick}");
+        assert!(tick % 12 != 0 || dots.last().map(|dot| dot.1) == Some(ship(watch.game()).position));
+        let joules = 0.5 * 100.0 * ship(watch.game()).velocity.length_squared();
+        let told = |name: &str| measures.table().lines.iter().find(|line| line.name == name).unwrap().values.clone();
+        assert_eq!(told("Kinetic energy"), [scalar(joules, "J")], "tick {tick}");
+        assert_eq!(told("= kinetic gained"), [scalar(joules, "J")], "tick {tick}");
+    }
 }
 
 #[test]

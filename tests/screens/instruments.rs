@@ -1,6 +1,7 @@
 //! The instruments beside a flight: the rail, and whose clicks are whose.
 
 use crate::sitting::Sitting;
+use resultant::physics::DVec2;
 use resultant::screens::{Input, Instrument, Key};
 use resultant::view::layout::Vec2;
 
@@ -29,4 +30,180 @@ fn the_rail_opens_by_key_and_its_buttons_take_their_clicks_from_the_flight() {
     assert!(sitting.flight().instruments().uses(Instrument::Centre), "it stays in use when the level begins anew");
     sitting.press(Key::I);
     assert!(!sitting.flight().instruments().uses(Instrument::Centre) && !sitting.flight().is_assisted());
+}
+
+/// A flight that falls freely, with those instruments in use and the world stopped.
+fn measuring(tools: &[Instrument]) -> Sitting {
+    let mut sitting = Sitting::with(|folder| {
+        let room = "width,1500\nheight,3000\ngravity,10\nair_density,0\n";
+        std::fs::write(folder.join("levels/2/constants.csv"), room).unwrap();
+    });
+    sitting.fly(1);
+    sitting.press(Key::I);
+    for tool in tools {
+        let areas = sitting.flight().instruments().areas(&Input::default().frame);
+        sitting.click_at(areas[*tool as usize].centre());
+        assert!(sitting.flight().instruments().uses(*tool));
+    }
+    if !sitting.flight().observer().frozen() {
+        sitting.press(Key::F);
+    }
+    sitting
+}
+
+/// The world goes on for so many frames, and stops again.
+fn fly_for(sitting: &mut Sitting, frames: u32) {
+    sitting.press(Key::F);
+    for _ in 0..frames {
+        sitting.rest();
+    }
+    sitting.press(Key::F).rest();
+}
+
+fn ticks(sitting: &Sitting) -> u64 {
+    sitting.flight().game().ticks()
+}
+
+#[test]
+fn the_stop_clock_runs_in_the_time_of_the_game_and_goes_back_with_it() {
+    let mut sitting = measuring(&[Instrument::StopClock]);
+    let press = |sitting: &mut Sitting, button: usize| {
+        let at = sitting.flight().instruments().measures().clock_buttons().areas()[button].centre();
+        sitting.click_at(at);
+    };
+    let read = |sitting: &Sitting| sitting.flight().instruments().measures().clock().ticks(ticks(sitting));
+    let start = ticks(&sitting);
+    press(&mut sitting, 0);
+    sitting.wait(1.0);
+    assert_eq!((read(&sitting), ticks(&sitting)), (0, start), "the world stands still, and so does the clock");
+    fly_for(&mut sitting, 30);
+    let flown = (ticks(&sitting) - start).cast_signed();
+    assert!(flown > 50);
+    assert_eq!(read(&sitting), flown);
+    press(&mut sitting, 1);
+    sitting.press(Key::Comma).press(Key::Comma).press(Key::Period);
+    assert_eq!(read(&sitting), flown - 1);
+    press(&mut sitting, 0);
+    sitting.press(Key::Comma);
+    assert_eq!(read(&sitting), flown - 1, "it is stopped");
+    let laps: Vec<_> = sitting.flight().instruments().measures().clock().laps().collect();
+    assert_eq!(laps, [(1, flown)]);
+    // Whoever goes on from here flies anew: the lap has not been.
+    fly_for(&mut sitting, 1);
+    assert_eq!(sitting.flight().instruments().measures().clock().laps().count(), 0);
+    press(&mut sitting, 2);
+    assert_eq!(read(&sitting), 0);
+    sitting.press(Key::R);
+    assert_eq!(*sitting.flight().instruments().measures().clock(), Default::default(), "another flight, another clock");
+}
+
+#[test]
+fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
+    let mut sitting = measuring(&[Instrument::Ruler]);
+    let to = |sitting: &mut Sitting, (x, y): (f64, f64), click: bool, holding: bool| {
+        let pointer = Vec2::new(600.0 + 20.0 * x as f32, 20.0 * y as f32);
+        sitting.give(Input { pointer, place: Some(DVec2::new(x, y)), click, holding, ..Input::default() });
+    };
+    let drag = |sitting: &mut Sitting, from, towards| {
+        to(sitting, from, true, true);
+        to(sitting, towards, false, true);
+        to(sitting, towards, false, false);
+    };
+    let read = |sitting: &Sitting| sitting.flight().instruments().measures().ruler().reading(sitting.flight().game().world());
+    assert_eq!(read(&sitting), None);
+    drag(&mut sitting, (2.0, 30.0), (5.0, 26.0));
+    let reading = read(&sitting).unwrap();
+    assert_eq!((reading.length, reading.parts), (5.0, DVec2::new(3.0, 4.0)));
+    drag(&mut sitting, (5.1, 26.2), (2.0, 18.0));
+    assert_eq!(read(&sitting).unwrap().parts, DVec2::new(0.0, 12.0), "its end was taken");
+    // Onto the ship: from now on it goes with the ship.
+    let ship = sitting.flight().game().world().bodies()[0].position;
+    drag(&mut sitting, (2.0, 18.0), (ship.x + 0.2, ship.y - 0.1));
+    let before = read(&sitting).unwrap().parts;
+    assert_eq!(before, DVec2::new(ship.x - 2.0, 30.0 - ship.y));
+    fly_for(&mut sitting, 20);
+    let fallen = sitting.flight().game().world().bodies()[0].position.y - ship.y;
+    assert!(fallen > 0.2);
+    assert!((before.y - read(&sitting).unwrap().parts.y - fallen).abs() < 1e-12);
+    // A click that draws nothing leaves it as it lies, and is the flight's.
+    sitting.press(Key::Tab).press(Key::N);
+    assert!(sitting.flight().observer().focus().followed().is_some());
+    let before = read(&sitting);
+    to(&mut sitting, (10.0, 10.0), true, true);
+    assert!(sitting.flight().observer().focus().followed().is_some(), "as long as it may become a ruler");
+    to(&mut sitting, (10.0, 10.0), false, false);
+    assert_eq!(sitting.flight().observer().focus().followed(), None);
+    assert_eq!(read(&sitting), before);
+    // On the rail it draws nothing.
+    let rail = sitting.flight().instruments().areas(&Input::default().frame)[0].centre();
+    sitting.give(Input { pointer: rail, place: Some(DVec2::ZERO), click: true, holding: true, ..Input::default() });
+    sitting.give(Input { pointer: rail + 300.0, place: Some(DVec2::ONE), holding: true, ..Input::default() });
+    assert_eq!(read(&sitting), before);
+}
+
+#[test]
+fn the_table_obeys_the_law_of_work_and_energy_as_it_is_written() {
+    let mut sitting = measuring(&[Instrument::Figures]);
+    fly_for(&mut sitting, 60);
+    let text = |sitting: &Sitting, name: &str| {
+        let table = sitting.flight().instruments().measures().table();
+        table.lines.iter().find(|line| line.name == name).unwrap_or_else(|| panic!("{name}: {table:?}")).values.clone()
+    };
+    let (start, ship) =
+        (sitting.flight().history().start().world().bodies()[0].position, sitting.flight().game().world().bodies()[0].clone());
+    let fallen = ship.position.y - start.y;
+    let joules = |joules: f64| vec![resultant::view::quantity::scalar(joules, "J")];
+    assert_eq!(text(&sitting, "Weight"), joules(1000.0 * fallen));
+    assert_eq!(text(&sitting, "Kinetic energy"), joules(1000.0 * fallen));
+    assert_eq!(text(&sitting, "= kinetic gained"), joules(1000.0 * fallen));
+    assert_eq!(text(&sitting, "Potential energy"), joules(1000.0 * (100.0 - ship.position.y)));
+    assert_eq!(text(&sitting, "Momentum y"), [resultant::view::quantity::scalar(-100.0 * ship.velocity.y, "N·s")], "y counts up");
+    assert_eq!(sitting.flight().instruments().measures().table().columns, ["Ship"], "alone it is all");
+    // From now on.
+    let button = |sitting: &mut Sitting, button: usize| {
+        let at = sitting.flight().instruments().measures().work_buttons().areas()[button].centre();
+        sitting.click_at(at);
+    };
+    button(&mut sitting, 0);
+    assert_eq!(text(&sitting, "= kinetic gained"), ["0 J"]);
+    sitting.press(Key::Comma);
+    let back = ship.position.y - sitting.flight().game().world().bodies()[0].position.y;
+    assert_eq!(text(&sitting, "Weight"), joules(-1000.0 * back), "a tick before then");
+    button(&mut sitting, 1);
+    assert_eq!(text(&sitting, "Weight"), joules(1000.0 * (fallen - back)));
+}
+
+#[test]
+fn trails_are_right_at_every_moment_gone_to() {
+    let mut sitting = measuring(&[Instrument::Trails]);
+    fly_for(&mut sitting, 40);
+    for key in [Key::Comma, Key::Comma, Key::Period] {
+        sitting.press(key);
+        let (flight, now) = (sitting.flight(), ticks(&sitting));
+        let dots: Vec<_> = flight.instruments().measures().trail().dots(now, 120.0).collect();
+        assert_eq!(dots.len() as u64, now / 12 + 1);
+        for dots in dots {
+            assert_eq!(dots.places, [flight.history().at(dots.number * 12).world().bodies()[0].position]);
+        }
+    }
+}
+
+#[test]
+fn a_panel_is_dragged_out_of_the_way_and_stays_in_the_window() {
+    let mut sitting = measuring(&[Instrument::Figures]);
+    let area = |sitting: &Sitting| sitting.flight().instruments().measures().area(Instrument::Figures).unwrap();
+    let docked = area(&sitting);
+    let drag = |sitting: &mut Sitting, by: Vec2| {
+        let from = area(sitting).min + 4.0;
+        sitting.give(Input { pointer: from, click: true, holding: true, ..Input::default() });
+        sitting.give(Input { pointer: from + by, holding: true, ..Input::default() });
+        sitting.give(Input { pointer: from + by, ..Input::default() }).rest();
+    };
+    drag(&mut sitting, Vec2::new(300.0, -40.0));
+    assert_eq!(area(&sitting).min, docked.min + Vec2::new(300.0, -40.0));
+    drag(&mut sitting, Vec2::new(5000.0, -5000.0));
+    let frame = Input::default().frame;
+    assert!(area(&sitting).min.y >= 0.0 && area(&sitting).max().x <= frame.size.x);
+    sitting.press(Key::R).press(Key::F).rest();
+    assert!(area(&sitting).min.x > docked.min.x, "it stays there when the level begins anew");
 }

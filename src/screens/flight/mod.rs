@@ -167,6 +167,15 @@ impl Flight {
 
     /// One frame.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
+        let request = self.go_on(input, spectator);
+        // What is read is that of the moment that is drawn.
+        let mut instruments = std::mem::take(&mut self.instruments);
+        instruments.read(&self.stage());
+        self.instruments = instruments;
+        request
+    }
+
+    fn go_on(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         if self.test && (input.pressed(Key::F5) || input.pressed(Key::Escape) || input.acts(Action::Pause)) {
             return Some(Request::BackToEditor(self.told()));
         }
@@ -192,7 +201,8 @@ impl Flight {
         if self.update_what_if(input.frame_time, spectator) {
             return None;
         }
-        match self.observer.update(input, self.game.world().bodies().len(), self.details) {
+        let looked_at = self.details || self.instruments.is_open();
+        match self.observer.update(input, self.game.world().bodies().len(), looked_at) {
             0 => {}
             ticks => self.step(ticks, input, spectator),
         }
@@ -222,17 +232,21 @@ impl Flight {
         None
     }
 
-    /// The instruments' part of a frame; what is left of the input for the flight, and what is to be varied.
-    fn measure(&mut self, input: &Input) -> (Input, Option<Wish>) {
-        let mut instruments = std::mem::take(&mut self.instruments);
-        let stage = Stage {
+    /// What the instruments see.
+    fn stage(&self) -> Stage<'_> {
+        Stage {
             game: &self.game,
             history: &self.history,
             focus: self.observer.focus(),
             varied: Some(self.varied()),
             before: self.before(),
-        };
-        let rest = instruments.update(input, &stage);
+        }
+    }
+
+    /// The instruments' part of a frame; what is left of the input for the flight, and what is to be varied.
+    fn measure(&mut self, input: &Input) -> (Input, Option<Wish>) {
+        let mut instruments = std::mem::take(&mut self.instruments);
+        let rest = instruments.update(input, &self.stage());
         self.instruments = instruments;
         (rest, self.instruments.vary_mut().take_wish())
     }

@@ -194,7 +194,7 @@ impl Flight {
         what_if.before.show(self.game.ticks());
         self.ended = 0.0;
         self.play_on_from(self.game.ticks());
-        self.instruments.flown_again(&self.history);
+        self.instruments.flown_again();
         spectator.jumped(&self.game);
     }
 

@@ -1,7 +1,9 @@
 //! Draws the instruments: what lies in the level, and the rail and the panels above it.
 
-use super::{Instruments, Tool, centre_of_mass};
-use crate::game::Game;
+use super::measured::{label, pair};
+use super::{Instruments, Tool};
+use crate::game::{Game, SHIP};
+use crate::instruments::centre::{centre_of_mass, velocity_of_centre};
 use crate::view::camera::Viewport;
 use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{DETAILS, GRID, Vec2};
@@ -12,14 +14,15 @@ const MARK: f32 = 9.0;
 
 impl Instruments {
     /// Draws what lies in the level.
-    pub fn draw_in_level(&self, game: &Game, view: &Viewport, canvas: &Canvas) {
+    pub fn draw_in_level(&self, (game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) {
+        self.measures.draw_in_level((game, alpha), (view, canvas), |tool| self.uses(tool));
         if self.uses(Tool::Centre) {
-            draw_centre(view.point(centre_of_mass(game.world())), canvas);
+            draw_centre((game, alpha), view, canvas);
         }
     }
 
     /// Draws the rail and the panels.
-    pub fn draw(&self, canvas: &Canvas) {
+    pub fn draw(&self, scene: (&Game, f64), view: &Viewport, canvas: &Canvas) {
         if !self.open {
             return;
         }
@@ -34,12 +37,19 @@ impl Instruments {
             let at = Vec2::new(area.min.x + GRID, area.centre().y);
             canvas.text(tool.name(), at, Style::new(DETAILS, colour).middle());
         }
+        self.measures.draw(scene, (view, canvas));
         self.vary.draw(canvas);
     }
 }
 
-/// A disc in quarters, as it is marked in books.
-fn draw_centre(at: Vec2, canvas: &Canvas) {
+/// A disc in quarters, as it is marked in books, and how fast it goes.
+fn draw_centre((game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) {
+    let (centre, velocity) = (centre_of_mass(game.world()), velocity_of_centre(game.world()));
+    // Drawn between the last two ticks, as all else is.
+    let at = view.point(centre - velocity * ((1.0 - alpha) / game.tick_rate()));
+    if !canvas.frame().area().contains(at) {
+        return;
+    }
     canvas.disc(at, MARK + 2.0, theme::ground());
     canvas.disc(at, MARK, theme::text());
     let corner = |x: f32, y: f32| at + MARK * Vec2::new(x, y);
@@ -50,4 +60,13 @@ fn draw_centre(at: Vec2, canvas: &Canvas) {
         });
         canvas.convex(&[&[at][..], &arc].concat(), theme::ground());
     }
+    let lines = ["Centre of mass".to_owned(), format!("v {}", pair(velocity, "m/s"))];
+    // Above it or below, away from the ship, which is often near.
+    let ship = view.point(game.world().body(SHIP).position);
+    let up = if ship.y < at.y { 1.0 } else { -1.0 };
+    let aside = Vec2::new(
+        if ship.x < at.x { MARK } else { -MARK - canvas.width(&lines[1], Style::new(DETAILS, theme::text()).mono()) },
+        up * 4.0 * GRID,
+    );
+    label(&lines, at + aside, theme::text(), canvas);
 }

@@ -1,20 +1,27 @@
 //! What a lesson measures with, beside the flight: a rail of buttons, which I opens, and what each of them shows. It takes the clicks and keys
 //! that are its own; the flight has the rest.
 
-#[cfg(feature = "window")]
-mod centre;
+mod dock;
 #[cfg(feature = "window")]
 mod drawing;
+mod figures;
+mod measure;
+#[cfg(feature = "window")]
+mod measured;
+#[cfg(feature = "window")]
+mod panels;
 pub mod places;
+mod ruler;
 pub mod vary;
+mod vectors;
 
 use super::observer::pressed;
 use super::{Buttons, Input, Key, Keys};
 use crate::game::{Game, History};
 use crate::view::focus::Focus;
 use crate::view::layout::{Area, Frame};
-#[cfg(feature = "window")]
-pub use centre::centre_of_mass;
+pub use figures::Table;
+pub use measure::Measures;
 use places::Places;
 use vary::Vary;
 
@@ -23,18 +30,33 @@ use vary::Vary;
 pub enum Tool {
     /// The centre of mass of everything that moves.
     Centre,
+    /// Where things were, ten times a second.
+    Trails,
+    /// Arrows of velocity and acceleration.
+    Vectors,
+    /// A ruler.
+    Ruler,
+    /// A stop clock.
+    StopClock,
+    /// Momentum, energy and work.
+    Figures,
     /// Numbers of the level are varied.
     Vary,
 }
 
 impl Tool {
     /// All of them, from the top.
-    pub const ALL: [Self; 2] = [Self::Centre, Self::Vary];
+    pub const ALL: [Self; 7] = [Self::Centre, Self::Trails, Self::Vectors, Self::Ruler, Self::StopClock, Self::Figures, Self::Vary];
 
     /// What stands on its button.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Centre => "Centre of mass",
+            Self::Trails => "Trails",
+            Self::Vectors => "v and a",
+            Self::Ruler => "Ruler",
+            Self::StopClock => "Stop clock",
+            Self::Figures => "Energy, work",
             Self::Vary => "What if …",
         }
     }
@@ -60,6 +82,7 @@ pub struct Instruments {
     open: bool,
     used: [bool; Tool::ALL.len()],
     rail: Buttons,
+    measures: Measures,
     vary: Vary,
     /// Whether the level that is shown can be varied: not that of a flight which is watched.
     can_vary: bool,
@@ -71,10 +94,9 @@ impl Instruments {
         self.can_vary = stage.varied.is_some();
         let open = self.uses(Tool::Vary);
         let input = &self.vary.update(input, stage, open);
-        let mut rest = input.clone();
         self.open ^= pressed(input, Key::I);
         if !self.open {
-            return rest;
+            return input.clone();
         }
         let places = self.places(&input.frame);
         self.rail.place(places.rail.clone());
@@ -83,16 +105,29 @@ impl Instruments {
         if let Some(tool) = self.rail.update(&pointer_only).filter(|tool| self.offers(Tool::ALL[*tool])) {
             self.used[tool] ^= true;
         }
-        rest.click &= !places.areas().any(|area| area.contains(input.pointer));
+        let used = self.used;
+        let covered = self.areas(&input.frame).iter().any(|area| area.contains(input.pointer));
+        let mut rest = self.measures.update(input, stage, (&places.rail, covered), |tool| used[tool as usize]);
+        rest.click &= !self.areas(&input.frame).iter().any(|area| area.contains(input.pointer));
         rest
     }
 
+    /// Reads what is known of the moment that is drawn, at the end of its frame.
+    pub fn read(&mut self, stage: &Stage) {
+        if self.open {
+            let used = self.used;
+            self.measures.read(stage, |tool| used[tool as usize]);
+        }
+    }
+
     /// The flight was left at that tick and goes on otherwise.
-    pub fn back_to(&mut self, _history: &History, _tick: u64) {}
+    pub fn back_to(&mut self, _history: &History, tick: u64) {
+        self.measures.back_to(tick);
+    }
 
     /// The flight was flown again from its start, in a level that was varied: whatever was read of it is read anew.
-    pub fn flown_again(&mut self, history: &History) {
-        self.back_to(history, 0);
+    pub fn flown_again(&mut self) {
+        self.measures.flown_again();
     }
 
     /// The panel that varies the level.
@@ -108,7 +143,7 @@ impl Instruments {
     /// The same for another flight: what is open stays open, and what was measured is put away.
     #[must_use]
     pub fn of_another_flight(self) -> Self {
-        self
+        Self { measures: self.measures.of_another_flight(), ..self }
     }
 
     /// Whether the rail is there.
@@ -128,7 +163,16 @@ impl Instruments {
 
     /// What covers the flight.
     pub fn areas(&self, frame: &Frame) -> Vec<Area> {
-        if self.open { self.places(frame).areas().chain(self.vary.area()).collect() } else { Vec::new() }
+        if self.open {
+            self.places(frame).areas().chain(self.measures.areas()).chain(self.vary.area()).collect()
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// What is measured with at the left.
+    pub const fn measures(&self) -> &Measures {
+        &self.measures
     }
 
     fn places(&self, frame: &Frame) -> Places {

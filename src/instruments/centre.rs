@@ -11,6 +11,15 @@ pub fn centre_of_mass(world: &World) -> DVec2 {
     moment / mass
 }
 
+/// Σ m·v / Σ m over all bodies, m/s.
+pub fn velocity_of_centre(world: &World) -> DVec2 {
+    let (momentum, mass) = world
+        .bodies()
+        .iter()
+        .fold((DVec2::ZERO, 0.0), |(momentum, mass), body| (momentum + body.mass * body.velocity, mass + body.mass));
+    momentum / mass
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -19,9 +28,11 @@ mod tests {
     #[test]
     fn it_lies_nearer_to_the_heavier() {
         let mut world = World::new(WorldDef::default()).expect("an empty world");
-        for (mass, x) in [(1.0, 10.0), (3.0, 14.0)] {
-            world.add_body(BodyDef { mass, position: DVec2::new(x, 50.0), ..BodyDef::default() }).expect("a body");
+        for (mass, x, speed) in [(1.0, 10.0, 8.0), (3.0, 14.0, -4.0)] {
+            let (position, velocity) = (DVec2::new(x, 50.0), DVec2::new(speed, 0.0));
+            world.add_body(BodyDef { mass, position, velocity, ..BodyDef::default() }).expect("a body");
         }
         assert_eq!(centre_of_mass(&world), DVec2::new(13.0, 50.0));
+        assert_eq!(velocity_of_centre(&world), DVec2::new(-1.0, 0.0));
     }
 }

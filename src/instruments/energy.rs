@@ -1,0 +1,77 @@
+//! Momentum, kinetic and potential energy, of a body and of all.
+
+use crate::game::Game;
+use crate::level::Level;
+use crate::physics::{BodyId, DVec2};
+use std::ops::Add;
+
+/// What is in motion, and how high it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct State {
+    /// Σ m·v, N·s, y downwards.
+    pub momentum: DVec2,
+    /// Σ ½mv², J.
+    pub kinetic: f64,
+    /// −Σ m·g·(r − r₀), J: of the level's own gravity, above [`ground`]. What zones of gravity add has no potential, for their fields end at their borders.
+    pub potential: f64,
+}
+
+impl State {
+    /// That of a body.
+    pub fn of(game: &Game, id: BodyId) -> Self {
+        let (level, body) = (game.level(), game.world().body(id));
+        let field = if body.weightless { DVec2::ZERO } else { DVec2::new(level.gravity_x, level.gravity) };
+        Self {
+            momentum: body.mass * body.velocity,
+            kinetic: 0.5 * body.mass * body.velocity.length_squared(),
+            potential: -body.mass * field.dot(body.position - ground(level)),
+        }
+    }
+
+    /// That of all bodies.
+    pub fn of_all(game: &Game) -> Self {
+        (0..game.world().bodies().len() as u32).map(|id| Self::of(game, BodyId(id))).fold(Self::default(), Self::add)
+    }
+}
+
+impl Add for State {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            momentum: self.momentum + other.momentum,
+            kinetic: self.kinetic + other.kinetic,
+            potential: self.potential + other.potential,
+        }
+    }
+}
+
+/// Where potential energy is zero, m: the corner of the level to which its gravity pulls, so that nothing has less.
+pub fn ground(level: &Level) -> DVec2 {
+    let along = |gravity: f64, size: f64| if gravity > 0.0 { size } else { 0.0 };
+    DVec2::new(along(level.gravity_x, level.size.x), along(level.gravity, level.size.y))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn potential_energy_counts_from_where_gravity_pulls_to() {
+        let level = |gravity_x, gravity| {
+            let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+            let level = crate::level::load(&root.join("levels/1"), root).expect("it ships").level;
+            Level { size: DVec2::new(40.0, 20.0), gravity_x, gravity, ..level }
+        };
+        assert_eq!(ground(&level(0.0, 9.81)), DVec2::new(0.0, 20.0));
+        assert_eq!(ground(&level(0.0, -9.81)), DVec2::ZERO);
+        assert_eq!(ground(&level(2.0, 0.0)), DVec2::new(40.0, 0.0));
+        let high = Level { size: DVec2::splat(1000.0), ..level(0.0, 10.0) };
+        let game = Game::new(std::sync::Arc::new(high)).expect("a level");
+        let ship = game.world().body(BodyId(0));
+        let state = State::of(&game, BodyId(0));
+        assert!((state.potential - ship.mass * 10.0 * (1000.0 - ship.position.y)).abs() < 1e-9);
+        let all = State::of_all(&game);
+        assert!(all.potential >= state.potential && all.kinetic == 0.0 && all.momentum == DVec2::ZERO);
+    }
+}

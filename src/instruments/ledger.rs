@@ -1,0 +1,263 @@
+//! The work that each force has done on each body up to the moment that is shown.
+//!
+//! W = ∫F·dr, tick by tick, so that what is read always obeys the law of work and energy, ΔE_kin = Σ W + W_impacts:
+//!
+//! 1. A force F₀ at a tick's start and F₁ at its end does W = ½(F₀ + F₁)·Δr. That is exact where it is constant, and where it grows evenly
+//!    with the way, as the buoyancy of what floats does. The engine is switched at a tick's start and does F₁·Δr.
+//! 2. Where an impact falls into the tick, F₀ acts up to that corner of the path and F₁ from there on, for it may begin or end a contact.
+//! 3. What presses on a surface that cannot move gets no work from it: where they touch the way is along it.
+//! 4. What is then missing to ΔE_kin = ½m(v₁ − v₀)·(v₁ + v₀) is the impacts', where there were any. Else contacts that changed abruptly, as
+//!    where a slide ends, did so at one point of the way, for all of them the one that makes the sum right. Where there are none the rest
+//!    goes to the forces that changed, by |(F₁ − F₀)·Δr|; so drag alone is exact.
+
+use super::companion::Companion;
+use crate::game::{Game, History};
+use crate::level::SurfaceOf;
+use crate::physics::{BodyId, DVec2, ForceKind, Source};
+
+/// How many kinds of force there are.
+const KINDS: usize = ForceKind::ALL.len();
+/// Two forces closer than this, as parts of them, are one: the rest is rounding.
+const SAME: f64 = 1e-12;
+/// What is passed on by impacts is nothing below this part of a body's momentum.
+const ROUNDING: f64 = 1e-9;
+/// A contact that changes by more than this part of it in a tick does so abruptly: in a smaller one the air's drag may have a part.
+const ABRUPT: f64 = 0.1;
+/// The most bodies of whose forces accounts are kept: asking for all forces takes time with the square of their number.
+pub const MOST_BODIES: usize = 256;
+/// From copy to copy of the accounts at first, ticks, and how many accounts all copies have together. As in [`History`], every second copy
+/// goes where there are too many.
+const EVERY: u64 = 60;
+const ACCOUNTS_IN_COPIES: usize = 32_768;
+const FEWEST_COPIES: usize = 16;
+
+/// The work done on a body, or on all of them, J.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Account {
+    /// By each kind of force, in the order of [`ForceKind::ALL`].
+    pub by_force: [f64; KINDS],
+    /// By impacts.
+    pub by_impacts: f64,
+}
+
+impl Account {
+    /// The work of one kind of force, J.
+    pub fn by(&self, kind: ForceKind) -> f64 {
+        self.by_force[kind as usize]
+    }
+
+    /// All of it: what the kinetic energy has gained, J.
+    pub fn sum(&self) -> f64 {
+        self.by_force.iter().sum::<f64>() + self.by_impacts
+    }
+
+    /// This and another.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        self.with(other, 1.0)
+    }
+
+    /// What has been done since that other one.
+    #[must_use]
+    pub fn since(&self, other: &Self) -> Self {
+        self.with(other, -1.0)
+    }
+
+    fn with(&self, other: &Self, sign: f64) -> Self {
+        let mut sum = *self;
+        sum.by_force.iter_mut().zip(other.by_force).for_each(|(sum, other)| *sum += sign * other);
+        sum.by_impacts += sign * other.by_impacts;
+        sum
+    }
+}
+
+/// A body and what acts on it at an end of a tick.
+#[derive(Clone, Copy, Debug)]
+struct End {
+    position: DVec2,
+    velocity: DVec2,
+    /// By kind, N; without what surfaces that cannot move press with.
+    forces: [DVec2; KINDS],
+}
+
+impl End {
+    fn of(game: &Game, id: BodyId) -> Self {
+        let body = game.world().body(id);
+        let mut forces = [DVec2::ZERO; KINDS];
+        for force in game.world().forces(id).forces().iter().filter(|force| !is_still(game, force.source, force.kind)) {
+            forces[force.kind as usize] += force.vector;
+        }
+        Self { position: body.position, velocity: body.velocity, forces }
+    }
+}
+
+/// Whether a force is what a surface presses with that cannot move.
+fn is_still(game: &Game, source: Source, kind: ForceKind) -> bool {
+    let Source::Surface(index) = source else { return false };
+    kind != ForceKind::Friction && !matches!(game.level().surface(index as usize), SurfaceOf::Mover(_))
+}
+
+/// The accounts of all bodies at the moment that is shown.
+#[derive(Clone, Debug)]
+pub struct Ledger {
+    companion: Companion,
+    /// Each body at the tick before.
+    before: Vec<End>,
+    accounts: Vec<Account>,
+    copies: Vec<(u64, Vec<Account>)>,
+    every: u64,
+}
+
+impl Default for Ledger {
+    fn default() -> Self {
+        Self { companion: Companion::default(), before: Vec::new(), accounts: Vec::new(), copies: Vec::new(), every: EVERY }
+    }
+}
+
+impl Ledger {
+    /// Goes to that tick of a flight, by at most so many ticks; whether it is there. In a crowd it never is.
+    pub fn go(&mut self, history: &History, tick: u64, most: u64) -> bool {
+        if self.companion.tick().is_none_or(|at| at > tick) && !self.stand_before(history, tick) {
+            return false;
+        }
+        let (mut companion, every) = (std::mem::take(&mut self.companion), self.every);
+        let there = companion.go_on(history, tick, most, |game| {
+            self.take(game);
+            let newest = self.copies.last().map_or(0, |(at, _)| *at);
+            if game.ticks() >= newest + every {
+                self.copies.push((game.ticks(), self.accounts.clone()));
+            }
+        });
+        self.companion = companion;
+        self.thin_out();
+        there
+    }
+
+    /// The accounts of each body, by [`BodyId::index`].
+    pub fn accounts(&self) -> &[Account] {
+        &self.accounts
+    }
+
+    /// The flight was left at that tick: what was read after it has not been.
+    pub fn back_to(&mut self, tick: u64) {
+        self.companion.back_to(tick);
+        self.copies.retain(|(at, _)| *at <= tick);
+    }
+
+    /// Stands at the last copy up to that tick, or at the flight's start; not in a crowd.
+    fn stand_before(&mut self, history: &History, tick: u64) -> bool {
+        let copy = self.copies.iter().rev().find(|(at, _)| *at <= tick);
+        let game = self.companion.stand_at(history, copy.map_or(0, |(at, _)| *at));
+        let bodies = game.world().bodies().len();
+        if bodies > MOST_BODIES {
+            return false;
+        }
+        self.accounts = copy.map_or_else(|| vec![Account::default(); bodies], |(_, accounts)| accounts.clone());
+        self.before = ids(game).map(|id| End::of(game, id)).collect();
+        if self.copies.is_empty() {
+            self.copies.push((game.ticks(), self.accounts.clone()));
+        }
+        true
+    }
+
+    /// Enters a tick.
+    fn take(&mut self, game: &Game) {
+        for id in ids(game) {
+            let (before, after) = (self.before[id.index()], End::of(game, id));
+            let account = Tick { game, id, before, after }.account();
+            self.accounts[id.index()] = self.accounts[id.index()].plus(&account);
+            self.before[id.index()] = after;
+        }
+    }
+
+    fn thin_out(&mut self) {
+        let most = (ACCOUNTS_IN_COPIES / self.accounts.len().max(1)).max(FEWEST_COPIES);
+        while self.copies.len() > most {
+            let mut stays = false;
+            self.copies.retain(|_| {
+                stays = !stays;
+                stays
+            });
+            self.every *= 2;
+        }
+    }
+}
+
+fn ids(game: &Game) -> impl Iterator<Item = BodyId> + use<> {
+    (0..game.world().bodies().len() as u32).map(BodyId)
+}
+
+/// What happened to a body in a tick.
+struct Tick<'a> {
+    game: &'a Game,
+    id: BodyId,
+    before: End,
+    after: End,
+}
+
+impl Tick<'_> {
+    fn account(&self) -> Account {
+        let (world, mass) = (self.game.world(), self.game.world().body(self.id).mass);
+        let (before, after) = (&self.before, &self.after);
+        let way = after.position - before.position;
+        // From the tick's start to the first impact, and from the last one to its end.
+        let corners = || world.path(self.id).skip(1).take(world.path(self.id).count() - 2);
+        let ways = corners().next().zip(corners().last()).filter(|_| self.is_hit());
+        let ways = ways.map(|(first, last)| (first - before.position, after.position - last));
+        let mut account = Account::default();
+        // How much more each did by what it was than by what it became, all the way.
+        let mut changed = [0.0; KINDS];
+        for kind in ForceKind::ALL {
+            let k = kind as usize;
+            let (f0, f1) = (before.forces[k], after.forces[k]);
+            let constant = kind == ForceKind::Drive || differ(f0, f1) <= SAME;
+            let mean = 0.5 * (f0 + f1);
+            account.by_force[k] = match ways {
+                _ if constant => f1.dot(way),
+                Some((to, from)) => f0.dot(to) + f1.dot(from) + mean.dot(way - to - from),
+                None => mean.dot(way),
+            };
+            changed[k] = if constant { 0.0 } else { (f0 - f1).dot(way) };
+        }
+        let gained = 0.5 * mass * (after.velocity - before.velocity).dot(after.velocity + before.velocity);
+        let missing = gained - account.sum();
+        if ways.is_some() || account.by_force == [0.0; KINDS] {
+            account.by_impacts = missing;
+        } else {
+            self.share(missing, &mut account.by_force, &changed);
+        }
+        account
+    }
+
+    /// Whether impacts changed its momentum by more than rounding, of which what rides on a lift is full.
+    fn is_hit(&self) -> bool {
+        let impulses = self.game.world().impulses().iter().filter_map(|impulse| impulse.on(self.id));
+        let passed_on: f64 = impulses.map(|(impulse, _)| impulse.length()).sum();
+        let speeds = self.before.velocity.length() + self.after.velocity.length();
+        passed_on > ROUNDING * self.game.world().body(self.id).mass * speeds
+    }
+
+    /// Gives the forces what is missing to their sum.
+    fn share(&self, missing: f64, works: &mut [f64; KINDS], changed: &[f64; KINDS]) {
+        let contacts = [ForceKind::Reaction, ForceKind::Friction, ForceKind::Push].map(|kind| kind as usize);
+        let abruptly = |k: &usize| differ(self.before.forces[*k], self.after.forces[*k]) > ABRUPT;
+        let turned = || contacts.into_iter().filter(abruptly);
+        // So much further than the middle of the way they changed, as a part of it.
+        let further = missing / turned().map(|k| changed[k]).sum::<f64>();
+        if further.abs() <= 0.5 + ABRUPT {
+            return turned().for_each(|k| works[k] += further * changed[k]);
+        }
+        let all: f64 = changed.iter().map(|work| work.abs()).sum();
+        if all > 0.0 {
+            works.iter_mut().zip(changed).for_each(|(work, changed)| *work += missing * (changed.abs() / all));
+        } else if let Some(largest) = works.iter_mut().max_by(|a, b| a.abs().total_cmp(&b.abs())) {
+            *largest += missing;
+        }
+    }
+}
+
+/// By which part of the larger one two forces differ.
+fn differ(a: DVec2, b: DVec2) -> f64 {
+    let larger = a.length().max(b.length());
+    if larger == 0.0 { 0.0 } else { (a - b).length() / larger }
+}

@@ -1,0 +1,71 @@
+//! Where the panels at the left stand: below the rail, and beside it where that is too short.
+
+use crate::view::layout::{Area, DETAILS, Frame, GRID, HudLayout, LINE, MONO_ADVANCE, TEXT, Vec2};
+
+/// Puts panels of those sizes one below the other from the foot of the rail on, in as many columns as it takes; the first has the rail above it.
+pub fn dock(frame: &Frame, rail: &[Area], sizes: &[Vec2]) -> Vec<Area> {
+    let (Some(first), Some(last)) = (rail.first(), rail.last()) else { return Vec::new() };
+    let foot = HudLayout::new(frame).fuel.min.y - GRID;
+    let mut at = Vec2::new(first.min.x, last.max().y + GRID);
+    let mut widest = last.size.x;
+    let place = |size: &Vec2| {
+        if at.y + size.y > foot && at.y > first.min.y {
+            at = Vec2::new(at.x + widest + GRID, first.min.y);
+            widest = 0.0;
+        }
+        let area = Area { min: at, size: *size };
+        at.y += size.y + GRID;
+        widest = widest.max(size.x);
+        area
+    };
+    sizes.iter().map(place).collect()
+}
+
+/// From one line of a panel to the next.
+pub fn line(frame: &Frame) -> f32 {
+    frame.text_height(DETAILS) * LINE
+}
+
+/// The width of so many characters of a panel's lines.
+pub fn width(frame: &Frame, characters: usize) -> f32 {
+    characters as f32 * MONO_ADVANCE * frame.text_height(DETAILS)
+}
+
+/// A row of buttons with those words, from a place on.
+pub fn row(frame: &Frame, from: Vec2, words: &[&str]) -> Vec<Area> {
+    let mut left = from.x;
+    let button = |words: &&str| {
+        let size = Vec2::new(width(frame, words.chars().count()) + 2.0 * GRID, line(frame) + GRID);
+        let area = Area { min: Vec2::new(left, from.y), size };
+        left += size.x + 0.5 * GRID;
+        area
+    };
+    words.iter().map(button).collect()
+}
+
+/// The height of the stop clock's large figures.
+pub fn large(frame: &Frame) -> f32 {
+    frame.text_height(TEXT) * LINE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panels_keep_apart_and_above_the_fuel() {
+        for (w, h, text) in [(1280.0, 720.0, 1.0), (900.0, 500.0, 1.0), (900.0, 500.0, 1.5)] {
+            let frame = Frame::of_window(Vec2::new(w, h)).with_text(text);
+            let rail: Vec<Area> = (0..8).map(|i| Area::new(16.0, 110.0 + 34.0 * i as f32, 150.0, 30.0)).collect();
+            let sizes = [Vec2::new(200.0, 50.0), Vec2::new(240.0, 100.0), Vec2::new(360.0, 400.0)];
+            let areas = dock(&frame, &rail, &sizes);
+            let all: Vec<Area> = rail.iter().chain(&areas).copied().collect();
+            for (i, a) in all.iter().enumerate() {
+                assert!(a.max().y < HudLayout::new(&frame).fuel.min.y);
+                let apart = |b: &Area| (b.min - a.max()).max(a.min - b.max()).max_element() > 0.0;
+                assert!(all[i + 1..].iter().all(apart), "{w} × {h}: {a:?}");
+            }
+            assert_eq!(areas[0].min.x, 16.0, "there is room below the rail");
+        }
+    }
+}

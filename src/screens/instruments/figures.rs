@@ -1,0 +1,187 @@
+//! The table of momentum, energy and work, for whoever is followed and compared, or the ship, and for all.
+
+use super::Stage;
+use crate::game::{Game, History, SHIP, body_title};
+use crate::instruments::energy::State;
+use crate::instruments::ledger::{Account, Ledger, MOST_BODIES};
+use crate::instruments::stop_clock::seconds;
+use crate::physics::{BodyId, ForceKind, Impulse};
+use crate::view::focus::Focus;
+use crate::view::quantity::scalar;
+
+/// How many ticks are read in a frame at most, where the table is opened late in a flight.
+const AHEAD: u64 = 600;
+/// Parts of the largest work below which one is nothing but rounding.
+const ROUNDING: f64 = 1e-10;
+
+/// What all works together come to: what the kinetic energy has gained.
+pub const GAINED: &str = "= kinetic gained";
+
+/// What a line tells of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// A quantity.
+    Quantity,
+    /// A sum of what stands above.
+    Sum,
+    /// What stands below, or a remark.
+    Words,
+    /// The work of a force.
+    Force(ForceKind),
+    /// The work of impacts.
+    Impact,
+}
+
+/// A line of the table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Its words.
+    pub name: String,
+    /// What it tells of.
+    pub subject: Subject,
+    /// A number with its unit for each column; none in a line of words.
+    pub values: Vec<String>,
+}
+
+/// The table as it is shown.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Table {
+    /// What stands above the columns.
+    pub columns: Vec<String>,
+    /// From the top.
+    pub lines: Vec<Line>,
+}
+
+/// What the table is read from.
+#[derive(Clone, Debug, Default)]
+pub struct Figures {
+    ledger: Ledger,
+    /// From which tick on work is counted, and what had been done until then; from the start, where there is none.
+    base: Option<(u64, Vec<Account>)>,
+    /// Whether the accounts are those of the moment that is shown.
+    is_read: bool,
+    table: Table,
+}
+
+/// Who has a column besides all: whoever is followed and compared, or the ship.
+pub fn told(focus: &Focus, bodies: usize) -> Vec<BodyId> {
+    let there = |body: &BodyId| body.index() < bodies;
+    let followed = focus.followed().filter(there).unwrap_or(SHIP);
+    std::iter::once(followed).chain(focus.compared().filter(there)).collect()
+}
+
+impl Figures {
+    /// Reads up to the moment that is shown.
+    pub fn update(&mut self, stage: &Stage) {
+        self.is_read = self.ledger.go(stage.history, stage.game.ticks(), AHEAD);
+        self.table = self.tabulate(stage);
+    }
+
+    /// The table.
+    pub const fn table(&self) -> &Table {
+        &self.table
+    }
+
+    /// Counts work from the moment that is shown, once all before it is read, or from the flight's start.
+    pub fn count_from(&mut self, now: Option<u64>) {
+        self.base = now.filter(|_| self.is_read).map(|now| (now, self.ledger.accounts().to_vec()));
+    }
+
+    /// The flight was left at that tick: what was later has not been.
+    pub fn back_to(&mut self, tick: u64) {
+        self.ledger.back_to(tick);
+        self.base = self.base.take().filter(|(from, _)| *from <= tick);
+    }
+
+    /// The work done on those bodies, together, since it is counted, J.
+    fn work(&self, bodies: &[BodyId]) -> Account {
+        let done = |id: &BodyId| {
+            let account = self.ledger.accounts()[id.index()];
+            self.base.as_ref().map_or(account, |(_, base)| account.since(&base[id.index()]))
+        };
+        bodies.iter().map(done).fold(Account::default(), |sum, account| sum.plus(&account))
+    }
+
+    fn tabulate(&self, stage: &Stage) -> Table {
+        let (game, bodies) = (stage.game, stage.game.world().bodies().len());
+        let mut groups: Vec<Vec<BodyId>> = told(stage.focus, bodies).into_iter().map(|id| vec![id]).collect();
+        let mut columns: Vec<String> = groups.iter().map(|group| body_title(game.level(), group[0])).collect();
+        if bodies > groups.len() {
+            groups.push((0..bodies as u32).map(BodyId).collect());
+            columns.push("All".to_owned());
+        }
+        let state = |group: &Vec<BodyId>| group.iter().map(|id| State::of(game, *id)).fold(State::default(), std::ops::Add::add);
+        let states: Vec<State> = groups.iter().map(state).collect();
+        let line = |name: &str, subject, of: &dyn Fn(&State) -> f64, unit: &str| Line {
+            name: name.to_owned(),
+            subject,
+            values: states.iter().map(|state| scalar(of(state), unit)).collect(),
+        };
+        let words = |words: String| Line { name: words, subject: Subject::Words, values: Vec::new() };
+        let mut lines = vec![
+            line("Momentum x", Subject::Quantity, &|state| state.momentum.x, "N·s"),
+            line("Momentum y", Subject::Quantity, &|state| -state.momentum.y, "N·s"),
+            line("Kinetic energy", Subject::Quantity, &|state| state.kinetic, "J"),
+            line("Potential energy", Subject::Quantity, &|state| state.potential, "J"),
+            line("Sum of both", Subject::Sum, &|state| state.kinetic + state.potential, "J"),
+            words(zero_level(game)),
+        ];
+        if !self.is_read {
+            lines.push(words(if bodies > MOST_BODIES {
+                "Work: too many objects".to_owned()
+            } else {
+                "Work: reading …".to_owned()
+            }));
+            return Table { columns, lines };
+        }
+        lines.push(words(format!("Work from {} s on", self.from(stage.history, game))));
+        let works: Vec<Account> = groups.iter().map(|group| self.work(group)).collect();
+        lines.extend(work_lines(&works));
+        Table { columns, lines }
+    }
+
+    fn from(&self, history: &History, game: &Game) -> String {
+        let tick = self.base.as_ref().map_or(history.start().ticks(), |(tick, _)| *tick);
+        seconds(tick.cast_signed(), game.tick_rate())
+    }
+}
+
+/// A line for each force that has done any work, for the impacts, and for the sum.
+fn work_lines(works: &[Account]) -> Vec<Line> {
+    let largest =
+        works.iter().flat_map(|work| work.by_force.into_iter().chain([work.by_impacts])).fold(0.0, |a: f64, b| a.max(b.abs()));
+    // What is less than rounding in the largest reads as nothing.
+    let told = |work: f64| if work.abs() <= ROUNDING * largest { 0.0 } else { work };
+    let line = |name: &str, subject, of: &dyn Fn(&Account) -> f64| Line {
+        name: name.to_owned(),
+        subject,
+        values: works.iter().map(|work| scalar(told(of(work)), "J")).collect(),
+    };
+    let done = |of: &dyn Fn(&Account) -> f64| works.iter().any(|work| told(of(work)) != 0.0);
+    let forces = ForceKind::ALL.into_iter().filter(|kind| done(&|work| work.by(*kind)));
+    let mut lines: Vec<Line> = forces.map(|kind| line(kind.name(), Subject::Force(kind), &|work| work.by(kind))).collect();
+    if done(&|work| work.by_impacts) {
+        lines.push(line(Impulse::NAME, Subject::Impact, &|work| work.by_impacts));
+    }
+    lines.push(line(GAINED, Subject::Sum, &Account::sum));
+    lines
+}
+
+/// Where potential energy is zero, in words.
+fn zero_level(game: &Game) -> String {
+    let level = game.level();
+    let across = match level.gravity_x {
+        x if x > 0.0 => " right",
+        x if x < 0.0 => " left",
+        _ => "",
+    };
+    let along = match level.gravity {
+        y if y > 0.0 => "bottom",
+        y if y < 0.0 => "top",
+        _ => "",
+    };
+    match (along, across) {
+        ("", "") => "no gravity".to_owned(),
+        (along, across) => format!("zero at the level's {}", format!("{along}{across}").trim()),
+    }
+}

@@ -1,0 +1,234 @@
+//! What is measured with at the left: trails, vectors, the ruler, the stop clock, the table of momentum, energy and work. It has the pointer
+//! before the flight.
+
+use super::dock::{self, dock};
+use super::figures::{Figures, Table, told};
+use super::ruler::{Click, Ruler};
+use super::vectors::Scales;
+use super::{Stage, Tool};
+use crate::instruments::stop_clock::{MOST_LAPS, StopClock};
+use crate::instruments::trail::Trail;
+use crate::physics::BodyId;
+use crate::screens::{Buttons, Input, Keys};
+use crate::view::focus::Focus;
+use crate::view::layout::{Area, Frame, GRID, Vec2};
+
+/// How many ticks trails are read on in a frame at most.
+const AHEAD: u64 = 600;
+/// Arrows are no longer than this part of the window's height.
+const LONGEST: f64 = 0.25;
+/// Characters of the table's names and of its numbers at least, so that it seldom changes its width.
+const NAMES: usize = 16;
+const NUMBERS: usize = 10;
+/// What stands on the stop clock's buttons, and on the table's.
+pub const CLOCK_BUTTONS: [&str; 3] = ["Start", "Lap", "Reset"];
+pub const WORK_BUTTONS: [&str; 2] = ["From now", "From start"];
+
+/// The instruments at the left.
+#[derive(Clone, Debug, Default)]
+pub struct Measures {
+    pub(super) focus: Focus,
+    pub(super) trail: Trail,
+    pub(super) scales: Scales,
+    pub(super) ruler: Ruler,
+    pub(super) clock: StopClock,
+    pub(super) clock_buttons: Buttons,
+    pub(super) figures: Figures,
+    pub(super) work_buttons: Buttons,
+    /// Where each panel stands that is in use, beside that rail, on that canvas.
+    panels: Vec<(Tool, Area)>,
+    pub(super) rail: Vec<Area>,
+    frame: Frame,
+    /// How far each panel was dragged from its place, and the one that the pointer holds, with where the pointer was.
+    dragged: [Vec2; Tool::ALL.len()],
+    hold: Option<(Tool, Vec2)>,
+}
+
+impl Measures {
+    /// One frame with those tools in use, beside that rail, with the pointer on another instrument or not; the answer is what is left of the
+    /// input.
+    pub fn update(&mut self, input: &Input, stage: &Stage, (rail, covered): (&[Area], bool), uses: impl Fn(Tool) -> bool) -> Input {
+        let mut rest = input.clone();
+        let (now, world) = (stage.game.ticks(), stage.game.world());
+        if uses(Tool::Vectors) {
+            let most = LONGEST * f64::from(input.frame.size.y) / stage.game.level().metre;
+            let bodies = told(stage.focus, world.bodies().len());
+            self.scales.update(input.frame_time, world, &bodies, (most, stage.focus.length()));
+        }
+        self.frame = input.frame;
+        self.rail = rail.to_vec();
+        self.press(input, now);
+        self.drag(input);
+        let free = !covered && !self.areas().any(|area| area.contains(input.pointer)) && input.frame.area().contains(input.pointer);
+        if uses(Tool::Ruler) {
+            match self.ruler.update(input, world, stage.game.level().metre, free) {
+                Click::Others => {}
+                Click::Rulers => rest.click = false,
+                Click::GivenBack => rest.click = true,
+            }
+        }
+        rest
+    }
+
+    /// Reads the trails and the table of the moment that is drawn, and puts the panels where they have room.
+    pub fn read(&mut self, stage: &Stage, uses: impl Fn(Tool) -> bool) {
+        self.focus = *stage.focus;
+        if uses(Tool::Trails) {
+            self.trail.go(stage.history, stage.game.ticks(), AHEAD, &with_trails(&self.focus, stage.game.world().bodies().len()));
+        }
+        if uses(Tool::Figures) {
+            self.figures.update(stage);
+        }
+        let shown: Vec<(Tool, Vec2)> = [Tool::Vectors, Tool::StopClock, Tool::Figures]
+            .into_iter()
+            .filter(|tool| uses(*tool))
+            .map(|tool| (tool, self.size(tool, &self.frame)))
+            .collect();
+        let sizes: Vec<Vec2> = shown.iter().map(|(_, size)| *size).collect();
+        let docked = dock(&self.frame, &self.rail, &sizes).into_iter();
+        self.panels = shown.iter().zip(docked).map(|((tool, _), area)| (*tool, self.where_dragged(*tool, area))).collect();
+    }
+
+    /// The buttons of the panels.
+    fn press(&mut self, input: &Input, now: u64) {
+        // Arrows and Enter fly.
+        let input = &Input { pressed: Keys::default(), ..input.clone() };
+        let from = |tool: Tool| self.area(tool).map(|area| Vec2::new(area.min.x + GRID, area.max().y - GRID));
+        let (clock, work) = (from(Tool::StopClock), from(Tool::Figures));
+        let up = Vec2::new(0.0, dock::line(&input.frame) + GRID);
+        let place =
+            |foot: Option<Vec2>, words: &[&str]| foot.map(|foot| dock::row(&input.frame, foot - up, words)).unwrap_or_default();
+        self.clock_buttons.place(place(clock, &CLOCK_BUTTONS));
+        match self.clock_buttons.update(input) {
+            Some(0) => self.clock.start_or_stop(now),
+            Some(1) => self.clock.lap(now),
+            Some(_) => self.clock.reset(now),
+            None => {}
+        }
+        self.work_buttons.place(place(work, &WORK_BUTTONS));
+        match self.work_buttons.update(input) {
+            Some(0) => self.figures.count_from(Some(now)),
+            Some(_) => self.figures.count_from(None),
+            None => {}
+        }
+    }
+
+    /// The pointer takes a panel anywhere but at its buttons, and moves it.
+    fn drag(&mut self, input: &Input) {
+        let buttons = self.clock_buttons.areas().iter().chain(self.work_buttons.areas());
+        let free = input.click && !buttons.into_iter().any(|area| area.contains(input.pointer));
+        if let Some((tool, from)) = self.hold.filter(|_| input.holding) {
+            self.dragged[tool as usize] += input.pointer - from;
+            self.hold = Some((tool, input.pointer));
+        } else {
+            let taken = self.panels.iter().find(|(_, area)| free && area.contains(input.pointer));
+            self.hold = taken.map(|(tool, _)| (*tool, input.pointer));
+        }
+    }
+
+    /// A panel's place, in the window however far it was dragged.
+    fn where_dragged(&mut self, tool: Tool, docked: Area) -> Area {
+        let most = (self.frame.size - docked.size).max(Vec2::ZERO);
+        let min = (docked.min + self.dragged[tool as usize]).clamp(Vec2::ZERO, most);
+        if self.hold.is_none() {
+            // It is taken from where it stands.
+            self.dragged[tool as usize] = min - docked.min;
+        }
+        Area { min, ..docked }
+    }
+
+    /// The same for another flight: panels stay where they are, and what was measured is put away.
+    #[must_use]
+    pub fn of_another_flight(self) -> Self {
+        Self { dragged: self.dragged, ..Self::default() }
+    }
+
+    /// The flight was flown again from its start in another level: it is read anew; the ruler and the stop clock stay.
+    pub fn flown_again(&mut self) {
+        (self.trail, self.figures) = (Trail::default(), Figures::default());
+    }
+
+    /// The flight was left at that tick and goes on otherwise.
+    pub fn back_to(&mut self, tick: u64) {
+        self.trail.back_to(tick);
+        self.clock.back_to(tick);
+        self.figures.back_to(tick);
+    }
+
+    /// The panels.
+    pub fn areas(&self) -> impl Iterator<Item = Area> {
+        self.panels.iter().map(|(_, area)| *area)
+    }
+
+    /// Where a tool's panel stands, while it is in use.
+    pub fn area(&self, tool: Tool) -> Option<Area> {
+        self.panels.iter().find(|(other, _)| *other == tool).map(|(_, area)| *area)
+    }
+
+    /// The trails.
+    pub const fn trail(&self) -> &Trail {
+        &self.trail
+    }
+
+    /// The ruler.
+    pub const fn ruler(&self) -> &Ruler {
+        &self.ruler
+    }
+
+    /// The stop clock.
+    pub const fn clock(&self) -> &StopClock {
+        &self.clock
+    }
+
+    /// The stop clock's buttons: start or stop, lap, reset.
+    pub const fn clock_buttons(&self) -> &Buttons {
+        &self.clock_buttons
+    }
+
+    /// The table of momentum, energy and work.
+    pub const fn table(&self) -> &Table {
+        self.figures.table()
+    }
+
+    /// The table's buttons: work from now on, from the start on.
+    pub const fn work_buttons(&self) -> &Buttons {
+        &self.work_buttons
+    }
+
+    /// The characters of the table's names and of each column.
+    pub(super) fn columns(&self) -> (usize, usize) {
+        let table = self.figures.table();
+        let count = |text: &String| text.chars().count();
+        let numbers = table.lines.iter().filter(|line| !line.values.is_empty());
+        let names = numbers.clone().map(|line| count(&line.name)).fold(NAMES, usize::max);
+        let values = numbers.flat_map(|line| &line.values).chain(&table.columns).map(count).fold(NUMBERS, usize::max);
+        (names, values + 1)
+    }
+
+    fn size(&self, tool: Tool, frame: &Frame) -> Vec2 {
+        let line = dock::line(frame);
+        let inside = match tool {
+            Tool::Vectors => Vec2::new(dock::width(frame, 25), 2.0 * line),
+            Tool::StopClock => {
+                let laps = self.clock.laps().count().min(MOST_LAPS) as f32;
+                let buttons = dock::row(frame, Vec2::ZERO, &CLOCK_BUTTONS).last().map_or(0.0, |last| last.max().x);
+                Vec2::new(buttons, dock::large(frame) + (laps + 1.0) * line + 2.0 * GRID)
+            }
+            _ => {
+                let (names, values) = self.columns();
+                let table = self.figures.table();
+                let characters = names + values * table.columns.len();
+                Vec2::new(dock::width(frame, characters), (table.lines.len() + 2) as f32 * line + 2.0 * GRID)
+            }
+        };
+        inside + 2.0 * GRID
+    }
+}
+
+/// Whose trails are drawn: of whoever is followed and compared, or of all.
+fn with_trails(focus: &Focus, bodies: usize) -> Vec<BodyId> {
+    match focus.followed() {
+        Some(_) => told(focus, bodies),
+        None => (0..bodies as u32).map(BodyId).collect(),
+    }
+}

@@ -1,0 +1,109 @@
+//! Draws the panels of what is measured at the left: the scales of the arrows, the stop clock, the table.
+
+use super::Tool;
+use super::dock;
+use super::figures::{Line, Subject, told};
+use super::measure::{CLOCK_BUTTONS, Measures, WORK_BUTTONS};
+use super::measured::{colour, drawn};
+use super::vectors::Vector;
+use crate::game::{Game, SHIP};
+use crate::instruments::stop_clock::seconds;
+use crate::screens::Buttons;
+use crate::view::camera::Viewport;
+use crate::view::canvas::{Canvas, Style};
+use crate::view::layout::{Area, CORNER, DETAILS, GRID, TEXT, Vec2};
+use crate::view::quantity::scalar;
+use crate::view::theme::{self, faded};
+use crate::view::widgets;
+use macroquad::color::Color;
+
+/// How much a panel hides of what is below it, and of the ship and whoever is followed.
+const HIDES: f32 = 0.95;
+const OVER_SHIP: f32 = 0.55;
+
+impl Measures {
+    /// Draws the panels.
+    pub(super) fn draw(&self, scene: (&Game, f64), (view, canvas): (&Viewport, &Canvas)) {
+        for (tool, area) in
+            [Tool::Vectors, Tool::StopClock, Tool::Figures].into_iter().filter_map(|tool| Some((tool, self.area(tool)?)))
+        {
+            let (game, alpha) = scene;
+            let over = told(&self.focus, game.world().bodies().len()).into_iter().chain([SHIP]).any(|id| {
+                let (centre, half) = (drawn(game, alpha, id), game.world().body(id).half);
+                let [min, max] = [centre - half, centre + half].map(|corner| view.point(corner));
+                max.cmpgt(area.min).all() && min.cmplt(area.max()).all()
+            });
+            let hides = if over { OVER_SHIP } else { HIDES };
+            widgets::panel_in(canvas, area, faded(theme::panel(), hides), theme::panel_edge());
+            match tool {
+                Tool::Vectors => self.draw_scales(scene, area, (view, canvas)),
+                Tool::StopClock => self.draw_clock(scene.0, area, canvas),
+                _ => self.draw_table(area, canvas),
+            }
+        }
+    }
+
+    fn draw_scales(&self, scene: (&Game, f64), area: Area, (view, canvas): (&Viewport, &Canvas)) {
+        for (i, vector) in Vector::ALL.into_iter().enumerate() {
+            let a_metre = scalar(self.fitting(vector, scene, view, canvas), vector.unit());
+            let words = format!("{}: one square = {a_metre}", vector.sign());
+            let at = area.min + GRID + Vec2::new(0.0, i as f32 * dock::line(canvas.frame()));
+            canvas.text(&words, at, Style::new(DETAILS, colour(vector)).mono());
+        }
+    }
+
+    fn draw_clock(&self, game: &Game, area: Area, canvas: &Canvas) {
+        let (rate, ticks) = (game.tick_rate(), self.clock.ticks(game.ticks()));
+        let (at, line) = (area.min + GRID, dock::line(canvas.frame()));
+        let colour = if self.clock.runs() { theme::accent() } else { theme::text() };
+        canvas.text(&format!("{} s", seconds(ticks, rate)), at, Style::new(TEXT, colour).mono());
+        let count = format!("{ticks} ticks").replace('-', "−");
+        let right = Vec2::new(area.max().x - GRID, at.y + 0.5 * (dock::large(canvas.frame()) - line));
+        canvas.text(&count, right, Style::new(DETAILS, theme::quiet()).mono().right());
+        for (i, (lap, read)) in self.clock.laps().enumerate() {
+            let below = Vec2::new(0.0, dock::large(canvas.frame()) + i as f32 * line);
+            canvas.text(&format!("Lap {lap} {:>10} s", seconds(read, rate)), at + below, Style::new(DETAILS, theme::text()).mono());
+        }
+        let [start, lap, reset] = CLOCK_BUTTONS;
+        draw_buttons(&self.clock_buttons, &[if self.clock.runs() { "Stop" } else { start }, lap, reset], canvas);
+    }
+
+    fn draw_table(&self, area: Area, canvas: &Canvas) {
+        let (frame, table) = (canvas.frame(), self.table());
+        let (names, values) = self.columns();
+        let right = |column: usize| Vec2::new(dock::width(frame, names + values * (column + 1)), 0.0);
+        let at = |row: usize| area.min + GRID + Vec2::new(0.0, row as f32 * dock::line(frame));
+        for (column, name) in table.columns.iter().enumerate() {
+            canvas.text(name, at(0) + right(column), Style::new(DETAILS, theme::accent()).mono().right());
+        }
+        for (row, line) in table.lines.iter().enumerate() {
+            canvas.text(&line.name, at(row + 1), Style::new(DETAILS, line_colour(line)).mono());
+            for (column, value) in line.values.iter().enumerate() {
+                canvas.text(value, at(row + 1) + right(column), Style::new(DETAILS, theme::text()).mono().right());
+            }
+            if line.subject == Subject::Sum {
+                let left = at(row + 1) - Vec2::new(0.0, 1.5);
+                canvas.hairline(left, left + right(table.columns.len() - 1), theme::quiet());
+            }
+        }
+        draw_buttons(&self.work_buttons, &WORK_BUTTONS, canvas);
+    }
+}
+
+fn line_colour(line: &Line) -> Color {
+    match line.subject {
+        Subject::Quantity | Subject::Sum => theme::text(),
+        Subject::Words => theme::quiet(),
+        Subject::Force(kind) => theme::force(kind),
+        Subject::Impact => theme::IMPACT,
+    }
+}
+
+fn draw_buttons(buttons: &Buttons, words: &[&str], canvas: &Canvas) {
+    for (i, (area, words)) in buttons.areas().iter().zip(words).enumerate() {
+        let hover = buttons.hover() == Some(i);
+        canvas.rounded(*area, CORNER, if hover { theme::panel_hover() } else { theme::ground() });
+        canvas.rounded_edge(*area, CORNER, 1.5, theme::panel_edge());
+        canvas.text(words, area.centre(), Style::new(DETAILS, theme::text()).centred().middle());
+    }
+}

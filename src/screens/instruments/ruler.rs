@@ -1,0 +1,138 @@
+//! A ruler that is laid by mouse: drawn from point to point, each end of which can be taken and moved again. It lies in the level, so that it
+//! stays where it is when the camera moves. An end that is put on a body's centre is bound to the body and goes with it.
+
+use super::super::Input;
+use crate::physics::{BodyId, DVec2, World};
+use crate::view::layout::Vec2;
+
+/// How near an end has to be to be taken, or a body's centre for the end to be bound to it, canvas units.
+const NEAR: f64 = 14.0;
+/// A click that moves less is none of the ruler's, canvas units.
+const STARTS: f32 = 5.0;
+
+/// Where an end lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum End {
+    /// At a place of the level, m.
+    Place(DVec2),
+    /// At a body's centre.
+    Body(BodyId),
+}
+
+/// What it reads, y upwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// From end to end, m.
+    pub length: f64,
+    /// Its parts to the right and upwards, m.
+    pub parts: DVec2,
+    /// From the right, anticlockwise, degrees from −180 to 180.
+    pub angle: f64,
+}
+
+/// The ruler.
+#[derive(Clone, Debug, Default)]
+pub struct Ruler {
+    ends: Option<[End; 2]>,
+    hold: Option<Hold>,
+}
+
+/// An end that the pointer holds.
+#[derive(Clone, Copy, Debug)]
+struct Hold {
+    end: usize,
+    /// Where the pointer took it.
+    from: Vec2,
+    moved: bool,
+    /// How the ruler lay before.
+    before: Option<[End; 2]>,
+}
+
+/// Whose a frame's click is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Click {
+    /// The ruler has nothing to do with it.
+    Others,
+    /// The ruler's.
+    Rulers,
+    /// It was taken, and moved nothing: others may have it now.
+    GivenBack,
+}
+
+impl Ruler {
+    /// One frame, in a level with so many canvas units a metre; `free` where nothing covers the level under the pointer.
+    pub fn update(&mut self, input: &Input, world: &World, metre: f64, free: bool) -> Click {
+        let near = NEAR / metre;
+        if let Some(mut hold) = self.hold {
+            if !input.holding {
+                self.hold = None;
+                if hold.moved {
+                    return Click::Others;
+                }
+                self.ends = hold.before;
+                return Click::GivenBack;
+            }
+            hold.moved |= (input.pointer - hold.from).length() > STARTS;
+            self.hold = Some(hold);
+            if let (true, Some(place), Some(ends)) = (hold.moved, input.place, &mut self.ends) {
+                ends[hold.end] = end_at(place, world, near);
+            }
+            return Click::Others;
+        }
+        let Some(place) = input.place.filter(|_| input.click && free) else { return Click::Others };
+        let before = self.ends;
+        let taken = before.and_then(|ends| (0..2).find(|end| ends[*end].at(world).distance(place) <= near));
+        if taken.is_none() {
+            self.ends = Some([end_at(place, world, near); 2]);
+        }
+        self.hold = Some(Hold { end: taken.unwrap_or(1), from: input.pointer, moved: false, before });
+        Click::Rulers
+    }
+
+    /// Its ends, once it lies anywhere.
+    pub fn ends(&self) -> Option<[End; 2]> {
+        self.ends.filter(|ends| ends[0] != ends[1])
+    }
+
+    /// What it reads.
+    pub fn reading(&self, world: &World) -> Option<Reading> {
+        self.ends().map(|[from, to]| Reading::of(from.at(world), to.at(world)))
+    }
+}
+
+impl End {
+    /// Where it is, m.
+    pub fn at(&self, world: &World) -> DVec2 {
+        match self {
+            Self::Place(place) => *place,
+            Self::Body(body) => world.body(*body).position,
+        }
+    }
+}
+
+impl Reading {
+    fn of(from: DVec2, to: DVec2) -> Self {
+        let parts = DVec2::new(to.x - from.x, from.y - to.y);
+        Self { length: parts.length(), parts, angle: parts.y.atan2(parts.x).to_degrees() }
+    }
+}
+
+/// An end at a place: on the nearest body whose centre is near.
+fn end_at(place: DVec2, world: &World, near: f64) -> End {
+    let bodies = (0..).map(BodyId).zip(world.bodies()).map(|(id, body)| (id, body.position.distance(place)));
+    let nearest = bodies.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, distance)| *distance <= near);
+    nearest.map_or(End::Place(place), |(id, _)| End::Body(id))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_reads_upwards_and_anticlockwise() {
+        let reading = Reading::of(DVec2::new(10.0, 20.0), DVec2::new(13.0, 16.0));
+        assert_eq!((reading.length, reading.parts), (5.0, DVec2::new(3.0, 4.0)));
+        assert!((reading.angle - 53.130_102_354_155_98).abs() < 1e-12);
+        assert!((Reading::of(DVec2::ZERO, DVec2::new(0.0, 2.0)).angle + 90.0).abs() < 1e-12);
+    }
+}
