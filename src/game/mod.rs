@@ -43,7 +43,7 @@ pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
 pub use latch::Latch;
 pub use mechanisms::{Change, Mechanisms};
 pub use medals::{Goal, Medal, Medals, Prize, goals, words};
-pub use names::{obstacle_name, source_name};
+pub use names::{body_title, obstacle_name, source_name};
 pub use proof::Proof;
 pub use pushes::APART;
 pub use replay::{MOST_SECONDS, Mismatch, PROGRAM, Recorder, Replay};

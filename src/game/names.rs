@@ -1,7 +1,7 @@
 //! What exerts a force in a level, by name: bodies as the telemetry numbers them, all else as the level's files count their rows.
 
-use crate::level::{Level, SurfaceOf};
-use crate::physics::{Obstacle, Source};
+use crate::level::{Level, Look, SurfaceOf};
+use crate::physics::{BodyId, Obstacle, Source};
 
 /// The edges of a level in the engine's order.
 const EDGES: [&str; 4] = ["edge left", "edge right", "edge top", "edge bottom"];
@@ -41,4 +41,18 @@ fn surface_name(level: &Level, index: usize) -> String {
         SurfaceOf::Plate(index) => format!("switch {}", index + 1),
         SurfaceOf::Edge(index) => EDGES[index].to_owned(),
     }
+}
+
+/// What a player calls a body: `Ship`, `Ball 2`, `Key object 3`; the number is that of [`source_name`].
+pub fn body_title(level: &Level, id: BodyId) -> String {
+    let Some(object) = id.index().checked_sub(1).and_then(|i| level.objects.get(i)) else {
+        return "Ship".to_owned();
+    };
+    let kind = match object.look {
+        _ if object.key.is_some() => "Key object",
+        _ if object.circular => "Ball",
+        Look::Ball => "Ball",
+        Look::Image(_) | Look::Box => "Box",
+    };
+    format!("{kind} {}", id.0)
 }

@@ -1,7 +1,6 @@
 //! What the details box of a body says: read off the world's own state, nothing computed anew. How it is written is not here.
 
-use crate::game::{Game, SHIP, obstacle_name};
-use crate::level::Look;
+use crate::game::{Game, SHIP, body_title, obstacle_name};
 use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, Impulse, Obstacle};
 
 /// Below this length (N) a force's direction is no more than rounding: it is kept by itself.
@@ -97,7 +96,7 @@ pub fn facts(game: &Game, id: BodyId) -> Facts {
         let ones = if impacts.others.0 == 1 { "a smaller one".to_owned() } else { format!("{} smaller ones", impacts.others.0) };
         rows.push(row("", Value::Words(ones), ""));
     }
-    Facts { title: title(game, id), rows }
+    Facts { title: body_title(game.level(), id), rows }
 }
 
 /// The impacts on a body that are told: the largest ones, each with what exerted it, and how many more there were, with their sum (N·s).
@@ -126,7 +125,7 @@ pub fn impacts(game: &Game, id: BodyId) -> ImpactsTold {
 /// What exerted an impact: bodies by the titles of their boxes, all else as the level's files count it.
 fn by_whom(game: &Game, by: Obstacle) -> String {
     match by {
-        Obstacle::Body(body) => title(game, body),
+        Obstacle::Body(body) => body_title(game.level(), body),
         Obstacle::Surface(_) => obstacle_name(game.level(), by),
     }
 }
@@ -158,19 +157,6 @@ pub fn by_name(forces: &ForceManager) -> Vec<(ForceKind, DVec2)> {
 fn same_way(a: DVec2, b: DVec2) -> bool {
     let lengths = a.length() * b.length();
     a.length().min(b.length()) < SMALLEST_FORCE || a.dot(b) > 0.0 && a.perp_dot(b).abs() <= SAME_DIRECTION * lengths
-}
-
-fn title(game: &Game, id: BodyId) -> String {
-    let Some(object) = id.index().checked_sub(1).and_then(|i| game.level().objects.get(i)) else {
-        return "Ship".to_owned();
-    };
-    let kind = match object.look {
-        _ if object.key.is_some() => "Key object",
-        _ if object.circular => "Ball",
-        Look::Ball => "Ball",
-        Look::Image(_) | Look::Box => "Box",
-    };
-    format!("{kind} {}", id.0)
 }
 
 /// A figure for authors, to one decimal place with a true minus sign; what rounds to zero has no sign.

@@ -16,7 +16,8 @@ impl Flight {
         let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
         // A test flight has its words there.
         let above = if self.test { 1.5 * ABOVE_FUEL } else { ABOVE_FUEL };
-        let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, canvas.size().y - above - size.y), size };
+        let foot = self.instruments.room(canvas.frame()).size.y;
+        let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, foot - above - size.y), size };
         widgets::panel(canvas, area);
         canvas.text(&words, area.centre(), style);
     }
@@ -24,7 +25,7 @@ impl Flight {
     /// Draws what is to be told of the level's files, and the pause panel where it is open, above the game.
     pub fn draw_over(&self, canvas: &Canvas) {
         if self.test {
-            let at = Vec2::new(canvas.size().x / 2.0, canvas.size().y - ABOVE_FUEL);
+            let at = Vec2::new(canvas.size().x / 2.0, self.instruments.room(canvas.frame()).size.y - ABOVE_FUEL);
             let style = Style::new(TEXT, theme::accent()).centred().middle();
             canvas.end_layer();
             canvas.text("A test flight: Esc or F5 leads back to the editor", at, style);
