@@ -112,7 +112,7 @@ impl Curve {
     }
 
     /// What is drawn of some places: unbroken ways through points. Over time, points that share a column of width `grain.0` are drawn by
-    /// their first, least, largest and last one; otherwise one that is nearer than the grain to the one drawn before is left out.
+    /// their first, least and largest one; otherwise one that is nearer than the grain to the one drawn before is left out.
     pub fn drawn(&self, places: Range<usize>, grain: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
         let places = places.start..places.end.min(self.len());
         let ends = self.breaks.iter().copied().filter(|place| places.contains(place)).chain([places.end]);
@@ -146,12 +146,15 @@ impl Curve {
             let end = ((from / together + 1) * together).min(stretch.end);
             let middle = xs[usize::midpoint(from, end - 1)];
             way.push((xs[from], ys[from]));
+            // What lies between this point and the next column's is drawn by the line between them.
+            let next = if end < stretch.end { ys[end] } else { ys[from] };
             if let Some((least, largest)) = self.ys.extremes(from..end) {
-                way.extend([(middle, least), (middle, largest)]);
+                way.extend((least < ys[from].min(next)).then_some((middle, least)));
+                way.extend((largest > ys[from].max(next)).then_some((middle, largest)));
             }
-            way.push((xs[end - 1], ys[end - 1]));
             from = end;
         }
+        way.push((xs[stretch.end - 1], ys[stretch.end - 1]));
         way
     }
 

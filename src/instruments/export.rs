@@ -133,3 +133,87 @@ pub fn stem(level: &str, curves: &[Exported]) -> String {
     symbols.dedup();
     format!("{}-{}", plain(level), plain(&symbols.join("-")))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::{Controls, Game, SHIP};
+    use crate::instruments::quantity::Part;
+    use crate::instruments::walk::Reader;
+    use crate::level;
+    use std::path::Path;
+    use std::sync::Arc;
+
+    fn track(ticks: u64) -> Track {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let level = Arc::new(level::load(&root.join("levels/1"), root).expect("it ships").level);
+        let mut game = Game::new(level).expect("it loads");
+        let mut track = Track::new(SHIP);
+        track.begin(&game);
+        for tick in 0..ticks {
+            game.step(Controls { thrust: tick < 60, right: tick % 7 == 0, ..Controls::default() });
+            Reader::tick(&mut track, &game);
+        }
+        track
+    }
+
+    fn curve(track: &Track, across: Quantity, up: Quantity) -> Curve {
+        let mut curve = Curve::new(across, up);
+        curve.follow(track);
+        curve
+    }
+
+    #[test]
+    fn every_cell_of_a_table_reads_back_bit_for_bit_and_no_column_is_there_twice() {
+        let (long, short) = (track(300), track(100));
+        let curves = [Quantity::Velocity(Part::X), Quantity::Kinetic, Quantity::X].map(|up| curve(&long, Quantity::X, up));
+        let other = curve(&short, Quantity::X, Quantity::Y);
+        let mut exported: Vec<Exported> =
+            curves.iter().enumerate().map(|(number, curve)| Exported { body: "Ship", curve, track: &long, number }).collect();
+        exported.push(Exported { body: "Box, 1", curve: &other, track: &short, number: 3 });
+        let text = csv(&exported);
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let head: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+        let heads = ["tick", "t (s)", "Ship x (m)", "Ship v_x (m/s)", "Ship E_kin (J)", "Box, 1 x (m)", "Box, 1 y (m)"];
+        assert_eq!(head, heads);
+        let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+        assert_eq!(rows.len(), 301);
+        for (place, row) in rows.iter().enumerate() {
+            let moment = long.moment(place);
+            let ours =
+                [Quantity::Time, Quantity::X, Quantity::Velocity(Part::X), Quantity::Kinetic].map(|quantity| quantity.of(&moment));
+            assert_eq!(row[0].parse::<usize>().unwrap(), place);
+            for (cell, value) in row.iter().skip(1).zip(ours) {
+                assert_eq!(cell.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{cell}");
+            }
+            assert_eq!(row[6].is_empty(), place > 100, "not read so far");
+        }
+    }
+
+    #[test]
+    fn a_picture_names_its_axes_and_has_no_bad_numbers_and_bounded_size() {
+        let track = track(3000);
+        let curves = [Quantity::Y, Quantity::Velocity(Part::Y), Quantity::Force(crate::physics::ForceKind::Reaction, Part::Size)]
+            .map(|up| curve(&track, Quantity::Time, up));
+        let exported: Vec<Exported> =
+            curves.iter().enumerate().map(|(number, curve)| Exported { body: "Ship", curve, track: &track, number }).collect();
+        let picture = svg("Up <and> down", (0.0, 25.0), &exported).unwrap();
+        for words in ["Up &lt;and&gt; down", "Ship v_y", "y (m)", "v_y (m/s)", "|Reaction| (N)", "t (s)"] {
+            assert!(picture.contains(words), "{words}");
+        }
+        assert!(!picture.contains("NaN") && !picture.contains("inf") && picture.len() < 300_000, "{}", picture.len());
+    }
+
+    #[test]
+    fn names_of_files_are_words() {
+        let track = track(1);
+        let curve = curve(&track, Quantity::Time, Quantity::Velocity(Part::Size));
+        let exported = [Exported { body: "Ship", curve: &curve, track: &track, number: 0 }];
+        for (level, name) in
+            [("1", "1-v"), ("../../etc", "------etc-v"), ("a:b\\c", "a-b-c-v"), ("höhle 2", "höhle-2-v"), ("con", "con-v")]
+        {
+            assert_eq!(stem(level, &exported), name);
+        }
+        assert!(stem(&"x".repeat(500), &exported).len() < 100);
+    }
+}

@@ -18,7 +18,7 @@ use macroquad::shapes::draw_triangle;
 use std::ops::Range;
 
 /// From one named number to the next, at least, in heights of the text: to the right and upwards.
-const APART: Vec2 = Vec2::new(6.0, 2.2);
+const APART: Vec2 = Vec2::new(6.0, 1.7);
 /// Points in less than so many canvas units are drawn as one column.
 const COLUMN: f64 = 1.5;
 /// Half the length of the tangent.
@@ -27,7 +27,8 @@ const TANGENT: f32 = 48.0;
 const PALE: f32 = 0.45;
 const SHADE: f32 = 0.22;
 /// Said while there is nothing else to be said.
-const HINT: &str = "Click or drag: to that moment, once it stands still (F). Shift and drag: the area between two. Wheel: zoom. N or a click in the level: whom to follow.";
+const HINT: &str =
+    "While it stands still (F) a click leads to that moment. Shift and drag: an area. Wheel: zoom. N: whom to follow.";
 
 /// Where numbers lie in a lane.
 #[derive(Clone, Copy)]
@@ -150,6 +151,7 @@ impl Plot {
             for number in &lane.curves {
                 self.draw_curve(*number, &scale, canvas);
             }
+            self.draw_name(lane, *area, text, canvas);
         }
         self.draw_moment(chart, &areas, canvas);
         let foot = Vec2::new(places.plot.max().x, places.plot.max().y);
@@ -182,8 +184,15 @@ impl Plot {
             let x = scale.at((value, 0.0)).x;
             canvas.hairline(Vec2::new(x, area.min.y), Vec2::new(x, end.y), theme::panel_edge());
         }
-        let name = lane.name(|number| self.lines[number].up.symbol());
-        canvas.text(&name, area.min + Vec2::new(GRID, 0.8 * text), Style::new(DETAILS, theme::text()).middle());
+    }
+
+    /// What lies upwards in a lane, in its corner and above its curves.
+    fn draw_name(&self, lane: &Lane, area: Area, text: f32, canvas: &Canvas) {
+        let (name, style) = (lane.name(|number| self.lines[number].up.symbol()), Style::new(DETAILS, theme::text()).middle());
+        let size = Vec2::new(canvas.width(&name, style) + GRID, 1.4 * text);
+        let under = Area { min: area.min + Vec2::new(GRID / 2.0, 1.0), size };
+        canvas.rounded(under, 4.0, theme::faded(theme::ground(), 0.85));
+        canvas.text(&name, Vec2::new(under.min.x + GRID / 2.0, under.centre().y), style);
     }
 
     fn draw_curve(&self, number: usize, scale: &Scale, canvas: &Canvas) {

@@ -176,9 +176,10 @@ impl Plot {
         self.lay_out(&places);
         // Arrows and Enter fly.
         let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
+        let picking = self.pick.is_some();
         if let Some(pressed) = self.buttons.update(&pointer_only) {
             self.act(self.actions[pressed].0);
-        } else if self.pick.is_some() {
+        } else if picking {
             if input.click {
                 self.pick = None;
             }
@@ -187,8 +188,8 @@ impl Plot {
         }
         self.lay_out(&places);
         let mut rest = Input { frame: self.above(&input.frame), ..input.clone() };
-        let covered = places.panel.contains(input.pointer) || self.picker(&places).is_some_and(|area| area.contains(input.pointer));
-        if covered || self.hand.holds() {
+        // A click beside an open list closes it, and does nothing else.
+        if picking || places.panel.contains(input.pointer) || self.hand.holds() {
             (rest.click, rest.wheel, rest.pointed) = (false, 0.0, None);
         }
         rest
