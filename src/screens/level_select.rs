@@ -1,33 +1,23 @@
 //! A page of cards, one a level, used three times: to choose what to play, whose leaderboard to see, and what to edit. Only the levels in
 //! view are loaded, and again when their files change; typing finds those with such a name or title.
 
-use super::folder_watch::Stamp;
 use super::input::Repeat;
 use super::library::Refusal;
 use super::prompt::{Prompt, Reply};
-use super::{Buttons, Input, Key, Make, Miniature, Problems, Request, Visit};
-use crate::game::Medals;
-use crate::level::Awards;
+use super::{Buttons, Input, Key, Make, Problems, Request, Visit};
 use crate::settings::Action;
-use crate::view::layout::{Area, Frame, GAP, ROW_BUTTON, Vec2};
+use crate::view::layout::{Area, Frame};
+use places::cards;
 
 #[cfg(feature = "window")]
 mod drawing;
+mod entry;
+mod places;
+
+pub use entry::Entry;
 
 /// Levels a page.
 pub const PAGE: usize = 15;
-/// From the canvas' sides to the cards, and from its top: the heading.
-const SIDE: f32 = 40.0;
-const HEAD: f32 = 88.0;
-/// Between two cards.
-const BETWEEN: f32 = 24.0;
-/// From the canvas' bottom to the buttons below the cards, and from those to the cards.
-const FOOT: f32 = 24.0;
-const ABOVE_FOOT: f32 = 24.0;
-/// How much wider than high a card looks best.
-const SHAPE: f32 = 1.3;
-/// No card is larger: a single level does not want the whole window.
-const LARGEST: Vec2 = Vec2::new(900.0, 600.0);
 
 /// What a level is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,46 +28,6 @@ pub enum Purpose {
     Leaderboard,
     /// To edit it.
     Edit,
-}
-
-/// A level in the list.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Entry {
-    /// Its folder's name.
-    pub name: String,
-    /// Its title and what it looks like, or why it does not load; `None` until it has been in view.
-    pub level: Option<Result<(String, Miniature), Refusal>>,
-    /// What its folder looked like then.
-    pub stamp: Stamp,
-    /// Its title, as far as it has been looked for.
-    pub title: Option<String>,
-    /// The best time of whoever plays without help, s; `None` where there is none.
-    pub best: Option<f64>,
-    /// What its medals ask for.
-    pub awards: Awards,
-    /// What it has brought whoever plays.
-    pub medals: Medals,
-}
-
-impl Entry {
-    /// A level of which nothing but its name is known.
-    pub fn new(name: String) -> Self {
-        Self {
-            name,
-            level: None,
-            stamp: Stamp::default(),
-            title: None,
-            best: None,
-            awards: Awards::default(),
-            medals: Medals::default(),
-        }
-    }
-
-    /// Whether its name or title has these letters in it, which are small.
-    fn has(&self, letters: &str) -> bool {
-        let has = |text: &str| text.to_lowercase().contains(letters);
-        has(&self.name) || self.title.as_deref().is_some_and(has)
-    }
 }
 
 /// What a level is to be chosen for, besides the list's own purpose.
@@ -405,83 +355,17 @@ impl LevelSelect {
 
     /// Where a button is: a level's card, the others in a row below the cards.
     fn place(&self, press: Press, cards: &[Area], frame: &Frame) -> Area {
-        let top = frame.size.y - FOOT - ROW_BUTTON.y;
-        let left = |nth: f32| Area { min: Vec2::new(SIDE + nth * (FOOT_BUTTON.x + GAP), top), size: FOOT_BUTTON };
-        let right = |nth: f32| Area {
-            min: Vec2::new(frame.size.x - SIDE - FOOT_BUTTON.x - nth * (FOOT_BUTTON.x + GAP), top),
-            size: FOOT_BUTTON,
-        };
         match press {
             Press::Level(index) => {
                 let nth = self.found.iter().position(|found| *found == index).unwrap_or(0);
                 cards[nth % PAGE]
             }
-            Press::Back => left(0.0),
-            Press::Edit | Press::New => left(1.0),
-            Press::Copy => left(2.0),
-            Press::Rename => left(3.0),
-            Press::Previous => right(1.0),
-            Press::Next => right(0.0),
-        }
-    }
-}
-
-/// A button at the foot.
-const FOOT_BUTTON: Vec2 = Vec2::new(160.0, ROW_BUTTON.y);
-
-/// The places of a page's cards: as many across as make the cards largest, all the window between the heading and the foot.
-fn cards(count: usize, frame: &Frame) -> Vec<Area> {
-    let room = Area {
-        min: Vec2::new(SIDE, HEAD),
-        size: Vec2::new(frame.size.x - 2.0 * SIDE, frame.size.y - HEAD - FOOT - ROW_BUTTON.y - ABOVE_FOOT),
-    };
-    let size = |across: usize| {
-        let grid = Vec2::new(across as f32, count.div_ceil(across) as f32);
-        (room.size - (grid - 1.0) * BETWEEN) / grid
-    };
-    // Of a card's size only as much counts as has a good shape.
-    let worth = |across: &usize| size(*across).x.min(size(*across).y * SHAPE);
-    // Of equal ones the last: the fewest across leave the fewest gaps.
-    let across = (1..=count).rev().max_by(|a, b| worth(a).total_cmp(&worth(b))).unwrap_or(1);
-    let size = size(across).min(LARGEST);
-    let down = count.div_ceil(across);
-    let place = |index: usize| {
-        let (column, row) = (index % across, index / across);
-        // The last row stands in the middle when it is not full, and so do cards that are as large as any.
-        let in_row = across.min(count - row * across);
-        let all = Vec2::new(in_row as f32, down as f32) * (size + BETWEEN) - BETWEEN;
-        let first = room.centre() - all / 2.0;
-        Area { min: first + Vec2::new(column as f32, row as f32) * (size + BETWEEN), size }
-    };
-    (0..count).map(place).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cards_fill_the_page_whatever_their_number() {
-        for (width, height) in [(1280.0, 720.0), (900.0, 500.0), (1920.0, 1080.0), (600.0, 1000.0), (3000.0, 500.0)] {
-            let frame = Frame::of_window(Vec2::new(width, height));
-            for count in 1..=PAGE {
-                let cards = cards(count, &frame);
-                let (first, last) = (cards[0], cards[count - 1]);
-                let foot = frame.size.y - FOOT - ROW_BUTTON.y;
-                assert!(cards.iter().all(|card| card.min.x >= SIDE - 0.1 && card.max().x <= frame.size.x - SIDE + 0.1));
-                assert!(first.min.y >= HEAD - 0.1 && last.max().y <= foot - ABOVE_FOOT + 0.1);
-                for (i, card) in cards.iter().enumerate() {
-                    assert!(card.size.min_element() > 100.0, "{count} cards in {width} × {height}: {card:?}");
-                    assert!(cards[i + 1..].iter().all(|other| card.max().x < other.min.x || card.max().y < other.min.y));
-                }
-                let filled = cards.iter().map(|card| card.size.element_product()).sum::<f32>();
-                let room = (frame.size.x - 2.0 * SIDE) * (foot - ABOVE_FOOT - HEAD);
-                assert!(
-                    filled > 0.5 * room || first.size == LARGEST || count < 3,
-                    "{count} cards in {width} × {height}: {}",
-                    filled / room
-                );
-            }
+            Press::Back => places::from_left(0.0, frame),
+            Press::Edit | Press::New => places::from_left(1.0, frame),
+            Press::Copy => places::from_left(2.0, frame),
+            Press::Rename => places::from_left(3.0, frame),
+            Press::Previous => places::from_right(1.0, frame),
+            Press::Next => places::from_right(0.0, frame),
         }
     }
 }

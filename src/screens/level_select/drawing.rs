@@ -1,6 +1,7 @@
 //! The list of levels on the screen.
 
-use super::{Entry, FOOT, FOOT_BUTTON, HEAD, LevelSelect, Pick, Press, Purpose, SIDE};
+use super::places::{FOOT, FOOT_BUTTON, HEAD, SIDE};
+use super::{Entry, LevelSelect, Pick, Press, Purpose};
 use crate::screens::scoring::precise;
 use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, ROW_BUTTON, TEXT, Vec2};

@@ -1,0 +1,47 @@
+//! A level in the list: what is known of it without opening it.
+
+use crate::game::Medals;
+use crate::level::Awards;
+use crate::screens::Miniature;
+use crate::screens::folder_watch::Stamp;
+use crate::screens::library::Refusal;
+
+/// A level in the list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// Its folder's name.
+    pub name: String,
+    /// Its title and what it looks like, or why it does not load; `None` until it has been in view.
+    pub level: Option<Result<(String, Miniature), Refusal>>,
+    /// What its folder looked like then.
+    pub stamp: Stamp,
+    /// Its title, as far as it has been looked for.
+    pub title: Option<String>,
+    /// The best time of whoever plays without help, s; `None` where there is none.
+    pub best: Option<f64>,
+    /// What its medals ask for.
+    pub awards: Awards,
+    /// What it has brought whoever plays.
+    pub medals: Medals,
+}
+
+impl Entry {
+    /// A level of which nothing but its name is known.
+    pub fn new(name: String) -> Self {
+        Self {
+            name,
+            level: None,
+            stamp: Stamp::default(),
+            title: None,
+            best: None,
+            awards: Awards::default(),
+            medals: Medals::default(),
+        }
+    }
+
+    /// Whether its name or title has these letters in it, which are small.
+    pub(super) fn has(&self, letters: &str) -> bool {
+        let has = |text: &str| text.to_lowercase().contains(letters);
+        has(&self.name) || self.title.as_deref().is_some_and(has)
+    }
+}
