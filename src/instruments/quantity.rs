@@ -78,7 +78,7 @@ pub enum Quantity {
 pub struct Moment {
     /// s.
     pub time: f64,
-    /// What does not change.
+    /// What the level says of it.
     pub constants: Constants,
     /// m, from the level's lower left corner.
     pub position: DVec2,
@@ -92,7 +92,7 @@ pub struct Moment {
     pub forces: [DVec2; ForceKind::ALL.len()],
 }
 
-/// What does not change about a body while it flies.
+/// What a level says of a body, and does not change while it is flown as it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Constants {
     /// kg.

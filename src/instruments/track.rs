@@ -14,7 +14,8 @@ const SMALLEST_JUMP: f64 = 1e-3;
 #[derive(Clone, Debug)]
 pub struct Track {
     body: BodyId,
-    constants: Constants,
+    /// From which place on they hold: a level may be varied while it is flown.
+    constants: Vec<(usize, Constants)>,
     /// The first tick; the rest of it follow one by one.
     begins: u64,
     /// Ticks a second.
@@ -34,7 +35,7 @@ impl Track {
     pub fn new(body: BodyId) -> Self {
         Self {
             body,
-            constants: Constants::default(),
+            constants: Vec::new(),
             begins: 0,
             rate: 1.0,
             position: Vec::new(),
@@ -92,7 +93,7 @@ impl Track {
     pub fn moment(&self, place: usize) -> Moment {
         Moment {
             time: self.time(place),
-            constants: self.constants,
+            constants: self.constants[self.constants.partition_point(|(from, _)| *from <= place).saturating_sub(1)].1,
             position: self.position[place],
             velocity: self.velocity[place],
             acceleration: self.acceleration[place],
@@ -114,17 +115,15 @@ impl Track {
 
 impl Reader for Track {
     fn begin(&mut self, start: &Game) {
-        *self = Self {
-            begins: start.ticks(),
-            rate: start.tick_rate(),
-            constants: Constants::of(start, self.body),
-            ..Self::new(self.body)
-        };
+        *self = Self { begins: start.ticks(), rate: start.tick_rate(), ..Self::new(self.body) };
         self.tick(start);
     }
 
     fn tick(&mut self, game: &Game) {
         let (place, moment) = (self.len(), Moment::of(game, self.body));
+        if self.constants.last().is_none_or(|(_, constants)| *constants != moment.constants) {
+            self.constants.push((place, moment.constants));
+        }
         self.position.push(moment.position);
         self.velocity.push(moment.velocity);
         self.acceleration.push(moment.acceleration);
@@ -136,7 +135,7 @@ impl Reader for Track {
             }
         }
         let felt: DVec2 = game.world().impulses().iter().filter_map(|impulse| Some(impulse.on(self.body)?.0)).sum();
-        if place > 0 && felt.length() >= SMALLEST_JUMP * self.constants.mass {
+        if place > 0 && felt.length() >= SMALLEST_JUMP * moment.constants.mass {
             self.impacts.push(place);
         }
     }
@@ -148,5 +147,6 @@ impl Reader for Track {
         }
         self.forces.iter_mut().for_each(|column| column.truncate(length));
         self.impacts.retain(|place| *place < length);
+        self.constants.retain(|(from, _)| *from < length);
     }
 }

@@ -110,7 +110,7 @@ impl Watch {
 
     /// The instruments' part of a frame; what is left of the input for the flight.
     fn measure(&mut self, input: &Input) -> Input {
-        let stage = Stage { game: &self.game, history: self.reel.history(), focus: &self.focus, seekable: true };
+        let stage = Stage { game: &self.game, history: self.reel.history(), focus: &self.focus, seekable: true, before: None };
         let rest = self.instruments.update(&Input { frame: above(&input.frame), ..input.clone() }, &stage);
         Input { frame: input.frame, ..rest }
     }

@@ -215,7 +215,7 @@ impl Flight {
     /// The instruments' part of a frame; what is left of the input for the flight.
     fn measure(&mut self, input: &Input) -> Input {
         let seekable = self.observer.frozen() || self.game.outcome() != Outcome::Running;
-        let stage = Stage { game: &self.game, history: &self.history, focus: self.observer.focus(), seekable };
+        let stage = Stage { game: &self.game, history: &self.history, focus: self.observer.focus(), seekable, before: None };
         self.instruments.update(input, &stage)
     }
 

@@ -49,6 +49,8 @@ pub struct Stage<'a> {
     pub focus: &'a Focus,
     /// Whether the world stands still, or is watched, and can be taken to another moment of the flight.
     pub seekable: bool,
+    /// The run before the last change, where the level is varied: its curves stay, pale, to be compared.
+    pub before: Option<&'a History>,
 }
 
 /// The instruments.
@@ -85,6 +87,11 @@ impl Instruments {
     /// The flight was left at that tick and goes on otherwise.
     pub fn back_to(&mut self, history: &History, tick: u64) {
         self.plot.back_to(history, tick);
+    }
+
+    /// The flight was flown again in a level that was varied, or there is another run before: whatever was read is read anew.
+    pub fn flown_again(&mut self) {
+        self.plot.flown_again();
     }
 
     /// The same for another flight: what is open stays open, and what was measured is put away.

@@ -1,6 +1,8 @@
 //! Draws the plot: buttons and readings on the left, the lanes with their curves on the right, a line of words at the foot.
 
-use super::{Action, Plot, PlotPlaces, places::SAMPLE};
+use super::panel::Action;
+use super::places::SAMPLE;
+use super::{Plot, PlotPlaces};
 use crate::instruments::chart::{Chart, Lane};
 use crate::instruments::curve::Curve;
 use crate::instruments::look;

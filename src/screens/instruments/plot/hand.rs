@@ -38,7 +38,7 @@ impl Plot {
         if !(input.holding || input.click) {
             self.hand = Hand::Empty;
         }
-        if !self.hand.holds() && !(over && input.click) {
+        if !(self.hand.holds() || over && input.click) {
             return;
         }
         let Some(tick) = self.tick_at(input.pointer, places, &chart) else { return };

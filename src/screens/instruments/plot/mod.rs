@@ -6,23 +6,24 @@ mod choices;
 mod drawing;
 mod hand;
 mod object;
+mod panel;
 mod places;
 mod readings;
+mod taken_along;
 
 use super::Stage;
-use crate::game::{Game, History, SHIP, body_title};
+use crate::game::{History, SHIP, body_title};
 use crate::instruments::chart::{Chart, Member, Window};
 use crate::instruments::curve::Curve;
-use crate::instruments::export::{self, Exported};
 use crate::instruments::quantity::{Part, Quantity};
 use crate::instruments::track::Track;
 use crate::physics::BodyId;
 use crate::screens::ahead::Ahead;
 use crate::screens::{Buttons, Input, Keys, NewFile};
 use crate::view::layout::{Area, Frame, Vec2};
-use choices::choices;
 use hand::Hand;
 use object::Object;
+use panel::{Action, Format, Pick};
 pub use places::PlotPlaces;
 use places::{MOST_LINES, READINGS};
 pub use readings::Reading;
@@ -35,49 +36,6 @@ const AT_LEAST: f64 = 1.0;
 /// What a further curve is of, the first of these that there is not yet.
 const NEXT: [Quantity; MOST_LINES] =
     [Quantity::Y, Quantity::Velocity(Part::Y), Quantity::Acceleration(Part::Y), Quantity::Resultant(Part::Y)];
-
-/// What a button does.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Action {
-    /// Another curve.
-    Add,
-    /// Choose what is to the right.
-    Across,
-    /// Keep an object, or follow again.
-    Keep(usize),
-    /// Export as that.
-    Export(Format),
-    /// Show the whole flight.
-    Whole,
-    /// More or less room.
-    Larger,
-    /// The other object for a curve.
-    Whose(usize),
-    /// Choose what a curve is of.
-    What(usize),
-    /// Without a curve.
-    Remove(usize),
-    /// This curve's area is shown.
-    Select(usize),
-    /// That is to be plotted.
-    Choose(Quantity),
-    /// A name in the list.
-    None,
-}
-
-/// As what curves are taken along.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
-    Csv,
-    Svg,
-}
-
-/// What is being chosen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Pick {
-    Across,
-    Line(usize),
-}
 
 /// A curve that is wanted.
 #[derive(Clone, Debug)]
@@ -107,8 +65,6 @@ pub struct Plot {
     compared: bool,
     level: String,
     tick_rate: f64,
-    /// The run before, drawn pale.
-    before: Option<History>,
     /// What is drawn of the flight; none: all.
     window: Option<Window>,
     /// From and to which tick the area is.
@@ -141,7 +97,6 @@ impl Default for Plot {
             compared: false,
             level: String::new(),
             tick_rate: 1.0,
-            before: None,
             window: None,
             span: None,
             selected: 0,
@@ -161,14 +116,6 @@ impl Default for Plot {
 }
 
 impl Plot {
-    /// The run before, whose curves are drawn pale below those of the flight; `None`: none. It stays through [`Plot::of_another_flight`]
-    /// until it is set anew, and its bodies are those of the same numbers.
-    pub fn set_before(&mut self, before: Option<History>) {
-        self.before = before;
-        self.objects.iter_mut().for_each(Object::forget_before);
-        self.refresh(true);
-    }
-
     /// One frame; the answer is what is left of the input, with the part of the canvas that is left for the flight.
     pub fn update(&mut self, input: &Input, stage: &Stage) -> Input {
         self.read(input.frame_time, stage);
@@ -243,13 +190,16 @@ impl Plot {
     /// The same plot of another flight.
     #[must_use]
     pub fn of_another_flight(mut self) -> Self {
-        for object in &mut self.objects {
-            object.kept = None;
-            object.forget();
-        }
+        self.objects.iter_mut().for_each(|object| object.kept = None);
+        self.flown_again();
         (self.span, self.window, self.waiting, self.seek) = (None, None, None, None);
-        self.refresh(true);
         self
+    }
+
+    /// The flight, or the run before, is another one: both are read anew from their first ticks.
+    pub fn flown_again(&mut self) {
+        self.objects.iter_mut().for_each(Object::forget);
+        self.refresh(true);
     }
 
     fn read(&mut self, frame_time: f64, stage: &Stage) {
@@ -259,7 +209,7 @@ impl Plot {
         let most = self.ahead.ticks(frame_time);
         for ((object, name), focus) in self.objects.iter_mut().zip(&mut self.names).zip(focus) {
             let body = object.kept.or(focus).filter(there);
-            object.read(body, stage.history, self.before.as_ref(), most);
+            object.read(body, stage.history, stage.before, most);
             *name = body.map(|body| body_title(game.level(), body));
         }
         (self.now, self.tick_rate) = (game.ticks(), game.tick_rate());
@@ -327,123 +277,4 @@ impl Plot {
     fn name(&self, whose: usize) -> &str {
         self.names[whose].as_deref().unwrap_or("nobody")
     }
-
-    fn lay_out(&mut self, places: &PlotPlaces) {
-        self.actions.clear();
-        let mut areas = Vec::new();
-        if let Some((list, cells)) = self.pick.map(|pick| self.list(pick, places)) {
-            areas.extend(cells);
-            self.actions.extend(list);
-        }
-        let mut head = Vec::new();
-        if self.lines.len() < MOST_LINES {
-            head.push((Action::Add, "+ Curve".to_owned()));
-        }
-        head.push((Action::Across, format!("Across: {}", self.across.symbol())));
-        for (whose, rank) in ["1st", "2nd"].into_iter().enumerate() {
-            let kept = if self.objects[whose].kept.is_some() { ", kept" } else { "" };
-            head.push((Action::Keep(whose), format!("{rank}: {}{kept}", self.name(whose))));
-        }
-        head.push((Action::Larger, if self.large { "Smaller" } else { "Larger" }.to_owned()));
-        if self.window.is_some() {
-            head.push((Action::Whole, "Whole flight".to_owned()));
-        }
-        head.extend([(Action::Export(Format::Csv), "CSV".to_owned()), (Action::Export(Format::Svg), "SVG".to_owned())]);
-        areas.extend(places.head(&words(&head)));
-        self.actions.extend(head);
-        for (i, line) in self.lines.iter().enumerate() {
-            let whose = ["1st", "2nd"][line.whose].to_owned();
-            let row = vec![(Action::What(i), line.up.symbol()), (Action::Whose(i), whose), (Action::Remove(i), "×".to_owned())];
-            areas.extend(places.line(i, &words(&row)));
-            areas.push(places.lines[i]);
-            self.actions.extend(row);
-            self.actions.push((Action::Select(i), String::new()));
-        }
-        self.buttons.place(areas);
-    }
-
-    /// The list to choose from: its cells with what they do, and where they are.
-    fn list(&self, pick: Pick, places: &PlotPlaces) -> (Vec<(Action, String)>, Vec<Area>) {
-        let blocks = self.choices(pick);
-        let (_, cells) = places.picker(&blocks.each_ref().map(Vec::len), choices::NAME, choices::MOST_OF_A_ROW);
-        let mut list = Vec::new();
-        let mut areas = Vec::new();
-        for ((name, quantities), cells) in blocks.iter().flatten().zip(cells.iter().flatten()) {
-            list.push((Action::None, (*name).to_owned()));
-            list.extend(quantities.iter().map(|quantity| (Action::Choose(*quantity), choices::label(*quantity))));
-            areas.extend(&cells[..=quantities.len()]);
-        }
-        (list, areas)
-    }
-
-    fn choices(&self, pick: Pick) -> [Vec<choices::Row>; 2] {
-        let tracks = || self.objects.iter().filter_map(Object::track);
-        choices(pick == Pick::Across, |kind| tracks().any(|track| track.felt(kind)))
-    }
-
-    /// What the list to choose from covers.
-    fn picker(&self, places: &PlotPlaces) -> Option<Area> {
-        let blocks = self.choices(self.pick?);
-        Some(places.picker(&blocks.each_ref().map(Vec::len), choices::NAME, choices::MOST_OF_A_ROW).0)
-    }
-
-    fn act(&mut self, action: Action) {
-        let pick = self.pick.take();
-        match action {
-            Action::Add => {
-                let new = |up: &Quantity| self.lines.iter().all(|line| line.up != *up);
-                let up = NEXT.into_iter().find(new).unwrap_or(Quantity::Kinetic);
-                self.lines.push(Line::new(0, self.across, up));
-                self.pick = Some(Pick::Line(self.lines.len() - 1));
-            }
-            Action::Across => self.pick = Some(Pick::Across).filter(|now| pick != Some(*now)),
-            Action::What(line) => self.pick = Some(Pick::Line(line)).filter(|now| pick != Some(*now)),
-            Action::Keep(whose) => {
-                let object = &mut self.objects[whose];
-                object.kept = if object.kept.is_some() { None } else { object.track().map(Track::body) };
-            }
-            Action::Export(format) => (self.waiting, self.told) = (Some(format), None),
-            Action::Whole => self.window = None,
-            Action::Larger => self.large = !self.large,
-            Action::Whose(line) => self.lines[line].whose = 1 - self.lines[line].whose,
-            Action::Remove(line) => {
-                self.lines.remove(line);
-                self.selected = 0;
-            }
-            Action::Select(line) => self.selected = line,
-            Action::Choose(quantity) => match pick {
-                Some(Pick::Across) => self.across = quantity,
-                Some(Pick::Line(line)) => self.lines[line].up = quantity,
-                None => {}
-            },
-            Action::None => self.pick = pick,
-        }
-        self.refresh(false);
-    }
-
-    fn make_file(&mut self, format: Format, game: &Game) {
-        let curves: Vec<Exported> = self
-            .shown()
-            .map(|(number, line, track)| Exported { body: self.name(line.whose), curve: &line.now, track, number })
-            .collect();
-        if curves.is_empty() {
-            self.told = Some(("There is no curve to be exported.".to_owned(), true));
-            return;
-        }
-        let made = match format {
-            Format::Csv => Ok((export::csv(&curves), ".csv")),
-            Format::Svg => export::svg(&game.level().title, self.window(), &curves).map(|text| (text, ".svg")),
-        };
-        let stem = export::stem(&self.level, &curves);
-        match made {
-            Ok((text, ending)) => {
-                self.export = Some(NewFile { stem, ending, text, what: "the curves", same_up_to: crate::files::INPUTS });
-            }
-            Err(problem) => self.told = Some((problem, true)),
-        }
-    }
-}
-
-fn words(buttons: &[(Action, String)]) -> Vec<String> {
-    buttons.iter().map(|(_, words)| words.clone()).collect()
 }

@@ -36,6 +36,9 @@ fn read(read: &mut Option<Read>, body: Option<BodyId>, history: Option<&History>
         *read = wanted.filter(there).map(|(body, _)| Read::of(body));
     }
     if let (Some(Read { track, walk }), Some(history)) = (read, history) {
+        if !track.is_empty() && track.tick_of(track.len() - 1) > history.ticks() {
+            walk.back_to(history, history.ticks(), track);
+        }
         walk.read(history, most, track);
     }
 }
@@ -62,20 +65,16 @@ impl Object {
         self.track().is_none_or(|track| track.tick_of(track.len() - 1) >= history.ticks())
     }
 
-    /// The flight was left at that tick.
+    /// The flight was left at that tick; what the run before does beyond its own end may be otherwise, too.
     pub fn back_to(&mut self, history: &History, tick: u64) {
         if let Some(Read { track, walk }) = &mut self.now {
             walk.back_to(history, tick, track);
         }
-    }
-
-    /// Another flight begins.
-    pub fn forget(&mut self) {
-        self.now = None;
-    }
-
-    /// There is another flight before.
-    pub fn forget_before(&mut self) {
         self.before = None;
+    }
+
+    /// Other flights are to be read.
+    pub fn forget(&mut self) {
+        (self.now, self.before) = (None, None);
     }
 }
