@@ -38,8 +38,7 @@ pub fn free_fall() -> Sitting {
 /// Where the button with those words is.
 pub fn button(sitting: &Sitting, words: &str) -> Option<Vec2> {
     let plot = sitting.flight().instruments().plot();
-    let found = plot.buttons().find(|(other, _)| *other == words).map(|(_, area)| area.centre());
-    found
+    plot.buttons().find(|(other, _)| *other == words).map(|(_, area)| area.centre())
 }
 
 pub fn press_button(sitting: &mut Sitting, words: &str) {

@@ -18,8 +18,8 @@ click 37.1 69.9 # SVG
 table=$data/exports/fall-y-v_y.csv
 [ -s "$table" ] && [ -s "${table%.csv}.svg" ] || fail "nothing was written to $data/exports"
 [ "$(head -n 1 "$table")" = 'tick,t (s),Ball 1 y (m),Ball 1 v_y (m/s)' ] || fail "another head: $(head -n 1 "$table")"
-awk -F, 'NR == 2 { t = $2; v = $4 } END { g = -($4 - v) / ($2 - t); d = g / 9.81 - 1; exit !(NR > 40 && d < 1e-9 && d > -1e-9) }' "$table" ||
-  fail "the slope is not g: $(tail -n 1 "$table")"
+awk -F, 'NR == 2 { t = $2; v = $4 } NR == 32 { d = -($4 - v) / ($2 - t) / 9.81 - 1; good = d < 1e-9 && d > -1e-9 } END { exit !good }' "$table" ||
+  fail "the slope is not g: $(sed -n 32p "$table")"
 
 # A click in the plot takes the world to another moment; F lets it fall anew from there.
 click 45 85
