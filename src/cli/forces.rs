@@ -1,9 +1,9 @@
 //! The file of forces: every single force and impact, tick by tick, with what exerts it and where it acts.
 
 use super::files::Table;
-use super::number::{Pair, Shortest, pair};
 use super::telemetry::column;
 use crate::game::{Game, obstacle_name, source_name};
+use crate::number::{Pair, Shortest, pair};
 use crate::physics::{BodyId, DVec2, Impulse};
 use serde::Serialize;
 use std::io::{self, Write};

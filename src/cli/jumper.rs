@@ -1,12 +1,12 @@
 //! `resultant jumper`: a climb without a window.
 
 use super::files::read_text;
-use super::number::Shortest;
 use super::{Project, Status, Stop};
 use crate::classics::jumper::inputs::{Row, parse};
 use crate::classics::jumper::scene::{Keys, Scene};
 use crate::files::INPUTS;
 use crate::game::TICK_RATE;
+use crate::number::Shortest;
 use std::io::Write;
 use std::path::PathBuf;
 

@@ -13,7 +13,6 @@ mod files;
 mod forces;
 mod jumper;
 mod new;
-mod number;
 mod pack;
 mod pi;
 mod play;

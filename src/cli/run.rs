@@ -2,12 +2,12 @@
 
 use super::files::{NewFile, read_text};
 use super::forces::Forces;
-use super::number::Shortest;
 use super::telemetry::Telemetry;
 use super::{Project, Status, Stop, load_level};
 use crate::files::INPUTS;
 use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE, TICK_RATES};
 use crate::level::{Level, Look};
+use crate::number::Shortest;
 use std::io::{self, Write};
 use std::path::PathBuf;
 

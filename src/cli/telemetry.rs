@@ -1,9 +1,9 @@
 //! The telemetry file: where everything is and what acts on it, tick by tick.
 
 use super::files::Table;
-use super::number::{Pair, Shortest, pair};
 use crate::game::{Game, SHIP};
 use crate::level::Object;
+use crate::number::{Pair, Shortest, pair};
 use crate::physics::{BodyId, DVec2, ForceKind, Obstacle, World};
 use serde::Serialize;
 use std::io::{self, Write};

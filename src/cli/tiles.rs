@@ -1,10 +1,10 @@
 //! `resultant tiles`: runs a list of commands through a map of tiles.
 
 use super::files::read_text;
-use super::number::Shortest;
 use super::{Project, Status, Stop};
 use crate::classics::tile_run::{Command, InputError, Map, Runner};
 use crate::files::{TILE_COMMANDS, TILE_MAP};
+use crate::number::Shortest;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 

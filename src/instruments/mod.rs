@@ -1,10 +1,18 @@
 //! What a lesson measures with, without a window: it reads a flight tick by tick and changes nothing in it.
 
 pub mod centre;
+pub mod chart;
 pub mod companion;
+pub mod curve;
 pub mod energy;
+pub mod export;
 pub mod ledger;
+pub mod look;
+pub mod quantity;
+pub mod series;
 pub mod stop_clock;
+pub mod track;
 pub mod trail;
+pub mod unit;
 pub mod vary;
 pub mod walk;

@@ -9,7 +9,8 @@
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
 //! - [`curve`]: the numbers behind a diagram; [`course`]: error and energy over time. [`charts`]: all that one run measured, as CSV and back; [`kept`]: the run that comes with
 //!   the game; [`peers`]: other engines' points.
-//! - [`axes`], [`timeline`] and [`look`]: what a diagram is made of, on paper and on the screen. [`diagram`] and [`course_diagram`]: as SVG. [`report`]: the summary.
+//! - [`axes`], [`linear`], [`timeline`] and [`look`]: what a diagram is made of, on paper and on the screen. [`diagram`], [`lanes`] and [`course_diagram`]: as SVG.
+//!   [`report`]: the summary.
 
 pub mod axes;
 pub mod charts;
@@ -18,6 +19,8 @@ pub mod course_diagram;
 pub mod curve;
 pub mod diagram;
 pub mod kept;
+pub mod lanes;
+pub mod linear;
 pub mod look;
 pub mod methods;
 pub mod peers;

@@ -222,6 +222,15 @@ impl App {
                 let bad = kept.is_err();
                 return self.tell_flights(kept.unwrap_or_else(|problem| problem), bad);
             }
+            Request::Export(file) => {
+                let told = file.write(&self.places.root.join("exports"));
+                match &mut self.screen {
+                    Screen::Flight(screen) => screen.tell_of_export(told),
+                    Screen::Watch(screen) => screen.tell_of_export(told),
+                    _ => {}
+                }
+                return;
+            }
             Request::SaveScore(gain) => self.save_score(gain),
             Request::Submit(gain, name) => match self.save(Waiting { gain, name, since: 0.0 }) {
                 Ok(saved) => saved,

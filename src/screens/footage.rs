@@ -1,11 +1,11 @@
 //! Recorded flights on disk, as the screens list them, read them and keep them.
 
 use super::flights::{Candidate, Source, Visit};
+use super::new_file::NewFile;
 use crate::files::{INPUTS, read_text};
 use crate::game::{Replay, level_hash};
 use crate::level::Level;
 use crate::scores::{Board, Name, Scores};
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// The folder in a level's with its own flights, and each of them: file, name, what it shows.
@@ -17,8 +17,6 @@ const OWN: [(&str, &str, &str); 3] = [
 ];
 /// How the files of flights end.
 const ENDING: &str = ".replay.csv";
-/// The most files of one name that are kept.
-const MOST_KEPT: u32 = 10_000;
 
 /// The flights of a level: what was just flown, whoever plays' best, the level's own in its folder, and the rest of the board.
 pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) -> Vec<Candidate> {
@@ -85,29 +83,6 @@ fn first_line(text: &str) -> String {
 /// Whatever the system refuses, with the place.
 pub fn keep(folder: &Path, level: &str, whose: &str, replay: &Replay) -> Result<PathBuf, String> {
     let whose: String = whose.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
-    let text = replay.to_string();
-    let refused = |path: &Path, error: &io::Error| format!("{}: cannot keep the flight: {error}", path.display());
-    std::fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // As for any new file; tempfile's own would be for the user's eyes only.
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.prefix(".keeping-").tempfile_in(folder).map_err(|error| refused(folder, &error))?;
-    file.write_all(text.as_bytes()).and_then(|()| file.as_file().sync_all()).map_err(|error| refused(folder, &error))?;
-    for number in 1..=MOST_KEPT {
-        let count = if number > 1 { format!("-{number}") } else { String::new() };
-        let path = folder.join(format!("{level}-{whose}-{}{count}{ENDING}", replay.score));
-        if read_text(&path, INPUTS).is_ok_and(|kept| kept == text) {
-            return Ok(path);
-        }
-        match file.persist_noclobber(&path) {
-            Ok(_) => return Ok(path),
-            Err(taken) if taken.error.kind() == io::ErrorKind::AlreadyExists => file = taken.file,
-            Err(failed) => return Err(refused(&path, &failed.error)),
-        }
-    }
-    Err(format!("{}: there are too many files of that name", folder.display()))
+    let stem = format!("{level}-{whose}-{}", replay.score);
+    NewFile { stem, ending: ENDING, text: replay.to_string(), what: "the flight", same_up_to: INPUTS }.write(folder)
 }

@@ -3,6 +3,7 @@
 //! reads the screen and goes through [`crate::view`]. The window, its keys and its clock are in `window`; rules of the game, scores
 //! and names are not here but in the modules below.
 
+mod ahead;
 mod app;
 mod balls;
 mod buttons;
@@ -26,6 +27,7 @@ mod library;
 mod menu;
 mod miniature;
 mod name_field;
+mod new_file;
 mod noise;
 mod observer;
 #[cfg(feature = "window")]
@@ -58,7 +60,7 @@ pub use flights::{Candidate as FlightCandidate, Flights, Source, Visit};
 pub use folder_watch::{FolderWatch, Stamp};
 pub use input::{Answer, Input};
 pub use instruments::vary::{Entry as VaryEntry, From as VaryFrom, Line as VaryLine, Varied, Vary};
-pub use instruments::{Instruments, Measures, Stage, Table as Figures, Tool as Instrument};
+pub use instruments::{Instruments, Measures, Plot, PlotPlaces, Reading, Stage, Table as Figures, Tool as Instrument};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Experiment, Half, Lab, Line, PAGES, Page, Shown};
 pub use leaderboard::{Fresh, Leaderboard, Way};
@@ -67,6 +69,7 @@ pub use library::Library;
 pub use menu::{Facts, Menu};
 pub use miniature::{Miniature, Part as MiniaturePart};
 pub use name_field::{Entry as NameEntry, NameField};
+pub use new_file::NewFile;
 pub use noise::Noise;
 pub use observer::{Observer, PACES as OBSERVED_PACES};
 pub use pi::Pi;
@@ -81,7 +84,7 @@ pub use scroll::Bar;
 pub use settings::SettingsPanel;
 pub use tile_run::TileRun;
 pub use toolbar::Toolbar;
-pub use watch::{PACES, Watch};
+pub use watch::{PACES, Watch, above as watch_room};
 #[cfg(feature = "window")]
 pub use window::{Start, open};
 
@@ -188,6 +191,8 @@ pub enum Request {
     Watch(Visit, FlightCandidate),
     /// Some of them are raced.
     Race(Visit, Vec<FlightCandidate>),
+    /// A curve is to be kept as a file; the screen stays.
+    Export(NewFile),
     /// One of them is kept as a file.
     Keep(Visit, FlightCandidate),
     /// A score is to be saved, under the name of whoever plays.

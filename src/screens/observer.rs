@@ -67,6 +67,11 @@ impl Observer {
         self.frozen
     }
 
+    /// Lets the world stand still.
+    pub const fn freeze(&mut self) {
+        self.frozen = true;
+    }
+
     /// How fast the world goes while it does not stand still.
     pub fn pace(&self) -> f64 {
         PACES[self.pace]

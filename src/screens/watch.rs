@@ -1,6 +1,7 @@
 //! A recorded flight that is watched: played, paused, slowed down, gone through tick by tick in both directions. What is shown is the game
 //! itself, flown again to the moment that is asked for.
 
+use super::ahead::Ahead;
 use super::input::Repeat;
 use super::instruments::{Instruments, Stage};
 use super::observer;
@@ -9,6 +10,7 @@ use crate::game::{Game, Reel};
 use crate::settings::Action;
 use crate::view::focus::Focus;
 use crate::view::layout::{Area, Frame, Vec2};
+use std::path::PathBuf;
 
 /// How fast it can be played.
 pub const PACES: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
@@ -16,10 +18,6 @@ pub const PACES: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 const AS_FLOWN: usize = 3;
 /// A frame is taken for no longer than this, s: after a hitch the flight goes on where it was.
 const LONGEST_FRAME: f64 = 1.0 / 15.0;
-/// How many ticks are flown ahead in a frame, at least, at first and at most. As many as frames stay short with.
-const AHEAD: [u64; 3] = [30, 240, 4000];
-/// A frame that takes longer than this is no short one, s.
-const SHORT_FRAME: f64 = 1.0 / 40.0;
 /// What a page is, s.
 const PAGE: f64 = 1.0;
 /// Height of the controls at the canvas' foot: the flight is above them.
@@ -45,7 +43,7 @@ pub struct Watch {
     /// Whether the pointer holds the line of time.
     dragged: bool,
     /// How many ticks are flown ahead in a frame.
-    ahead: u64,
+    ahead: Ahead,
     repeat: Repeat,
     toolbar: Toolbar,
     line: Area,
@@ -69,7 +67,7 @@ impl Watch {
             hitboxes: false,
             instruments: Instruments::default(),
             dragged: false,
-            ahead: AHEAD[1],
+            ahead: Ahead::default(),
             repeat: Repeat::default(),
             toolbar: Toolbar::default(),
             line: Area::default(),
@@ -80,7 +78,14 @@ impl Watch {
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         let request = self.go_on(input, spectator);
         // What is read is that of the moment that is drawn.
-        let stage = Stage { game: &self.game, history: self.reel.history(), focus: &self.focus, varied: None, before: None };
+        let stage = Stage {
+            game: &self.game,
+            history: self.reel.history(),
+            focus: &self.focus,
+            varied: None,
+            seekable: true,
+            before: None,
+        };
         self.instruments.read(&stage);
         request
     }
@@ -88,6 +93,13 @@ impl Watch {
     fn go_on(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         self.line = line(&input.frame);
         let input = &self.measure(input);
+        if let Some(tick) = self.instruments.take_seek() {
+            self.paused = true;
+            self.go(tick, spectator);
+        }
+        if let Some(file) = self.instruments.take_export() {
+            return Some(Request::Export(file));
+        }
         self.fly_ahead(input.frame_time);
         // The arrows to the sides repeat; the rest of the row does not.
         let once = [Key::Left, Key::Right, Key::PadLeft, Key::PadRight].into_iter().collect();
@@ -113,7 +125,14 @@ impl Watch {
 
     /// The instruments' part of a frame; what is left of the input for the flight.
     fn measure(&mut self, input: &Input) -> Input {
-        let stage = Stage { game: &self.game, history: self.reel.history(), focus: &self.focus, varied: None, before: None };
+        let stage = Stage {
+            game: &self.game,
+            history: self.reel.history(),
+            focus: &self.focus,
+            varied: None,
+            seekable: true,
+            before: None,
+        };
         let rest = self.instruments.update(&Input { frame: above(&input.frame), ..input.clone() }, &stage);
         Input { frame: input.frame, ..rest }
     }
@@ -199,6 +218,11 @@ impl Watch {
         &self.instruments
     }
 
+    /// Says what became of a file.
+    pub(super) fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
+        self.instruments.tell_of_export(told);
+    }
+
     /// Its buttons.
     pub const fn toolbar(&self) -> &Toolbar {
         &self.toolbar
@@ -214,9 +238,7 @@ impl Watch {
         if frame_time <= 0.0 || self.reel.is_whole() {
             return;
         }
-        let [least, _, most] = AHEAD;
-        self.ahead = if frame_time > SHORT_FRAME { self.ahead / 2 } else { self.ahead * 5 / 4 }.clamp(least, most);
-        self.reel.fly(self.ahead);
+        self.reel.fly(self.ahead.ticks(frame_time));
     }
 
     fn play_or_pause(&mut self, spectator: &mut dyn Spectator) {

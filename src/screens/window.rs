@@ -164,12 +164,18 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) 
         Screen::LevelSelect(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Editor(screen) => screen.draw(&mut theatre.sheets, canvas, app.shown_for()),
         Screen::Flight(screen) => {
+            let whole = canvas.use_frame(screen.instruments().room(canvas.frame()));
             theatre.draw(screen, *app.settings(), frame_time, canvas);
+            canvas.use_frame(whole);
+            screen.instruments().draw_below(canvas);
             screen.draw_over(canvas);
         }
         Screen::Watch(screen) => {
             let whole = canvas.use_frame(above(canvas.frame()));
+            let above = canvas.use_frame(screen.instruments().room(canvas.frame()));
             theatre.draw_watched(screen, *app.settings(), frame_time, canvas);
+            canvas.use_frame(above);
+            screen.instruments().draw_below(canvas);
             canvas.use_frame(whole);
             screen.draw_controls(canvas);
         }
@@ -223,8 +229,8 @@ impl Theatre {
         let Some(view) = &mut self.view else { return (None, None) };
         view.point_at(input.pointer);
         let (game, alpha, frame) = match screen {
-            Screen::Flight(flight) => (flight.game(), flight.alpha(), input.frame),
-            Screen::Watch(watch) => (watch.game(), watch.alpha(), above(&input.frame)),
+            Screen::Flight(flight) => (flight.game(), flight.alpha(), flight.instruments().room(&input.frame)),
+            Screen::Watch(watch) => (watch.game(), watch.alpha(), watch.instruments().room(&above(&input.frame))),
             _ => return (None, None),
         };
         let place = view.viewport(game, alpha, &frame).metres(input.pointer);

@@ -94,7 +94,8 @@ fn axes(canvas: &Canvas, plot: &Plot, measured: &Measured) {
     canvas.text(&measured.work, Vec2::new(area.centre().x, end.y + 44.0), words.centred());
 }
 
-pub(super) fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Color) {
+/// A line as a curve looks.
+pub fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Color) {
     let width = look.width as f32;
     match look.dash {
         None => line.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], width, colour)),
@@ -108,7 +109,8 @@ pub(super) fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), widt
     }
 }
 
-pub(super) fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Color) {
+/// A curve's marker.
+pub fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Color) {
     for piece in shape.pieces() {
         let corners: Vec<Vec2> = piece.into_iter().map(|corner| at + Vec2::from(corner)).collect();
         canvas.convex(&corners, colour);

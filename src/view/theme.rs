@@ -1,5 +1,6 @@
 //! The palette: a physicist's notebook at night. A colour always means the same; sizes are in [`super::layout`].
 
+use crate::instruments::look;
 use crate::physics::ForceKind;
 use crate::settings::Palette;
 use macroquad::color::Color;
@@ -161,7 +162,7 @@ pub fn physics_objective() -> Color {
 }
 
 /// The resultant force.
-pub const RESULTANT: Color = rgb(0xFFFFFF);
+pub const RESULTANT: Color = rgb(look::RESULTANT);
 
 /// Velocity and acceleration, wherever they are drawn.
 pub const VELOCITY: Color = rgb(0x2EE6D6);
@@ -173,17 +174,7 @@ pub const IMPACT: Color = rgb(0xAE62FF);
 
 /// The colour of a force, wherever it is shown.
 pub const fn force(kind: ForceKind) -> Color {
-    match kind {
-        ForceKind::Weight => rgb(0xB79CED),
-        ForceKind::Drive => rgb(0xFF9F1C),
-        ForceKind::Reaction => rgb(0x56B4E9),
-        ForceKind::Friction => rgb(0xD55E00),
-        ForceKind::AirResistance => rgb(0x8FD3FF),
-        ForceKind::Wind => rgb(0xDCE6F5),
-        ForceKind::Buoyancy => rgb(0x009E73),
-        ForceKind::ViscousDrag => rgb(0xA3A847),
-        ForceKind::Push => rgb(0xF0E442),
-    }
+    rgb(look::force(kind))
 }
 
 /// A colour that lets `alpha` (0 … 1) of itself cover what is below.

@@ -1,6 +1,7 @@
 //! Draws what a flight tells above the game: how its time goes, what became of the level's files, the pause panel.
 
 use super::{Flight, News, PAUSE_LABELS, PAUSE_TOP};
+use crate::game::Outcome;
 use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, DETAILS, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
 use crate::view::{theme, widgets};
@@ -9,14 +10,17 @@ use crate::view::{theme, widgets};
 const ABOVE_FUEL: f32 = 52.0;
 
 impl Flight {
-    /// How the time goes, where it does not go as it does: above the fuel bar.
+    /// How the time goes, where it does not go as it does, and what leads on where it has ended and stays: above the fuel bar.
     fn draw_time(&self, canvas: &Canvas) {
-        let Some(words) = self.observer.words() else { return };
+        let kept = self.game.outcome() != Outcome::Running && self.instruments.stays() && !self.observer.frozen();
+        let ended = kept.then(|| "The flight has ended: Enter leads on".to_owned());
+        let Some(words) = ended.or_else(|| self.observer.words()) else { return };
         let style = Style::new(TEXT, theme::accent()).middle().centred();
         let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
         // A test flight has its words there.
         let above = if self.test { 1.5 * ABOVE_FUEL } else { ABOVE_FUEL };
-        let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, canvas.size().y - above - size.y), size };
+        let foot = self.instruments.room(canvas.frame()).size.y;
+        let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, foot - above - size.y), size };
         widgets::panel(canvas, area);
         canvas.text(&words, area.centre(), style);
     }
@@ -24,7 +28,7 @@ impl Flight {
     /// Draws what is to be told of the level's files, and the pause panel where it is open, above the game.
     pub fn draw_over(&self, canvas: &Canvas) {
         if self.test {
-            let at = Vec2::new(canvas.size().x / 2.0, canvas.size().y - ABOVE_FUEL);
+            let at = Vec2::new(canvas.size().x / 2.0, self.instruments.room(canvas.frame()).size.y - ABOVE_FUEL);
             let style = Style::new(TEXT, theme::accent()).centred().middle();
             canvas.end_layer();
             canvas.text("A test flight: Esc or F5 leads back to the editor", at, style);

@@ -14,6 +14,7 @@ use super::{Buttons, Input, Key, Purpose, Request, SettingsPanel};
 use crate::game::{Clock, Controls, Game, GameError, History, Inputs, Latch, Outcome, Playback, Replay, RunResult, level_hash};
 use crate::level::Level;
 use crate::settings::{Action, Settings};
+use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
 use what_if::WhatIf;
@@ -193,6 +194,12 @@ impl Flight {
         if let Some(request) = wish.and_then(|wish| self.grant(wish, spectator)) {
             return Some(request);
         }
+        if let Some(tick) = self.instruments.take_seek() {
+            self.seek(tick, input, spectator);
+        }
+        if let Some(file) = self.instruments.take_export() {
+            return Some(Request::Export(file));
+        }
         if input.acts(Action::Restart) {
             return Some(Request::Restart);
         }
@@ -239,6 +246,7 @@ impl Flight {
             history: &self.history,
             focus: self.observer.focus(),
             varied: Some(self.varied()),
+            seekable: self.observer.frozen() || self.game.outcome() != Outcome::Running,
             before: self.before(),
         }
     }
@@ -282,6 +290,13 @@ impl Flight {
         }
     }
 
+    /// To another moment of what was flown, where the world stands still from now on.
+    fn seek(&mut self, tick: u64, input: &Input, spectator: &mut dyn Spectator) {
+        self.observer.freeze();
+        let now = self.game.ticks();
+        self.step(tick.min(self.history.ticks()) as i64 - now as i64, input, spectator);
+    }
+
     /// Whoever went back and goes on from there flies anew: what came after it has not been.
     fn leave_what_came_after(&mut self) {
         let now = self.game.ticks();
@@ -309,6 +324,11 @@ impl Flight {
     /// What it is measured with.
     pub const fn instruments(&self) -> &Instruments {
         &self.instruments
+    }
+
+    /// Says what became of a file.
+    pub(super) fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
+        self.instruments.tell_of_export(told);
     }
 
     /// Whether the keys fly, and not a recording.
@@ -411,7 +431,8 @@ impl Flight {
     /// The attempt has ended: its score comes after a while, or at once on Esc or Enter.
     fn wait_for_score(&mut self, input: &Input) -> Option<Request> {
         self.ended += input.frame_time;
-        let over = self.ended >= END_PAUSE || input.pressed(Key::Escape) || input.pressed(Key::Enter);
+        // Whoever plots it has not seen enough of it yet.
+        let over = self.ended >= END_PAUSE && !self.instruments.stays() || input.pressed(Key::Escape) || input.pressed(Key::Enter);
         let result = || RunResult { assisted: self.assisted, ..self.game.result() };
         if self.test {
             return over.then(|| Request::BackToEditor(self.told()));

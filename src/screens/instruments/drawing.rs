@@ -21,6 +21,13 @@ impl Instruments {
         }
     }
 
+    /// Draws what lies below the flight.
+    pub fn draw_below(&self, canvas: &Canvas) {
+        if self.uses(Tool::Plot) {
+            self.plot.draw(canvas);
+        }
+    }
+
     /// Draws the rail and the panels.
     pub fn draw(&self, scene: (&Game, f64), view: &Viewport, canvas: &Canvas) {
         if !self.open {

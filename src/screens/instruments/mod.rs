@@ -11,18 +11,21 @@ mod measured;
 #[cfg(feature = "window")]
 mod panels;
 pub mod places;
+mod plot;
 mod ruler;
 pub mod vary;
 mod vectors;
 
 use super::observer::pressed;
-use super::{Buttons, Input, Key, Keys};
+use super::{Buttons, Input, Key, Keys, NewFile};
 use crate::game::{Game, History};
 use crate::view::focus::Focus;
 use crate::view::layout::{Area, Frame};
 pub use figures::Table;
 pub use measure::Measures;
 use places::Places;
+pub use plot::{Plot, PlotPlaces, Reading};
+use std::path::PathBuf;
 use vary::Vary;
 
 /// What there is on the rail.
@@ -40,13 +43,16 @@ pub enum Tool {
     StopClock,
     /// Momentum, energy and work.
     Figures,
+    /// Curves of what two objects do.
+    Plot,
     /// Numbers of the level are varied.
     Vary,
 }
 
 impl Tool {
     /// All of them, from the top.
-    pub const ALL: [Self; 7] = [Self::Centre, Self::Trails, Self::Vectors, Self::Ruler, Self::StopClock, Self::Figures, Self::Vary];
+    pub const ALL: [Self; 8] =
+        [Self::Centre, Self::Trails, Self::Vectors, Self::Ruler, Self::StopClock, Self::Figures, Self::Plot, Self::Vary];
 
     /// What stands on its button.
     pub const fn name(self) -> &'static str {
@@ -57,6 +63,7 @@ impl Tool {
             Self::Ruler => "Ruler",
             Self::StopClock => "Stop clock",
             Self::Figures => "Energy, work",
+            Self::Plot => "Plot",
             Self::Vary => "What if …",
         }
     }
@@ -72,7 +79,9 @@ pub struct Stage<'a> {
     pub focus: &'a Focus,
     /// The level that can be varied, where it can.
     pub varied: Option<vary::Varied<'a>>,
-    /// The run before the last change, where the level is varied: it stays, to be compared.
+    /// Whether the world stands still, or is watched, and can be taken to another moment of the flight.
+    pub seekable: bool,
+    /// The run before the last change, where the level is varied: it stays, and its curves, pale, to be compared.
     pub before: Option<&'a History>,
 }
 
@@ -83,6 +92,7 @@ pub struct Instruments {
     used: [bool; Tool::ALL.len()],
     rail: Buttons,
     measures: Measures,
+    plot: Plot,
     vary: Vary,
     /// Whether the level that is shown can be varied: not that of a flight which is watched.
     can_vary: bool,
@@ -91,12 +101,15 @@ pub struct Instruments {
 impl Instruments {
     /// One frame; the answer is what is left of the input for the flight.
     pub fn update(&mut self, input: &Input, stage: &Stage) -> Input {
+        let whole = input.frame;
         self.can_vary = stage.varied.is_some();
-        let open = self.uses(Tool::Vary);
-        let input = &self.vary.update(input, stage, open);
-        self.open ^= pressed(input, Key::I);
+        // The plot has the foot of the canvas, everything else what is above it.
+        let above = Input { frame: self.room(&whole), ..input.clone() };
+        let input = Input { frame: whole, ..self.vary.update(&above, stage, self.uses(Tool::Vary)) };
+        self.open ^= pressed(&input, Key::I);
+        let input = if self.uses(Tool::Plot) { self.plot.update(&input, stage) } else { input };
         if !self.open {
-            return input.clone();
+            return Input { frame: whole, ..input };
         }
         let places = self.places(&input.frame);
         self.rail.place(places.rail.clone());
@@ -106,10 +119,10 @@ impl Instruments {
             self.used[tool] ^= true;
         }
         let used = self.used;
-        let covered = self.areas(&input.frame).iter().any(|area| area.contains(input.pointer));
-        let mut rest = self.measures.update(input, stage, (&places.rail, covered), |tool| used[tool as usize]);
-        rest.click &= !self.areas(&input.frame).iter().any(|area| area.contains(input.pointer));
-        rest
+        let covered = self.areas(&whole).iter().any(|area| area.contains(input.pointer));
+        let mut rest = self.measures.update(&input, stage, (&places.rail, covered), |tool| used[tool as usize]);
+        rest.click &= !self.areas(&whole).iter().any(|area| area.contains(input.pointer));
+        Input { frame: whole, ..rest }
     }
 
     /// Reads what is known of the moment that is drawn, at the end of its frame.
@@ -121,13 +134,15 @@ impl Instruments {
     }
 
     /// The flight was left at that tick and goes on otherwise.
-    pub fn back_to(&mut self, _history: &History, tick: u64) {
+    pub fn back_to(&mut self, history: &History, tick: u64) {
         self.measures.back_to(tick);
+        self.plot.back_to(history, tick);
     }
 
-    /// The flight was flown again from its start, in a level that was varied: whatever was read of it is read anew.
+    /// The flight was flown again in a level that was varied, or there is another run before: whatever was read is read anew.
     pub fn flown_again(&mut self) {
         self.measures.flown_again();
+        self.plot.flown_again();
     }
 
     /// The panel that varies the level.
@@ -143,7 +158,37 @@ impl Instruments {
     /// The same for another flight: what is open stays open, and what was measured is put away.
     #[must_use]
     pub fn of_another_flight(self) -> Self {
-        Self { measures: self.measures.of_another_flight(), ..self }
+        Self { measures: self.measures.of_another_flight(), plot: self.plot.of_another_flight(), ..self }
+    }
+
+    /// The moment of the flight, in ticks, to which the world is to be taken.
+    pub fn take_seek(&mut self) -> Option<u64> {
+        self.plot.take_seek()
+    }
+
+    /// A file that is to be written.
+    pub fn take_export(&mut self) -> Option<NewFile> {
+        self.plot.take_export()
+    }
+
+    /// What became of it.
+    pub fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
+        self.plot.tell_of_export(told);
+    }
+
+    /// Whether a flight that has ended stays on the screen to be looked at.
+    pub const fn stays(&self) -> bool {
+        self.uses(Tool::Plot)
+    }
+
+    /// The plot.
+    pub const fn plot(&self) -> &Plot {
+        &self.plot
+    }
+
+    /// The part of the canvas in which the flight is.
+    pub fn room(&self, frame: &Frame) -> Frame {
+        if self.uses(Tool::Plot) { self.plot.above(frame) } else { *frame }
     }
 
     /// Whether the rail is there.
@@ -163,11 +208,12 @@ impl Instruments {
 
     /// What covers the flight.
     pub fn areas(&self, frame: &Frame) -> Vec<Area> {
-        if self.open {
-            self.places(frame).areas().chain(self.measures.areas()).chain(self.vary.area()).collect()
-        } else {
-            Vec::new()
+        if !self.open {
+            return Vec::new();
         }
+        let plot = self.uses(Tool::Plot).then(|| self.plot.area(frame));
+        let places = self.places(&self.room(frame));
+        places.areas().chain(plot).chain(self.measures.areas()).chain(self.vary.area()).collect()
     }
 
     /// What is measured with at the left.

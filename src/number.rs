@@ -1,4 +1,4 @@
-//! How results print numbers.
+//! How results and exports print numbers.
 
 use crate::physics::DVec2;
 use serde::{Serialize, Serializer};

@@ -1,0 +1,278 @@
+//! A curve of one quantity of a body over another: what a flight gave, tick by tick; the slope at a point, the area under a stretch, and
+//! what of it is drawn where there are more points than pixels.
+
+use super::quantity::Quantity;
+use super::series::{Extremes, Series};
+use super::track::Track;
+use std::ops::Range;
+
+/// A curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    across: Quantity,
+    up: Quantity,
+    xs: Series,
+    ys: Series,
+    /// Where an impact came between a point and the one before it.
+    breaks: Vec<usize>,
+}
+
+impl Curve {
+    /// One of which nothing is known.
+    pub fn new(across: Quantity, up: Quantity) -> Self {
+        Self { across, up, xs: Series::default(), ys: Series::default(), breaks: Vec::new() }
+    }
+
+    /// What is to the right.
+    pub const fn across(&self) -> Quantity {
+        self.across
+    }
+
+    /// What is upwards.
+    pub const fn up(&self) -> Quantity {
+        self.up
+    }
+
+    /// Reads on what has been read of the body; a track that has become shorter is another flight's from there on.
+    pub fn follow(&mut self, track: &Track) {
+        self.truncate(track.len());
+        let known = self.len();
+        for place in known..track.len() {
+            let moment = track.moment(place);
+            self.xs.push(self.across.of(&moment));
+            self.ys.push(self.up.of(&moment));
+        }
+        if self.up.jumps() || self.across.jumps() {
+            let new = track.impacts().iter().copied().filter(|place| *place >= known.max(1));
+            self.breaks.extend(new);
+        }
+    }
+
+    /// Forgets all but the first so many points.
+    pub fn truncate(&mut self, length: usize) {
+        if length < self.len() {
+            self.xs.truncate(length);
+            self.ys.truncate(length);
+            self.breaks.retain(|place| *place < length);
+        }
+    }
+
+    /// What is to the right and upwards, each with its numbers.
+    pub fn columns(&self) -> [(Quantity, &[f64]); 2] {
+        [(self.across, self.xs.values()), (self.up, self.ys.values())]
+    }
+
+    /// How many points there are.
+    pub fn len(&self) -> usize {
+        self.ys.values().len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The point at a place.
+    pub fn point(&self, place: usize) -> Option<(f64, f64)> {
+        Some((*self.xs.values().get(place)?, *self.ys.values().get(place)?))
+    }
+
+    /// The extremes to the right and upwards over some places; nothing where there are none.
+    pub fn extremes(&self, places: Range<usize>) -> Option<(Extremes, Extremes)> {
+        Some((self.xs.extremes(places.clone())?, self.ys.extremes(places)?))
+    }
+
+    /// The slope at a place: exactly, dy/dt over dx/dt, where both follow from the moment ([`Quantity::rate`]); else the central difference
+    /// of the neighbours, and at an end or a break that of the one neighbour on this side. Nothing where the curve stands upright.
+    pub fn slope(&self, track: &Track, place: usize) -> Option<f64> {
+        if place >= self.len() {
+            return None;
+        }
+        // Before the first tick nothing has acted yet.
+        if let (true, Some(up)) = (place > 0, self.up.rate(&track.moment(place))) {
+            match self.across.rate(&track.moment(place)) {
+                Some(0.0) => return None,
+                Some(across) => return Some(up / across),
+                None => {}
+            }
+        }
+        let broken = |place: usize| self.breaks.binary_search(&place).is_ok();
+        let from = if place > 0 && !broken(place) { place - 1 } else { place };
+        let to = if place + 1 < self.len() && !broken(place + 1) { place + 1 } else { place };
+        let ((x0, y0), (x1, y1)) = (self.point(from)?, self.point(to)?);
+        (x1 != x0).then(|| (y1 - y0) / (x1 - x0))
+    }
+
+    /// ∫ y dx from one place to another, by the trapezoid rule: exact where the curve is straight from tick to tick; negative where the
+    /// curve runs to the left, as work against a motion is.
+    pub fn area(&self, from: usize, to: usize) -> f64 {
+        let (xs, ys) = (self.xs.values(), self.ys.values());
+        let last = to.min(self.len().saturating_sub(1));
+        (from..last).map(|i| 0.5 * (ys[i] + ys[i + 1]) * (xs[i + 1] - xs[i])).sum()
+    }
+
+    /// What is drawn of some places: unbroken ways through points. Over time, points that share a column of width `grain.0` are drawn by
+    /// their first, least and largest one; otherwise one that is nearer than the grain to the one drawn before is left out.
+    pub fn drawn(&self, places: Range<usize>, grain: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
+        let places = places.start..places.end.min(self.len());
+        let ends = self.breaks.iter().copied().filter(|place| places.contains(place)).chain([places.end]);
+        let mut from = places.start;
+        let mut ways = Vec::new();
+        for end in ends {
+            if from < end {
+                let stretch = from..end;
+                ways.push(if self.across == Quantity::Time {
+                    self.by_columns(stretch, grain.0)
+                } else {
+                    self.apart(stretch, grain)
+                });
+            }
+            from = end;
+        }
+        ways
+    }
+
+    fn by_columns(&self, stretch: Range<usize>, width: f64) -> Vec<(f64, f64)> {
+        let (xs, ys) = (self.xs.values(), self.ys.values());
+        let apart = if xs.len() > 1 { xs[1] - xs[0] } else { width };
+        let together = (width / apart).ceil().max(1.0) as usize;
+        if together <= 4 {
+            return stretch.map(|i| (xs[i], ys[i])).collect();
+        }
+        let mut way = Vec::new();
+        let mut from = stretch.start;
+        while from < stretch.end {
+            // Columns begin at the same points wherever the view does: nothing shimmers.
+            let end = ((from / together + 1) * together).min(stretch.end);
+            let middle = xs[usize::midpoint(from, end - 1)];
+            way.push((xs[from], ys[from]));
+            // What lies between this point and the next column's is drawn by the line between them.
+            let next = if end < stretch.end { ys[end] } else { ys[from] };
+            if let Some((least, largest)) = self.ys.extremes(from..end) {
+                way.extend((least < ys[from].min(next)).then_some((middle, least)));
+                way.extend((largest > ys[from].max(next)).then_some((middle, largest)));
+            }
+            from = end;
+        }
+        way.push((xs[stretch.end - 1], ys[stretch.end - 1]));
+        way
+    }
+
+    fn apart(&self, stretch: Range<usize>, grain: (f64, f64)) -> Vec<(f64, f64)> {
+        let (xs, ys) = (self.xs.values(), self.ys.values());
+        let mut way: Vec<(f64, f64)> = Vec::new();
+        let last = stretch.end - 1;
+        for i in stretch {
+            let far = way.last().is_none_or(|(x, y)| (xs[i] - x).abs() >= grain.0 || (ys[i] - y).abs() >= grain.1);
+            if far || i == last {
+                way.push((xs[i], ys[i]));
+            }
+        }
+        way
+    }
+
+    /// The place among some whose point is nearest to one, distances counted in grains.
+    pub fn nearest(&self, places: Range<usize>, (x, y): (f64, f64), grain: (f64, f64)) -> Option<(usize, f64)> {
+        let (xs, ys) = (self.xs.values(), self.ys.values());
+        let places = places.start..places.end.min(self.len());
+        let distance = |i: usize| (((xs[i] - x) / grain.0).powi(2) + ((ys[i] - y) / grain.1).powi(2)).sqrt();
+        places.map(|i| (i, distance(i))).min_by(|(_, a), (_, b)| a.total_cmp(b))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::{Controls, Game, SHIP};
+    use crate::instruments::quantity::Part;
+    use crate::instruments::walk::Reader;
+    use crate::level;
+    use proptest::prelude::*;
+    use std::path::Path;
+    use std::sync::Arc;
+
+    /// The ship of level 1, which goes up for half a second and falls to the floor.
+    fn hop(ticks: u64) -> Track {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let level = Arc::new(level::load(&root.join("levels/1"), root).expect("it ships").level);
+        let mut game = Game::new(level).expect("it loads");
+        let mut track = Track::new(SHIP);
+        track.begin(&game);
+        for tick in 0..ticks {
+            game.step(Controls { thrust: tick < 60, ..Controls::default() });
+            Reader::tick(&mut track, &game);
+        }
+        track
+    }
+
+    fn curve(track: &Track, across: Quantity, up: Quantity) -> Curve {
+        let mut curve = Curve::new(across, up);
+        curve.follow(track);
+        curve
+    }
+
+    #[test]
+    fn slopes_and_areas_are_those_of_mechanics() {
+        let track = hop(400);
+        assert!(!track.impacts().is_empty(), "it comes down again");
+        let landing = track.impacts()[0];
+        let (y, v) = (Quantity::Y, Quantity::Velocity(Part::Y));
+        let (height, speed) = (curve(&track, Quantity::Time, y), curve(&track, Quantity::Time, v));
+        let gained = height.point(landing - 1).unwrap().1 - height.point(0).unwrap().1;
+        // Between the ticks at which the engine goes on and off, and those of a motion with drag, the trapezoid is not exact.
+        assert!((speed.area(0, landing - 1) - gained).abs() < 1e-3, "{} {gained}", speed.area(0, landing - 1));
+        for place in [30, 150, landing - 1] {
+            let moment = track.moment(place);
+            assert_eq!(speed.slope(&track, place), Some(moment.acceleration.y));
+            let differences = (speed.point(place).unwrap().1 - speed.point(place - 1).unwrap().1) * track.tick_rate();
+            assert!((differences - moment.acceleration.y).abs() < 0.1, "{place}: {differences} {}", moment.acceleration.y);
+        }
+        // Work is the area under the force along the way.
+        let (force, energy) = (Quantity::Resultant(Part::Y), Quantity::Kinetic);
+        let work = curve(&track, y, force).area(61, landing - 1);
+        let kinetic = |place: usize| energy.of(&track.moment(place));
+        assert!((work - (kinetic(landing - 1) - kinetic(61))).abs() < 1e-3 * work.abs(), "{work}");
+    }
+
+    #[test]
+    fn an_impact_breaks_what_jumps_and_nothing_else() {
+        let track = hop(400);
+        let landing = track.impacts()[0];
+        let ways = |up| curve(&track, Quantity::Time, up).drawn(0..track.len(), (0.0, 0.0));
+        assert_eq!(ways(Quantity::Y).len(), 1);
+        let speed = ways(Quantity::Velocity(Part::Y));
+        assert_eq!(speed.len(), 1 + track.impacts().len());
+        assert_eq!((speed[0].len(), speed[1][0].0), (landing, track.time(landing)));
+        // Forces have no rate: their slope is a difference, which never reaches over a break.
+        let force = curve(&track, Quantity::Time, Quantity::Resultant(Part::Y));
+        let slope = force.slope(&track, landing - 1).unwrap();
+        let one_sided = (force.point(landing - 1).unwrap().1 - force.point(landing - 2).unwrap().1) * track.tick_rate();
+        assert!((slope - one_sided).abs() <= 1e-9 * (1.0 + one_sided.abs()), "{slope} {one_sided}");
+    }
+
+    #[test]
+    fn a_flight_that_was_left_is_forgotten_and_the_other_one_read() {
+        let (mut track, whole) = (hop(300), hop(200));
+        let quantity = Quantity::Velocity(Part::Size);
+        let mut kept = curve(&track, Quantity::Time, quantity);
+        track.back_to(200);
+        kept.follow(&track);
+        assert_eq!(kept, curve(&whole, Quantity::Time, quantity));
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_drawn_reaches_as_far_as_the_curve(from in 0..390_usize, length in 2..400_usize, grain in 0.0..0.5_f64) {
+            let track = hop(400);
+            for (across, up) in [(Quantity::Time, Quantity::Resultant(Part::Size)), (Quantity::Y, Quantity::Velocity(Part::Y))] {
+                let curve = curve(&track, across, up);
+                let places = from..(from + length).min(curve.len());
+                let (_, (least, largest)) = curve.extremes(places.clone()).unwrap();
+                let drawn: Vec<f64> = curve.drawn(places, (grain, grain)).into_iter().flatten().map(|(_, y)| y).collect();
+                let (low, high) = drawn.iter().fold((f64::MAX, f64::MIN), |(low, high), y| (low.min(*y), high.max(*y)));
+                let lost = if across == Quantity::Time { 0.0 } else { grain };
+                prop_assert!(low >= least && high <= largest && low - least <= lost && largest - high <= lost);
+            }
+        }
+    }
+}

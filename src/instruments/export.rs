@@ -1,0 +1,219 @@
+//! Curves as files that are taken along: a table with every tick and every digit, and a picture by the Lab's hand. Neither knows a disk.
+
+use super::chart::{Chart, Member, Window};
+use super::curve::Curve;
+use super::look;
+use super::quantity::Quantity;
+use super::track::Track;
+use crate::lab::lanes::{self, Sheet, Way};
+use crate::lab::look::Look;
+use crate::number::Shortest;
+use csv::WriterBuilder;
+
+/// How many numbers an upright axis of the picture names, about, where it has the whole height.
+const NAMED: usize = 8;
+/// How many columns of points a picture has: two a pixel.
+const COLUMNS: f64 = 1300.0;
+/// How many characters of the level's name and of the curves' a file is named by.
+const NAME: usize = 40;
+
+/// A curve to be exported.
+#[derive(Clone, Copy)]
+pub struct Exported<'a> {
+    /// Whose, as players are told.
+    pub body: &'a str,
+    /// The curve.
+    pub curve: &'a Curve,
+    /// What it was read from.
+    pub track: &'a Track,
+    /// Its number, by which it looks as it does.
+    pub number: usize,
+}
+
+impl Exported<'_> {
+    fn look(&self) -> Look {
+        look::of(self.number, self.curve.up())
+    }
+
+    fn label(&self) -> String {
+        format!("{} {}", self.body, self.curve.up().symbol())
+    }
+}
+
+/// A table: tick, time, and a column for each quantity of each body, in SI with y upwards; every number reads back as the same f64. A cell
+/// is empty where a body was not read so far.
+pub fn csv(curves: &[Exported]) -> String {
+    let mut columns: Vec<(String, &[f64])> = Vec::new();
+    for Exported { body, curve, .. } in curves {
+        for (quantity, values) in curve.columns() {
+            let heading = format!("{body} {}", quantity.heading());
+            if quantity != Quantity::Time && !columns.iter().any(|(other, _)| *other == heading) {
+                columns.push((heading, values));
+            }
+        }
+    }
+    let track = curves.iter().map(|curve| curve.track).max_by_key(|track| track.len());
+    let mut writer = WriterBuilder::new().from_writer(Vec::new());
+    // Memory takes all that is written to it, and every row has the head's length.
+    let _ =
+        writer.write_record(["tick".to_owned(), Quantity::Time.heading()].iter().chain(columns.iter().map(|(heading, _)| heading)));
+    for place in 0..track.map_or(0, Track::len) {
+        let Some(track) = track else { break };
+        let cell = |value: &f64| Shortest(*value).to_string();
+        let cells = columns.iter().map(|(_, values)| values.get(place).map_or_else(String::new, cell));
+        let _ = writer.write_record([track.tick_of(place).to_string(), cell(&track.time(place))].into_iter().chain(cells));
+    }
+    writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
+}
+
+/// A picture of the same within a stretch of time.
+///
+/// # Errors
+/// What the plotting library reports, in words.
+pub fn svg(title: &str, window: Window, curves: &[Exported]) -> Result<String, String> {
+    let across = curves.first().map_or(Quantity::Time, |exported| exported.curve.across());
+    let places = |track: &Track| track.places(window);
+    let members: Vec<Member> = curves.iter().map(|exported| (exported.number, exported.curve, places(exported.track))).collect();
+    let chart = Chart::of(across, window, &members);
+    let of_number = |number: usize| curves.iter().find(|exported| exported.number == number);
+    let lane = |lane: &super::chart::Lane| {
+        let shown: Vec<&Exported> = lane.curves.iter().filter_map(|number| of_number(*number)).collect();
+        let width = (chart.axis.to - chart.axis.from) / COLUMNS;
+        let grain = (width, (lane.axis.to - lane.axis.from) / COLUMNS);
+        let ways = shown.iter().flat_map(|exported| {
+            let mut ways = exported.curve.drawn(places(exported.track), grain);
+            ways.iter_mut().flatten().for_each(|(_, up)| *up = lane.axis.part(*up));
+            let longest = (0..ways.len()).max_by_key(|way| ways[*way].len());
+            let marker = move |way: usize, points: &[(f64, f64)]| (Some(way) == longest).then_some(points.len() / 2);
+            let look = exported.look();
+            ways.into_iter()
+                .enumerate()
+                .map(move |(i, points)| Way { look, marker: marker(i, &points), points })
+                .collect::<Vec<_>>()
+        });
+        lanes::Lane {
+            name: lane.name(|number| of_number(number).map_or_else(String::new, |exported| exported.curve.up().symbol())),
+            height: 1,
+            named: lane
+                .axis
+                .named(NAMED / chart.lanes.len().max(1))
+                .into_iter()
+                .map(|(value, name)| (lane.axis.part(value), name))
+                .collect(),
+            line: None,
+            marks: impacts(&shown, across, window),
+            ways: ways.collect(),
+        }
+    };
+    let sheet = Sheet {
+        title: title.to_owned(),
+        notes: vec!["SI units, y upwards.".to_owned(), "Dotted upright: an impact.".to_owned()],
+        across: chart.axis,
+        across_name: across.heading(),
+        lanes: chart.lanes.iter().map(lane).collect(),
+        legend: curves.iter().map(|exported| (exported.label(), exported.look())).collect(),
+    };
+    lanes::svg(&sheet)
+}
+
+/// When there were impacts, s; over anything but time they are the curve's breaks.
+fn impacts(shown: &[&Exported], across: Quantity, window: Window) -> Vec<f64> {
+    let times = shown.iter().flat_map(|exported| exported.track.impacts().iter().map(|place| exported.track.time(*place)));
+    let mut times: Vec<f64> = times.filter(|time| across == Quantity::Time && *time >= window.0 && *time <= window.1).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times
+}
+
+/// What the files of these curves are called, without number and ending: the level and what is plotted, in letters that every system takes.
+pub fn stem(level: &str, curves: &[Exported]) -> String {
+    let plain =
+        |text: &str| -> String { text.chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '-' }).take(NAME).collect() };
+    let mut symbols: Vec<String> = curves.iter().map(|exported| exported.curve.up().symbol().replace('|', "")).collect();
+    symbols.dedup();
+    format!("{}-{}", plain(level), plain(&symbols.join("-")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::{Controls, Game, SHIP};
+    use crate::instruments::quantity::Part;
+    use crate::instruments::walk::Reader;
+    use crate::level;
+    use std::path::Path;
+    use std::sync::Arc;
+
+    fn track(ticks: u64) -> Track {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let level = Arc::new(level::load(&root.join("levels/1"), root).expect("it ships").level);
+        let mut game = Game::new(level).expect("it loads");
+        let mut track = Track::new(SHIP);
+        track.begin(&game);
+        for tick in 0..ticks {
+            game.step(Controls { thrust: tick < 60, right: tick % 7 == 0, ..Controls::default() });
+            Reader::tick(&mut track, &game);
+        }
+        track
+    }
+
+    fn curve(track: &Track, across: Quantity, up: Quantity) -> Curve {
+        let mut curve = Curve::new(across, up);
+        curve.follow(track);
+        curve
+    }
+
+    #[test]
+    fn every_cell_of_a_table_reads_back_bit_for_bit_and_no_column_is_there_twice() {
+        let (long, short) = (track(300), track(100));
+        let curves = [Quantity::Velocity(Part::X), Quantity::Kinetic, Quantity::X].map(|up| curve(&long, Quantity::X, up));
+        let other = curve(&short, Quantity::X, Quantity::Y);
+        let mut exported: Vec<Exported> =
+            curves.iter().enumerate().map(|(number, curve)| Exported { body: "Ship", curve, track: &long, number }).collect();
+        exported.push(Exported { body: "Box, 1", curve: &other, track: &short, number: 3 });
+        let text = csv(&exported);
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let head: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+        let heads = ["tick", "t (s)", "Ship x (m)", "Ship v_x (m/s)", "Ship E_kin (J)", "Box, 1 x (m)", "Box, 1 y (m)"];
+        assert_eq!(head, heads);
+        let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+        assert_eq!(rows.len(), 301);
+        for (place, row) in rows.iter().enumerate() {
+            let moment = long.moment(place);
+            let ours =
+                [Quantity::Time, Quantity::X, Quantity::Velocity(Part::X), Quantity::Kinetic].map(|quantity| quantity.of(&moment));
+            assert_eq!(row[0].parse::<usize>().unwrap(), place);
+            for (cell, value) in row.iter().skip(1).zip(ours) {
+                assert_eq!(cell.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{cell}");
+            }
+            assert_eq!(row[6].is_empty(), place > 100, "not read so far");
+        }
+    }
+
+    #[test]
+    fn a_picture_names_its_axes_and_has_no_bad_numbers_and_bounded_size() {
+        let track = track(3000);
+        let curves = [Quantity::Y, Quantity::Velocity(Part::Y), Quantity::Force(crate::physics::ForceKind::Reaction, Part::Size)]
+            .map(|up| curve(&track, Quantity::Time, up));
+        let exported: Vec<Exported> =
+            curves.iter().enumerate().map(|(number, curve)| Exported { body: "Ship", curve, track: &track, number }).collect();
+        let picture = svg("Up <and> down", (0.0, 25.0), &exported).unwrap();
+        for words in ["Up &lt;and&gt; down", "Ship v_y", "y (m)", "v_y (m/s)", "|Reaction| (N)", "t (s)"] {
+            assert!(picture.contains(words), "{words}");
+        }
+        assert!(!picture.contains("NaN") && !picture.contains("inf") && picture.len() < 300_000, "{}", picture.len());
+    }
+
+    #[test]
+    fn names_of_files_are_words() {
+        let track = track(1);
+        let curve = curve(&track, Quantity::Time, Quantity::Velocity(Part::Size));
+        let exported = [Exported { body: "Ship", curve: &curve, track: &track, number: 0 }];
+        for (level, name) in
+            [("1", "1-v"), ("../../etc", "------etc-v"), ("a:b\\c", "a-b-c-v"), ("höhle 2", "höhle-2-v"), ("con", "con-v")]
+        {
+            assert_eq!(stem(level, &exported), name);
+        }
+        assert!(stem(&"x".repeat(500), &exported).len() < 100);
+    }
+}

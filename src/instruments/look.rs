@@ -1,0 +1,37 @@
+//! How curves of a flight look: up to four, told apart by colour, dash and marker. A force has the colour that it has everywhere.
+
+use super::quantity::Quantity;
+use crate::lab::curve::Origin;
+use crate::lab::look::Look;
+use crate::physics::ForceKind;
+
+/// The resultant force.
+pub const RESULTANT: u32 = 0xFFFFFF;
+/// Of everything that is no force, by the curve's number: none of them is a force's.
+const COLOURS: [u32; 4] = [0x7FA7FF, 0xF28DB2, 0x9AD14B, 0xE6EBF2];
+
+/// The colour of a force, as 0xRRGGBB.
+pub const fn force(kind: ForceKind) -> u32 {
+    match kind {
+        ForceKind::Weight => 0xB79CED,
+        ForceKind::Drive => 0xFF9F1C,
+        ForceKind::Reaction => 0x56B4E9,
+        ForceKind::Friction => 0xD55E00,
+        ForceKind::AirResistance => 0x8FD3FF,
+        ForceKind::Wind => 0xDCE6F5,
+        ForceKind::Buoyancy => 0x009E73,
+        ForceKind::ViscousDrag => 0xA3A847,
+        ForceKind::Push => 0xF0E442,
+    }
+}
+
+/// How the curve of that number looks.
+pub fn of(number: usize, up: Quantity) -> Look {
+    let colour = match up {
+        Quantity::Force(kind, _) => force(kind),
+        Quantity::Resultant(_) => RESULTANT,
+        _ => COLOURS[number % COLOURS.len()],
+    };
+    // Dash and marker are the Lab's.
+    Look { colour, ..Look::of(number, Origin::Lab) }
+}

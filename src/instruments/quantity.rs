@@ -1,0 +1,296 @@
+//! What can be measured of a body at an instant: its symbol, its unit, its value, and how fast it changes where a law says so. x counts to
+//! the right from the level's left edge and y **up** from its lower edge, as in school.
+
+use super::unit::Unit;
+use crate::game::Game;
+use crate::physics::{BodyId, DVec2, ForceKind};
+
+/// A part of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// To the right.
+    X,
+    /// Upwards.
+    Y,
+    /// Its size.
+    Size,
+}
+
+impl Part {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Size];
+
+    fn of(self, vector: DVec2) -> f64 {
+        match self {
+            Self::X => vector.x,
+            Self::Y => vector.y,
+            Self::Size => vector.length(),
+        }
+    }
+
+    /// How fast it changes where the vector changes at that rate; of the size of a vector that is none: in neither direction.
+    fn rate_of(self, vector: DVec2, rate: DVec2) -> Option<f64> {
+        match self {
+            Self::X => Some(rate.x),
+            Self::Y => Some(rate.y),
+            Self::Size => (vector != DVec2::ZERO).then(|| vector.dot(rate) / vector.length()),
+        }
+    }
+
+    fn written(self, symbol: &str) -> String {
+        match self {
+            Self::X => format!("{symbol}_x"),
+            Self::Y => format!("{symbol}_y"),
+            Self::Size => format!("|{symbol}|"),
+        }
+    }
+}
+
+/// Something that can be measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Since the start, s.
+    Time,
+    /// From the level's left edge, m.
+    X,
+    /// Above the level's lower edge, m.
+    Y,
+    /// m/s.
+    Velocity(Part),
+    /// m/s².
+    Acceleration(Part),
+    /// Of all forces, N.
+    Resultant(Part),
+    /// All forces of a kind together, N.
+    Force(ForceKind, Part),
+    /// m·v, N·s.
+    Momentum(Part),
+    /// ½·m·v², J.
+    Kinetic,
+    /// m·g·y in the gravity of the level, J: zones of another gravity and liquids have none in it.
+    Potential,
+    /// Kinetic and potential together, J.
+    Mechanical,
+}
+
+/// Everything about a body at an instant, y upwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// s.
+    pub time: f64,
+    /// What the level says of it.
+    pub constants: Constants,
+    /// m, from the level's lower left corner.
+    pub position: DVec2,
+    /// m/s.
+    pub velocity: DVec2,
+    /// m/s².
+    pub acceleration: DVec2,
+    /// N.
+    pub resultant: DVec2,
+    /// By kind, in the order of [`ForceKind::ALL`], N.
+    pub forces: [DVec2; ForceKind::ALL.len()],
+}
+
+/// What a level says of a body, and does not change while it is flown as it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Constants {
+    /// kg.
+    pub mass: f64,
+    /// The level's gravity on it, N/kg, y upwards.
+    pub field: DVec2,
+    /// Where its potential energy is none, m: the edges to which the field points.
+    pub ground: DVec2,
+    /// Height of the level, m.
+    pub height: f64,
+}
+
+impl Constants {
+    /// Of a body of a game.
+    pub fn of(game: &Game, id: BodyId) -> Self {
+        let (level, body) = (game.level(), game.world().body(id));
+        let field = if body.weightless { DVec2::ZERO } else { DVec2::new(level.gravity_x, -level.gravity) };
+        let edge = |pull: f64, size: f64| if pull > 0.0 { size } else { 0.0 };
+        let ground = DVec2::new(edge(field.x, level.size.x), edge(field.y, level.size.y));
+        Self { mass: body.mass, field, ground, height: level.size.y }
+    }
+}
+
+/// A vector of the engine, whose y counts down.
+pub(super) fn upwards(vector: DVec2) -> DVec2 {
+    // Subtracted, so that none stays 0 and is not −0.
+    DVec2::new(vector.x, 0.0 - vector.y)
+}
+
+impl Moment {
+    /// The moment that a game shows.
+    pub fn of(game: &Game, id: BodyId) -> Self {
+        let (body, forces) = (game.world().body(id), game.world().forces(id));
+        let constants = Constants::of(game, id);
+        Self {
+            time: game.time(),
+            constants,
+            position: DVec2::new(body.position.x, constants.height - body.position.y),
+            velocity: upwards(body.velocity),
+            acceleration: upwards(body.acceleration),
+            resultant: upwards(forces.resultant()),
+            forces: ForceKind::ALL.map(|kind| upwards(forces.total(kind))),
+        }
+    }
+
+    fn kinetic(&self) -> f64 {
+        0.5 * self.constants.mass * self.velocity.length_squared()
+    }
+
+    fn potential(&self) -> f64 {
+        let Constants { mass, field, ground, .. } = self.constants;
+        0.0 - mass * field.dot(self.position - ground)
+    }
+}
+
+impl Quantity {
+    /// Its value at a moment, in its unit.
+    pub fn of(self, moment: &Moment) -> f64 {
+        match self {
+            Self::Time => moment.time,
+            Self::X => moment.position.x,
+            Self::Y => moment.position.y,
+            Self::Velocity(part) => part.of(moment.velocity),
+            Self::Acceleration(part) => part.of(moment.acceleration),
+            Self::Resultant(part) => part.of(moment.resultant),
+            Self::Force(kind, part) => part.of(moment.forces[kind as usize]),
+            Self::Momentum(part) => part.of(moment.constants.mass * moment.velocity),
+            Self::Kinetic => moment.kinetic(),
+            Self::Potential => moment.potential(),
+            Self::Mechanical => moment.kinetic() + moment.potential(),
+        }
+    }
+
+    /// How fast it changes at a moment, in its unit a second, where that follows from the moment itself: dr/dt = v, dv/dt = a,
+    /// d(½mv²)/dt = m·a·v. Acceleration and forces say nothing of how they will change.
+    pub fn rate(self, moment: &Moment) -> Option<f64> {
+        let Moment { velocity, acceleration, constants: Constants { mass, field, .. }, .. } = *moment;
+        match self {
+            Self::Time => Some(1.0),
+            Self::X => Some(velocity.x),
+            Self::Y => Some(velocity.y),
+            Self::Velocity(part) => part.rate_of(velocity, acceleration),
+            Self::Momentum(part) => part.rate_of(mass * velocity, mass * acceleration),
+            Self::Kinetic => Some(mass * acceleration.dot(velocity)),
+            Self::Potential => Some(-mass * field.dot(velocity)),
+            Self::Mechanical => Some(mass * (acceleration - field).dot(velocity)),
+            Self::Acceleration(_) | Self::Resultant(_) | Self::Force(..) => None,
+        }
+    }
+
+    /// Its unit.
+    pub const fn unit(self) -> Unit {
+        match self {
+            Self::Time => Unit::SECOND,
+            Self::X | Self::Y => Unit::METRE,
+            Self::Velocity(_) => Unit::METRE.per(Unit::SECOND),
+            Self::Acceleration(_) => Unit::METRE.per(Unit::SECOND).per(Unit::SECOND),
+            Self::Resultant(_) | Self::Force(..) => Unit::NEWTON,
+            Self::Momentum(_) => Unit::NEWTON.times(Unit::SECOND),
+            Self::Kinetic | Self::Potential | Self::Mechanical => Unit::JOULE,
+        }
+    }
+
+    /// Its symbol: `t`, `v_y`, `|a|`, `Weight_y`.
+    pub fn symbol(self) -> String {
+        match self {
+            Self::Time => "t".to_owned(),
+            Self::X => "x".to_owned(),
+            Self::Y => "y".to_owned(),
+            Self::Velocity(part) => part.written("v"),
+            Self::Acceleration(part) => part.written("a"),
+            Self::Resultant(part) => part.written("F"),
+            Self::Force(kind, part) => part.written(kind.name()),
+            Self::Momentum(part) => part.written("p"),
+            Self::Kinetic => "E_kin".to_owned(),
+            Self::Potential => "E_pot".to_owned(),
+            Self::Mechanical => "E_mech".to_owned(),
+        }
+    }
+
+    /// Its symbol and its unit, as axes and tables are headed: `v_y (m/s)`.
+    pub fn heading(self) -> String {
+        format!("{} ({})", self.symbol(), self.unit().name())
+    }
+
+    /// What it belongs to, in words.
+    pub const fn family(self) -> &'static str {
+        match self {
+            Self::Time => "Time",
+            Self::X | Self::Y => "Position",
+            Self::Velocity(_) => "Velocity",
+            Self::Acceleration(_) => "Acceleration",
+            Self::Resultant(_) => "Resultant",
+            Self::Force(kind, _) => kind.name(),
+            Self::Momentum(_) => "Momentum",
+            Self::Kinetic | Self::Potential | Self::Mechanical => "Energy",
+        }
+    }
+
+    /// Whether an impact changes it at once, so that a curve of it has a break there. A place never jumps.
+    pub const fn jumps(self) -> bool {
+        !matches!(self, Self::Time | Self::X | Self::Y | Self::Potential)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn moment(time: f64, motion: impl Fn(f64) -> DVec2) -> Moment {
+        // Derivatives by differences: of a parabola these are exact but for rounding.
+        let h = 0.25;
+        let (before, at, after) = (motion(time - h), motion(time), motion(time + h));
+        let (velocity, acceleration) = ((after - before) / (2.0 * h), (after - 2.0 * at + before) / (h * h));
+        let constants = Constants { mass: 3.0, field: DVec2::new(0.5, -9.81), ground: DVec2::new(40.0, 0.0), height: 20.0 };
+        let forces = [DVec2::ZERO; ForceKind::ALL.len()];
+        Moment { time, constants, position: at, velocity, acceleration, resultant: 3.0 * acceleration, forces }
+    }
+
+    fn all() -> Vec<Quantity> {
+        let vectors = Part::ALL.into_iter().flat_map(|part| [Quantity::Velocity(part), Quantity::Momentum(part)]);
+        let plain = [Quantity::Time, Quantity::X, Quantity::Y, Quantity::Kinetic, Quantity::Potential, Quantity::Mechanical];
+        vectors.chain(plain).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn a_rate_is_the_slope_of_its_quantity(v in (1.0..9.0, -9.0..9.0), a in (-5.0..5.0, -9.9..9.9), t in -2.0..2.0) {
+            let motion = |t: f64| DVec2::new(5.0, 6.0) + DVec2::from(v) * t + 0.5 * DVec2::from(a) * t * t;
+            let h = 1e-4;
+            for quantity in all() {
+                let at = |t: f64| quantity.of(&moment(t, motion));
+                let slope = (at(t + h) - at(t - h)) / (2.0 * h);
+                let here = moment(t, motion);
+                // Where it turns round, the size of a velocity has a corner.
+                prop_assume!(here.velocity.length() > 0.1);
+                let rate = quantity.rate(&here).unwrap();
+                prop_assert!((slope - rate).abs() <= 1e-4 * (1.0 + rate.abs()), "{quantity:?}: {slope}, {rate}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_falls_freely_keeps_its_energy_and_headings_have_units() {
+        let fall = |t: f64| DVec2::new(5.0 + 0.25 * t * t, 6.0 + 2.0 * t - 0.5 * 9.81 * t * t);
+        let energy = |t: f64| Quantity::Mechanical.of(&moment(t, fall));
+        assert!((energy(0.0) - energy(3.0)).abs() < 1e-9 * energy(0.0));
+        assert!(Quantity::Mechanical.rate(&moment(1.0, fall)).unwrap().abs() < 1e-9);
+        let headings =
+            [Quantity::Y, Quantity::Velocity(Part::Y), Quantity::Force(ForceKind::Weight, Part::Size), Quantity::Kinetic];
+        assert_eq!(headings.map(Quantity::heading), ["y (m)", "v_y (m/s)", "|Weight| (N)", "E_kin (J)"]);
+    }
+
+    #[test]
+    fn the_kinds_of_force_stand_in_the_order_of_their_numbers() {
+        for (i, kind) in ForceKind::ALL.into_iter().enumerate() {
+            assert_eq!(kind as usize, i);
+        }
+    }
+}

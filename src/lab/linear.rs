@@ -1,0 +1,109 @@
+//! A linear axis: from which number to which, where a value lies on it, and which round numbers are named.
+
+use super::axes::number;
+use super::timeline::round_numbers;
+
+/// Beyond these sizes numbers are written with powers of ten, each for itself.
+const PLAIN: std::ops::Range<f64> = 1e-4..1e6;
+/// What the numbers may take of the axis before it ends beyond them, in parts of their span.
+const MARGIN: f64 = 0.06;
+/// A span of less than this part of its numbers is none: they are one number, and rounding.
+const SAME: f64 = 1e-9;
+
+/// The axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linear {
+    /// The lower end.
+    pub from: f64,
+    /// The upper one, above it.
+    pub to: f64,
+}
+
+impl Linear {
+    /// From one number to another; a little longer where they are one.
+    pub fn between(from: f64, to: f64) -> Self {
+        let size = from.abs().max(to.abs());
+        if to - from > SAME * size.max(SAME) {
+            return Self { from, to };
+        }
+        let half = if size > SAME { 0.5 * size } else { 1.0 };
+        Self { from: from - half, to: from + half }
+    }
+
+    /// Around numbers from the least to the largest, with a margin; to 0 where that is near.
+    pub fn around(least: f64, largest: f64) -> Self {
+        let Self { from, to } = Self::between(least, largest);
+        let span = to - from;
+        let to_zero = |end: f64, inwards: f64| if (0.0..0.25 * span).contains(&inwards) { 0.0 } else { end };
+        let (from, to) = (to_zero(from, from), to_zero(to, -to));
+        Self { from: from - MARGIN * span, to: to + MARGIN * span }
+    }
+
+    /// How far along a value lies: 0 at the lower end, 1 at the upper one.
+    pub fn part(&self, value: f64) -> f64 {
+        (value - self.from) / (self.to - self.from)
+    }
+
+    /// The value so far along.
+    pub fn value(&self, part: f64) -> f64 {
+        self.from + (self.to - self.from) * part
+    }
+
+    /// About so many round numbers, each with how it is written: with as many decimals as they need to differ.
+    pub fn named(&self, about: usize) -> Vec<(f64, String)> {
+        let numbers = round_numbers(self.from, self.to, about);
+        let apart = numbers.get(1).map_or(1.0, |second| second - numbers[0]);
+        let plain = PLAIN.contains(&apart) && self.from.abs().max(self.to.abs()) < PLAIN.end;
+        let decimals = (-(apart * 1.001).log10().floor()).max(0.0) as usize;
+        let written = |value: f64| match plain {
+            _ if value.abs() < 1e-6 * apart => "0".to_owned(),
+            true => format!("{value:.decimals$}").replace('-', "−"),
+            false => number(value),
+        };
+        numbers.into_iter().map(|value| (value, written(value))).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn names(from: f64, to: f64, about: usize) -> Vec<String> {
+        Linear { from, to }.named(about).into_iter().map(|(_, name)| name).collect()
+    }
+
+    #[test]
+    fn numbers_have_the_decimals_that_tell_them_apart() {
+        assert_eq!(names(-20.0, 20.0, 4), ["−20", "−10", "0", "10", "20"]);
+        assert_eq!(names(100.0, 100.5, 5), ["100.0", "100.1", "100.2", "100.3", "100.4", "100.5"]);
+        assert_eq!(names(0.0, 0.02, 2), ["0", "0.01", "0.02"]);
+        assert_eq!(names(0.0, 4e7, 2), ["0", "2.0·10⁷", "4.0·10⁷"]);
+    }
+
+    #[test]
+    fn an_axis_reaches_to_zero_where_that_is_near_and_holds_a_constant() {
+        assert_eq!(Linear::around(1.0, 10.0), Linear { from: -0.54, to: 10.54 });
+        assert_eq!(Linear::around(-10.0, -1.0), Linear { from: -10.54, to: 0.54 });
+        let steady = Linear::around(-981.0, -981.0);
+        assert!(
+            steady.from < -981.0 && steady.to > -981.0 && steady.part(-981.0) > 0.3 && steady.part(-981.0) < 0.95,
+            "{steady:?}"
+        );
+        let none = Linear::around(0.0, 0.0);
+        assert!(none.from < 0.0 && none.to > 0.0);
+    }
+
+    proptest! {
+        #[test]
+        fn all_numbers_lie_on_their_axis(a in -1e6..1e6_f64, span in prop_oneof![Just(0.0), 1e-12..1.0, 1.0..1e6_f64]) {
+            let axis = Linear::around(a, a + span);
+            prop_assert!(axis.part(a) >= 0.0 && axis.part(a + span) <= 1.0 && axis.to > axis.from);
+            let names: Vec<String> = axis.named(5).into_iter().map(|(_, name)| name).collect();
+            prop_assert!(names.len() < 16);
+            let mut distinct = names.clone();
+            distinct.dedup();
+            prop_assert_eq!(names, distinct);
+        }
+    }
+}

@@ -1,0 +1,319 @@
+//! Draws the plot: buttons and readings on the left, the lanes with their curves on the right, a line of words at the foot.
+
+use super::panel::Action;
+use super::places::SAMPLE;
+use super::{Plot, PlotPlaces};
+use crate::instruments::chart::{Chart, Lane};
+use crate::instruments::curve::Curve;
+use crate::instruments::look;
+use crate::instruments::quantity::Quantity;
+use crate::instruments::track::Track;
+use crate::lab::linear::Linear;
+use crate::lab::look::Look;
+use crate::view::canvas::{Canvas, Style};
+use crate::view::diagram::{marker, stroke};
+use crate::view::layout::{Area, DETAILS, GRID, Vec2};
+use crate::view::{quantity, theme, widgets};
+use macroquad::color::Color;
+use macroquad::math::Vec2 as Point;
+use macroquad::shapes::draw_triangle;
+use std::ops::Range;
+
+/// From one named number to the next, at least, in heights of the text: to the right and upwards.
+const APART: Vec2 = Vec2::new(6.0, 1.7);
+/// Points in less than so many canvas units are drawn as one column.
+const COLUMN: f64 = 1.5;
+/// Half the length of the tangent.
+const TANGENT: f32 = 48.0;
+/// How much of its colour the run before has, and the area under a curve.
+const PALE: f32 = 0.45;
+const SHADE: f32 = 0.22;
+/// Said while there is nothing else to be said.
+const HINT: &str =
+    "While it stands still (F) a click leads to that moment. Shift and drag: an area. Wheel: zoom. N: whom to follow.";
+
+/// Where numbers lie in a lane.
+#[derive(Clone, Copy)]
+struct Scale {
+    area: Area,
+    right: Linear,
+    up: Linear,
+}
+
+impl Scale {
+    fn at(&self, (x, y): (f64, f64)) -> Vec2 {
+        let Area { min, size } = self.area;
+        Vec2::new(min.x + size.x * self.right.part(x) as f32, min.y + size.y * (1.0 - self.up.part(y) as f32))
+    }
+
+    /// What one canvas unit stands for.
+    fn grain(&self) -> (f64, f64) {
+        let span = |axis: Linear, length: f32| (axis.to - axis.from) / f64::from(length);
+        (COLUMN * span(self.right, self.area.size.x), 0.5 * span(self.up, self.area.size.y))
+    }
+
+    /// A way through points as it lies within the lane from left to right.
+    fn within(&self, points: Vec<(f64, f64)>) -> Vec<Vec2> {
+        let (left, right) = (self.area.min.x, self.area.max().x);
+        let all: Vec<Vec2> = points.into_iter().map(|point| self.at(point)).collect();
+        let inside = |at: &Vec2| (left..=right).contains(&at.x);
+        let mut way: Vec<Vec2> = Vec::new();
+        for (i, at) in all.iter().enumerate() {
+            let edge = |other: &Vec2| {
+                let x = other.x.clamp(left, right);
+                *other + (*at - *other) * if at.x == other.x { 0.0 } else { (x - other.x) / (at.x - other.x) }
+            };
+            if inside(at) {
+                way.extend(i.checked_sub(1).map(|before| &all[before]).filter(|before| !inside(before)).map(edge));
+                way.push(*at);
+            } else if let Some(before) = i.checked_sub(1).map(|before| &all[before]).filter(|before| inside(before)) {
+                let x = at.x.clamp(left, right);
+                way.push(*before + (*at - *before) * ((x - before.x) / (at.x - before.x)));
+            }
+        }
+        way
+    }
+}
+
+impl Plot {
+    /// Draws all of it.
+    pub fn draw(&self, canvas: &Canvas) {
+        let places = PlotPlaces::new(canvas.frame(), self.large);
+        let panel = places.panel;
+        canvas.end_layer();
+        canvas.rounded(panel, 0.0, theme::panel());
+        canvas.line(panel.min, Vec2::new(panel.max().x, panel.min.y), 2.0, theme::panel_edge());
+        self.draw_lines(&places, canvas);
+        self.draw_buttons(canvas, |action| !matches!(action, Action::Choose(_) | Action::None | Action::Select(_)));
+        let chart = self.chart();
+        self.draw_lanes(&places, &chart, canvas);
+        let (words, colour) = match &self.told {
+            Some((words, true)) => (words.as_str(), theme::bad()),
+            Some((words, false)) => (words.as_str(), theme::good()),
+            None => (HINT, theme::quiet()),
+        };
+        let style = Style::new(DETAILS, colour).middle();
+        let at = Vec2::new(places.foot.min.x, places.foot.centre().y);
+        canvas.text(&widgets::cut(canvas, words, places.foot.size.x, style), at, style);
+        if let Some(list) = self.picker(&places) {
+            canvas.end_layer();
+            widgets::panel(canvas, list);
+            self.draw_buttons(canvas, |action| matches!(action, Action::Choose(_) | Action::None));
+        }
+    }
+
+    fn draw_buttons(&self, canvas: &Canvas, which: impl Fn(Action) -> bool) {
+        for (i, (area, (action, words))) in self.buttons.areas().iter().zip(&self.actions).enumerate() {
+            if !which(*action) {
+                continue;
+            }
+            let style = Style::new(DETAILS, theme::text()).middle();
+            if *action == Action::None {
+                canvas.text(words, Vec2::new(area.min.x, area.centre().y), Style { colour: theme::quiet(), ..style });
+            } else {
+                widgets::button_box(canvas, *area, self.buttons.hover() == Some(i), false);
+                canvas.text(words, area.centre(), style.centred());
+            }
+        }
+    }
+
+    /// The curves' lines: a sample, and below the buttons what is read.
+    fn draw_lines(&self, places: &PlotPlaces, canvas: &Canvas) {
+        let line = canvas.line_height(DETAILS);
+        for ((i, reading), area) in self.readings().into_iter().enumerate().zip(&places.lines) {
+            if i == self.selected {
+                canvas.rounded(area.inset(-1.0), 4.0, theme::panel_hover());
+            }
+            let look = look::of(i, self.lines[i].up);
+            let colour = theme::rgb(look.colour);
+            let middle = Vec2::new(area.min.x, area.min.y + line / 2.0 + 2.0);
+            stroke(canvas, &[middle, middle + Vec2::new(SAMPLE, 0.0)], &look, colour);
+            marker(canvas, middle + Vec2::new(SAMPLE / 2.0, 0.0), look.marker, colour);
+            let y = area.max().y - line / 2.0 - 2.0;
+            let style = Style::new(DETAILS, theme::text()).mono().middle();
+            let column = area.size.x / reading.numbers.len() as f32;
+            for (j, ((number, unit), what)) in reading.numbers.into_iter().zip(["", "slope ", "area "]).enumerate() {
+                let x = area.min.x + 4.0 + j as f32 * column;
+                let words = number.map_or_else(|| "–".to_owned(), |number| quantity::scalar(number, &unit.name()));
+                canvas.text(what, Vec2::new(x, y), Style { colour: theme::quiet(), ..style });
+                canvas.text(words.trim_end(), Vec2::new(x + canvas.width(what, style), y), style);
+            }
+        }
+    }
+
+    fn draw_lanes(&self, places: &PlotPlaces, chart: &Chart, canvas: &Canvas) {
+        let text = canvas.frame().text_height(DETAILS);
+        let areas = places.lanes(chart.lanes.len());
+        for (lane, area) in chart.lanes.iter().zip(&areas) {
+            let scale = Scale { area: *area, right: chart.axis, up: lane.axis };
+            canvas.rounded(*area, 0.0, theme::ground());
+            self.draw_axes(&scale, lane, text, canvas);
+            self.draw_area(&scale, lane, canvas);
+            self.draw_impacts(&scale, canvas);
+            for number in &lane.curves {
+                self.draw_curve(*number, &scale, canvas);
+            }
+            self.draw_name(lane, *area, text, canvas);
+        }
+        self.draw_moment(chart, &areas, canvas);
+        let foot = Vec2::new(places.plot.max().x, places.plot.max().y);
+        let quiet = Style::new(DETAILS, theme::quiet()).middle();
+        let below = foot.y + 0.7 * text;
+        let name = self.across.heading();
+        let room = foot.x - canvas.width(&name, quiet) - GRID;
+        canvas.text(&name, Vec2::new(foot.x, below), quiet.right());
+        for (value, words) in chart.axis.named((places.plot.size.x / (APART.x * text)) as usize) {
+            let x = places.plot.min.x + places.plot.size.x * chart.axis.part(value) as f32;
+            if x + canvas.width(&words, quiet) / 2.0 < room {
+                canvas.text(&words, Vec2::new(x, below), quiet.centred());
+            }
+        }
+        if chart.lanes.is_empty() {
+            canvas.text("Nothing is plotted: + Curve.", places.plot.centre(), quiet.centred());
+        }
+    }
+
+    fn draw_axes(&self, scale: &Scale, lane: &Lane, text: f32, canvas: &Canvas) {
+        let (area, end) = (scale.area, scale.area.max());
+        let quiet = Style::new(DETAILS, theme::quiet()).middle();
+        for (value, words) in lane.axis.named((area.size.y / (APART.y * text)).max(1.0) as usize) {
+            let y = scale.at((scale.right.from, value)).y;
+            let colour = if value == 0.0 { theme::solid_top() } else { theme::panel_edge() };
+            canvas.hairline(Vec2::new(area.min.x, y), Vec2::new(end.x, y), colour);
+            canvas.text(&words, Vec2::new(area.min.x - GRID, y), quiet.right());
+        }
+        for (value, _) in scale.right.named((area.size.x / (APART.x * text)) as usize) {
+            let x = scale.at((value, 0.0)).x;
+            canvas.hairline(Vec2::new(x, area.min.y), Vec2::new(x, end.y), theme::panel_edge());
+        }
+    }
+
+    /// What lies upwards in a lane, in its corner and above its curves.
+    fn draw_name(&self, lane: &Lane, area: Area, text: f32, canvas: &Canvas) {
+        let (name, style) = (lane.name(|number| self.lines[number].up.symbol()), Style::new(DETAILS, theme::text()).middle());
+        let size = Vec2::new(canvas.width(&name, style) + GRID, 1.4 * text);
+        let under = Area { min: area.min + Vec2::new(GRID / 2.0, 1.0), size };
+        canvas.rounded(under, 4.0, theme::faded(theme::ground(), 0.85));
+        canvas.text(&name, Vec2::new(under.min.x + GRID / 2.0, under.centre().y), style);
+    }
+
+    fn draw_curve(&self, number: usize, scale: &Scale, canvas: &Canvas) {
+        let line = &self.lines[number];
+        let object = &self.objects[line.whose];
+        let look = look::of(number, line.up);
+        let colour = theme::rgb(look.colour);
+        let window = self.window();
+        if let Some(track) = object.before() {
+            let pale = Look { dash: None, width: 1, ..look };
+            self.draw_ways(&line.before, track.places(window), (scale, &pale, theme::faded(colour, PALE)), canvas);
+        }
+        if let Some(track) = object.track() {
+            self.draw_ways(&line.now, track.places(window), (scale, &look, colour), canvas);
+        }
+    }
+
+    fn draw_ways(&self, curve: &Curve, places: Range<usize>, (scale, look, colour): (&Scale, &Look, Color), canvas: &Canvas) {
+        for way in curve.drawn(places, scale.grain()) {
+            stroke(canvas, &scale.within(way), look, colour);
+        }
+    }
+
+    /// What is between the selected curve and 0.
+    fn draw_area(&self, scale: &Scale, lane: &Lane, canvas: &Canvas) {
+        let Some((number, line, track)) = self.shown().find(|(number, ..)| *number == self.selected) else { return };
+        if !lane.curves.contains(&number) {
+            return;
+        }
+        let colour = theme::faded(theme::rgb(look::of(number, line.up).colour), SHADE);
+        let (from, to) = self.stretch(track);
+        let within = track.places(self.window());
+        let stretch = from.max(within.start)..(to + 1).min(within.end);
+        let zero = scale.at((0.0, 0.0)).y.clamp(scale.area.min.y, scale.area.max().y);
+        let foot = |at: Vec2| Vec2::new(at.x, zero);
+        let triangle = |corners: [Vec2; 3]| {
+            let [a, b, c] = corners.map(|corner| Point::new(corner.x, corner.y));
+            draw_triangle(a, b, c, colour);
+        };
+        for way in line.now.drawn(stretch.start..stretch.end.max(stretch.start), scale.grain()) {
+            for pair in scale.within(way).windows(2) {
+                let (a, b) = (pair[0], pair[1]);
+                if (a.y - zero) * (b.y - zero) < 0.0 {
+                    let crossing = foot(a + (b - a) * ((zero - a.y) / (b.y - a.y)));
+                    triangle([foot(a), a, crossing]);
+                    triangle([crossing, b, foot(b)]);
+                } else {
+                    triangle([foot(a), a, b]);
+                    triangle([foot(a), b, foot(b)]);
+                }
+            }
+        }
+        if self.span.is_some() && self.across == Quantity::Time {
+            for place in [from, to] {
+                let x = scale.at((track.time(place), 0.0)).x;
+                let top = Vec2::new(x, scale.area.min.y);
+                canvas.hairline(top, Vec2::new(x, scale.area.max().y), theme::text());
+            }
+        }
+    }
+
+    /// A dotted upright at each impact, over time.
+    fn draw_impacts(&self, scale: &Scale, canvas: &Canvas) {
+        if self.across != Quantity::Time {
+            return;
+        }
+        let mut drawn = f32::NEG_INFINITY;
+        for track in self.objects.iter().filter_map(super::Object::track) {
+            for place in track.impacts() {
+                let x = scale.at((track.time(*place), 0.0)).x;
+                // Of many at one place one is drawn.
+                if !(scale.area.min.x..=scale.area.max().x).contains(&x) || (x - drawn).abs() < 2.0 {
+                    continue;
+                }
+                drawn = x;
+                let mut y = scale.area.min.y;
+                while y < scale.area.max().y {
+                    let end = (y + 2.0).min(scale.area.max().y);
+                    canvas.hairline(Vec2::new(x, y), Vec2::new(x, end), theme::IMPACT);
+                    y += 6.0;
+                }
+                let top = Vec2::new(x, scale.area.min.y);
+                canvas.convex(&[top + Vec2::new(-4.0, 0.0), top + Vec2::new(4.0, 0.0), top + Vec2::new(0.0, 7.0)], theme::IMPACT);
+            }
+        }
+    }
+
+    /// The moment that the world shows: an upright line over time, a marker on each curve, and the tangent of the selected one.
+    fn draw_moment(&self, chart: &Chart, areas: &[Area], canvas: &Canvas) {
+        let place = |track: &Track| track.place(self.now);
+        if let (Quantity::Time, Some((_, _, track)), Some((first, last))) =
+            (self.across, self.shown().next(), areas.first().zip(areas.last()))
+        {
+            let part = chart.axis.part(track.time(place(track))) as f32;
+            if (0.0..=1.0).contains(&part) {
+                let x = first.min.x + first.size.x * part;
+                canvas.line(Vec2::new(x, first.min.y), Vec2::new(x, last.max().y), 1.5, theme::accent());
+            }
+        }
+        for (number, line, track) in self.shown() {
+            let Some(lane) = chart.lane_of(number) else { continue };
+            let scale = Scale { area: areas[lane], right: chart.axis, up: chart.lanes[lane].axis };
+            let Some(at) = line.now.point(place(track)).map(|point| scale.at(point)) else { continue };
+            if !scale.area.inset(-1.0).contains(at) {
+                continue;
+            }
+            let look = look::of(number, line.up);
+            let colour = theme::rgb(look.colour);
+            if let (true, Some(slope)) = (number == self.selected, line.now.slope(track, place(track))) {
+                let size = scale.area.size;
+                let right = f64::from(size.x) / (scale.right.to - scale.right.from);
+                let up = slope * f64::from(size.y) / (scale.up.to - scale.up.from);
+                let way = Vec2::new(right as f32, -up as f32).normalize_or_zero() * TANGENT;
+                let inside = |end: Vec2| end.clamp(scale.area.min, scale.area.max());
+                if way.is_finite() {
+                    canvas.line(inside(at - way), inside(at + way), 1.0, theme::text());
+                }
+            }
+            marker(canvas, at, look.marker, colour);
+        }
+    }
+}

@@ -1,0 +1,280 @@
+//! The plot: up to four curves of two objects, in a band below the flight. What they are of is chosen by mouse; they are there from the
+//! first tick, however late they are asked for. An upright line stands at the moment that the world shows, and leads to another one.
+
+mod choices;
+#[cfg(feature = "window")]
+mod drawing;
+mod hand;
+mod object;
+mod panel;
+mod places;
+mod readings;
+mod taken_along;
+
+use super::Stage;
+use crate::game::{History, SHIP, body_title};
+use crate::instruments::chart::{Chart, Member, Window};
+use crate::instruments::curve::Curve;
+use crate::instruments::quantity::{Part, Quantity};
+use crate::instruments::track::Track;
+use crate::physics::BodyId;
+use crate::screens::ahead::Ahead;
+use crate::screens::{Buttons, Input, Keys, NewFile};
+use crate::view::layout::{Area, Frame, Vec2};
+use hand::Hand;
+use object::Object;
+use panel::{Action, Format, Pick};
+pub use places::PlotPlaces;
+use places::{MOST_LINES, READINGS};
+pub use readings::Reading;
+use std::path::PathBuf;
+
+/// The shortest stretch of time that is drawn, s.
+const SHORTEST: f64 = 0.1;
+/// What is drawn of a flight that has just begun, s.
+const AT_LEAST: f64 = 1.0;
+/// What a further curve is of, the first of these that there is not yet.
+const NEXT: [Quantity; MOST_LINES] =
+    [Quantity::Y, Quantity::Velocity(Part::Y), Quantity::Acceleration(Part::Y), Quantity::Resultant(Part::Y)];
+
+/// A curve that is wanted.
+#[derive(Clone, Debug)]
+struct Line {
+    /// Of which of the two objects.
+    whose: usize,
+    up: Quantity,
+    now: Curve,
+    before: Curve,
+    /// Whose way the curves were read from.
+    read: Option<BodyId>,
+}
+
+impl Line {
+    fn new(whose: usize, across: Quantity, up: Quantity) -> Self {
+        Self { whose, up, now: Curve::new(across, up), before: Curve::new(across, up), read: None }
+    }
+}
+
+/// The plot.
+#[derive(Clone, Debug)]
+pub struct Plot {
+    lines: Vec<Line>,
+    across: Quantity,
+    objects: [Object; 2],
+    names: [Option<String>; 2],
+    compared: bool,
+    level: String,
+    tick_rate: f64,
+    /// What is drawn of the flight; none: all.
+    window: Option<Window>,
+    /// From and to which tick the area is.
+    span: Option<(u64, u64)>,
+    /// Whose area is shown.
+    selected: usize,
+    pick: Option<Pick>,
+    hand: Hand,
+    large: bool,
+    /// What became of the last export, and whether it failed.
+    told: Option<(String, bool)>,
+    waiting: Option<Format>,
+    export: Option<NewFile>,
+    seek: Option<u64>,
+    /// The tick that is shown.
+    now: u64,
+    ahead: Ahead,
+    buttons: Buttons,
+    actions: Vec<(Action, String)>,
+}
+
+impl Default for Plot {
+    fn default() -> Self {
+        let line = |up: &Quantity| Line::new(0, Quantity::Time, *up);
+        Self {
+            lines: NEXT[..2].iter().map(line).collect(),
+            across: Quantity::Time,
+            objects: Default::default(),
+            names: Default::default(),
+            compared: false,
+            level: String::new(),
+            tick_rate: 1.0,
+            window: None,
+            span: None,
+            selected: 0,
+            pick: None,
+            hand: Hand::default(),
+            large: false,
+            told: None,
+            waiting: None,
+            export: None,
+            seek: None,
+            now: 0,
+            ahead: Ahead::default(),
+            buttons: Buttons::default(),
+            actions: Vec::new(),
+        }
+    }
+}
+
+impl Plot {
+    /// One frame; the answer is what is left of the input, with the part of the canvas that is left for the flight.
+    pub fn update(&mut self, input: &Input, stage: &Stage) -> Input {
+        self.read(input.frame_time, stage);
+        let places = PlotPlaces::new(&input.frame, self.large);
+        self.lay_out(&places);
+        // Arrows and Enter fly.
+        let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
+        let picking = self.pick.is_some();
+        if let Some(pressed) = self.buttons.update(&pointer_only) {
+            self.act(self.actions[pressed].0);
+        } else if picking {
+            if input.click {
+                self.pick = None;
+            }
+        } else {
+            self.follow_pointer(input, &places, stage.seekable);
+        }
+        self.lay_out(&places);
+        let mut rest = Input { frame: self.above(&input.frame), ..input.clone() };
+        // A click beside an open list closes it, and does nothing else.
+        if picking || places.panel.contains(input.pointer) || self.hand.holds() {
+            (rest.click, rest.wheel, rest.pointed) = (false, 0.0, None);
+        }
+        rest
+    }
+
+    /// The part of the canvas above the panel.
+    pub fn above(&self, frame: &Frame) -> Frame {
+        Frame { size: Vec2::new(frame.size.x, PlotPlaces::new(frame, self.large).panel.min.y), ..*frame }
+    }
+
+    /// What is covered.
+    pub fn area(&self, frame: &Frame) -> Area {
+        PlotPlaces::new(frame, self.large).panel
+    }
+
+    /// The tick to which the world is to be taken.
+    pub fn take_seek(&mut self) -> Option<u64> {
+        self.seek.take()
+    }
+
+    /// What is to be written.
+    pub fn take_export(&mut self) -> Option<NewFile> {
+        self.export.take()
+    }
+
+    /// What became of it.
+    pub fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
+        self.told = Some(match told {
+            Ok(path) => (format!("Written: {}", path.display()), false),
+            Err(problem) => (problem, true),
+        });
+    }
+
+    /// What was said of the last export, and whether it failed.
+    pub fn told(&self) -> Option<(&str, bool)> {
+        self.told.as_ref().map(|(words, bad)| (words.as_str(), *bad))
+    }
+
+    /// Its buttons as they are laid out now: words and places.
+    pub fn buttons(&self) -> impl Iterator<Item = (&str, Area)> {
+        self.actions.iter().map(|(_, words)| words.as_str()).zip(self.buttons.areas().iter().copied())
+    }
+
+    /// The flight was left at that tick and goes on otherwise.
+    pub fn back_to(&mut self, history: &History, tick: u64) {
+        self.objects.iter_mut().for_each(|object| object.back_to(history, tick));
+        self.span = self.span.filter(|(_, to)| *to <= tick);
+        self.refresh(false);
+    }
+
+    /// The same plot of another flight.
+    #[must_use]
+    pub fn of_another_flight(mut self) -> Self {
+        self.objects.iter_mut().for_each(|object| object.kept = None);
+        self.flown_again();
+        (self.span, self.window, self.waiting, self.seek) = (None, None, None, None);
+        self
+    }
+
+    /// The flight, or the run before, is another one: both are read anew from their first ticks.
+    pub fn flown_again(&mut self) {
+        self.objects.iter_mut().for_each(Object::forget);
+        self.refresh(true);
+    }
+
+    fn read(&mut self, frame_time: f64, stage: &Stage) {
+        let game = stage.game;
+        let there = |body: &BodyId| body.index() < game.world().bodies().len();
+        let focus = [Some(stage.focus.followed().unwrap_or(SHIP)), stage.focus.compared()];
+        let most = self.ahead.ticks(frame_time);
+        for ((object, name), focus) in self.objects.iter_mut().zip(&mut self.names).zip(focus) {
+            let body = object.kept.or(focus).filter(there);
+            object.read(body, stage.history, stage.before, most);
+            *name = body.map(|body| body_title(game.level(), body));
+        }
+        (self.now, self.tick_rate) = (game.ticks(), game.tick_rate());
+        self.level.clone_from(&game.level().name);
+        let compared = self.names[1].is_some();
+        if compared && !self.compared && 2 * self.lines.len() <= MOST_LINES && self.lines.iter().all(|line| line.whose == 0) {
+            // Who is compared is so in what is plotted already.
+            self.lines.extend(self.lines.clone().into_iter().map(|line| Line::new(1, self.across, line.up)));
+        }
+        self.compared = compared;
+        self.refresh(false);
+        let all = self.objects.iter().all(|object| object.has_all_of(stage.history));
+        if let (Some(format), true, true) = (self.waiting, all, frame_time > 0.0) {
+            self.waiting = None;
+            self.make_file(format, game);
+        }
+    }
+
+    /// Lets the curves follow what has been read; anew where they are of another flight.
+    fn refresh(&mut self, anew: bool) {
+        for line in &mut self.lines {
+            let object = &self.objects[line.whose];
+            let body = object.track().map(Track::body);
+            if anew || line.read != body || (line.now.across(), line.now.up()) != (self.across, line.up) {
+                *line = Line { read: body, ..Line::new(line.whose, self.across, line.up) };
+            }
+            if let Some(track) = object.track() {
+                line.now.follow(track);
+            }
+            if let Some(track) = object.before() {
+                line.before.follow(track);
+            }
+        }
+    }
+
+    /// Those curves of which something is known, each with its number and its body's way.
+    fn shown(&self) -> impl Iterator<Item = (usize, &Line, &Track)> {
+        let track = |line: &Line| self.objects[line.whose].track();
+        self.lines.iter().enumerate().filter_map(move |(i, line)| Some((i, line, track(line).filter(|_| !line.now.is_empty())?)))
+    }
+
+    /// The stretch of time that is drawn, s.
+    fn window(&self) -> Window {
+        self.window.unwrap_or_else(|| self.whole())
+    }
+
+    fn whole(&self) -> Window {
+        let tracks = || self.objects.iter().flat_map(|object| [object.track(), object.before()]).flatten();
+        let from = tracks().map(|track| track.time(0)).fold(f64::INFINITY, f64::min);
+        let to = tracks().map(|track| track.time(track.len() - 1)).fold(0.0, f64::max);
+        if from.is_finite() { (from, to.max(from + AT_LEAST)) } else { (0.0, AT_LEAST) }
+    }
+
+    /// Where everything is drawn, those of the run before included.
+    fn chart(&self) -> Chart {
+        let window = self.window();
+        let mut members: Vec<Member> = self.shown().map(|(i, line, track)| (i, &line.now, track.places(window))).collect();
+        let before = |(i, line, _): (usize, &'_ Line, &Track)| Some((i, self.objects[line.whose].before()?.places(window)));
+        let places: Vec<_> = self.shown().filter_map(before).collect();
+        members.extend(places.into_iter().map(|(i, places)| (i, &self.lines[i].before, places)));
+        Chart::of(self.across, window, &members)
+    }
+
+    /// Whose curve it is, in words.
+    fn name(&self, whose: usize) -> &str {
+        self.names[whose].as_deref().unwrap_or("nobody")
+    }
+}

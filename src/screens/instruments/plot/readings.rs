@@ -1,0 +1,48 @@
+//! What is read of the curves: each one's value and slope where the world is, and the area below it.
+
+use super::{Plot, READINGS};
+use crate::instruments::quantity::Quantity;
+use crate::instruments::unit::Unit;
+
+/// What is read of a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// Whose, and of what: `Ball 2 v_y`.
+    pub name: String,
+    /// Value, slope and area, as far as they are known, each with its unit.
+    pub numbers: [(Option<f64>, Unit); READINGS],
+}
+
+impl Plot {
+    /// What is read of each curve, in their order.
+    pub fn readings(&self) -> Vec<Reading> {
+        let (across, reading) =
+            (self.across.unit(), |number: Option<f64>, unit| (number.filter(|number| number.is_finite()), unit));
+        let line = |line: &super::Line| {
+            let track = self.objects[line.whose].track();
+            let place = track.map(|track| track.place(self.now)).filter(|place| *place < line.now.len());
+            let value = place.and_then(|place| line.now.point(place)).map(|(_, y)| y);
+            let slope = track.zip(place).and_then(|(track, place)| line.now.slope(track, place));
+            let area = track.map(|track| self.stretch(track)).map(|(from, to)| line.now.area(from, to));
+            let unit = line.up.unit();
+            Reading {
+                name: format!("{} {}", self.name(line.whose), line.up.symbol()),
+                numbers: [reading(value, unit), reading(slope, unit.per(across)), reading(area, unit.times(across))],
+            }
+        };
+        self.lines.iter().map(line).collect()
+    }
+
+    /// Between which places the area is: between the two marks, or from the start to the moment that is shown.
+    pub(super) fn stretch(&self, track: &crate::instruments::track::Track) -> (usize, usize) {
+        match self.span {
+            Some((from, to)) => (track.place(from), track.place(to)),
+            None => (0, track.place(self.now)),
+        }
+    }
+
+    /// What is to the right.
+    pub const fn across(&self) -> Quantity {
+        self.across
+    }
+}

@@ -1,0 +1,32 @@
+//! What is plotted, as files.
+
+use super::Plot;
+use super::panel::Format;
+use crate::files::INPUTS;
+use crate::game::Game;
+use crate::instruments::export::{self, Exported};
+use crate::screens::NewFile;
+
+impl Plot {
+    pub(super) fn make_file(&mut self, format: Format, game: &Game) {
+        let curves: Vec<Exported> = self
+            .shown()
+            .map(|(number, line, track)| Exported { body: self.name(line.whose), curve: &line.now, track, number })
+            .collect();
+        if curves.is_empty() {
+            self.told = Some(("There is no curve to be exported.".to_owned(), true));
+            return;
+        }
+        let made = match format {
+            Format::Csv => Ok((export::csv(&curves), ".csv")),
+            Format::Svg => export::svg(&game.level().title, self.window(), &curves).map(|text| (text, ".svg")),
+        };
+        let stem = export::stem(&self.level, &curves);
+        match made {
+            Ok((text, ending)) => {
+                self.export = Some(NewFile { stem, ending, text, what: "the curves", same_up_to: INPUTS });
+            }
+            Err(problem) => self.told = Some((problem, true)),
+        }
+    }
+}

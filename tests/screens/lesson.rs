@@ -1,0 +1,140 @@
+//! A lesson as it is played: time is stopped, a ball picked out, its velocity plotted, the curve taken along, and g read off the file.
+
+use crate::sitting::Sitting;
+use resultant::screens::{Instrument, Key, Page, Screen};
+use resultant::view::layout::Vec2;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// N/kg, in all experiments.
+const G: f64 = 9.81;
+
+/// In the experiment of free fall, from the menu on.
+pub fn free_fall() -> Sitting {
+    let mut sitting = Sitting::with(|root| {
+        let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments");
+        fs::create_dir_all(root.join("experiments/free-fall")).unwrap();
+        let list = fs::read_to_string(from.join("experiments.csv")).unwrap();
+        let wanted: Vec<&str> = list.lines().filter(|line| line.starts_with("folder") || line.starts_with("free-fall,")).collect();
+        fs::write(root.join("experiments/experiments.csv"), wanted.join("\n")).unwrap();
+        for entry in fs::read_dir(from.join("free-fall")).unwrap() {
+            let entry = entry.unwrap();
+            fs::copy(entry.path(), root.join("experiments/free-fall").join(entry.file_name())).unwrap();
+        }
+    });
+    sitting.choose(4);
+    loop {
+        let Screen::Lab(lab) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+        if lab.page() == Page::Experiments {
+            break;
+        }
+        sitting.press(Key::Tab);
+    }
+    sitting.press(Key::Enter);
+    assert_eq!((sitting.at(), sitting.flight().game().level().title.as_str()), ("flight", "Free fall"));
+    sitting
+}
+
+/// Where the button with those words is.
+pub fn button(sitting: &Sitting, words: &str) -> Option<Vec2> {
+    let plot = sitting.flight().instruments().plot();
+    plot.buttons().find(|(other, _)| *other == words).map(|(_, area)| area.centre())
+}
+
+pub fn press_button(sitting: &mut Sitting, words: &str) {
+    let at = button(sitting, words).unwrap_or_else(|| panic!("no button {words:?}"));
+    sitting.click_at(at);
+}
+
+/// Opens the instruments and the plot on their rail.
+pub fn open_plot(sitting: &mut Sitting) {
+    sitting.press(Key::I);
+    let rail = sitting.flight().instruments().areas(&sitting.frame);
+    sitting.click_at(rail[Instrument::Plot as usize].centre());
+    assert!(sitting.flight().instruments().uses(Instrument::Plot));
+}
+
+/// What the plot says of its last export: the path, where it was written.
+pub fn written(sitting: &Sitting) -> PathBuf {
+    match sitting.flight().instruments().plot().told() {
+        Some((words, false)) => PathBuf::from(words.strip_prefix("Written: ").unwrap()),
+        told => panic!("{told:?}"),
+    }
+}
+
+/// The columns of a table with those headings.
+pub fn columns(path: &Path, headings: &[&str]) -> Vec<Vec<f64>> {
+    let text = fs::read_to_string(path).unwrap();
+    let mut lines = text.lines();
+    let head: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    let column = |heading: &&str| {
+        let at = head.iter().position(|other| other == heading).unwrap_or_else(|| panic!("no {heading:?} among {head:?}"));
+        rows.iter().map(|row| row[at].parse().unwrap()).collect()
+    };
+    headings.iter().map(column).collect()
+}
+
+/// Least squares: the slope of y against x.
+fn slope(xs: &[f64], ys: &[f64]) -> f64 {
+    let n = xs.len() as f64;
+    let (mx, my) = (xs.iter().sum::<f64>() / n, ys.iter().sum::<f64>() / n);
+    let over = |f: &dyn Fn(f64, f64) -> f64| xs.iter().zip(ys).map(|(x, y)| f(*x, *y)).sum::<f64>();
+    over(&|x, y| (x - mx) * (y - my)) / over(&|x, _| (x - mx) * (x - mx))
+}
+
+#[test]
+fn a_played_lesson_ends_with_g_in_a_file() {
+    let mut sitting = free_fall();
+    // Stop time in the fall, and take it on by single ticks.
+    sitting.wait(0.5).press(Key::F).press_all(&[Key::Period; 20]);
+    let now = sitting.flight().game().ticks();
+    assert!(now > 70);
+    open_plot(&mut sitting);
+    // The masses are those of the three balls; the ship comes first.
+    sitting.press(Key::N);
+    let mut slopes = Vec::new();
+    for ball in 1..=3 {
+        sitting.press(Key::N).wait(0.1);
+        let readings = sitting.flight().instruments().plot().readings();
+        let name = format!("Ball {ball}");
+        assert_eq!(
+            readings.iter().map(|reading| reading.name.clone()).collect::<Vec<_>>(),
+            [format!("{name} y"), format!("{name} v_y")]
+        );
+        let [_, (found, unit), (area, way)] = readings[1].numbers;
+        assert!((found.unwrap() + G).abs() <= 1e-9 * G, "the slope that is shown: {found:?}");
+        let fallen = 0.5 * G * (now as f64 / 120.0).powi(2);
+        assert!((area.unwrap() + fallen).abs() <= 1e-9 * fallen, "the area that is shown: {area:?}");
+        assert_eq!((unit.name(), way.name()), ("m/s²".to_owned(), "m".to_owned()));
+        press_button(&mut sitting, "CSV");
+        sitting.rest();
+        let path = written(&sitting);
+        assert_eq!(path.parent().unwrap(), sitting.folder.path().join("exports"));
+        let table = columns(&path, &["tick", "t (s)", &format!("{name} y (m)"), &format!("{name} v_y (m/s)")]);
+        let [ticks, times, heights, speeds] = &table[..] else { panic!("four columns") };
+        assert_eq!((ticks.len() as u64, ticks[0], times[now as usize]), (now + 1, 0.0, now as f64 / 120.0));
+        let g = -slope(times, speeds);
+        assert!((g - G).abs() <= 1e-9 * G, "{g}");
+        // The places are those of the same fall.
+        for (time, height) in times.iter().zip(heights) {
+            let exact = heights[0] - 0.5 * G * time * time;
+            assert!((height - exact).abs() <= 1e-9, "{time}: {height} {exact}");
+        }
+        slopes.push(g);
+        press_button(&mut sitting, "SVG");
+        sitting.rest();
+        let svg = fs::read_to_string(written(&sitting)).unwrap();
+        assert!(svg.contains(&format!("{name} v_y")) && svg.contains("v_y (m/s)") && svg.contains("t (s)") && !svg.contains("NaN"));
+    }
+    assert!(slopes.iter().all(|g| (g - slopes[0]).abs() <= 1e-12 * G), "all fall alike: {slopes:?}");
+    // Three tables and three pictures, each under a name of its own.
+    let mut names: Vec<String> = fs::read_dir(sitting.folder.path().join("exports"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    let base = "free-fall-y-v_y";
+    let expected = ["-2.csv", "-2.svg", "-3.csv", "-3.svg", ".csv", ".svg"].map(|ending| format!("{base}{ending}"));
+    assert_eq!(names, expected);
+}

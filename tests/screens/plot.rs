@@ -1,0 +1,264 @@
+//! The plot beside a flight: what it shows, where it leads, and what it writes.
+
+use crate::lesson::{button, columns, free_fall, open_plot, press_button, written};
+use crate::sitting::{HERE, Sitting, level};
+use proptest::prelude::*;
+use resultant::game::{Controls, Game, History};
+use resultant::level::load;
+use resultant::physics::BodyId;
+use resultant::screens::{Input, Instrument, Key, Plot, PlotPlaces, Stage, watch_room};
+use resultant::view::focus::Focus;
+use resultant::view::layout::{Frame, Vec2};
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+fn plot(sitting: &Sitting) -> &Plot {
+    sitting.flight().instruments().plot()
+}
+
+fn ticks(sitting: &Sitting) -> u64 {
+    sitting.flight().game().ticks()
+}
+
+/// What the plot reads off a curve at the moment that is shown.
+fn value(sitting: &Sitting, number: usize) -> Option<f64> {
+    plot(sitting).readings()[number].numbers[0].0
+}
+
+fn names(sitting: &Sitting) -> Vec<String> {
+    plot(sitting).readings().into_iter().map(|reading| reading.name).collect()
+}
+
+#[test]
+fn what_is_asked_for_late_is_there_from_the_first_tick() {
+    let mut sitting = free_fall();
+    sitting.wait(1.0).press(Key::F);
+    open_plot(&mut sitting);
+    sitting.press_all(&[Key::N; 2]).wait(0.1);
+    press_button(&mut sitting, "v_y");
+    press_button(&mut sitting, "E_kin");
+    press_button(&mut sitting, "+ Curve");
+    press_button(&mut sitting, "E_mech");
+    assert_eq!(names(&sitting), ["Ball 1 y", "Ball 1 E_kin", "Ball 1 E_mech"]);
+    press_button(&mut sitting, "CSV");
+    sitting.rest();
+    let table = columns(&written(&sitting), &["tick", "Ball 1 E_kin (J)", "Ball 1 E_mech (J)"]);
+    assert_eq!((table[0].len() as u64, table[0][0], table[1][0]), (ticks(&sitting) + 1, 0.0, 0.0));
+    assert!(table[2].iter().all(|energy| (energy - table[2][0]).abs() <= 1e-9 * energy), "it falls freely");
+}
+
+#[test]
+fn a_click_in_the_plot_leads_to_its_moment_where_the_world_stands_still() {
+    let mut sitting = free_fall();
+    sitting.wait(0.5);
+    open_plot(&mut sitting);
+    sitting.press_all(&[Key::N; 2]);
+    let followed = sitting.flight().observer().focus().followed();
+    assert_eq!(followed, Some(BodyId(1)), "objects are picked out for the plot");
+    let at = |sitting: &Sitting, tick| plot(sitting).at(&sitting.frame, 0, tick).unwrap();
+    let place = at(&sitting, 20);
+    sitting.click_at(place);
+    assert!(ticks(&sitting) > 60, "what runs goes on");
+    sitting.press(Key::F).wait(0.1);
+    let end = sitting.flight().history().ticks();
+    for tick in [41, 3, end, 20] {
+        let place = at(&sitting, tick);
+        sitting.click_at(place);
+        assert_eq!(ticks(&sitting), tick);
+        let speed = sitting.flight().game().world().body(BodyId(1)).velocity.y;
+        assert_eq!(value(&sitting, 1), Some(0.0 - speed), "up counts");
+    }
+    assert_eq!(sitting.flight().observer().focus().followed(), followed, "the clicks were the plot's");
+    assert!(sitting.flight().is_assisted() && sitting.flight().history().ticks() == end);
+    // From there it is flown anew, and that is the curve.
+    sitting.press(Key::F).wait(0.1).press(Key::F).wait(0.1);
+    let tick = ticks(&sitting);
+    assert!(tick < end && sitting.flight().history().ticks() == tick);
+    press_button(&mut sitting, "CSV");
+    sitting.rest();
+    assert_eq!(columns(&written(&sitting), &["tick"])[0].len() as u64, tick + 1);
+}
+
+#[test]
+fn two_objects_are_compared_in_four_curves_and_no_more() {
+    let mut sitting = free_fall();
+    sitting.wait(0.3).press(Key::F);
+    open_plot(&mut sitting);
+    let pick = |sitting: &mut Sitting, body, shift: bool| {
+        let held = if shift { [Key::Shift].into_iter().collect() } else { Default::default() };
+        sitting.give(Input {
+            click: true,
+            pointed: Some(BodyId(body)),
+            held,
+            pointer: Vec2::new(640.0, 200.0),
+            ..Input::default()
+        });
+        sitting.wait(0.1);
+    };
+    pick(&mut sitting, 1, false);
+    pick(&mut sitting, 3, true);
+    assert_eq!(names(&sitting), ["Ball 1 y", "Ball 1 v_y", "Ball 3 y", "Ball 3 v_y"]);
+    assert_eq!((value(&sitting, 1), button(&sitting, "+ Curve")), (value(&sitting, 3), None), "all fall alike");
+    // Who is kept stays, whoever is followed.
+    press_button(&mut sitting, "1st: Ball 1");
+    pick(&mut sitting, 2, false);
+    assert_eq!(names(&sitting)[0], "Ball 1 y");
+    press_button(&mut sitting, "1st: Ball 1, kept");
+    sitting.wait(0.1);
+    assert_eq!(names(&sitting)[..2], ["Ball 2 y", "Ball 2 v_y"]);
+    for _ in 0..4 {
+        press_button(&mut sitting, "×");
+    }
+    assert!(names(&sitting).is_empty() && button(&sitting, "×").is_none());
+    press_button(&mut sitting, "CSV");
+    sitting.rest();
+    assert!(plot(&sitting).told().unwrap().1, "there is nothing to be written");
+    for _ in 0..4 {
+        press_button(&mut sitting, "+ Curve");
+        sitting.click_at(Vec2::new(640.0, 100.0));
+    }
+    assert!(names(&sitting).len() == 4 && button(&sitting, "+ Curve").is_none());
+}
+
+#[test]
+fn one_quantity_over_another_has_its_area_and_its_cursor() {
+    let mut sitting = free_fall();
+    sitting.wait(1.0).press(Key::F);
+    open_plot(&mut sitting);
+    sitting.press_all(&[Key::N; 2]).wait(0.1);
+    press_button(&mut sitting, "Across: t");
+    press_button(&mut sitting, "y");
+    press_button(&mut sitting, "v_y");
+    press_button(&mut sitting, "F_y");
+    let [_, _, (work, unit)] = plot(&sitting).readings()[1].numbers;
+    let ball = sitting.flight().game().world().body(BodyId(1)).clone();
+    let kinetic = 0.5 * ball.mass * ball.velocity.length_squared();
+    // Before the first tick nothing acted yet: the trapezoid of that tick is half as high.
+    assert!((work.unwrap() - kinetic).abs() <= 1e-3 * kinetic, "{work:?} {kinetic}");
+    assert_eq!(unit.name(), "J");
+    let place = plot(&sitting).at(&sitting.frame, 1, 90).unwrap();
+    sitting.click_at(place);
+    assert_eq!(ticks(&sitting), 90);
+}
+
+#[test]
+fn the_wheel_shows_less_of_the_flight_and_shift_marks_a_stretch() {
+    let mut sitting = free_fall();
+    sitting.wait(1.0).press(Key::F);
+    open_plot(&mut sitting);
+    sitting.press_all(&[Key::N; 2]).wait(0.1);
+    let at = |sitting: &Sitting, tick| plot(sitting).at(&sitting.frame, 1, tick).unwrap();
+    let (from, to) = (at(&sitting, 30), at(&sitting, 90));
+    let shift = [Key::Shift].into_iter().collect();
+    let now = ticks(&sitting);
+    sitting.give(Input { pointer: from, click: true, holding: true, held: shift, ..Input::default() });
+    sitting.give(Input { pointer: to, holding: true, held: shift, ..Input::default() }).rest();
+    let area = plot(&sitting).readings()[1].numbers[2].0.unwrap();
+    let fallen = 0.5 * 9.81 * (0.75_f64.powi(2) - 0.25_f64.powi(2));
+    assert!((area + fallen).abs() <= 1e-9 * fallen && ticks(&sitting) == now, "{area} {fallen}");
+    assert!(button(&sitting, "Whole flight").is_none());
+    for _ in 0..5 {
+        sitting.give(Input { pointer: from, wheel: 1.0, ..Input::default() });
+    }
+    assert!((at(&sitting, 30) - from).length() < 1.0, "what the pointer shows stays below it");
+    assert!(at(&sitting, 31).x - from.x > 2.0 * (to.x - from.x) / 60.0);
+    press_button(&mut sitting, "Whole flight");
+    assert!((at(&sitting, 90) - to).length() < 1.0 && button(&sitting, "Whole flight").is_none());
+}
+
+#[test]
+fn where_nothing_can_be_written_that_is_said_and_nothing_is_there() {
+    let mut sitting = free_fall();
+    fs::write(sitting.folder.path().join("exports"), "a file").unwrap();
+    open_plot(&mut sitting);
+    press_button(&mut sitting, "CSV");
+    sitting.rest();
+    let (words, bad) = plot(&sitting).told().unwrap();
+    assert!(bad && words.contains("exports") && words.contains("cannot keep the curves"), "{words}");
+    assert_eq!(fs::read_to_string(sitting.folder.path().join("exports")).unwrap(), "a file");
+}
+
+#[test]
+fn a_flight_that_has_ended_stays_to_be_looked_at_while_it_is_plotted() {
+    let mut sitting = Sitting::with(|root| level(root, "0", HERE, ""));
+    sitting.choose(1).choose(0);
+    open_plot(&mut sitting);
+    sitting.wait(3.0);
+    assert_eq!(sitting.at(), "flight");
+    sitting.press(Key::Enter);
+    assert_eq!(sitting.at(), "scoring");
+}
+
+#[test]
+fn a_watched_flight_is_plotted_and_gone_through() {
+    let mut sitting = Sitting::with(|root| level(root, "0", "PLAYER,380,60,40,40\n", ""));
+    sitting.choose(1).choose(0);
+    while sitting.at() == "flight" {
+        sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
+    }
+    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
+    sitting.choose(flights).choose(0).press(Key::I);
+    let rail = sitting.watch().instruments().areas(&sitting.frame);
+    sitting.click_at(rail[Instrument::Plot as usize].centre()).wait(0.3);
+    assert!(!sitting.watch().paused());
+    let place = sitting.watch().instruments().plot().at(&watch_room(&sitting.frame), 1, 25).unwrap();
+    sitting.click_at(place);
+    assert!(sitting.watch().paused() && sitting.watch().place().0 == 25, "{:?}", sitting.watch().place());
+}
+
+/// A flight of the first level: so many ticks with thrust, then without.
+fn flown(thrust: u64, ticks: u64) -> (Game, History) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut game = Game::new(Arc::new(load(&root.join("levels/1"), root).unwrap().level)).unwrap();
+    let mut history = History::new(&game);
+    for tick in 0..ticks {
+        let controls = Controls { thrust: tick < thrust, ..Controls::default() };
+        game.step(controls);
+        history.note(&game, controls);
+    }
+    (game, history)
+}
+
+#[test]
+fn the_run_before_shares_the_axes_of_the_run() {
+    let (game, history) = flown(60, 200);
+    let (_, longer) = flown(100, 800);
+    let shorter = longer.until(400);
+    let focus = Focus::default();
+    let stage = |before| Stage { game: &game, history: &history, focus: &focus, varied: None, seekable: true, before };
+    let (input, mut plot) = (Input { frame_time: 0.01, ..Input::default() }, Plot::default());
+    let settle = |plot: &mut Plot, before| (0..20).for_each(|_| drop(plot.update(&input, &stage(before))));
+    settle(&mut plot, None);
+    let alone = plot.at(&input.frame, 0, 200).unwrap();
+    settle(&mut plot, Some(&longer));
+    let beside = plot.at(&input.frame, 0, 200).unwrap();
+    let left = plot.at(&input.frame, 0, 0).unwrap().x;
+    assert!(((beside.x - left) / (alone.x - left) - 0.25).abs() < 1e-3, "four times as long: {alone} {beside}");
+    // It may go on, or lose what it did last.
+    settle(&mut plot, Some(&shorter));
+    let part = |plot: &Plot| (plot.at(&input.frame, 0, 200).unwrap().x - left) / (alone.x - left);
+    assert!((part(&plot) - 0.5).abs() < 1e-3);
+    settle(&mut plot, Some(&longer));
+    assert!((part(&plot) - 0.25).abs() < 1e-3);
+    let mut plot = plot.of_another_flight();
+    settle(&mut plot, Some(&longer));
+    assert_eq!(plot.at(&input.frame, 0, 200), Some(beside));
+    settle(&mut plot, None);
+    assert_eq!(plot.at(&input.frame, 0, 200), Some(alone));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+    #[test]
+    fn the_panel_lies_in_every_window(width in 500.0..3000.0_f32, height in 400.0..2000.0_f32, text in 0.75..1.5_f32, large: bool) {
+        let frame = Frame::of_window(Vec2::new(width, height)).with_text(text);
+        let places = PlotPlaces::new(&frame, large);
+        let inside = |min: Vec2, max: Vec2| min.cmpge(places.panel.min).all() && max.cmple(places.panel.max() + 0.01).all();
+        prop_assert!(places.panel.max().cmple(frame.size + 0.01).all() && places.panel.min.y > 0.3 * frame.size.y);
+        for area in places.lines.iter().chain([&places.plot, &places.foot]).chain(&places.lanes(4)) {
+            prop_assert!(inside(area.min, area.max()) && area.size.min_element() > 0.0, "{area:?} {places:?}");
+        }
+        prop_assert!(places.lines.iter().all(|line| line.max().x < places.plot.min.x && line.max().y <= places.foot.min.y));
+    }
+}
