@@ -9,7 +9,7 @@ use crate::level;
 use crate::physics::{BodyId, DVec2};
 use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
-use crate::view::layout::{DESIGN, Vec2};
+use crate::view::layout::{Area, DESIGN, Vec2};
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
 use macroquad::input::{
@@ -164,6 +164,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) 
         Screen::LevelSelect(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Editor(screen) => screen.draw(&mut theatre.sheets, canvas, app.shown_for()),
         Screen::Flight(screen) => {
+            theatre.set_panels(screen.instruments().areas(canvas.frame()));
             let whole = canvas.use_frame(screen.instruments().room(canvas.frame()));
             theatre.draw(screen, *app.settings(), frame_time, canvas);
             canvas.use_frame(whole);
@@ -172,6 +173,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) 
         }
         Screen::Watch(screen) => {
             let whole = canvas.use_frame(above(canvas.frame()));
+            theatre.set_panels(screen.instruments().areas(canvas.frame()));
             let above = canvas.use_frame(screen.instruments().room(canvas.frame()));
             theatre.draw_watched(screen, *app.settings(), frame_time, canvas);
             canvas.use_frame(above);
@@ -235,6 +237,12 @@ impl Theatre {
         };
         let place = view.viewport(game, alpha, &frame).metres(input.pointer);
         (view.body_at(game, alpha, input.pointer, &frame), Some(place))
+    }
+
+    fn set_panels(&mut self, panels: Vec<Area>) {
+        if let Some(view) = &mut self.view {
+            view.set_panels(panels);
+        }
     }
 
     /// Lets the view move on by the frame just updated, and draws it.

@@ -56,6 +56,8 @@ pub struct GameView {
     wreck: Option<Wreck>,
     /// Those who fly along.
     ghosts: Vec<Ghost>,
+    /// What stands above it besides the head-up display, canvas units.
+    panels: Vec<Area>,
     /// Seconds shown, for what moves by itself (waves, pulses).
     time: f64,
 }
@@ -116,6 +118,7 @@ impl GameView {
             touchdown: Touchdown::default(),
             wreck: None,
             ghosts: Vec::new(),
+            panels: Vec::new(),
             time: 0.0,
         }
     }
@@ -188,7 +191,8 @@ impl GameView {
         self.feedback.advance(frame_time);
         if overlays.details {
             let centres: Vec<DVec2> = ids(game).map(|id| centre(game, id, alpha)).collect();
-            let covered: Vec<Area> = overlays.hitboxes.then(|| hitboxes::figures_area(game, frame)).into_iter().collect();
+            let figures = overlays.hitboxes.then(|| hitboxes::figures_area(game, frame));
+            let covered: Vec<Area> = self.panels.iter().copied().chain(figures).collect();
             let looking = Looking {
                 centres: &centres,
                 focus: &overlays.focus,
@@ -232,6 +236,11 @@ impl GameView {
     /// Says where the pointer is, canvas units, for the details.
     pub const fn point_at(&mut self, pointer: Vec2) {
         self.pointer = Some(pointer);
+    }
+
+    /// Says what panels stand above it, where the details are not.
+    pub fn set_panels(&mut self, panels: Vec<Area>) {
+        self.panels = panels;
     }
 
     /// Says who flies along, and where.

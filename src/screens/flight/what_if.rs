@@ -169,6 +169,8 @@ impl Flight {
         }
         self.assisted = true;
         self.what_if = Some(Box::new(WhatIf { variation, before, tape, moment, again }));
+        // There is another run before.
+        self.instruments.flown_again();
         Ok(())
     }
 

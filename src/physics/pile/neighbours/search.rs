@@ -62,7 +62,7 @@ impl Neighbours {
             self.age = dt;
             bodies.shift = self.drifted(dt);
         }
-        self.hurries = self.is_few(n) && self.updates <= 1 && self.searches % OFTEN != 0;
+        self.hurries = self.is_few(n) && self.updates <= 1 && !self.searches.is_multiple_of(OFTEN);
         (self.updates, self.searches) = (0, self.searches + 1);
         self.edges.clear();
         for i in 0..n {
