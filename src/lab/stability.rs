@@ -234,7 +234,7 @@ mod tests {
     fn what_lies_inside_fades_and_what_lies_outside_grows() {
         for (step, inside, outside) in [
             (explicit_euler as Step, (-1.0, 0.9), (-1.0, 1.1)),
-            (rk4, (-2.0, 2.0), (-2.0, 2.5)),
+            (rk4, (-1.5, 2.0), (-2.0, 2.5)),
             (semi_implicit_euler, (-0.3, 1.0), (-0.9, 0.0)),
             (velocity_verlet, (-0.3, 1.0), (0.1, 1.0)),
         ] {
