@@ -212,7 +212,7 @@ fn resolve(
     // What was put back did not go the way on which its impacts were followed.
     let is_back = |i: usize| i < bodies.len() && (back[i][0] || back[i][1]);
     let followed = followed && !is_back(a) && !is_back(b);
-    if !meets(bodies, (a, b), hair, followed) {
+    if !meets(bodies, (a, b), hair, followed) && !passed(bodies, (a, b)) {
         return false;
     }
     // A pair that may pass a corner keeps an axis along which it was not quite apart: then both axes go back.
@@ -261,15 +261,14 @@ fn passed(bodies: &Bodies, (a, b): (usize, usize)) -> bool {
     (through_x && beside_y && !beside_x) || (through_y && beside_x && !beside_y)
 }
 
-/// Whether a pair that is expected to pass does not: overlaps in the end or has passed, or, unless its impacts were `followed`, meets on the
-/// way.
+/// Whether a pair that is expected to pass does not: overlaps in the end, or, unless its impacts were `followed`, on the way.
 pub(super) fn meets(bodies: &Bodies, (a, b): (usize, usize), hair: f64, followed: bool) -> bool {
     if !followed {
         return hits(bodies, (a, b), hair);
     }
     let deep_x = bodies.hx[a] + bodies.hx[b] - (bodies.px[a] - bodies.px[b]).abs();
     let deep_y = bodies.hy[a] + bodies.hy[b] - (bodies.py[a] - bodies.py[b]).abs();
-    (deep_x > hair && deep_y > hair) || passed(bodies, (a, b))
+    deep_x > hair && deep_y > hair
 }
 
 /// Between which parts of the way from one distance to another it is less than `reach`; an empty range if never.
