@@ -11,6 +11,9 @@ use super::course::time_of_impact;
 use super::due::{Due, Looked, Pair};
 use super::{Around, Impacts, NONE, RATTLE, SLOWEST, WORK_OF_A_LINK, WORK_OF_A_LOOK};
 
+/// How deep what has sunk may be in a surface, as a part of the smaller half of the body.
+const SUNK: f64 = 0.5;
+
 impl Impacts {
     /// All look ahead for the first time.
     pub(super) fn look_at_all(&mut self, bodies: &Bodies, island: Island<'_>) {
@@ -143,10 +146,11 @@ impl Impacts {
             let [apart, velocity, pull] = motion[axis];
             let side = if apart < 0.0 { -1.0 } else { 1.0 };
             let gap = apart * side - reach[axis];
-            if gap < -self.touch {
+            let (closing, pull) = (velocity * side, pull * side);
+            let other = motion[1 - axis][0].abs() - reach[1 - axis];
+            if gap < -self.touch && !has_sunk(bodies, (a, b), (gap, other), closing * left) {
                 continue;
             }
-            let (closing, pull) = (velocity * side, pull * side);
             let Some((after, speed)) = time_of_impact(if gap > self.hair { gap } else { 0.0 }, closing, pull) else { continue };
             let time = now + after;
             let ends = restitution < 1.0 && restitution * speed < self.rest_speed;
@@ -162,4 +166,12 @@ impl Impacts {
         }
         best
     }
+}
+
+/// Whether a body that is this deep in a surface that stands (m, negative; and so along the other axis) has come into it through the face of
+/// this axis, and would go through it on its `way`, m: what is hit while its bounces are passed over may be a little below where it bounces.
+fn has_sunk(bodies: &Bodies, (body, surface): (usize, usize), (gap, other): (f64, f64), way: f64) -> bool {
+    let stands = surface >= bodies.len() && bodies.vx[surface] == 0.0 && bodies.vy[surface] == 0.0;
+    let little = SUNK * bodies.hx[body].min(bodies.hy[body]);
+    stands && gap > other && gap > -little && way > little
 }
