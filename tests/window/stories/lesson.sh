@@ -6,7 +6,7 @@ sleep 0.7
 press f period period period
 expect lesson-frozen shows "$accent" 20 80 60 15 0.1
 press i
-click 5.5 20.3 # Plot, on the rail
+click 5.5 41.1 # Plot, on the rail
 press n n # the ship, and the first ball
 blue='#7FA7FF' pink='#F28DB2' # height and velocity
 expect lesson-plot shows "$blue" 38 72 61 25 0.05
