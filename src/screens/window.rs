@@ -9,6 +9,7 @@ use crate::level;
 use crate::physics::{BodyId, DVec2};
 use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
+use crate::view::focus::Focus;
 use crate::view::layout::{Area, DESIGN, Vec2};
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
@@ -248,7 +249,8 @@ impl Theatre {
     /// Lets the view move on by the frame just updated, and draws it.
     fn draw(&mut self, flight: &Flight, settings: Settings, frame_time: f64, canvas: &Canvas) {
         let Some(view) = &mut self.view else { return };
-        let (details, focus, hitboxes) = (flight.details(), *flight.observer().focus(), flight.hitboxes());
+        let (details, hitboxes) = (flight.details(), flight.hitboxes());
+        let focus = looked_at(flight.observer().focus(), details || flight.instruments().is_open());
         let overlays = Overlays { settings, details, focus, hitboxes, watched: false };
         let paused = flight.pause().is_some();
         let passed = if paused { 0.0 } else { frame_time * flight.observer().speed().min(1.0) };
@@ -268,7 +270,8 @@ impl Theatre {
     /// The same for a flight that is watched.
     fn draw_watched(&mut self, watch: &Watch, settings: Settings, frame_time: f64, canvas: &Canvas) {
         let Some(view) = &mut self.view else { return };
-        let (details, focus, hitboxes) = (watch.details(), *watch.focus(), watch.hitboxes());
+        let (details, hitboxes) = (watch.details(), watch.hitboxes());
+        let focus = looked_at(watch.focus(), details || watch.instruments().is_open());
         let overlays = Overlays { settings, details, focus, hitboxes, watched: true };
         let passed = if watch.paused() { 0.0 } else { frame_time * watch.pace().min(1.0) };
         view.update(watch.game(), watch.alpha(), passed, overlays, canvas.frame());
@@ -279,6 +282,11 @@ impl Theatre {
         view.draw(watch.game(), watch.alpha(), overlays, &figures(self.tick_cost), canvas);
         draw_instruments(watch.instruments(), view, (watch.game(), watch.alpha()), canvas);
     }
+}
+
+/// Who is looked at: nobody in particular while neither details nor instruments are open.
+fn looked_at(focus: &Focus, open: bool) -> Focus {
+    if open { *focus } else { Focus::default() }
 }
 
 /// What it is measured with, above the flight.

@@ -80,7 +80,7 @@ pub struct Overlays {
     pub settings: Settings,
     /// Details boxes and free-body arrows (Tab).
     pub details: bool,
-    /// Of whom the details tell.
+    /// Who is looked at, by the details, the instruments and the camera.
     pub focus: Focus,
     /// Hitboxes and figures (F3).
     pub hitboxes: bool,
@@ -91,7 +91,7 @@ pub struct Overlays {
 impl Overlays {
     /// Whom the camera follows.
     fn followed(&self) -> BodyId {
-        self.focus.followed().filter(|_| self.details).unwrap_or(SHIP)
+        self.focus.followed().unwrap_or(SHIP)
     }
 }
 

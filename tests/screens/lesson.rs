@@ -1,6 +1,8 @@
 //! A lesson as it is played: time is stopped, a ball picked out, its velocity plotted, the curve taken along, and g read off the file.
 
 use crate::sitting::Sitting;
+use crate::what_if::type_in;
+use resultant::level::Parameter;
 use resultant::screens::{Instrument, Key, Page, Screen};
 use resultant::view::layout::Vec2;
 use std::fs;
@@ -81,6 +83,38 @@ fn slope(xs: &[f64], ys: &[f64]) -> f64 {
     let (mx, my) = (xs.iter().sum::<f64>() / n, ys.iter().sum::<f64>() / n);
     let over = |f: &dyn Fn(f64, f64) -> f64| xs.iter().zip(ys).map(|(x, y)| f(*x, *y)).sum::<f64>();
     over(&|x, y| (x - mx) * (y - my)) / over(&|x, _| (x - mx) * (x - mx))
+}
+
+/// The velocity of the first ball, as a file has it: ticks, times and v_y.
+fn taken_along(sitting: &mut Sitting) -> Vec<Vec<f64>> {
+    press_button(sitting, "CSV");
+    sitting.rest();
+    columns(&written(sitting), &["tick", "t (s)", "Ball 1 v_y (m/s)"])
+}
+
+/// Freeze, step, select, plot, vary the mass, take it along: a ball fifty times as heavy falls as the one before.
+#[test]
+fn with_another_mass_the_slope_in_the_file_is_still_g() {
+    let mut sitting = free_fall();
+    sitting.wait(0.5).press(Key::F).press_all(&[Key::Period; 20]);
+    let now = sitting.flight().game().ticks();
+    open_plot(&mut sitting);
+    sitting.press_all(&[Key::N, Key::N]).wait(0.1);
+    let light = taken_along(&mut sitting);
+    let rail = sitting.flight().instruments().areas(&sitting.frame);
+    sitting.click_at(rail[Instrument::Vary as usize].centre());
+    type_in(&mut sitting, Parameter::Mass(1), "50");
+    sitting.wait(0.1);
+    let flight = sitting.flight();
+    assert_eq!((flight.game().world().bodies()[1].mass, flight.game().ticks()), (50.0, now), "at the same moment");
+    assert!(flight.before().is_some() && flight.is_assisted(), "the run before stays, and nothing of this one counts");
+    let heavy = taken_along(&mut sitting);
+    assert_eq!(heavy[0], light[0]);
+    let g = -slope(&heavy[1], &heavy[2]);
+    assert!((g - G).abs() <= 1e-9 * G, "{g}");
+    for (light, heavy) in light[2].iter().zip(&heavy[2]) {
+        assert!((light - heavy).abs() <= 1e-12, "{light} {heavy}");
+    }
 }
 
 #[test]

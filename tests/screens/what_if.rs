@@ -33,7 +33,7 @@ fn parts(sitting: &Sitting, parameter: Parameter) -> [Vec2; 3] {
 }
 
 /// Types a number into its field.
-fn type_in(sitting: &mut Sitting, parameter: Parameter, text: &str) {
+pub fn type_in(sitting: &mut Sitting, parameter: Parameter, text: &str) {
     let [_, number, _] = parts(sitting, parameter);
     sitting.click_at(number);
     for _ in 0..40 {
