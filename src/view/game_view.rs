@@ -45,6 +45,8 @@ pub struct GameView {
     pictures: Pictures,
     terrain: Terrain,
     camera: Camera,
+    /// Who is kept in view: the ship, unless somebody else is followed.
+    followed: BodyId,
     particles: Particles,
     emitters: Emitters,
     feedback: Feedback,
@@ -110,6 +112,7 @@ impl GameView {
             pictures,
             terrain,
             camera: Camera::new(game.world().body(SHIP).position),
+            followed: SHIP,
             particles: Particles::new(),
             emitters: Emitters::new(level),
             feedback: Feedback::default(),
@@ -176,6 +179,7 @@ impl GameView {
         let ship = centre(game, SHIP, alpha);
         self.time += frame_time;
         let followed = overlays.followed();
+        self.followed = followed;
         self.camera.follow(centre(game, followed, alpha), game.world().body(followed).velocity, frame_time);
         if game.outcome() == Outcome::Completed {
             self.camera.close_in(frame_time);
@@ -353,8 +357,8 @@ impl GameView {
     pub fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {
         let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let level = game.level();
-        let ship = centre(game, SHIP, alpha);
-        Viewport::new(self.camera.focus(), ship, level.size, level.metre, window).closer(ship, self.camera.closeness())
+        let kept = centre(game, self.followed, alpha);
+        Viewport::new(self.camera.focus(), kept, level.size, level.metre, window).closer(kept, self.camera.closeness())
     }
 }
 
