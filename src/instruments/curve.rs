@@ -180,35 +180,50 @@ impl Curve {
     }
 }
 
+/// What tests of curves are made of.
 #[cfg(test)]
-mod tests {
+pub(super) mod fixture {
     use super::*;
     use crate::game::{Controls, Game, SHIP};
-    use crate::instruments::quantity::Part;
     use crate::instruments::walk::Reader;
     use crate::level;
-    use proptest::prelude::*;
     use std::path::Path;
     use std::sync::Arc;
 
-    /// The ship of level 1, which goes up for half a second and falls to the floor.
-    fn hop(ticks: u64) -> Track {
+    /// The ship of level 1 under those controls.
+    pub fn flown(ticks: u64, controls: impl Fn(u64) -> Controls) -> Track {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         let level = Arc::new(level::load(&root.join("levels/1"), root).expect("it ships").level);
         let mut game = Game::new(level).expect("it loads");
         let mut track = Track::new(SHIP);
         track.begin(&game);
         for tick in 0..ticks {
-            game.step(Controls { thrust: tick < 60, ..Controls::default() });
+            game.step(controls(tick));
             Reader::tick(&mut track, &game);
         }
         track
     }
 
-    fn curve(track: &Track, across: Quantity, up: Quantity) -> Curve {
+    /// What it did, one quantity against another.
+    pub fn curve(track: &Track, across: Quantity, up: Quantity) -> Curve {
         let mut curve = Curve::new(across, up);
         curve.follow(track);
         curve
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fixture::{curve, flown};
+    use super::*;
+    use crate::game::Controls;
+    use crate::instruments::quantity::Part;
+    use crate::instruments::walk::Reader;
+    use proptest::prelude::*;
+
+    /// The ship of level 1, which goes up for half a second and falls to the floor.
+    fn hop(ticks: u64) -> Track {
+        flown(ticks, |tick| Controls { thrust: tick < 60, ..Controls::default() })
     }
 
     #[test]

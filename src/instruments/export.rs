@@ -137,30 +137,12 @@ pub fn stem(level: &str, curves: &[Exported]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::game::{Controls, Game, SHIP};
+    use crate::game::Controls;
+    use crate::instruments::curve::fixture::{curve, flown};
     use crate::instruments::quantity::Part;
-    use crate::instruments::walk::Reader;
-    use crate::level;
-    use std::path::Path;
-    use std::sync::Arc;
 
     fn track(ticks: u64) -> Track {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let level = Arc::new(level::load(&root.join("levels/1"), root).expect("it ships").level);
-        let mut game = Game::new(level).expect("it loads");
-        let mut track = Track::new(SHIP);
-        track.begin(&game);
-        for tick in 0..ticks {
-            game.step(Controls { thrust: tick < 60, right: tick % 7 == 0, ..Controls::default() });
-            Reader::tick(&mut track, &game);
-        }
-        track
-    }
-
-    fn curve(track: &Track, across: Quantity, up: Quantity) -> Curve {
-        let mut curve = Curve::new(across, up);
-        curve.follow(track);
-        curve
+        flown(ticks, |tick| Controls { thrust: tick < 60, right: tick % 7 == 0, ..Controls::default() })
     }
 
     #[test]

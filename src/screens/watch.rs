@@ -78,15 +78,9 @@ impl Watch {
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         let request = self.go_on(input, spectator);
         // What is read is that of the moment that is drawn.
-        let stage = Stage {
-            game: &self.game,
-            history: self.reel.history(),
-            focus: &self.focus,
-            varied: None,
-            seekable: true,
-            before: None,
-        };
-        self.instruments.read(&stage);
+        let mut instruments = std::mem::take(&mut self.instruments);
+        instruments.read(&self.stage());
+        self.instruments = instruments;
         request
     }
 
@@ -123,17 +117,16 @@ impl Watch {
         None
     }
 
+    /// What the instruments see.
+    fn stage(&self) -> Stage<'_> {
+        Stage { game: &self.game, history: self.reel.history(), focus: &self.focus, varied: None, seekable: true, before: None }
+    }
+
     /// The instruments' part of a frame; what is left of the input for the flight.
     fn measure(&mut self, input: &Input) -> Input {
-        let stage = Stage {
-            game: &self.game,
-            history: self.reel.history(),
-            focus: &self.focus,
-            varied: None,
-            seekable: true,
-            before: None,
-        };
-        let rest = self.instruments.update(&Input { frame: above(&input.frame), ..input.clone() }, &stage);
+        let mut instruments = std::mem::take(&mut self.instruments);
+        let rest = instruments.update(&Input { frame: above(&input.frame), ..input.clone() }, &self.stage());
+        self.instruments = instruments;
         Input { frame: input.frame, ..rest }
     }
 

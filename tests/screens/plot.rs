@@ -26,16 +26,22 @@ fn value(sitting: &Sitting, number: usize) -> Option<f64> {
     plot(sitting).readings()[number].numbers[0].0
 }
 
+/// A fall that stands still after a second, with the plot of its first ball.
+fn falling() -> Sitting {
+    let mut sitting = free_fall();
+    sitting.wait(1.0).press(Key::F);
+    open_plot(&mut sitting);
+    sitting.press_all(&[Key::N; 2]).wait(0.1);
+    sitting
+}
+
 fn names(sitting: &Sitting) -> Vec<String> {
     plot(sitting).readings().into_iter().map(|reading| reading.name).collect()
 }
 
 #[test]
 fn what_is_asked_for_late_is_there_from_the_first_tick() {
-    let mut sitting = free_fall();
-    sitting.wait(1.0).press(Key::F);
-    open_plot(&mut sitting);
-    sitting.press_all(&[Key::N; 2]).wait(0.1);
+    let mut sitting = falling();
     press_button(&mut sitting, "v_y");
     press_button(&mut sitting, "E_kin");
     press_button(&mut sitting, "+ Curve");
@@ -123,10 +129,7 @@ fn two_objects_are_compared_in_four_curves_and_no_more() {
 
 #[test]
 fn one_quantity_over_another_has_its_area_and_its_cursor() {
-    let mut sitting = free_fall();
-    sitting.wait(1.0).press(Key::F);
-    open_plot(&mut sitting);
-    sitting.press_all(&[Key::N; 2]).wait(0.1);
+    let mut sitting = falling();
     press_button(&mut sitting, "Across: t");
     press_button(&mut sitting, "y");
     press_button(&mut sitting, "v_y");
@@ -144,10 +147,7 @@ fn one_quantity_over_another_has_its_area_and_its_cursor() {
 
 #[test]
 fn the_wheel_shows_less_of_the_flight_and_shift_marks_a_stretch() {
-    let mut sitting = free_fall();
-    sitting.wait(1.0).press(Key::F);
-    open_plot(&mut sitting);
-    sitting.press_all(&[Key::N; 2]).wait(0.1);
+    let mut sitting = falling();
     let at = |sitting: &Sitting, tick| plot(sitting).at(&sitting.frame, 1, tick).unwrap();
     let (from, to) = (at(&sitting, 30), at(&sitting, 90));
     let shift = [Key::Shift].into_iter().collect();
