@@ -2,7 +2,7 @@
 
 mod support;
 
-use resultant::physics::{BodyDef, DVec2, Guards, Material, StreamDef, SurfaceDef, WorldDef};
+use resultant::physics::{BodyDef, BodyId, DVec2, Guards, Material, StreamDef, SurfaceDef, WorldDef};
 use support::{BODY, G, TICK, area, block, crate_at, floor, pool, run, world};
 
 /// Neighbours were once sought along weight and drive alone, and buoyancy shot a light cube through the lid.
@@ -189,5 +189,38 @@ fn what_goes_to_and_fro_between_walls_is_where_its_way_says_at_any_speed() {
         }
         let Guards { budgets_used_up, dense_ticks, bounces_put_off, .. } = *world.guards();
         assert_eq!((budgets_used_up, dense_ticks, bounces_put_off), (0, 0, 0), "{speed} m/s");
+    }
+}
+
+/// Drag presses what is light against something heavy that flies behind it, and with e = 1 it bounces there without end, thousands of times a
+/// tick. Drag c·v takes (2c/3a)·w² off the speed w of each bounce, which takes 2w/a: so w falls as e^(−c·t/3), in one tick or in a thousand.
+#[test]
+fn what_bounces_in_front_of_something_heavy_keeps_what_drag_leaves_it() {
+    let (fast, bounce, time, half) = (10.0, 0.2, 1e-3, DVec2::splat(0.3));
+    let def = || {
+        let of = |x: f64, mass: f64, v: f64| BodyDef {
+            restitution: 1.0,
+            drag: 1.05,
+            velocity: DVec2::new(v, 0.0),
+            half,
+            ..crate_at(x, 0.0, mass)
+        };
+        WorldDef { gravity: 0.0, bodies: vec![of(0.0, 1e6, fast), of(0.6, 1e-3, fast + bounce)], ..WorldDef::default() }
+    };
+    let k = 0.5 * def().air_density * 1.05 * 0.6 / 1e-3;
+    let (pull, rate) = (k * fast * fast, 2.0 * k * fast);
+    let expected = bounce * (-rate * time / 3.0).exp();
+    for ticks in [1, 2, 1000] {
+        let mut world = world(def());
+        for _ in 0..ticks {
+            world.step(time / f64::from(ticks));
+        }
+        let [heavy, light] = [0, 1].map(|i| world.body(BodyId(i)));
+        let (gap, speed) = (light.position.x - heavy.position.x - 0.6, light.velocity.x - heavy.velocity.x);
+        // What it has when it is back.
+        let left = (speed * speed + 2.0 * pull * gap).sqrt();
+        assert!((left / expected - 1.0).abs() < 0.1, "{ticks} ticks: {left} m/s, not {expected} m/s");
+        assert!(ticks > 2 || world.impulses().len() < 20, "{} impacts are listed", world.impulses().len());
+        assert_eq!(world.guards().budgets_used_up, 0);
     }
 }

@@ -7,17 +7,13 @@ use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, Wor
 use support::slow::{Scene, scenes};
 use support::{area, worst_overlap};
 
-/// The budget of an island in units of work, what each body adds, and by how much that may be exceeded by what happens last and by bringing
-/// everything to that instant.
-const BUDGET: u64 = 250_000;
-const BUDGET_OF_A_BODY: u64 = 1_500;
+/// What each body may add to the budget of its island, in units of work, however the bodies share islands, and by how much that may be exceeded
+/// by what happens last and by bringing everything to that instant.
+const BUDGET_OF_A_BODY: u64 = 12_000;
 const EXCEEDED: f64 = 1.5;
 /// What each body near zones may take for its free flight, for what is left of a tick, and for each liquid in one implicit step.
 const FLIGHT_OF_A_BODY: u64 = 20_000;
 const FLIGHT_BY_A_LIQUID: u64 = 3_000;
-/// How many islands of a scene without zones use up their budgets in the same tick, at most; near zones every body may.
-const BUSY_ISLANDS: u64 = 8;
-
 fn scene(name: &str) -> Scene {
     scenes().into_iter().find(|scene| scene.name == name).unwrap()
 }
@@ -38,8 +34,8 @@ fn the_work_of_a_tick_is_bounded() {
         let bodies = scene.def.bodies.len() as u64;
         let zones = scene.def.streams.len() + scene.def.fluids.len() > 0;
         let flight = FLIGHT_OF_A_BODY + FLIGHT_BY_A_LIQUID * scene.def.fluids.len() as u64;
-        let (islands, flights) = if zones { (bodies, flight * bodies) } else { (BUSY_ISLANDS, 0) };
-        let most = flights + (EXCEEDED * (BUDGET * islands + BUDGET_OF_A_BODY * bodies) as f64) as u64;
+        let flights = if zones { flight * bodies } else { 0 };
+        let most = flights + (EXCEEDED * (BUDGET_OF_A_BODY * bodies) as f64) as u64;
         play(&scene, |world, tick| {
             assert!(world.work() <= most, "{}, tick {tick}: {} units, more than {most}", scene.name, world.work());
         });

@@ -3,12 +3,13 @@
 
 use super::events::{BUDGET_OF_A_FLIGHT, Scene};
 use super::flow::{Pose, flow};
-use super::impact_time::Cubic;
 use super::media::Media;
 use super::pile::Pile;
 use super::scratch::Scratch;
+use super::tuning::SLOP;
 use super::world::{State, World};
-use super::{Aabb, Body, zones};
+use super::zones::Around;
+use super::{Aabb, Body};
 use glam::DVec2;
 
 impl World {
@@ -38,7 +39,7 @@ impl World {
                 if law.is_near_liquid() || at_a_border {
                     state.media.allow(BUDGET_OF_A_FLIGHT);
                     let mut end = flow(&state.media, body, &law, dt);
-                    if at_a_border && crosses(&state.media, &scratch.zones, body, end, dt) {
+                    if at_a_border && scratch.around[i].crosses(&state.media, body, end, dt) {
                         end = fly(state, scratch, &scene, i);
                     }
                     pile.guide(i, end.0, end.1);
@@ -49,20 +50,14 @@ impl World {
     }
 }
 
-/// Lists the streams near a body in `scratch`. Returns the force on it (N), and whether it may cross the border of one within the tick.
+/// Notes the streams around a body in `scratch`. Returns the force on it (N), and whether it may cross the border of one within the tick.
 fn streams_on(state: &State, scratch: &mut Scratch, i: usize, dt: f64) -> (DVec2, bool) {
-    let body = &state.bodies[i];
-    let near = reach(state, i, dt);
-    let (mut force, mut at_a_border) = (state.drives[i], false);
-    scratch.zones.clear();
-    state.media.streams_near(&near, &mut scratch.zones);
-    for &stream in &scratch.zones {
-        let stream = &state.media.streams[stream as usize];
-        at_a_border |= !stream.zone.contains(&near, 0.0);
-        if zones::feels(&stream.zone, body, (body.position, body.velocity)) {
-            force += stream.on(body);
-        }
-    }
+    let (body, media, near) = (&state.bodies[i], &state.media, reach(state, i, dt));
+    let around = Around::of(media, near);
+    let borders = |zone: &Aabb| zone.touches(&near, SLOP) && !zone.contains(&near, 0.0);
+    let at_a_border = around.streams(media).any(|stream| borders(&stream.zone));
+    let force = around.force_on(media, body, state.drives[i]);
+    scratch.note_around(i, around);
     (force, at_a_border)
 }
 
@@ -71,17 +66,6 @@ fn reach(state: &State, i: usize, dt: f64) -> Aabb {
     let body = &state.bodies[i];
     let pull = body.acceleration.abs() + state.drives[i].abs() / body.mass + state.media.gravity.abs();
     Aabb::around(body.position, body.half * 1.5 + (body.velocity.abs() + pull * dt) * dt)
-}
-
-/// Whether a body that ends the tick in a pose crosses the border of one of these streams.
-fn crosses(media: &Media, streams: &[u32], body: &Body, end: Pose, dt: f64) -> bool {
-    let start = (body.position, body.velocity);
-    let way = Cubic::hermite(start.0, start.1, end.0, end.1, dt);
-    streams.iter().any(|stream| {
-        let zone = &media.streams[*stream as usize].zone;
-        let inside = zones::feels(zone, body, start);
-        zones::border(&way, body.half, zone, inside, dt).is_some()
-    })
 }
 
 /// Where a body gets through the streams that it enters and leaves, from one border to the next.

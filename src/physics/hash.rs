@@ -20,9 +20,9 @@ impl World {
         (0..).zip(&media.streams).filter(|(_, stream)| !stream.blows).for_each(|(s, _)| write(s));
         self.pile.hash_surfaces(write);
         contacts.iter().for_each(|contact| hash_contact(contact, write));
-        for Pause { until, length } in pauses {
+        for Pause { until, length, hits } in pauses {
             write(until.saturating_sub(*ticks));
-            write(u64::from(*length));
+            write(u64::from(*length) << 32 | u64::from(*hits));
         }
     }
 }
@@ -84,7 +84,7 @@ mod tests {
     #[test]
     fn every_field_of_the_state_is_in_its_hash() {
         type Change = (&'static str, fn(&mut State));
-        let changes: [Change; 33] = [
+        let changes: [Change; 34] = [
             ("position", |state| state.bodies[1].position.y = 0.3),
             ("velocity", |state| state.bodies[1].velocity.x = 0.3),
             ("acceleration", |state| state.bodies[1].acceleration.x = 0.3),
@@ -118,6 +118,7 @@ mod tests {
             ("number of contacts", |state| state.contacts.truncate(1)),
             ("pause", |state| state.pauses[1].until = state.ticks + 7),
             ("length of a pause", |state| state.pauses[1].length = 7),
+            ("impacts before a pause", |state| state.pauses[1].hits = 7),
         ];
         let before = words(&world());
         assert_eq!(before, words(&world()));

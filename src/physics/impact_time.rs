@@ -5,6 +5,7 @@
 //! sum of their halves while they overlap along the other. Crossings are bracketed on the cubic's monotone pieces and found by Newton's
 //! method kept inside the bracket, so none is missed at any speed: a box that jumps over a wall in one interval still crosses its face.
 
+use super::Aabb;
 use super::Sides;
 use super::tuning::SLOP;
 use glam::DVec2;
@@ -19,6 +20,12 @@ pub(super) struct Cubic {
 }
 
 impl Cubic {
+    /// What a box of so large halves sweeps on it in `t` seconds, m.
+    pub fn swept(&self, half: DVec2, t: f64) -> Aabb {
+        let (x, y) = (self.axis(0).bounds(t), self.axis(1).bounds(t));
+        Aabb::new(DVec2::new(x.0, y.0) - half, DVec2::new(x.1, y.1) + half)
+    }
+
     /// Uniformly accelerated motion; standing still with `v` and `a` zero.
     pub fn parabola(x: DVec2, v: DVec2, a: DVec2) -> Self {
         Self { c: [x, v, a * 0.5, DVec2::ZERO] }

@@ -18,7 +18,7 @@ use super::events::{BUDGET_OF_A_FLOW, Events, Item, Outcome, Scene};
 use super::flow::flow;
 use super::guards::Guards;
 use super::pile::{Advance, Store, Verdict};
-use super::scratch::{After, Dispute, NOBODY, Scratch, Stop, first_stop};
+use super::scratch::{After, Dispute, Scratch, Stop, first_stop};
 use super::world::State;
 
 /// The choice of methods.
@@ -35,7 +35,7 @@ impl Choice {
     const BUDGET_OF_A_BODY: u64 = 1_500;
     /// What the budget of an island of few comes to for each body: so many bodies as one island may have, in however many islands they are,
     /// stay within what one island may.
-    const BUDGET_OF_EACH_OF_FEW: u64 = 50_000;
+    const BUDGET_OF_EACH_OF_FEW: u64 = 12_000;
     /// Ticks for which an island is dense after its budget was used up for the first time, and at most.
     const FIRST_PAUSE: u16 = 8;
     const LONGEST_PAUSE: u16 = 128;
@@ -55,17 +55,21 @@ pub(super) struct Pause {
     pub until: u64,
     /// How many ticks that was.
     pub length: u16,
+    /// How many impacts its island had in the tick that used up the budget.
+    pub hits: u32,
 }
 
 impl Pause {
-    /// What follows for a body from how it ended tick `now`: a pause, or, if its island stayed within its budget, that the next one will be
-    /// half as long.
+    /// What follows for a body from how it ended tick `now`: a pause, one more, twice as long, if then still half as much happens as when it began,
+    /// or, if its island stayed within its budget, that the next one will be a tick shorter.
     pub fn go_on(&mut self, after: &After, now: u64) {
-        if after.busy {
+        let goes_on = after.dense && self.until == now + 1 && self.length < Choice::LONGEST_PAUSE && 2 * after.hits > self.hits;
+        if after.busy || goes_on {
             let length = (2 * self.length).clamp(Choice::FIRST_PAUSE, Choice::LONGEST_PAUSE);
-            *self = Self { until: now + 1 + u64::from(length), length };
+            let hits = if after.busy { after.hits } else { self.hits };
+            *self = Self { until: now + 1 + u64::from(length), length, hits };
         } else if after.members > 0 && !after.dense {
-            self.length /= 2;
+            self.length = self.length.saturating_sub(1);
         }
     }
 }
@@ -78,6 +82,8 @@ pub(super) struct Tick<'a> {
     pub scratch: &'a mut Scratch,
     /// Whether somebody asked for forces in the last tick.
     pub lists: bool,
+    /// Whether any surface follows a path.
+    pub moving: bool,
 }
 
 impl Tick<'_> {
@@ -133,6 +139,10 @@ impl Advance for Tick<'_> {
         if large || round > Choice::MOST_GROWTHS || self.pauses() || self.budget() == 0 {
             self.guards.dense_ticks += 1;
             self.scratch.leave();
+            if self.moving {
+                store.surfaces(&mut self.scratch.surfaces);
+                self.scratch.meet(self.state, store);
+            }
             return Verdict::Left(f64::INFINITY);
         }
         store.surfaces(&mut self.scratch.surfaces);
@@ -203,7 +213,7 @@ impl Advance for Tick<'_> {
     }
 
     fn stand(&mut self, surface: usize) {
-        self.scratch.stops.push(Stop { leader: NOBODY, surface: surface as u32, at: 0.0 });
+        self.scratch.stops.push(Stop::throughout(surface as u32));
     }
 
     fn begin_anew(&mut self) {
@@ -214,6 +224,14 @@ impl Advance for Tick<'_> {
         let Scratch { stops, met, disputes, .. } = &mut *self.scratch;
         if stops.is_empty() {
             return;
+        }
+        // Who takes the tick in one step cannot do as if a surface stopped in the midst of it.
+        for k in 0..met.len() {
+            let Stop { surface, whole, .. } = met[k];
+            let at = first_stop(stops, surface);
+            if whole && at.is_finite() && at > 0.0 {
+                stops.push(Stop::throughout(surface));
+            }
         }
         // Each surface by itself: how long others take to agree about another is no concern of it.
         let differs = |met: &Stop, stops: &[Stop]| met.at != first_stop(stops, met.surface);
@@ -229,7 +247,7 @@ impl Advance for Tick<'_> {
             if *open && *rounds > Choice::MOST_ROUNDS {
                 self.guards.disputes_ended += u64::from(*rounds == Choice::MOST_ROUNDS + 1);
                 let stops = stops.iter_mut().filter(|stop| stop.surface == *surface);
-                stops.for_each(|stop| (stop.leader, stop.at) = (NOBODY, 0.0));
+                stops.for_each(|stop| *stop = Stop::throughout(*surface));
             }
         }
         let open = |surface: u32| disputes.iter().any(|dispute| dispute.open && dispute.surface == surface);

@@ -56,6 +56,8 @@ pub(super) struct Reactions {
     /// Groups whose rounds between the axes did not settle, and those in which static friction still gave way in the last of its passes.
     pub unsettled: u64,
     pub passes_ended: u64,
+    /// Up to which work rounds go on; none: all of it.
+    most: Option<u64>,
     /// The bodies that surfaces which close on them squeeze, and along which axis, by the last question asked.
     pub squeezed: Vec<(u32, usize)>,
 }
@@ -64,6 +66,15 @@ impl Reactions {
     /// What all solves so far have taken, in units of work.
     pub fn spent(&self) -> u64 {
         self.network.work
+    }
+
+    /// From now on solves may take so much, in units of work; after that friction on walls yields at once where rounds go on.
+    pub fn allow(&mut self, work: u64) {
+        self.most = Some(self.network.work.saturating_add(work));
+    }
+
+    fn is_worn_out(&self) -> bool {
+        self.most.is_some_and(|most| self.network.work > most)
     }
 
     /// Accelerations of bodies in contact (m/s²), for the bodies of the contacts; the contacts get their forces. What no contact joins is
@@ -132,8 +143,9 @@ impl Reactions {
             let again = rounds != Some(1) && contacts.iter().any(|contact| contact.gave_way);
             match rounds {
                 Some(_) if !again => return,
+                Some(_) if self.is_worn_out() => return self.yield_friction(contacts, parts, out),
                 Some(_) => self.passes_ended += u64::from(pass == FRICTION_PASSES),
-                None if again && pass < FRICTION_PASSES => {}
+                None if again && pass < FRICTION_PASSES && !self.is_worn_out() => {}
                 None => return self.yield_friction(contacts, parts, out),
             }
         }
@@ -166,6 +178,9 @@ impl Reactions {
             };
             if contacts.iter().zip(&self.pressed).all(same) || !contacts.iter().any(rubs) {
                 return Some(round + 1);
+            }
+            if self.is_worn_out() {
+                return None;
             }
             if round % 3 == 2 && round + 1 < FRICTION_ROUNDS {
                 self.extrapolate(contacts);
@@ -204,7 +219,7 @@ impl Reactions {
             }
             for (contact, &taken) in contacts.iter_mut().zip(&self.pressed) {
                 contact.normal = match lacks(contact, taken) {
-                    true if round >= FRICTION_ROUNDS => 0.0,
+                    true if round >= FRICTION_ROUNDS || self.is_worn_out() => 0.0,
                     true => contact.normal,
                     false => taken,
                 };

@@ -4,14 +4,17 @@
 use super::contact::Contact;
 use super::events::{Events, Item, Scene};
 use super::impulse::Impulse;
+use super::media::Media;
+use super::pile::Store;
 #[cfg(all(feature = "validate", debug_assertions))]
 use super::validate::Checks;
 use super::world::{Obstacle, State};
-use super::{Aabb, BodyId};
+use super::zones::{self, Around};
+use super::{Aabb, Body, BodyId};
 use glam::DVec2;
 
 /// The leader of no island.
-pub(super) const NOBODY: u32 = u32::MAX;
+const NOBODY: u32 = u32::MAX;
 
 /// A surface that stops within a tick.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +24,15 @@ pub(super) struct Stop {
     pub surface: u32,
     /// s from the tick's start; infinite where it goes on.
     pub at: f64,
+    /// Whether the island takes the tick in one step: such a one knows only of surfaces that move or stand throughout.
+    pub whole: bool,
+}
+
+impl Stop {
+    /// A surface stands for the whole tick, whoever meets it.
+    pub fn throughout(surface: u32) -> Self {
+        Self { leader: NOBODY, surface, at: 0.0, whole: false }
+    }
 }
 
 /// Islands have come to different answers about when a surface stops.
@@ -53,6 +65,8 @@ pub(super) struct After {
     /// How many bodies its island had, and the smallest of them; 0 where it flew or rested by itself.
     pub members: u32,
     pub leader: u32,
+    /// How many impacts its island had, if the dense method had part in it.
+    pub hits: u32,
 }
 
 /// Something for the records, with the smallest body of its island.
@@ -92,10 +106,11 @@ pub(super) struct Scratch {
     local: Vec<u32>,
     /// Bodies that stand still although nothing holds them: they may fall asleep.
     pub floats: Vec<bool>,
-    /// Of the present island: its bodies, and the surfaces and streams near it.
+    /// Of the present island: its bodies, and the surfaces near it.
     pub members: Vec<u32>,
     pub surfaces: Vec<u32>,
-    pub zones: Vec<u32>,
+    /// What streams there are around each body, once one has been near.
+    pub around: Vec<Around>,
     /// What the islands of each body have used up since the tick was begun, or begun anew for all: however often they are advanced in between,
     /// they share one budget.
     pub used: Vec<u64>,
@@ -121,6 +136,9 @@ impl Scratch {
             for &i in looked_at {
                 let i = i as usize;
                 (self.after[i], self.used[i], self.floats[i]) = (After::default(), 0, false);
+                if let Some(around) = self.around.get_mut(i) {
+                    *around = Around::UNKNOWN;
+                }
             }
         } else {
             self.after.clear();
@@ -129,6 +147,7 @@ impl Scratch {
             self.used.resize(bodies, 0);
             self.floats.clear();
             self.floats.resize(bodies, false);
+            self.around.clear();
         }
         self.contacts.clear();
         self.happened.clear();
@@ -138,6 +157,22 @@ impl Scratch {
         self.members.clear();
         self.surfaces.clear();
         self.disputes.clear();
+    }
+
+    /// Notes what streams there are around a body.
+    pub fn note_around(&mut self, body: usize, around: Around) {
+        if self.around.len() < self.after.len() {
+            self.around.resize(self.after.len(), Around::UNKNOWN);
+        }
+        self.around[body] = around;
+    }
+
+    /// The force of a body's engine, and of all streams that it feels, N.
+    pub fn force_on(&self, media: &Media, i: usize, body: &Body, drive: DVec2) -> DVec2 {
+        match self.around.get(i) {
+            Some(around) => around.force_on(media, body, drive),
+            None => zones::force_on(media, body, drive),
+        }
     }
 
     /// When a surface stops, s from the tick's start; infinite where it goes on.
@@ -245,7 +280,7 @@ impl Scratch {
         }
         for item in &items[*movable..] {
             if !state.surfaces[item.id as usize].def.path.is_still() {
-                let stop = Stop { leader, surface: item.id, at: item.stops_at };
+                let stop = Stop { leader, surface: item.id, at: item.stops_at, whole: false };
                 if stop.at < first_stop(stops, stop.surface) {
                     stops.push(stop);
                 }
@@ -259,6 +294,23 @@ impl Scratch {
         let (leader, members) = (self.members[0], self.members.len() as u32);
         for &body in &self.members {
             self.after[body as usize] = After { dense: true, members, leader, ..After::default() };
+        }
+    }
+
+    /// Notes which moving surfaces the dense method may meet in the present island: as standing throughout, where somebody has found that they
+    /// cannot move, or as going on throughout.
+    pub fn meet(&mut self, state: &State, store: &mut Store<'_>) {
+        let Self { surfaces, stops, met, members, .. } = self;
+        surfaces.sort_unstable();
+        surfaces.dedup();
+        for &surface in surfaces.iter().filter(|surface| !state.surfaces[**surface as usize].def.path.is_still()) {
+            let mut at = f64::INFINITY;
+            if first_stop(stops, surface) == 0.0 {
+                at = 0.0;
+                stops.push(Stop::throughout(surface));
+                store.stand(surface);
+            }
+            met.push(Stop { leader: members[0], surface, at, whole: true });
         }
     }
 }

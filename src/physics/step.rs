@@ -8,10 +8,10 @@ use super::events::{Item, Scene};
 use super::impulse::Impulse;
 use super::islands::{Choice, Tick};
 use super::pile::{Axis, Other};
-use super::scratch::Happened;
+use super::scratch::{Happened, Scratch};
 use super::tuning::{REPORT_SPEED, SLOP};
 use super::world::{Event, Methods, Obstacle, State, World};
-use super::{Body, BodyId, zones};
+use super::{Body, BodyId};
 use glam::DVec2;
 
 /// Relative to all that contacts exert on a body: what rounding leaves of their balance with what acts on it besides.
@@ -31,9 +31,10 @@ impl World {
         self.say_what_acts(dt);
         let Self { state, records, plan, scratch, pile, .. } = self;
         let lists = self.asked.replace(false);
+        let moving = !self.on_paths.is_empty();
         let guards = &mut records.guards;
         let scene = Scene::of(state, plan, dt);
-        pile.step_with(dt, &mut Tick { state, scene, guards, scratch, lists });
+        pile.step_with(dt, &mut Tick { state, scene, guards, scratch, lists, moving });
         records.guards.add(&pile.take_guards());
         records.guards.flows_ended_early += state.media.take_ended_early();
         self.commit(dt);
@@ -177,8 +178,28 @@ impl World {
         }
     }
 
+    /// Counts the impacts of the islands that the dense method had part in.
+    fn count_hits(&mut self) {
+        let Self { scratch, pile, .. } = self;
+        let Scratch { after, happened, .. } = &mut **scratch;
+        happened.iter().for_each(|happened| after[happened.island as usize].hits += 1);
+        for hit in pile.impacts() {
+            let of = after[hit.a];
+            if of.dense {
+                after[of.leader as usize].hits += 1;
+            }
+        }
+        for &i in pile.looked_at() {
+            let of = after[i as usize];
+            if of.dense {
+                after[i as usize].hits = after[of.leader as usize].hits;
+            }
+        }
+    }
+
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
+        self.count_hits();
         let Self { state, scratch, pile, .. } = self;
         let State { bodies, known, held, media, drives, pauses, ticks, .. } = state;
         for &i in pile.looked_at() {
@@ -193,11 +214,11 @@ impl World {
             (known[i], held[i]) = (after.known, after.held);
             if after.members == 0 {
                 // It flew by itself.
-                body.acceleration = media.acceleration_under(body, zones::force_on(media, body, drives[i]));
+                body.acceleration = media.acceleration_under(body, scratch.force_on(media, i, body, drives[i]));
                 known[i] = true;
             } else if after.dense {
                 // What contacts add is known when they are listed.
-                body.acceleration = media.acceleration_under(body, zones::force_on(media, body, drives[i]));
+                body.acceleration = media.acceleration_under(body, scratch.force_on(media, i, body, drives[i]));
             } else {
                 body.acceleration = after.acceleration;
             }

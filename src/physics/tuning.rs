@@ -35,7 +35,7 @@ pub(super) const RATTLE_HITS: u32 = 64;
 
 /// Hits of a body in one tick after which it bounces no more on a surface that moves. Larger: what is caught between two of them uses up
 /// the budget of its island; smaller: fast things in a narrow gap lose what a piston does to them.
-pub(super) const PUMPED_HITS: u32 = 16;
+pub(super) const PUMPED_HITS: u32 = 8;
 
 /// Bounces of a body on something immovable in one tick, after which the rest of the series is summed in closed form.
 pub(super) const ZENO_HITS: u32 = 6;

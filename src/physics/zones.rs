@@ -4,6 +4,7 @@ use super::flow::Pose;
 use super::impact_time::{Cubic, earliest};
 use super::media::Media;
 use super::tuning::SLOP;
+use super::zone_tree::ZoneList;
 use super::{Aabb, Body, FieldDef, ForceKind, Source, StreamDef};
 use glam::DVec2;
 
@@ -54,6 +55,8 @@ pub(super) fn fall(gravity: f64, force: f64) -> f64 {
 
 /// m. So far from a border it is clear on which side something is.
 const CLEAR: f64 = 2.0 * SLOP;
+/// m. So far from a border whatever a way sweeps may be off by its rounding.
+const FAR: f64 = 1e-6;
 
 /// Whether a body in a pose feels a stream that blows in a zone: touching suffices, but what leaves it has left it. So what a tick finds does
 /// not depend on how the time of a crossing was rounded.
@@ -63,15 +66,72 @@ pub(super) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> boo
     (0..2).all(|axis| gap[axis] < -SLOP || (gap[axis] <= SLOP && velocity[axis] * apart[axis].signum() <= 0.0))
 }
 
+/// The streams around a body: those that touch a box in which it is likely to stay for a tick, and maybe some near it.
+#[derive(Clone, Debug)]
+pub(super) struct Around {
+    within: Aabb,
+    streams: ZoneList,
+}
+
+impl Around {
+    /// What lies around a body of which nothing is known.
+    pub const UNKNOWN: Self = Self { within: Aabb::new(DVec2::INFINITY, DVec2::NEG_INFINITY), streams: ZoneList::NONE };
+
+    /// What touches a box.
+    pub fn of(media: &Media, within: Aabb) -> Self {
+        Self { within, streams: media.streams_at(&within) }
+    }
+
+    /// The streams, in ascending order.
+    pub fn streams<'a>(&self, media: &'a Media) -> impl Iterator<Item = &'a Stream> {
+        self.streams.iter().map(|stream| &media.streams[stream as usize])
+    }
+
+    /// Whether a body that ends the tick in a pose crosses the border of one of them.
+    pub fn crosses(&self, media: &Media, body: &Body, end: Pose, dt: f64) -> bool {
+        let start = (body.position, body.velocity);
+        let way = Cubic::hermite(start.0, start.1, end.0, end.1, dt);
+        let swept = way.swept(body.half, dt);
+        self.streams(media).any(|Stream { zone, .. }| {
+            let inside = feels(zone, body, start);
+            !stays(&swept, body.half, zone, inside) && border(&way, body.half, zone, inside, dt).is_some()
+        })
+    }
+
+    /// The same as [`force_on`].
+    pub fn force_on(&self, media: &Media, body: &Body, drive: DVec2) -> DVec2 {
+        if self.within.contains(&body.bounds(), 0.0) {
+            force_of(self.streams(media), body, drive)
+        } else {
+            force_on(media, body, drive)
+        }
+    }
+}
+
 /// The force of a body's engine, and of all streams and fields that it feels, N.
 pub(super) fn force_on(media: &Media, body: &Body, drive: DVec2) -> DVec2 {
     if media.streams.is_empty() {
         return drive;
     }
-    let pose = (body.position, body.velocity);
     let near = media.streams_at(&body.bounds());
-    let streams = near.iter().map(|stream| &media.streams[stream as usize]);
+    force_of(near.iter().map(|stream| &media.streams[stream as usize]), body, drive)
+}
+
+fn force_of<'a>(streams: impl Iterator<Item = &'a Stream>, body: &Body, drive: DVec2) -> DVec2 {
+    let pose = (body.position, body.velocity);
     streams.filter(|stream| feels(&stream.zone, body, pose)).fold(drive, |force, stream| force + stream.on(body))
+}
+
+/// Whether what sweeps no more than that on its way is sure to stay on its side of the border of a zone: `inside`, or out of it.
+pub(super) fn stays(swept: &Aabb, half: DVec2, zone: &Aabb, inside: bool) -> bool {
+    if inside {
+        let reaches = |axis: usize| {
+            swept.min[axis] + 2.0 * half[axis] > zone.min[axis] + FAR && swept.max[axis] - 2.0 * half[axis] < zone.max[axis] - FAR
+        };
+        reaches(0) && reaches(1)
+    } else {
+        !swept.touches(zone, FAR)
+    }
 }
 
 /// When a body on a way enters a zone or, from `inside`, leaves it. What begins at the border itself has crossed it once it is clear of it.

@@ -10,7 +10,7 @@ const GOLDEN: [(&str, u64); 6] = [
     ("crowd", 0x61ed_bc4e_2267_cddb),
     ("liquid", 0x734d_b02c_7a4f_317f),
     ("stream", 0x4f1b_54c5_d2ca_2690),
-    ("moving surfaces", 0x6a7d_53a7_b60e_962e),
+    ("moving surfaces", 0x59c0_680c_2684_9b5b),
     ("moving surfaces, dense", 0x09ac_8430_a230_271f),
 ];
 

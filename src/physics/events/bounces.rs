@@ -1,8 +1,9 @@
 //! Bounces that come thick and fast, passed over in closed form.
 //!
 //! A series of bounces on something immovable has a sum: after some bounces within one tick the rest of it, or as many whole bounces as fit,
-//! is passed over (rest after 2w/(g(1 − e))), during which the mean reaction is that of a body at rest. What nothing pulls at and nothing
-//! brakes goes to and fro between two walls for ever: it is back every 2d/w. Meanwhile it counts as lying where it bounced.
+//! is passed over (rest after 2w/(g(1 − e))), during which the mean reaction is that of a body at rest. So has one of two bodies that are pressed
+//! together. What nothing pulls at and nothing brakes goes to and fro between two walls for ever: it is back every 2d/w. Meanwhile it counts as
+//! lying where it bounced.
 
 use super::item::Resume;
 use super::{Events, Scene};
@@ -11,6 +12,13 @@ use crate::physics::contact::Contact;
 use crate::physics::tuning::{CALM_REACH, SLOP, ZENO_HITS};
 use glam::DVec2;
 
+/// The rate × time of a bounce of two bodies up to which drag only takes a little off each. Larger: what it takes is off by more than a tenth;
+/// smaller: what is light and bounces in front of something heavy does so a hundred times before it is passed over.
+const DAMPED_REACH: f64 = 0.1;
+
+/// Of speeds that fall as e^(−x): where nothing is left of them.
+const DAMPED_AWAY: f64 = 40.0;
+
 /// What follows a bounce: how long bounces go on, s, how fast it leaves then, m/s, if it does, and what they pass on meanwhile, N·s.
 struct Series {
     time: f64,
@@ -18,14 +26,44 @@ struct Series {
     impulse: f64,
 }
 
+impl Series {
+    /// As many bounces as fit into `left` seconds, the `first` of which takes so long, s, and begins with so much `speed`, m/s. Each keeps e of
+    /// its speed, or loses to drag at a rate of `damping`, 1/s, where e = 1.
+    ///
+    /// A bounce under a pull a with drag c·v comes back slower by (2c/3a)·v², and takes 2v/a: so speeds fall as e^(−c·t/3).
+    fn of(first: f64, left: f64, (speed, e): (f64, f64), damping: f64) -> Self {
+        if e < 1.0 {
+            // n bounces take first·(1 − eⁿ)/(1 − e).
+            let part = left * (1.0 - e) / first;
+            let count = if part >= 1.0 { f64::INFINITY } else { (libm::log1p(-part) / libm::log(e)).floor() };
+            let time = (first * (1.0 - libm::pow(e, count)) / (1.0 - e)).min(left);
+            return Self { time, leaves: count.is_finite().then(|| speed * libm::pow(e, count)), impulse: 0.0 };
+        }
+        let slowing = damping / 3.0;
+        if slowing * left >= DAMPED_AWAY {
+            return Self { time: left, leaves: None, impulse: 0.0 };
+        }
+        if slowing * left <= f64::EPSILON {
+            return Self { time: ((left / first).floor() * first).min(left), leaves: Some(speed), impulse: 0.0 };
+        }
+        let count = (libm::expm1(slowing * left) / (slowing * first)).floor();
+        let slower = slowing * first * count;
+        Self { time: (libm::log1p(slower) / slowing).min(left), leaves: Some(speed / (1.0 + slower)), impulse: 0.0 }
+    }
+}
+
 impl Events {
-    /// Passes over the rest of a bounce series on a surface that stands still, or over whole bounces of it, where they come thick and fast.
-    /// The body has just left it with `speed`, m/s.
+    /// Passes over the rest of a bounce series on a surface that stands still, or of two bodies that nothing else touches, or over whole bounces
+    /// of it, where they come thick and fast. They have just left each other with `speed`, m/s.
     pub(super) fn pass_over_bounces(&mut self, scene: &Scene, contact: &Contact, speed: f64, e: f64) {
-        let (body, axis) = (contact.ends().0, contact.axis);
+        let (body, other) = contact.ends();
         if self.items[body as usize].hits < ZENO_HITS {
             return;
         }
+        if self.is_body(other) {
+            return self.pass_over_bounces_of_two(scene, contact, speed, e);
+        }
+        let axis = contact.axis;
         let away = if contact.hi == body { 1.0 } else { -1.0 };
         let found = match self.series(scene, contact, speed, e) {
             None if e >= 1.0 => self.back_and_forth(scene, contact, speed),
@@ -37,7 +75,8 @@ impl Events {
         self.note(contact, if body == contact.hi { held } else { -held }, 0.0);
         self.speeds[body as usize][axis] = 0.0;
         if let Some(speed) = leaves {
-            self.items[body as usize].resume = Some(Resume { at: (self.now + time).min(scene.tick), axis, speed: away * speed });
+            let at = (self.now + time).min(scene.tick);
+            self.items[body as usize].resume = Some(Resume { at, axis, speed: away * speed, other: None });
         }
     }
 
@@ -53,16 +92,101 @@ impl Events {
         if !thick || scene.media.rate(&item.body, &item.law, pose, left) * first > CALM_REACH {
             return None;
         }
-        let (count, time) = if e >= 1.0 {
-            let count = (left / first).floor();
-            (count, (count * first).min(left))
-        } else {
-            // n bounces take first·(1 − eⁿ)/(1 − e).
-            let part = left * (1.0 - e) / first;
-            let count = if part >= 1.0 { f64::INFINITY } else { (libm::log1p(-part) / libm::log(e)).floor() };
-            (count, (first * (1.0 - libm::pow(e, count)) / (1.0 - e)).min(left))
-        };
-        Some(Series { time, leaves: count.is_finite().then(|| speed * libm::pow(e, count)), impulse: 0.0 })
+        Some(Series::of(first, left, (speed, e), 0.0))
+    }
+
+    /// Two bodies that are pressed against each other by what acts on them, as drag presses something light against something heavy that
+    /// flies behind it, bounce about their common motion. Meanwhile they count as lying against each other.
+    fn pass_over_bounces_of_two(&mut self, scene: &Scene, contact: &Contact, speed: f64, e: f64) {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        if self.touching.len() > 1 || self.items[lo].hits.min(self.items[hi].hits) < ZENO_HITS {
+            return;
+        }
+        let [of_lo, of_hi] = self.shares(lo, hi);
+        let together = self.speeds[lo][axis] + of_lo * speed;
+        let (mut pull, mut damping, mut stiffness) = (0.0, 0.0, 0.0);
+        for (i, sign, share) in [(lo, 1.0, of_lo), (hi, -1.0, of_hi)] {
+            let (item, mut velocity) = (&self.items[i], self.speeds[i]);
+            velocity[axis] = together;
+            pull += sign * scene.media.acceleration(&item.body, &item.law, self.places[i], velocity)[axis];
+            let answer = scene.media.stiffness(&item.body, &item.law, self.places[i], velocity);
+            damping += share * answer.drag[axis];
+            stiffness += answer.lift;
+        }
+        let (first, left) = (2.0 * speed / pull, scene.tick - self.now);
+        let thick = pull > 0.0 && first > 0.0 && first * f64::from(ZENO_HITS) < left;
+        if !thick || (damping + stiffness.sqrt()) * first > DAMPED_REACH {
+            return;
+        }
+        let Series { time, leaves, .. } = Series::of(first, left, (speed, e), damping);
+        let mut held = DVec2::ZERO;
+        held[axis] = -speed * of_lo * self.items[lo].body.mass;
+        self.note(contact, held, 0.0);
+        (self.speeds[lo][axis], self.speeds[hi][axis]) = (together, together);
+        if let Some(speed) = leaves {
+            let at = (self.now + time).min(scene.tick);
+            self.items[lo].resume = Some(Resume { at, axis, speed, other: Some(contact.hi) });
+        }
+    }
+
+    /// The share of a change of relative velocity that each of two bodies takes: the other's fraction of the mass.
+    fn shares(&self, a: usize, b: usize) -> [f64; 2] {
+        let (of_a, of_b) = (self.items[a].body.mass, self.items[b].body.mass);
+        [of_b / (of_a + of_b), of_a / (of_a + of_b)]
+    }
+
+    /// Lets a body leave what it has bounced on, or both of two bodies.
+    pub(super) fn resume(&mut self, scene: &Scene, i: usize) {
+        self.locate(scene, i);
+        let Some(Resume { axis, speed, other, .. }) = self.items[i].resume.take() else { return };
+        let held =
+            |contact: &&Contact| contact.axis == axis && contact.has(i as u32) && other.is_none_or(|other| contact.hi == other);
+        let contact = self.contacts.iter().find(held).copied();
+        let mut impulse = DVec2::ZERO;
+        if let Some(other) = other {
+            // What pressed them together may have ended: then nothing is left of their bounces either.
+            let Some(contact) = contact else { return };
+            self.concern(other);
+            self.locate(scene, other as usize);
+            let [mine, of_other] = self.shares(i, other as usize);
+            self.speeds[i][axis] -= mine * speed;
+            self.speeds[other as usize][axis] += of_other * speed;
+            impulse[axis] = mine * speed * self.items[i].body.mass;
+            return self.note(&contact, impulse, 0.0);
+        }
+        if self.speeds[i][axis] != 0.0 {
+            return;
+        }
+        self.speeds[i][axis] = speed;
+        impulse[axis] = self.items[i].body.mass * speed;
+        if let Some(contact) = contact {
+            self.locate(scene, contact.other(i as u32) as usize);
+            self.note(&contact, if contact.hi as usize == i { impulse } else { -impulse }, 0.0);
+        }
+    }
+
+    /// Ends what bounces of two bodies are passed over, because something else happens to one of them: they leave each other now.
+    pub(super) fn resume_concerned(&mut self, scene: &Scene) {
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            if self.items[i].resume.is_some_and(|resume| resume.other.is_some()) {
+                self.resume(scene, i);
+            }
+        }
+    }
+
+    /// Ends all bounces that are passed over, because the island is left at this instant: they go on from here.
+    pub(super) fn resume_all(&mut self, scene: &Scene) {
+        for i in 0..self.movable {
+            if self.items[i].resume.is_some() {
+                self.concern(i as u32);
+                self.resume(scene, i);
+            }
+        }
+        for &i in &self.concerned {
+            self.items[i as usize].body.velocity = self.speeds[i as usize];
+        }
+        self.release();
     }
 
     /// The way to the opposite wall and back, as often as it fits, of a body that is alone between walls that stand. It lists what that wall
@@ -107,5 +231,38 @@ impl Events {
         self.note(&opposite, passed, speed);
         self.places[i] = place;
         Some(Series { time: (count * time).min(scene.tick - self.now), leaves: Some(speed), impulse })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Series;
+
+    #[test]
+    fn a_series_of_bounces_ends_when_its_sum_does() {
+        // 1 + ½ + ¼ + … s.
+        let of = |left: f64| Series::of(1.0, left, (8.0, 0.5), 0.0);
+        assert_eq!((of(3.0).time, of(3.0).leaves), (2.0, None));
+        assert_eq!((of(1.8).time, of(1.8).leaves), (1.75, Some(1.0)));
+    }
+
+    #[test]
+    fn what_loses_nothing_bounces_as_often_as_fits() {
+        let of = Series::of(0.5, 2.25, (8.0, 1.0), 0.0);
+        assert_eq!((of.time, of.leaves), (2.0, Some(8.0)));
+    }
+
+    /// One bounce after the other under a pull of 2 m/s², with (2c/3a)·v² off the speed of each.
+    #[test]
+    fn drag_takes_its_part_of_each_bounce() {
+        let (damping, pull, mut speed, mut time) = (0.3, 2.0, 0.01, 0.0);
+        let of = Series::of(2.0 * speed / pull, 20.0, (speed, 1.0), damping);
+        while time + speed < of.time {
+            time += 2.0 * speed / pull;
+            speed -= 2.0 * damping / (3.0 * pull) * speed * speed;
+        }
+        assert!(of.time > 19.99 && of.time <= 20.0, "{} s", of.time);
+        assert!(of.leaves.is_some_and(|leaves| (leaves / speed - 1.0).abs() < 0.01), "{:?}, not {speed}", of.leaves);
+        assert_eq!(Series::of(1.0, 10.0, (8.0, 1.0), 100.0).leaves, None);
     }
 }

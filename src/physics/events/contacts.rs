@@ -5,7 +5,6 @@ use crate::physics::Aabb;
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
 use crate::physics::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
-use glam::DVec2;
 
 /// Steps of Newton's method for the time at which two motions meet.
 const POLISH: u32 = 4;
@@ -278,22 +277,5 @@ impl Events {
         let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
         self.reactions.merge_speeds(&stopped, &self.trial, &parts, &mut self.speeds);
         self.contacts.append(&mut self.trial);
-    }
-
-    /// Lets a body leave the surface on which it has bounced.
-    pub(super) fn resume(&mut self, scene: &Scene, i: usize) {
-        self.locate(scene, i);
-        let Some(resume) = self.items[i].resume.take() else { return };
-        if self.speeds[i][resume.axis] != 0.0 {
-            return;
-        }
-        self.speeds[i][resume.axis] = resume.speed;
-        let mut impulse = DVec2::ZERO;
-        impulse[resume.axis] = self.items[i].body.mass * resume.speed;
-        let held = |contact: &&Contact| contact.axis == resume.axis && contact.has(i as u32);
-        if let Some(contact) = self.contacts.iter().find(held).copied() {
-            self.locate(scene, contact.other(i as u32) as usize);
-            self.note(&contact, if contact.hi as usize == i { impulse } else { -impulse }, 0.0);
-        }
     }
 }

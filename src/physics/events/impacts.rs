@@ -6,7 +6,7 @@
 //! only has to stop stops all at once in a plastic solve of the contact network, exact at any mass ratio. Friction acts during an impact
 //! too, up to μ_k times the normal impulse, and never reverses the sliding.
 
-use super::{Events, Scene, WORK_OF_A_CONTACT};
+use super::{Events, Scene, WORK_OF_A_CONTACT, WORK_OF_A_LOOK};
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
 use crate::physics::tuning::{CASCADE_HITS, MAX_CLINGS, MICRO_SPEED, PUMPED_HITS, RATTLE_HITS, SPEED_ROUNDING};
@@ -32,16 +32,19 @@ pub(in crate::physics) struct Hit {
 }
 
 impl Events {
-    /// Ends every approach of things that touch.
-    pub(super) fn resolve_impacts(&mut self, scene: &Scene) {
+    /// Ends every approach of things that touch. Returns false if that takes more than is left of the budget.
+    pub(super) fn resolve_impacts(&mut self, scene: &Scene) -> bool {
         if self.bounces && self.squeezes(scene) {
-            return;
+            return true;
         }
         let mut left = scene.most_impacts(self.touching.len());
         while let Some((index, speed, e)) = self.next_impact(scene, left > 0) {
             if e > 0.0 {
                 left -= 1;
-                self.work += WORK_OF_A_CONTACT;
+                self.work += WORK_OF_A_CONTACT + WORK_OF_A_LOOK * self.touching.len() as u64;
+                if self.spent(scene) > self.budget {
+                    return false;
+                }
                 self.guards.impacts_made_plastic += u64::from(left == 0);
                 let contact = &mut self.touching[index];
                 contact.lossy_hits += u32::from(e < 1.0);
@@ -50,8 +53,9 @@ impl Events {
                 continue;
             }
             self.stop_together(scene);
-            return;
+            break;
         }
+        true
     }
 
     /// Stops the surfaces that squeeze what touches them, before anything bounces: in a gap that is closed it would do so without end.
@@ -251,7 +255,7 @@ impl Events {
                 velocity[1 - axis] += sign * share * rub;
             }
         }
-        if surface.is_some_and(|surface| self.stands(surface)) {
+        if surface.is_none_or(|surface| self.stands(surface)) {
             self.pass_over_bounces(scene, &contact, e * speed, e);
         }
     }

@@ -106,12 +106,14 @@ impl Next {
     }
 }
 
-/// A body that passes over whole bounces leaves the surface at that time, with `speed` (m/s) along `axis`.
+/// A body that passes over whole bounces leaves what it bounced on at that time, with `speed` (m/s) along `axis`: a surface, or the `other` body
+/// beyond its upper face, of which it is the speed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Resume {
     pub at: f64,
     pub axis: usize,
     pub speed: f64,
+    pub other: Option<u32>,
 }
 
 /// A body or a surface in an island.

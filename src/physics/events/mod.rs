@@ -78,7 +78,7 @@ pub(super) struct Scene<'a> {
 impl Scene<'_> {
     /// How many bounces a sequence of impacts among so many contacts may have before what is left becomes plastic.
     fn most_impacts(&self, contacts: usize) -> u64 {
-        64 + 64 * contacts as u64
+        32 + 32 * contacts as u64
     }
 
     /// Puts a surface where its path leads it `at` seconds from the tick's start, or to where it stopped before.
@@ -206,6 +206,7 @@ impl Events {
     pub fn advance(&mut self, scene: &Scene, budget: u64) -> Outcome {
         self.budget = budget;
         scene.media.allow(budget + budget / 2);
+        self.reactions.allow(budget + budget / 2);
         self.taken_before = scene.media.spent() + self.reactions.spent();
         let outcome = self.go_through(scene);
         self.total += self.work;
@@ -231,6 +232,7 @@ impl Events {
                 // What is foreseen already is still brought to where it is now.
                 scene.media.allow(budget / 2);
                 self.stop_here(scene);
+                self.resume_all(scene);
                 return Outcome::Busy(self.now);
             }
             let Some((i, next)) = self.next_event(scene) else { break };
@@ -256,6 +258,8 @@ impl Events {
 
     /// Contacts and accelerations before the first tick: no impact is resolved yet.
     pub fn begin_world(&mut self, scene: &Scene) {
+        self.budget = u64::MAX;
+        self.reactions.allow(u64::MAX);
         self.begin(scene);
         self.settle(scene);
     }

@@ -5,7 +5,7 @@
 //! implicit midpoint step, which is stable at any rate: in `v′ = f − D·v − K·x` the step is one contact solve with the masses
 //! M·(1 + ½hD + ¼h²K). So a group in a medium needs one more solve than one without, and its ways are parabolas as well.
 
-use super::item::{Item, Motion, Next, Slide};
+use super::item::{Item, Motion, Next, Resume, Slide};
 use super::track::Track;
 use super::{Events, Implicit, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
 use crate::physics::contact::Contact;
@@ -50,10 +50,16 @@ impl Events {
     /// Looks at everything concerned anew: what touches it, its impacts, contacts, accelerations and motion.
     pub(super) fn look(&mut self, scene: &Scene, hit: Option<Contact>) {
         // Where a surface is stopped that would have squeezed something, other things concern it as well: each of them once.
+        let told = self.hits.len();
         for _ in self.movable..=self.items.len() {
             self.halted = false;
             self.collect(scene, hit);
-            self.resolve_impacts(scene);
+            self.resume_concerned(scene);
+            if !self.resolve_impacts(scene) {
+                // Nothing of this event has happened: the island is handed over as it was.
+                self.hits.truncate(told);
+                return;
+            }
             if !self.halted {
                 self.settle_concerned(scene, hit);
             }
@@ -73,7 +79,8 @@ impl Events {
             (item.body.position, item.body.velocity, item.since) = (place, speed, self.now);
             item.forget_end();
             item.disturbed = true;
-            if item.resume.is_some_and(|resume| resume.at <= self.now || speed[resume.axis] != 0.0) {
+            let ended = |resume: Resume| resume.at <= self.now || speed[resume.axis] != 0.0;
+            if item.resume.is_some_and(|resume| resume.other.is_none() && ended(resume)) {
                 item.resume = None;
             }
             self.renew_law(scene, i);

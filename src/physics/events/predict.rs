@@ -8,7 +8,6 @@
 //! root of a polynomial; the pose at that time is then taken from the motion itself.
 
 use super::item::{Kind, Next};
-use super::track::swept;
 use super::{Events, Scene, WORK_OF_A_BORDER, WORK_OF_A_LOOK, WORK_OF_A_ROOT};
 use crate::physics::contact::Contact;
 use crate::physics::impact_time::{Cubic, Polynomial, earliest, time_of_impact};
@@ -62,7 +61,7 @@ impl Events {
         // The pose of what moves nearly as its way says is asked for elsewhere than on it.
         let as_foreseen = track.since == self.now && until >= track.until;
         let lane = if track.is_exact() && !track.is_still() && !as_foreseen {
-            swept(&track.way_from(self.now), track.half, until - self.now)
+            track.way_from(self.now).swept(track.half, until - self.now)
         } else {
             track.swept
         };
@@ -100,7 +99,7 @@ impl Events {
             if stretch <= 0.0 {
                 break;
             }
-            let mut lane = foreseen.filter(|_| stretch == left).unwrap_or_else(|| swept(&from_here, half, stretch));
+            let mut lane = foreseen.filter(|_| stretch == left).unwrap_or_else(|| from_here.swept(half, stretch));
             (lane.min, lane.max) = (lane.min - (rounding + SLOP), lane.max + (rounding + SLOP));
             self.lanes.touching(&lane, &mut near);
             self.work += WORK_OF_A_LOOK * self.tracks.len() as u64;
@@ -189,10 +188,10 @@ impl Events {
         for stream in near.iter() {
             let zone = &scene.media.streams[stream as usize].zone;
             self.work += WORK_OF_A_BORDER;
-            if !track.swept.touches(zone, SLOP) {
+            let inside = zones::feels(zone, &item.body, pose);
+            if zones::stays(&track.swept, item.body.half, zone, inside) {
                 continue;
             }
-            let inside = zones::feels(zone, &item.body, pose);
             if let Some(t) = zones::border(&way, item.body.half, zone, inside, end) {
                 next.or_earlier(self.now + t, Kind::Border);
             }

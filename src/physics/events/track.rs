@@ -25,18 +25,12 @@ pub(super) struct Track {
     pub rounding: DVec2,
 }
 
-/// What a box of so large halves sweeps on a way in `t` seconds, m.
-pub(super) fn swept(way: &Cubic, half: DVec2, t: f64) -> Aabb {
-    let (x, y) = (way.axis(0).bounds(t), way.axis(1).bounds(t));
-    Aabb::new(DVec2::new(x.0, y.0) - half, DVec2::new(x.1, y.1) + half)
-}
-
 impl Track {
     /// Of something on a way.
     pub fn new(item: &Item, way: Cubic) -> Self {
         let Item { since, until, motion, .. } = *item;
         let (half, t) = (item.body.half, until - since);
-        let swept = swept(&way, half, t);
+        let swept = way.swept(half, t);
         let [_, v, a, j] = way.c;
         let fastest = v.abs() + (2.0 * a.abs() + 3.0 * j.abs() * t) * t;
         let rounding = swept.min.abs().max(swept.max.abs()) * RELATIVE_ROUNDING + ROUNDING;
@@ -144,7 +138,7 @@ mod tests {
     fn a_way_lies_within_what_it_sweeps() {
         let (half, t) = (DVec2::new(0.5, 0.25), 0.7);
         let way = Cubic { c: [DVec2::ZERO, DVec2::new(3.0, -4.0), DVec2::new(-5.0, 6.0), DVec2::new(1.0, 0.5)] };
-        let lane = swept(&way, half, t);
+        let lane = way.swept(half, t);
         for part in 0..=20 {
             let place = way.from(t * f64::from(part) / 20.0).c[0];
             assert!(lane.contains(&Aabb::around(place, half), 1e-15));
