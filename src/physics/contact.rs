@@ -61,6 +61,11 @@ impl Contact {
         (self.lo == a && self.hi == b) || (self.lo == b && self.hi == a)
     }
 
+    /// What it carries along an axis: its push along its own, its friction along the other.
+    pub fn along(&mut self, axis: usize) -> &mut f64 {
+        if axis == self.axis { &mut self.normal } else { &mut self.friction }
+    }
+
     /// Its other end.
     pub fn other(&self, item: u32) -> u32 {
         if self.lo == item { self.hi } else { self.lo }

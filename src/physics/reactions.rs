@@ -197,11 +197,22 @@ impl Reactions {
     /// One round: the axis of gravity, and the other with the friction that follows.
     fn solve_axes(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         for axis in [1, 0] {
+            if self.is_idle(axis, contacts, parts) {
+                self.body_of.iter().for_each(|body| out[*body as usize][axis] = 0.0);
+                contacts.iter_mut().for_each(|contact| *contact.along(axis) = 0.0);
+                continue;
+            }
             self.solve_axis(axis, contacts, parts, Question::Forces);
             for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
                 out[body as usize][axis] = node.acceleration;
             }
         }
+    }
+
+    /// Whether nothing acts along an axis: as across a column that stands.
+    fn is_idle(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> bool {
+        let rests = |contact: &Contact| (contact.axis == axis || contact.slides == 0.0) && ground(contact, parts, axis, 0.0) == 0.0;
+        self.body_of.iter().all(|body| parts.free[*body as usize][axis] == 0.0) && contacts.iter().all(rests)
     }
 
     /// The end of rounds that do not settle, because what a wall carries can be carried in several ways and each round finds another one:
