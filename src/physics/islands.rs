@@ -18,7 +18,7 @@ use super::events::{BUDGET_OF_A_FLOW, Events, Item, Outcome, Scene};
 use super::flow::flow;
 use super::guards::Guards;
 use super::pile::{Advance, Store, Verdict};
-use super::scratch::{After, Dispute, Scratch, Stop, first_stop};
+use super::scratch::{After, Dispute, NOBODY, Scratch, Stop, first_stop};
 use super::world::State;
 
 /// The choice of methods.
@@ -82,8 +82,6 @@ pub(super) struct Tick<'a> {
     pub scratch: &'a mut Scratch,
     /// Whether somebody asked for forces in the last tick.
     pub lists: bool,
-    /// Whether any surface follows a path.
-    pub moving: bool,
 }
 
 impl Tick<'_> {
@@ -139,10 +137,6 @@ impl Advance for Tick<'_> {
         if large || round > Choice::MOST_GROWTHS || self.pauses() || self.budget() == 0 {
             self.guards.dense_ticks += 1;
             self.scratch.leave();
-            if self.moving {
-                store.surfaces(&mut self.scratch.surfaces);
-                self.scratch.meet(self.state, store);
-            }
             return Verdict::Left(f64::INFINITY);
         }
         store.surfaces(&mut self.scratch.surfaces);
@@ -213,7 +207,7 @@ impl Advance for Tick<'_> {
     }
 
     fn stand(&mut self, surface: usize) {
-        self.scratch.stops.push(Stop::throughout(surface as u32));
+        self.scratch.stops.push(Stop { leader: NOBODY, surface: surface as u32, at: 0.0 });
     }
 
     fn begin_anew(&mut self) {
@@ -224,14 +218,6 @@ impl Advance for Tick<'_> {
         let Scratch { stops, met, disputes, .. } = &mut *self.scratch;
         if stops.is_empty() {
             return;
-        }
-        // Who takes the tick in one step cannot do as if a surface stopped in the midst of it.
-        for k in 0..met.len() {
-            let Stop { surface, whole, .. } = met[k];
-            let at = first_stop(stops, surface);
-            if whole && at.is_finite() && at > 0.0 {
-                stops.push(Stop::throughout(surface));
-            }
         }
         // Each surface by itself: how long others take to agree about another is no concern of it.
         let differs = |met: &Stop, stops: &[Stop]| met.at != first_stop(stops, met.surface);
@@ -247,7 +233,7 @@ impl Advance for Tick<'_> {
             if *open && *rounds > Choice::MOST_ROUNDS {
                 self.guards.disputes_ended += u64::from(*rounds == Choice::MOST_ROUNDS + 1);
                 let stops = stops.iter_mut().filter(|stop| stop.surface == *surface);
-                stops.for_each(|stop| *stop = Stop::throughout(*surface));
+                stops.for_each(|stop| (stop.leader, stop.at) = (NOBODY, 0.0));
             }
         }
         let open = |surface: u32| disputes.iter().any(|dispute| dispute.open && dispute.surface == surface);

@@ -5,7 +5,6 @@ use super::contact::Contact;
 use super::events::{Events, Item, Scene};
 use super::impulse::Impulse;
 use super::media::Media;
-use super::pile::Store;
 #[cfg(all(feature = "validate", debug_assertions))]
 use super::validate::Checks;
 use super::world::{Obstacle, State};
@@ -14,7 +13,7 @@ use super::{Aabb, Body, BodyId};
 use glam::DVec2;
 
 /// The leader of no island.
-const NOBODY: u32 = u32::MAX;
+pub(super) const NOBODY: u32 = u32::MAX;
 
 /// A surface that stops within a tick.
 #[derive(Clone, Copy, Debug)]
@@ -24,15 +23,6 @@ pub(super) struct Stop {
     pub surface: u32,
     /// s from the tick's start; infinite where it goes on.
     pub at: f64,
-    /// Whether the island takes the tick in one step: such a one knows only of surfaces that move or stand throughout.
-    pub whole: bool,
-}
-
-impl Stop {
-    /// A surface stands for the whole tick, whoever meets it.
-    pub fn throughout(surface: u32) -> Self {
-        Self { leader: NOBODY, surface, at: 0.0, whole: false }
-    }
 }
 
 /// Islands have come to different answers about when a surface stops.
@@ -280,7 +270,7 @@ impl Scratch {
         }
         for item in &items[*movable..] {
             if !state.surfaces[item.id as usize].def.path.is_still() {
-                let stop = Stop { leader, surface: item.id, at: item.stops_at, whole: false };
+                let stop = Stop { leader, surface: item.id, at: item.stops_at };
                 if stop.at < first_stop(stops, stop.surface) {
                     stops.push(stop);
                 }
@@ -294,23 +284,6 @@ impl Scratch {
         let (leader, members) = (self.members[0], self.members.len() as u32);
         for &body in &self.members {
             self.after[body as usize] = After { dense: true, members, leader, ..After::default() };
-        }
-    }
-
-    /// Notes which moving surfaces the dense method may meet in the present island: as standing throughout, where somebody has found that they
-    /// cannot move, or as going on throughout.
-    pub fn meet(&mut self, state: &State, store: &mut Store<'_>) {
-        let Self { surfaces, stops, met, members, .. } = self;
-        surfaces.sort_unstable();
-        surfaces.dedup();
-        for &surface in surfaces.iter().filter(|surface| !state.surfaces[**surface as usize].def.path.is_still()) {
-            let mut at = f64::INFINITY;
-            if first_stop(stops, surface) == 0.0 {
-                at = 0.0;
-                stops.push(Stop::throughout(surface));
-                store.stand(surface);
-            }
-            met.push(Stop { leader: members[0], surface, at, whole: true });
         }
     }
 }

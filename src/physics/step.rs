@@ -31,10 +31,9 @@ impl World {
         self.say_what_acts(dt);
         let Self { state, records, plan, scratch, pile, .. } = self;
         let lists = self.asked.replace(false);
-        let moving = !self.on_paths.is_empty();
         let guards = &mut records.guards;
         let scene = Scene::of(state, plan, dt);
-        pile.step_with(dt, &mut Tick { state, scene, guards, scratch, lists, moving });
+        pile.step_with(dt, &mut Tick { state, scene, guards, scratch, lists });
         records.guards.add(&pile.take_guards());
         records.guards.flows_ended_early += state.media.take_ended_early();
         self.commit(dt);

@@ -3,7 +3,6 @@
 use super::super::bodies::Bodies;
 use super::super::islands::Island;
 use super::later::Placed;
-use super::stay;
 use crate::physics::Aabb;
 use glam::DVec2;
 
@@ -101,12 +100,6 @@ impl Store<'_> {
     pub fn place_surface(&mut self, surface: u32, (position, velocity): (DVec2, DVec2), stands: bool) {
         let turned = DVec2::new(1.0, self.down);
         self.placed.push(Placed { surface, position: position * turned, velocity: velocity * turned, stands });
-    }
-
-    /// Lets a surface stand for the whole step, for all islands that the dense method takes from now on.
-    pub fn stand(&mut self, surface: u32) {
-        let slot = self.bodies.len() + surface as usize;
-        stay(self.bodies, slot);
     }
 
     /// Widens where others are looked for by `reach` (m) to all sides; the islands are found anew then.

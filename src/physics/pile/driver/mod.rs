@@ -131,7 +131,8 @@ impl Pile {
         let bodies = &mut self.bodies;
         let still = |bodies: &mut Bodies, j: usize| {
             (bodies.was_vx[j], bodies.was_vy[j]) = (bodies.vx[j], bodies.vy[j]);
-            stay(bodies, j);
+            (bodies.px[j], bodies.py[j]) = (bodies.x[j], bodies.y[j]);
+            set_velocity(bodies, j, (0.0, 0.0));
         };
         self.driver.moving.iter().for_each(|j| still(bodies, n + *j as usize));
         for Target { surface, centre, velocity } in &self.driver.targets {
@@ -155,7 +156,9 @@ impl Pile {
                 let body = self.bodies.id[body as usize] as usize;
                 self.driver.squeezed.push(Squeeze { body, surface: surface as usize - n, speed });
                 other.stand(surface as usize - n);
-                stay(&mut self.bodies, surface as usize);
+                let j = surface as usize;
+                (self.bodies.px[j], self.bodies.py[j]) = (self.bodies.x[j], self.bodies.y[j]);
+                set_velocity(&mut self.bodies, j, (0.0, 0.0));
             }
             self.solve_all_again(dt, other);
         }
@@ -323,12 +326,6 @@ impl Driver {
             self.events.push(PileImpact { a: id[a as usize] as usize, b: other(b as usize), axis, speed });
         }
     }
-}
-
-/// A surface stands where it is throughout the step.
-fn stay(bodies: &mut Bodies, j: usize) {
-    (bodies.px[j], bodies.py[j]) = (bodies.x[j], bodies.y[j]);
-    set_velocity(bodies, j, (0.0, 0.0));
 }
 
 /// Sets the velocity of a surface throughout the step.
