@@ -20,7 +20,8 @@ pub(super) fn advance(bodies: &mut Bodies, members: &[u32], lands: &[u32], dt: f
     let mut inside = true;
     for &i in members {
         let i = i as usize;
-        let mut moved = bounced;
+        // Drag that was told anew has changed the way of what nothing touches across.
+        let mut moved = bounced || bodies.px[i] != bodies.free_x[i];
         if bodies.uy[i] != bodies.free_vy[i] {
             // What lands does so to the bit.
             bodies.py[i] = match lands[i] {
