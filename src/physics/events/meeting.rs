@@ -61,22 +61,18 @@ impl Events {
         if lo >= self.movable || hi >= self.movable {
             let (body, ground, side) = if lo >= self.movable { (hi, lo, 1.0) } else { (lo, hi, -1.0) };
             if gap < -CLOSED {
-                self.push_along(scene, body as u32, axis, -side * gap);
+                self.push_along(scene, body as u32, (axis, -side * gap), contact);
             }
             self.places[body][axis] = self.places[ground][axis] + side * reach;
-        } else if gap > CLOSED {
-            let of_lo = self.items[hi].body.mass / (self.items[lo].body.mass + self.items[hi].body.mass);
-            self.places[lo][axis] += gap * of_lo;
-            self.places[hi][axis] -= gap * (1.0 - of_lo);
-        } else if gap < -CLOSED {
-            let give = [(lo, -1.0), (hi, 1.0)].map(|(item, side)| {
-                let stands = self.find_behind(item as u32, axis, side);
+        } else if gap.abs() > CLOSED {
+            let share = [(lo, gap), (hi, -gap)].map(|(item, way)| {
+                let stands = self.find_behind(item as u32, axis, way, contact);
                 if stands { 0.0 } else { 1.0 / self.items[item].body.mass }
             });
-            let sum = give[0] + give[1];
+            let sum = share[0] + share[1];
             if sum > 0.0 {
-                self.push_along(scene, lo as u32, axis, gap * (give[0] / sum));
-                self.push_along(scene, hi as u32, axis, -gap * (give[1] / sum));
+                self.push_along(scene, lo as u32, (axis, gap * (share[0] / sum)), contact);
+                self.push_along(scene, hi as u32, (axis, -gap * (share[1] / sum)), contact);
             }
         }
     }
@@ -138,15 +134,16 @@ impl Events {
         self.now = apart;
     }
 
-    /// Lists in `behind` a body and what stands behind it to that side along an axis, each against the one before. Returns whether a surface does.
-    fn find_behind(&mut self, body: u32, axis: usize, side: f64) -> bool {
+    /// Lists in `behind` a body and what stands behind it to that side along an axis, each against the one before, not by this contact. Returns
+    /// whether a surface does.
+    fn find_behind(&mut self, body: u32, axis: usize, side: f64, besides: &Contact) -> bool {
         self.behind.clear();
         self.behind.push(body);
         let mut next = 0;
         while let Some(&carrier) = self.behind.get(next) {
             next += 1;
             let all = self.contacts.iter().chain(&self.touching).chain(&self.met);
-            for contact in all.filter(|contact| contact.axis == axis) {
+            for contact in all.filter(|contact| contact.axis == axis && !contact.is_of(besides.lo, besides.hi)) {
                 let (near, far) = if side > 0.0 { (contact.lo, contact.hi) } else { (contact.hi, contact.lo) };
                 if near != carrier {
                     continue;
@@ -163,11 +160,11 @@ impl Events {
     }
 
     /// Moves a body by `way` (m) along an axis, and what stands behind it by as much: it would be left in it, a little deeper each time.
-    fn push_along(&mut self, scene: &Scene, body: u32, axis: usize, way: f64) {
+    fn push_along(&mut self, scene: &Scene, body: u32, (axis, way): (usize, f64), besides: &Contact) {
         if way == 0.0 {
             return;
         }
-        self.find_behind(body, axis, way);
+        self.find_behind(body, axis, way, besides);
         for k in 0..self.behind.len() {
             let item = self.behind[k];
             self.concern(item);
