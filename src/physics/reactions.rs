@@ -10,7 +10,7 @@
 use super::contact::Contact;
 use super::face;
 use super::network::{Carries, GROUND, Network, Node};
-use super::tuning::{FORCE_TOLERANCE, FRICTION_PASSES, FRICTION_ROUNDS, SPEED_TOLERANCE};
+use super::tuning::{FORCE_TOLERANCE, FRICTION_ROUNDS, SPEED_TOLERANCE};
 use glam::DVec2;
 
 /// Relative to a pressure: changes from round to round up to which it is taken to have settled after the last round. Smaller: friction yields
@@ -59,9 +59,8 @@ pub(super) struct Reactions {
     /// How hard each contact pressed one and two rounds ago, N.
     pressed: Vec<f64>,
     pressed_before: Vec<f64>,
-    /// Groups whose rounds between the axes did not settle, and those in which static friction still gave way in the last of its passes.
+    /// Groups whose rounds between the axes did not settle.
     pub unsettled: u64,
-    pub passes_ended: u64,
     /// The bodies that surfaces which close on them squeeze, and along which axis, by the last question asked.
     pub squeezed: Vec<(u32, usize)>,
 }
@@ -133,13 +132,13 @@ impl Reactions {
     /// known to slide, so that asking again answers the same.
     fn accelerate_group(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         self.number(contacts, parts);
-        for pass in 1..=FRICTION_PASSES {
+        // What has given way in a pass slides in all that follow: there are no more passes than contacts.
+        loop {
             let rounds = self.couple_axes(contacts, parts, out);
             let again = rounds != Some(1) && contacts.iter().any(|contact| contact.gave_way);
             match rounds {
-                Some(_) if !again => return,
-                Some(_) => self.passes_ended += u64::from(pass == FRICTION_PASSES),
-                None if again && pass < FRICTION_PASSES => {}
+                _ if again => {}
+                Some(_) => return,
                 None => return self.yield_friction(contacts, parts, out),
             }
         }

@@ -217,7 +217,6 @@ impl Events {
         let outcome = self.go_through(scene);
         self.total += self.work;
         self.guards.friction_unsettled += std::mem::take(&mut self.reactions.unsettled);
-        self.guards.friction_passes_ended += std::mem::take(&mut self.reactions.passes_ended);
         outcome
     }
 
