@@ -165,7 +165,7 @@ fn a_tick_in_which_nothing_happens_is_the_same_tick() {
         (4, false, 0.01, 0.05),
         (12, false, 0.02, 0.1),
         (12, true, 0.01, 0.05),
-        (30, false, 0.07, 1.0),
+        (30, false, 0.08, 1.0),
     ];
     for (count, lively, part, most) in rooms {
         let (mut calm, mut off, mut worst) = (0u32, 0u32, 0.0f64);

@@ -15,6 +15,10 @@ pub(super) const STOKES: f64 = 3.0 * std::f64::consts::PI;
 pub(super) const WAVES: f64 = 0.15;
 /// Relative: what rounding leaves of a balance of forces. Smaller: what floats never comes to rest; larger: it rests beside its waterline.
 const BALANCE: f64 = 4e-14;
+/// Roundings of its coordinates, in its halves, that the fraction of a body inside liquids may be off by; and what is surely more. Smaller: of
+/// what is wholly inside, a part of 1e-16 meets an air that is 1e10 times as thick.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
+const SURELY: f64 = 1e-6;
 /// Work of a bath.
 const WORK_OF_A_BATH: u64 = 8;
 
@@ -60,6 +64,14 @@ impl Bath {
     pub fn rounding(&self, constant: DVec2, body: &Body, y: f64) -> f64 {
         BALANCE * (constant.y.abs() + self.lift.abs() + self.stiffness * (y.abs() + body.half.y))
     }
+}
+
+/// The fraction of a body at `x` that is in no liquid: none where it is nothing but the rounding of the fraction that is.
+#[inline]
+pub(super) fn dry(body: &Body, x: DVec2, fraction: f64) -> f64 {
+    let dry = 1.0 - fraction;
+    let is_rounding = dry < SURELY && dry < ROUNDED * (1.0 + (x.abs() / body.half).max_element());
+    if is_rounding { 0.0 } else { dry }
 }
 
 /// A body in its media, around a place.
@@ -113,7 +125,7 @@ impl<'a> Regime<'a> {
         let fraction = area * self.per_area;
         let mut drag = self.drag.scaled(mass);
         if !self.law.air.is_none() {
-            drag = drag.plus(&self.law.air.scaled((1.0 - fraction).max(0.0)));
+            drag = drag.plus(&self.law.air.scaled(dry(self.body, x, fraction)));
         }
         let (waves, stiffness) = self.surfaces(self.media, self.body, x, &self.law.liquids);
         let waves = self.body.drag * waves;

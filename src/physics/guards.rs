@@ -43,8 +43,6 @@ guards! {
     /// Groups of contacts whose friction on floors and on walls, each of which decides about the other, did not settle within its rounds:
     /// some rub less than they could.
     friction_unsettled,
-    /// Groups of contacts in which static friction still gave way in the last pass: asked again, they may answer with other last bits.
-    friction_passes_ended,
     /// Flows through liquids whose last part was one implicit step, because they had used up what they may take.
     flows_ended_early,
     /// Flights of one body through so many streams that the rest of a tick went with the force that it had come to.
@@ -59,10 +57,6 @@ guards! {
     kept_within_reach,
     /// Dense: bodies that stayed where they were for the rest of a step, with their velocities, because bounces ran out of their budget.
     bounces_put_off,
-    /// Dense: mergings, along gravity, across it or of places, that ran out of rounds.
-    merging_ended,
-    /// Dense: steps of islands in which what hangs on walls did not settle within its rounds.
-    walls_ended,
     /// Dense: how often the grips of stacks did not settle, or would have driven, and were relaxed contact by contact.
     friction_relaxed,
     /// Dense: steps of islands in which friction would have driven, and was left out.

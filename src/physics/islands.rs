@@ -115,6 +115,21 @@ impl Tick<'_> {
         members.iter().for_each(|body| used[*body as usize] += of_each);
     }
 
+    /// Tells the dense method which of the surfaces that its island may meet others have stopped, and when it was told so.
+    fn stop_surfaces(&mut self, store: &mut Store<'_>) {
+        let Scratch { members, surfaces, stops, met, .. } = &mut *self.scratch;
+        store.moving_surfaces(surfaces);
+        surfaces.sort_unstable();
+        surfaces.dedup();
+        for &s in &*surfaces {
+            let (surface, at) = (&self.state.surfaces[s as usize], first_stop(stops, s));
+            met.push(Stop { leader: members[0], surface: s, at });
+            if at < self.scene.tick {
+                store.place_surface(s, (surface.bounds.centre(), surface.velocity), Some(surface.at(at).offset));
+            }
+        }
+    }
+
     fn bring(&self, store: &mut Store<'_>) {
         for item in &self.scratch.events.items[..self.scratch.events.movable] {
             store.bring(item.id, item.body.position, item.body.velocity);
@@ -137,6 +152,7 @@ impl Advance for Tick<'_> {
         if large || round > Choice::MOST_GROWTHS || self.pauses() || self.budget() == 0 {
             self.guards.dense_ticks += 1;
             self.scratch.leave();
+            self.stop_surfaces(store);
             return Verdict::Left(f64::INFINITY);
         }
         store.surfaces(&mut self.scratch.surfaces);
@@ -180,7 +196,11 @@ impl Advance for Tick<'_> {
                 }
                 self.bring(store);
                 for item in &self.scratch.events.items[count..] {
-                    store.place_surface(item.id, (item.body.position, item.body.velocity), item.stops_at <= at);
+                    let stops = match item.stops_at {
+                        until if until <= at => Some(item.body.position),
+                        until => (until < self.scene.tick).then(|| self.state.surfaces[item.id as usize].at(until).offset),
+                    };
+                    store.place_surface(item.id, (item.body.position, item.body.velocity), stops);
                 }
                 let left = self.scene.tick - at;
                 self.lead(store, left);

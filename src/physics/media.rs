@@ -19,7 +19,7 @@
 //! the buoyancy listed is what makes the resultant exactly zero.
 
 use super::air::Drag;
-use super::bath::{Regime, STOKES, Stiffness, WAVES};
+use super::bath::{Regime, STOKES, Stiffness, WAVES, dry};
 use super::displaced::Displaced;
 use super::flow::Pose;
 use super::tuning::SLOP;
@@ -274,25 +274,27 @@ impl Media {
         };
         add(ForceKind::Weight, Source::Gravity, DVec2::new(0.0, mass * self.gravity_on(body)));
         add(ForceKind::Drive, Source::Engine, drive);
+        let mut force = drive;
         for i in self.streams_at(&body.bounds()).iter().filter(|i| in_stream(*i as usize)) {
             let stream = &self.streams[i as usize];
+            force += stream.on(body);
             add(stream.kind, stream.source, stream.on(body));
         }
-        let mut dry = 1.0;
+        let mut wet = 0.0;
         for i in law.liquids.iter() {
             let alone = Law { air: Drag::default(), liquids: ZoneList::only(i), displaced: Displaced::default(), ..*law };
             let part = Regime::new(self, body, &alone, x).bath(x);
             if part.fraction == 0.0 {
                 continue;
             }
-            dry -= part.fraction;
+            wet += part.fraction;
             let drag = part.drag.rate(v) + part.linear;
             let drag = -v * DVec2::new(drag, drag + part.waves) * mass;
             add(ForceKind::ViscousDrag, Source::Fluid(i), drag);
             add(ForceKind::Buoyancy, Source::Fluid(i), DVec2::new(0.0, -mass * part.lift));
         }
         if !law.air.is_none() {
-            add(ForceKind::AirResistance, Source::Air, -v * (law.air.rate(v) * f64::max(dry, 0.0) * mass));
+            add(ForceKind::AirResistance, Source::Air, -v * (law.air.rate(v) * dry(body, x, wet) * mass));
         }
         if let Some((index, before)) = last
             && v.y == 0.0
@@ -300,7 +302,7 @@ impl Media {
             // With v_y = 0 no drag acts up or down, so that the last buoyancy is the last of the vertical forces.
             let regime = Regime::new(self, body, law, x);
             let bath = regime.bath(x);
-            if regime.balances(&bath, x, bath.acceleration(law.constant, v).y) {
+            if regime.balances(&bath, x, bath.acceleration(self.constant(body, force), v).y) {
                 out[index].vector.y = -before.y;
             }
         }

@@ -10,12 +10,18 @@
 use super::contact::Contact;
 use super::face;
 use super::network::{Carries, GROUND, Network, Node};
-use super::tuning::{FORCE_TOLERANCE, FRICTION_PASSES, FRICTION_ROUNDS, SPEED_TOLERANCE};
+use super::tuning::{FORCE_TOLERANCE, FRICTION_ROUNDS, SPEED_TOLERANCE};
 use glam::DVec2;
 
 /// Relative to a pressure: changes from round to round up to which it is taken to have settled after the last round. Smaller: friction yields
 /// where nothing but rounding goes on; larger: what is listed exceeds what Coulomb's law allows.
 const SETTLED: f64 = 1e-10;
+
+/// Where what makes bodies that are joined fall otherwise than the heaviest is so small a part of what pulls at that, what their contacts carry
+/// is sought in its frame. Smaller: what rounding leaves of the weight of something heavy is more than what something light beside it feels.
+const ALIKE: f64 = 1e-3;
+/// And nothing is pulled at less than by so small a part of that: in that frame it would be lost to rounding.
+const AT_ALL: f64 = 1e-6;
 
 /// What a network is made of. Bodies have the numbers from 0 on, surfaces follow.
 #[derive(Clone, Copy, Debug)]
@@ -53,9 +59,8 @@ pub(super) struct Reactions {
     /// How hard each contact pressed one and two rounds ago, N.
     pressed: Vec<f64>,
     pressed_before: Vec<f64>,
-    /// Groups whose rounds between the axes did not settle, and those in which static friction still gave way in the last of its passes.
+    /// Groups whose rounds between the axes did not settle.
     pub unsettled: u64,
-    pub passes_ended: u64,
     /// Up to which work rounds go on; none: all of it.
     most: Option<u64>,
     /// The bodies that surfaces which close on them squeeze, and along which axis, by the last question asked.
@@ -138,15 +143,14 @@ impl Reactions {
     /// known to slide, so that asking again answers the same.
     fn accelerate_group(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         self.number(contacts, parts);
-        for pass in 1..=FRICTION_PASSES {
+        // What has given way in a pass slides in all that follow: there are no more passes than contacts.
+        loop {
             let rounds = self.couple_axes(contacts, parts, out);
             let again = rounds != Some(1) && contacts.iter().any(|contact| contact.gave_way);
             match rounds {
+                _ if again && !self.is_worn_out() => {}
                 Some(_) if !again => return,
-                Some(_) if self.is_worn_out() => return self.yield_friction(contacts, parts, out),
-                Some(_) => self.passes_ended += u64::from(pass == FRICTION_PASSES),
-                None if again && pass < FRICTION_PASSES && !self.is_worn_out() => {}
-                None => return self.yield_friction(contacts, parts, out),
+                _ => return self.yield_friction(contacts, parts, out),
             }
         }
     }
@@ -309,12 +313,13 @@ impl Reactions {
     /// Builds and solves one axis. Updates what the contacts carry along it.
     fn solve_axis(&mut self, axis: usize, contacts: &mut [Contact], parts: &Parts, question: Question) {
         let known = self.squeezed.len();
+        let frame = if question == Question::Forces { self.falls_alike(axis, contacts, parts) } else { 0.0 };
         loop {
             self.network.clear();
             self.contact_of.clear();
             for &body in &self.body_of {
                 let mass = parts.masses[body as usize][axis];
-                let force = mass * parts.free[body as usize][axis];
+                let force = mass * (parts.free[body as usize][axis] - frame);
                 self.network.nodes.push(Node { mass, force, acceleration: 0.0 });
             }
             for (index, contact) in contacts.iter_mut().enumerate() {
@@ -323,12 +328,28 @@ impl Reactions {
                 }
             }
             self.network.solve();
+            self.network.nodes.iter_mut().for_each(|node| node.acceleration += frame);
             self.squeezed.truncate(known);
             self.squeezed.extend(self.network.squeezed.iter().map(|&node| (self.body_of[node as usize], axis)));
             if !self.read(axis, contacts, question) {
                 return;
             }
         }
+    }
+
+    /// What the heaviest body does along an axis without contacts, if no surface holds anything along it and hardly anything makes the others do
+    /// otherwise; else 0.
+    fn falls_alike(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> f64 {
+        let links = |contact: &Contact| contact.axis == axis || contact.normal > 0.0 && contact.slides == 0.0;
+        if contacts.iter().any(|contact| contact.lo.max(contact.hi) as usize >= parts.masses.len() && links(contact)) {
+            return 0.0;
+        }
+        let of = |body: &u32| (parts.masses[*body as usize][axis], parts.free[*body as usize][axis]);
+        let heaviest = self.body_of.iter().map(of).max_by(|a, b| a.0.total_cmp(&b.0));
+        let (mass, frame) = heaviest.unwrap_or_default();
+        let otherwise: f64 = self.body_of.iter().map(of).map(|(mass, free)| mass * (free - frame).abs()).sum();
+        let falls = self.body_of.iter().map(of).all(|(_, free)| free.abs() >= AT_ALL * frame.abs());
+        if falls && otherwise <= ALIKE * mass * frame.abs() { frame } else { 0.0 }
     }
 
     /// Adds what a contact can do along an axis: its push, or its friction. Returns whether that needs a link.

@@ -54,8 +54,5 @@ pub(super) const REPORT_SPEED: f64 = 0.01;
 /// Rounds between the two axes when friction on walls and floors depend on each other.
 pub(super) const FRICTION_ROUNDS: u32 = 24;
 
-/// How often these rounds begin anew because static friction gave way in them.
-pub(super) const FRICTION_PASSES: u32 = 3;
-
 /// m. Thickness of the level's edges. No speed gets through: impacts are found along the whole path.
 pub(super) const EDGE_THICKNESS: f64 = 100.0;

@@ -25,7 +25,8 @@ impl Files for Memory {
 pub fn level_texts(seed: u64) -> Memory {
     let mut random = Random(seed);
     let wildness = how_wild(&mut random);
-    Author { random, wildness, taken: Vec::new(), metre: 30.0, corner: DVec2::ZERO, size: DVec2::ZERO }.write()
+    let author = Author { random, wildness, taken: Vec::new(), metre: 30.0, corner: DVec2::ZERO, size: DVec2::ZERO };
+    author.write(seed >= MOVES_FROM)
 }
 
 /// How many of all numbers of that level are extreme, from 0 to 1.
@@ -36,6 +37,9 @@ pub fn wildness(seed: u64) -> f64 {
 fn how_wild(random: &mut Random) -> f64 {
     random.pick(&[0.0, 0.0, 0.02, 0.1, 0.3])
 }
+
+/// Levels from this seed on have surfaces that move, belts and blocks that are solid from one side only; those before stay what they were.
+const MOVES_FROM: u64 = 2_000_000;
 
 const MATERIALS: [&str; 7] = ["", "Asphalt", "Steel", "Ice", "Rubber", "Wood", "Glass"];
 
@@ -52,7 +56,7 @@ struct Author {
 }
 
 impl Author {
-    fn write(mut self) -> Memory {
+    fn write(mut self, moves: bool) -> Memory {
         self.metre = self.number(&[30.0, 30.0, 30.0, 50.0], -3.0, 6.0);
         let (width, height) = (self.random.between(8.0, 40.0), self.random.between(6.0, 30.0));
         self.size = DVec2::new(width, height);
@@ -62,7 +66,7 @@ impl Author {
         };
         // Things are put together, in the near corner of the level or in the far one.
         self.corner = if self.random.chance(0.5) { level - self.size } else { DVec2::ZERO };
-        let files = vec![
+        let mut files = vec![
             ("constants.csv", self.constants(level)),
             ("player.csv", self.player()),
             ("world.csv", self.solids()),
@@ -72,7 +76,37 @@ impl Author {
             // No attempt ends before its time.
             ("objectives.csv", format!("PLAYER,0,0,{},{},1e6\n", level.x * self.metre, level.y * self.metre)),
         ];
+        if moves {
+            files.push(("movers.csv", self.movers()));
+        }
         Memory(files)
+    }
+
+    fn movers(&mut self) -> String {
+        let mut text = String::from("x,y,width,height,way_points,speed,wait,ease,route,material,one_way,belt\n");
+        for _ in 0..1 + self.count(&[0, 0, 1, 2, 5]) {
+            let (usual_x, usual_y) = (self.random.between(0.3, 4.0), self.random.pick(&[0.1, 0.5, 2.0]));
+            let half = DVec2::new(self.number(&[usual_x], -3.0, 2.0), self.number(&[usual_y], -3.0, 2.0)) * 0.5;
+            let bounds = Aabb::around(self.anywhere(half), half);
+            if self.taken.iter().any(|taken| taken.overlaps(&bounds, 0.0)) {
+                continue;
+            }
+            self.taken.push(bounds);
+            let ways: Vec<String> = (0..1 + self.random.below(3))
+                .map(|_| {
+                    let at = (self.anywhere(half) - half) * self.metre;
+                    format!("{} {}", at.x, at.y)
+                })
+                .collect();
+            let speed = self.number(&[1.0, 3.0, 10.0], -6.0, 6.0);
+            let (wait, ease) = (self.number(&[0.0, 0.0, 0.5], -3.0, 2.0), self.number(&[0.0, 0.0, 0.2], -3.0, 2.0));
+            let route = self.random.pick(&["", "round", "once"]);
+            let (material, side) = (self.random.pick(&MATERIALS), self.random.pick(&["", "", "top", "left"]));
+            let belt = self.signed(&[0.0, 0.0, 2.0], -3.0, 6.0);
+            self.row(&bounds, &mut text);
+            writeln!(text, ",{},{speed},{wait},{ease},{route},{material},{side},{belt}", ways.join(";")).unwrap();
+        }
+        text
     }
 
     /// One of the usual numbers, or an extreme one between two powers of ten; now and then one that is refused.

@@ -19,6 +19,7 @@ mod end;
 mod grounds;
 mod impacts;
 mod item;
+mod meeting;
 mod motions;
 mod predict;
 mod rest;
@@ -155,6 +156,8 @@ pub(super) struct Events {
     /// Whether a surface was stopped while the present event was looked at.
     halted: bool,
     touching: Vec<Contact>,
+    /// The pair whose meeting the present event is.
+    met: Option<Contact>,
     reactions: Reactions,
     /// Of each body: its mass along each axis, what would accelerate it without contacts, and what does.
     masses: Vec<DVec2>,
@@ -164,6 +167,8 @@ pub(super) struct Events {
     places: Vec<DVec2>,
     speeds: Vec<DVec2>,
     before: Vec<DVec2>,
+    /// Of each item: where it was when the tick began.
+    begun: Vec<DVec2>,
     /// Of each surface: velocity and acceleration now.
     ground_speeds: Vec<DVec2>,
     ground_pulls: Vec<DVec2>,
@@ -174,6 +179,8 @@ pub(super) struct Events {
     /// Contacts of what is concerned, and copies of them that can be asked what else they would carry.
     trial: Vec<Contact>,
     asked: Vec<Contact>,
+    /// What stands behind a body that gives way.
+    behind: Vec<u32>,
     /// What presses on the item whose next event is sought, and who is near.
     pressing: Vec<u32>,
     near: Vec<u32>,
@@ -211,7 +218,6 @@ impl Events {
         let outcome = self.go_through(scene);
         self.total += self.work;
         self.guards.friction_unsettled += std::mem::take(&mut self.reactions.unsettled);
-        self.guards.friction_passes_ended += std::mem::take(&mut self.reactions.passes_ended);
         outcome
     }
 
@@ -232,6 +238,7 @@ impl Events {
                 // What is foreseen already is still brought to where it is now.
                 scene.media.allow(budget / 2);
                 self.stop_here(scene);
+                self.part(scene);
                 self.resume_all(scene);
                 return Outcome::Busy(self.now);
             }
@@ -338,8 +345,12 @@ impl Events {
         self.nexts.resize(all, Next::NEVER);
         self.ways.clear();
         self.ways.resize(all, 0);
-        self.near.clear();
-        self.near.reserve(all);
+        for lists in [&mut self.near, &mut self.behind] {
+            lists.clear();
+            lists.reserve(all);
+        }
+        self.begun.clear();
+        self.begun.extend(self.items.iter().map(|item| item.body.position));
         self.tracks.clear();
         self.tracks
             .extend(self.items.iter().map(|item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO))));
@@ -468,6 +479,8 @@ impl Events {
             self.is_concerned[item as usize] = false;
         }
         self.concerned.clear();
+        self.touching.clear();
+        self.met = None;
         self.is_placed.fill(false);
     }
 

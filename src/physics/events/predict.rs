@@ -135,7 +135,8 @@ impl Events {
             if motion.stands() {
                 continue;
             }
-            let (reach, sides) = (mine.half + other.half, self.items[i.max(j)].sides);
+            let sides = self.items[i.max(j)].sides;
+            let reach = reach_of(&motion, mine.half + other.half, sides);
             let found =
                 meets_at_once(&motion, reach, sides).map(|axis| (0.0, axis)).or_else(|| time_of_impact(&motion, reach, end, sides));
             let Some((t, axis)) = found else { continue };
@@ -197,6 +198,17 @@ impl Events {
             }
         }
     }
+}
+
+/// How near two boxes may come along each axis, m: what is in each other by more than the slop gets no deeper, from wherever it turns round.
+fn reach_of(motion: &Cubic, mut reach: DVec2, sides: Sides) -> DVec2 {
+    let apart = motion.c[0].abs();
+    let gap = apart - reach;
+    let axis = usize::from(gap.x <= gap.y);
+    if gap[axis] < -SLOP && sides == Sides::ALL {
+        reach[axis] = apart[axis];
+    }
+    reach
 }
 
 /// Along which axis two boxes that touch already, or are in each other by the rounding with which a way was foreseen, approach at this very

@@ -79,8 +79,6 @@ const NONE: u32 = u32::MAX;
 /// Groups of bodies that move as one along one axis. Only bodies that were merged are in one.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Clusters {
-    /// How often mergings ran out of rounds, since this was taken last.
-    pub ended: u64,
     stamp: u32,
     members: Vec<Member>,
     roots: Vec<Root>,
@@ -93,7 +91,6 @@ pub(super) struct Clusters {
 impl Clusters {
     pub fn new(all: usize) -> Self {
         Self {
-            ended: 0,
             stamp: 0,
             members: vec![Member::default(); all],
             roots: vec![Root::default(); all],
@@ -157,7 +154,8 @@ impl Clusters {
     }
 
     /// Makes the mean velocities of two joined bodies differ by `difference` (first minus second) from now on. Returns whether that
-    /// was possible: not within one cluster, nor between two fixed ones.
+    /// was possible: not within one cluster, nor between two fixed ones. So there are fewer clusters each time: whatever merges until nothing does
+    /// comes to an end.
     pub fn merge(&mut self, first: usize, second: usize, difference: f64) -> bool {
         let (a, b) = (self.members[first], self.members[second]);
         let (ra, rb) = (self.roots[a.root as usize], self.roots[b.root as usize]);

@@ -30,8 +30,6 @@ const ROUNDING: f64 = 1e-12;
 const SWEEPS: usize = 32;
 /// Relative to the velocities: what closes more slowly does not. Smaller: rounding is swept.
 const CLOSING: f64 = 1e-12;
-/// Passes over the side contacts in one merging; each merges whole rows.
-const PASSES: usize = 16;
 
 /// What one body after the other is given in a step.
 #[derive(Clone, Debug)]
@@ -386,12 +384,13 @@ pub(super) fn merge(
     let slack = contacts.tolerances.hair / dt;
     clusters.clear();
     let mut any = false;
-    for pass in 0..PASSES {
+    let mut first = true;
+    loop {
         let mut merged = false;
         for side in &contacts.sides {
             let (a, b) = (side.first as usize, side.second as usize);
             // What was not merged has been looked at.
-            if pass > 0 && !clusters.is_joined(a) && !clusters.is_joined(b) {
+            if !first && !clusters.is_joined(a) && !clusters.is_joined(b) {
                 continue;
             }
             let (left, right) = (clusters.mean(a, bodies.mean_vx[a]), clusters.mean(b, bodies.mean_vx[b]));
@@ -410,9 +409,8 @@ pub(super) fn merge(
             merged |= clusters.merge(a, b, side.bound);
         }
         if !merged {
-            break;
+            return any;
         }
-        clusters.ended += u64::from(pass + 1 == PASSES);
+        first = false;
     }
-    any
 }

@@ -134,7 +134,7 @@ impl Dense {
         let Self { contacts, anchors, clusters, .. } = self;
         // What bounces in the air is not merged before it has.
         anchors.only_anchors = bodies.lively;
-        self.guards.merging_ended += gravity::solve(bodies, island.members, contacts, anchors, clusters, size.dt);
+        gravity::solve(bodies, island.members, contacts, anchors, clusters, size.dt);
         anchors.only_anchors = false;
         if !self.bounce(bodies, neighbours, island, size) {
             return Outcome::Grown;
@@ -184,8 +184,6 @@ impl Dense {
     /// How often each guard acted since this was asked last.
     pub fn take_guards(&mut self) -> Guards {
         self.guards.friction_relaxed += std::mem::take(&mut self.friction.relaxed);
-        self.guards.walls_ended += std::mem::take(&mut self.walls.ended);
-        self.guards.merging_ended += std::mem::take(&mut self.clusters.ended);
         std::mem::take(&mut self.guards)
     }
 
@@ -228,7 +226,7 @@ impl Dense {
         walls.undo(bodies, anchors, &mut impacts.struck);
         let struck = &mut impacts.struck;
         let mut along = Along { members: island.members, contacts, anchors, clusters, struck, dt };
-        self.guards.merging_ended += walls.solve(bodies, &mut along, report, solved);
+        walls.solve(bodies, &mut along, report, solved);
     }
 
     fn solve_across(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {

@@ -1,10 +1,12 @@
 //! Drag on what does not fly.
 //!
 //! Flight tells how the air slows a body that touches nothing: one that stands would fall within the step, and show its top to the air; one
-//! that friction brakes would be faster. So where something rubs, drag is told anew from the velocities that the contacts leave, by
-//! Simpson's rule over the step along the way, and by the mean fall.
+//! that friction brakes would be faster. So where something rubs, drag is told anew: by a flight on which what the contacts leave pulls at it
+//! besides. That is stable however light it is.
 
+use super::super::air::{Drag, fly_through};
 use super::bodies::Bodies;
+use glam::DVec2;
 
 /// Free flight as it was before drag was told anew.
 #[derive(Clone, Debug, Default)]
@@ -40,10 +42,16 @@ impl Resistance {
             if !bodies.meets_air(i) || (bodies.vx[i] == 0.0 && bodies.ux[i] == 0.0) {
                 continue;
             }
-            let (before, mean, after, fall) = (bodies.vx[i], bodies.mean_vx[i], bodies.ux[i], bodies.mean_vy[i]);
-            let at = |speed: f64| bodies.drag_at(i, speed, fall) * speed;
-            let drag = -(at(before) + 4.0 * at(mean) + at(after)) / 6.0;
-            let change = (bodies.ax[i] + drag) * dt - (bodies.free_vx[i] - before);
+            // What contacts add to what acts from outside, as if it did so throughout the step.
+            let touched = |free: f64, now: f64| (now - free) / dt;
+            let pull = DVec2::new(
+                bodies.ax[i] + touched(bodies.free_vx[i], bodies.ux[i]),
+                bodies.ay[i] + touched(bodies.free_vy[i], bodies.uy[i]),
+            );
+            let velocity = DVec2::new(bodies.vx[i], bodies.vy[i]);
+            let (_, after) = fly_through((DVec2::ZERO, velocity), pull, &bodies.drag_of(i), dt);
+            let drag = after.x - (velocity.x + pull.x * dt);
+            let change = (velocity.x + bodies.ax[i] * dt + drag) - bodies.free_vx[i];
             self.saved.push((i as u32, [bodies.free_vx[i], bodies.free_vy[i]]));
             bodies.free_vx[i] += change;
             bodies.px[i] += 0.5 * change * dt;
@@ -60,8 +68,8 @@ impl Bodies {
         self.airy && self.drag_wide[i] + self.drag_tall[i] + self.drag_round[i] > 0.0 && !self.is_guided[self.id[i] as usize]
     }
 
-    /// By what a velocity across and a fall are multiplied to be a deceleration, 1/s.
-    fn drag_at(&self, i: usize, across: f64, fall: f64) -> f64 {
-        self.drag_tall[i] * across.abs() + self.drag_wide[i] * fall.abs() + self.drag_round[i] * across.hypot(fall)
+    /// The drag of the air on a body.
+    pub(super) fn drag_of(&self, i: usize) -> Drag {
+        Drag { tall: self.drag_tall[i], wide: self.drag_wide[i], round: self.drag_round[i] }
     }
 }

@@ -5,9 +5,9 @@
 //! again alone by [`air::in_parts`]: the very functions of small worlds, so that a body flies alike, to the bit, in either. What is guided
 //! from outside goes where it is told.
 
+use super::super::air;
 #[cfg(doc)]
 use super::super::air::Step;
-use super::super::air::{self, Drag};
 use super::bodies::Bodies;
 use glam::DVec2;
 
@@ -143,9 +143,8 @@ pub(super) fn fly_one(bodies: &mut Bodies, i: usize, dt: f64, drag: bool) {
 
 fn fly_alone(bodies: &mut Bodies, i: usize, dt: f64) {
     let a = DVec2::new(bodies.ax[i], bodies.ay[i]);
-    let drag = Drag { tall: bodies.drag_tall[i], wide: bodies.drag_wide[i], round: bodies.drag_round[i] };
     let pose = (DVec2::new(bodies.x[i], bodies.y[i]), DVec2::new(bodies.vx[i], bodies.vy[i]));
-    let (x, v) = air::fly_through(pose, a, &drag, dt);
+    let (x, v) = air::fly_through(pose, a, &bodies.drag_of(i), dt);
     (bodies.px[i], bodies.py[i]) = x.into();
     (bodies.free_vx[i], bodies.free_vy[i]) = v.into();
 }
@@ -153,6 +152,7 @@ fn fly_alone(bodies: &mut Bodies, i: usize, dt: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::air::Drag;
 
     const H: f64 = 1.0 / 60.0;
 

@@ -13,8 +13,6 @@ use super::report::Edge;
 
 /// Relative velocities along gravity below this are none when loads are told, m/s. Larger: slow touches rub.
 pub(super) const SLACK: f64 = 1e-12;
-/// The most rounds of merging in a step; each settles at least one contact, all but the rarest scenes need two or three.
-const ROUNDS: usize = 24;
 
 /// The velocity of something with momentum P and mass M on ground whose friction can take `held` while it stands and takes
 /// `dragged` while it slides. Friction never reverses motion.
@@ -69,7 +67,7 @@ impl Anchors {
     }
 }
 
-/// Solves the velocities along gravity. Returns how many rounds of merging ran out, 0 or 1.
+/// Solves the velocities along gravity.
 pub(super) fn solve(
     bodies: &mut Bodies,
     members: &[u32],
@@ -77,7 +75,7 @@ pub(super) fn solve(
     anchors: &mut Anchors,
     clusters: &mut Clusters,
     dt: f64,
-) -> u64 {
+) {
     let mut loose = !contacts.ceilings.is_empty();
     anchors.edges.clear();
     anchors.hits.clear();
@@ -134,18 +132,13 @@ pub(super) fn solve(
         (bodies.uy[i], bodies.mean_vy[i]) = (velocity, mean);
     }
     anchors.unmerged = loose && anchors.only_anchors;
-    if loose && !anchors.only_anchors { merge(bodies, members, contacts, anchors, clusters, dt) } else { 0 }
+    if loose && !anchors.only_anchors {
+        merge(bodies, members, contacts, anchors, clusters, dt);
+    }
 }
 
 /// Merges what closes too far among bodies of which at least one is not anchored.
-fn merge(
-    bodies: &mut Bodies,
-    members: &[u32],
-    contacts: &Contacts,
-    anchors: &mut Anchors,
-    clusters: &mut Clusters,
-    dt: f64,
-) -> u64 {
+fn merge(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, anchors: &mut Anchors, clusters: &mut Clusters, dt: f64) {
     let n = bodies.len();
     let slack = contacts.tolerances.hair / dt;
     clusters.clear();
@@ -157,15 +150,15 @@ fn merge(
         Node::free(bodies.mass[i], bodies.vy[i], bodies.free_vy[i], mean)
     };
     let fixed = |bodies: &Bodies, held: bool, i: usize| held.then(|| Motion { velocity: bodies.uy[i], mean: bodies.mean_vy[i] });
-    let mut exhausted = 1;
-    for round in 0..ROUNDS {
+    let mut first = true;
+    loop {
         let mut merged = false;
         for &i in members {
             let i = i as usize;
             for stack in &contacts.stacks[contacts.under(i)] {
                 let j = stack.below as usize;
                 // What was not merged has been looked at.
-                if round > 0 && !clusters.is_joined(i) && !clusters.is_joined(j) {
+                if !first && !clusters.is_joined(i) && !clusters.is_joined(j) {
                     continue;
                 }
                 let (upper, lower) = (clusters.mean(i, bodies.mean_vy[i]), clusters.mean(j, bodies.mean_vy[j]));
@@ -197,9 +190,9 @@ fn merge(
             }
         }
         if !merged {
-            exhausted = 0;
             break;
         }
+        first = false;
     }
     for &i in &clusters.joined {
         let i = i as usize;
@@ -212,7 +205,6 @@ fn merge(
         }
     }
     anchors.edges.extend_from_slice(&clusters.edges);
-    exhausted
 }
 
 #[cfg(test)]

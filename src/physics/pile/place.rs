@@ -11,16 +11,14 @@ use super::clusters::{Clusters, Motion, Node};
 use super::contacts::Contacts;
 use super::gravity::NONE;
 
-/// Passes of merging across before bodies are put back.
-const PASSES: usize = 16;
-
 /// Moves what something touched by the ways that were solved. Returns whether all stay within what was swept; as that holds the ways of
 /// free flight, only those need asking that something touched, or all if some have `bounced`.
 pub(super) fn advance(bodies: &mut Bodies, members: &[u32], lands: &[u32], dt: f64, bounced: bool) -> bool {
     let mut inside = true;
     for &i in members {
         let i = i as usize;
-        let mut moved = bounced;
+        // Drag that was told anew has changed the way of what nothing touches across.
+        let mut moved = bounced || bodies.px[i] != bodies.free_x[i];
         if bodies.uy[i] != bodies.free_vy[i] {
             // What lands does so to the bit.
             bodies.py[i] = match lands[i] {
@@ -129,7 +127,7 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
     let (n, hair) = (bodies.len(), contacts.tolerances.hair);
     clusters.clear();
     let mut doubt = false;
-    for pass in 0..PASSES {
+    loop {
         let mut merged = false;
         for side in &contacts.sides {
             let (a, b) = (side.first as usize, side.second as usize);
@@ -153,8 +151,6 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
         if !merged {
             break;
         }
-        doubt |= pass + 1 == PASSES;
-        clusters.ended += u64::from(pass + 1 == PASSES);
     }
     for &i in &clusters.joined {
         let i = i as usize;

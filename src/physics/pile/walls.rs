@@ -13,8 +13,6 @@ use super::gravity::{self, Anchors};
 use super::impacts::Axis;
 use super::report::{Edge, Record, Report};
 
-/// Rounds of telling who slides. Fewer: what slips in a stack on a wall slips a step late.
-const ROUNDS: usize = 8;
 /// A limit exceeded by this part still holds: sums of many impulses are rounded.
 const ROUNDING: f64 = 1e-12;
 
@@ -38,8 +36,6 @@ struct Grip {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Walls {
     pub any: bool,
-    /// Steps in which who slides was not settled within the rounds, since this was taken last.
-    pub ended: u64,
     grips: Vec<Grip>,
     edges: Vec<Edge>,
     loads: Vec<f64>,
@@ -94,12 +90,13 @@ impl Walls {
         anchors.any_hung = false;
     }
 
-    /// Solves along gravity, with friction on upright faces. Returns how many rounds of merging ran out.
-    /// `solved`: they are, without it.
-    pub fn solve(&mut self, bodies: &mut Bodies, along: &mut Along<'_>, report: &mut Report, solved: bool) -> u64 {
-        let mut exhausted = if solved { 0 } else { along.solve(bodies) };
+    /// Solves along gravity, with friction on upright faces. `solved`: they are, without it.
+    pub fn solve(&mut self, bodies: &mut Bodies, along: &mut Along<'_>, report: &mut Report, solved: bool) {
+        if !solved {
+            along.solve(bodies);
+        }
         if !rubs(bodies, along) {
-            return exhausted;
+            return;
         }
         self.dt = along.dt;
         self.press(bodies, along, report);
@@ -112,15 +109,15 @@ impl Walls {
         }
         if self.records.is_empty() && self.grips.is_empty() {
             self.any = false;
-            return exhausted;
+            return;
         }
-        for round in 1..=ROUNDS {
+        // What slips hangs no more: there are no more rounds than grips.
+        loop {
             self.hang(bodies, along);
-            exhausted += along.solve(bodies);
+            along.solve(bodies);
             if !self.slip(bodies, along) {
                 break;
             }
-            self.ended += u64::from(round == ROUNDS);
         }
         for grip in &mut self.grips {
             if grip.hangs {
@@ -128,7 +125,6 @@ impl Walls {
             }
             self.records.push(Record { a: grip.body, b: grip.wall, axis: Axis::Across, normal: 0.0, friction: grip.impulse });
         }
-        exhausted
     }
 
     /// How hard the sides press each other, by a merging without friction.
@@ -273,8 +269,8 @@ impl Walls {
 }
 
 impl Along<'_> {
-    fn solve(&mut self, bodies: &mut Bodies) -> u64 {
-        gravity::solve(bodies, self.members, self.contacts, self.anchors, self.clusters, self.dt)
+    fn solve(&mut self, bodies: &mut Bodies) {
+        gravity::solve(bodies, self.members, self.contacts, self.anchors, self.clusters, self.dt);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::bodies::Bodies;
 use super::super::islands::Island;
+use super::Target;
 use super::later::Placed;
 use crate::physics::Aabb;
 use glam::DVec2;
@@ -48,6 +49,7 @@ pub(in crate::physics) struct Store<'a> {
     pub(super) island: Island<'a>,
     pub(super) grown: &'a mut Vec<u32>,
     pub(super) placed: &'a mut Vec<Placed>,
+    pub(super) targets: &'a [Target],
     pub(super) down: f64,
 }
 
@@ -96,10 +98,21 @@ impl Store<'_> {
         self.bodies.led.push((self.bodies.slot[body as usize], position * turned, velocity * turned));
     }
 
-    /// Tells where a surface is (m) and how fast it moves (m/s) when the island is left; whether it stands from then on.
-    pub fn place_surface(&mut self, surface: u32, (position, velocity): (DVec2, DVec2), stands: bool) {
+    /// Tells where a surface is (m) and how fast it moves (m/s) when the island is left; and where it stops after that, if it does so before the
+    /// step ends.
+    pub fn place_surface(&mut self, surface: u32, (position, velocity): (DVec2, DVec2), stops: Option<DVec2>) {
         let turned = DVec2::new(1.0, self.down);
-        self.placed.push(Placed { surface, position: position * turned, velocity: velocity * turned, stands });
+        let stops = stops.map(|at| at * turned);
+        self.placed.push(Placed { surface, position: position * turned, velocity: velocity * turned, stops });
+    }
+
+    /// Appends the surfaces that move in this step and that they may meet, some more than once.
+    pub fn moving_surfaces(&self, into: &mut Vec<u32>) {
+        let n = self.bodies.len() as u32;
+        for slot in self.island.members.iter().filter(|_| !self.targets.is_empty()) {
+            let surfaces = self.island.near(*slot).iter().filter(|other| **other >= n).map(|other| other - n);
+            into.extend(surfaces.filter(|surface| self.targets.iter().any(|target| target.surface == *surface)));
+        }
     }
 
     /// Widens where others are looked for by `reach` (m) to all sides; the islands are found anew then.

@@ -1,4 +1,5 @@
-//! Islands whose step begins later than that of the others, because somebody else has brought them so far.
+//! Islands whose step begins later than that of the others, because somebody else has brought them so far; and surfaces that go another way for
+//! one island than for the others.
 
 use super::super::bodies::Bodies;
 use super::super::flight;
@@ -21,8 +22,8 @@ pub(in crate::physics::pile) struct Placed {
     pub surface: u32,
     pub position: DVec2,
     pub velocity: DVec2,
-    /// Whether it goes on no further.
-    pub stands: bool,
+    /// Where it stops before the step ends, m, if it does: there it stays.
+    pub stops: Option<DVec2>,
 }
 
 /// A surface that begins later for an island: its slot, and for all others where it begins and ends, how fast it goes on average, in the end,
@@ -68,13 +69,10 @@ impl Driver {
             let Some(placed) = self.placed.iter().find(|placed| placed.surface == target.surface) else { continue };
             (bodies.x[j], bodies.y[j]) = placed.position.into();
             (bodies.was_vx[j], bodies.was_vy[j]) = placed.velocity.into();
-            if placed.stands {
-                (bodies.px[j], bodies.py[j]) = (bodies.x[j], bodies.y[j]);
-                set_velocity(bodies, j, (0.0, 0.0));
-            } else {
-                set_velocity(bodies, j, ((end.0 - bodies.x[j]) / left, (end.1 - bodies.y[j]) / left));
-                set_final_velocity(bodies, j, last);
-            }
+            let (end, last) = placed.stops.map_or((end, last), |at| (at.into(), (0.0, 0.0)));
+            (bodies.px[j], bodies.py[j]) = end;
+            set_velocity(bodies, j, ((end.0 - bodies.x[j]) / left, (end.1 - bodies.y[j]) / left));
+            set_final_velocity(bodies, j, last);
         }
     }
 

@@ -230,7 +230,8 @@ impl Pile {
                 let whole =
                     StepSize { dt, later: false, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
                 driver.placed.clear();
-                let mut store = Store { bodies, island, grown: &mut dense.grown, placed: &mut driver.placed, down: self.down };
+                let (placed, targets) = (&mut driver.placed, driver.targets.as_slice());
+                let mut store = Store { bodies, island, grown: &mut dense.grown, placed, targets, down: self.down };
                 let left = match other.advance(&mut store, round) {
                     Verdict::Taken { rests } => {
                         driver.note_sleep(bodies, island, self.may_sleep && rests);
@@ -247,6 +248,8 @@ impl Pile {
                 let size = StepSize { dt: left, later, ..whole };
                 if later {
                     driver.begin_later(bodies, island, left, self.drag);
+                }
+                if later || !driver.placed.is_empty() {
                     driver.begin_surfaces_later(bodies, dt, left);
                 }
                 dense.report.on = other.lists(island.members.len(), dense.report.on);

@@ -144,13 +144,19 @@ impl Impacts {
         self.hit_in[i] = self.follow_ups;
         let course = &mut self.courses[axis][i];
         let old = *course;
-        if bodies.drag_wide[i] + bodies.drag_tall[i] > 0.0 {
+        let airy = bodies.drag_wide[i] + bodies.drag_tall[i] > 0.0;
+        if airy {
             let outer = if axis == 0 { bodies.ax[i] } else { bodies.ay[i] };
             course.pull = outer + slowed(old.pull - outer, old.speed(time), speed, dt - time);
         }
         course.velocity = speed - course.pull * time;
         course.at = place - (course.velocity + 0.5 * course.pull * time) * time;
         let (p, free) = if axis == 0 { (&mut bodies.px, &mut bodies.free_vx) } else { (&mut bodies.py, &mut bodies.free_vy) };
+        if airy || bodies.is_guided[bodies.id[i] as usize] {
+            // Before it was nearly on this course; now it is.
+            (p[i], free[i]) = (course.place(dt), course.speed(dt));
+            return;
+        }
         let pulled = course.pull - old.pull;
         p[i] += (course.at - old.at) + (course.velocity - old.velocity + 0.5 * pulled * dt) * dt;
         free[i] += course.velocity - old.velocity + pulled * dt;

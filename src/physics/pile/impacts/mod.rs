@@ -314,17 +314,22 @@ impl Impacts {
         self.pairs.clear();
         self.links.clear();
         self.due.clear();
-        let per_second = 1.0 / self.dt;
         for &i in island.members {
             let i = i as usize;
             self.chain[i] = NONE;
             (self.hits[i], self.waits[i]) = (0, false);
             self.saved[i] = [bodies.free_vx[i], bodies.free_vy[i]];
-            let pull = |free: f64, v: f64| (free - v) * per_second;
-            self.courses[0][i] = Course { at: bodies.x[i], velocity: bodies.vx[i], pull: pull(bodies.free_vx[i], bodies.vx[i]) };
-            let pull = if anchors.rests[i] { 0.0 } else { pull(bodies.free_vy[i], bodies.vy[i]) };
-            let velocity = if anchors.rests[i] { bodies.uy[i] } else { bodies.vy[i] };
-            self.courses[1][i] = Course { at: bodies.y[i], velocity, pull };
+            // Through liquids and streams bodies are led; what the air brakes is on a parabola nearly enough.
+            let (led, dt) = (bodies.is_guided[bodies.id[i] as usize], self.dt);
+            let course = |at: f64, velocity: f64, end: (f64, f64)| match led {
+                true => Course::to(end, (at, velocity), dt),
+                false => Course::by((velocity, end.1), at, dt),
+            };
+            self.courses[0][i] = course(bodies.x[i], bodies.vx[i], (bodies.px[i], bodies.free_vx[i]));
+            self.courses[1][i] = match anchors.rests[i] {
+                true => Course { at: bodies.y[i], velocity: bodies.uy[i], pull: 0.0 },
+                false => course(bodies.y[i], bodies.vy[i], (bodies.py[i], bodies.free_vy[i])),
+            };
             let stands = |course: &Course| course.velocity == 0.0 && course.pull == 0.0;
             self.still[i] = stands(&self.courses[0][i]) && stands(&self.courses[1][i]);
         }
