@@ -125,7 +125,7 @@ impl Contacts {
         self.ceilings.clear();
         self.passing = false;
         self.carried = false;
-        self.tolerances = Tolerances::of(bodies, island.members);
+        self.tolerances = Tolerances::of(bodies, island.all);
         let per_second = 1.0 / dt;
         let mut added = added.iter().peekable();
         for &i in island.members {

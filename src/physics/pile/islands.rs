@@ -6,6 +6,7 @@
 
 use super::bodies::Bodies;
 use super::neighbours::Neighbours;
+use super::settled::State;
 use std::cmp::Ordering;
 
 /// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
@@ -20,8 +21,10 @@ const NONE: u32 = u32::MAX;
 /// One island, as the solver takes it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Island<'a> {
-    /// Slots of its bodies, bottom-up.
+    /// Slots of its bodies that are looked at, bottom-up; of all of them; and what they are to the step, by slot, if somebody is left out.
     pub members: &'a [u32],
+    pub all: &'a [u32],
+    pub states: &'a [State],
     /// What a member may touch, each a member before it or a surface: `others[from..to]`, by slot.
     ranges: &'a [(u32, u32)],
     others: &'a [u32],
@@ -31,6 +34,23 @@ pub(super) struct Island<'a> {
 }
 
 impl<'a> Island<'a> {
+    /// The same island, of which only some members are looked at.
+    pub fn part(self, members: &'a [u32], states: &'a [State]) -> Self {
+        Self { members, states, ..self }
+    }
+
+    /// Whether something is left out: it stands where it is.
+    #[inline(always)]
+    pub fn is_settled(&self, i: usize) -> bool {
+        self.states.get(i) == Some(&State::Settled)
+    }
+
+    /// Who is left out.
+    pub fn settled(self) -> impl Iterator<Item = usize> + 'a {
+        let all = if self.states.is_empty() { &[] } else { self.all };
+        all.iter().map(|i| *i as usize).filter(move |i| self.states[*i] == State::Settled)
+    }
+
     /// Whether two bodies are of one island.
     pub fn joins(&self, a: usize, b: usize) -> bool {
         self.roots[a] == self.roots[b]
@@ -141,7 +161,8 @@ impl Islands {
     pub fn get(&self, island: usize) -> Island<'_> {
         let (from, to) = (self.begins[island] as usize, self.begins[island + 1] as usize);
         let Self { members, ranges, others, parent, place, .. } = self;
-        Island { members: &members[from..to], ranges, others, roots: parent, places: place }
+        let members = &members[from..to];
+        Island { members, all: members, states: &[], ranges, others, roots: parent, places: place }
     }
 
     /// Brings the bodies into their order, once a step.

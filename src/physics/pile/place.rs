@@ -169,8 +169,10 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
 /// Puts bodies in conflict back to where they were along the contact's axis, and what they are then in the way of too, until
 /// nothing overlaps.
 fn take_back(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, back: &mut [[bool; 2]]) -> u64 {
-    for &i in members {
-        back[i as usize] = [false; 2];
+    // Also of those that are not looked at.
+    let beside = contacts.sides.iter().flat_map(|side| [side.first, side.second]);
+    for i in contacts.stacks.iter().map(|stack| stack.below).chain(beside).chain(members.iter().copied()) {
+        back.get_mut(i as usize).into_iter().for_each(|back| *back = [false; 2]);
     }
     for &i in members {
         if !bodies.is_swept(i as usize) {

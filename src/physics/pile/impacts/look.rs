@@ -8,7 +8,7 @@
 use super::super::bodies::Bodies;
 use super::super::islands::{Island, apart};
 use super::course::time_of_impact;
-use super::due::{Due, Looked, Pair};
+use super::due::{Due, Pair};
 use super::{Around, Impacts, NONE, RATTLE, SLOWEST, WORK_OF_A_LINK, WORK_OF_A_LOOK};
 
 /// How deep what has sunk may be in a surface, as a part of the smaller half of the body.
@@ -19,10 +19,6 @@ impl Impacts {
     pub(super) fn look_at_all(&mut self, bodies: &Bodies, island: Island<'_>) {
         self.clock = 0.0;
         self.departures = 0;
-        for &i in island.members {
-            let lane = self.lane(bodies, i as usize, (0.0, self.dt));
-            self.looks[i as usize] = Looked { lane, next: f64::INFINITY, ..Looked::default() };
-        }
         for &i in island.members {
             self.look(bodies, i as usize);
         }
