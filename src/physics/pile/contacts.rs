@@ -32,10 +32,13 @@ pub(super) struct Tolerances {
 impl Tolerances {
     /// By the largest coordinate among the members.
     pub fn of(bodies: &Bodies, members: &[u32]) -> Self {
-        let largest = members.iter().fold(0.0f64, |most, &i| {
-            let s = &bodies.swept[i as usize];
-            most.max((-s[0]).max(s[1])).max((-s[2]).max(s[3]))
+        // Edge by edge, so that no comparison waits for another.
+        let greater = |a: f64, b: f64| if a > b { a } else { b };
+        let most = members.iter().fold([0.0; 4], |most: [f64; 4], &i| {
+            let [left, right, top, bottom] = bodies.swept[i as usize];
+            [greater(-left, most[0]), greater(right, most[1]), greater(-top, most[2]), greater(bottom, most[3])]
         });
+        let largest = most.into_iter().fold(0.0, greater);
         let rounding = largest * f64::EPSILON;
         Self { touch: TOUCH + TOUCH_ROUNDINGS * rounding, hair: HAIR + HAIR_ROUNDINGS * rounding }
     }

@@ -271,7 +271,8 @@ impl Dense {
     fn stands(&self, bodies: &Bodies, i: usize) -> bool {
         let none = |values: [&[f64]; 7]| values.into_iter().fold(0, |bits, v| bits | v[i].to_bits()) == 0;
         let Bodies { vx, vy, ux, uy, mean_vx, mean_vy, free_vx, .. } = bodies;
-        bodies.px[i] == bodies.x[i]
+        bodies.uy[i] == 0.0
+            && bodies.px[i] == bodies.x[i]
             && bodies.py[i] == bodies.y[i]
             && none([vx, vy, ux, uy, mean_vx, mean_vy, free_vx])
             && !(self.impacts.any && self.impacts.was_hit(i))

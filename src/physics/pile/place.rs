@@ -133,6 +133,10 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
         let mut merged = false;
         for side in &contacts.sides {
             let (a, b) = (side.first as usize, side.second as usize);
+            // What was not merged has been looked at.
+            if pass > 0 && !clusters.is_joined(a) && !clusters.is_joined(b) {
+                continue;
+            }
             let depth = side.reach - (clusters.mean(b, bodies.px[b]) - clusters.mean(a, bodies.px[a]));
             if depth <= hair {
                 continue;

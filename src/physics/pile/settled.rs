@@ -12,6 +12,8 @@ use super::islands::Island;
 
 /// In an island of fewer bodies nobody is left out: finding out who rests takes longer than to look at all.
 pub(super) const LARGE: usize = 32;
+/// Nor where only such a part of the members rested in the step before.
+const FEWEST: f64 = 0.25;
 /// After so many solutions of a step all are looked at.
 const MOST: u32 = 6;
 
@@ -68,6 +70,10 @@ impl Settled {
     pub fn begin(&mut self, bodies: &Bodies, island: Island<'_>, touch: f64) {
         self.rounds = 1;
         let Self { states, found, step, .. } = self;
+        let known = island.members.iter().filter(|i| found[**i as usize].0 + 1 == *step).count();
+        if known as f64 <= FEWEST * island.members.len() as f64 {
+            return self.begin_with_all(island);
+        }
         let n = bodies.len();
         for &i in island.members {
             let at = i as usize;
@@ -144,10 +150,11 @@ impl Settled {
 
     /// Notes who rests, for the next step: who is left out, and who `rests` of the others, told whether those below do.
     pub fn end(&mut self, bodies: &Bodies, island: Island<'_>, rests: impl Fn(usize, &dyn Fn(usize) -> bool) -> bool) {
-        let Self { states, found, step, .. } = self;
+        let Self { states, found, step, active, .. } = self;
+        let all = active.len() == island.members.len();
         for &i in island.members {
             let i = i as usize;
-            let rests = states[i] == State::Settled || rests(i, &|j| found[j].0 == *step);
+            let rests = (!all && states[i] == State::Settled) || rests(i, &|j| found[j].0 == *step);
             found[i] = (if rests { *step } else { 0 }, bodies.free_vy[i]);
         }
     }

@@ -90,6 +90,7 @@ impl Neighbours {
 
     /// Lists all pairs whose boxes overlap.
     pub(super) fn pair_up(&mut self, n: usize) {
+        self.listings += 1;
         self.more.clear();
         self.first.fill(NONE);
         self.with.clear();
