@@ -78,6 +78,9 @@ pub(super) struct Friction {
     /// Who of them stands on something or carries something, bottom-up; nothing rubs at the others.
     gripped: Vec<u32>,
     is_gripped: Vec<bool>,
+    /// Whose sums a change of grips concerns, and who has another velocity since.
+    concerned: Vec<bool>,
+    moved: Vec<bool>,
     /// Whether all materials are such that what stands holds what slides on it.
     alike: bool,
     /// Whether surfaces move, which may drive.
@@ -98,6 +101,8 @@ impl Friction {
             began: vec![0.0; all],
             is_awake: vec![false; all],
             is_gripped: vec![false; all],
+            concerned: vec![false; all],
+            moved: vec![false; all],
             start: vec![0; all],
             end: vec![0; all],
             ..Self::default()
@@ -337,7 +342,11 @@ impl Friction {
         }
         self.turned = false;
         for round in 0..ROUNDS {
-            self.gather(bodies, given, round == 0);
+            if round == 0 {
+                self.gather(bodies, given);
+            } else {
+                self.gather_again(bodies, given);
+            }
             if !self.spread(bodies) {
                 if self.carried || self.turned || self.dissipates(bodies, given) {
                     return;
@@ -401,23 +410,23 @@ impl Friction {
     }
 
     /// Top-down: mass and momentum of all that sticks to a body, and what slides on it gives.
-    fn gather(&mut self, bodies: &Bodies, given: &[f64], guess: bool) {
+    fn gather(&mut self, bodies: &Bodies, given: &[f64]) {
         let n = bodies.len();
         for &i in &self.gripped {
             let i = i as usize;
-            let mass = bodies.mass[i];
-            self.riders[i] = Node { momentum: given[i], began: mass * self.began[i], mass, ..Node::default() };
+            self.concerned[i] = true;
+            self.riders[i] = self.alone(bodies, i, given[i]);
         }
         for k in (0..self.gripped.len()).rev() {
             let i = self.gripped[k] as usize;
             let under = self.under(i);
-            let mut mine = self.riders[i];
+            let mine = self.riders[i];
             if under.is_empty() {
                 continue;
             }
             let held: f64 = self.tight[under.clone()].iter().map(|t| t.held).sum();
             let on_surfaces = self.tight[under.clone()].iter().all(|t| t.below as usize >= n);
-            if guess && on_surfaces {
+            if on_surfaces {
                 let first = &self.tight[under.start];
                 let sliding = mine.momentum - mine.mass * (bodies.ux[first.below as usize] + first.skin);
                 if sliding.abs() > held {
@@ -426,31 +435,68 @@ impl Friction {
                     }
                 }
             }
-            let mut held = 0.0;
-            for tight in &mut self.tight[under.clone()] {
-                match tight.grip {
-                    Grip::Slip(sign) => {
+            self.hand_down(i, n, |_| true);
+        }
+    }
+
+    /// A body by itself, with a momentum.
+    fn alone(&self, bodies: &Bodies, i: usize, given: f64) -> Node {
+        let mass = bodies.mass[i];
+        Node { momentum: given, began: mass * self.began[i], mass, ..Node::default() }
+    }
+
+    /// The same after some grips have changed: only sums are told anew that this concerns.
+    fn gather_again(&mut self, bodies: &Bodies, given: &[f64]) {
+        let n = bodies.len();
+        for k in (0..self.gripped.len()).rev() {
+            let i = self.gripped[k] as usize;
+            if self.concerned[i] {
+                for tight in self.tight[self.under(i)].iter().filter(|tight| tight.grip == Grip::Stick) {
+                    self.concerned[tight.below as usize] = true;
+                }
+                self.riders[i] = self.alone(bodies, i, given[i]);
+            }
+        }
+        for k in (0..self.gripped.len()).rev() {
+            let i = self.gripped[k] as usize;
+            let concerned = std::mem::take(&mut self.concerned);
+            if self.tight[self.under(i)].iter().any(|tight| concerned[i] || concerned[tight.below as usize]) {
+                self.hand_down(i, n, |j| concerned[j]);
+            }
+            self.concerned = concerned;
+        }
+    }
+
+    /// Gives what a body carries, or what it rubs with, to those of its supports that are `concerned`.
+    fn hand_down(&mut self, i: usize, n: usize, concerned: impl Fn(usize) -> bool) {
+        let (under, mine) = (self.under(i), concerned(i));
+        let mut held = 0.0;
+        for tight in &mut self.tight[under.clone()] {
+            let below = tight.below as usize;
+            match tight.grip {
+                Grip::Slip(sign) => {
+                    if mine {
                         tight.impulse = sign * tight.dragged * tight.sense;
                         self.riders[i].momentum += tight.impulse;
-                        if (tight.below as usize) < n {
-                            self.riders[tight.below as usize].momentum -= tight.impulse;
-                        }
                     }
-                    Grip::Stick => held += tight.held,
+                    if below < n && concerned(below) {
+                        self.riders[below].momentum -= tight.impulse;
+                    }
                 }
+                Grip::Stick => held += tight.held,
             }
-            if held <= 0.0 {
-                continue;
-            }
-            mine = self.riders[i];
-            for tight in &self.tight[under] {
-                if tight.grip == Grip::Stick && (tight.below as usize) < n {
-                    let part = tight.held / held;
-                    let below = &mut self.riders[tight.below as usize];
-                    below.momentum += part * mine.momentum;
-                    below.began += part * mine.began;
-                    below.mass += part * mine.mass;
-                }
+        }
+        if held <= 0.0 {
+            return;
+        }
+        let mine = self.riders[i];
+        for tight in self.tight[under].iter().filter(|tight| tight.grip == Grip::Stick) {
+            let below = tight.below as usize;
+            if below < n && concerned(below) {
+                let (part, below) = (tight.held / held, &mut self.riders[below]);
+                below.momentum += part * mine.momentum;
+                below.began += part * mine.began;
+                below.mass += part * mine.mass;
             }
         }
     }
@@ -466,6 +512,13 @@ impl Friction {
         for k in 0..self.gripped.len() {
             let i = self.gripped[k] as usize;
             let under = self.under(i);
+            let concerned = std::mem::replace(&mut self.concerned[i], false);
+            self.moved[i] = false;
+            if !concerned && !self.tight[under.clone()].iter().any(|tight| self.moved[tight.below as usize]) {
+                continue;
+            }
+            let known = changed;
+            changed = false;
             let mine = self.riders[i];
             let mut velocity = mine.momentum / mine.mass;
             // The strongest support that it sticks to.
@@ -518,6 +571,12 @@ impl Friction {
                     }
                 }
             }
+            if changed {
+                self.concerned[i] = true;
+                self.tight[self.under(i)].iter().for_each(|tight| self.concerned[tight.below as usize] = true);
+            }
+            changed |= known;
+            self.moved[i] = velocity.to_bits() != bodies.ux[i].to_bits();
             bodies.ux[i] = velocity;
         }
         changed
