@@ -114,6 +114,8 @@ pub(super) struct Impacts {
     /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
     chain: Vec<u32>,
     links: Vec<Link>,
+    /// What those know first who look ahead for the first time.
+    firsts: Vec<(u32, Due)>,
     /// What each body does next, by slot; of surfaces only where they are.
     looks: Vec<Looked>,
     /// The time up to which impacts have been followed, s, and how often somebody set out on another way.
@@ -173,10 +175,6 @@ impl Impacts {
         }
         self.follow_ups += 1;
         self.gather(bodies, island, anchors, &around.reach.added);
-        for &(a, b) in &around.reach.added {
-            self.add(bodies, a, b);
-        }
-        self.look_at_all(bodies, island);
         self.allowed = BUDGET + BUDGET_OF_A_BODY * island.all.len() as u64;
         let most = self.work + self.allowed;
         while let Some(due) = self.due.pop() {
@@ -324,6 +322,7 @@ impl Impacts {
         self.pairs.clear();
         self.links.clear();
         self.due.clear();
+        (self.clock, self.departures) = (0.0, 0);
         for &i in island.members {
             self.enter(bodies, i as usize, anchors);
         }
@@ -341,10 +340,14 @@ impl Impacts {
                 if self.stand(bodies, i, j) {
                     self.skipped += 1;
                 } else {
-                    self.add(bodies, i, j);
+                    self.meet(bodies, i, j);
                 }
             }
         }
+        for &(i, j) in added {
+            self.meet(bodies, i, j);
+        }
+        self.note_first_looks(bodies);
     }
 
     /// Notes on which way a body sets out.
@@ -384,12 +387,19 @@ impl Impacts {
         }
     }
 
-    /// Adds a pair if it bounces.
-    fn add(&mut self, bodies: &Bodies, i: u32, j: u32) {
+    /// Adds a pair if it bounces, and looks ahead for it.
+    fn meet(&mut self, bodies: &Bodies, i: u32, j: u32) {
+        if self.add(bodies, i, j) {
+            self.look_first(bodies, i, j);
+        }
+    }
+
+    /// Adds a pair if it bounces. Returns whether it does.
+    fn add(&mut self, bodies: &Bodies, i: u32, j: u32) -> bool {
         let (a, b) = (i as usize, j as usize);
         let restitution = bodies.traits[a].restitution.max(bodies.traits[b].restitution);
         if restitution == 0.0 {
-            return;
+            return false;
         }
         let pair = self.pairs.len() as u32;
         self.pairs.push(Pair { a: i, b: j, restitution, passed: NONE, hits: 0 });
@@ -401,5 +411,6 @@ impl Impacts {
             self.courses[1][b] = Course { at: bodies.y[b], velocity: bodies.vy[b], pull: 0.0 };
             self.looks[b] = Looked { lane: self.lane(bodies, b, (0.0, self.dt)), ..Looked::default() };
         }
+        true
     }
 }
