@@ -77,10 +77,14 @@ pub(super) struct Contacts {
     start: Vec<u32>,
     end: Vec<u32>,
     pub stacks: Vec<Stack>,
+    /// Where the sides of a member with those before it begin and end, by slot.
+    beside: Vec<(u32, u32)>,
     /// Pairs apart along x.
     pub sides: Vec<Side>,
     /// Surfaces above bodies.
     pub ceilings: Vec<Side>,
+    /// What was found before some were hit.
+    known: (Vec<Stack>, Vec<Side>),
     pub tolerances: Tolerances,
     /// Whether some pair is expected to pass.
     pub passing: bool,
@@ -101,6 +105,8 @@ impl Contacts {
         Self {
             start: vec![0; count],
             end: vec![0; count],
+            beside: vec![(0, 0); count],
+            known: (Vec::with_capacity(room(4)), Vec::with_capacity(room(4))),
             stacks: Vec::with_capacity(room(4)),
             sides: Vec::with_capacity(room(4)),
             ..Self::default()
@@ -132,56 +138,47 @@ impl Contacts {
         let per_second = 1.0 / dt;
         let mut added = added.iter().peekable();
         for &i in island.members {
-            self.start[i as usize] = self.stacks.len() as u32;
+            self.begin(i as usize);
             for &j in island.near(i) {
                 self.meet(bodies, i as usize, j as usize, [dt, per_second], followed);
             }
             while let Some((_, j)) = added.next_if(|(upper, _)| *upper == i) {
                 self.meet(bodies, i as usize, *j as usize, [dt, per_second], followed);
             }
-            self.end[i as usize] = self.stacks.len() as u32;
+            self.finish(i as usize);
         }
     }
 
-    /// Tells anew of what was `hit` whether it passes. Returns false if a pair belongs to another axis now, so that all has to be
-    /// found anew.
-    pub fn refresh(&mut self, bodies: &Bodies, members: &[u32], dt: f64, hit: impl Fn(usize) -> bool) -> bool {
-        let (n, touch) = (bodies.len(), self.tolerances.touch);
-        let hit = |i: usize| i < n && hit(i);
-        let anew = |i: usize, j: usize| {
-            let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
-            let (reach_x, reach_y) = (bodies.hx[i] + bodies.hx[j], bodies.hy[i] + bodies.hy[j]);
-            kind(bodies, i, j, [dx, dy], [dx.abs() - reach_x, dy.abs() - reach_y], dt, touch)
-        };
-        let Self { start, end, stacks, sides, ceilings, passing, .. } = self;
-        for &i in members {
-            let i = i as usize;
-            for stack in &mut stacks[start[i] as usize..end[i] as usize] {
-                let j = stack.below as usize;
-                if hit(i) || hit(j) {
-                    let Kind::Stack(live) = anew(i, j) else { return false };
-                    stack.live = live;
-                    *passing |= !live;
+    /// Finds those anew of what was `hit` since all were found.
+    pub fn find_hit(&mut self, bodies: &Bodies, island: Island<'_>, dt: f64, hit: impl Fn(usize) -> bool) {
+        let (n, per_second) = (bodies.len(), 1.0 / dt);
+        std::mem::swap(&mut self.stacks, &mut self.known.0);
+        std::mem::swap(&mut self.sides, &mut self.known.1);
+        self.stacks.clear();
+        self.sides.clear();
+        for &i in island.members {
+            let (at, near) = (i as usize, island.near(i));
+            let (stacks, sides) = (self.under(at), self.beside[at].0 as usize..self.beside[at].1 as usize);
+            self.begin(at);
+            if hit(at) || near.iter().any(|j| (*j as usize) < n && hit(*j as usize)) {
+                for &j in near {
+                    self.meet(bodies, at, j as usize, [dt, per_second], true);
                 }
+            } else {
+                self.stacks.extend_from_slice(&self.known.0[stacks]);
+                self.sides.extend_from_slice(&self.known.1[sides]);
             }
+            self.finish(at);
         }
-        for side in sides {
-            let (a, b) = (side.first as usize, side.second as usize);
-            if hit(a) || hit(b) {
-                let Kind::Side(live) = anew(a, b) else { return false };
-                side.live = live;
-                *passing |= !live;
-            }
-        }
-        for ceiling in ceilings {
-            let (j, i) = (ceiling.first as usize, ceiling.second as usize);
-            if hit(i) {
-                let Kind::Stack(live) = anew(i, j) else { return false };
-                ceiling.live = live;
-                *passing |= !live;
-            }
-        }
-        true
+    }
+
+    /// What follows is of a member, up to here.
+    fn begin(&mut self, i: usize) {
+        (self.start[i], self.beside[i].0) = (self.stacks.len() as u32, self.sides.len() as u32);
+    }
+
+    fn finish(&mut self, i: usize) {
+        (self.end[i], self.beside[i].1) = (self.stacks.len() as u32, self.sides.len() as u32);
     }
 
     /// Adds what body i and body or surface j are to each other; a body j comes before i in the island's order. `per_second` is 1/dt.

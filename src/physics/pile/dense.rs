@@ -312,9 +312,10 @@ impl Dense {
         }
         let Self { contacts, impacts, .. } = self;
         // What is elastic is not solved plastically once its impacts are known: then all are told anew.
-        let added = !self.reach.added.is_empty();
-        if added || bodies.elastic || !contacts.refresh(bodies, island.members, size.dt, |i| impacts.was_hit(i)) {
+        if !self.reach.added.is_empty() || bodies.elastic || !contacts.ceilings.is_empty() {
             contacts.find(bodies, island, &self.reach.added, size.dt, true);
+        } else {
+            contacts.find_hit(bodies, island, size.dt, |i| impacts.was_hit(i));
         }
         None
     }

@@ -15,7 +15,7 @@ use super::grid::{Edges, Grid, overlap};
 /// After this part of the bodies has left its box, all is sought anew.
 const LEFT: f64 = 1.0 / 8.0;
 /// The fewest and the most steps ahead for which the allowed boxes are made; in between as many as keep the pairs few.
-const HORIZON: (f64, f64) = (4.0, 64.0);
+const HORIZON: (f64, f64) = (8.0, 64.0);
 /// Where more of few bodies than these leave their boxes at once, all pairs are listed anew.
 const ONE_BY_ONE: usize = 8;
 /// Up to this many surfaces are tested one by one.
