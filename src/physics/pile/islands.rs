@@ -409,7 +409,7 @@ fn put_last(list: &mut [u32], from: usize, key: u32, place: &[u32]) {
 
 /// Joins body j to those of `root`, whose first is kept.
 #[inline(always)]
-fn join_with(parent: &mut [u32], root: &mut usize, j: usize) {
+pub(super) fn join_with(parent: &mut [u32], root: &mut usize, j: usize) {
     if parent[j] as usize != *root {
         let other = first(parent, j);
         parent[j] = other as u32;
@@ -420,7 +420,7 @@ fn join_with(parent: &mut [u32], root: &mut usize, j: usize) {
 }
 
 #[inline(always)]
-fn first(parent: &mut [u32], mut i: usize) -> usize {
+pub(super) fn first(parent: &mut [u32], mut i: usize) -> usize {
     while parent[i] as usize != i {
         parent[i] = parent[parent[i] as usize];
         i = parent[i] as usize;
