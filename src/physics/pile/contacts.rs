@@ -73,12 +73,10 @@ pub(super) struct Side {
 /// The contacts of one island in one step.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Contacts {
-    /// Supports of body i: `stacks[start[i]..end[i]]`, by slot; only members' entries hold.
-    start: Vec<u32>,
-    end: Vec<u32>,
+    /// Where the supports of a member begin and end among the stacks, and what it has beside it among the sides, by slot; only members'
+    /// entries hold.
+    ranges: Vec<[u32; 4]>,
     pub stacks: Vec<Stack>,
-    /// Where the sides of a member with those before it begin and end, by slot.
-    beside: Vec<(u32, u32)>,
     /// Pairs apart along x.
     pub sides: Vec<Side>,
     /// Surfaces above bodies.
@@ -103,9 +101,7 @@ impl Contacts {
     pub fn new(count: usize) -> Self {
         let room = |per: usize| per * count;
         Self {
-            start: vec![0; count],
-            end: vec![0; count],
-            beside: vec![(0, 0); count],
+            ranges: vec![[0; 4]; count],
             known: (Vec::with_capacity(room(4)), Vec::with_capacity(room(4))),
             stacks: Vec::with_capacity(room(4)),
             sides: Vec::with_capacity(room(4)),
@@ -116,7 +112,7 @@ impl Contacts {
     /// The supports of a member, by their numbers among the stacks.
     #[inline(always)]
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
-        self.start[i] as usize..self.end[i] as usize
+        self.ranges[i][0] as usize..self.ranges[i][1] as usize
     }
 
     /// Whether a member and a surface are a contact.
@@ -138,14 +134,14 @@ impl Contacts {
         let per_second = 1.0 / dt;
         let mut added = added.iter().peekable();
         for &i in island.members {
-            self.begin(i as usize);
+            let begins = self.begin();
             for &j in island.near(i) {
                 self.meet(bodies, i as usize, j as usize, [dt, per_second], followed);
             }
             while let Some((_, j)) = added.next_if(|(upper, _)| *upper == i) {
                 self.meet(bodies, i as usize, *j as usize, [dt, per_second], followed);
             }
-            self.finish(i as usize);
+            self.finish(i as usize, begins);
         }
     }
 
@@ -158,8 +154,8 @@ impl Contacts {
         self.sides.clear();
         for &i in island.members {
             let (at, near) = (i as usize, island.near(i));
-            let (stacks, sides) = (self.under(at), self.beside[at].0 as usize..self.beside[at].1 as usize);
-            self.begin(at);
+            let (stacks, sides) = (self.under(at), self.ranges[at][2] as usize..self.ranges[at][3] as usize);
+            let begins = self.begin();
             if hit(at) || near.iter().any(|j| (*j as usize) < n && hit(*j as usize)) {
                 for &j in near {
                     self.meet(bodies, at, j as usize, [dt, per_second], true);
@@ -168,17 +164,17 @@ impl Contacts {
                 self.stacks.extend_from_slice(&self.known.0[stacks]);
                 self.sides.extend_from_slice(&self.known.1[sides]);
             }
-            self.finish(at);
+            self.finish(at, begins);
         }
     }
 
     /// What follows is of a member, up to here.
-    fn begin(&mut self, i: usize) {
-        (self.start[i], self.beside[i].0) = (self.stacks.len() as u32, self.sides.len() as u32);
+    fn begin(&self) -> [u32; 2] {
+        [self.stacks.len() as u32, self.sides.len() as u32]
     }
 
-    fn finish(&mut self, i: usize) {
-        (self.end[i], self.beside[i].1) = (self.stacks.len() as u32, self.sides.len() as u32);
+    fn finish(&mut self, i: usize, [stacks, sides]: [u32; 2]) {
+        self.ranges[i] = [stacks, self.stacks.len() as u32, sides, self.sides.len() as u32];
     }
 
     /// Adds what body i and body or surface j are to each other; a body j comes before i in the island's order. `per_second` is 1/dt.

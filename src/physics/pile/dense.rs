@@ -126,14 +126,12 @@ impl Dense {
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
         self.pushes.hits.impact = self.anchors.impact;
         self.reach.clear();
-        let mut settled = std::mem::take(&mut self.settled);
         let plain = bodies.alike && !bodies.elastic && !size.later && neighbours.carried().is_empty() && !self.report.on;
-        let may_settle = plain && island.members.len() >= LARGE;
-        if may_settle {
-            settled.begin(bodies, island, self.contacts.tolerances.touch);
-        } else {
-            settled.begin_with_all(island);
+        if !plain || island.members.len() < LARGE {
+            return self.solve(bodies, neighbours, island, size);
         }
+        let mut settled = std::mem::take(&mut self.settled);
+        settled.begin(bodies, island, self.contacts.tolerances.touch);
         let outcome = loop {
             let part = settled.part_of(island);
             let outcome = self.solve(bodies, neighbours, part, size);
@@ -145,7 +143,7 @@ impl Dense {
             }
             self.undo(bodies, island);
         };
-        if outcome == Outcome::Done && may_settle {
+        if outcome == Outcome::Done {
             settled.end(bodies, island, |i, others| self.rests(bodies, i, others));
         }
         self.settled = settled;

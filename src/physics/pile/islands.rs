@@ -12,6 +12,9 @@ use std::cmp::Ordering;
 /// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
 const MOST_MOVES: usize = 8;
 
+/// While no more than this part of the bodies sweep something else than in the step before, the lists of the others are kept.
+const MOST_CHANGED: f64 = 0.25;
+
 /// Boxes that are compared at once.
 const BLOCK: usize = 32;
 
@@ -86,6 +89,7 @@ pub(super) struct Islands {
     turned: Vec<(u32, u32, u32)>,
     spare: Vec<u32>,
     later: Vec<u32>,
+    near: Vec<u32>,
     /// From what the islands were found last: while all of it stays, so do they. What has changed, by slot, and who is in a turned pair.
     swept: Vec<[f64; 4]>,
     heights: Vec<f64>,
@@ -93,6 +97,8 @@ pub(super) struct Islands {
     is_turned: Vec<bool>,
     revision: u64,
     listings: u64,
+    /// How long all lists were when they were made last.
+    listed: usize,
     same_order: bool,
     /// Whether others are looked at than when they were brought into order.
     others_in_it: bool,
@@ -113,12 +119,14 @@ impl Islands {
             turned: Vec::with_capacity(count),
             spare: Vec::with_capacity(4 * count),
             later: Vec::with_capacity(64),
+            near: vec![0; 64],
             swept: Vec::with_capacity(count),
             heights: vec![0.0; count],
             changed: vec![false; count],
             is_turned: vec![false; count],
             revision: 0,
             listings: 0,
+            listed: 0,
             same_order: false,
             others_in_it: false,
         }
@@ -193,12 +201,15 @@ impl Islands {
         let n = bodies.len();
         let all = self.order.len() == n;
         let known = all && self.swept.len() == n && self.revision != 0 && neighbours.are_listed_as_in(self.listings);
-        self.listings = neighbours.listings;
-        self.revision = neighbours.revision;
-        if known {
-            self.find_changes(bodies);
-        } else {
+        (self.listings, self.revision) = (neighbours.listings, neighbours.revision);
+        // Lists that hold no longer stay behind, up to as many as there are.
+        let kept =
+            known && self.find_changes(bodies) <= (MOST_CHANGED * n as f64) as usize && self.others.len() <= 2 * self.listed + n;
+        if !kept {
             self.changed.fill(true);
+            self.others.clear();
+        }
+        if !known {
             self.swept.clear();
             if all {
                 self.swept.extend_from_slice(&bodies.swept[..n]);
@@ -208,19 +219,26 @@ impl Islands {
             }
         }
         self.join(bodies, neighbours);
+        if !kept {
+            self.listed = self.others.len();
+        }
         self.turn();
         self.gather();
     }
 
     /// Tells who sweeps something else than when islands were found last, or is elsewhere in their order. What is in a turned pair counts to them.
-    fn find_changes(&mut self, bodies: &Bodies) {
+    /// Returns how many they are.
+    fn find_changes(&mut self, bodies: &Bodies) -> usize {
         let Self { swept, heights, changed, is_turned, .. } = self;
         let now = bodies.swept.iter().zip(&bodies.y).zip(&*is_turned);
+        let mut count = 0;
         let then = swept.iter_mut().zip(heights).zip(changed);
         for (((swept, y), turned), ((known, height), changed)) in now.zip(then) {
             *changed = (differ(swept, known) | (y.to_bits() ^ height.to_bits()) != 0) | *turned;
             (*known, *height) = (*swept, *y);
+            count += usize::from(*changed);
         }
+        count
     }
 
     /// Whether all that are looked at sweep what they did when islands were found last.
@@ -268,11 +286,9 @@ impl Islands {
 
     /// Joins what may meet, and lists whom each body may meet: as it was listed last if neither has changed.
     fn join(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
-        let Self { order, place, parent, ranges, others, turned, later, spare, changed, .. } = self;
+        let Self { order, place, parent, ranges, others, turned, later, near, changed, .. } = self;
         let n = bodies.len();
         order.iter().for_each(|i| parent[*i as usize] = *i);
-        std::mem::swap(others, spare);
-        others.clear();
         turned.clear();
         for (k, &i) in order.iter().enumerate() {
             let (from, mine) = (others.len(), bodies.swept[i as usize]);
@@ -281,35 +297,37 @@ impl Islands {
             let stays = |j: &u32| changed.get(*j as usize) != Some(&true);
             if later.is_empty() && stays(&i) && known.iter().all(stays) {
                 let (begin, end) = ranges[i as usize];
-                others.extend_from_slice(&spare[begin as usize..end as usize]);
-                for &j in others[from..].iter().filter(|j| (**j as usize) < n) {
-                    join_with(parent, &mut root, j as usize);
+                for j in others[begin as usize..end as usize].iter().map(|j| *j as usize).filter(|j| *j < n) {
+                    join_with(parent, &mut root, j);
                 }
                 parent[i as usize] = root as u32;
-                ranges[i as usize] = (from as u32, others.len() as u32);
                 continue;
             }
+            // Without a branch for each: most are apart, and which is not to be foreseen.
+            let mut met = 0;
+            near.resize(near.len().max(known.len() + later.len()), 0);
             for list in [known, &*later] {
                 for &other in list {
-                    let j = other as usize;
-                    if apart(&mine, &bodies.swept[j]) {
+                    near[met] = other;
+                    met += usize::from(!apart(&mine, &bodies.swept[other as usize]));
+                }
+            }
+            for &other in &near[..met] {
+                let j = other as usize;
+                let mut key = other;
+                if j < n {
+                    join_with(parent, &mut root, j);
+                    key = place[j];
+                    if key > k as u32 {
+                        turned.push((key, other, i));
                         continue;
                     }
-                    let mut key = other;
-                    if j < n {
-                        join_with(parent, &mut root, j);
-                        key = place[j];
-                        if key > k as u32 {
-                            turned.push((key, other, i));
-                            continue;
-                        }
-                    }
-                    others.push(other);
-                    if key < latest {
-                        put_last(others, from, key, place);
-                    }
-                    latest = latest.max(key);
                 }
+                others.push(other);
+                if key < latest {
+                    put_last(others, from, key, place);
+                }
+                latest = latest.max(key);
             }
             parent[i as usize] = root as u32;
             ranges[i as usize] = (from as u32, others.len() as u32);

@@ -61,7 +61,7 @@ impl Settled {
     }
 
     /// Looks at all of an island.
-    pub fn begin_with_all(&mut self, island: Island<'_>) {
+    fn begin_with_all(&mut self, island: Island<'_>) {
         self.active.clear();
         self.active.extend_from_slice(island.members);
     }
@@ -156,6 +156,63 @@ impl Settled {
             let i = i as usize;
             let rests = (!all && states[i] == State::Settled) || rests(i, &|j| found[j].0 == *step);
             found[i] = (if rests { *step } else { 0 }, bodies.free_vy[i]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::physics::pile::{Pile, PileBody, PileDef, PileSurface};
+    use crate::physics::{Aabb, DVec2};
+    use crate::random::Random;
+
+    /// Boxes that rain into a pit; `throws` of them come later, from high above.
+    fn rain(count: usize, throws: usize, restitution: f64) -> Pile {
+        let mut random = Random(9);
+        let mut unit = || random.unit();
+        let columns = (count as f64).sqrt().ceil() as usize;
+        let width = 0.7 * columns as f64;
+        let bodies = (0..count).map(|i| PileBody {
+            position: DVec2::new(
+                0.35 + 0.7 * (i % columns) as f64,
+                if i < throws { -150.0 } else { -1.0 } - 0.8 * (i / columns) as f64,
+            ),
+            velocity: DVec2::new(4.0 * unit() - 2.0, 0.0),
+            half: DVec2::new(0.15 + 0.15 * unit(), 0.15 + 0.15 * unit()),
+            mass: 1.0 + 9.0 * unit(),
+            restitution: restitution * unit(),
+            static_friction: 0.5,
+            kinetic_friction: 0.4,
+            ..PileBody::default()
+        });
+        let surface = |left, top, right, bottom| PileSurface {
+            bounds: Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom)),
+            static_friction: 0.5,
+            kinetic_friction: 0.5,
+        };
+        let surfaces =
+            vec![surface(-5.0, 0.0, width + 5.0, 1.0), surface(-1.0, -2000.0, 0.0, 0.0), surface(width, -2000.0, width + 1.0, 0.0)];
+        Pile::new(PileDef { bodies: bodies.collect(), surfaces, sleep: false, ..PileDef::default() }).expect("it is a good one")
+    }
+
+    /// To the bit; what lists its contacts looks at all.
+    #[test]
+    fn who_rests_is_left_out_and_nobody_moves_otherwise() {
+        for restitution in [0.0, 0.8] {
+            let mut some = rain(400, 20, restitution);
+            let mut all = some.clone();
+            all.dense.report.on = true;
+            let mut left_out = 0;
+            for step in 0..600 {
+                some.step(1.0 / 60.0);
+                all.step(1.0 / 60.0);
+                left_out += some.dense.settled.states.iter().filter(|state| **state == super::State::Settled).count();
+                for i in 0..some.len() {
+                    let of = |pile: &Pile| [pile.position(i), pile.velocity(i)].map(|v| [v.x.to_bits(), v.y.to_bits()]);
+                    assert_eq!(of(&some), of(&all), "body {i} after step {step}, {left_out} left out");
+                }
+            }
+            assert!(left_out > 20_000, "hardly anybody was left out: {left_out}");
         }
     }
 }
