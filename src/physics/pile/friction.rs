@@ -155,7 +155,7 @@ impl Friction {
         let n = bodies.len();
         let of = |i: u32| (bodies.traits[i as usize].static_friction, bodies.traits[i as usize].kinetic_friction);
         let first = members.first().map_or((0.0, 0.0), |i| of(*i));
-        self.alike = members.iter().all(|i| of(*i) == first);
+        self.alike = bodies.alike || members.iter().all(|i| of(*i) == first);
         for &i in members {
             let i = i as usize;
             let under = &contacts.stacks[contacts.under(i)];
