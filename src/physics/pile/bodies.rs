@@ -68,8 +68,9 @@ pub(super) struct Bodies {
     /// By which part of its fall a body is looked for besides, for it may bounce; and whether any may.
     pub bounce: Vec<f64>,
     pub lively: bool,
-    /// Whether some have e = 1.
+    /// Whether some have e = 1, and whether all have the same friction.
     pub elastic: bool,
+    pub alike: bool,
     /// Of surfaces: the speed of a belt's upper side, m/s; from which sides it is solid; whether it is there. 0, all, yes for bodies.
     pub belt: Vec<f64>,
     pub sides: Vec<Sides>,
@@ -137,6 +138,7 @@ impl Bodies {
             bounce: all(),
             lively: false,
             elastic: false,
+            alike: false,
             swept: vec![[0.0; 4]; count + surfaces],
             belt: all(),
             was_vx: all(),
@@ -211,6 +213,12 @@ impl Bodies {
     pub fn is_swept(&self, i: usize) -> bool {
         let (s, x, y, hx, hy) = (&self.swept[i], self.px[i], self.py[i], self.hx[i], self.hy[i]);
         (x - hx >= s[0]) & (x + hx <= s[1]) & (y - hy >= s[2]) & (y + hy <= s[3])
+    }
+
+    /// Whether two boxes touch, m.
+    pub fn touch(&self, i: usize, j: usize, touch: f64) -> bool {
+        let across = (self.x[i] - self.x[j]).abs() - self.hx[i] - self.hx[j];
+        across <= touch && (self.y[i] - self.y[j]).abs() - self.hy[i] - self.hy[j] <= touch
     }
 
     /// Lets a body rest where it is.

@@ -55,7 +55,6 @@ pub(super) struct Motion {
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Member {
-    stamp: u32,
     root: u32,
     next: u32,
     /// Its mean velocity is the cluster's and this.
@@ -80,6 +79,8 @@ const NONE: u32 = u32::MAX;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Clusters {
     stamp: u32,
+    /// When a body was in a cluster last: few are, and all are asked.
+    stamps: Vec<u32>,
     members: Vec<Member>,
     roots: Vec<Root>,
     /// All that are in a cluster, in the order of joining.
@@ -92,6 +93,7 @@ impl Clusters {
     pub fn new(all: usize) -> Self {
         Self {
             stamp: 0,
+            stamps: vec![0; all],
             members: vec![Member::default(); all],
             roots: vec![Root::default(); all],
             joined: Vec::with_capacity(all),
@@ -105,15 +107,18 @@ impl Clusters {
         self.edges.clear();
         self.stamp = self.stamp.wrapping_add(1);
         if self.stamp == 0 {
-            self.members.fill(Member::default());
+            self.stamps.fill(0);
             self.stamp = 1;
         }
     }
 
     /// The mean velocity of a body in a cluster; of one that is in none, its own.
     pub fn mean(&self, i: usize, own: f64) -> f64 {
+        if !self.is_joined(i) {
+            return own;
+        }
         let member = &self.members[i];
-        if member.stamp == self.stamp { self.roots[member.root as usize].motion.mean + member.offset } else { own }
+        self.roots[member.root as usize].motion.mean + member.offset
     }
 
     /// The velocity at the end of the step of a joined body.
@@ -128,12 +133,11 @@ impl Clusters {
 
     /// Whether the body's motion can no longer change.
     pub fn is_fixed(&self, i: usize) -> bool {
-        let member = &self.members[i];
-        member.stamp == self.stamp && self.roots[member.root as usize].fixed
+        self.is_joined(i) && self.roots[self.members[i].root as usize].fixed
     }
 
     pub fn is_joined(&self, i: usize) -> bool {
-        self.members[i].stamp == self.stamp
+        self.stamps[i] == self.stamp
     }
 
     /// The impulse that the ground takes up under a joined body's cluster while it stands, and its limit.
@@ -148,7 +152,8 @@ impl Clusters {
             return;
         }
         let motion = fixed.unwrap_or_else(|| node.motion());
-        self.members[i] = Member { stamp: self.stamp, root: i as u32, next: NONE, offset: 0.0, fixed: fixed.is_some() };
+        self.stamps[i] = self.stamp;
+        self.members[i] = Member { root: i as u32, next: NONE, offset: 0.0, fixed: fixed.is_some() };
         self.roots[i] = Root { node, motion, fixed: fixed.is_some(), size: 1, last: i as u32 };
         self.joined.push(i as u32);
     }

@@ -32,10 +32,13 @@ pub(super) struct Tolerances {
 impl Tolerances {
     /// By the largest coordinate among the members.
     pub fn of(bodies: &Bodies, members: &[u32]) -> Self {
-        let largest = members.iter().fold(0.0f64, |most, &i| {
-            let s = &bodies.swept[i as usize];
-            most.max((-s[0]).max(s[1])).max((-s[2]).max(s[3]))
+        // Edge by edge, so that no comparison waits for another.
+        let greater = |a: f64, b: f64| if a > b { a } else { b };
+        let most = members.iter().fold([0.0; 4], |most: [f64; 4], &i| {
+            let [left, right, top, bottom] = bodies.swept[i as usize];
+            [greater(-left, most[0]), greater(right, most[1]), greater(-top, most[2]), greater(bottom, most[3])]
         });
+        let largest = most.into_iter().fold(0.0, greater);
         let rounding = largest * f64::EPSILON;
         Self { touch: TOUCH + TOUCH_ROUNDINGS * rounding, hair: HAIR + HAIR_ROUNDINGS * rounding }
     }
@@ -70,14 +73,16 @@ pub(super) struct Side {
 /// The contacts of one island in one step.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Contacts {
-    /// Supports of body i: `stacks[start[i]..end[i]]`, by slot; only members' entries hold.
-    start: Vec<u32>,
-    end: Vec<u32>,
+    /// Where the supports of a member begin and end among the stacks, and what it has beside it among the sides, by slot; only members'
+    /// entries hold.
+    ranges: Vec<[u32; 4]>,
     pub stacks: Vec<Stack>,
     /// Pairs apart along x.
     pub sides: Vec<Side>,
     /// Surfaces above bodies.
     pub ceilings: Vec<Side>,
+    /// What was found before some were hit.
+    known: (Vec<Stack>, Vec<Side>),
     pub tolerances: Tolerances,
     /// Whether some pair is expected to pass.
     pub passing: bool,
@@ -96,8 +101,8 @@ impl Contacts {
     pub fn new(count: usize) -> Self {
         let room = |per: usize| per * count;
         Self {
-            start: vec![0; count],
-            end: vec![0; count],
+            ranges: vec![[0; 4]; count],
+            known: (Vec::with_capacity(room(4)), Vec::with_capacity(room(4))),
             stacks: Vec::with_capacity(room(4)),
             sides: Vec::with_capacity(room(4)),
             ..Self::default()
@@ -107,7 +112,7 @@ impl Contacts {
     /// The supports of a member, by their numbers among the stacks.
     #[inline(always)]
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
-        self.start[i] as usize..self.end[i] as usize
+        self.ranges[i][0] as usize..self.ranges[i][1] as usize
     }
 
     /// Whether a member and a surface are a contact.
@@ -125,60 +130,51 @@ impl Contacts {
         self.ceilings.clear();
         self.passing = false;
         self.carried = false;
-        self.tolerances = Tolerances::of(bodies, island.members);
+        self.tolerances = Tolerances::of(bodies, island.all);
         let per_second = 1.0 / dt;
         let mut added = added.iter().peekable();
         for &i in island.members {
-            self.start[i as usize] = self.stacks.len() as u32;
+            let begins = self.begin();
             for &j in island.near(i) {
                 self.meet(bodies, i as usize, j as usize, [dt, per_second], followed);
             }
             while let Some((_, j)) = added.next_if(|(upper, _)| *upper == i) {
                 self.meet(bodies, i as usize, *j as usize, [dt, per_second], followed);
             }
-            self.end[i as usize] = self.stacks.len() as u32;
+            self.finish(i as usize, begins);
         }
     }
 
-    /// Tells anew of what was `hit` whether it passes. Returns false if a pair belongs to another axis now, so that all has to be
-    /// found anew.
-    pub fn refresh(&mut self, bodies: &Bodies, members: &[u32], dt: f64, hit: impl Fn(usize) -> bool) -> bool {
-        let (n, touch) = (bodies.len(), self.tolerances.touch);
-        let hit = |i: usize| i < n && hit(i);
-        let anew = |i: usize, j: usize| {
-            let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
-            let (reach_x, reach_y) = (bodies.hx[i] + bodies.hx[j], bodies.hy[i] + bodies.hy[j]);
-            kind(bodies, i, j, [dx, dy], [dx.abs() - reach_x, dy.abs() - reach_y], dt, touch)
-        };
-        let Self { start, end, stacks, sides, ceilings, passing, .. } = self;
-        for &i in members {
-            let i = i as usize;
-            for stack in &mut stacks[start[i] as usize..end[i] as usize] {
-                let j = stack.below as usize;
-                if hit(i) || hit(j) {
-                    let Kind::Stack(live) = anew(i, j) else { return false };
-                    stack.live = live;
-                    *passing |= !live;
+    /// Finds those anew of what was `hit` since all were found.
+    pub fn find_hit(&mut self, bodies: &Bodies, island: Island<'_>, dt: f64, hit: impl Fn(usize) -> bool) {
+        let (n, per_second) = (bodies.len(), 1.0 / dt);
+        std::mem::swap(&mut self.stacks, &mut self.known.0);
+        std::mem::swap(&mut self.sides, &mut self.known.1);
+        self.stacks.clear();
+        self.sides.clear();
+        for &i in island.members {
+            let (at, near) = (i as usize, island.near(i));
+            let (stacks, sides) = (self.under(at), self.ranges[at][2] as usize..self.ranges[at][3] as usize);
+            let begins = self.begin();
+            if hit(at) || near.iter().any(|j| (*j as usize) < n && hit(*j as usize)) {
+                for &j in near {
+                    self.meet(bodies, at, j as usize, [dt, per_second], true);
                 }
+            } else {
+                self.stacks.extend_from_slice(&self.known.0[stacks]);
+                self.sides.extend_from_slice(&self.known.1[sides]);
             }
+            self.finish(at, begins);
         }
-        for side in sides {
-            let (a, b) = (side.first as usize, side.second as usize);
-            if hit(a) || hit(b) {
-                let Kind::Side(live) = anew(a, b) else { return false };
-                side.live = live;
-                *passing |= !live;
-            }
-        }
-        for ceiling in ceilings {
-            let (j, i) = (ceiling.first as usize, ceiling.second as usize);
-            if hit(i) {
-                let Kind::Stack(live) = anew(i, j) else { return false };
-                ceiling.live = live;
-                *passing |= !live;
-            }
-        }
-        true
+    }
+
+    /// What follows is of a member, up to here.
+    fn begin(&self) -> [u32; 2] {
+        [self.stacks.len() as u32, self.sides.len() as u32]
+    }
+
+    fn finish(&mut self, i: usize, [stacks, sides]: [u32; 2]) {
+        self.ranges[i] = [stacks, self.stacks.len() as u32, sides, self.sides.len() as u32];
     }
 
     /// Adds what body i and body or surface j are to each other; a body j comes before i in the island's order. `per_second` is 1/dt.

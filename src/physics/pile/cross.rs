@@ -66,6 +66,11 @@ impl Pushes {
             parting: Vec::with_capacity(count),
         }
     }
+
+    /// Whether a body was pushed from the side.
+    pub fn is_pushed(&self, i: usize) -> bool {
+        self.pushed[i]
+    }
 }
 
 /// What the solution across works with.

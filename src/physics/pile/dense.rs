@@ -22,6 +22,7 @@ use super::neighbours::Neighbours;
 use super::place;
 use super::reach::Reach;
 use super::report::Report;
+use super::settled::{LARGE, Settled};
 use super::walls::{Along, Walls};
 use crate::physics::guards::Guards;
 
@@ -59,6 +60,8 @@ pub(super) enum Outcome {
     Done,
     /// Some swept boxes were widened: islands have to be found anew, and those of these bodies solved again from the same start.
     Grown,
+    /// Somebody who was left out has to be looked at: it has to be solved again from the same start.
+    Stirred,
 }
 
 /// The solver, and all that it works on.
@@ -79,6 +82,9 @@ pub(super) struct Dense {
     pub report: Report,
     reach: Reach,
     pub walls: Walls,
+    pub settled: Settled,
+    /// Who was left out and would have moved.
+    stirred: Vec<u32>,
     /// Length of the step, s.
     pub dt: f64,
     /// Whether impacts were followed to the last one.
@@ -105,6 +111,8 @@ impl Dense {
             report: Report::new(all),
             reach: Reach::default(),
             walls: Walls::new(n),
+            settled: Settled::new(n),
+            stirred: Vec::with_capacity(n),
             dt: 0.0,
             followed: false,
             hasty: false,
@@ -117,8 +125,34 @@ impl Dense {
         self.dt = size.dt;
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
         self.pushes.hits.impact = self.anchors.impact;
-        self.report.sides.clear();
         self.reach.clear();
+        let plain = bodies.alike && !bodies.elastic && !size.later && neighbours.carried().is_empty() && !self.report.on;
+        if !plain || island.members.len() < LARGE {
+            return self.solve(bodies, neighbours, island, size);
+        }
+        let mut settled = std::mem::take(&mut self.settled);
+        settled.begin(bodies, island, self.contacts.tolerances.touch);
+        let outcome = loop {
+            let part = settled.part_of(island);
+            let outcome = self.solve(bodies, neighbours, part, size);
+            if outcome == Outcome::Done {
+                self.find_stirred(bodies, part, &settled);
+            }
+            if outcome == Outcome::Grown || !settled.wake(bodies, island, &mut self.stirred, self.contacts.tolerances.touch) {
+                break outcome;
+            }
+            self.undo(bodies, island);
+        };
+        if outcome == Outcome::Done {
+            settled.end(bodies, island, |i, others| self.rests(bodies, i, others));
+        }
+        self.settled = settled;
+        outcome
+    }
+
+    /// Solves an island for those who are looked at.
+    fn solve(&mut self, bodies: &mut Bodies, neighbours: &mut Neighbours, island: Island<'_>, size: StepSize) -> Outcome {
+        self.report.sides.clear();
         (self.walls.any, self.impacts.any) = (false, false);
         if size.later {
             self.reach_out(bodies, neighbours, island, size.last);
@@ -136,14 +170,15 @@ impl Dense {
         anchors.only_anchors = bodies.lively;
         gravity::solve(bodies, island.members, contacts, anchors, clusters, size.dt);
         anchors.only_anchors = false;
-        if !self.bounce(bodies, neighbours, island, size) {
-            return Outcome::Grown;
+        if let Some(outcome) = self.bounce(bodies, neighbours, island, size) {
+            return outcome;
         }
         let mut inside = true;
-        self.hasty = self.impacts.any && island.members.len() > MANY;
+        self.hasty = self.impacts.any && island.all.len() > MANY;
         for look in 0.. {
             self.solve_along(bodies, island, size.dt, look == 0 && !self.impacts.any && !self.anchors.unmerged);
             self.solve_across(bodies, island, size.dt);
+            island.settled().for_each(|i| bodies.py[i] = bodies.y[i]);
             inside = place::advance(bodies, island.members, &self.anchors.lands, size.dt, self.impacts.any || size.later);
             if !inside {
                 // After the last look nobody gets further than was looked for.
@@ -151,6 +186,9 @@ impl Dense {
                     let more = self.reach_out(bodies, neighbours, island, size.last);
                     if !self.reach.strangers.is_empty() {
                         return self.grow(bodies, island);
+                    }
+                    if self.adds_to_settled(island) {
+                        return Outcome::Stirred;
                     }
                     if more {
                         self.predict(bodies, island);
@@ -198,27 +236,84 @@ impl Dense {
         self.impacts.restore_free(bodies, island.members);
     }
 
-    /// Follows the impacts. Returns false if they throw a body further than contacts were looked for.
-    fn bounce(&mut self, bodies: &mut Bodies, neighbours: &mut Neighbours, island: Island<'_>, size: StepSize) -> bool {
+    /// Whether somebody was left out who has been given others to meet.
+    fn adds_to_settled(&mut self, island: Island<'_>) -> bool {
+        let uppers = self.reach.added.iter().map(|(upper, _)| *upper);
+        self.stirred.extend(uppers.filter(|upper| island.is_settled(*upper as usize)));
+        !self.stirred.is_empty()
+    }
+
+    /// Finds who was left out, or relied on by those left out, and has not stayed at rest.
+    fn find_stirred(&mut self, bodies: &Bodies, island: Island<'_>, settled: &Settled) {
+        if island.states.is_empty() {
+            return;
+        }
+        let mut stirred = std::mem::take(&mut self.stirred);
+        let Contacts { stacks, sides, .. } = &self.contacts;
+        for &i in island.members {
+            let below = stacks[self.contacts.under(i as usize)].iter().map(|stack| stack.below);
+            stirred.extend(below.filter(|j| island.is_settled(*j as usize) && !self.stands(bodies, *j as usize)));
+            if settled.is_relied_on(i) && !(self.stands(bodies, i as usize) && self.anchors.rests[i as usize]) {
+                stirred.push(i);
+            }
+        }
+        stirred.extend(self.walls.rubbed().filter(|i| island.is_settled(*i as usize)));
+        let beside = sides.iter().flat_map(|side| [side.first, side.second]);
+        stirred.extend(beside.filter(|j| island.is_settled(*j as usize) && !self.stands(bodies, *j as usize)));
+        self.stirred = stirred;
+    }
+
+    /// Whether a body began and ended the step at rest, and nothing acted on it but what carries it.
+    fn stands(&self, bodies: &Bodies, i: usize) -> bool {
+        let none = |values: [&[f64]; 7]| values.into_iter().fold(0, |bits, v| bits | v[i].to_bits()) == 0;
+        let Bodies { vx, vy, ux, uy, mean_vx, mean_vy, free_vx, .. } = bodies;
+        bodies.uy[i] == 0.0
+            && bodies.px[i] == bodies.x[i]
+            && bodies.py[i] == bodies.y[i]
+            && none([vx, vy, ux, uy, mean_vx, mean_vy, free_vx])
+            && !(self.impacts.any && self.impacts.was_hit(i))
+            && !self.friction.is_awake(i)
+            && !self.pushes.is_pushed(i)
+    }
+
+    /// Whether a body stands on what does.
+    fn rests(&self, bodies: &Bodies, i: usize, others: impl Fn(usize) -> bool) -> bool {
+        let Contacts { stacks, ceilings, .. } = &self.contacts;
+        let carries = |j: usize| if j < bodies.len() { others(j) } else { !bodies.carries(j) };
+        self.stands(bodies, i)
+            && self.anchors.rests[i]
+            && self.anchors.on[i] != gravity::NONE
+            && bodies.free_x[i] == bodies.x[i]
+            && stacks[self.contacts.under(i)].iter().all(|stack| stack.bound > 0.0 || carries(stack.below as usize))
+            && ceilings.iter().all(|ceiling| ceiling.second as usize != i)
+    }
+
+    /// Follows the impacts. Returns why the step is not solved any further: they throw a body further than contacts were looked for, or move
+    /// somebody who was left out.
+    fn bounce(&mut self, bodies: &mut Bodies, neighbours: &mut Neighbours, island: Island<'_>, size: StepSize) -> Option<Outcome> {
         let Self { contacts, anchors, impacts, reach, .. } = self;
         let mut around = Around { island, neighbours, reach, last: size.last };
         let any = impacts.follow(bodies, (contacts, anchors), &mut around, size);
         self.followed = any;
         self.guards.bounces_put_off += std::mem::take(&mut impacts.waiting);
         if !any {
-            return true;
+            return None;
         }
+        self.stirred.append(&mut impacts.stirred);
         if !self.reach.strangers.is_empty() {
-            self.grow(bodies, island);
-            return false;
+            return Some(self.grow(bodies, island));
+        }
+        if !self.stirred.is_empty() || self.adds_to_settled(island) {
+            return Some(Outcome::Stirred);
         }
         let Self { contacts, impacts, .. } = self;
         // What is elastic is not solved plastically once its impacts are known: then all are told anew.
-        let added = !self.reach.added.is_empty();
-        if added || bodies.elastic || !contacts.refresh(bodies, island.members, size.dt, |i| impacts.was_hit(i)) {
+        if !self.reach.added.is_empty() || bodies.elastic || !contacts.ceilings.is_empty() {
             contacts.find(bodies, island, &self.reach.added, size.dt, true);
+        } else {
+            contacts.find_hit(bodies, island, size.dt, |i| impacts.was_hit(i));
         }
-        true
+        None
     }
 
     fn solve_along(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64, solved: bool) {
@@ -271,11 +366,17 @@ impl Dense {
     fn grow(&mut self, bodies: &mut Bodies, island: Island<'_>) -> Outcome {
         self.guards.steps_grown += 1;
         self.grown.append(&mut self.reach.strangers);
+        self.stirred.clear();
         // At once, and not when the next island is solved: in between its bodies may begin elsewhere.
+        self.undo(bodies, island);
+        Outcome::Grown
+    }
+
+    /// As if nothing had been solved.
+    fn undo(&mut self, bodies: &mut Bodies, island: Island<'_>) {
         self.pushes.resistance.restore(bodies);
         self.walls.undo(bodies, &mut self.anchors, &mut self.impacts.struck);
-        self.impacts.undo(bodies, island.members);
-        Outcome::Grown
+        self.impacts.undo(bodies, island.all);
     }
 
     /// Whether a pair that was expected to pass did not: then it is a contact.
@@ -322,6 +423,7 @@ impl Dense {
             let i = i as usize;
             (bodies.px[i], bodies.py[i]) = self.impacts.predicted(bodies, i);
         }
+        island.settled().for_each(|i| bodies.fall_freely(i));
     }
 
     /// Widens what is swept by those who leave it. Returns whether pairs were added.

@@ -19,6 +19,7 @@ use super::clusters::Node;
 use super::contacts::Contacts;
 use super::gravity::SLACK;
 use super::impacts::Impacts;
+use super::islands::{first, join_with};
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 5;
@@ -78,6 +79,13 @@ pub(super) struct Friction {
     /// Who of them stands on something or carries something, bottom-up; nothing rubs at the others.
     gripped: Vec<u32>,
     is_gripped: Vec<bool>,
+    /// Whose sums a change of grips concerns, and who has another velocity since.
+    concerned: Vec<bool>,
+    moved: Vec<bool>,
+    /// One of the stack of each, the kinetic energies of each stack before and after, and those of all stacks that did not settle.
+    stack_of: Vec<u32>,
+    gained: Vec<[f64; 2]>,
+    unsettled: Vec<u32>,
     /// Whether all materials are such that what stands holds what slides on it.
     alike: bool,
     /// Whether surfaces move, which may drive.
@@ -98,6 +106,11 @@ impl Friction {
             began: vec![0.0; all],
             is_awake: vec![false; all],
             is_gripped: vec![false; all],
+            concerned: vec![false; all],
+            moved: vec![false; all],
+            stack_of: vec![0; all],
+            gained: vec![[0.0; 2]; all],
+            unsettled: Vec::with_capacity(bodies.len()),
             start: vec![0; all],
             end: vec![0; all],
             ..Self::default()
@@ -142,7 +155,7 @@ impl Friction {
         let n = bodies.len();
         let of = |i: u32| (bodies.traits[i as usize].static_friction, bodies.traits[i as usize].kinetic_friction);
         let first = members.first().map_or((0.0, 0.0), |i| of(*i));
-        self.alike = members.iter().all(|i| of(*i) == first);
+        self.alike = bodies.alike || members.iter().all(|i| of(*i) == first);
         for &i in members {
             let i = i as usize;
             let under = &contacts.stacks[contacts.under(i)];
@@ -337,7 +350,11 @@ impl Friction {
         }
         self.turned = false;
         for round in 0..ROUNDS {
-            self.gather(bodies, given, round == 0);
+            if round == 0 {
+                self.gather(bodies, given);
+            } else {
+                self.gather_again(bodies, given);
+            }
             if !self.spread(bodies) {
                 if self.carried || self.turned || self.dissipates(bodies, given) {
                     return;
@@ -359,30 +376,75 @@ impl Friction {
         after <= before * (1.0 + ROUNDING)
     }
 
-    /// The way out where the grips do not settle: contact by contact, friction brings its two bodies together as far as its limit
-    /// allows. Always dissipates, but what sticks high up is stopped only after many steps.
+    /// The way out for those stacks in which the grips do not settle: contact by contact, friction brings its two bodies together as far as
+    /// its limit allows. Always dissipates, but what sticks high up is stopped only after many steps.
     fn relax(&mut self, bodies: &mut Bodies, given: &[f64]) {
-        self.turned = false;
         self.relaxed += 1;
-        for &i in &self.gripped {
+        self.find_unsettled(bodies, given);
+        let unsettled = std::mem::take(&mut self.unsettled);
+        for &i in &unsettled {
             let i = i as usize;
             bodies.ux[i] = given[i] / bodies.mass[i];
-            self.riders[i] = Node { momentum: given[i], mass: bodies.mass[i], ..Node::default() };
+            self.riders[i] = self.alone(bodies, i, given[i]);
+            let under = self.under(i);
+            for tight in &mut self.tight[under] {
+                (tight.grip, tight.impulse, tight.sense) = (Grip::Stick, 0.0, 1.0);
+            }
         }
-        for tight in &mut self.tight {
-            (tight.grip, tight.impulse) = (Grip::Stick, 0.0);
-        }
+        self.turned = self.tight.iter().any(|tight| tight.sense != 1.0);
         for _ in 0..SWEEPS {
-            self.sweep(bodies);
+            self.sweep_over(bodies, &unsettled);
+        }
+        self.unsettled = unsettled;
+    }
+
+    /// Lists all of those stacks (what hangs together through what takes part) in which something is concerned by a change of grips, or that
+    /// have gained kinetic energy.
+    fn find_unsettled(&mut self, bodies: &Bodies, given: &[f64]) {
+        let Self { start, end, tight, gripped, concerned, is_awake, stack_of, gained, unsettled, carried, .. } = self;
+        let under = |i: usize| &tight[start[i] as usize..end[i] as usize];
+        for &i in &*gripped {
+            (stack_of[i as usize], gained[i as usize]) = (i, [0.0; 2]);
+        }
+        for &i in &*gripped {
+            let mut root = first(stack_of, i as usize);
+            for below in under(i as usize).iter().map(|tight| tight.below as usize).filter(|j| *j < bodies.len() && is_awake[*j]) {
+                join_with(stack_of, &mut root, below);
+            }
+            stack_of[i as usize] = root as u32;
+        }
+        for &i in &*gripped {
+            let (i, mass) = (i as usize, bodies.mass[i as usize]);
+            let root = first(stack_of, i);
+            concerned[root] |= concerned[i];
+            let slides_back = *carried || under(i).iter().any(|tight| tight.sense != 1.0);
+            gained[root][0] += if slides_back { f64::INFINITY } else { given[i] * given[i] / mass };
+            gained[root][1] += mass * bodies.ux[i] * bodies.ux[i];
+        }
+        unsettled.clear();
+        for &i in &*gripped {
+            let root = first(stack_of, i as usize);
+            let [before, after] = gained[root];
+            if concerned[root] || after > before * (1.0 + ROUNDING) {
+                unsettled.push(i);
+            }
         }
     }
 
     /// Contact by contact, brings two bodies together as far as the limit allows. Returns the greatest change of a velocity, m/s.
     pub fn sweep(&mut self, bodies: &mut Bodies) -> f64 {
+        let gripped = std::mem::take(&mut self.gripped);
+        let most = self.sweep_over(bodies, &gripped);
+        self.gripped = gripped;
+        most
+    }
+
+    /// The same under these.
+    fn sweep_over(&mut self, bodies: &mut Bodies, of: &[u32]) -> f64 {
         let n = bodies.len();
         let mut most = 0.0f64;
-        for k in 0..self.gripped.len() {
-            let i = self.gripped[k] as usize;
+        for &i in of {
+            let i = i as usize;
             for c in self.under(i) {
                 let tight = &mut self.tight[c];
                 let below = tight.below as usize;
@@ -401,23 +463,23 @@ impl Friction {
     }
 
     /// Top-down: mass and momentum of all that sticks to a body, and what slides on it gives.
-    fn gather(&mut self, bodies: &Bodies, given: &[f64], guess: bool) {
+    fn gather(&mut self, bodies: &Bodies, given: &[f64]) {
         let n = bodies.len();
         for &i in &self.gripped {
             let i = i as usize;
-            let mass = bodies.mass[i];
-            self.riders[i] = Node { momentum: given[i], began: mass * self.began[i], mass, ..Node::default() };
+            self.concerned[i] = true;
+            self.riders[i] = self.alone(bodies, i, given[i]);
         }
         for k in (0..self.gripped.len()).rev() {
             let i = self.gripped[k] as usize;
             let under = self.under(i);
-            let mut mine = self.riders[i];
+            let mine = self.riders[i];
             if under.is_empty() {
                 continue;
             }
             let held: f64 = self.tight[under.clone()].iter().map(|t| t.held).sum();
             let on_surfaces = self.tight[under.clone()].iter().all(|t| t.below as usize >= n);
-            if guess && on_surfaces {
+            if on_surfaces {
                 let first = &self.tight[under.start];
                 let sliding = mine.momentum - mine.mass * (bodies.ux[first.below as usize] + first.skin);
                 if sliding.abs() > held {
@@ -426,31 +488,68 @@ impl Friction {
                     }
                 }
             }
-            let mut held = 0.0;
-            for tight in &mut self.tight[under.clone()] {
-                match tight.grip {
-                    Grip::Slip(sign) => {
+            self.hand_down(i, n, |_| true);
+        }
+    }
+
+    /// A body by itself, with a momentum.
+    fn alone(&self, bodies: &Bodies, i: usize, given: f64) -> Node {
+        let mass = bodies.mass[i];
+        Node { momentum: given, began: mass * self.began[i], mass, ..Node::default() }
+    }
+
+    /// The same after some grips have changed: only sums are told anew that this concerns.
+    fn gather_again(&mut self, bodies: &Bodies, given: &[f64]) {
+        let n = bodies.len();
+        for k in (0..self.gripped.len()).rev() {
+            let i = self.gripped[k] as usize;
+            if self.concerned[i] {
+                for tight in self.tight[self.under(i)].iter().filter(|tight| tight.grip == Grip::Stick) {
+                    self.concerned[tight.below as usize] = true;
+                }
+                self.riders[i] = self.alone(bodies, i, given[i]);
+            }
+        }
+        for k in (0..self.gripped.len()).rev() {
+            let i = self.gripped[k] as usize;
+            let concerned = std::mem::take(&mut self.concerned);
+            if self.tight[self.under(i)].iter().any(|tight| concerned[i] || concerned[tight.below as usize]) {
+                self.hand_down(i, n, |j| concerned[j]);
+            }
+            self.concerned = concerned;
+        }
+    }
+
+    /// Gives what a body carries, or what it rubs with, to those of its supports that are `concerned`.
+    fn hand_down(&mut self, i: usize, n: usize, concerned: impl Fn(usize) -> bool) {
+        let (under, mine) = (self.under(i), concerned(i));
+        let mut held = 0.0;
+        for tight in &mut self.tight[under.clone()] {
+            let below = tight.below as usize;
+            match tight.grip {
+                Grip::Slip(sign) => {
+                    if mine {
                         tight.impulse = sign * tight.dragged * tight.sense;
                         self.riders[i].momentum += tight.impulse;
-                        if (tight.below as usize) < n {
-                            self.riders[tight.below as usize].momentum -= tight.impulse;
-                        }
                     }
-                    Grip::Stick => held += tight.held,
+                    if below < n && concerned(below) {
+                        self.riders[below].momentum -= tight.impulse;
+                    }
                 }
+                Grip::Stick => held += tight.held,
             }
-            if held <= 0.0 {
-                continue;
-            }
-            mine = self.riders[i];
-            for tight in &self.tight[under] {
-                if tight.grip == Grip::Stick && (tight.below as usize) < n {
-                    let part = tight.held / held;
-                    let below = &mut self.riders[tight.below as usize];
-                    below.momentum += part * mine.momentum;
-                    below.began += part * mine.began;
-                    below.mass += part * mine.mass;
-                }
+        }
+        if held <= 0.0 {
+            return;
+        }
+        let mine = self.riders[i];
+        for tight in self.tight[under].iter().filter(|tight| tight.grip == Grip::Stick) {
+            let below = tight.below as usize;
+            if below < n && concerned(below) {
+                let (part, below) = (tight.held / held, &mut self.riders[below]);
+                below.momentum += part * mine.momentum;
+                below.began += part * mine.began;
+                below.mass += part * mine.mass;
             }
         }
     }
@@ -466,6 +565,13 @@ impl Friction {
         for k in 0..self.gripped.len() {
             let i = self.gripped[k] as usize;
             let under = self.under(i);
+            let concerned = std::mem::replace(&mut self.concerned[i], false);
+            self.moved[i] = false;
+            if !concerned && !self.tight[under.clone()].iter().any(|tight| self.moved[tight.below as usize]) {
+                continue;
+            }
+            let known = changed;
+            changed = false;
             let mine = self.riders[i];
             let mut velocity = mine.momentum / mine.mass;
             // The strongest support that it sticks to.
@@ -518,6 +624,12 @@ impl Friction {
                     }
                 }
             }
+            if changed {
+                self.concerned[i] = true;
+                self.tight[self.under(i)].iter().for_each(|tight| self.concerned[tight.below as usize] = true);
+            }
+            changed |= known;
+            self.moved[i] = velocity.to_bits() != bodies.ux[i].to_bits();
             bodies.ux[i] = velocity;
         }
         changed

@@ -6,10 +6,14 @@
 
 use super::bodies::Bodies;
 use super::neighbours::Neighbours;
+use super::settled::State;
 use std::cmp::Ordering;
 
 /// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
 const MOST_MOVES: usize = 8;
+
+/// While no more than this part of the bodies sweep something else than in the step before, the lists of the others are kept.
+const MOST_CHANGED: f64 = 0.25;
 
 /// Boxes that are compared at once.
 const BLOCK: usize = 32;
@@ -20,8 +24,10 @@ const NONE: u32 = u32::MAX;
 /// One island, as the solver takes it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Island<'a> {
-    /// Slots of its bodies, bottom-up.
+    /// Slots of its bodies that are looked at, bottom-up; of all of them; and what they are to the step, by slot, if somebody is left out.
     pub members: &'a [u32],
+    pub all: &'a [u32],
+    pub states: &'a [State],
     /// What a member may touch, each a member before it or a surface: `others[from..to]`, by slot.
     ranges: &'a [(u32, u32)],
     others: &'a [u32],
@@ -31,6 +37,23 @@ pub(super) struct Island<'a> {
 }
 
 impl<'a> Island<'a> {
+    /// The same island, of which only some members are looked at.
+    pub fn part(self, members: &'a [u32], states: &'a [State]) -> Self {
+        Self { members, states, ..self }
+    }
+
+    /// Whether something is left out: it stands where it is.
+    #[inline(always)]
+    pub fn is_settled(&self, i: usize) -> bool {
+        self.states.get(i) == Some(&State::Settled)
+    }
+
+    /// Who is left out.
+    pub fn settled(self) -> impl Iterator<Item = usize> + 'a {
+        let all = if self.states.is_empty() { &[] } else { self.all };
+        all.iter().map(|i| *i as usize).filter(move |i| self.states[*i] == State::Settled)
+    }
+
     /// Whether two bodies are of one island.
     pub fn joins(&self, a: usize, b: usize) -> bool {
         self.roots[a] == self.roots[b]
@@ -66,9 +89,16 @@ pub(super) struct Islands {
     turned: Vec<(u32, u32, u32)>,
     spare: Vec<u32>,
     later: Vec<u32>,
-    /// From what the islands were found last: while all of it stays, so do they.
+    near: Vec<u32>,
+    /// From what the islands were found last: while all of it stays, so do they. What has changed, by slot, and who is in a turned pair.
     swept: Vec<[f64; 4]>,
+    heights: Vec<f64>,
+    changed: Vec<bool>,
+    is_turned: Vec<bool>,
     revision: u64,
+    listings: u64,
+    /// How long all lists were when they were made last.
+    listed: usize,
     same_order: bool,
     /// Whether others are looked at than when they were brought into order.
     others_in_it: bool,
@@ -89,8 +119,14 @@ impl Islands {
             turned: Vec::with_capacity(count),
             spare: Vec::with_capacity(4 * count),
             later: Vec::with_capacity(64),
-            swept: Vec::new(),
+            near: vec![0; 64],
+            swept: Vec::with_capacity(count),
+            heights: vec![0.0; count],
+            changed: vec![false; count],
+            is_turned: vec![false; count],
             revision: 0,
+            listings: 0,
+            listed: 0,
             same_order: false,
             others_in_it: false,
         }
@@ -141,7 +177,8 @@ impl Islands {
     pub fn get(&self, island: usize) -> Island<'_> {
         let (from, to) = (self.begins[island] as usize, self.begins[island + 1] as usize);
         let Self { members, ranges, others, parent, place, .. } = self;
-        Island { members: &members[from..to], ranges, others, roots: parent, places: place }
+        let members = &members[from..to];
+        Island { members, all: members, states: &[], ranges, others, roots: parent, places: place }
     }
 
     /// Brings the bodies into their order, once a step.
@@ -161,25 +198,53 @@ impl Islands {
         if self.same_order && neighbours.is_as_in(self.revision) && self.sweep_the_same(bodies) {
             return;
         }
-        self.revision = neighbours.revision;
-        self.swept.clear();
-        if self.order.len() == bodies.len() {
-            self.swept.extend_from_slice(&bodies.swept[..bodies.len()]);
-        } else {
-            self.swept.extend(self.order.iter().map(|i| bodies.swept[*i as usize]));
+        let n = bodies.len();
+        let all = self.order.len() == n;
+        let known = all && self.swept.len() == n && self.revision != 0 && neighbours.are_listed_as_in(self.listings);
+        (self.listings, self.revision) = (neighbours.listings, neighbours.revision);
+        // Lists that hold no longer stay behind, up to as many as there are.
+        let kept =
+            known && self.find_changes(bodies) <= (MOST_CHANGED * n as f64) as usize && self.others.len() <= 2 * self.listed + n;
+        if !kept {
+            self.changed.fill(true);
+            self.others.clear();
+        }
+        if !known {
+            self.swept.clear();
+            if all {
+                self.swept.extend_from_slice(&bodies.swept[..n]);
+                self.heights.copy_from_slice(&bodies.y[..n]);
+            } else {
+                self.swept.extend(self.order.iter().map(|i| bodies.swept[*i as usize]));
+            }
         }
         self.join(bodies, neighbours);
-        if !self.turned.is_empty() {
-            self.turn();
+        if !kept {
+            self.listed = self.others.len();
         }
+        self.turn();
         self.gather();
+    }
+
+    /// Tells who sweeps something else than when islands were found last, or is elsewhere in their order. What is in a turned pair counts to them.
+    /// Returns how many they are.
+    fn find_changes(&mut self, bodies: &Bodies) -> usize {
+        let Self { swept, heights, changed, is_turned, .. } = self;
+        let now = bodies.swept.iter().zip(&bodies.y).zip(&*is_turned);
+        let mut count = 0;
+        let then = swept.iter_mut().zip(heights).zip(changed);
+        for (((swept, y), turned), ((known, height), changed)) in now.zip(then) {
+            *changed = (differ(swept, known) | (y.to_bits() ^ height.to_bits()) != 0) | *turned;
+            (*known, *height) = (*swept, *y);
+            count += usize::from(*changed);
+        }
+        count
     }
 
     /// Whether all that are looked at sweep what they did when islands were found last.
     fn sweep_the_same(&self, bodies: &Bodies) -> bool {
         let Self { order, swept, .. } = self;
         // Block by block without a branch inside: vector code.
-        let differ = |a: &[f64; 4], b: &[f64; 4]| (0..4).fold(0, |bits, k| bits | (a[k].to_bits() ^ b[k].to_bits()));
         let alike = |(a, b): (&[[f64; 4]], &[[f64; 4]])| a.iter().zip(b).fold(0, |bits, (a, b)| bits | differ(a, b)) == 0;
         if swept.len() != order.len() {
             return false;
@@ -219,44 +284,50 @@ impl Islands {
         moves
     }
 
-    /// Joins what may meet, and lists whom each body may meet.
+    /// Joins what may meet, and lists whom each body may meet: as it was listed last if neither has changed.
     fn join(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
-        let Self { order, place, parent, ranges, others, turned, later, .. } = self;
+        let Self { order, place, parent, ranges, others, turned, later, near, changed, .. } = self;
         let n = bodies.len();
         order.iter().for_each(|i| parent[*i as usize] = *i);
-        others.clear();
         turned.clear();
         for (k, &i) in order.iter().enumerate() {
             let (from, mine) = (others.len(), bodies.swept[i as usize]);
             let (mut root, mut latest) = (first(parent, i as usize), 0);
             let known = neighbours.of(i as usize, later);
+            let stays = |j: &u32| changed.get(*j as usize) != Some(&true);
+            if later.is_empty() && stays(&i) && known.iter().all(stays) {
+                let (begin, end) = ranges[i as usize];
+                for j in others[begin as usize..end as usize].iter().map(|j| *j as usize).filter(|j| *j < n) {
+                    join_with(parent, &mut root, j);
+                }
+                parent[i as usize] = root as u32;
+                continue;
+            }
+            // Without a branch for each: most are apart, and which is not to be foreseen.
+            let mut met = 0;
+            near.resize(near.len().max(known.len() + later.len()), 0);
             for list in [known, &*later] {
                 for &other in list {
-                    let j = other as usize;
-                    if apart(&mine, &bodies.swept[j]) {
+                    near[met] = other;
+                    met += usize::from(!apart(&mine, &bodies.swept[other as usize]));
+                }
+            }
+            for &other in &near[..met] {
+                let j = other as usize;
+                let mut key = other;
+                if j < n {
+                    join_with(parent, &mut root, j);
+                    key = place[j];
+                    if key > k as u32 {
+                        turned.push((key, other, i));
                         continue;
                     }
-                    let mut key = other;
-                    if j < n {
-                        if parent[j] as usize != root {
-                            let other = first(parent, j);
-                            parent[j] = other as u32;
-                            if other != root {
-                                (parent[root.max(other)], root) = (root.min(other) as u32, root.min(other));
-                            }
-                        }
-                        key = place[j];
-                        if key > k as u32 {
-                            turned.push((key, other, i));
-                            continue;
-                        }
-                    }
-                    others.push(other);
-                    if key < latest {
-                        put_last(others, from, key, place);
-                    }
-                    latest = latest.max(key);
                 }
+                others.push(other);
+                if key < latest {
+                    put_last(others, from, key, place);
+                }
+                latest = latest.max(key);
             }
             parent[i as usize] = root as u32;
             ranges[i as usize] = (from as u32, others.len() as u32);
@@ -268,21 +339,22 @@ impl Islands {
 
     /// Lists pairs whose order has turned under the one that is above now.
     fn turn(&mut self) {
-        let Self { order, place, ranges, others, turned, spare, .. } = self;
+        let Self { place, ranges, others, turned, is_turned, .. } = self;
+        is_turned.fill(false);
         turned.sort_unstable();
-        let mut more = turned.iter().peekable();
-        spare.clear();
-        for (k, &i) in order.iter().enumerate() {
-            let (from, to) = ranges[i as usize];
-            let begin = spare.len();
-            spare.extend_from_slice(&others[from as usize..to as usize]);
-            while let Some((_, _, lower)) = more.next_if(|(above, ..)| *above as usize == k) {
-                spare.push(*lower);
-                put_last(spare, begin, place[*lower as usize], place);
+        for group in turned.chunk_by(|a, b| a.1 == b.1) {
+            let upper = group[0].1 as usize;
+            let (from, to) = ranges[upper];
+            let begin = others.len();
+            others.extend_from_within(from as usize..to as usize);
+            is_turned[upper] = true;
+            for &(_, _, lower) in group {
+                is_turned[lower as usize] = true;
+                others.push(lower);
+                put_last(others, begin, place[lower as usize], place);
             }
-            ranges[i as usize] = (begin as u32, spare.len() as u32);
+            ranges[upper] = (begin as u32, others.len() as u32);
         }
-        std::mem::swap(others, spare);
     }
 
     /// Lists the members island by island, in their order.
@@ -353,13 +425,30 @@ fn put_last(list: &mut [u32], from: usize, key: u32, place: &[u32]) {
     list[at] = moved;
 }
 
+/// Joins body j to those of `root`, whose first is kept.
 #[inline(always)]
-fn first(parent: &mut [u32], mut i: usize) -> usize {
+pub(super) fn join_with(parent: &mut [u32], root: &mut usize, j: usize) {
+    if parent[j] as usize != *root {
+        let other = first(parent, j);
+        parent[j] = other as u32;
+        if other != *root {
+            (parent[other.max(*root)], *root) = (other.min(*root) as u32, other.min(*root));
+        }
+    }
+}
+
+#[inline(always)]
+pub(super) fn first(parent: &mut [u32], mut i: usize) -> usize {
     while parent[i] as usize != i {
         parent[i] = parent[parent[i] as usize];
         i = parent[i] as usize;
     }
     i
+}
+
+/// Zero if two boxes are the same to the bit.
+fn differ(a: &[f64; 4], b: &[f64; 4]) -> u64 {
+    (0..4).fold(0, |bits, k| bits | (a[k].to_bits() ^ b[k].to_bits()))
 }
 
 /// Whether two boxes do not touch.

@@ -35,6 +35,7 @@ mod neighbours;
 mod place;
 mod reach;
 mod report;
+mod settled;
 mod walls;
 
 use super::guards::Guards;
@@ -135,6 +136,8 @@ impl Pile {
         }
         bodies.airy = def.air_density > 0.0 && def.bodies.iter().any(|body| body.drag_area != DVec2::ZERO || body.drag_round > 0.0);
         bodies.elastic = def.bodies.iter().any(|body| body.restitution == 1.0);
+        let friction = |body: &PileBody| (body.static_friction, body.kinetic_friction);
+        bodies.alike = def.bodies.iter().all(|body| friction(body) == friction(&def.bodies[0]));
         bodies.lively = def.bodies.iter().any(|body| body.restitution > 0.0);
         for (j, surface) in def.surfaces.iter().enumerate() {
             let (i, centre, half) = (n + j, surface.bounds.centre(), surface.bounds.size() * 0.5);
@@ -253,7 +256,7 @@ impl Pile {
     pub fn set_belt(&mut self, surface: usize, speed: f64) {
         let j = self.bodies.len() + surface;
         self.bodies.belt[j] = speed * self.down;
-        self.driver.wake_all();
+        self.wake_all();
     }
 
     /// Sets from which sides a surface is solid. Wakes all.
@@ -261,7 +264,7 @@ impl Pile {
         let j = self.bodies.len() + surface;
         let turned = Sides { top: sides.bottom, bottom: sides.top, ..sides };
         self.bodies.sides[j] = if self.down < 0.0 { turned } else { sides };
-        self.driver.wake_all();
+        self.wake_all();
     }
 
     /// Sets whether a surface is there. Wakes all.
@@ -270,8 +273,13 @@ impl Pile {
         if self.bodies.present[j] != present {
             self.bodies.present[j] = present;
             self.bodies.changed_surfaces = true;
-            self.driver.wake_all();
+            self.wake_all();
         }
+    }
+
+    fn wake_all(&mut self) {
+        self.driver.wake_all();
+        self.dense.settled.forget();
     }
 
     /// Whom surfaces would have squeezed in the last step.

@@ -127,10 +127,14 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
     let (n, hair) = (bodies.len(), contacts.tolerances.hair);
     clusters.clear();
     let mut doubt = false;
-    loop {
+    for pass in 0.. {
         let mut merged = false;
         for side in &contacts.sides {
             let (a, b) = (side.first as usize, side.second as usize);
+            // What was not merged has been looked at.
+            if pass > 0 && !clusters.is_joined(a) && !clusters.is_joined(b) {
+                continue;
+            }
             let depth = side.reach - (clusters.mean(b, bodies.px[b]) - clusters.mean(a, bodies.px[a]));
             if depth <= hair {
                 continue;
@@ -165,8 +169,10 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
 /// Puts bodies in conflict back to where they were along the contact's axis, and what they are then in the way of too, until
 /// nothing overlaps.
 fn take_back(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, back: &mut [[bool; 2]]) -> u64 {
-    for &i in members {
-        back[i as usize] = [false; 2];
+    // Also of those that are not looked at.
+    let beside = contacts.sides.iter().flat_map(|side| [side.first, side.second]);
+    for i in contacts.stacks.iter().map(|stack| stack.below).chain(beside).chain(members.iter().copied()) {
+        back.get_mut(i as usize).into_iter().for_each(|back| *back = [false; 2]);
     }
     for &i in members {
         if !bodies.is_swept(i as usize) {

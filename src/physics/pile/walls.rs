@@ -68,6 +68,11 @@ impl Walls {
         }
     }
 
+    /// Who rubs at others beside.
+    pub fn rubbed(&self) -> impl Iterator<Item = u32> {
+        self.saved.iter().filter(|_| self.any).map(|(i, ..)| *i)
+    }
+
     /// Sets the free velocities to what they were before friction.
     pub fn restore_free(&self, bodies: &mut Bodies) {
         if self.any {

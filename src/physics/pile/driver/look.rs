@@ -44,12 +44,13 @@ impl Pile {
     }
 
     pub(super) fn fly(&mut self, dt: f64) {
-        let Self { bodies, neighbours, islands, driver, .. } = self;
+        let Self { bodies, neighbours, islands, dense, driver, .. } = self;
         neighbours.drift(bodies, dt);
         flight::fly(bodies, &driver.slots, dt, self.drag);
         bodies.sweep(&driver.slots);
         if bodies.sweep_surfaces(&driver.moving) {
             islands.forget();
+            dense.settled.forget();
         }
         // The boxes in which neighbours were sought are made for many bodies together; what an island comes to must not depend on them.
         if !neighbours.update(bodies, &driver.slots, dt) {
@@ -61,6 +62,7 @@ impl Pile {
             }
             neighbours.search(bodies, dt);
             islands.renumbered();
+            dense.settled.forget();
         }
         bodies.keep_free_flight(&driver.slots);
         self.look_at_surfaces();

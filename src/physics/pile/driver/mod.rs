@@ -111,6 +111,7 @@ impl Pile {
         if !self.driver.all_asleep() || moving {
             self.look_at(dt);
             self.last_dt = dt;
+            self.dense.settled.next_step();
             let asleep = &self.driver.asleep;
             self.dense.report.list.retain(|contact| asleep[contact.a]);
             self.move_surfaces(dt);

@@ -29,12 +29,6 @@ impl Impacts {
         if share_a + share_b == 0.0 {
             return;
         }
-        self.pairs[due.pair as usize].hits += 1;
-        for i in [a, b] {
-            if i < n {
-                self.hits[i] += 1;
-            }
-        }
         let (until, leaves) = self.pass_over(due, restitution, share_a == 0.0 || share_b == 0.0);
         // Relative velocity after, and what it takes.
         let change = speed + leaves;
@@ -48,6 +42,17 @@ impl Impacts {
             [before[0] - side * impulse * share_a, before[1] + side * impulse * share_b]
         };
         let rub = self.rub(bodies, due, side, impulse);
+        let moves = |i: usize, share: f64| around.island.is_settled(i) && (share > 0.0 || rub != 0.0);
+        self.stirred.extend([(a, share_a), (b, share_b)].into_iter().filter(|(i, share)| moves(*i, *share)).map(|(i, _)| i as u32));
+        if !self.stirred.is_empty() {
+            return;
+        }
+        self.pairs[due.pair as usize].hits += 1;
+        for i in [a, b] {
+            if i < n {
+                self.hits[i] += 1;
+            }
+        }
         let stirs = |i: usize, share: f64| i < n && self.still[i] && (share > 0.0 || rub != 0.0);
         if self.skipped > 0 && (stirs(a, share_a) || stirs(b, share_b)) {
             self.add_skipped(bodies, around.island);
@@ -96,7 +101,12 @@ impl Impacts {
     pub(super) fn widen(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize) {
         around.reach.widen(bodies, around.neighbours, around.island, i, around.last);
         for &(a, b) in &around.reach.new {
-            self.add(bodies, a, b);
+            let left_out = [a, b].into_iter().filter(|i| around.island.is_settled(*i as usize));
+            let known = self.stirred.len();
+            self.stirred.extend(left_out);
+            if self.stirred.len() == known {
+                self.add(bodies, a, b);
+            }
         }
     }
 

@@ -6,26 +6,49 @@
 //! when the later of the two set out.
 
 use super::super::bodies::Bodies;
-use super::super::islands::{Island, apart};
+use super::super::islands::apart;
 use super::course::time_of_impact;
-use super::due::{Due, Looked, Pair};
+use super::due::{Due, Pair};
 use super::{Around, Impacts, NONE, RATTLE, SLOWEST, WORK_OF_A_LINK, WORK_OF_A_LOOK};
 
 /// How deep what has sunk may be in a surface, as a part of the smaller half of the body.
 const SUNK: f64 = 0.5;
 
 impl Impacts {
-    /// All look ahead for the first time.
-    pub(super) fn look_at_all(&mut self, bodies: &Bodies, island: Island<'_>) {
-        self.clock = 0.0;
-        self.departures = 0;
-        for &i in island.members {
-            let lane = self.lane(bodies, i as usize, (0.0, self.dt));
-            self.looks[i as usize] = Looked { lane, next: f64::INFINITY, ..Looked::default() };
+    /// Looks ahead from the start of the step, for both of the pair that was added last.
+    pub(super) fn look_first(&mut self, bodies: &Bodies, i: u32, j: u32) {
+        self.work += WORK_OF_A_LINK;
+        if apart(&self.looks[i as usize].lane, &self.looks[j as usize].lane) {
+            return;
         }
-        for &i in island.members {
-            self.look(bodies, i as usize);
+        self.work += WORK_OF_A_LOOK;
+        let Some(due) = self.touches(bodies, self.pairs.len() as u32 - 1) else { return };
+        for by in [i, j].into_iter().filter(|by| (*by as usize) < bodies.len()) {
+            let looked = &mut self.looks[by as usize];
+            // `count` numbers what it has found so far.
+            match looked.count {
+                0 => {
+                    self.firsts.push((by, due));
+                    looked.count = self.firsts.len() as u32;
+                }
+                known => {
+                    let first = &mut self.firsts[known as usize - 1].1;
+                    *first = due.max(*first);
+                }
+            }
         }
+    }
+
+    /// Notes what each has found first of all.
+    pub(super) fn note_first_looks(&mut self, bodies: &Bodies) {
+        for k in 0..self.firsts.len() {
+            let (by, due) = self.firsts[k];
+            let lane = self.lane(bodies, by as usize, (0.0, due.time));
+            let looked = &mut self.looks[by as usize];
+            (looked.lane, looked.next, looked.count) = (lane, due.time, 1);
+            self.due.push(Due { by, look: 1, ..due });
+        }
+        self.firsts.clear();
     }
 
     /// Whether what is due comes now. If it is void, who knew of it looks again.

@@ -90,11 +90,14 @@ pub(super) struct Impacts {
     pub struck: Vec<f64>,
     /// Whether any were looked for in this step.
     pub any: bool,
+    /// Who was taken for ground and would have been moved: then the impacts are not followed to the end.
+    pub stirred: Vec<u32>,
     /// By slot, where there were any: free velocities before them, and predicted positions after them.
     saved: Vec<[f64; 2]>,
     predicted: Vec<[f64; 2]>,
-    /// By slot: the count of the follow-up in which a body was hit last.
+    /// By slot: the count of the follow-up in which a body was hit last, and of that in which its way was noted last.
     hit_in: Vec<u64>,
+    entered_in: Vec<u64>,
     follow_ups: u64,
     pairs: Vec<Pair>,
     /// By slot: whether a body or surface stands still if it is not hit; and how many pairs were skipped because both do.
@@ -111,6 +114,8 @@ pub(super) struct Impacts {
     /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
     chain: Vec<u32>,
     links: Vec<Link>,
+    /// What those know first who look ahead for the first time.
+    firsts: Vec<(u32, Due)>,
     /// What each body does next, by slot; of surfaces only where they are.
     looks: Vec<Looked>,
     /// The time up to which impacts have been followed, s, and how often somebody set out on another way.
@@ -134,6 +139,7 @@ impl Impacts {
             saved: vec![[0.0; 2]; count],
             predicted: vec![[0.0; 2]; count],
             hit_in: vec![0; count],
+            entered_in: vec![0; count],
             pairs: Vec::with_capacity(4 * count),
             still: vec![false; all],
             hits: vec![0; count],
@@ -164,20 +170,19 @@ impl Impacts {
         for &i in island.members {
             self.struck[i as usize] = 0.0;
         }
-        if !bodies.lively || !self.any_due(bodies, island, contacts) {
+        if !bodies.lively || !self.any_due(bodies, island, (contacts, anchors)) {
             return false;
         }
-        self.gather(bodies, island, anchors);
-        for &(a, b) in &around.reach.added {
-            self.add(bodies, a, b);
-        }
         self.follow_ups += 1;
-        self.look_at_all(bodies, island);
-        self.allowed = BUDGET + BUDGET_OF_A_BODY * island.members.len() as u64;
+        self.gather(bodies, island, anchors, &around.reach.added);
+        self.allowed = BUDGET + BUDGET_OF_A_BODY * island.all.len() as u64;
         let most = self.work + self.allowed;
         while let Some(due) = self.due.pop() {
             if self.is_next(bodies, around, &due) {
                 self.go_on(bodies, anchors, around, (due, most));
+                if !self.stirred.is_empty() {
+                    break;
+                }
                 self.pass(bodies, around, &due);
             }
         }
@@ -221,8 +226,8 @@ impl Impacts {
     /// Sets the free velocities to what they were before the impacts.
     pub fn restore_free(&mut self, bodies: &mut Bodies, members: &[u32]) {
         if self.any {
-            for &i in members {
-                (bodies.free_vx[i as usize], bodies.free_vy[i as usize]) = self.saved[i as usize].into();
+            for i in members.iter().map(|i| *i as usize).filter(|i| self.entered_in[*i] == self.follow_ups) {
+                (bodies.free_vx[i], bodies.free_vy[i]) = self.saved[i].into();
             }
         }
     }
@@ -264,6 +269,9 @@ impl Impacts {
 
     /// From `time` on, body i stays where it is until the step ends, with the velocity that it has.
     fn put_off(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, i: usize, time: f64) {
+        if around.island.is_settled(i) {
+            return self.stirred.push(i as u32);
+        }
         self.waiting += 1;
         self.waits[i] = true;
         self.hit_in[i] = self.follow_ups;
@@ -287,13 +295,13 @@ impl Impacts {
     }
 
     /// A quick test whether any pair that bounces closes.
-    fn any_due(&self, bodies: &Bodies, island: Island<'_>, contacts: &Contacts) -> bool {
+    fn any_due(&self, bodies: &Bodies, island: Island<'_>, (contacts, anchors): (&Contacts, &Anchors)) -> bool {
         let lively = |a: usize, b: usize| bodies.traits[a].restitution > 0.0 || bodies.traits[b].restitution > 0.0;
         let n = bodies.len();
         let per_second = 1.0 / self.dt;
         let stacks = island.members.iter().any(|&i| {
             let i = i as usize;
-            let mean = (bodies.py[i] - bodies.y[i]) * per_second;
+            let mean = if anchors.rests[i] { bodies.mean_vy[i] } else { (bodies.py[i] - bodies.y[i]) * per_second };
             contacts.stacks[contacts.under(i)].iter().any(|stack| {
                 let j = stack.below as usize;
                 let closes = mean > bodies.mean_vy[j] + stack.bound && (stack.bound > 0.0 || !bodies.rides_along(i, j, 0.0));
@@ -310,28 +318,21 @@ impl Impacts {
             || contacts.ceilings.iter().any(|c| lively(c.first as usize, c.second as usize))
     }
 
-    fn gather(&mut self, bodies: &Bodies, island: Island<'_>, anchors: &Anchors) {
+    fn gather(&mut self, bodies: &Bodies, island: Island<'_>, anchors: &Anchors, added: &[(u32, u32)]) {
         self.pairs.clear();
         self.links.clear();
         self.due.clear();
+        (self.clock, self.departures) = (0.0, 0);
         for &i in island.members {
-            let i = i as usize;
-            self.chain[i] = NONE;
-            (self.hits[i], self.waits[i]) = (0, false);
-            self.saved[i] = [bodies.free_vx[i], bodies.free_vy[i]];
-            // Through liquids and streams bodies are led; what the air brakes is on a parabola nearly enough.
-            let (led, dt) = (bodies.is_guided[bodies.id[i] as usize], self.dt);
-            let course = |at: f64, velocity: f64, end: (f64, f64)| match led {
-                true => Course::to(end, (at, velocity), dt),
-                false => Course::by((velocity, end.1), at, dt),
-            };
-            self.courses[0][i] = course(bodies.x[i], bodies.vx[i], (bodies.px[i], bodies.free_vx[i]));
-            self.courses[1][i] = match anchors.rests[i] {
-                true => Course { at: bodies.y[i], velocity: bodies.uy[i], pull: 0.0 },
-                false => course(bodies.y[i], bodies.vy[i], (bodies.py[i], bodies.free_vy[i])),
-            };
-            let stands = |course: &Course| course.velocity == 0.0 && course.pull == 0.0;
-            self.still[i] = stands(&self.courses[0][i]) && stands(&self.courses[1][i]);
+            self.enter(bodies, i as usize, anchors);
+        }
+        if !island.states.is_empty() {
+            let near = island.members.iter().flat_map(|i| island.near(*i));
+            for &j in near.chain(added.iter().flat_map(|(a, b)| [a, b])) {
+                if island.is_settled(j as usize) && self.entered_in[j as usize] != self.follow_ups {
+                    self.enter(bodies, j as usize, anchors);
+                }
+            }
         }
         self.skipped = 0;
         for &i in island.members {
@@ -339,10 +340,36 @@ impl Impacts {
                 if self.stand(bodies, i, j) {
                     self.skipped += 1;
                 } else {
-                    self.add(bodies, i, j);
+                    self.meet(bodies, i, j);
                 }
             }
         }
+        for &(i, j) in added {
+            self.meet(bodies, i, j);
+        }
+        self.note_first_looks(bodies);
+    }
+
+    /// Notes on which way a body sets out.
+    fn enter(&mut self, bodies: &Bodies, i: usize, anchors: &Anchors) {
+        self.entered_in[i] = self.follow_ups;
+        self.chain[i] = NONE;
+        (self.hits[i], self.waits[i]) = (0, false);
+        self.saved[i] = [bodies.free_vx[i], bodies.free_vy[i]];
+        // Through liquids and streams bodies are led; what the air brakes is on a parabola nearly enough.
+        let (led, dt) = (bodies.is_guided[bodies.id[i] as usize], self.dt);
+        let course = |at: f64, velocity: f64, end: (f64, f64)| match led {
+            true => Course::to(end, (at, velocity), dt),
+            false => Course::by((velocity, end.1), at, dt),
+        };
+        self.courses[0][i] = course(bodies.x[i], bodies.vx[i], (bodies.px[i], bodies.free_vx[i]));
+        self.courses[1][i] = match anchors.rests[i] {
+            true => Course { at: bodies.y[i], velocity: bodies.uy[i], pull: 0.0 },
+            false => course(bodies.y[i], bodies.vy[i], (bodies.py[i], bodies.free_vy[i])),
+        };
+        let stands = |course: &Course| course.velocity == 0.0 && course.pull == 0.0;
+        self.still[i] = stands(&self.courses[0][i]) && stands(&self.courses[1][i]);
+        self.looks[i] = Looked { lane: self.lane(bodies, i, (0.0, self.dt)), next: f64::INFINITY, ..Looked::default() };
     }
 
     /// Whether both of a pair stand still if nothing hits them.
@@ -365,12 +392,19 @@ impl Impacts {
         }
     }
 
-    /// Adds a pair if it bounces.
-    fn add(&mut self, bodies: &Bodies, i: u32, j: u32) {
+    /// Adds a pair if it bounces, and looks ahead for it.
+    fn meet(&mut self, bodies: &Bodies, i: u32, j: u32) {
+        if self.add(bodies, i, j) {
+            self.look_first(bodies, i, j);
+        }
+    }
+
+    /// Adds a pair if it bounces. Returns whether it does.
+    fn add(&mut self, bodies: &Bodies, i: u32, j: u32) -> bool {
         let (a, b) = (i as usize, j as usize);
         let restitution = bodies.traits[a].restitution.max(bodies.traits[b].restitution);
         if restitution == 0.0 {
-            return;
+            return false;
         }
         let pair = self.pairs.len() as u32;
         self.pairs.push(Pair { a: i, b: j, restitution, passed: NONE, hits: 0 });
@@ -382,5 +416,6 @@ impl Impacts {
             self.courses[1][b] = Course { at: bodies.y[b], velocity: bodies.vy[b], pull: 0.0 };
             self.looks[b] = Looked { lane: self.lane(bodies, b, (0.0, self.dt)), ..Looked::default() };
         }
+        true
     }
 }

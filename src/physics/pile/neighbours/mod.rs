@@ -13,9 +13,9 @@ use super::bodies::{Bodies, MARGIN, NOWHERE};
 use super::grid::{Edges, Grid, overlap};
 
 /// After this part of the bodies has left its box, all is sought anew.
-const LEFT: f64 = 1.0 / 24.0;
+const LEFT: f64 = 1.0 / 8.0;
 /// The fewest and the most steps ahead for which the allowed boxes are made; in between as many as keep the pairs few.
-const HORIZON: (f64, f64) = (4.0, 64.0);
+const HORIZON: (f64, f64) = (8.0, 64.0);
 /// Where more of few bodies than these leave their boxes at once, all pairs are listed anew.
 const ONE_BY_ONE: usize = 8;
 /// Up to this many surfaces are tested one by one.
@@ -47,8 +47,9 @@ pub(super) struct Neighbours {
     /// The surfaces that move, by their numbers among all surfaces.
     movers: Vec<u32>,
     left: usize,
-    /// Counts changes of the pairs, from 1 on.
+    /// Counts changes of the pairs, from 1 on, and how often all of them were listed anew.
     pub revision: u64,
+    pub listings: u64,
     /// Mean velocity (m/s) and mean fall (m/s²) when all was sought, and how long ago that was, s.
     drift: (f64, f64),
     age: f64,
@@ -129,6 +130,11 @@ impl Neighbours {
     /// Whether the pairs are those of a revision. Those of moving surfaces are new in every step.
     pub fn is_as_in(&self, revision: u64) -> bool {
         self.revision == revision && self.moving.is_empty()
+    }
+
+    /// Whether what is listed besides what was added is that of a listing, and no surface may be among it that moves.
+    pub fn are_listed_as_in(&self, listing: u64) -> bool {
+        self.listings == listing && self.movers.is_empty()
     }
 
     /// A surface moves from now on: it is no longer among those that stand.

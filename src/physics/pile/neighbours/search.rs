@@ -7,7 +7,7 @@ use super::super::grid::{Edges, overlap};
 use super::{FEW_SURFACES, HORIZON, NONE, Neighbours};
 
 /// Skin as a part of the mean half extent. Larger: more pairs to look at; smaller: more searches.
-const SKIN: f64 = 0.3;
+const SKIN: f64 = 0.2;
 /// A box is large if it is this many times wider or higher than all but [`FEW`] of the boxes; those are tested against all.
 const LARGE: f64 = 2.0;
 const FEW: f64 = 1.0 / 64.0;
@@ -90,6 +90,7 @@ impl Neighbours {
 
     /// Lists all pairs whose boxes overlap.
     pub(super) fn pair_up(&mut self, n: usize) {
+        self.listings += 1;
         self.more.clear();
         self.first.fill(NONE);
         self.with.clear();
