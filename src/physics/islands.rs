@@ -209,6 +209,13 @@ impl Advance for Tick<'_> {
         self.lists || members <= Choice::ALWAYS_LISTED
     }
 
+    fn comes_upon(&mut self, body: usize, surface: usize) {
+        if !self.state.surfaces[surface].def.path.is_still() {
+            let (leader, surface) = (self.scratch.after[body].leader, surface as u32);
+            self.scratch.met.push(Stop { leader, surface, at: f64::INFINITY });
+        }
+    }
+
     fn forget(&mut self, body: usize) {
         let After { members, leader, .. } = std::mem::take(&mut self.scratch.after[body]);
         if members == 0 || leader as usize != body {
