@@ -7,7 +7,7 @@
 //! | nothing moves, and nothing that moves comes near | rest | nothing |
 //! | all glide as one, on surfaces that stand | one parabola | 110 ns a body |
 //! | one body, near nothing | flight in closed form | 2 ns, with drag 9 ns a body |
-//! | up to [`Choice::MOST_BY_EVENTS`] bodies | event by event, within a budget | 0.2 µs a body, 1 µs an impact |
+//! | up to [`Choice::MOST_BY_EVENTS`] bodies | event by event, within a budget | 0.2 µs a body, 2 µs an impact |
 //! | more, or more events than the budget holds | one step of the dense method for the rest of the tick | 50 to 200 ns a body |
 //!
 //! Event by event costs what happens: in a gas of 64 bodies some 30 impacts a tick, in a heap that settles every contact again and again.
@@ -211,6 +211,13 @@ impl Advance for Tick<'_> {
 
     fn lists(&self, members: usize, _: bool) -> bool {
         self.lists || members <= Choice::ALWAYS_LISTED
+    }
+
+    fn comes_upon(&mut self, body: usize, surface: usize) {
+        if !self.state.surfaces[surface].def.path.is_still() {
+            let (leader, surface) = (self.scratch.after[body].leader, surface as u32);
+            self.scratch.met.push(Stop { leader, surface, at: f64::INFINITY });
+        }
     }
 
     fn forget(&mut self, body: usize) {

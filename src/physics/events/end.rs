@@ -46,6 +46,16 @@ impl Events {
                 }
             }
         }
+        // What was pushed further than its own law would have led it has met other liquids.
+        if !scene.media.fluids.is_empty() {
+            for i in 0..self.movable {
+                let item = &self.items[i];
+                if !item.law.near.contains(&item.body.bounds(), 0.0) {
+                    self.renew_law(scene, i);
+                    self.concern(i as u32);
+                }
+            }
+        }
         for i in 0..self.movable {
             let item = &mut self.items[i];
             if self.is_concerned[i] || !item.law.is_constant() && item.motion != Motion::Still {

@@ -219,6 +219,11 @@ impl Dense {
         self.place.get(i as usize).copied().unwrap_or(0)
     }
 
+    /// The pairs that were added to the island of the last step, because something was thrown further than contacts were looked for.
+    pub fn reached(&self) -> &[(u32, u32)] {
+        &self.reach.added
+    }
+
     /// How often each guard acted since this was asked last.
     pub fn take_guards(&mut self) -> Guards {
         self.guards.friction_relaxed += std::mem::take(&mut self.friction.relaxed);

@@ -18,6 +18,9 @@ pub(in crate::physics) trait Advance {
     /// Whether the contacts of an island of so many bodies are to be listed; `on` is whether those of the one before were.
     fn lists(&self, members: usize, on: bool) -> bool;
 
+    /// The island of this body has come upon a surface besides, and took it to go to its end.
+    fn comes_upon(&mut self, body: usize, surface: usize);
+
     /// What it told of the island of this body holds no longer.
     fn forget(&mut self, body: usize);
 
@@ -139,6 +142,8 @@ impl Advance for AllDense {
     fn lists(&self, _: usize, on: bool) -> bool {
         on
     }
+
+    fn comes_upon(&mut self, _: usize, _: usize) {}
 
     fn forget(&mut self, _: usize) {}
 

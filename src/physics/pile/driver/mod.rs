@@ -258,6 +258,9 @@ impl Pile {
                     // What stands still for the rest of a step may have moved before.
                     driver.finish(bodies, island, self.may_sleep && !later);
                     driver.list_impacts(bodies, &dense.impacts);
+                    for &(i, j) in dense.reached().iter().filter(|pair| pair.1 as usize >= n && !driver.targets.is_empty()) {
+                        other.comes_upon(bodies.id[i as usize] as usize, j as usize - n);
+                    }
                     dense.finish(bodies, island, self.down);
                 } else {
                     driver.note_growth(island, round);
