@@ -193,7 +193,8 @@ impl World {
             (known[i], held[i]) = (after.known, after.held);
             if after.members == 0 {
                 // It flew by itself.
-                body.acceleration = media.acceleration_under(body, zones::force_on(media, body, drives[i]));
+                let pull = scratch.pulls[i];
+                body.acceleration = pull.unwrap_or_else(|| media.acceleration_under(body, zones::force_on(media, body, drives[i])));
                 known[i] = true;
             } else if after.dense {
                 // What contacts add is known when they are listed.
