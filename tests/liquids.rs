@@ -104,6 +104,43 @@ fn what_floats_comes_to_rest_at_its_waterline_and_then_rests_exactly() {
     }
 }
 
+/// Where a bobbing has been foreseen for some ticks, a drive changes that in the tick in which it sets in.
+#[test]
+fn what_bobs_feels_its_drive_at_once_at_any_tick() {
+    let end = |hz: f64| {
+        let body = BodyDef { position: DVec2::new(0.0, -0.5), velocity: DVec2::new(0.2, 0.0), mass: 300.0, ..BodyDef::default() };
+        let mut world = world(body, pool(1000.0, 1e-3, 30.0));
+        for tick in 0..(3.0 * hz) as u32 {
+            let drives = (1.0..1.5).contains(&(f64::from(tick) / hz));
+            world.set_drive(BODY, if drives { DVec2::new(400.0, -600.0) } else { DVec2::ZERO });
+            world.step(1.0 / hz);
+        }
+        world.body(BODY).position
+    };
+    let fine = end(3840.0);
+    assert!(fine.x > 0.8, "{fine}");
+    for hz in [30.0, 60.0, 120.0, 240.0] {
+        let error = end(hz).distance(fine);
+        assert!(error < 1e-6, "{hz} Hz: {error} m");
+    }
+}
+
+/// A copy in the midst of what is foreseen; and the acceleration is always that of the forces listed.
+#[test]
+fn a_copy_of_what_bobs_goes_on_like_it() {
+    let body = BodyDef { position: DVec2::new(0.0, -0.5), velocity: DVec2::new(0.2, 0.0), mass: 300.0, ..BodyDef::default() };
+    let mut world = run(world(body, pool(1000.0, 1e-3, 30.0)), 1.0, 120.0);
+    for _ in 0..200 {
+        let mut copy = world.clone();
+        world.step(1.0 / 120.0);
+        copy.step(1.0 / 120.0);
+        let (mine, other) = (world.body(BODY), copy.body(BODY));
+        assert_eq!((mine.position, mine.velocity, mine.acceleration), (other.position, other.velocity, other.acceleration));
+        let resultant = world.forces(BODY).resultant();
+        assert!((resultant - mine.acceleration * mine.mass).length() < 1e-9, "{resultant} N");
+    }
+}
+
 /// ω = √(ρ·g·A/m), and no energy is lost in a thousand periods.
 #[test]
 fn without_drag_it_bobs_for_ever() {

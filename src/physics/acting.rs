@@ -1,8 +1,9 @@
 //! What acts on each body as a tick begins, as the store is told: a constant force, or, near liquids and the borders of streams, where the
 //! body gets by the end of the tick if it touches nothing. What comes near nothing else has then ended its tick.
 
-use super::events::{BUDGET_OF_A_FLIGHT, Scene};
-use super::flow::{Pose, flow};
+use super::ahead::Ahead;
+use super::events::{BUDGET_OF_A_FLIGHT, BUDGET_OF_A_FLOW, Scene};
+use super::flow::{Course, Pose, flow_through};
 use super::media::Media;
 use super::pile::Pile;
 use super::scratch::Scratch;
@@ -16,10 +17,17 @@ impl World {
     /// Tells the store what acts on each body besides its weight and the air, and where it gets where no constant force says that.
     pub(super) fn say_what_acts(&mut self, dt: f64) {
         let Self { state, plan, scratch, pile, .. } = self;
+        let mut ahead = std::mem::take(&mut state.ahead);
+        if plan.liquids {
+            ahead.resize_with(state.bodies.len(), Ahead::default);
+        }
         let scene = Scene::of(state, plan, dt);
         let mut awake = std::mem::take(&mut scratch.awake);
         awake.clear();
         awake.extend(pile.looked_at().iter().filter(|body| !pile.is_sleeping(**body as usize)));
+        if plan.liquids {
+            note_touched(state, &mut scratch.touches);
+        }
         for &i in &awake {
             let i = i as usize;
             let body = &state.bodies[i];
@@ -35,19 +43,51 @@ impl World {
                     scratch.floats[i] = free && (plan.liquids || plan.streams);
                 }
             } else if plan.liquids || at_a_border {
-                let law = state.media.law(body, force, dt);
-                if law.is_near_liquid() || at_a_border {
-                    state.media.allow(BUDGET_OF_A_FLIGHT);
-                    let mut end = flow(&state.media, body, &law, dt);
-                    if at_a_border && scratch.around[i].crosses(&state.media, body, end, dt) {
-                        end = fly(state, scratch, &scene, i);
+                let course = match ahead.get_mut(i).filter(|_| !at_a_border) {
+                    Some(ahead) => swim(&state.media, ahead, (body, force), scratch.touches[i], dt),
+                    None => {
+                        state.media.allow(BUDGET_OF_A_FLIGHT);
+                        Some(flow_through(&state.media, body, &state.media.law(body, force, dt), dt))
                     }
-                    pile.guide(i, end.0, end.1);
+                };
+                let Some(Course { mut end, pull, .. }) = course else { continue };
+                scratch.pulls[i] = pull.filter(|_| !at_a_border);
+                if at_a_border && scratch.around[i].crosses(&state.media, body, end, dt) {
+                    end = fly(state, scratch, &scene, i);
                 }
+                pile.guide(i, end.0, end.1);
             }
         }
         scratch.awake = awake;
+        state.ahead = ahead;
     }
+}
+
+/// Notes who begins the tick in contact with something.
+fn note_touched(state: &State, touches: &mut Vec<bool>) {
+    touches.clear();
+    touches.resize(state.bodies.len() + state.surfaces.len(), false);
+    for contact in &state.contacts {
+        (touches[contact.lo as usize], touches[contact.hi as usize]) = (true, true);
+    }
+}
+
+/// Where a body under a `force` (N) gets in a tick of `t` seconds near a liquid; none where there is none. What `touches` something is in an
+/// island, which finds out where it gets: all that is asked for is about whom it may meet.
+fn swim(media: &Media, ahead: &mut Ahead, (body, force): (&Body, DVec2), touches: bool, t: f64) -> Option<Course> {
+    if !touches && let Some(course) = ahead.follow(media, body, force, t) {
+        return Some(course);
+    }
+    media.renew(&mut ahead.law, body, force, t);
+    if !ahead.law.is_near_liquid() {
+        return None;
+    }
+    if touches {
+        media.allow_roughly(BUDGET_OF_A_FLOW);
+        return Some(flow_through(media, body, &ahead.law, t));
+    }
+    media.allow(BUDGET_OF_A_FLIGHT);
+    ahead.begin(media, body, force, t).or_else(|| Some(flow_through(media, body, &ahead.law, t)))
 }
 
 /// Notes the streams around a body in `scratch`. Returns the force on it (N), and whether it may cross the border of one within the tick.

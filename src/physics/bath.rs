@@ -2,7 +2,7 @@
 
 use super::Body;
 use super::air::Drag;
-use super::displaced::Displaced;
+use super::displaced::{Bilinear, Displaced};
 use super::media::{Law, Media};
 use glam::DVec2;
 use std::borrow::Cow;
@@ -66,26 +66,90 @@ impl Bath {
     }
 }
 
+/// How large a part of a body at `x` is surely more than the rounding of the fraction that is inside liquids.
+#[inline]
+fn sure(body: &Body, x: DVec2) -> f64 {
+    SURELY.min(ROUNDED * (1.0 + (x.abs() / body.half).max_element()))
+}
+
 /// The fraction of a body at `x` that is in no liquid: none where it is nothing but the rounding of the fraction that is.
 #[inline]
 pub(super) fn dry(body: &Body, x: DVec2, fraction: f64) -> f64 {
+    left(fraction, sure(body, x))
+}
+
+/// What is left of 1, if it is surely more than nothing.
+#[inline]
+fn left(fraction: f64, sure: f64) -> f64 {
     let dry = 1.0 - fraction;
-    let is_rounding = dry < SURELY && dry < ROUNDED * (1.0 + (x.abs() / body.half).max_element());
-    if is_rounding { 0.0 } else { dry }
+    if dry < sure { 0.0 } else { dry }
+}
+
+/// The law between kinks, by the distance from the centre of what is displaced.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Forms {
+    /// Drag in a medium of 1 kg/m³, and the density of the air if it is felt, kg/m³.
+    pub drag: Drag,
+    pub air: f64,
+    /// The part of the body that is inside, the density of liquids around the whole, kg/m³, and Stokes' drag, 1/s.
+    pub fraction: Bilinear,
+    pub density: Bilinear,
+    pub linear: Bilinear,
+    /// Buoyancy for each of those kg/m³, m/s².
+    pub lift: f64,
+    /// What is surely more than the rounding of that part.
+    pub sure: f64,
+}
+
+impl Forms {
+    fn of(media: &Media, body: &Body, law: &Law) -> Self {
+        let air = if law.air.is_none() { 0.0 } else { media.air_density };
+        let lift = media.gravity * (4.0 * body.half.x * body.half.y / body.mass);
+        let sure = sure(body, body.position);
+        let forms = Self { drag: Drag::of(body, 1.0), air, lift, sure, ..Self::default() };
+        forms.around(body, &law.displaced)
+    }
+
+    /// The same, of what else is displaced.
+    fn around(&self, body: &Body, displaced: &Displaced) -> Self {
+        let (area, mass, thick) = displaced.inside();
+        let half = body.half;
+        let per_area = 1.0 / (4.0 * half.x * half.y);
+        let stokes = STOKES * (half.x + half.y) / body.mass * per_area;
+        let (fraction, density, linear) = (area.scaled(per_area), mass.scaled(per_area), thick.scaled(stokes));
+        Self { fraction, density, linear, ..*self }
+    }
+
+    /// Densities of the liquids and of the air around the whole of the body, kg/m³.
+    #[inline]
+    fn densities(&self, apart: DVec2) -> (f64, f64) {
+        let dry = if self.air == 0.0 { 0.0 } else { left(self.fraction.at(apart), self.sure) };
+        (self.density.at(apart), self.air * dry)
+    }
+
+    /// Whether some of the body is in air that it feels.
+    #[inline]
+    pub fn shows_air(&self, apart: DVec2) -> bool {
+        self.air > 0.0 && left(self.fraction.at(apart), self.sure) > 0.0
+    }
+
+    /// Acceleration with velocity `v` and so much damping by waves, 1/s, if `constant` did what media do not, m/s².
+    #[inline]
+    pub fn pull(&self, constant: DVec2, apart: DVec2, v: DVec2, waves: f64) -> DVec2 {
+        let (wet, dry) = self.densities(apart);
+        let drag = (wet + dry) * self.drag.rate(v) + self.linear.at(apart);
+        DVec2::new(constant.x - v.x * drag, (constant.y - self.lift * wet) - v.y * (drag + waves))
+    }
 }
 
 /// A body in its media, around a place.
 #[derive(Clone, Debug)]
 pub(super) struct Regime<'a> {
-    media: &'a Media,
-    body: &'a Body,
+    pub media: &'a Media,
+    pub body: &'a Body,
     /// What it holds to be displaced is so around the place.
     law: Cow<'a, Law>,
-    /// Quadratic drag, Stokes' drag and buoyancy of what is displaced, each per kg/m or Pa·s·m².
-    drag: Drag,
-    stokes: f64,
-    lift: f64,
-    per_area: f64,
+    pub forms: Forms,
 }
 
 impl Deref for Regime<'_> {
@@ -99,13 +163,9 @@ impl Deref for Regime<'_> {
 impl<'a> Regime<'a> {
     /// Around `x`.
     pub fn new(media: &'a Media, body: &'a Body, law: &'a Law, x: DVec2) -> Self {
-        let (half, per_mass) = (body.half, 1.0 / body.mass);
-        let per_area = 1.0 / (4.0 * half.x * half.y);
-        let (drag, stokes) = (Drag::of(body, per_area), STOKES * (half.x + half.y) * per_mass * per_area);
-        let lift = media.gravity * per_mass;
-        let mut all = Self { media, body, law: Cow::Borrowed(law), drag, stokes, lift, per_area };
-        all.follow(x);
-        all
+        let mut regime = Self { media, body, law: Cow::Borrowed(law), forms: Forms::of(media, body, law) };
+        regime.follow(x);
+        regime
     }
 
     /// The one around `x`.
@@ -113,30 +173,49 @@ impl<'a> Regime<'a> {
     pub fn follow(&mut self, x: DVec2) -> &Self {
         if !self.holds(x) {
             self.media.follow(self.law.to_mut(), self.body, x);
+            self.forms = self.forms.around(self.body, &self.law.displaced);
         }
         self
+    }
+
+    /// Damping by waves, 1/s.
+    #[inline]
+    fn damping(&self, apart: DVec2) -> f64 {
+        self.body.drag * self.waves(self.media, self.body, apart, &self.law.liquids)
     }
 
     /// What media do at `x`.
     #[inline]
     pub fn bath(&self, x: DVec2) -> Bath {
         self.media.spend(WORK_OF_A_BATH);
-        let (area, mass, thick) = self.at(x);
-        let fraction = area * self.per_area;
-        let mut drag = self.drag.scaled(mass);
-        if !self.law.air.is_none() {
-            drag = drag.plus(&self.law.air.scaled(dry(self.body, x, fraction)));
+        let (forms, apart) = (&self.forms, self.apart(x));
+        let (wet, dry) = forms.densities(apart);
+        Bath {
+            fraction: forms.fraction.at(apart),
+            drag: forms.drag.scaled(wet + dry),
+            linear: forms.linear.at(apart),
+            waves: self.damping(apart),
+            lift: forms.lift * wet,
+            stiffness: self.stiffness(self.media, self.body, apart, &self.law.liquids),
         }
-        let (waves, stiffness) = self.surfaces(self.media, self.body, x, &self.law.liquids);
-        let waves = self.body.drag * waves;
-        Bath { fraction, drag, linear: self.stokes * thick, waves, lift: self.lift * mass, stiffness }
+    }
+
+    /// Acceleration at `x` with velocity `v` if `constant` did what media do not, m/s²: [`Bath::acceleration`] for integrators.
+    #[inline]
+    pub fn pull(&self, constant: DVec2, x: DVec2, v: DVec2) -> DVec2 {
+        let apart = self.apart(x);
+        self.forms.pull(constant, apart, v, self.damping(apart))
     }
 
     /// Acceleration at `x` with velocity `v`, m/s².
     pub fn acceleration(&self, x: DVec2, v: DVec2) -> DVec2 {
+        if v.y != 0.0 {
+            self.media.spend(WORK_OF_A_BATH);
+            return self.pull(self.law.constant, x, v);
+        }
         let bath = self.bath(x);
         let mut a = bath.acceleration(self.law.constant, v);
-        if v.y == 0.0 && self.balances(&bath, x, a.y) {
+        if self.balances(&bath, x, a.y) {
             a.y = 0.0;
         }
         a

@@ -27,14 +27,15 @@ const WORK_OF_A_LIQUID: u64 = 8;
 
 /// How far a body is inside a liquid along both axes, m, and how that changes with its place.
 #[derive(Clone, Copy, Debug, Default)]
-struct Extent {
-    length: DVec2,
-    slope: DVec2,
+pub(super) struct Extent {
+    pub length: DVec2,
+    pub slope: DVec2,
 }
 
 /// What the sides of a body and of a liquid say of each other.
 struct Sides {
-    extent: Extent,
+    /// How far the body is inside, m.
+    inside: DVec2,
     /// Whether its left and top side, and its right and bottom side, are outside.
     before: BVec2,
     beyond: BVec2,
@@ -44,14 +45,33 @@ impl Sides {
     #[inline]
     fn of(body: &Body, fluid: &FluidDef, x: DVec2) -> Self {
         let (zone, top_left, bottom_right) = (&fluid.zone, x - body.half, x + body.half);
-        let (before, beyond) = (top_left.cmplt(zone.min), bottom_right.cmpgt(zone.max));
+        let inside = bottom_right.min(zone.max) - top_left.max(zone.min);
+        Self { inside, before: top_left.cmplt(zone.min), beyond: bottom_right.cmpgt(zone.max) }
+    }
+
+    /// By the place `centre`, if the sides were on the same sides there.
+    #[inline]
+    fn extent(&self, body: &Body, fluid: &FluidDef, centre: DVec2) -> Extent {
         let as_number = |side: BVec2| DVec2::select(side, DVec2::ONE, DVec2::ZERO);
-        let length = bottom_right.min(zone.max) - top_left.max(zone.min);
-        Self { extent: Extent { length, slope: as_number(before) - as_number(beyond) }, before, beyond }
+        let end = DVec2::select(self.beyond, fluid.zone.max, centre + body.half);
+        let begin = DVec2::select(self.before, fluid.zone.min, centre - body.half);
+        // Far from the centre a side that is not cut keeps its length.
+        let length = DVec2::select(self.before | self.beyond, end - begin, body.half * 2.0);
+        Extent { length, slope: as_number(self.before) - as_number(self.beyond) }
+    }
+
+    /// The centres of bodies with sides on the same sides.
+    #[inline]
+    fn places(&self, body: &Body, fluid: &FluidDef) -> (DVec2, DVec2) {
+        let (zone, half) = (&fluid.zone, body.half);
+        let (first, last, in_front, behind) = (zone.min - half, zone.max + half, zone.min + half, zone.max - half);
+        let low = DVec2::select(self.before, first, in_front).max(DVec2::select(self.beyond, behind, first));
+        let high = DVec2::select(self.before, in_front, last).min(DVec2::select(self.beyond, last, behind));
+        (low, high)
     }
 
     fn touch(&self) -> bool {
-        self.extent.length.x > 0.0 && self.extent.length.y > 0.0
+        self.inside.x > 0.0 && self.inside.y > 0.0
     }
 
     /// Whether the surface, the side that buoyancy points to, cuts the body; and whether the other side does.
@@ -62,7 +82,7 @@ impl Sides {
 
 /// a + b·x + c·y + d·x·y.
 #[derive(Clone, Copy, Debug, Default)]
-struct Bilinear([f64; 4]);
+pub(super) struct Bilinear([f64; 4]);
 
 impl Bilinear {
     /// Adds an area within a liquid, `factor` times.
@@ -73,9 +93,21 @@ impl Bilinear {
         self.0.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
     }
 
+    /// So many times a form.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self(self.0.map(|part| factor * part))
+    }
+
+    /// Of the terms of 1, x, y and x·y in a series, that of the form.
+    #[inline]
+    pub fn term(&self, (one, x, y, both): (f64, f64, f64, f64)) -> f64 {
+        let [a, b, c, d] = self.0;
+        (a * one + b * x) + (c * y + d * both)
+    }
+
     /// Beyond a box of places it could say that less than nothing is inside.
     #[inline]
-    fn at(&self, apart: DVec2) -> f64 {
+    pub fn at(&self, apart: DVec2) -> f64 {
         let [a, b, c, d] = self.0;
         ((a + b * apart.x) + (c + d * apart.x) * apart.y).max(0.0)
     }
@@ -83,39 +115,62 @@ impl Bilinear {
 
 /// A surface that cuts the body.
 #[derive(Clone, Copy, Debug, Default)]
-struct Cut {
-    /// Density of its liquid, per mass of the body.
-    density: f64,
-    extent: Extent,
-    /// How much of the body's height is above it, m, and how that changes with y.
-    emerged: f64,
-    rises: f64,
+pub(super) struct Cut {
+    /// Density of its liquid, per mass of the body; and times g.
+    pub density: f64,
+    pub pull: f64,
+    pub extent: Extent,
+    /// The part of the body's height that is below it, and how that changes with y, 1/m.
+    pub under: f64,
+    pub sinks: f64,
+    /// √(K/m), 1/s, if the width does not change.
+    pub swing: Option<f64>,
     /// Whether the body is nowhere below its liquid.
     sunk: bool,
 }
 
 impl Cut {
     #[inline]
-    fn of(body: &Body, fluid: &FluidDef, x: DVec2, sides: &Sides, down: bool) -> Option<Self> {
+    fn of(media: &Media, body: &Body, fluid: &FluidDef, centre: DVec2, sides: &Sides) -> Option<Self> {
+        let down = media.gravity >= 0.0;
         let (cut, leaves) = sides.cut(down);
         (cut && sides.touch()).then(|| {
-            let (top, bottom) = (x.y - body.half.y, x.y + body.half.y);
+            let (top, bottom) = (centre.y - body.half.y, centre.y + body.half.y);
             let emerged = if down { fluid.zone.min.y - top } else { bottom - fluid.zone.max.y };
-            let rises = if down { -1.0 } else { 1.0 };
-            Self { density: fluid.density / body.mass, extent: sides.extent, emerged, rises, sunk: !leaves }
+            let per_height = 0.5 / body.half.y;
+            let sinks = if down { per_height } else { -per_height };
+            let (density, extent) = (fluid.density / body.mass, sides.extent(body, fluid, centre));
+            let pull = density * media.gravity.abs();
+            let swing = (extent.slope.x == 0.0).then(|| (pull * extent.length.x).sqrt());
+            Self { density, pull, extent, under: 1.0 - emerged * per_height, sinks, swing, sunk: !leaves }
         })
     }
 
-    /// The damping of its waves per C_d, 1/s, and K/m, 1/s².
     #[inline]
-    fn at(&self, apart: DVec2, gravity: f64, height: f64) -> (f64, f64) {
-        let inside = (self.extent.length + self.extent.slope * apart).max(DVec2::ZERO);
-        let stiffness = self.density * gravity * inside.x;
-        let ratio = self.density * inside.x * inside.y;
-        let under = (1.0 - (self.emerged + self.rises * apart.y) / height).clamp(0.0, 1.0);
+    pub fn width(&self, apart: DVec2) -> f64 {
+        (self.extent.length.x + self.extent.slope.x * apart.x).max(0.0)
+    }
+
+    /// The damping of its waves per C_d, 1/s.
+    #[inline]
+    fn waves(&self, apart: DVec2) -> f64 {
+        let width = self.width(apart);
+        let deep = (self.extent.length.y + self.extent.slope.y * apart.y).max(0.0);
+        let ratio = self.density * width * deep;
+        let under = (self.under + self.sinks * apart.y).clamp(0.0, 1.0);
         let fourth = (under * under) * (under * under);
-        let fades = 1.0 - fourth * fourth;
-        (2.0 * WAVES * stiffness.sqrt() * (2.0 * ratio / (1.0 + ratio)) * fades, if self.sunk { stiffness } else { 0.0 })
+        let swing = self.swing.unwrap_or_else(|| (self.pull * width).sqrt());
+        (4.0 * WAVES * swing) * (ratio / (1.0 + ratio)) * (1.0 - fourth * fourth)
+    }
+
+    /// Whether the body is wider in it where it is further to one side.
+    pub fn widens(&self) -> bool {
+        self.extent.slope.x != 0.0
+    }
+
+    /// K/m, 1/s².
+    fn stiffness(&self, apart: DVec2) -> f64 {
+        if self.sunk { self.pull * self.width(apart) } else { 0.0 }
     }
 }
 
@@ -123,6 +178,8 @@ impl Cut {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Displaced {
     centre: DVec2,
+    /// Where they were asked for, m.
+    within: DVec2,
     /// Where they hold, m: between kinks.
     low: DVec2,
     high: DVec2,
@@ -143,48 +200,64 @@ impl Default for Displaced {
         let (low, high, none) = (DVec2::INFINITY, DVec2::NEG_INFINITY, Bilinear::default());
         let (area, mass, thick) = (none, none, none);
         let (cuts, count, leaves) = ([Cut::default(); MOST_CUTS], 0, false);
-        Self { centre: DVec2::ZERO, low, high, sliver: DVec2::ZERO, area, mass, thick, cuts, count, leaves }
+        Self { centre: DVec2::ZERO, within: DVec2::ZERO, low, high, sliver: DVec2::ZERO, area, mass, thick, cuts, count, leaves }
     }
 }
 
 impl Displaced {
-    /// By `body` at `x`, of these `liquids`: all that touch the box `near`.
-    pub fn new(media: &Media, body: &Body, x: DVec2, (liquids, near): (&ZoneList, &Aabb)) -> Self {
+    /// Makes them those of `body` at `x`, of these `liquids`: all that touch the box `near`.
+    pub fn renew(&mut self, media: &Media, body: &Body, x: DVec2, (liquids, near): (&ZoneList, &Aabb)) {
         media.spend(WORK + WORK_OF_A_LIQUID * u64::from(liquids.len()));
-        let sliver = SLIVER + SLIVER_OF_A_PLACE * (x.abs() + body.half);
-        let (low, high) = (near.min + body.half, near.max - body.half);
-        let mut all = Self { centre: x, low, high, sliver, ..Self::default() };
-        let down = media.gravity >= 0.0;
-        liquids.iter().for_each(|index| all.add(body, &media.fluids[index as usize], down));
-        all
+        self.sliver = SLIVER + SLIVER_OF_A_PLACE * (x.abs() + body.half);
+        (self.centre, self.within) = (x, x);
+        (self.low, self.high) = (near.min + body.half, near.max - body.half);
+        let none = Bilinear::default();
+        (self.area, self.mass, self.thick) = (none, none, none);
+        (self.count, self.leaves) = (0, false);
+        // Around a corner of all places where they are the same, so that they are the same to the bit wherever in it they are asked for.
+        let mut corner = DVec2::NEG_INFINITY;
+        for index in liquids.iter() {
+            let fluid = &media.fluids[index as usize];
+            let sides = Sides::of(body, fluid, x);
+            if sides.touch() {
+                let (low, high) = sides.places(body, fluid);
+                corner = corner.max(low);
+                (self.low, self.high) = (self.low.max(low), self.high.min(high));
+            } else {
+                self.keep_from(body, fluid, x);
+            }
+        }
+        if corner.is_finite() {
+            self.centre = corner;
+            liquids.iter().for_each(|index| self.add(media, body, &media.fluids[index as usize], x));
+        }
+    }
+
+    /// They hold where the liquid is not met.
+    fn keep_from(&mut self, body: &Body, fluid: &FluidDef, x: DVec2) {
+        let (first, last) = (fluid.zone.min - body.half, fluid.zone.max + body.half);
+        // It stays apart along the axis along which it is further away.
+        let apart = (first - x).max(x - last);
+        let axis = usize::from(apart.y > apart.x);
+        if x[axis] <= first[axis] {
+            self.high[axis] = self.high[axis].min(first[axis]);
+        } else {
+            self.low[axis] = self.low[axis].max(last[axis]);
+        }
     }
 
     #[inline]
-    fn add(&mut self, body: &Body, fluid: &FluidDef, down: bool) {
-        let (x, half, zone) = (self.centre, body.half, &fluid.zone);
+    fn add(&mut self, media: &Media, body: &Body, fluid: &FluidDef, x: DVec2) {
         let sides = Sides::of(body, fluid, x);
-        // Where it begins to touch, and where it ends.
-        let (first, last) = (zone.min - half, zone.max + half);
         if !sides.touch() {
-            // It stays apart along the axis along which it is further away.
-            let apart = (first - x).max(x - last);
-            let axis = usize::from(apart.y > apart.x);
-            if x[axis] <= first[axis] {
-                self.high[axis] = self.high[axis].min(first[axis]);
-            } else {
-                self.low[axis] = self.low[axis].max(last[axis]);
-            }
             return;
         }
-        let (in_front, behind) = (zone.min + half, zone.max - half);
-        let low = DVec2::select(sides.before, first, in_front).max(DVec2::select(sides.beyond, behind, first));
-        let high = DVec2::select(sides.before, in_front, last).min(DVec2::select(sides.beyond, last, behind));
-        (self.low, self.high) = (self.low.max(low), self.high.min(high));
-        self.area.add(1.0, &sides.extent);
-        self.mass.add(fluid.density, &sides.extent);
-        self.thick.add(fluid.viscosity, &sides.extent);
-        self.leaves |= sides.cut(down).1;
-        if let Some(cut) = Cut::of(body, fluid, x, &sides, down) {
+        let extent = sides.extent(body, fluid, self.centre);
+        self.area.add(1.0, &extent);
+        self.mass.add(fluid.density, &extent);
+        self.thick.add(fluid.viscosity, &extent);
+        self.leaves |= sides.cut(media.gravity >= 0.0).1;
+        if let Some(cut) = Cut::of(media, body, fluid, self.centre, &sides) {
             if self.count < MOST_CUTS {
                 self.cuts[self.count] = cut;
             }
@@ -192,33 +265,48 @@ impl Displaced {
         }
     }
 
-    /// The areas inside all liquids at `x`, m², their masses, kg/m, and the same with viscosities.
+    /// How far a place is from the one around which they are, m.
     #[inline]
-    pub fn at(&self, x: DVec2) -> (f64, f64, f64) {
-        let apart = x - self.centre;
-        (self.area.at(apart), self.mass.at(apart), self.thick.at(apart))
+    pub fn apart(&self, x: DVec2) -> DVec2 {
+        x - self.centre
     }
 
-    /// The damping by waves per C_d, 1/s, and K/m, 1/s², of all surfaces that cut the body at `x`.
+    /// The areas inside all liquids, m², their masses, kg/m, and the same with viscosities, by the distance from there.
+    pub fn inside(&self) -> (&Bilinear, &Bilinear, &Bilinear) {
+        (&self.area, &self.mass, &self.thick)
+    }
+
+    /// The surfaces that cut the body, if they are not too many to be kept.
+    pub fn cuts(&self) -> Option<&[Cut]> {
+        self.cuts.get(..self.count)
+    }
+
+    /// The damping by waves per C_d, 1/s, of all surfaces that cut the body so far from there.
     #[inline]
-    pub fn surfaces(&self, media: &Media, body: &Body, x: DVec2, liquids: &ZoneList) -> (f64, f64) {
-        if self.count == 0 {
-            return (0.0, 0.0);
-        }
-        let (gravity, height, apart) = (media.gravity.abs(), 2.0 * body.half.y, x - self.centre);
-        let add = |sum: (f64, f64), cut: &Cut| {
-            let (waves, stiffness) = cut.at(apart, gravity, height);
-            (sum.0 + waves, sum.1 + stiffness)
-        };
+    pub fn waves(&self, media: &Media, body: &Body, apart: DVec2, liquids: &ZoneList) -> f64 {
         if self.count <= MOST_CUTS {
-            return self.cuts[..self.count].iter().fold((0.0, 0.0), add);
+            return self.cuts[..self.count].iter().fold(0.0, |sum, cut| sum + cut.waves(apart));
         }
+        self.all_cuts(media, body, liquids).fold(0.0, |sum, cut| sum + cut.waves(apart))
+    }
+
+    /// The sum of their K/m, 1/s².
+    #[inline]
+    pub fn stiffness(&self, media: &Media, body: &Body, apart: DVec2, liquids: &ZoneList) -> f64 {
+        if self.count <= MOST_CUTS {
+            return self.cuts[..self.count].iter().fold(0.0, |sum, cut| sum + cut.stiffness(apart));
+        }
+        self.all_cuts(media, body, liquids).fold(0.0, |sum, cut| sum + cut.stiffness(apart))
+    }
+
+    /// The surfaces that cut the body, where they are more than are kept.
+    fn all_cuts(&self, media: &Media, body: &Body, liquids: &ZoneList) -> impl Iterator<Item = Cut> {
         media.spend(WORK_OF_A_LIQUID * u64::from(liquids.len()));
-        let cuts = liquids.iter().filter_map(|index| {
+        let of = move |index: u32| {
             let fluid = &media.fluids[index as usize];
-            Cut::of(body, fluid, self.centre, &Sides::of(body, fluid, self.centre), media.gravity >= 0.0)
-        });
-        cuts.fold((0.0, 0.0), |sum, cut| add(sum, &cut))
+            Cut::of(media, body, fluid, self.centre, &Sides::of(body, fluid, self.within))
+        };
+        liquids.iter().filter_map(of)
     }
 
     fn forms(&self) -> [Bilinear; 3] {
@@ -248,6 +336,12 @@ impl Displaced {
     /// Whether it holds wherever something gets that starts at `x` and moves by no more than `way` along either axis.
     pub fn holds_around(&self, x: DVec2, way: DVec2) -> bool {
         self.holds_within(x - way, DVec2::ZERO) && self.holds_within(x + way, DVec2::ZERO)
+    }
+
+    /// Whether it holds along a curve that begins where it does and whose Bézier points, the first left out, are these.
+    #[inline]
+    pub fn holds_along<const N: usize>(&self, points: [DVec2; N]) -> bool {
+        points.iter().all(|point| self.holds_within(*point, DVec2::ZERO))
     }
 
     /// Whether it holds at `x`, or ends so near that it does not matter.

@@ -19,20 +19,28 @@ pub(super) fn parabola((x, v): Pose, a: DVec2, t: f64) -> Pose {
     (x + (v * t + a * (0.5 * t * t)), v + a * t)
 }
 
-/// Where `body` is after `t` seconds under `law`.
-pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
-    flow_through(media, body, law, t, &mut None)
+/// Where a flow leads.
+pub(super) struct Course {
+    pub end: Pose,
+    /// When its step ended that ended nearest to half of its time, s, and where it was then, m, if there was more than one through a liquid.
+    pub middle: Option<(f64, DVec2)>,
+    /// The acceleration at its end, m/s², if that came out of it.
+    pub pull: Option<DVec2>,
 }
 
-/// The same; `middle` is a place on its way as [`swim`] tells it, none where it is smooth.
-pub(super) fn flow_through(media: &Media, body: &Body, law: &Law, t: f64, middle: &mut Option<(f64, DVec2)>) -> Pose {
-    let pose = (body.position, body.velocity);
+/// Where `body` is after `t` seconds under `law`.
+pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
+    flow_through(media, body, law, t).end
+}
+
+/// The same, and what is known besides.
+pub(super) fn flow_through(media: &Media, body: &Body, law: &Law, t: f64) -> Course {
     if law.is_near_liquid() {
-        return swim(media, body, law, t, middle);
+        return swim(media, body, law, t);
     }
-    let (end, steps) = fly_in_steps(pose, law.constant, &law.air, t);
+    let (end, steps) = fly_in_steps((body.position, body.velocity), law.constant, &law.air, t);
     media.spend(WORK_OF_A_STEP * u64::from(steps));
-    end
+    Course { end, middle: None, pull: None }
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //!
 //! Each part of the state is taken apart field by field, so that one that is added is either written here or left out on purpose.
 
+use super::ahead::Ahead;
 use super::contact::Contact;
 use super::islands::Pause;
 use super::surface::Surface;
@@ -13,7 +14,8 @@ impl World {
     /// is left out: it saves work and changes no bit of what comes (the tests of the plan hold it to that). So is what never changes:
     /// liquids, zones, gravity, the paths of surfaces; and of streams and belts what is as it was at the start.
     pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
-        let State { bodies, drives, surfaces, media, rest_speed: _, contacts, known: _, held: _, pauses, ticks } = &self.state;
+        let State { bodies, drives, surfaces, media, rest_speed: _, contacts, known: _, held: _, pauses, ahead, ticks } =
+            &self.state;
         bodies.iter().for_each(|body| hash_body(body, write));
         drives.iter().for_each(|drive| hash_vector(*drive, write));
         surfaces.iter().for_each(|surface| hash_surface(surface, write));
@@ -24,6 +26,19 @@ impl World {
             write(until.saturating_sub(*ticks));
             write(u64::from(*length) << 32 | u64::from(*hits));
         }
+        for ahead in ahead.iter().filter(|ahead| ahead.goes_on || ahead.pause > 0) {
+            hash_ahead(ahead, write);
+        }
+    }
+}
+
+/// The law around it, and where the last tick left it, follow from what is written.
+fn hash_ahead(ahead: &Ahead, write: &mut impl FnMut(u64)) {
+    let Ahead { series, gone, goes_on, pause, last_pause, .. } = ahead;
+    write(u64::from(*goes_on) | u64::from(*pause) << 8 | u64::from(*last_pause) << 16);
+    if *goes_on {
+        series.terms.iter().for_each(|term| hash_vector(*term, write));
+        [gone, &series.lasts].into_iter().for_each(|value| write(value.to_bits()));
     }
 }
 
@@ -84,7 +99,7 @@ mod tests {
     #[test]
     fn every_field_of_the_state_is_in_its_hash() {
         type Change = (&'static str, fn(&mut State));
-        let changes: [Change; 34] = [
+        let changes: [Change; 36] = [
             ("position", |state| state.bodies[1].position.y = 0.3),
             ("velocity", |state| state.bodies[1].velocity.x = 0.3),
             ("acceleration", |state| state.bodies[1].acceleration.x = 0.3),
@@ -119,6 +134,8 @@ mod tests {
             ("pause", |state| state.pauses[1].until = state.ticks + 7),
             ("length of a pause", |state| state.pauses[1].length = 7),
             ("impacts before a pause", |state| state.pauses[1].hits = 7),
+            ("flight foreseen", |state| state.ahead.push(Ahead { goes_on: true, ..Ahead::default() })),
+            ("flight not foreseen", |state| state.ahead.push(Ahead { pause: 1, ..Ahead::default() })),
         ];
         let before = words(&world());
         assert_eq!(before, words(&world()));

@@ -139,7 +139,7 @@ impl Tick<'_> {
 
 impl Advance for Tick<'_> {
     fn minds(&self, body: usize) -> bool {
-        self.scratch.floats[body]
+        self.scratch.floats[body] || self.scratch.touches.get(body).is_some_and(|touches| *touches)
     }
 
     fn advance(&mut self, store: &mut Store<'_>, round: usize) -> Verdict {

@@ -6,27 +6,27 @@
 //! - wholly inside or wholly outside (the same bath all around), without Stokes' drag: flight through a denser air under less weight,
 //!   [`super::air`]; without quadratic drag: the exact flow of linear drag;
 //! - cut by the surface, without any drag: the exact sine of a body that bobs, ω = √(ρ·g·b/m);
-//! - otherwise the embedded Runge–Kutta pair of J. R. Dormand and P. J. Prince (1980), of fifth order, in steps by its own estimate of
-//!   their error;
-//! - where that would take hundreds of steps because the linear part is stiff (a grain in treacle, a gram on water): exponential steps
+//! - otherwise explicit steps ([`super::explicit`]), or, where the body is left alone for some ticks, a power series ([`super::ahead`]);
+//! - where explicit steps would be hundreds because the linear part is stiff (a grain in treacle, a gram on water), or what is not linear is too
+//!   little to be felt: exponential steps
 //!   (M. Hochbruck, A. Ostermann, *Exponential integrators*, Acta Numerica 2010), the exact damped spring of the linearised law
 //!   ([`super::spring`]), by the difference of one step and two halves. They are stable at any rate.
 //!
 //! What sinks or rises at its terminal velocity stays on it. What floats with nothing left of its bobbing but rounding is at rest.
 
 use super::Body;
-use super::air::fly_through;
-use super::bath::{Bath, Regime};
-use super::flow::Pose;
+use super::air::{Drag, fly_through};
+use super::bath::{Bath, Forms, Regime};
+use super::explicit::Explicit;
+use super::flow::{Course, Pose};
 use super::impact_time::Cubic;
 use super::media::{Law, Media};
+use super::series::Series;
 use super::spring::spring;
 use super::tuning::TERMINAL_TOLERANCE;
 use glam::DVec2;
 
-/// m. Error of one step, at most, by its own estimate. Larger: the tick shows in a splash; smaller: more steps for digits nobody sees.
-const TOLERANCE: f64 = 1e-9;
-/// The same of a stiff step.
+/// m. Error of one stiff step, at most, by its own estimate.
 const STIFF_TOLERANCE: f64 = 1e-8;
 /// Rate × time of one Runge–Kutta step, at most, for what bobs and for what is damped: its stability ends at 1.0 and at 3.3.
 const REACH: f64 = 0.7;
@@ -35,6 +35,10 @@ const DAMPED_REACH: f64 = 2.5;
 const FIRST: f64 = 0.1;
 /// Runge–Kutta steps from which on exponential steps cost less.
 const STIFF_STEPS: f64 = 200.0;
+/// m. What is not linear may come to so much to be no more than a correction to the linear flow.
+const CALM: f64 = 1e-9;
+/// Rate × time from which on the flow of the linearised law may be of use.
+const CALM_REACH: f64 = 3.0;
 /// Steps of one call, at most; or as many as media may take ([`Media::allow`]). What needs more leaves and meets the surface hundreds of times
 /// within a tick; one implicit step leads it through what is left ([`Swimmer::leap`]).
 const MOST_STEPS: u32 = 4096;
@@ -50,8 +54,10 @@ const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 /// Trials of the velocity that an implicit step seeks, at most; and what is exact enough, as a part of it.
 const LEAP_TRIALS: u32 = 100;
 const LEAP_TOLERANCE: f64 = 1e-13;
-/// What a step of the Runge–Kutta pair comes to, baths left out, and three quarters of an exponential one.
+/// What a third of an exponential step comes to, baths left out.
 const WORK_OF_A_STEP: u64 = 80;
+/// What moves faster than by so many roundings is not at rest.
+const NEARLY: f64 = 16.0;
 
 /// One body in its media.
 struct Swimmer<'a> {
@@ -60,16 +66,36 @@ struct Swimmer<'a> {
     media: &'a Media,
 }
 
-/// How a step ends: how long it was, where it led, and how long the next may be.
-type Taken = (f64, Pose, f64);
+/// By what a motion is told around a place.
+enum Kind {
+    /// By its terminal velocity, m/s.
+    Settled(DVec2),
+    /// By flight through what is the same all around, for so many seconds at once.
+    Air(f64),
+    /// By the flow of linear drag, or of a spring.
+    Linear,
+    /// By steps: the rates of all and of its linear part, 1/s, and how long an explicit step may be, s.
+    Neither { rate: f64, stiff: f64, most: f64 },
+}
 
-/// Where `body` is after `t` seconds under `law`; `middle` becomes the end of the step that ended nearest to half of that time, s, and where it
-/// was then, if there was more than one.
-pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64, middle: &mut Option<(f64, DVec2)>) -> Pose {
+/// How a step ends.
+pub(super) struct Taken {
+    /// How long it was, s.
+    pub time: f64,
+    pub end: Pose,
+    /// How long the next may be, s.
+    pub next: f64,
+    /// The acceleration where it ended, m/s², if that came out of it.
+    pub pull: Option<DVec2>,
+}
+
+/// Where `body` is after `t` seconds under `law`.
+pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64) -> Course {
     let swimmer = Swimmer { media, body, law };
     let mut pose = (body.position, body.velocity);
     let mut regime = Regime::new(media, body, law, pose.0);
     let (mut left, mut h) = (t, f64::INFINITY);
+    let (mut middle, mut pull, mut bobs) = (None, None, true);
     for _ in 0..MOST_STEPS {
         if left <= 0.0 || media.is_spent() {
             break;
@@ -77,26 +103,56 @@ pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64, middle: &mut O
         regime.follow(pose.0);
         let (bath, constant, floats) = swimmer.look(&regime, pose);
         if floats && pose.1.x == 0.0 && constant.x == 0.0 {
-            return pose;
+            return Course { end: pose, middle, pull: None };
         }
-        let (taken, mut end, next) = swimmer.take(&regime, &bath, constant, pose, (h, left));
+        let taken = swimmer.take(&regime, &bath, constant, pose, (h, left));
+        let y = pose.0.y;
+        (pose, pull) = (taken.end, taken.pull);
+        bobs = true;
         if floats {
-            (end.0.y, end.1.y) = (pose.0.y, 0.0);
+            (pose.0.y, pose.1.y) = (y, 0.0);
+        } else if regime.holds(pose.0) {
+            bobs = pose.1.y.abs() * bath.stiffness.sqrt() <= NEARLY * bath.rounding(law.constant, body, y);
+        } else {
+            pull = None;
         }
-        pose = end;
-        left -= taken;
-        h = next;
+        left -= taken.time;
+        h = taken.next;
         let nearer = |(at, _): &(f64, DVec2)| (t - left - 0.5 * t).abs() < (at - 0.5 * t).abs();
         if left > 0.0 && middle.as_ref().is_none_or(nearer) {
-            *middle = Some((t - left, pose.0));
+            middle = Some((t - left, pose.0));
         }
     }
     if left > 0.0 {
         media.end_early();
-        pose = swimmer.leap(&mut regime, pose, left);
+        (pose, pull, bobs) = (swimmer.leap(&mut regime, pose, left), None, true);
     }
-    swimmer.come_to_rest(&mut regime, &mut pose);
-    pose
+    if bobs {
+        swimmer.come_to_rest(&mut regime, &mut pose);
+    }
+    // What has no velocity up or down may be in balance.
+    let pull = pull.filter(|_| pose.1.y != 0.0);
+    Course { end: pose, middle, pull }
+}
+
+/// The series of a motion under `law` from here on, and that law around here, if it holds for `least` seconds, nothing else tells the motion, and it is not about to come
+/// to rest.
+pub(super) fn series(media: &Media, body: &Body, law: &Law, least: f64) -> Option<(Series, Forms)> {
+    let swimmer = Swimmer { media, body, law };
+    let pose = (body.position, body.velocity);
+    let regime = Regime::new(media, body, law, pose.0);
+    let (bath, constant, floats) = swimmer.look(&regime, pose);
+    let nearly = || pose.1.y.abs() * bath.stiffness.sqrt() <= NEARLY * bath.rounding(law.constant, body, pose.0.y);
+    if floats || nearly() {
+        return None;
+    }
+    let free = DVec2::new(constant.x, constant.y - bath.lift);
+    let Kind::Neither { rate, .. } = swimmer.kind(&regime, &bath, free, pose.1) else { return None };
+    if Series::most(rate) < least {
+        return None;
+    }
+    let series = regime.series(constant, pose, rate).filter(|series| series.holds(least))?;
+    Some((series, regime.forms))
 }
 
 impl Swimmer<'_> {
@@ -168,72 +224,67 @@ impl Swimmer<'_> {
         (DVec2::new(beside, x.y + h * down), DVec2::new(across, down))
     }
 
-    /// One step of at most `h` of the `left` seconds.
-    fn take(&self, regime: &Regime, bath: &Bath, constant: DVec2, pose: Pose, (h, left): (f64, f64)) -> Taken {
-        let free = DVec2::new(constant.x, constant.y - bath.lift);
+    /// By what the motion is told from here on.
+    fn kind(&self, regime: &Regime, bath: &Bath, free: DVec2, v: DVec2) -> Kind {
         let same_around = regime.is_same_around();
-        if same_around && let Some(velocity) = settled(bath, free, pose.1) {
-            return take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity));
+        if same_around && let Some(velocity) = settled(bath, free, v) {
+            return Kind::Settled(velocity);
         }
+        let fastest = bath.drag.rate(v).max(bath.drag.rate(free).sqrt());
         if same_around && bath.linear == 0.0 {
-            let fast = bath.drag.rate(pose.1).max(bath.drag.rate(free).sqrt());
-            return take_exact(regime, pose, left.min(REACH / fast), |t| fly_through(pose, free, &bath.drag, t));
+            return Kind::Air(REACH / fastest);
         }
         let undamped = bath.drag.is_none() && bath.linear == 0.0 && bath.waves == 0.0;
         if bath.drag.is_none() && same_around || undamped && regime.is_spring() {
-            let flow = |t| linear_flow(bath, constant, pose, t);
-            if stays_within(regime, bath, free, pose, left) {
-                return (left, flow(left), f64::INFINITY);
-            }
-            // Piece by piece where it could leave and come back within a step.
-            let rate = bath.linear + bath.stiffness.sqrt();
-            return take_exact(regime, pose, left.min(REACH / rate), flow);
+            return Kind::Linear;
         }
         // The greater eigenvalue of what drag answers is 2·s(v); at once it may be as fast as at its terminal velocity.
-        let drag = 2.0 * bath.drag.rate(pose.1).max(bath.drag.rate(free).sqrt()) + bath.linear + bath.waves;
+        let drag = 2.0 * fastest + bath.linear + bath.waves;
         let bobs = bath.stiffness.sqrt();
-        let rate = drag + bobs;
-        let most = (REACH / bobs).min(DAMPED_REACH / drag);
-        if (bath.linear + bath.waves + bobs) * left > STIFF_STEPS * REACH {
-            let h = if h < left { h } else { FIRST / rate };
-            self.take_stiff(regime, bath, constant, pose, (h.min(left), left))
-        } else {
-            self.take_explicit(regime, bath, constant, pose, (h.min(most).min(left), left))
+        Kind::Neither { rate: drag + bobs, stiff: bath.linear + bath.waves + bobs, most: (REACH / bobs).min(DAMPED_REACH / drag) }
+    }
+
+    /// One step of at most `h` of the `left` seconds.
+    fn take(&self, regime: &Regime, bath: &Bath, constant: DVec2, pose: Pose, (h, left): (f64, f64)) -> Taken {
+        let free = DVec2::new(constant.x, constant.y - bath.lift);
+        match self.kind(regime, bath, free, pose.1) {
+            Kind::Settled(velocity) => take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity)),
+            Kind::Air(longest) => take_exact(regime, pose, left.min(longest), |t| fly_through(pose, free, &bath.drag, t)),
+            Kind::Linear => {
+                let flow = |t| linear_flow(bath, constant, pose, t);
+                if stays_within(regime, bath, free, pose, left) {
+                    return Taken { time: left, end: flow(left), next: f64::INFINITY, pull: None };
+                }
+                // Piece by piece where it could leave and come back within a step.
+                let rate = bath.linear + bath.stiffness.sqrt();
+                take_exact(regime, pose, left.min(REACH / rate), flow)
+            }
+            Kind::Neither { rate, stiff, .. } if stiff * left > STIFF_STEPS * REACH => {
+                let h = if h < left { h } else { FIRST / rate };
+                self.take_stiff(regime, bath, constant, pose, (h.min(left), left))
+            }
+            Kind::Neither { stiff, .. } if stiff * left > CALM_REACH && self.is_calm(bath, free, pose.1) => {
+                self.take_stiff(regime, bath, constant, pose, (h.min(left), left))
+            }
+            Kind::Neither { rate, most, .. } => {
+                let explicit = Explicit { media: self.media, regime, bath, constant };
+                let h = if h < left { h } else { h.min(explicit.first(pose.1, rate, left)) };
+                explicit.take(pose, h.min(most).min(left), left).unwrap_or_else(|shortest| {
+                    let end = self.leap(&mut regime.clone(), pose, shortest);
+                    Taken { time: shortest, end, next: shortest, pull: None }
+                })
+            }
         }
     }
 
-    fn take_explicit(&self, regime: &Regime, bath: &Bath, constant: DVec2, pose: Pose, (mut h, left): (f64, f64)) -> Taken {
-        let tolerance = TOLERANCE + 8.0 * f64::EPSILON * pose.0.abs().max_element();
-        let shortest = left * f64::EPSILON;
-        let pull = bath.acceleration(constant, pose.1);
-        let mut next = h;
-        let ahead = regime.end_of(&Cubic::parabola(pose.0, pose.1, pull), h);
-        let mut to_kink = ahead.is_some();
-        if let Some(kink) = ahead {
-            h = kink.max(shortest);
-        }
-        loop {
-            self.media.spend(WORK_OF_A_STEP);
-            let (end, error) = dormand_prince(regime, constant, pose, pull, h);
-            let fits = error <= tolerance && end.0.is_finite() && end.1.is_finite();
-            if !fits && h <= shortest {
-                // Too short to resolve anything: no explicit step is sure to lead nowhere else.
-                return (h, self.leap(&mut regime.clone(), pose, h), h);
-            }
-            if !fits {
-                h *= step_factor((error / tolerance).sqrt().sqrt()).min(0.5);
-                (next, to_kink) = (h, false);
-                continue;
-            }
-            let way = Cubic::hermite(pose.0, pose.1, end.0, end.1, h);
-            match regime.end_of(&way, h) {
-                Some(kink) if kink < h && h > shortest && !(to_kink && regime.all_but_holds(end.0)) => {
-                    (h, to_kink) = (kink.max(shortest), true);
-                }
-                _ if to_kink || h >= left => return (h, end, next),
-                _ => return (h, end, h * step_factor((error / tolerance).sqrt().sqrt())),
-            }
-        }
+    /// Whether what is not linear in the motion is so little that it is not felt: quadratic drag, and how waves change with the depth, at
+    /// the greatest speed that it may come to.
+    fn is_calm(&self, bath: &Bath, free: DVec2, v: DVec2) -> bool {
+        let rate = bath.stiffness.sqrt() + bath.linear;
+        let speed = v.length() + free.length() / rate;
+        let Drag { tall, wide, round } = bath.drag;
+        let bent = tall + wide + round + bath.waves / (rate * self.body.half.y);
+        bent * (speed * speed) <= CALM * (rate * rate)
     }
 
     fn take_stiff(&self, regime: &Regime, bath: &Bath, constant: DVec2, pose: Pose, (mut h, left): (f64, f64)) -> Taken {
@@ -254,10 +305,11 @@ impl Swimmer<'_> {
                         linear_flow(&second, constant, middle, beyond)
                     }
                 };
-                return match self.first_kink(regime, flow, h) {
+                let (time, end, next) = match self.first_kink(regime, flow, h) {
                     Some(kink) => (kink, flow(kink), h),
                     None => (h, end, h * factor),
                 };
+                return Taken { time, end, next, pull: None };
             }
             h *= factor.min(0.5);
         }
@@ -292,7 +344,7 @@ fn take_exact(regime: &Regime, pose: Pose, mut h: f64, flow: impl Fn(f64) -> Pos
             break;
         }
     }
-    (h, end, f64::INFINITY)
+    Taken { time: h, end, next: f64::INFINITY, pull: None }
 }
 
 /// Whether what moves by [`linear_flow`], damped or bobbing but not both, surely meets no kink for `t` seconds.
@@ -306,26 +358,6 @@ fn stays_within(regime: &Regime, bath: &Bath, free: DVec2, (x, v): Pose, t: f64)
     let sinks = free.y / bath.stiffness;
     let amplitude = (sinks * sinks + v.y * v.y / bath.stiffness).sqrt();
     regime.holds_around(DVec2::new(x.x, x.y + sinks), DVec2::new(reach.x, amplitude))
-}
-
-/// One step of the pair of Dormand and Prince from where the acceleration is `pull`, and its error in m.
-fn dormand_prince(regime: &Regime, constant: DVec2, (x, v): Pose, pull: DVec2, h: f64) -> (Pose, f64) {
-    let mut speeds = [v; 7];
-    let mut pulls = [pull; 7];
-    let mut end = x;
-    for (i, row) in ROWS.iter().enumerate() {
-        let (mut way, mut gain) = (DVec2::ZERO, DVec2::ZERO);
-        for (weight, (speed, pull)) in row[..=i].iter().zip(speeds.iter().zip(&pulls)) {
-            way += *speed * *weight;
-            gain += *pull * *weight;
-        }
-        end = x + way * h;
-        speeds[i + 1] = v + gain * h;
-        pulls[i + 1] = regime.bath(end).acceleration(constant, speeds[i + 1]);
-    }
-    let sum = |of: &[DVec2; 7]| of.iter().zip(ERROR).fold(DVec2::ZERO, |sum, (k, weight)| sum + *k * weight);
-    let error = (sum(&speeds) * h).abs().max((sum(&pulls) * (h * h)).abs());
-    ((end, speeds[6]), error.max_element())
 }
 
 /// The terminal velocity of what is the same all around, if `v` has reached it; `free` is what pulls besides drag, m/s².
@@ -349,20 +381,8 @@ fn linear_flow(bath: &Bath, constant: DVec2, (x, v): Pose, t: f64) -> Pose {
 
 /// By what factor the next step may be longer, given a root of the error of this one as a part of what is allowed: the fourth root stands for
 /// the fifth, which takes longer to find; up to [`GROWTH`] that errs on the side of caution.
-fn step_factor(root: f64) -> f64 {
+pub(super) fn step_factor(root: f64) -> f64 {
     let factor = CAUTION / root;
     // What is no number is too long.
     if factor >= 1.0 / GROWTH { factor.min(GROWTH) } else { 1.0 / GROWTH }
 }
-
-/// The stages of the pair; the last row is its result.
-const ROWS: [[f64; 6]; 6] = [
-    [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-    [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
-    [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
-    [19_372.0 / 6561.0, -25_360.0 / 2187.0, 64_448.0 / 6561.0, -212.0 / 729.0, 0.0, 0.0],
-    [9017.0 / 3168.0, -355.0 / 33.0, 46_732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18_656.0, 0.0],
-    [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
-];
-/// The difference of its results of fifth and fourth order.
-const ERROR: [f64; 7] = [71.0 / 57_600.0, 0.0, -71.0 / 16_695.0, 71.0 / 1920.0, -17_253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];

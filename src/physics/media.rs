@@ -52,6 +52,8 @@ pub(super) struct Media {
     /// by one step each.
     work: Cell<u64>,
     limit: Cell<u64>,
+    /// Whether what is asked for may be rough.
+    roughly: Cell<bool>,
     ended_early: Cell<u64>,
 }
 
@@ -98,6 +100,7 @@ impl Media {
             wet,
             work: Cell::new(0),
             limit: Cell::new(u64::MAX),
+            roughly: Cell::new(false),
             ended_early: Cell::new(0),
         }
     }
@@ -115,6 +118,13 @@ impl Media {
     /// Says how much motions through liquids may take from now on.
     pub fn allow(&self, work: u64) {
         self.limit.set(self.work.get().saturating_add(work));
+        self.roughly.set(false);
+    }
+
+    /// The same where nothing but a rough answer is needed.
+    pub fn allow_roughly(&self, work: u64) {
+        self.allow(work);
+        self.roughly.set(true);
     }
 
     /// Whether they have taken that.
@@ -129,7 +139,7 @@ impl Media {
 
     /// Counts a flow that did not get to its end by its own steps.
     pub fn end_early(&self) {
-        self.ended_early.set(self.ended_early.get() + 1);
+        self.ended_early.set(self.ended_early.get() + u64::from(!self.roughly.get()));
     }
 
     /// How many flows did not, since this was asked last.
@@ -190,7 +200,7 @@ impl Media {
             law.near = Aabb::around(x, law.near.size() * 0.5);
             law.liquids = self.wet.near(&law.near, 0.0);
         }
-        law.displaced = Displaced::new(self, body, x, (&law.liquids, &law.near));
+        law.displaced.renew(self, body, x, (&law.liquids, &law.near));
     }
 
     /// Appends the streams that a box touches, in ascending order.

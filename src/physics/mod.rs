@@ -51,6 +51,7 @@
 
 mod aabb;
 mod acting;
+mod ahead;
 mod air;
 mod bath;
 mod body;
@@ -59,6 +60,8 @@ mod contact;
 mod def;
 mod displaced;
 mod events;
+mod expansion;
+mod explicit;
 mod face;
 mod flow;
 mod forces;
@@ -78,6 +81,7 @@ pub mod pile;
 mod plan;
 mod reactions;
 mod scratch;
+mod series;
 mod spring;
 mod step;
 mod surface;

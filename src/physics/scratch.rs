@@ -94,6 +94,10 @@ pub(super) struct Scratch {
     pub pressed: Vec<f64>,
     /// Of each body and each surface behind them: its number in the present island.
     local: Vec<u32>,
+    /// Which bodies and surfaces begin the tick in contact with something, where there are liquids.
+    pub touches: Vec<bool>,
+    /// What pulls at each body where its flight through liquids ends, m/s², if that came out of it.
+    pub pulls: Vec<Option<DVec2>>,
     /// Bodies that stand still although nothing holds them: they may fall asleep.
     pub floats: Vec<bool>,
     /// Of the present island: its bodies, and the surfaces near it.
@@ -125,7 +129,7 @@ impl Scratch {
         if self.after.len() == bodies {
             for &i in looked_at {
                 let i = i as usize;
-                (self.after[i], self.used[i], self.floats[i]) = (After::default(), 0, false);
+                (self.after[i], self.used[i], self.floats[i], self.pulls[i]) = (After::default(), 0, false, None);
                 if let Some(around) = self.around.get_mut(i) {
                     *around = Around::UNKNOWN;
                 }
@@ -138,6 +142,8 @@ impl Scratch {
             self.floats.clear();
             self.floats.resize(bodies, false);
             self.around.clear();
+            self.pulls.clear();
+            self.pulls.resize(bodies, None);
         }
         self.contacts.clear();
         self.happened.clear();

@@ -213,7 +213,9 @@ impl World {
             (known[i], held[i]) = (after.known, after.held);
             if after.members == 0 {
                 // It flew by itself.
-                body.acceleration = media.acceleration_under(body, scratch.force_on(media, i, body, drives[i]));
+                let pull = scratch.pulls[i];
+                body.acceleration =
+                    pull.unwrap_or_else(|| media.acceleration_under(body, scratch.force_on(media, i, body, drives[i])));
                 known[i] = true;
             } else if after.dense {
                 // What contacts add is known when they are listed.

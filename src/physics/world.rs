@@ -1,5 +1,6 @@
 //! The world: what is in it, and what can be asked of it. How a tick goes is in `step`.
 
+use super::ahead::Ahead;
 use super::contact::Contact;
 use super::guards::Guards;
 use super::impulse::Impulse;
@@ -109,6 +110,8 @@ pub(super) struct State {
     pub held: Vec<Option<DVec2>>,
     /// Whose islands are dense for a while, because their budgets were used up.
     pub pauses: Vec<Pause>,
+    /// What is foreseen of the way of each body, if there are liquids.
+    pub ahead: Vec<Ahead>,
     /// Ticks since the world began.
     pub ticks: u64,
 }
@@ -157,6 +160,7 @@ impl World {
             known: vec![false; n],
             held: vec![None; n],
             pauses: vec![Pause::default(); n],
+            ahead: Vec::new(),
             ticks: 0,
         };
         let previous = state.bodies.iter().map(|body| body.position).collect();

@@ -2,7 +2,7 @@
 
 use super::track::Track;
 use crate::physics::bath::Regime;
-use crate::physics::flow::{Pose, flow, flow_through, parabola};
+use crate::physics::flow::{Course, Pose, flow, flow_through, parabola};
 use crate::physics::impact_time::Cubic;
 use crate::physics::media::{Law, Media};
 use crate::physics::surface::Surface;
@@ -274,8 +274,7 @@ impl Item {
         let a = media.acceleration(&self.body, &self.law, x, v);
         loop {
             let t = self.until - self.since;
-            let mut middle = None;
-            let end = flow_through(media, &self.body, &self.law, t, &mut middle);
+            let Course { end, middle, .. } = flow_through(media, &self.body, &self.law, t);
             let way = Cubic { c: [x, v, a * 0.5, (end.0 - x - (v + a * (0.5 * t)) * t) / (t * t * t)] };
             let strays = middle.is_some_and(|(at, place)| way.from(at).c[0].distance(place) > STRAY);
             if !strays || t <= SHORTEST {
