@@ -316,7 +316,9 @@ impl Reactions {
     /// otherwise; else 0.
     fn falls_alike(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> f64 {
         let links = |contact: &Contact| contact.axis == axis || contact.normal > 0.0 && contact.slides == 0.0;
-        if contacts.iter().any(|contact| contact.lo.max(contact.hi) as usize >= parts.masses.len() && links(contact)) {
+        if self.body_of.len() < 2
+            || contacts.iter().any(|contact| contact.lo.max(contact.hi) as usize >= parts.masses.len() && links(contact))
+        {
             return 0.0;
         }
         let of = |body: &u32| (parts.masses[*body as usize][axis], parts.free[*body as usize][axis]);
