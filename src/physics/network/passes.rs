@@ -44,8 +44,7 @@ impl Network {
         let (below, above) = (self.nodes[lo as usize], self.nodes[hi as usize]);
         let together = (below.force + above.force) / (below.mass + above.mass);
         let tolerance = below.force.abs().max(above.force.abs()) * FORCE_TOLERANCE;
-        // By what the lighter one needs: of the heavier one rounding may leave more than that.
-        let push = if below.mass <= above.mass { below.force - below.mass * together } else { above.mass * together - above.force };
+        let push = below.force - below.mass * together;
         if push >= -tolerance {
             self.links[0].flow = push.max(0.0);
             self.nodes[lo as usize].acceleration = together;
