@@ -162,8 +162,8 @@ impl Impacts {
         course.velocity = speed - course.pull * time;
         course.at = place - (course.velocity + 0.5 * course.pull * time) * time;
         let (p, free) = if axis == 0 { (&mut bodies.px, &mut bodies.free_vx) } else { (&mut bodies.py, &mut bodies.free_vy) };
-        if airy || bodies.is_guided[bodies.id[i] as usize] {
-            // Before it was nearly on this course; now it is.
+        if bodies.is_guided[bodies.id[i] as usize] {
+            // It may have been on another way: from now on it is on this course.
             (p[i], free[i]) = (course.place(dt), course.speed(dt));
             return;
         }
