@@ -19,7 +19,6 @@ use super::clusters::Node;
 use super::contacts::Contacts;
 use super::gravity::SLACK;
 use super::impacts::Impacts;
-use super::islands::{first, join_with};
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 5;
@@ -82,10 +81,6 @@ pub(super) struct Friction {
     /// Whose sums a change of grips concerns, and who has another velocity since.
     concerned: Vec<bool>,
     moved: Vec<bool>,
-    /// One of the stack of each, the kinetic energies of each stack before and after, and those of all stacks that did not settle.
-    stack_of: Vec<u32>,
-    gained: Vec<[f64; 2]>,
-    unsettled: Vec<u32>,
     /// Whether all materials are such that what stands holds what slides on it.
     alike: bool,
     /// Whether surfaces move, which may drive.
@@ -108,9 +103,6 @@ impl Friction {
             is_gripped: vec![false; all],
             concerned: vec![false; all],
             moved: vec![false; all],
-            stack_of: vec![0; all],
-            gained: vec![[0.0; 2]; all],
-            unsettled: Vec::with_capacity(bodies.len()),
             start: vec![0; all],
             end: vec![0; all],
             ..Self::default()
@@ -376,75 +368,30 @@ impl Friction {
         after <= before * (1.0 + ROUNDING)
     }
 
-    /// The way out for those stacks in which the grips do not settle: contact by contact, friction brings its two bodies together as far as
-    /// its limit allows. Always dissipates, but what sticks high up is stopped only after many steps.
+    /// The way out where the grips do not settle: contact by contact, friction brings its two bodies together as far as its limit
+    /// allows. Always dissipates, but what sticks high up is stopped only after many steps.
     fn relax(&mut self, bodies: &mut Bodies, given: &[f64]) {
+        self.turned = false;
         self.relaxed += 1;
-        self.find_unsettled(bodies, given);
-        let unsettled = std::mem::take(&mut self.unsettled);
-        for &i in &unsettled {
+        for &i in &self.gripped {
             let i = i as usize;
             bodies.ux[i] = given[i] / bodies.mass[i];
-            self.riders[i] = self.alone(bodies, i, given[i]);
-            let under = self.under(i);
-            for tight in &mut self.tight[under] {
-                (tight.grip, tight.impulse, tight.sense) = (Grip::Stick, 0.0, 1.0);
-            }
+            self.riders[i] = Node { momentum: given[i], mass: bodies.mass[i], ..Node::default() };
         }
-        self.turned = self.tight.iter().any(|tight| tight.sense != 1.0);
+        for tight in &mut self.tight {
+            (tight.grip, tight.impulse) = (Grip::Stick, 0.0);
+        }
         for _ in 0..SWEEPS {
-            self.sweep_over(bodies, &unsettled);
-        }
-        self.unsettled = unsettled;
-    }
-
-    /// Lists all of those stacks (what hangs together through what takes part) in which something is concerned by a change of grips, or that
-    /// have gained kinetic energy.
-    fn find_unsettled(&mut self, bodies: &Bodies, given: &[f64]) {
-        let Self { start, end, tight, gripped, concerned, is_awake, stack_of, gained, unsettled, carried, .. } = self;
-        let under = |i: usize| &tight[start[i] as usize..end[i] as usize];
-        for &i in &*gripped {
-            (stack_of[i as usize], gained[i as usize]) = (i, [0.0; 2]);
-        }
-        for &i in &*gripped {
-            let mut root = first(stack_of, i as usize);
-            for below in under(i as usize).iter().map(|tight| tight.below as usize).filter(|j| *j < bodies.len() && is_awake[*j]) {
-                join_with(stack_of, &mut root, below);
-            }
-            stack_of[i as usize] = root as u32;
-        }
-        for &i in &*gripped {
-            let (i, mass) = (i as usize, bodies.mass[i as usize]);
-            let root = first(stack_of, i);
-            concerned[root] |= concerned[i];
-            let slides_back = *carried || under(i).iter().any(|tight| tight.sense != 1.0);
-            gained[root][0] += if slides_back { f64::INFINITY } else { given[i] * given[i] / mass };
-            gained[root][1] += mass * bodies.ux[i] * bodies.ux[i];
-        }
-        unsettled.clear();
-        for &i in &*gripped {
-            let root = first(stack_of, i as usize);
-            let [before, after] = gained[root];
-            if concerned[root] || after > before * (1.0 + ROUNDING) {
-                unsettled.push(i);
-            }
+            self.sweep(bodies);
         }
     }
 
     /// Contact by contact, brings two bodies together as far as the limit allows. Returns the greatest change of a velocity, m/s.
     pub fn sweep(&mut self, bodies: &mut Bodies) -> f64 {
-        let gripped = std::mem::take(&mut self.gripped);
-        let most = self.sweep_over(bodies, &gripped);
-        self.gripped = gripped;
-        most
-    }
-
-    /// The same under these.
-    fn sweep_over(&mut self, bodies: &mut Bodies, of: &[u32]) -> f64 {
         let n = bodies.len();
         let mut most = 0.0f64;
-        for &i in of {
-            let i = i as usize;
+        for k in 0..self.gripped.len() {
+            let i = self.gripped[k] as usize;
             for c in self.under(i) {
                 let tight = &mut self.tight[c];
                 let below = tight.below as usize;

@@ -427,7 +427,7 @@ fn put_last(list: &mut [u32], from: usize, key: u32, place: &[u32]) {
 
 /// Joins body j to those of `root`, whose first is kept.
 #[inline(always)]
-pub(super) fn join_with(parent: &mut [u32], root: &mut usize, j: usize) {
+fn join_with(parent: &mut [u32], root: &mut usize, j: usize) {
     if parent[j] as usize != *root {
         let other = first(parent, j);
         parent[j] = other as u32;
@@ -438,7 +438,7 @@ pub(super) fn join_with(parent: &mut [u32], root: &mut usize, j: usize) {
 }
 
 #[inline(always)]
-pub(super) fn first(parent: &mut [u32], mut i: usize) -> usize {
+fn first(parent: &mut [u32], mut i: usize) -> usize {
     while parent[i] as usize != i {
         parent[i] = parent[parent[i] as usize];
         i = parent[i] as usize;
