@@ -33,9 +33,9 @@ impl Choice {
     /// where fewer impacts fall into one tick.
     const BUDGET: u64 = 200_000;
     const BUDGET_OF_A_BODY: u64 = 1_500;
-    /// What the budget of an island of few comes to for each body: so many bodies as one island may have, in however many islands they are,
-    /// stay within what one island may.
-    const BUDGET_OF_EACH_OF_FEW: u64 = 12_000;
+    /// What the budget of an island of few comes to, and for each body once more: so many bodies as one island may have, in however many islands
+    /// they are, stay within what their flights through media may take.
+    const BUDGET_OF_FEW: u64 = 16_000;
     /// Ticks for which an island is dense after its budget was used up for the first time, and at most.
     const FIRST_PAUSE: u16 = 8;
     const LONGEST_PAUSE: u16 = 128;
@@ -104,7 +104,7 @@ impl Tick<'_> {
     fn budget(&self) -> u64 {
         let Scratch { members, used, .. } = &*self.scratch;
         let count = members.len() as u64;
-        let whole = (Choice::BUDGET + Choice::BUDGET_OF_A_BODY * count).min(Choice::BUDGET_OF_EACH_OF_FEW * count);
+        let whole = (Choice::BUDGET + Choice::BUDGET_OF_A_BODY * count).min(Choice::BUDGET_OF_FEW * (1 + count));
         whole.saturating_sub(members.iter().map(|body| used[*body as usize]).sum())
     }
 
