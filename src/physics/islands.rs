@@ -12,7 +12,8 @@
 //!
 //! Event by event costs what happens: in a gas of 64 bodies some 30 impacts a tick, in a heap that settles every contact again and again.
 //! There the dense method is cheaper from about 50 bodies on, and the budget makes sure of it for fewer. An island that has used up its budget
-//! is taken by the dense method from the start for some ticks, twice as many each time, so that trying costs little on average.
+//! is taken by the dense method from the start for some ticks, twice as many each time and while as much happens, so that trying costs little
+//! on average.
 
 use super::events::{BUDGET_OF_A_FLOW, Events, Item, Outcome, Scene};
 use super::flow::flow;
@@ -60,13 +61,13 @@ pub(super) struct Pause {
 }
 
 impl Pause {
-    /// What follows for a body from how it ended tick `now`: a pause, one more, twice as long, if then still half as much happens as when it began,
+    /// What follows for a body from how it ended tick `now`, in which its island had so many `hits`: a pause, one more, twice as long, if then still half as much happens as when it began,
     /// or, if its island stayed within its budget, that the next one will be a tick shorter.
-    pub fn go_on(&mut self, after: &After, now: u64) {
-        let goes_on = after.dense && self.until == now + 1 && self.length < Choice::LONGEST_PAUSE && 2 * after.hits > self.hits;
+    pub fn go_on(&mut self, after: &After, hits: u32, now: u64) {
+        let goes_on = after.dense && self.until == now + 1 && self.length < Choice::LONGEST_PAUSE && 2 * hits > self.hits;
         if after.busy || goes_on {
             let length = (2 * self.length).clamp(Choice::FIRST_PAUSE, Choice::LONGEST_PAUSE);
-            let hits = if after.busy { after.hits } else { self.hits };
+            let hits = if after.busy { hits } else { self.hits };
             *self = Self { until: now + 1 + u64::from(length), length, hits };
         } else if after.members > 0 && !after.dense {
             self.length = self.length.saturating_sub(1);

@@ -55,7 +55,7 @@ pub(super) struct After {
     /// How many bodies its island had, and the smallest of them; 0 where it flew or rested by itself.
     pub members: u32,
     pub leader: u32,
-    /// How many impacts its island had, if the dense method had part in it.
+    /// Of a leader: how many impacts its island had.
     pub hits: u32,
 }
 
@@ -131,7 +131,7 @@ impl Scratch {
                 let i = i as usize;
                 (self.after[i], self.used[i], self.floats[i], self.pulls[i]) = (After::default(), 0, false, None);
                 if let Some(around) = self.around.get_mut(i) {
-                    *around = Around::UNKNOWN;
+                    *around = Around::unknown();
                 }
             }
         } else {
@@ -158,7 +158,7 @@ impl Scratch {
     /// Notes what streams there are around a body.
     pub fn note_around(&mut self, body: usize, around: Around) {
         if self.around.len() < self.after.len() {
-            self.around.resize(self.after.len(), Around::UNKNOWN);
+            self.around.resize(self.after.len(), Around::unknown());
         }
         self.around[body] = around;
     }

@@ -177,7 +177,7 @@ impl World {
         }
     }
 
-    /// Counts the impacts of the islands that the dense method had part in.
+    /// Counts the impacts of each island, with the smallest of its bodies.
     fn count_hits(&mut self) {
         let Self { scratch, pile, .. } = self;
         let Scratch { after, happened, .. } = &mut **scratch;
@@ -186,12 +186,6 @@ impl World {
             let of = after[hit.a];
             if of.dense {
                 after[of.leader as usize].hits += 1;
-            }
-        }
-        for &i in pile.looked_at() {
-            let of = after[i as usize];
-            if of.dense {
-                after[i as usize].hits = after[of.leader as usize].hits;
             }
         }
     }
@@ -205,7 +199,7 @@ impl World {
             let i = i as usize;
             let after = &scratch.after[i];
             let body = &mut bodies[i];
-            pauses[i].go_on(after, *ticks);
+            pauses[i].go_on(after, scratch.after[after.leader as usize].hits, *ticks);
             if after.members == 0 && pile.is_sleeping(i) {
                 continue;
             }

@@ -23,9 +23,6 @@ pub(super) struct ZoneList {
 }
 
 impl ZoneList {
-    /// Of no zones.
-    pub const NONE: Self = Self { few: [0; FEW], count: 0, range: (0, 0) };
-
     /// Of indices in any order.
     #[cfg(test)]
     pub fn of(indices: impl Iterator<Item = u32>) -> Self {

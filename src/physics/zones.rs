@@ -75,7 +75,9 @@ pub(super) struct Around {
 
 impl Around {
     /// What lies around a body of which nothing is known.
-    pub const UNKNOWN: Self = Self { within: Aabb::new(DVec2::INFINITY, DVec2::NEG_INFINITY), streams: ZoneList::NONE };
+    pub fn unknown() -> Self {
+        Self { within: Aabb::new(DVec2::INFINITY, DVec2::NEG_INFINITY), streams: ZoneList::default() }
+    }
 
     /// What touches a box.
     pub fn of(media: &Media, within: Aabb) -> Self {

@@ -129,12 +129,6 @@ impl Events {
         }
     }
 
-    /// The share of a change of relative velocity that each of two bodies takes: the other's fraction of the mass.
-    fn shares(&self, a: usize, b: usize) -> [f64; 2] {
-        let (of_a, of_b) = (self.items[a].body.mass, self.items[b].body.mass);
-        [of_b / (of_a + of_b), of_a / (of_a + of_b)]
-    }
-
     /// Lets a body leave what it has bounced on, or both of two bodies.
     pub(super) fn resume(&mut self, scene: &Scene, i: usize) {
         self.locate(scene, i);

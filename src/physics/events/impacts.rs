@@ -224,13 +224,12 @@ impl Events {
         let movable = self.is_body(contact.lo) && self.is_body(contact.hi);
         self.guards.rattles += u64::from(movable && e < 1.0 && fewest == RATTLE_HITS + 1);
         self.guards.pumping += u64::from(!movable && !self.stands(contact.lo.max(contact.hi)) && fewest == PUMPED_HITS + 1);
-        let mass = |item: u32| self.is_body(item).then(|| self.items[item as usize].body.mass);
-        // The share of the velocity change that each side takes: the other's fraction of the mass.
-        let (lo_share, hi_share, reduced) = match (mass(contact.lo), mass(contact.hi)) {
-            (Some(lo), Some(hi)) => (hi / (lo + hi), lo / (lo + hi), lo / (lo + hi) * hi),
-            (Some(lo), None) => (1.0, 0.0, lo),
-            (None, Some(hi)) => (0.0, 1.0, hi),
-            (None, None) => return,
+        let [lo_share, hi_share] = self.shares(contact.lo as usize, contact.hi as usize);
+        // Of a body and a surface the body's own mass.
+        let reduced = if self.is_body(contact.hi) {
+            hi_share * self.items[contact.hi as usize].body.mass
+        } else {
+            self.items[contact.lo as usize].body.mass
         };
         let change = (1.0 + e) * speed;
         let relative = self.sliding(&contact);
@@ -258,6 +257,15 @@ impl Events {
         if surface.is_none_or(|surface| self.stands(surface)) {
             self.pass_over_bounces(scene, &contact, e * speed, e);
         }
+    }
+
+    /// The share of a change of relative velocity that each of two things takes: the other's fraction of the mass; a surface takes none.
+    pub(super) fn shares(&self, a: usize, b: usize) -> [f64; 2] {
+        if a >= self.movable || b >= self.movable {
+            return [a, b].map(|item| if item < self.movable { 1.0 } else { 0.0 });
+        }
+        let (of_a, of_b) = (self.items[a].body.mass, self.items[b].body.mass);
+        [of_b / (of_a + of_b), of_a / (of_a + of_b)]
     }
 
     /// Lists what a plastic impact passed on in a contact.

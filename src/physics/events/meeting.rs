@@ -22,7 +22,7 @@ impl Events {
     /// false if they meet so much later that something else happens before: then they have to be looked at again from here.
     pub(super) fn put_together(&mut self, scene: &Scene, contact: &Contact) -> bool {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
-        let reach = self.items[lo].body.half[axis] + self.items[hi].body.half[axis];
+        let reach = self.reach_of(contact);
         if !(self.tracks[lo].is_exact() && self.tracks[hi].is_exact()) {
             let begin = self.items[lo].since.max(self.items[hi].since);
             let of_pair = |k: usize, next: &Next| next.kind.other().is_some_and(|other| contact.is_of(k as u32, other));
@@ -52,7 +52,7 @@ impl Events {
     /// say; a surface gives way to nothing, and neither does what stands against one. What stands behind what gives way goes with it.
     pub(super) fn close(&mut self, scene: &Scene, contact: &Contact) {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
-        let reach = self.items[lo].body.half[axis] + self.items[hi].body.half[axis];
+        let reach = self.reach_of(contact);
         let gap = self.locate(scene, hi)[axis] - self.locate(scene, lo)[axis] - reach;
         if gap < -DEEP && !self.began_apart(contact) {
             // They began in each other: nothing is put right at a stroke.
@@ -173,11 +173,17 @@ impl Events {
         }
     }
 
+    /// How far apart the centres of two things are along the axis of their contact where they touch, m.
+    fn reach_of(&self, contact: &Contact) -> f64 {
+        let half = |item: u32| self.items[item as usize].body.half[contact.axis];
+        half(contact.lo) + half(contact.hi)
+    }
+
     /// Whether two things that meet are in each other by more than the slop: something else happened on the rest of a way that was foreseen
     /// roughly.
     pub(super) fn is_in(&self, contact: &Contact) -> bool {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
-        let reach = self.items[lo].body.half[axis] + self.items[hi].body.half[axis];
+        let reach = self.reach_of(contact);
         self.places[hi][axis] - self.places[lo][axis] - reach < -SLOP
     }
 }
