@@ -207,6 +207,23 @@ fn a_slide_ends_within_the_tick() {
     }
 }
 
+/// What is level with a top that it is not over, and beside a wall that it is not beside, is held by neither.
+#[test]
+fn two_corners_hold_nothing_in_the_air() {
+    for turned in [1.0, -1.0] {
+        let walls = [surface(0.0, 0.0, 1.0, 10.0), surface(1.0, -0.5, 11.0, 10.0)];
+        let [low, high] = walls.map(|wall| match turned > 0.0 {
+            true => wall,
+            false => surface(-wall.bounds.max.x, wall.bounds.min.y, -wall.bounds.min.x, wall.bounds.max.y),
+        });
+        let mut one = pile(vec![square(-0.5 * turned, -1.0)], vec![low, high], 0.0);
+        one.set_force(0, DVec2::new(60_000.0 * turned, 50_000.0));
+        run(&mut one, 0.1);
+        let (x, v) = (one.position(0), one.velocity(0));
+        assert!((x - DVec2::new(0.5 * turned, -0.5)).length() < 1e-9 && v == DVec2::ZERO, "{x} {v}");
+    }
+}
+
 /// Law 5: seams of a floor of tiles or of resting boxes, at any height and place.
 #[test]
 fn seams_are_not_felt() {

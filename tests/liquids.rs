@@ -1,6 +1,6 @@
 //! Liquids: what floats, sinks, bobs and splashes, against fine integrations by hand and against formulas, at any tick.
 
-use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, ForceKind, World, WorldDef};
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, ForceKind, Material, Plan, SurfaceDef, World, WorldDef};
 
 const BODY: BodyId = BodyId(0);
 const G: f64 = 15.0;
@@ -213,6 +213,35 @@ fn a_thin_pool_slows_what_flies_through_it() {
         let (fine, coarse) = (body(61_440.0), body(30.0));
         assert!(fine.velocity.y < speed, "{speed} m/s");
         assert!(coarse.position.distance(fine.position) < 1e-6 * speed, "{speed} m/s: {} {}", coarse.position, fine.position);
+    }
+}
+
+/// What a thick liquid stops within a millisecond bounces for no longer, whatever its restitution: dense steps know its terminal velocity
+/// alone, with which it would bounce for ever.
+#[test]
+fn what_a_thick_liquid_presses_on_comes_to_rest_in_dense_steps() {
+    let ceiling = SurfaceDef::fixed(Aabb::new(DVec2::new(-5.0, -1.0), DVec2::new(5.0, 0.0)), Material::ASPHALT);
+    for restitution in [0.3, 0.9, 1.0] {
+        let body = BodyDef {
+            position: DVec2::new(0.0, 0.6),
+            velocity: DVec2::new(0.0, 0.7),
+            half: DVec2::splat(0.25),
+            mass: 0.5,
+            restitution,
+            ..BodyDef::default()
+        };
+        let def = WorldDef {
+            surfaces: vec![ceiling.clone()],
+            fluids: vec![pool(1000.0, 200.0, 30.0)],
+            bodies: vec![body],
+            ..WorldDef::default()
+        };
+        let plan = Plan { dense: true, ..Plan::of(&def) };
+        let world = run(World::with_plan(def, plan).unwrap(), 1.0, 120.0);
+        let body = world.body(BODY);
+        assert!(world.methods().in_one_step == 1 || world.methods().asleep == 1, "{:?}", world.methods());
+        assert!((body.position.y - 0.25).abs() < 1e-9 && body.velocity.length() < 1e-6, "e = {restitution}: {body:?}");
+        assert_eq!(world.guards().energy_taken_out, 0, "e = {restitution}");
     }
 }
 

@@ -122,7 +122,9 @@ impl Events {
         let item = &mut self.items[body as usize].body;
         let off = (item.velocity - velocity).abs();
         let rounding = (item.velocity.abs() + velocity.abs()) * SPEED_ROUNDING + SPEED_TOLERANCE;
-        if off[axis] > rounding[axis] || (item.position[axis] - place).abs() > SLOP {
+        // Each of its ways in this tick began where the one before ended, to a rounding of the coordinate.
+        let strayed = SLOP + f64::EPSILON * place.abs() * f64::from(self.ways[body as usize]);
+        if off[axis] > rounding[axis] || (item.position[axis] - place).abs() > strayed {
             return;
         }
         (item.velocity[axis], item.position[axis]) = (velocity[axis], place);

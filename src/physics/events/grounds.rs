@@ -1,7 +1,10 @@
 //! Surfaces within a tick: they begin the legs of their paths, and stop for what they would squeeze.
 
 use super::item::Next;
+use super::meeting::DEEP;
 use super::{Events, Scene};
+use crate::physics::contact::Contact;
+use crate::physics::tuning::SLOP;
 
 impl Events {
     /// Begins the next leg of a surface's path: whatever touches it is concerned.
@@ -13,12 +16,45 @@ impl Events {
         }
     }
 
-    /// Stops a surface for the rest of the tick.
-    pub(super) fn halt(&mut self, scene: &Scene, surface: u32) {
+    /// Stops a surface for the rest of the tick, where it was `late` seconds ago.
+    pub(super) fn halt(&mut self, scene: &Scene, surface: u32, late: f64) {
         self.guards.surfaces_stopped += 1;
         self.halted = true;
-        self.items[surface as usize].stops_at = self.now;
+        let item = &mut self.items[surface as usize];
+        item.stops_at = item.stops_at.min((self.now - late).max(0.0));
         self.set_out(scene, surface as usize);
+    }
+
+    /// Where ways are foreseen roughly, a surface that squeezes a body may be told so a hair too late, when it is in that, or has pressed it into what stands
+    /// behind it: puts back what is in between. Returns how much too late that is, s, for a surface that comes with `speed`, m/s.
+    pub(super) fn give_back(&mut self, contacts: &[Contact], squeezing: &Contact, speed: f64) -> f64 {
+        let (axis, (body, surface)) = (squeezing.axis, squeezing.ends());
+        let forwards = surface == squeezing.lo;
+        self.behind.clear();
+        self.behind.push(body);
+        let (mut depth, mut next) = (0.0, 0);
+        while let Some(&carrier) = self.behind.get(next) {
+            next += 1;
+            for contact in contacts.iter().filter(|contact| contact.axis == axis) {
+                let (near, far) = if forwards { (contact.lo, contact.hi) } else { (contact.hi, contact.lo) };
+                if near != carrier || far == surface {
+                    continue;
+                }
+                if !self.is_body(far) {
+                    depth = f64::max(depth, self.depth_of(contact));
+                } else if !self.behind.contains(&far) {
+                    self.behind.push(far);
+                }
+            }
+        }
+        let way = depth + self.depth_of(squeezing).max(0.0);
+        if way <= SLOP || way > DEEP || speed <= 0.0 {
+            return 0.0;
+        }
+        for &item in &self.behind {
+            self.places[item as usize][axis] -= if forwards { depth } else { -depth };
+        }
+        way / speed
     }
 
     /// Sets a surface on the part of its path that begins now. Concerns whatever is in contact with it.

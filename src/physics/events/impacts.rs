@@ -123,6 +123,7 @@ impl Events {
     pub(super) fn stop_surfaces(&mut self, scene: &Scene, contacts: &[Contact], rate: impl Fn(&Self, u32) -> DVec2) -> bool {
         let squeezed = std::mem::take(&mut self.reactions.squeezed);
         let known = self.squeezed.len();
+        let mut late = 0.0;
         for contact in contacts {
             let (body, surface) = contact.ends();
             if self.is_body(surface) || !squeezed.contains(&(body, contact.axis)) {
@@ -133,11 +134,12 @@ impl Events {
                 let ground = surface as usize - self.movable;
                 let (speed, pull) = (self.ground_speeds[ground][contact.axis], self.ground_pulls[ground][contact.axis]);
                 self.squeezed.push((body, surface, side * speed + (side * pull).max(0.0) * (scene.tick - self.now)));
+                late = f64::max(late, self.give_back(contacts, contact, side * speed));
             }
         }
         self.reactions.squeezed = squeezed;
         for index in known..self.squeezed.len() {
-            self.halt(scene, self.squeezed[index].1);
+            self.halt(scene, self.squeezed[index].1, late);
         }
         self.squeezed.len() > known
     }

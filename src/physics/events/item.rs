@@ -240,12 +240,14 @@ impl Item {
             for _ in 0..steps as u32 {
                 pose = rk4(pose, t / steps, |x, v| slide.hold(media.acceleration(&self.body, &self.law, x, v)));
             }
-            return pose;
+        } else {
+            let mut regime = Regime::new(media, &self.body, &self.law, pose.0);
+            for _ in 0..steps as u32 {
+                pose = rk4(pose, t / steps, |x, v| slide.hold(regime.follow(x).acceleration(x, v)));
+            }
         }
-        let mut regime = Regime::new(media, &self.body, &self.law, pose.0);
-        for _ in 0..steps as u32 {
-            pose = rk4(pose, t / steps, |x, v| slide.hold(regime.follow(x).acceleration(x, v)));
-        }
+        // With what it slides on it goes on evenly: far from the origin the steps would lead it away from that by their roundings.
+        pose.0[slide.axis] = self.body.position[slide.axis] + self.body.velocity[slide.axis] * t;
         pose
     }
 

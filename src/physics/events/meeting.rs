@@ -14,7 +14,7 @@ const HALVINGS: u32 = 64;
 /// m. A gap of bodies that have met is left if it is smaller than this.
 const CLOSED: f64 = 1e-12;
 /// m. What is deeper in something than this did not get there by rounding.
-const DEEP: f64 = 1e-5;
+pub(super) const DEEP: f64 = 1e-5;
 
 impl Events {
     /// Brings two things to the instant at which they meet, and exactly together: a way foreseen as a cubic may be off by a hair, so Newton's
@@ -86,12 +86,19 @@ impl Events {
             self.lanes.touching(&bounds, &mut near);
             self.work += WORK_OF_AN_ITEM + WORK_OF_A_LOOK * self.items.len() as u64;
             for &j in near.iter().filter(|j| **j > i) {
-                if let Some(contact) = self.contact_now(scene, i, j).filter(|contact| self.is_in(contact)) {
-                    self.close(scene, &contact);
+                if let Some(contact) = self.contact_now(scene, i, j) {
+                    self.touching.push(contact);
                 }
             }
         }
         self.near = near;
+        // Only now it is known who stands against a surface, and gives way to nothing.
+        for index in 0..self.touching.len() {
+            let contact = self.touching[index];
+            if self.is_in(&contact) {
+                self.close(scene, &contact);
+            }
+        }
         for (item, place) in self.items[..self.movable].iter_mut().zip(&self.places) {
             item.body.position = *place;
         }
@@ -182,8 +189,12 @@ impl Events {
     /// Whether two things that meet are in each other by more than the slop: something else happened on the rest of a way that was foreseen
     /// roughly.
     pub(super) fn is_in(&self, contact: &Contact) -> bool {
+        self.depth_of(contact) > SLOP
+    }
+
+    /// How deep two things are in each other along the axis of their contact, m.
+    pub(super) fn depth_of(&self, contact: &Contact) -> f64 {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
-        let reach = self.reach_of(contact);
-        self.places[hi][axis] - self.places[lo][axis] - reach < -SLOP
+        self.reach_of(contact) - (self.places[hi][axis] - self.places[lo][axis])
     }
 }

@@ -10,6 +10,7 @@ use super::track::Track;
 use super::{Events, Implicit, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
+use crate::physics::tuning::SPEED_TOLERANCE;
 use glam::DVec2;
 
 /// The rate × time up to which a cubic follows a flow through air. Larger: impacts in the midst of it are found off the way.
@@ -131,7 +132,9 @@ impl Events {
         }
         let still = self.tracks.iter().all(Track::is_still);
         for i in 0..self.items.len() {
-            if self.is_concerned[i] || i >= self.movable && self.items[i].stops_at == self.now {
+            let item = &self.items[i];
+            let stopped = i >= self.movable && item.stops_at <= self.now && item.since == self.now;
+            if self.is_concerned[i] || stopped {
                 if still {
                     self.predict_still(scene, i);
                 } else {
@@ -248,6 +251,10 @@ impl Events {
             let i = self.concerned[k] as usize;
             let item = &mut self.items[i];
             self.masses[i] = DVec2::splat(item.body.mass);
+            // What rests now may be pushed off within the step, by what a liquid slows less and less.
+            if item.motion == Motion::Still && self.means[i].abs().max_element() * h > SPEED_TOLERANCE {
+                item.motion = Motion::Parabola;
+            }
             if item.motion == Motion::Parabola {
                 item.mean = self.means[i];
             }

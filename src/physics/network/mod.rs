@@ -101,6 +101,8 @@ pub(super) struct Network {
     /// What is noted about each node; the last one is the ground.
     notes: Vec<Note>,
     queue: Vec<u32>,
+    /// Whether a node has a link, where that is asked.
+    linked: Vec<bool>,
     /// Links of the present block to ground that moves otherwise than that it is held against.
     aside: Vec<u32>,
     /// What all solves so far have taken, in units of work: about a nanosecond.
@@ -175,16 +177,26 @@ impl Network {
         if grounds.all(|ground| ground == first) { first } else { 0.0 }
     }
 
+    /// What nothing is linked to stays outside: in that frame what little pulls at it could be lost to rounding.
     fn enter_frame(&mut self, frame: f64) {
+        self.linked.clear();
         if frame != 0.0 {
-            self.nodes.iter_mut().for_each(|node| node.force -= node.mass * frame);
+            self.linked.resize(self.nodes.len(), false);
+            for end in self.links.iter().flat_map(|link| [link.lo, link.hi]).filter(|end| *end != GROUND) {
+                self.linked[end as usize] = true;
+            }
+            self.nodes
+                .iter_mut()
+                .zip(&self.linked)
+                .filter(|(_, linked)| **linked)
+                .for_each(|(node, _)| node.force -= node.mass * frame);
             self.links.iter_mut().for_each(|link| link.ground = 0.0);
         }
     }
 
     fn leave_frame(&mut self, frame: f64) {
         if frame != 0.0 {
-            self.nodes.iter_mut().for_each(|node| node.acceleration += frame);
+            self.nodes.iter_mut().zip(&self.linked).filter(|(_, linked)| **linked).for_each(|(node, _)| node.acceleration += frame);
         }
     }
 

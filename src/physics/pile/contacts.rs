@@ -52,6 +52,8 @@ pub(super) struct Stack {
     pub live: bool,
     /// Whether its impacts have been followed through the step to the last one.
     pub followed: bool,
+    /// Whether it is one because the two are level and are expected to come over each other.
+    pub level: bool,
     /// The fastest mean approach, m/s: gap/dt.
     pub bound: f64,
     /// Distance of the centres when touching, m.
@@ -66,6 +68,8 @@ pub(super) struct Side {
     pub live: bool,
     /// Whether its impacts have been followed through the step to the last one.
     pub followed: bool,
+    /// As for [`Stack`].
+    pub level: bool,
     pub bound: f64,
     pub reach: f64,
 }
@@ -81,6 +85,8 @@ pub(super) struct Contacts {
     pub sides: Vec<Side>,
     /// Surfaces above bodies.
     pub ceilings: Vec<Side>,
+    /// Pairs that are level with a face and do not get there in this step: it is not theirs.
+    missed: Vec<(u32, u32)>,
     /// What was found before some were hit.
     known: (Vec<Stack>, Vec<Side>),
     pub tolerances: Tolerances,
@@ -90,10 +96,15 @@ pub(super) struct Contacts {
     pub carried: bool,
 }
 
-/// What a pair is to the step, and whether it may act on velocities.
+/// What a pair is to the step, whether it may act on velocities, and whether only because it is level.
 enum Kind {
-    Stack(bool),
-    Side(bool),
+    Stack { live: bool, level: bool },
+    Side { live: bool, level: bool },
+}
+
+impl Kind {
+    const STACK: Self = Self::Stack { live: true, level: false };
+    const SIDE: Self = Self::Side { live: true, level: false };
 }
 
 impl Contacts {
@@ -178,6 +189,45 @@ impl Contacts {
         }
     }
 
+    /// Begins a step: nobody has missed anything.
+    pub fn begin_step(&mut self) {
+        self.missed.clear();
+    }
+
+    /// How many pairs are level with faces that they were expected to come over, and do not on the ways that were solved, where that holds a body
+    /// along both axes: in the air, beside the one face and over the other. Found anew, their contacts will be those of any corner.
+    pub fn miss(&mut self, bodies: &Bodies, members: &[u32]) -> u64 {
+        let (known, touch) = (self.missed.len(), self.tolerances.touch);
+        let beside = |p: &[f64], half: &[f64], a: u32, b: u32| {
+            let (a, b) = (a as usize, b as usize);
+            (p[a] - p[b]).abs() - half[a] - half[b] > touch
+        };
+        for &i in members {
+            let stacks = self.stacks[self.under(i as usize)].iter().filter(|stack| stack.level && stack.live);
+            let missed = stacks.filter(|stack| beside(&bodies.px, &bodies.hx, i, stack.below));
+            self.missed.extend(missed.map(|stack| (i, stack.below)));
+        }
+        let ceilings = self.ceilings.iter().filter(|ceiling| ceiling.level && ceiling.live);
+        let missed = ceilings.filter(|ceiling| beside(&bodies.px, &bodies.hx, ceiling.first, ceiling.second));
+        self.missed.extend(missed.map(|ceiling| (ceiling.second, ceiling.first)));
+        let along = self.missed.len();
+        for side in self.sides.iter().filter(|side| side.level && side.live) {
+            let held = self.missed[known..along].iter().any(|(body, _)| *body == side.first || *body == side.second);
+            if held && beside(&bodies.py, &bodies.hy, side.first, side.second) {
+                self.missed.push((side.first, side.second));
+            }
+        }
+        let mut sides = along;
+        for k in (known..along).rev() {
+            let body = self.missed[k].0;
+            if !self.missed[sides..].iter().any(|(first, second)| body == *first || body == *second) {
+                self.missed.remove(k);
+                sides -= 1;
+            }
+        }
+        (self.missed.len() - known) as u64
+    }
+
     /// What follows is of a member, up to here.
     fn begin(&self) -> [u32; 2] {
         [self.stacks.len() as u32, self.sides.len() as u32]
@@ -199,13 +249,15 @@ impl Contacts {
         self.carried |= surface && bodies.carries(j);
         let elastic = followed && bodies.traits[i].restitution.max(bodies.traits[j].restitution) == 1.0;
         let followed = elastic && moves(bodies, i, j, gap_x.max(gap_y) > touch);
-        match kind(bodies, i, j, [dx, dy], [gap_x, gap_y], dt, touch) {
-            Kind::Stack(live) => {
+        let is_of = |pair: &(u32, u32)| *pair == (i as u32, j as u32) || *pair == (j as u32, i as u32);
+        let misses = !self.missed.is_empty() && self.missed.iter().any(is_of);
+        match kind(bodies, (i, j), [dx, dy], [gap_x, gap_y], (dt, touch, misses)) {
+            Kind::Stack { live, level } => {
                 let live = live && !followed;
                 self.passing |= !live;
                 if dy >= 0.0 {
                     if !(surface && is_open(bodies, j, 1, false, gap_y, touch)) {
-                        self.stacks.push(Stack { below: j as u32, live, followed, bound: bound(gap_y), reach: reach_y });
+                        self.stacks.push(Stack { below: j as u32, live, followed, level, bound: bound(gap_y), reach: reach_y });
                     }
                 } else if !is_open(bodies, j, 1, true, gap_y, touch) {
                     self.ceilings.push(Side {
@@ -213,19 +265,20 @@ impl Contacts {
                         second: i as u32,
                         live,
                         followed,
+                        level,
                         bound: bound(gap_y),
                         reach: reach_y,
                     });
                 }
             }
-            Kind::Side(live) => {
+            Kind::Side { live, level } => {
                 let live = live && !followed;
                 self.passing |= !live;
                 if surface && is_open(bodies, j, 0, dx <= 0.0, gap_x, touch) {
                     return;
                 }
                 let (first, second) = if dx > 0.0 { (i as u32, j as u32) } else { (j as u32, i as u32) };
-                self.sides.push(Side { first, second, live, followed, bound: bound(gap_x), reach: reach_x });
+                self.sides.push(Side { first, second, live, followed, level, bound: bound(gap_x), reach: reach_x });
             }
         }
     }
@@ -243,13 +296,19 @@ fn is_open(bodies: &Bodies, surface: usize, axis: usize, larger: bool, gap: f64,
 }
 
 #[inline(always)]
-fn kind(bodies: &Bodies, i: usize, j: usize, [dx, dy]: [f64; 2], [gap_x, gap_y]: [f64; 2], dt: f64, touch: f64) -> Kind {
+fn kind(
+    bodies: &Bodies,
+    (i, j): (usize, usize),
+    [dx, dy]: [f64; 2],
+    [gap_x, gap_y]: [f64; 2],
+    (dt, touch, misses): (f64, f64, bool),
+) -> Kind {
     // Most pairs rest on each other or stand side by side.
     if gap_x < -touch && gap_y <= touch {
-        return if gap_y < -touch && gap_x > gap_y { Kind::Side(true) } else { Kind::Stack(true) };
+        return if gap_y < -touch && gap_x > gap_y { Kind::SIDE } else { Kind::STACK };
     }
     if gap_y < -touch && gap_x <= touch {
-        return Kind::Side(true);
+        return Kind::SIDE;
     }
     // How far they close along each axis within the step.
     let way = |now: &[f64], then: &[f64]| (then[i] - now[i]) - (then[j] - now[j]);
@@ -258,30 +317,38 @@ fn kind(bodies: &Bodies, i: usize, j: usize, [dx, dy]: [f64; 2], [gap_x, gap_y]:
     if gap_x < -touch {
         // Over each other and apart: passes only if it has left sideways before it arrives.
         let leaves = gap_y < close_y && gap_x - close_x * (gap_y / close_y) > 0.0;
-        return Kind::Stack(!leaves);
+        return Kind::Stack { live: !leaves, level: false };
     }
     if gap_y < -touch {
         let leaves = gap_x < close_x && gap_y - close_y * (gap_x / close_x) > 0.0;
-        return Kind::Side(!leaves);
+        return Kind::Side { live: !leaves, level: false };
     }
-    let start = |v: &[f64], d: f64| (v[i] - v[j]) * dt * if d < 0.0 { -1.0 } else { 1.0 };
-    corner([gap_x, gap_y], [close_x, close_y], [start(&bodies.vx, dx), start(&bodies.vy, dy)], touch)
+    if !misses {
+        let start = |v: &[f64], d: f64| (v[i] - v[j]) * dt * if d < 0.0 { -1.0 } else { 1.0 };
+        let start = [start(&bodies.vx, dx), start(&bodies.vy, dy)];
+        if let Some(kind) = level([gap_x, gap_y], [close_x, close_y], start, touch) {
+            return kind;
+        }
+    }
+    corner([gap_x, gap_y], [close_x, close_y])
 }
 
-/// A pair that is apart along both axes: the later entry decides. What is level with a face and does not move into it (`start`: how far
-/// the velocities at the start would close) belongs to that face, whatever pulls at it.
-fn corner([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2], start: [f64; 2], touch: f64) -> Kind {
+/// A pair that is apart along both axes: what is level with a face and does not move into it (`start`: how far the velocities at the start
+/// would close) belongs to that face, whatever pulls at it.
+fn level([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2], start: [f64; 2], touch: f64) -> Option<Kind> {
     let level_x = gap_x <= touch && start[0] <= touch;
     let level_y = gap_y <= touch && start[1] <= touch;
     if level_y && !(level_x && close_x <= touch) {
-        return Kind::Stack(close_x > gap_x);
+        return Some(Kind::Stack { live: close_x > gap_x, level: true });
     }
-    if level_x {
-        return Kind::Side(close_y > gap_y);
-    }
+    level_x.then_some(Kind::Side { live: close_y > gap_y, level: true })
+}
+
+/// The same where none is level: the later entry decides.
+fn corner([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2]) -> Kind {
     let enters = |gap: f64, close: f64| if close > 0.0 { (gap + CATCH * close) / close } else { f64::INFINITY };
     let (enter_x, enter_y) = (enters(gap_x, close_x), enters(gap_y, close_y));
     let by_x = if enter_x.is_infinite() && enter_y.is_infinite() { gap_x >= gap_y } else { enter_x >= enter_y };
     let live = enter_x <= 1.0 && enter_y <= 1.0;
-    if by_x { Kind::Side(live) } else { Kind::Stack(live) }
+    if by_x { Kind::Side { live, level: false } } else { Kind::Stack { live, level: false } }
 }

@@ -170,6 +170,7 @@ impl Dense {
         if let Some(outcome) = self.solve_gas(bodies, neighbours, island, size) {
             return outcome;
         }
+        self.contacts.begin_step();
         self.contacts.find(bodies, island, &self.reach.added, size.dt, false);
         self.anchors.any_hung = false;
         let Self { contacts, anchors, clusters, .. } = self;
@@ -206,7 +207,15 @@ impl Dense {
                 }
                 self.guards.kept_within_reach += u64::from(!inside);
             }
-            if look == LOOKS || !self.catch_passing(bodies, island) {
+            if look == LOOKS {
+                break;
+            }
+            let missed = self.contacts.miss(bodies, island.members);
+            if missed > 0 {
+                self.guards.corners_met += missed;
+                self.predict(bodies, island);
+                self.contacts.find(bodies, island, &self.reach.added, size.dt, self.followed);
+            } else if !self.catch_passing(bodies, island) {
                 break;
             }
         }
@@ -487,11 +496,16 @@ impl Dense {
                 continue;
             }
             let mass = bodies.mass[i];
-            let before = bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i];
-            let after = bodies.ux[i] * bodies.ux[i] + bodies.uy[i] * bodies.uy[i];
+            let square = |[x, y]: [f64; 2]| x * x + y * y;
+            let (before, after) = (square([bodies.vx[i], bodies.vy[i]]), square([bodies.ux[i], bodies.uy[i]]));
             let work = bodies.ax[i] * (bodies.px[i] - bodies.x[i]) + bodies.ay[i] * (bodies.py[i] - bodies.y[i]);
+            let mut gain = 0.5 * (after - before) - work;
+            if bodies.is_guided[bodies.id[i] as usize] {
+                // What liquids and streams give it is known of its flight alone.
+                gain = gain.min(0.5 * (after - square(self.impacts.free_before(bodies, i))));
+            }
             brought += mass * before;
-            gained += 0.5 * mass * (after - before) - mass * work;
+            gained += mass * gain;
             left += 0.5 * mass * after;
         }
         if gained <= ROUNDING * (brought + left) {

@@ -2,7 +2,7 @@
 
 use super::super::bodies::Bodies;
 use super::super::gravity::Anchors;
-use super::course::{Course, slowed};
+use super::course::{Course, parting, slowed};
 use super::due::{Due, Pair};
 use super::{Around, Axis, Impact, Impacts, NONE};
 
@@ -63,7 +63,7 @@ impl Impacts {
             if share > 0.0 && rests {
                 // Thrown off what carried it.
                 let pull = (bodies.free_vy[i] - bodies.vy[i]) / self.dt;
-                self.courses[i][1] = Course { at: bodies.y[i], velocity: bodies.vy[i], pull };
+                self.courses[i][1] = Course { pull, ..Course::straight(bodies.y[i], bodies.vy[i]) };
                 self.note_carried(bodies, i, anchors.on[i], pull * time);
             }
         }
@@ -118,6 +118,12 @@ impl Impacts {
         let (of_a, of_b) = (&self.courses[a as usize][due.axis], &self.courses[b as usize][due.axis]);
         let side = if of_b.place(due.time) < of_a.place(due.time) { -1.0 } else { 1.0 };
         let (pull, leaves, left) = ((of_a.pull - of_b.pull) * side, restitution * due.speed, self.dt - due.time);
+        let fade = of_a.fade.max(of_b.fade);
+        if fade > 0.0 {
+            // What a liquid brakes and presses on is back at once, again and again, and ever slower.
+            let closing = (of_a.ends(self.dt) - of_b.ends(self.dt)) * side;
+            return (due.time, parting(leaves, closing, fade, left).clamp(0.0, leaves));
+        }
         if !fixed || pull <= 0.0 {
             return (due.time, leaves);
         }
@@ -156,15 +162,16 @@ impl Impacts {
         self.hit_in[i] = self.follow_ups;
         let course = &mut self.courses[i][axis];
         let old = *course;
-        let airy = bodies.drag_wide[i] + bodies.drag_tall[i] > 0.0;
-        if airy {
+        // Of what is led, weight and air are not all that pulls at it.
+        let led = bodies.is_guided[bodies.id[i] as usize];
+        if !led && bodies.drag_wide[i] + bodies.drag_tall[i] > 0.0 {
             let outer = if axis == 0 { bodies.ax[i] } else { bodies.ay[i] };
             course.pull = outer + slowed(old.pull - outer, old.speed(time), speed, dt - time);
         }
         course.velocity = speed - course.pull * time;
         course.at = place - (course.velocity + 0.5 * course.pull * time) * time;
         let (p, free) = if axis == 0 { (&mut bodies.px, &mut bodies.free_vx) } else { (&mut bodies.py, &mut bodies.free_vy) };
-        if bodies.is_guided[bodies.id[i] as usize] {
+        if led {
             // It may have been on another way: from now on it is on this course.
             (p[i], free[i]) = (course.place(dt), course.speed(dt));
             return;

@@ -251,6 +251,12 @@ impl Impacts {
         }
     }
 
+    /// The free velocity of a body before impacts, m/s.
+    pub fn free_before(&self, bodies: &Bodies, i: usize) -> [f64; 2] {
+        let saved = self.any && self.entered_in[i] == self.follow_ups;
+        if saved { self.saved[i] } else { [bodies.free_vx[i], bodies.free_vy[i]] }
+    }
+
     /// Whether a body was hit when impacts were followed last.
     pub fn was_hit(&self, i: usize) -> bool {
         self.hit_in[i] == self.follow_ups
@@ -312,7 +318,7 @@ impl Impacts {
             let (p, free) = if axis == 0 { (&mut bodies.px, &mut bodies.free_vx) } else { (&mut bodies.py, &mut bodies.free_vy) };
             p[i] = course.place(time);
             free[i] += course.speed(time) - course.speed(self.dt);
-            *course = Course { at: p[i], velocity: 0.0, pull: 0.0 };
+            *course = Course::straight(p[i], 0.0);
         }
         self.leave(bodies, around, i, time);
     }
@@ -322,7 +328,7 @@ impl Impacts {
         self.waits[i] = false;
         for (axis, course) in self.courses[i].iter_mut().enumerate() {
             let (p, kept) = if axis == 0 { (&mut bodies.px, bodies.free_vx[i]) } else { (&mut bodies.py, bodies.free_vy[i]) };
-            *course = Course { at: p[i] - kept * time, velocity: kept, pull: 0.0 };
+            *course = Course::straight(p[i] - kept * time, kept);
             p[i] += kept * (self.dt - time);
         }
     }
@@ -397,7 +403,7 @@ impl Impacts {
         };
         self.courses[i][0] = course(bodies.x[i], bodies.vx[i], (bodies.px[i], bodies.free_vx[i]));
         self.courses[i][1] = match anchors.rests[i] {
-            true => Course { at: bodies.y[i], velocity: bodies.uy[i], pull: 0.0 },
+            true => Course::straight(bodies.y[i], bodies.uy[i]),
             false => course(bodies.y[i], bodies.vy[i], (bodies.py[i], bodies.free_vy[i])),
         };
         let stands = |course: &Course| course.velocity == 0.0 && course.pull == 0.0;
@@ -445,8 +451,8 @@ impl Impacts {
         self.links.extend([Link { other: j, next: self.chain[a] }, Link { other: i, next: of_b }]);
         self.chain[a] = 2 * pair;
         if b >= bodies.len() {
-            self.courses[b][0] = Course { at: bodies.x[b], velocity: bodies.vx[b], pull: 0.0 };
-            self.courses[b][1] = Course { at: bodies.y[b], velocity: bodies.vy[b], pull: 0.0 };
+            self.courses[b][0] = Course::straight(bodies.x[b], bodies.vx[b]);
+            self.courses[b][1] = Course::straight(bodies.y[b], bodies.vy[b]);
             self.looks[b] = Looked { lane: self.lane(bodies, b, (0.0, self.dt)), ..Looked::default() };
         }
         true
