@@ -13,6 +13,10 @@ use super::zones::Around;
 use super::{Aabb, Body};
 use glam::DVec2;
 
+/// How many times as far around a body as it may get within a tick its streams are sought. Farther: more of them are looked at in each tick;
+/// less far: they are sought more often.
+const WIDER: f64 = 1.5;
+
 impl World {
     /// Tells the store what acts on each body besides its weight and the air, and where it gets where no constant force says that.
     pub(super) fn say_what_acts(&mut self, dt: f64) {
@@ -105,12 +109,13 @@ fn swim(media: &Media, ahead: &mut Ahead, (body, force): (&Body, DVec2), touches
 /// Notes the streams around a body in `scratch`. Returns the force on it (N), and whether it may cross the border of one within the tick.
 fn streams_on(state: &State, scratch: &mut Scratch, i: usize, dt: f64) -> (DVec2, bool) {
     let (body, media, near) = (&state.bodies[i], &state.media, reach(state, i, dt));
-    let around = Around::of(media, near);
+    let around = scratch.around(i);
+    if !around.knows(&near) {
+        *around = Around::of(media, Aabb::around(near.centre(), near.size() * (0.5 * WIDER)));
+    }
     let borders = |zone: &Aabb| zone.touches(&near, SLOP) && !zone.contains(&near, 0.0);
     let at_a_border = around.streams(media).any(|stream| borders(&stream.zone));
-    let force = around.force_on(media, body, state.drives[i]);
-    scratch.note_around(i, around);
-    (force, at_a_border)
+    (around.force_on(media, body, state.drives[i]), at_a_border)
 }
 
 /// Where a body may get within the tick.

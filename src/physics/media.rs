@@ -24,6 +24,7 @@ use super::displaced::Displaced;
 use super::flow::Pose;
 use super::tuning::SLOP;
 use super::zone_tree::{ZoneList, ZoneTree};
+use super::zones::BESIDE;
 use super::zones::{Stream, fall};
 use super::{Aabb, Body, FieldDef, FluidDef, Force, ForceKind, Source, StreamDef};
 use glam::DVec2;
@@ -236,7 +237,7 @@ impl Media {
 
     /// The streams that a box touches, and maybe some near it, in ascending order.
     pub fn streams_at(&self, near: &Aabb) -> ZoneList {
-        self.blowing.near(near, 2.0 * SLOP)
+        self.blowing.near(near, BESIDE)
     }
 
     /// Whether a box touches a liquid.

@@ -133,9 +133,6 @@ impl Scratch {
                 let i = i as usize;
                 (self.after[i], self.used[i], self.pulls[i]) = (After::default(), 0, None);
                 (self.floats[i], self.roughly[i]) = (false, false);
-                if let Some(around) = self.around.get_mut(i) {
-                    *around = Around::unknown();
-                }
             }
         } else {
             self.after.clear();
@@ -160,12 +157,12 @@ impl Scratch {
         self.disputes.clear();
     }
 
-    /// Notes what streams there are around a body.
-    pub fn note_around(&mut self, body: usize, around: Around) {
+    /// What streams there are around a body, whether or not that is still known.
+    pub fn around(&mut self, body: usize) -> &mut Around {
         if self.around.len() < self.after.len() {
             self.around.resize(self.after.len(), Around::unknown());
         }
-        self.around[body] = around;
+        &mut self.around[body]
     }
 
     /// The force of a body's engine, and of all streams that it feels, N.
@@ -202,7 +199,7 @@ impl Scratch {
     pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
         let n = state.bodies.len();
         self.index(state);
-        let Self { events, local, members, surfaces, stops, starts, .. } = self;
+        let Self { events, local, members, surfaces, stops, starts, around, .. } = self;
         events.clear();
         members.sort_unstable();
         surfaces.sort_unstable();
@@ -229,6 +226,10 @@ impl Scratch {
             events.items.push(item);
         }
         state.media.streams_near(&everything, &mut events.streams);
+        if !events.streams.is_empty() {
+            let of = |body: &u32| around.get(*body as usize).cloned();
+            events.around.extend(members.iter().map(|body| of(body).unwrap_or_else(Around::unknown)));
+        }
         for &body in &*members {
             let of_body = starts[body as usize] as usize..starts[body as usize + 1] as usize;
             for contact in &state.contacts[of_body] {

@@ -24,7 +24,6 @@ pub(super) struct ZoneList {
 
 impl ZoneList {
     /// Of indices in any order.
-    #[cfg(test)]
     pub fn of(indices: impl Iterator<Item = u32>) -> Self {
         let mut list = Self::default();
         indices.for_each(|index| list.add(index));
@@ -53,6 +52,11 @@ impl ZoneList {
         self.count += 1;
     }
 
+    /// Whether it yields those alone of which it was made.
+    pub fn names_each(&self) -> bool {
+        self.count as usize <= FEW
+    }
+
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.count == 0
@@ -60,13 +64,12 @@ impl ZoneList {
 
     /// How many [`Self::iter`] yields.
     pub fn len(&self) -> u32 {
-        if self.count as usize <= FEW { self.count } else { self.range.1 - self.range.0 }
+        if self.names_each() { self.count } else { self.range.1 - self.range.0 }
     }
 
     pub fn iter(&self) -> impl Iterator<Item = u32> {
-        let all = self.count as usize <= FEW;
         let (few, range) =
-            if all { (&self.few[..self.count as usize], 0..0) } else { (&self.few[..0], self.range.0..self.range.1) };
+            if self.names_each() { (&self.few[..self.count as usize], 0..0) } else { (&self.few[..0], self.range.0..self.range.1) };
         few.iter().map(|index| u32::from(*index)).chain(range)
     }
 }

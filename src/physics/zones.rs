@@ -53,6 +53,8 @@ pub(super) fn fall(gravity: f64, force: f64) -> f64 {
     if sum.abs() <= HELD * gravity.abs() { 0.0 } else { sum }
 }
 
+/// m. What is so near to a stream is counted to what touches it.
+pub(super) const BESIDE: f64 = 2.0 * SLOP;
 /// m. So far from a border it is clear on which side something is.
 const CLEAR: f64 = 2.0 * SLOP;
 /// m. So far from a border whatever a way sweeps may be off by its rounding.
@@ -66,7 +68,8 @@ pub(super) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> boo
     (0..2).all(|axis| gap[axis] < -SLOP || (gap[axis] <= SLOP && velocity[axis] * apart[axis].signum() <= 0.0))
 }
 
-/// The streams around a body: those that touch a box in which it is likely to stay for a tick, and maybe some near it.
+/// The streams around a body: those that touch a box in which it is likely to stay for some ticks, and maybe some near it. Zones never move, so
+/// this holds until it leaves the box; and no answer depends on how large that is.
 #[derive(Clone, Debug)]
 pub(super) struct Around {
     within: Aabb,
@@ -82,6 +85,20 @@ impl Around {
     /// What touches a box.
     pub fn of(media: &Media, within: Aabb) -> Self {
         Self { within, streams: media.streams_at(&within) }
+    }
+
+    /// Whether this says what a box touches.
+    pub fn knows(&self, near: &Aabb) -> bool {
+        self.within.contains(near, 0.0)
+    }
+
+    /// What [`Media::streams_at`] finds.
+    pub fn streams_at(&self, media: &Media, near: &Aabb) -> ZoneList {
+        if !self.knows(near) || !self.streams.names_each() {
+            return media.streams_at(near);
+        }
+        let touches = |stream: &u32| near.touches(&media.streams[*stream as usize].zone, BESIDE);
+        ZoneList::of(self.streams.iter().filter(touches))
     }
 
     /// The streams, in ascending order.
@@ -102,11 +119,7 @@ impl Around {
 
     /// The same as [`force_on`].
     pub fn force_on(&self, media: &Media, body: &Body, drive: DVec2) -> DVec2 {
-        if self.within.contains(&body.bounds(), 0.0) {
-            force_of(self.streams(media), body, drive)
-        } else {
-            force_on(media, body, drive)
-        }
+        if self.knows(&body.bounds()) { force_of(self.streams(media), body, drive) } else { force_on(media, body, drive) }
     }
 }
 

@@ -10,7 +10,7 @@ const GOLDEN: [(&str, u64); 6] = [
     ("crowd", 0x61ed_bc4e_2267_cddb),
     ("liquid", 0x5625_63a0_2c46_cef5),
     ("stream", 0x4f1b_54c5_d2ca_2690),
-    ("moving surfaces", 0x797a_0cf9_9a46_d865),
+    ("moving surfaces", 0x83f9_b8c9_9fb8_826e),
     ("moving surfaces, dense", 0x2e09_d719_2743_1c9b),
 ];
 

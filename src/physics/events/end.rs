@@ -5,7 +5,6 @@ use super::{Events, Scene};
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
 use crate::physics::tuning::{SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
-use crate::physics::zones;
 
 impl Events {
     /// The contacts and accelerations of the instant at which the tick ends, where media make them others than when the last way began.
@@ -38,8 +37,7 @@ impl Events {
         // What has crossed the border of a stream just as the tick ends is on its other side.
         if !self.streams.is_empty() {
             for i in 0..self.movable {
-                let item = &self.items[i];
-                let force = zones::force_on(scene.media, &item.body, item.drive);
+                let (item, force) = (&self.items[i], self.force_on(scene, i));
                 if scene.media.constant(&item.body, force) != item.law.constant {
                     self.renew_law(scene, i);
                     self.concern(i as u32);

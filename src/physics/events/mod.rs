@@ -35,6 +35,7 @@ use super::surface::Surface;
 use super::tuning::SLOP;
 use super::world::State;
 use super::zone_tree::ZoneList;
+use super::zones::Around;
 use super::{Aabb, Plan};
 use glam::DVec2;
 pub(super) use impacts::Hit;
@@ -140,8 +141,9 @@ pub(super) struct Events {
     ways: Vec<u32>,
     /// Of each item: the streams that it touches on its way, and maybe some near it.
     borders: Vec<ZoneList>,
-    /// The air streams near the island.
+    /// The air streams near the island; and, if there are any, around each body.
     pub streams: Vec<u32>,
+    pub around: Vec<Around>,
     /// What happened.
     pub hits: Vec<Hit>,
     /// Bodies squeezed by surfaces, and how fast these would have closed by the end of the tick, m/s.
@@ -210,6 +212,7 @@ impl Events {
         self.items.clear();
         self.contacts.clear();
         self.streams.clear();
+        self.around.clear();
         self.hits.clear();
         self.squeezed.clear();
         self.movable = 0;

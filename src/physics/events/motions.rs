@@ -10,7 +10,6 @@ use super::track::Track;
 use super::{Events, Implicit, Scene, WORK_OF_A_CONTACT, WORK_OF_AN_ITEM};
 use crate::physics::contact::Contact;
 use crate::physics::reactions::Parts;
-use crate::physics::zones;
 use glam::DVec2;
 
 /// The rate × time up to which a cubic follows a flow through air. Larger: impacts in the midst of it are found off the way.
@@ -93,10 +92,16 @@ impl Events {
         self.solve_concerned(scene);
     }
 
+    /// The force of a body's engine, and of all streams that it feels, N.
+    pub(super) fn force_on(&self, scene: &Scene, i: usize) -> DVec2 {
+        let item = &self.items[i];
+        self.around.get(i).map_or(item.drive, |around| around.force_on(scene.media, &item.body, item.drive))
+    }
+
     /// The law of a body's motion from now on.
     pub(super) fn renew_law(&mut self, scene: &Scene, i: usize) {
+        let force = self.force_on(scene, i);
         let item = &mut self.items[i];
-        let force = if self.streams.is_empty() { item.drive } else { zones::force_on(scene.media, &item.body, item.drive) };
         scene.media.renew(&mut item.law, &item.body, force, scene.tick - self.now);
     }
 
@@ -144,7 +149,7 @@ impl Events {
     pub(super) fn foresee(&mut self, scene: &Scene, i: usize) {
         let track = self.items[i].foresee(scene.media);
         if i < self.movable && !self.streams.is_empty() && !track.is_still() {
-            self.borders[i] = scene.media.streams_at(&track.swept);
+            self.borders[i] = self.around[i].streams_at(scene.media, &track.swept);
         }
         self.lanes.set(i, &track.swept, track.rounding);
         self.tracks[i] = track;

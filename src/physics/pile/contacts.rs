@@ -123,14 +123,24 @@ impl Contacts {
             || self.ceilings.iter().any(|ceiling| (ceiling.first, ceiling.second) == (j, i))
     }
 
-    /// Finds all contacts of an island, and of the pairs `added` to it in its order; `followed`: impacts of what bounces have been.
-    pub fn find(&mut self, bodies: &Bodies, island: Island<'_>, added: &[(u32, u32)], dt: f64, followed: bool) {
+    /// None, of an island in which nothing touches and all that meets bounces.
+    pub fn have_none(&mut self, bodies: &Bodies, island: Island<'_>) {
+        self.clear(bodies, island);
+        island.members.iter().for_each(|i| self.ranges[*i as usize] = [0; 4]);
+    }
+
+    fn clear(&mut self, bodies: &Bodies, island: Island<'_>) {
         self.stacks.clear();
         self.sides.clear();
         self.ceilings.clear();
         self.passing = false;
         self.carried = false;
         self.tolerances = Tolerances::of(bodies, island.all);
+    }
+
+    /// Finds all contacts of an island, and of the pairs `added` to it in its order; `followed`: impacts of what bounces have been.
+    pub fn find(&mut self, bodies: &Bodies, island: Island<'_>, added: &[(u32, u32)], dt: f64, followed: bool) {
+        self.clear(bodies, island);
         let per_second = 1.0 / dt;
         let mut added = added.iter().peekable();
         for &i in island.members {

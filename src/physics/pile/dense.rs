@@ -49,6 +49,8 @@ pub(super) struct StepSize {
     pub rest_speed: f64,
     /// Whether an island may no longer ask to grow.
     pub last: bool,
+    /// Whether there are but flights and impacts, so many of which are followed as there is time for.
+    pub gas: bool,
     /// Whether it begins later than the others, and elsewhere than contacts were looked for.
     pub later: bool,
 }
@@ -80,15 +82,16 @@ pub(super) struct Dense {
     /// Body, moving surface and closing speed (m/s) where surfaces left no room; the driver clears it.
     pub squeezed: Vec<(u32, u32, f64)>,
     pub report: Report,
-    reach: Reach,
+    pub reach: Reach,
     pub walls: Walls,
     pub settled: Settled,
     /// Who was left out and would have moved.
     stirred: Vec<u32>,
     /// Length of the step, s.
     pub dt: f64,
-    /// Whether impacts were followed to the last one.
+    /// Whether impacts were followed to the last one, and whether some were put off.
     followed: bool,
+    pub puts_off: bool,
     hasty: bool,
     /// By slot: the place among the members.
     place: Vec<u32>,
@@ -115,6 +118,7 @@ impl Dense {
             stirred: Vec::with_capacity(n),
             dt: 0.0,
             followed: false,
+            puts_off: false,
             hasty: false,
             place: vec![0; n],
         }
@@ -162,6 +166,9 @@ impl Dense {
         }
         if !self.reach.strangers.is_empty() {
             return self.grow(bodies, island);
+        }
+        if let Some(outcome) = self.solve_gas(bodies, neighbours, island, size) {
+            return outcome;
         }
         self.contacts.find(bodies, island, &self.reach.added, size.dt, false);
         self.anchors.any_hung = false;
@@ -300,11 +307,11 @@ impl Dense {
         let mut around = Around { island, neighbours, reach, last: size.last };
         let any = impacts.follow(bodies, (contacts, anchors), &mut around, size);
         self.followed = any;
-        self.guards.bounces_put_off += std::mem::take(&mut impacts.waiting);
+        self.note_put_off();
         if !any {
             return None;
         }
-        self.stirred.append(&mut impacts.stirred);
+        self.stirred.append(&mut self.impacts.stirred);
         if !self.reach.strangers.is_empty() {
             return Some(self.grow(bodies, island));
         }
@@ -319,6 +326,13 @@ impl Dense {
             contacts.find_hit(bodies, island, size.dt, |i| impacts.was_hit(i));
         }
         None
+    }
+
+    /// Counts the bounces that were put off in this step.
+    pub fn note_put_off(&mut self) {
+        let count = std::mem::take(&mut self.impacts.waiting);
+        self.puts_off = count > 0;
+        self.guards.bounces_put_off += count;
     }
 
     fn solve_along(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64, solved: bool) {
@@ -368,7 +382,7 @@ impl Dense {
     }
 
     /// Widens what was swept by those who left it.
-    fn grow(&mut self, bodies: &mut Bodies, island: Island<'_>) -> Outcome {
+    pub fn grow(&mut self, bodies: &mut Bodies, island: Island<'_>) -> Outcome {
         self.guards.steps_grown += 1;
         self.grown.append(&mut self.reach.strangers);
         self.stirred.clear();
@@ -459,7 +473,7 @@ impl Dense {
 
     /// The last word on energy: an island that is merged and parted in a wild way may end higher than its velocities allow for; then what
     /// was touched is slowed down by one factor. That does not conserve momentum; it is counted.
-    fn restrain(&mut self, bodies: &mut Bodies, island: Island<'_>, doubt: bool) {
+    pub fn restrain(&mut self, bodies: &mut Bodies, island: Island<'_>, doubt: bool) {
         let risky = self.impacts.any || self.walls.any || doubt || !self.anchors.edges.is_empty();
         if self.contacts.carried || !risky {
             return;

@@ -67,6 +67,20 @@ impl Anchors {
     }
 }
 
+impl Anchors {
+    /// Nothing carries any of the members.
+    pub fn let_go(&mut self, members: &[u32]) {
+        self.edges.clear();
+        self.hits.clear();
+        (self.any_hung, self.unmerged) = (false, false);
+        for &i in members {
+            let i = i as usize;
+            (self.held[i], self.rests[i], self.loose[i]) = (false, false, false);
+            (self.lands[i], self.on[i]) = (NONE, NONE);
+        }
+    }
+}
+
 /// Solves the velocities along gravity.
 pub(super) fn solve(
     bodies: &mut Bodies,

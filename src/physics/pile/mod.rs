@@ -27,6 +27,7 @@ mod drag;
 mod driver;
 mod flight;
 mod friction;
+mod gas;
 mod gravity;
 mod grid;
 mod impacts;

@@ -253,7 +253,7 @@ pub(super) fn hits(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
 
 /// Whether one of two things has come to the far side of the other while they face each other by a quarter, before and after: whatever it
 /// has hit meanwhile, it did not get there round a corner.
-fn passed(bodies: &Bodies, (a, b): (usize, usize)) -> bool {
+pub(super) fn passed(bodies: &Bodies, (a, b): (usize, usize)) -> bool {
     let axis = |x: &[f64], p: &[f64], h: &[f64]| {
         let (from, to, reach) = (x[a] - x[b], p[a] - p[b], h[a] + h[b] - 0.5 * h[a].min(h[b]));
         (from * to < 0.0, from.abs() < reach && to.abs() < reach)

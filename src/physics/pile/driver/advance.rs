@@ -1,6 +1,7 @@
 //! Who else may advance an island, and what it sees of it.
 
 use super::super::bodies::Bodies;
+use super::super::gas;
 use super::super::islands::Island;
 use super::Target;
 use super::later::Placed;
@@ -20,6 +21,9 @@ pub(in crate::physics) trait Advance {
 
     /// The island of this body has come upon a surface besides, and took it to go to its end.
     fn comes_upon(&mut self, body: usize, surface: usize);
+
+    /// Of the island of this body, which is a gas, there were more impacts than could be followed.
+    fn put_off(&mut self, body: usize);
 
     /// What it told of the island of this body holds no longer.
     fn forget(&mut self, body: usize);
@@ -41,6 +45,8 @@ pub(in crate::physics) enum Verdict {
     Taken { rests: bool },
     /// The dense method shall take what is left of the step, s, from where the bodies have been brought; all of it, from where they began, if that is infinite.
     Left(f64),
+    /// The dense method shall take the whole step, in which there are but flights and impacts, and follow as many of these as it can.
+    Gas,
     /// Bodies may get further than others were looked for; their swept boxes have been widened.
     Grown,
 }
@@ -75,6 +81,11 @@ impl Store<'_> {
     /// Its bodies, in no order that means anything.
     pub fn members(&self) -> impl Iterator<Item = u32> {
         self.island.members.iter().map(|slot| self.bodies.id[*slot as usize])
+    }
+
+    /// Whether all of them bounce, and nothing lies on anything.
+    pub fn is_gas(&self) -> bool {
+        gas::is_gas(self.bodies, self.island, &[])
     }
 
     /// Appends the surfaces that they may meet, some more than once.
@@ -154,6 +165,8 @@ impl Advance for AllDense {
     }
 
     fn comes_upon(&mut self, _: usize, _: usize) {}
+
+    fn put_off(&mut self, _: usize) {}
 
     fn forget(&mut self, _: usize) {}
 

@@ -228,12 +228,19 @@ impl Pile {
                 }
                 driver.forget(bodies, island, &mut dense.report.list);
                 let round = driver.growths_of(island);
-                let whole =
-                    StepSize { dt, later: false, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
+                let whole = StepSize {
+                    dt,
+                    later: false,
+                    gas: false,
+                    rest_speed: self.rest_speed,
+                    gravity: self.gravity,
+                    last: round >= GROWTHS,
+                };
                 driver.placed.clear();
                 let (placed, targets) = (&mut driver.placed, driver.targets.as_slice());
                 let mut store = Store { bodies, island, grown: &mut dense.grown, placed, targets, down: self.down };
-                let left = match other.advance(&mut store, round) {
+                let verdict = other.advance(&mut store, round);
+                let left = match verdict {
                     Verdict::Taken { rests } => {
                         driver.note_sleep(bodies, island, self.may_sleep && rests);
                         continue;
@@ -242,11 +249,12 @@ impl Pile {
                         driver.note_growth(island, round);
                         continue;
                     }
+                    Verdict::Gas => f64::INFINITY,
                     Verdict::Left(left) => left,
                 };
                 let later = left.is_finite();
                 let left = left.min(dt);
-                let size = StepSize { dt: left, later, ..whole };
+                let size = StepSize { dt: left, later, gas: verdict == Verdict::Gas, ..whole };
                 if later {
                     driver.begin_later(bodies, island, left, self.drag);
                 }
@@ -258,6 +266,9 @@ impl Pile {
                     // What stands still for the rest of a step may have moved before.
                     driver.finish(bodies, island, self.may_sleep && !later);
                     driver.list_impacts(bodies, &dense.impacts);
+                    if size.gas && dense.puts_off {
+                        island.members.iter().for_each(|i| other.put_off(bodies.id[*i as usize] as usize));
+                    }
                     for &(i, j) in dense.reached().iter().filter(|pair| pair.1 as usize >= n && !driver.targets.is_empty()) {
                         other.comes_upon(bodies.id[i as usize] as usize, j as usize - n);
                     }

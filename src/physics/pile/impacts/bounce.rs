@@ -16,12 +16,12 @@ impl Impacts {
         let Due { time, speed, axis, .. } = due;
         let Pair { a, b, restitution, .. } = self.pairs[due.pair as usize];
         let (a, b) = (a as usize, b as usize);
-        let (of_a, of_b) = (self.courses[axis][a], self.courses[axis][b]);
+        let (of_a, of_b) = (self.courses[a][axis], self.courses[b][axis]);
         let (at_a, at_b) = (of_a.place(time), of_b.place(time));
         let side = if at_b < at_a { -1.0 } else { 1.0 };
         // What rests is ground for what falls on it.
-        let courses = &self.courses[1];
-        let is_held = |i: usize| axis == 1 && i < n && anchors.rests[i] && courses[i].velocity == bodies.uy[i];
+        let courses = &self.courses;
+        let is_held = |i: usize| axis == 1 && i < n && anchors.rests[i] && courses[i][1].velocity == bodies.uy[i];
         let (a_rests, b_rests) = (is_held(a), is_held(b));
         let held = |upper: usize, rests: bool, falls: bool| falls && upper < n && rests;
         let share = |i: usize, fixed: bool| if i < n && !fixed { 1.0 / bodies.mass[i] } else { 0.0 };
@@ -30,6 +30,8 @@ impl Impacts {
             return;
         }
         let (until, leaves) = self.pass_over(due, restitution, share_a == 0.0 || share_b == 0.0);
+        // Whom it meets while its bounces are passed over is not followed.
+        self.ends |= until > time;
         // Relative velocity after, and what it takes.
         let change = speed + leaves;
         let impulse = change / (share_a + share_b);
@@ -61,7 +63,7 @@ impl Impacts {
             if share > 0.0 && rests {
                 // Thrown off what carried it.
                 let pull = (bodies.free_vy[i] - bodies.vy[i]) / self.dt;
-                self.courses[1][i] = Course { at: bodies.y[i], velocity: bodies.vy[i], pull };
+                self.courses[i][1] = Course { at: bodies.y[i], velocity: bodies.vy[i], pull };
                 self.note_carried(bodies, i, anchors.on[i], pull * time);
             }
         }
@@ -75,7 +77,7 @@ impl Impacts {
         }
         for (i, rub) in [(a, rub), (b, -rub)] {
             if rub != 0.0 && i < n {
-                let course = self.courses[1 - axis][i];
+                let course = self.courses[i][1 - axis];
                 self.set(bodies, i, 1 - axis, time, (course.place(time), course.speed(time) + rub / bodies.mass[i]));
             }
         }
@@ -113,7 +115,7 @@ impl Impacts {
     /// When the bounces that are passed over end, and how fast the pair parts then.
     fn pass_over(&self, due: Due, restitution: f64, fixed: bool) -> (f64, f64) {
         let Pair { a, b, .. } = self.pairs[due.pair as usize];
-        let (of_a, of_b) = (&self.courses[due.axis][a as usize], &self.courses[due.axis][b as usize]);
+        let (of_a, of_b) = (&self.courses[a as usize][due.axis], &self.courses[b as usize][due.axis]);
         let side = if of_b.place(due.time) < of_a.place(due.time) { -1.0 } else { 1.0 };
         let (pull, leaves, left) = ((of_a.pull - of_b.pull) * side, restitution * due.speed, self.dt - due.time);
         if !fixed || pull <= 0.0 {
@@ -140,8 +142,8 @@ impl Impacts {
         let n = bodies.len();
         let Pair { a, b, .. } = self.pairs[due.pair as usize];
         let (a, b) = (a as usize, b as usize);
-        let across = &self.courses[1 - due.axis];
-        let sliding = across[a].speed(due.time) - across[b].speed(due.time) - bodies.skin(b, due.axis, side < 0.0);
+        let across = |i: usize| &self.courses[i][1 - due.axis];
+        let sliding = across(a).speed(due.time) - across(b).speed(due.time) - bodies.skin(b, due.axis, side < 0.0);
         let kinetic = |i: usize| bodies.traits[i].kinetic_friction;
         let coefficient = if b < n { kinetic(a).min(kinetic(b)) } else { kinetic(b) };
         let mass = 1.0 / (1.0 / bodies.mass[a] + if b < n { 1.0 / bodies.mass[b] } else { 0.0 });
@@ -152,7 +154,7 @@ impl Impacts {
     fn set(&mut self, bodies: &mut Bodies, i: usize, axis: usize, time: f64, (place, speed): (f64, f64)) {
         let dt = self.dt;
         self.hit_in[i] = self.follow_ups;
-        let course = &mut self.courses[axis][i];
+        let course = &mut self.courses[i][axis];
         let old = *course;
         let airy = bodies.drag_wide[i] + bodies.drag_tall[i] > 0.0;
         if airy {
@@ -175,7 +177,7 @@ impl Impacts {
     fn note(&mut self, bodies: &Bodies, due: Due, (normal, friction): (f64, f64), side: f64) {
         let Pair { a, b, .. } = self.pairs[due.pair as usize];
         let axis = if due.axis == 0 { Axis::Across } else { Axis::Gravity };
-        let place = |axis: usize, i: u32| self.courses[axis][i as usize].place(due.time);
+        let place = |axis: usize, i: u32| self.courses[i as usize][axis].place(due.time);
         let half = |axis: usize, i: u32| if axis == 0 { bodies.hx[i as usize] } else { bodies.hy[i as usize] };
         let other = 1 - due.axis;
         let low = (place(other, a) - half(other, a)).max(place(other, b) - half(other, b));

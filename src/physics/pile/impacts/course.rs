@@ -49,6 +49,9 @@ pub(super) fn slowed(drag: f64, before: f64, after: f64, left: f64) -> f64 {
 
 /// When a gap closes, s from now, and how fast it closes then, m/s: `closing` now, growing by `pull` a second.
 pub(super) fn time_of_impact(gap: f64, closing: f64, pull: f64) -> Option<(f64, f64)> {
+    if pull == 0.0 {
+        return (closing > 0.0).then(|| (gap / closing, closing));
+    }
     let square = closing * closing + 2.0 * pull * gap;
     if square <= 0.0 {
         return None;

@@ -22,7 +22,7 @@ impl Impacts {
             return;
         }
         self.work += WORK_OF_A_LOOK;
-        let Some(due) = self.touches(bodies, self.pairs.len() as u32 - 1) else { return };
+        let Some(due) = self.touches(bodies, self.pairs.len() as u32 - 1, self.dt) else { return };
         for by in [i, j].into_iter().filter(|by| (*by as usize) < bodies.len()) {
             let looked = &mut self.looks[by as usize];
             // `count` numbers what it has found so far.
@@ -97,7 +97,7 @@ impl Impacts {
     pub(super) fn lane(&self, bodies: &Bodies, i: usize, (from, to): (f64, f64)) -> [f64; 4] {
         let mut lane = [0.0; 4];
         for (axis, half) in [bodies.hx[i], bodies.hy[i]].into_iter().enumerate() {
-            let course = &self.courses[axis][i];
+            let course = &self.courses[i][axis];
             let (begin, end) = (course.place(from), course.place(to));
             // A parabola strays no further from its chord.
             let reach = half + 0.125 * course.pull.abs() * (to - from) * (to - from) + self.touch;
@@ -123,7 +123,8 @@ impl Impacts {
             if !apart(&lane, &other.lane) {
                 let known = if (link.other as usize) < bodies.len() { other.next } else { f64::INFINITY };
                 self.work += WORK_OF_A_LOOK;
-                let due = self.touches(bodies, at / 2).filter(|due| due.time <= known);
+                let until = best.map_or(known, |best| best.time.min(known));
+                let due = self.touches(bodies, at / 2, until).filter(|due| due.time <= known);
                 if let Some(due) = due.filter(|due| best.is_none_or(|best| *due > best)) {
                     lane = self.lane(bodies, i, (self.clock, due.time));
                     best = Some(due);
@@ -138,54 +139,58 @@ impl Impacts {
         self.due.extend(best.map(|due| Due { by: i as u32, look, ..due }));
     }
 
-    /// When a pair touches, on the ways that its bodies are on now.
-    fn touches(&self, bodies: &Bodies, pair: u32) -> Option<Due> {
+    /// When a pair touches, on the ways that its bodies are on now; nobody asks for what comes after `until`, s.
+    fn touches(&mut self, bodies: &Bodies, pair: u32, until: f64) -> Option<Due> {
         let of = &self.pairs[pair as usize];
         let Pair { a, b, restitution, passed, hits } = *of;
         let (a, b, ways) = (a as usize, b as usize, self.ways_of(of));
-        if (restitution < 1.0 && hits >= RATTLE) || passed == ways {
+        if passed == ways {
             return None;
         }
         let (of_a, of_b) = (&self.looks[a], &self.looks[b]);
         let now = if of_a.departure >= of_b.departure { of_a.since } else { of_b.since };
-        let left = self.dt - now;
+        let left = until.min(self.dt) - now;
         let reach = [bodies.hx[a] + bodies.hx[b], bodies.hy[a] + bodies.hy[b]];
-        let mut motion = [[0.0; 3]; 2];
+        let (mine, other) = (&self.courses[a], &self.courses[b]);
+        let mut motion = [[0.0; 4]; 2];
         for (axis, motion) in motion.iter_mut().enumerate() {
-            let (of_a, of_b) = (&self.courses[axis][a], &self.courses[axis][b]);
-            let (apart, velocity, pull) =
-                (of_b.place(now) - of_a.place(now), of_a.speed(now) - of_b.speed(now), of_a.pull - of_b.pull);
-            // Too far to touch in what is left, whatever the signs.
-            if apart.abs() - reach[axis] > (velocity.abs() + 0.5 * pull.abs() * left) * left + self.touch {
+            let (of_a, of_b) = (&mine[axis], &other[axis]);
+            let apart = of_b.place(now) - of_a.place(now);
+            let side = if apart < 0.0 { -1.0 } else { 1.0 };
+            let gap = apart * side - reach[axis];
+            let (closing, pull) = ((of_a.speed(now) - of_b.speed(now)) * side, (of_a.pull - of_b.pull) * side);
+            // Too far to touch in what is left.
+            if gap > (closing.max(0.0) + 0.5 * pull.max(0.0) * left) * left + self.touch {
                 return None;
             }
-            *motion = [apart, velocity, pull];
+            *motion = [gap, closing, pull, side];
         }
-        if motion.iter().all(|[_, velocity, pull]| *velocity == 0.0 && *pull == 0.0) {
+        if motion.iter().all(|[_, closing, pull, _]| *closing == 0.0 && *pull == 0.0) {
             return None;
         }
         let mut best: Option<Due> = None;
         for axis in 0..2 {
-            let [apart, velocity, pull] = motion[axis];
-            let side = if apart < 0.0 { -1.0 } else { 1.0 };
-            let gap = apart * side - reach[axis];
-            let (closing, pull) = (velocity * side, pull * side);
-            let other = motion[1 - axis][0].abs() - reach[1 - axis];
-            if gap < -self.touch && !has_sunk(bodies, (a, b), (gap, other), closing * left) {
+            let [gap, closing, pull, side] = motion[axis];
+            if gap < -self.touch && !has_sunk(bodies, (a, b), (gap, motion[1 - axis][0]), closing * (self.dt - now)) {
                 continue;
             }
             let Some((after, speed)) = time_of_impact(if gap > self.hair { gap } else { 0.0 }, closing, pull) else { continue };
             let time = now + after;
-            let ends = restitution < 1.0 && restitution * speed < self.rest_speed;
-            if time >= self.dt || speed <= SLOWEST || ends || best.is_some_and(|best| best.time <= time) {
+            if time >= self.dt || best.is_some_and(|best| best.time <= time) {
                 continue;
             }
-            let (across_a, across_b) = (&self.courses[1 - axis][a], &self.courses[1 - axis][b]);
+            let (across_a, across_b) = (&self.courses[a][1 - axis], &self.courses[b][1 - axis]);
             let beside = (across_b.place(time) - across_a.place(time)).abs() - reach[1 - axis];
             let open = b >= bodies.len() && !bodies.sides[b].face(axis, side < 0.0);
-            if beside < -self.touch && !open {
-                best = Some(Due { time, speed, pair, ways, by: 0, look: 0, axis });
+            if beside >= -self.touch || open {
+                continue;
             }
+            let ends = restitution < 1.0 && (restitution * speed < self.rest_speed || hits >= RATTLE);
+            if speed <= SLOWEST || ends {
+                self.ends = true;
+                continue;
+            }
+            best = Some(Due { time, speed, pair, ways, by: 0, look: 0, axis });
         }
         best
     }

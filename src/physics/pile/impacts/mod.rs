@@ -19,7 +19,7 @@ mod due;
 mod look;
 
 use super::bodies::Bodies;
-use super::contacts::Contacts;
+use super::contacts::{Contacts, Tolerances};
 use super::dense::StepSize;
 use super::gravity::Anchors;
 use super::islands::Island;
@@ -30,7 +30,7 @@ use due::{Due, Link, Looked, Pair};
 use std::collections::BinaryHeap;
 
 /// Impacts slower than this are none, m/s. Smaller: rounding bounces.
-const SLOWEST: f64 = 1e-9;
+pub(super) const SLOWEST: f64 = 1e-9;
 /// A pair of e < 1 that has bounced so often in one step is left to the plastic solution: such series have a sum. Fewer: bounces end
 /// early; more: inelastic collapse costs the whole budget.
 const RATTLE: u32 = 12;
@@ -38,6 +38,8 @@ const RATTLE: u32 = 12;
 /// bodies wait where fewer impacts fall into one step.
 const BUDGET: u64 = 20_000;
 const BUDGET_OF_A_BODY: u64 = 300;
+/// The same of a gas that has time for it.
+const BUDGET_OF_A_GAS: u64 = 200_000;
 /// Once half of the budget is used up, who has been hit so often waits. Fewer: what is hit seldom loses time; more: what is hit often takes
 /// the other half too.
 const OFTEN: u32 = 4;
@@ -92,6 +94,8 @@ pub(super) struct Impacts {
     pub any: bool,
     /// Who was taken for ground and would have been moved: then the impacts are not followed to the end.
     pub stirred: Vec<u32>,
+    /// Whether some that touch, or will, do not bounce, or bounce without being followed: that is left to the plastic solution.
+    ends: bool,
     /// By slot, where there were any: free velocities before them, and predicted positions after them.
     saved: Vec<[f64; 2]>,
     predicted: Vec<[f64; 2]>,
@@ -109,8 +113,9 @@ pub(super) struct Impacts {
     pub waiting: u64,
     /// What impacts have taken since the start, in units of work.
     pub work: u64,
-    /// What they may take in this step.
+    /// What they may take in this step, and what of that is for how many soever.
     allowed: u64,
+    budget: u64,
     /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
     chain: Vec<u32>,
     links: Vec<Link>,
@@ -121,7 +126,7 @@ pub(super) struct Impacts {
     /// The time up to which impacts have been followed, s, and how often somebody set out on another way.
     clock: f64,
     departures: u32,
-    courses: [Vec<Course>; 2],
+    courses: Vec<[Course; 2]>,
     due: BinaryHeap<Due>,
     dt: f64,
     rest_speed: f64,
@@ -147,7 +152,7 @@ impl Impacts {
             chain: vec![NONE; all],
             links: Vec::with_capacity(8 * count),
             looks: vec![Looked::default(); all],
-            courses: [vec![Course::default(); all], vec![Course::default(); all]],
+            courses: vec![[Course::default(); 2]; all],
             due: BinaryHeap::with_capacity(4 * count),
             ..Self::default()
         }
@@ -162,22 +167,50 @@ impl Impacts {
         around: &mut Around<'_>,
         size: StepSize,
     ) -> bool {
+        self.begin(&contacts.tolerances, around.island, size);
+        let any = bodies.lively && self.any_due(bodies, around.island, (contacts, anchors));
+        if any {
+            self.follow_each(bodies, anchors, around, false);
+        }
+        any
+    }
+
+    /// The same for an island in which nothing touches and all pairs bounce: none of them has to be a contact. Returns false as soon as
+    /// something is left to the plastic solution.
+    pub fn follow_alone(
+        &mut self,
+        bodies: &mut Bodies,
+        (contacts, anchors): (&Contacts, &Anchors),
+        around: &mut Around<'_>,
+        size: StepSize,
+    ) -> bool {
+        self.begin(&contacts.tolerances, around.island, size);
+        self.follow_each(bodies, anchors, around, true)
+    }
+
+    fn begin(&mut self, tolerances: &Tolerances, island: Island<'_>, size: StepSize) {
         (self.dt, self.rest_speed) = (size.dt, size.rest_speed);
-        let island = around.island;
-        (self.touch, self.hair) = (contacts.tolerances.touch, contacts.tolerances.hair);
+        self.budget = if size.gas { BUDGET_OF_A_GAS } else { BUDGET };
+        (self.touch, self.hair) = (tolerances.touch, tolerances.hair);
         self.all.clear();
         self.any = false;
         for &i in island.members {
             self.struck[i as usize] = 0.0;
         }
-        if !bodies.lively || !self.any_due(bodies, island, (contacts, anchors)) {
-            return false;
-        }
+    }
+
+    /// Follows one impact after the other; `alone`: until one is left to the plastic solution. Returns whether none was.
+    fn follow_each(&mut self, bodies: &mut Bodies, anchors: &Anchors, around: &mut Around<'_>, alone: bool) -> bool {
+        let island = around.island;
         self.follow_ups += 1;
+        self.ends = false;
         self.gather(bodies, island, anchors, &around.reach.added);
-        self.allowed = BUDGET + BUDGET_OF_A_BODY * island.all.len() as u64;
+        self.allowed = self.budget + BUDGET_OF_A_BODY * island.all.len() as u64;
         let most = self.work + self.allowed;
         while let Some(due) = self.due.pop() {
+            if alone && self.ends {
+                break;
+            }
             if self.is_next(bodies, around, &due) {
                 self.go_on(bodies, anchors, around, (due, most));
                 if !self.stirred.is_empty() {
@@ -190,7 +223,7 @@ impl Impacts {
         for &i in island.members {
             self.predicted[i as usize] = [bodies.px[i as usize], bodies.py[i as usize]];
         }
-        true
+        !self.ends
     }
 
     /// Where a body is predicted, after impacts.
@@ -213,7 +246,7 @@ impl Impacts {
     pub fn began_across(&self, bodies: &Bodies, i: usize) -> f64 {
         match self.any && self.was_hit(i) {
             true if self.waits[i] => bodies.free_vx[i],
-            true => self.courses[0][i].velocity,
+            true => self.courses[i][0].velocity,
             false => bodies.vx[i],
         }
     }
@@ -243,7 +276,7 @@ impl Impacts {
                 return;
             }
             self.go_along(bodies, a, due.time);
-            let (of_a, of_b) = (&self.courses[due.axis][a], &self.courses[due.axis][b]);
+            let (of_a, of_b) = (&self.courses[a][due.axis], &self.courses[b][due.axis]);
             let side = if of_b.place(due.time) < of_a.place(due.time) { -1.0 } else { 1.0 };
             let speed = (of_a.speed(due.time) - of_b.speed(due.time)) * side;
             self.work += WORK_OF_AN_IMPACT;
@@ -275,7 +308,7 @@ impl Impacts {
         self.waiting += 1;
         self.waits[i] = true;
         self.hit_in[i] = self.follow_ups;
-        for (axis, course) in self.courses.iter_mut().map(|courses| &mut courses[i]).enumerate() {
+        for (axis, course) in self.courses[i].iter_mut().enumerate() {
             let (p, free) = if axis == 0 { (&mut bodies.px, &mut bodies.free_vx) } else { (&mut bodies.py, &mut bodies.free_vy) };
             p[i] = course.place(time);
             free[i] += course.speed(time) - course.speed(self.dt);
@@ -287,7 +320,7 @@ impl Impacts {
     /// From `time` on, body i waits no more: it goes on with the velocity that it has kept, and nothing pulls at it until the step ends.
     fn go_along(&mut self, bodies: &mut Bodies, i: usize, time: f64) {
         self.waits[i] = false;
-        for (axis, course) in self.courses.iter_mut().map(|courses| &mut courses[i]).enumerate() {
+        for (axis, course) in self.courses[i].iter_mut().enumerate() {
             let (p, kept) = if axis == 0 { (&mut bodies.px, bodies.free_vx[i]) } else { (&mut bodies.py, bodies.free_vy[i]) };
             *course = Course { at: p[i] - kept * time, velocity: kept, pull: 0.0 };
             p[i] += kept * (self.dt - time);
@@ -362,13 +395,13 @@ impl Impacts {
             true => Course::to(end, (at, velocity), dt),
             false => Course::by((velocity, end.1), at, dt),
         };
-        self.courses[0][i] = course(bodies.x[i], bodies.vx[i], (bodies.px[i], bodies.free_vx[i]));
-        self.courses[1][i] = match anchors.rests[i] {
+        self.courses[i][0] = course(bodies.x[i], bodies.vx[i], (bodies.px[i], bodies.free_vx[i]));
+        self.courses[i][1] = match anchors.rests[i] {
             true => Course { at: bodies.y[i], velocity: bodies.uy[i], pull: 0.0 },
             false => course(bodies.y[i], bodies.vy[i], (bodies.py[i], bodies.free_vy[i])),
         };
         let stands = |course: &Course| course.velocity == 0.0 && course.pull == 0.0;
-        self.still[i] = stands(&self.courses[0][i]) && stands(&self.courses[1][i]);
+        self.still[i] = stands(&self.courses[i][0]) && stands(&self.courses[i][1]);
         self.looks[i] = Looked { lane: self.lane(bodies, i, (0.0, self.dt)), next: f64::INFINITY, ..Looked::default() };
     }
 
@@ -412,8 +445,8 @@ impl Impacts {
         self.links.extend([Link { other: j, next: self.chain[a] }, Link { other: i, next: of_b }]);
         self.chain[a] = 2 * pair;
         if b >= bodies.len() {
-            self.courses[0][b] = Course { at: bodies.x[b], velocity: bodies.vx[b], pull: 0.0 };
-            self.courses[1][b] = Course { at: bodies.y[b], velocity: bodies.vy[b], pull: 0.0 };
+            self.courses[b][0] = Course { at: bodies.x[b], velocity: bodies.vx[b], pull: 0.0 };
+            self.courses[b][1] = Course { at: bodies.y[b], velocity: bodies.vy[b], pull: 0.0 };
             self.looks[b] = Looked { lane: self.lane(bodies, b, (0.0, self.dt)), ..Looked::default() };
         }
         true
