@@ -48,7 +48,11 @@ impl World {
                 }
             } else if plan.liquids || at_a_border {
                 let course = match ahead.get_mut(i).filter(|_| !at_a_border) {
-                    Some(ahead) => swim(&state.media, ahead, (body, force), scratch.touches[i], dt),
+                    Some(ahead) => {
+                        let Found { course, roughly } = swim(&state.media, ahead, (body, force), scratch.touches[i], dt);
+                        scratch.roughly[i] = roughly;
+                        course
+                    }
                     None => {
                         state.media.allow(BUDGET_OF_A_FLIGHT);
                         Some(flow_through(&state.media, body, &state.media.law(body, force, dt), dt))
@@ -76,22 +80,30 @@ fn note_touched(state: &State, touches: &mut Vec<bool>) {
     }
 }
 
-/// Where a body under a `force` (N) gets in a tick of `t` seconds near a liquid; none where there is none. What `touches` something is in an
-/// island, which finds out where it gets: all that is asked for is about whom it may meet.
-fn swim(media: &Media, ahead: &mut Ahead, (body, force): (&Body, DVec2), touches: bool, t: f64) -> Option<Course> {
+/// Where a body gets near a liquid, if there is one, and whether that is known roughly only.
+struct Found {
+    course: Option<Course>,
+    roughly: bool,
+}
+
+/// Where a body under a `force` (N) gets in a tick of `t` seconds near a liquid. What touches something is in an island, which finds out where it
+/// gets: all that is asked for is about whom it may meet. So it is with what was in one before; if it is alone now, that is found out then
+/// (`islands`).
+fn swim(media: &Media, ahead: &mut Ahead, (body, force): (&Body, DVec2), touches: bool, t: f64) -> Found {
     if !touches && let Some(course) = ahead.follow(media, body, force, t) {
-        return Some(course);
+        return Found { course: Some(course), roughly: false };
     }
     media.renew(&mut ahead.law, body, force, t);
     if !ahead.law.is_near_liquid() {
-        return None;
+        return Found { course: None, roughly: false };
     }
-    if touches {
+    if touches || !ahead.alone {
         media.allow_roughly(BUDGET_OF_A_FLOW);
-        return Some(flow_through(media, body, &ahead.law, t));
+        return Found { course: Some(ahead.flow(media, body, t)), roughly: true };
     }
     media.allow(BUDGET_OF_A_FLIGHT);
-    ahead.begin(media, body, force, t).or_else(|| Some(flow_through(media, body, &ahead.law, t)))
+    let course = ahead.begin(media, body, force, t).unwrap_or_else(|| ahead.flow(media, body, t));
+    Found { course: Some(course), roughly: false }
 }
 
 /// Notes the streams around a body in `scratch`. Returns the force on it (N), and whether it may cross the border of one within the tick.

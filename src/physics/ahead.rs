@@ -7,7 +7,7 @@
 
 use super::Body;
 use super::bath::Forms;
-use super::flow::{Course, Pose};
+use super::flow::{Course, Pose, flow_through};
 use super::liquid::series;
 use super::media::{Law, Media};
 use super::series::Series;
@@ -39,6 +39,8 @@ pub(super) struct Ahead {
     /// Ticks for which it is not foreseen, and the last such pause.
     pub pause: u8,
     pub last_pause: u8,
+    /// Whether the body was near nothing but a liquid in the last tick. What was not may be in an island again, which finds out where it gets.
+    pub alone: bool,
     /// The law around it, also as forms.
     pub law: Law,
     pub forms: Forms,
@@ -77,6 +79,13 @@ impl Ahead {
         self.go_to(media, body, t)
     }
 
+    /// Where a body is at the end of a tick of `t` seconds, found step by step.
+    pub fn flow(&mut self, media: &Media, body: &Body, t: f64) -> Course {
+        let course = flow_through(media, body, &self.law, t);
+        self.law.first = course.next;
+        course
+    }
+
     fn go_to(&mut self, media: &Media, body: &Body, at: f64) -> Option<Course> {
         let Law { constant, displaced, liquids, .. } = &self.law;
         let (x, v) = self.series.at(at);
@@ -91,6 +100,6 @@ impl Ahead {
         let waves = body.drag * displaced.waves(media, body, apart, liquids);
         // What has no velocity up or down may be in balance.
         let pull = (v.y != 0.0).then(|| self.forms.pull(*constant, apart, v, waves));
-        Some(Course { end: self.at, middle: None, pull })
+        Some(Course { end: self.at, time: at, next: f64::INFINITY, pull })
     }
 }

@@ -67,6 +67,13 @@ impl Drag {
         if self.round > 0.0 { box_ + self.round * u.length() } else { box_ }
     }
 
+    /// How s(u) changes with u, 1/m.
+    pub fn slope(&self, u: DVec2) -> DVec2 {
+        let box_ = DVec2::new(self.tall.copysign(u.x), self.wide.copysign(u.y));
+        let speed = u.length();
+        if self.round > 0.0 && speed > 0.0 { box_ + u * (self.round / speed) } else { box_ }
+    }
+
     /// −∂a/∂u along the axes, 1/s: how drag answers to a change of either component.
     pub fn stiffness(&self, u: DVec2) -> DVec2 {
         let speed = u.length();

@@ -4,7 +4,7 @@ use super::Body;
 use super::air::Drag;
 use super::displaced::{Bilinear, Displaced};
 use super::media::{Law, Media};
-use glam::DVec2;
+use glam::{DMat2, DVec2};
 use std::borrow::Cow;
 use std::ops::Deref;
 
@@ -21,6 +21,8 @@ const ROUNDED: f64 = 16.0 * f64::EPSILON;
 const SURELY: f64 = 1e-6;
 /// Work of a bath.
 const WORK_OF_A_BATH: u64 = 8;
+/// Work of its linearisation in all directions.
+const WORK_OF_SLOPES: u64 = 50;
 
 /// How the acceleration by the media answers to small changes of a state: what an implicit step needs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -29,6 +31,13 @@ pub(super) struct Stiffness {
     pub drag: DVec2,
     /// −∂a_y/∂y by buoyancy, 1/s², ≥ 0.
     pub lift: f64,
+}
+
+/// How the acceleration by the media changes with place, 1/s², and velocity, 1/s.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slopes {
+    pub place: DMat2,
+    pub speed: DMat2,
 }
 
 /// What all media together do to a body at a place, per mass.
@@ -178,6 +187,13 @@ impl<'a> Regime<'a> {
         self
     }
 
+    /// The same, and from now on what is near is only looked for closely around each place.
+    pub fn look_around(&mut self, x: DVec2) -> &Self {
+        self.media.look_around(self.law.to_mut(), self.body, x);
+        self.forms = self.forms.around(self.body, &self.law.displaced);
+        self
+    }
+
     /// Damping by waves, 1/s.
     #[inline]
     fn damping(&self, apart: DVec2) -> f64 {
@@ -207,6 +223,27 @@ impl<'a> Regime<'a> {
         self.forms.pull(constant, apart, v, self.damping(apart))
     }
 
+    /// How [`Regime::pull`] changes around `x` and `v`.
+    pub fn slopes(&self, x: DVec2, v: DVec2) -> Slopes {
+        self.media.spend(WORK_OF_SLOPES);
+        let (forms, apart) = (&self.forms, self.apart(x));
+        let (wet, dry) = forms.densities(apart);
+        let wetter = forms.density.slope(apart);
+        let drier = if dry > 0.0 { -forms.air * forms.fraction.slope(apart) } else { DVec2::ZERO };
+        let (rate, by_speed) = (forms.drag.rate(v), forms.drag.slope(v));
+        let drag = (wet + dry) * rate + forms.linear.at(apart);
+        let draggier = (wetter + drier) * rate + forms.linear.slope(apart);
+        let wavier = self.body.drag * self.slope_of_waves(self.media, self.body, apart, &self.law.liquids);
+        let down = -forms.lift * wetter - v.y * wavier;
+        let place = |by: f64, down: f64| -v * by + DVec2::new(0.0, down);
+        let speed = |by: f64| -v * ((wet + dry) * by);
+        let own = DVec2::new(drag, drag + self.damping(apart));
+        Slopes {
+            place: DMat2::from_cols(place(draggier.x, down.x), place(draggier.y, down.y)),
+            speed: DMat2::from_cols(speed(by_speed.x), speed(by_speed.y)) - DMat2::from_diagonal(own),
+        }
+    }
+
     /// Acceleration at `x` with velocity `v`, m/s².
     pub fn acceleration(&self, x: DVec2, v: DVec2) -> DVec2 {
         if v.y != 0.0 {
@@ -224,5 +261,41 @@ impl<'a> Regime<'a> {
     /// Whether the vertical forces on what has no vertical velocity, `left_over` by their sum (m/s²), balance but for rounding.
     pub fn balances(&self, bath: &Bath, x: DVec2, left_over: f64) -> bool {
         bath.fraction > 0.0 && left_over.abs() <= bath.rounding(self.law.constant, self.body, x.y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::{Aabb, BodyDef, FluidDef};
+
+    /// In the air, at a surface, across several, at the end of a pool; boxes and round things.
+    #[test]
+    fn the_slopes_are_those_of_the_acceleration() {
+        let pool = |top: f64, density: f64| FluidDef {
+            zone: Aabb::new(DVec2::new(-5.0, top), DVec2::new(5.0, 30.0)),
+            density,
+            viscosity: 3.0,
+        };
+        let media = Media::new(15.0, 1.2, (&[], &[]), vec![pool(0.0, 800.0), pool(0.3, 500.0)]);
+        for round in [false, true] {
+            for (x, v) in
+                [((1.0, -2.0), (2.0, 3.0)), ((1.0, 0.1), (2.0, -3.0)), ((5.2, 0.2), (-1.0, 4.0)), ((-4.8, 9.0), (0.5, -6.0))]
+            {
+                let (position, v) = (DVec2::from(x), DVec2::from(v));
+                let body = Body::new(&BodyDef { position, mass: 200.0, half: DVec2::new(0.4, 0.7), round, ..BodyDef::default() });
+                let law = media.law(&body, DVec2::ZERO, 0.0);
+                let regime = Regime::new(&media, &body, &law, position);
+                let Slopes { place, speed } = regime.slopes(position, v);
+                let pull = |x: DVec2, v: DVec2| regime.pull(law.constant, x, v);
+                let step = 1e-6;
+                for (axis, by) in [DVec2::X * step, DVec2::Y * step].into_iter().enumerate() {
+                    let by_place = (pull(position + by, v) - pull(position - by, v)) / (2.0 * step);
+                    let by_speed = (pull(position, v + by) - pull(position, v - by)) / (2.0 * step);
+                    assert!((place.col(axis) - by_place).length() < 1e-5, "{x:?}, axis {axis}: {place}, not {by_place}");
+                    assert!((speed.col(axis) - by_speed).length() < 1e-5, "{x:?}, axis {axis}: {speed}, not {by_speed}");
+                }
+            }
+        }
     }
 }

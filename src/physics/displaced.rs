@@ -111,6 +111,13 @@ impl Bilinear {
         let [a, b, c, d] = self.0;
         ((a + b * apart.x) + (c + d * apart.x) * apart.y).max(0.0)
     }
+
+    /// How it changes with the place, where it is not cut off at 0.
+    #[inline]
+    pub fn slope(&self, apart: DVec2) -> DVec2 {
+        let [_, b, c, d] = self.0;
+        if self.at(apart) > 0.0 { DVec2::new(b + d * apart.y, c + d * apart.x) } else { DVec2::ZERO }
+    }
 }
 
 /// A surface that cuts the body.
@@ -161,6 +168,24 @@ impl Cut {
         let fourth = (under * under) * (under * under);
         let swing = self.swing.unwrap_or_else(|| (self.pull * width).sqrt());
         (4.0 * WAVES * swing) * (ratio / (1.0 + ratio)) * (1.0 - fourth * fourth)
+    }
+
+    /// How the damping of its waves per C_d changes with the place, 1/(m·s).
+    fn slope_of_waves(&self, apart: DVec2) -> DVec2 {
+        let Extent { length, slope } = self.extent;
+        let width = self.width(apart);
+        let deep = (length.y + slope.y * apart.y).max(0.0);
+        let under = (self.under + self.sinks * apart.y).clamp(0.0, 1.0);
+        if width == 0.0 || deep == 0.0 || under == 0.0 || under == 1.0 {
+            return DVec2::ZERO;
+        }
+        let ratio = self.density * width * deep;
+        let (fourth, seventh) = (under.powi(4), under.powi(7));
+        // Of its three factors, as parts of each.
+        let by_ratio = DVec2::new(slope.x / width, slope.y / deep) / (1.0 + ratio);
+        let by_swing = if self.swing.is_some() { 0.0 } else { 0.5 * slope.x / width };
+        let fading = -8.0 * seventh * self.sinks / (1.0 - fourth * fourth);
+        self.waves(apart) * (by_ratio + DVec2::new(by_swing, fading))
     }
 
     /// Whether the body is wider in it where it is further to one side.
@@ -288,6 +313,14 @@ impl Displaced {
             return self.cuts[..self.count].iter().fold(0.0, |sum, cut| sum + cut.waves(apart));
         }
         self.all_cuts(media, body, liquids).fold(0.0, |sum, cut| sum + cut.waves(apart))
+    }
+
+    /// How that changes with the place, 1/(m·s).
+    pub fn slope_of_waves(&self, media: &Media, body: &Body, apart: DVec2, liquids: &ZoneList) -> DVec2 {
+        if self.count <= MOST_CUTS {
+            return self.cuts[..self.count].iter().fold(DVec2::ZERO, |sum, cut| sum + cut.slope_of_waves(apart));
+        }
+        self.all_cuts(media, body, liquids).fold(DVec2::ZERO, |sum, cut| sum + cut.slope_of_waves(apart))
     }
 
     /// The sum of their K/m, 1/s².

@@ -177,7 +177,7 @@ mod tests {
             let liquids = ZoneList::of(0..2);
             let near = Aabb::around(DVec2::ZERO, DVec2::splat(1e30));
             let constant = DVec2::new(0.0, media.gravity);
-            let law = Law { constant, air: media.air(&body), met: liquids, liquids, near, ..Law::default() };
+            let law = Law { constant, air: media.air(&body), wet: true, liquids, near, ..Law::default() };
             let regime = Regime::new(&media, &body, &law, position);
             let series = regime.series(constant, (position, velocity), 10.0).unwrap();
             let (h, mut looked) = (1e-4, 0);

@@ -22,8 +22,10 @@ pub(super) fn parabola((x, v): Pose, a: DVec2, t: f64) -> Pose {
 /// Where a flow leads.
 pub(super) struct Course {
     pub end: Pose,
-    /// When its step ended that ended nearest to half of its time, s, and where it was then, m, if there was more than one through a liquid.
-    pub middle: Option<(f64, DVec2)>,
+    /// How long it takes, s.
+    pub time: f64,
+    /// How long a next step through a liquid may be, s, if that is known.
+    pub next: f64,
     /// The acceleration at its end, m/s², if that came out of it.
     pub pull: Option<DVec2>,
 }
@@ -35,12 +37,17 @@ pub(super) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
 
 /// The same, and what is known besides.
 pub(super) fn flow_through(media: &Media, body: &Body, law: &Law, t: f64) -> Course {
+    flow_while(media, body, law, t, |_, _| true)
+}
+
+/// The same up to the last step through a liquid of which `goes_on`, told after how many seconds and where it ends, says so, or to the end of the first.
+pub(super) fn flow_while(media: &Media, body: &Body, law: &Law, t: f64, goes_on: impl FnMut(f64, Pose) -> bool) -> Course {
     if law.is_near_liquid() {
-        return swim(media, body, law, t);
+        return swim(media, body, law, t, goes_on);
     }
     let (end, steps) = fly_in_steps((body.position, body.velocity), law.constant, &law.air, t);
     media.spend(WORK_OF_A_STEP * u64::from(steps));
-    Course { end, middle: None, pull: None }
+    Course { end, time: t, next: f64::INFINITY, pull: None }
 }
 
 #[cfg(test)]
@@ -69,7 +76,7 @@ mod tests {
         let constant = DVec2::new(0.0, media.gravity) + drive / body.mass;
         let liquids = ZoneList::of(0..media.fluids.len() as u32);
         let near = Aabb::around(DVec2::ZERO, DVec2::splat(1e30));
-        let law = Law { constant, air: media.air(&body), met: liquids, liquids, near, ..Law::default() };
+        let law = Law { constant, air: media.air(&body), wet: true, liquids, near, ..Law::default() };
         Some((body, law))
     }
 

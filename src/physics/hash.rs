@@ -26,16 +26,17 @@ impl World {
             write(until.saturating_sub(*ticks));
             write(u64::from(*length) << 32 | u64::from(*hits));
         }
-        for ahead in ahead.iter().filter(|ahead| ahead.goes_on || ahead.pause > 0) {
+        for ahead in ahead.iter().filter(|ahead| ahead.goes_on || ahead.alone || ahead.pause > 0 || ahead.law.first != 0.0) {
             hash_ahead(ahead, write);
         }
     }
 }
 
-/// The law around it, and where the last tick left it, follow from what is written.
+/// What else is known of the law around it, and where the last tick left it, follow from what is written.
 fn hash_ahead(ahead: &Ahead, write: &mut impl FnMut(u64)) {
-    let Ahead { series, gone, goes_on, pause, last_pause, .. } = ahead;
-    write(u64::from(*goes_on) | u64::from(*pause) << 8 | u64::from(*last_pause) << 16);
+    let Ahead { series, gone, goes_on, alone, pause, last_pause, law, .. } = ahead;
+    write(law.first.to_bits());
+    write(u64::from(*goes_on) | u64::from(*alone) << 1 | u64::from(*pause) << 8 | u64::from(*last_pause) << 16);
     if *goes_on {
         series.terms.iter().for_each(|term| hash_vector(*term, write));
         [gone, &series.lasts].into_iter().for_each(|value| write(value.to_bits()));
@@ -99,7 +100,7 @@ mod tests {
     #[test]
     fn every_field_of_the_state_is_in_its_hash() {
         type Change = (&'static str, fn(&mut State));
-        let changes: [Change; 36] = [
+        let changes: [Change; 37] = [
             ("position", |state| state.bodies[1].position.y = 0.3),
             ("velocity", |state| state.bodies[1].velocity.x = 0.3),
             ("acceleration", |state| state.bodies[1].acceleration.x = 0.3),
@@ -135,6 +136,7 @@ mod tests {
             ("length of a pause", |state| state.pauses[1].length = 7),
             ("impacts before a pause", |state| state.pauses[1].hits = 7),
             ("flight foreseen", |state| state.ahead.push(Ahead { goes_on: true, ..Ahead::default() })),
+            ("flight of one alone", |state| state.ahead.push(Ahead { alone: true, ..Ahead::default() })),
             ("flight not foreseen", |state| state.ahead.push(Ahead { pause: 1, ..Ahead::default() })),
         ];
         let before = words(&world());

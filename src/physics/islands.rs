@@ -17,8 +17,8 @@
 //! on average.
 
 use super::Body;
-use super::events::{BUDGET_OF_A_FLOW, Events, Item, Outcome, Scene};
-use super::flow::flow;
+use super::events::{BUDGET_OF_A_FLIGHT, BUDGET_OF_A_FLOW, Events, Item, Outcome, Scene};
+use super::flow::{Course, flow, flow_through};
 use super::guards::Guards;
 use super::pile::{Advance, Store, Verdict};
 use super::scratch::{After, Dispute, NOBODY, Scratch, Stop, first_stop};
@@ -95,6 +95,23 @@ impl Tick<'_> {
         self.scratch.members.iter().any(|body| self.state.pauses[*body as usize].until > self.state.ticks)
     }
 
+    /// Lets a body fly that has turned out to be near nothing, and of which it is known roughly only where it gets.
+    fn fly(&mut self, store: &mut Store<'_>) -> Verdict {
+        let i = self.scratch.members[0];
+        let body = &self.state.bodies[i as usize];
+        self.scene.media.allow(BUDGET_OF_A_FLIGHT);
+        let Course { end: (position, velocity), pull, .. } =
+            flow_through(self.scene.media, body, &self.state.ahead[i as usize].law, self.scene.tick);
+        self.scratch.pulls[i as usize] = pull;
+        store.bring(i, position, velocity);
+        if store.is_swept(i) {
+            return Verdict::Taken { rests: false };
+        }
+        self.guards.islands_grown += 1;
+        store.widen(i, (position - body.position).abs());
+        Verdict::Grown
+    }
+
     /// Whether flights and impacts are all that there is, and those exact in the dense method too.
     fn is_gas(&self, store: &Store<'_>) -> bool {
         let State { bodies, media, .. } = self.state;
@@ -110,7 +127,7 @@ impl Tick<'_> {
     fn lead(&self, store: &mut Store<'_>, left: f64) {
         let Events { items, movable, streams, .. } = &self.scratch.events;
         for item in items[..*movable].iter().filter(|item| item.law.is_near_liquid() || !streams.is_empty()) {
-            self.scene.media.allow(BUDGET_OF_A_FLOW);
+            self.scene.media.allow_roughly(BUDGET_OF_A_FLOW);
             let (position, velocity) = flow(self.scene.media, &item.body, &item.law, left);
             store.lead(item.id, position, velocity);
         }
@@ -155,7 +172,8 @@ impl Tick<'_> {
 
 impl Advance for Tick<'_> {
     fn minds(&self, body: usize) -> bool {
-        self.scratch.floats[body] || self.scratch.touches.get(body).is_some_and(|touches| *touches)
+        let Scratch { floats, roughly, touches, .. } = &*self.scratch;
+        floats[body] || roughly[body] || touches.get(body).is_some_and(|touches| *touches)
     }
 
     fn advance(&mut self, store: &mut Store<'_>, round: usize) -> Verdict {
@@ -164,6 +182,9 @@ impl Advance for Tick<'_> {
         self.scratch.members.extend(store.members());
         self.scratch.members.sort_unstable();
         let count = store.len();
+        if store.is_alone() && self.scratch.roughly[self.scratch.members[0] as usize] {
+            return self.fly(store);
+        }
         let large = count > Choice::MOST_BY_EVENTS || self.scene.dense;
         if large || round > Choice::MOST_GROWTHS || self.pauses() || self.budget() == 0 {
             self.guards.dense_ticks += 1;

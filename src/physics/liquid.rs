@@ -6,7 +6,8 @@
 //! - wholly inside or wholly outside (the same bath all around), without Stokes' drag: flight through a denser air under less weight,
 //!   [`super::air`]; without quadratic drag: the exact flow of linear drag;
 //! - cut by the surface, without any drag: the exact sine of a body that bobs, ω = √(ρ·g·b/m);
-//! - otherwise explicit steps ([`super::explicit`]), or, where the body is left alone for some ticks, a power series ([`super::ahead`]);
+//! - otherwise steps by their own estimate of their error ([`super::steps`]), or, where the body is left alone for some ticks, a power series
+//!   ([`super::ahead`]);
 //! - where explicit steps would be hundreds because the linear part is stiff (a grain in treacle, a gram on water), or what is not linear is too
 //!   little to be felt: exponential steps
 //!   (M. Hochbruck, A. Ostermann, *Exponential integrators*, Acta Numerica 2010), the exact damped spring of the linearised law
@@ -17,12 +18,12 @@
 use super::Body;
 use super::air::{Drag, fly_through};
 use super::bath::{Bath, Forms, Regime};
-use super::explicit::Explicit;
 use super::flow::{Course, Pose};
 use super::impact_time::Cubic;
 use super::media::{Law, Media};
 use super::series::Series;
 use super::spring::spring;
+use super::steps::Steps;
 use super::tuning::TERMINAL_TOLERANCE;
 use glam::DVec2;
 
@@ -35,6 +36,12 @@ const DAMPED_REACH: f64 = 2.5;
 const FIRST: f64 = 0.1;
 /// Runge–Kutta steps from which on exponential steps cost less.
 const STIFF_STEPS: f64 = 200.0;
+/// Rate × time of a step from which on it is implicit, where drag has taken the body to the speed that its place gives it but for such a part.
+/// Smaller: more steps are implicit that explicit ones take for less; larger: more that their stability cuts short.
+const HEAVY: f64 = 4.0;
+const EVEN: f64 = 0.1;
+/// Rate × time from which on one such step is enough where nothing but a rough answer is needed.
+const AT_ONCE: f64 = 20.0;
 /// m. What is not linear may come to so much to be no more than a correction to the linear flow.
 const CALM: f64 = 1e-9;
 /// Rate × time from which on the flow of the linearised law may be of use.
@@ -42,8 +49,9 @@ const CALM_REACH: f64 = 3.0;
 /// Steps of one call, at most; or as many as media may take ([`Media::allow`]). What needs more leaves and meets the surface hundreds of times
 /// within a tick; one implicit step leads it through what is left ([`Swimmer::leap`]).
 const MOST_STEPS: u32 = 4096;
-/// How much a step grows or shrinks by its error, at most, and what of that it does to be sure.
+/// How much a step grows by its error, at most, how much it shrinks, and what of that it does to be sure.
 const GROWTH: f64 = 3.0;
+const SHRINKAGE: f64 = 0.05;
 const CAUTION: f64 = 0.75;
 /// How often the end of an exact step is brought nearer to the kink that it passes.
 const MOST_CUTS: u32 = 8;
@@ -52,8 +60,11 @@ const HALVINGS: u32 = 100;
 /// Places on a stiff step at which the body is looked for beyond a kink.
 const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 /// Trials of the velocity that an implicit step seeks, at most; and what is exact enough, as a part of it.
-const LEAP_TRIALS: u32 = 100;
+const LEAP_TRIALS: usize = 100;
 const LEAP_TOLERANCE: f64 = 1e-13;
+const ROUGH_LEAP: f64 = 1e-4;
+/// Trials after which every other one halves what is left to search.
+const SURE_TRIALS: usize = 4;
 /// What a third of an exponential step comes to, baths left out.
 const WORK_OF_A_STEP: u64 = 80;
 /// What moves faster than by so many roundings is not at rest.
@@ -74,8 +85,8 @@ enum Kind {
     Air(f64),
     /// By the flow of linear drag, or of a spring.
     Linear,
-    /// By steps: the rates of all and of its linear part, 1/s, and how long an explicit step may be, s.
-    Neither { rate: f64, stiff: f64, most: f64 },
+    /// By steps: the rates of all, of its linear part, and of its drag beyond that of what bobs, 1/s, and how long an explicit step may be, s.
+    Neither { rate: f64, stiff: f64, most: f64, heavy: f64 },
 }
 
 /// How a step ends.
@@ -89,39 +100,43 @@ pub(super) struct Taken {
     pub pull: Option<DVec2>,
 }
 
-/// Where `body` is after `t` seconds under `law`.
-pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64) -> Course {
+/// Where `body` is after `t` seconds under `law`; or at the end of the last step of which `goes_on` says so, or of the first.
+pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64, mut goes_on: impl FnMut(f64, Pose) -> bool) -> Course {
     let swimmer = Swimmer { media, body, law };
     let mut pose = (body.position, body.velocity);
     let mut regime = Regime::new(media, body, law, pose.0);
-    let (mut left, mut h) = (t, f64::INFINITY);
-    let (mut middle, mut pull, mut bobs) = (None, None, true);
-    for _ in 0..MOST_STEPS {
+    let (mut left, mut h) = (t, if law.first > 0.0 { law.first } else { f64::INFINITY });
+    let (mut pull, mut bobs) = (None, true);
+    let most = if media.is_rough() && swimmer.is_heavy(&regime, pose, t) { 0 } else { MOST_STEPS };
+    for _ in 0..most {
         if left <= 0.0 || media.is_spent() {
             break;
         }
         regime.follow(pose.0);
         let (bath, constant, floats) = swimmer.look(&regime, pose);
         if floats && pose.1.x == 0.0 && constant.x == 0.0 {
-            return Course { end: pose, middle, pull: None };
+            return Course { end: pose, time: t, next: h, pull: None };
         }
         let taken = swimmer.take(&regime, &bath, constant, pose, (h, left));
-        let y = pose.0.y;
+        let (before, begun, last) = (pose, left, pull);
         (pose, pull) = (taken.end, taken.pull);
         bobs = true;
         if floats {
-            (pose.0.y, pose.1.y) = (y, 0.0);
+            (pose.0.y, pose.1.y) = (before.0.y, 0.0);
         } else if regime.holds(pose.0) {
-            bobs = pose.1.y.abs() * bath.stiffness.sqrt() <= NEARLY * bath.rounding(law.constant, body, y);
+            bobs = pose.1.y.abs() * bath.stiffness.sqrt() <= NEARLY * bath.rounding(law.constant, body, before.0.y);
         } else {
             pull = None;
         }
         left -= taken.time;
-        h = taken.next;
-        let nearer = |(at, _): &(f64, DVec2)| (t - left - 0.5 * t).abs() < (at - 0.5 * t).abs();
-        if left > 0.0 && middle.as_ref().is_none_or(nearer) {
-            middle = Some((t - left, pose.0));
+        if !goes_on(t - left, pose) {
+            if begun < t {
+                (pose, left, pull) = (before, begun, last);
+            }
+            return Course { end: pose, time: t - left, next: h, pull };
         }
+        // What was cut off to end here says nothing about the next step.
+        h = if left <= 0.0 && h.is_finite() { taken.next.max(h) } else { taken.next };
     }
     if left > 0.0 {
         media.end_early();
@@ -132,7 +147,7 @@ pub(super) fn swim(media: &Media, body: &Body, law: &Law, t: f64) -> Course {
     }
     // What has no velocity up or down may be in balance.
     let pull = pull.filter(|_| pose.1.y != 0.0);
-    Course { end: pose, middle, pull }
+    Course { end: pose, time: t, next: h, pull }
 }
 
 /// The series of a motion under `law` from here on, and that law around here, if it holds for `least` seconds, nothing else tells the motion, and it is not about to come
@@ -169,6 +184,17 @@ impl Swimmer<'_> {
         (bath, constant, floats)
     }
 
+    /// Whether a liquid takes a body to the speed that its place gives it long before `t` seconds are over: one implicit step then says roughly
+    /// where it gets.
+    fn is_heavy(&self, regime: &Regime, pose: Pose, t: f64) -> bool {
+        let (bath, constant, _) = self.look(regime, pose);
+        match self.kind(regime, &bath, DVec2::new(constant.x, constant.y - bath.lift), pose.1) {
+            Kind::Settled(_) | Kind::Linear => false,
+            Kind::Air(longest) => t > AT_ONCE * longest,
+            Kind::Neither { heavy, .. } => heavy * t > AT_ONCE,
+        }
+    }
+
     /// Ends a bobbing of which nothing is left but rounding.
     fn come_to_rest(&self, regime: &mut Regime, (x, v): &mut Pose) {
         let bath = regime.follow(*x).bath(*x);
@@ -184,34 +210,30 @@ impl Swimmer<'_> {
     /// energy however long it is, and no speed but from constant forces; so it may be off, but leads neither away nor back.
     fn leap(&self, regime: &mut Regime, (x, v): Pose, h: f64) -> Pose {
         let constant = self.law.constant;
-        let bath = regime.follow(x).bath(x);
+        // It asks for places all over.
+        let bath = regime.look_around(x).bath(x);
         let across = (v.x + h * constant.x) / (1.0 + h * (bath.drag.rate(v) + bath.linear));
         let beside = x.x + h * across;
-        // v′ − v − h·a(x + h·v′, v′), which rises with v′, and its slope.
-        let mut excess = |speed: f64| {
-            let (x, v_there) = (DVec2::new(beside, x.y + h * speed), DVec2::new(across, speed));
-            let bath = regime.follow(x).bath(x);
-            let answer = bath.answer(v_there);
-            (speed - v.y - h * bath.acceleration(constant, v_there).y, 1.0 + h * (answer.drag.y + h * answer.lift))
-        };
-        // Within what gravity and all liquids could do to a body.
-        let area = 4.0 * self.body.half.x * self.body.half.y;
-        let lift = self.media.liquids(self.law).fold(0.0, |sum, (_, fluid)| sum + fluid.density * area);
-        let most = h * (constant.y.abs() + self.media.gravity.abs() * lift / self.body.mass);
-        let (mut low, mut high) = (v.y.min(0.0) - most, v.y.max(0.0) + most);
-        let mut down = v.y;
-        let mut found = false;
-        for _ in 0..LEAP_TRIALS {
-            let (over, slope) = excess(down);
-            if over < 0.0 {
-                low = down
-            } else {
-                high = down
-            }
-            let newton = down - over / slope;
-            let inside = newton > low && newton < high;
-            let next = if inside { newton } else { 0.5 * (low + high) };
-            found = (next - down).abs() <= LEAP_TOLERANCE * down.abs();
+        let tolerance = if self.media.is_rough() { ROUGH_LEAP } else { LEAP_TOLERANCE };
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let (mut down, mut found) = (v.y, false);
+        for trial in 0..LEAP_TRIALS {
+            // v′ − v − h·a(x + h·v′, v′) rises with v′, by at least as much.
+            let (there, speed) = (DVec2::new(beside, x.y + h * down), DVec2::new(across, down));
+            let bath = regime.follow(there).bath(there);
+            let over = down - v.y - h * bath.acceleration(constant, speed).y;
+            (low, high) = if over < 0.0 { (down, high.min(down - over)) } else { (low.max(down - over), down) };
+            // Where what drags and lifts there changes no more than linearly with the depth: p·v′ + q·v′·|v′| = r.
+            let Bath { drag, linear, waves, stiffness, lift, .. } = bath;
+            let (along, aside) = if down == 0.0 { (0.0, across.abs()) } else { (speed.length() / down.abs(), 0.0) };
+            let p = 1.0 + h * (linear + waves + drag.tall * across.abs() + drag.round * aside) + h * h * stiffness;
+            let q = h * (drag.wide + drag.round * along);
+            let r = v.y + h * (constant.y - lift) + h * h * stiffness * down;
+            let guess = 2.0 * r / (p + (p * p + 4.0 * q * r.abs()).sqrt());
+            // Across kinks it may lead to and fro.
+            let inside = guess > low && guess < high && (trial < SURE_TRIALS || trial % 2 == 0);
+            let next = if inside { guess } else { 0.5 * (low + high) };
+            found = (next - down).abs() <= tolerance * down.abs();
             down = next;
             if found {
                 break;
@@ -241,7 +263,13 @@ impl Swimmer<'_> {
         // The greater eigenvalue of what drag answers is 2·s(v); at once it may be as fast as at its terminal velocity.
         let drag = 2.0 * fastest + bath.linear + bath.waves;
         let bobs = bath.stiffness.sqrt();
-        Kind::Neither { rate: drag + bobs, stiff: bath.linear + bath.waves + bobs, most: (REACH / bobs).min(DAMPED_REACH / drag) }
+        let heavy = drag - bobs;
+        Kind::Neither {
+            heavy,
+            rate: drag + bobs,
+            stiff: bath.linear + bath.waves + bobs,
+            most: (REACH / bobs).min(DAMPED_REACH / drag),
+        }
     }
 
     /// One step of at most `h` of the `left` seconds.
@@ -266,10 +294,13 @@ impl Swimmer<'_> {
             Kind::Neither { stiff, .. } if stiff * left > CALM_REACH && self.is_calm(bath, free, pose.1) => {
                 self.take_stiff(regime, bath, constant, pose, (h.min(left), left))
             }
-            Kind::Neither { rate, most, .. } => {
-                let explicit = Explicit { media: self.media, regime, bath, constant };
-                let h = if h < left { h } else { h.min(explicit.first(pose.1, rate, left)) };
-                explicit.take(pose, h.min(most).min(left), left).unwrap_or_else(|shortest| {
+            Kind::Neither { rate, most, heavy, .. } => {
+                let implicit = heavy * h.min(left) > HEAVY && is_even(bath.acceleration(constant, pose.1), pose.1, heavy);
+                let slopes = implicit.then(|| regime.slopes(pose.0, pose.1));
+                let steps = Steps { media: self.media, regime, bath, constant, slopes };
+                let first = if implicit || h.is_finite() { h } else { steps.first(pose.1, rate, left) };
+                let most = if implicit { left } else { most.min(left) };
+                steps.take(pose, first.min(most), left).unwrap_or_else(|shortest| {
                     let end = self.leap(&mut regime.clone(), pose, shortest);
                     Taken { time: shortest, end, next: shortest, pull: None }
                 })
@@ -360,6 +391,11 @@ fn stays_within(regime: &Regime, bath: &Bath, free: DVec2, (x, v): Pose, t: f64)
     regime.holds_around(DVec2::new(x.x, x.y + sinks), DVec2::new(reach.x, amplitude))
 }
 
+/// Whether a body, accelerated by `pull`, has come to the speed that its place gives it in a law of that rate, 1/s, but for a small part.
+fn is_even(pull: DVec2, v: DVec2, rate: f64) -> bool {
+    pull.length() < EVEN * rate * v.length()
+}
+
 /// The terminal velocity of what is the same all around, if `v` has reached it; `free` is what pulls besides drag, m/s².
 fn settled(bath: &Bath, free: DVec2, v: DVec2) -> Option<DVec2> {
     // Along the pull, u = λ·A with λ²·s(A) + λ·c = 1.
@@ -384,5 +420,5 @@ fn linear_flow(bath: &Bath, constant: DVec2, (x, v): Pose, t: f64) -> Pose {
 pub(super) fn step_factor(root: f64) -> f64 {
     let factor = CAUTION / root;
     // What is no number is too long.
-    if factor >= 1.0 / GROWTH { factor.min(GROWTH) } else { 1.0 / GROWTH }
+    if factor >= SHRINKAGE { factor.min(GROWTH) } else { SHRINKAGE }
 }

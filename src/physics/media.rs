@@ -32,9 +32,13 @@ use std::cell::Cell;
 
 /// What a search for liquids comes to, in units of work as in `events`: about a nanosecond.
 const WORK_OF_A_SEARCH: u64 = 60;
+/// What a step may be off by where nothing but a rough answer is needed, as a part of its way.
+const ROUGH: f64 = 1e-3;
 /// Of more liquids than these only such are looked at that are no further away than so many halves of the body.
 const MANY: u32 = 12;
-const NEAR: f64 = 4.0;
+const NEAR: f64 = 1.0;
+/// The same where only one place is of interest.
+const CLOSE: f64 = 1.125;
 
 /// The media of a world.
 #[derive(Clone, Debug)]
@@ -65,18 +69,20 @@ pub(super) struct Law {
     pub constant: DVec2,
     /// Drag of the air.
     pub air: Drag,
-    /// The liquids that it may meet, and those near it: all that touch this box, m.
-    pub met: ZoneList,
+    /// Whether it may meet some liquid, and those near it: all that touch this box, m.
+    pub wet: bool,
     pub liquids: ZoneList,
     pub near: Aabb,
     /// What it displaces of them around where it was when that was last asked for.
     pub displaced: Displaced,
+    /// How long the first step of its motion may be, s, as far as that is known from what went before.
+    pub first: f64,
 }
 
 impl Law {
     /// Whether some liquid is so near that it may be met.
     pub fn is_near_liquid(&self) -> bool {
-        !self.met.is_empty()
+        self.wet
     }
 
     /// Whether nothing acts that depends on place or velocity.
@@ -126,6 +132,16 @@ impl Media {
     pub fn allow_roughly(&self, work: u64) {
         self.allow(work);
         self.roughly.set(true);
+    }
+
+    /// Whether nothing but a rough answer is needed.
+    pub fn is_rough(&self) -> bool {
+        self.roughly.get()
+    }
+
+    /// What a step may be off by besides, as a part of its way.
+    pub fn roughness(&self) -> f64 {
+        if self.roughly.get() { ROUGH } else { 0.0 }
     }
 
     /// Whether they have taken that.
@@ -181,15 +197,15 @@ impl Media {
         // Half its size besides: what others push may meet a liquid earlier.
         let (around, way) = (body.half * 1.5, (body.velocity.abs() + law.constant.abs() * t) * t);
         law.near = Aabb::around(body.position, around + way);
-        law.met = self.wet.near(&law.near, 0.0);
-        law.liquids = law.met;
-        if !law.is_near_liquid() {
-            return;
-        }
-        let short = way.min(body.half * NEAR);
-        if law.met.len() > MANY && short != way {
-            law.near = Aabb::around(body.position, around + short);
-            law.liquids = self.wet.near(&law.near, 0.0);
+        self.spend(WORK_OF_A_SEARCH);
+        if let Some(few) = self.wet.few_near(&law.near, MANY) {
+            (law.liquids, law.wet) = (few, !few.is_empty());
+            if few.is_empty() {
+                return;
+            }
+        } else {
+            law.near = Aabb::around(body.position, around + way.min(body.half * NEAR));
+            (law.liquids, law.wet) = (self.wet.near(&law.near, 0.0), true);
         }
         self.follow(law, body, body.position);
     }
@@ -201,6 +217,14 @@ impl Media {
             law.near = Aabb::around(x, law.near.size() * 0.5);
             law.liquids = self.wet.near(&law.near, 0.0);
         }
+        law.displaced.renew(self, body, x, (&law.liquids, &law.near));
+    }
+
+    /// The same, looking for liquids no further than a little around the body, now and when it follows on from there.
+    pub fn look_around(&self, law: &mut Law, body: &Body, x: DVec2) {
+        self.spend(WORK_OF_A_SEARCH);
+        law.near = Aabb::around(x, body.half * CLOSE);
+        law.liquids = self.wet.near(&law.near, 0.0);
         law.displaced.renew(self, body, x, (&law.liquids, &law.near));
     }
 
@@ -219,11 +243,6 @@ impl Media {
     /// Whether a box touches a liquid.
     pub fn wets(&self, near: &Aabb) -> bool {
         self.wet.any(near)
-    }
-
-    /// The liquids that a law may meet, with their indices.
-    pub fn liquids<'a>(&'a self, law: &'a Law) -> impl Iterator<Item = (u32, &'a FluidDef)> {
-        law.met.iter().map(|index| (index, &self.fluids[index as usize]))
     }
 
     /// Acceleration of a body at `x` with velocity `v` under `law`, m/s².
@@ -262,9 +281,9 @@ impl Media {
             let bath = regime.bath(x);
             return of(&bath.drag, bath.linear + bath.waves, bath.stiffness);
         }
-        // It may come to be wholly inside all of them.
-        let sum = |sum: (f64, f64), (_, fluid): (u32, &FluidDef)| (sum.0 + fluid.density, sum.1 + fluid.viscosity);
-        let (density, viscosity) = self.liquids(law).fold((0.0, 0.0), sum);
+        // It may come to be wholly inside all that are near.
+        let sum = |sum: (f64, f64), fluid: &FluidDef| (sum.0 + fluid.density, sum.1 + fluid.viscosity);
+        let (density, viscosity) = law.liquids.iter().map(|index| &self.fluids[index as usize]).fold((0.0, 0.0), sum);
         let stiffness = density * self.gravity.abs() * 2.0 * body.half.x / body.mass;
         let linear = STOKES * viscosity * (body.half.x + body.half.y) / body.mass + 2.0 * WAVES * body.drag * stiffness.sqrt();
         of(&law.air.plus(&Drag::of(body, density)), linear, stiffness)
@@ -335,10 +354,11 @@ mod tests {
         Law {
             constant: DVec2::new(0.0, media.gravity),
             air: media.air(body),
-            met: ZoneList::of(0..media.fluids.len() as u32),
+            wet: true,
             liquids: ZoneList::of(0..media.fluids.len() as u32),
             near: Aabb::around(DVec2::ZERO, DVec2::splat(1e30)),
             displaced: Displaced::default(),
+            first: 0.0,
         }
     }
 

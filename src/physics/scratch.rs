@@ -98,6 +98,8 @@ pub(super) struct Scratch {
     pub touches: Vec<bool>,
     /// What pulls at each body where its flight through liquids ends, m/s², if that came out of it.
     pub pulls: Vec<Option<DVec2>>,
+    /// Bodies of which it is known roughly only where they get.
+    pub roughly: Vec<bool>,
     /// Bodies that stand still although nothing holds them: they may fall asleep.
     pub floats: Vec<bool>,
     /// Of the present island: its bodies, and the surfaces near it.
@@ -129,15 +131,18 @@ impl Scratch {
         if self.after.len() == bodies {
             for &i in looked_at {
                 let i = i as usize;
-                (self.after[i], self.used[i], self.floats[i], self.pulls[i]) = (After::default(), 0, false, None);
+                (self.after[i], self.used[i], self.pulls[i]) = (After::default(), 0, None);
+                (self.floats[i], self.roughly[i]) = (false, false);
             }
         } else {
             self.after.clear();
             self.after.resize(bodies, After::default());
             self.used.clear();
             self.used.resize(bodies, 0);
-            self.floats.clear();
-            self.floats.resize(bodies, false);
+            for flags in [&mut self.floats, &mut self.roughly] {
+                flags.clear();
+                flags.resize(bodies, false);
+            }
             self.around.clear();
             self.pulls.clear();
             self.pulls.resize(bodies, None);

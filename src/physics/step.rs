@@ -194,7 +194,7 @@ impl World {
     fn commit(&mut self, dt: f64) {
         self.count_hits();
         let Self { state, scratch, pile, .. } = self;
-        let State { bodies, known, held, media, drives, pauses, ticks, .. } = state;
+        let State { bodies, known, held, media, drives, pauses, ahead, ticks, .. } = state;
         for &i in pile.looked_at() {
             let i = i as usize;
             let after = &scratch.after[i];
@@ -202,6 +202,9 @@ impl World {
             pauses[i].go_on(after, scratch.after[after.leader as usize].hits, *ticks);
             if after.members == 0 && pile.is_sleeping(i) {
                 continue;
+            }
+            if let Some(ahead) = ahead.get_mut(i) {
+                ahead.alone = after.members == 0 && ahead.law.wet;
             }
             (body.position, body.velocity) = (pile.position(i), pile.velocity(i));
             (known[i], held[i]) = (after.known, after.held);

@@ -145,6 +145,22 @@ impl ZoneTree {
         }
     }
 
+    /// The zones that a box touches, if they are no more than `most`.
+    pub fn few_near(&self, near: &Aabb, most: u32) -> Option<ZoneList> {
+        let (mut list, mut at) = (ZoneList::default(), 0);
+        while let Some(node) = self.nodes.get(at) {
+            let touches = near.touches(&node.bounds, 0.0);
+            if touches && node.zone != INNER {
+                if list.count == most {
+                    return None;
+                }
+                list.add(node.zone);
+            }
+            at = if touches { at + 1 } else { node.skip as usize };
+        }
+        Some(list)
+    }
+
     /// The zones that a box touches.
     pub fn near(&self, near: &Aabb, slop: f64) -> ZoneList {
         let mut list = ZoneList::default();
@@ -182,6 +198,8 @@ mod tests {
                 let listed: Vec<u32> = list.iter().collect();
                 assert!(all.iter().all(|zone| listed.contains(zone)) && listed.is_sorted(), "{listed:?}, not {all:?}");
                 assert!(all.len() > FEW || listed == all);
+                let few = tree.few_near(&near, 3).map(|list| list.iter().collect::<Vec<u32>>());
+                assert_eq!(few, (all.len() <= 3).then_some(all.clone()));
                 assert_eq!((list.is_empty(), tree.any(&near)), (all.is_empty(), !all.is_empty()));
             }
         }

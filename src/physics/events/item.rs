@@ -2,7 +2,7 @@
 
 use super::track::Track;
 use crate::physics::bath::Regime;
-use crate::physics::flow::{Course, Pose, flow, flow_through, parabola};
+use crate::physics::flow::{Pose, flow, flow_while, parabola};
 use crate::physics::impact_time::Cubic;
 use crate::physics::media::{Law, Media};
 use crate::physics::surface::Surface;
@@ -17,6 +17,11 @@ const MOST_STEPS: f64 = 64.0;
 /// m. How far a cubic may be beside the way that it follows. Larger: what rises through a surface is met beside its way; smaller: ways are foreseen
 /// in more parts.
 const STRAY: f64 = 1e-5;
+/// How far a cubic is at most beside a quartic that begins alike and ends at one place with it, by the time that takes and the difference of the
+/// speeds there.
+const BESIDE: f64 = 27.0 / 256.0;
+/// Steps of a flow that one cubic follows, at most.
+const MOST_NODES: usize = 16;
 /// s. Shorter parts are not worth it.
 const SHORTEST: f64 = 1e-9;
 /// Work of one step of a slide, what media do not count left out.
@@ -270,20 +275,34 @@ impl Item {
     }
 
     /// A cubic that is right at once, so that things that bounce on each other thousands of times a second meet when they should; where it ends;
-    /// and, within [`STRAY`], in the midst of it: a way that enters or leaves a liquid has a kink, and is followed in shorter parts.
+    /// and, within [`STRAY`], at the end of each step of a flow through liquids: what enters one, or has just been thrown into it, is followed in
+    /// shorter parts.
     fn foresee_flow(&mut self, media: &Media) -> Cubic {
         let (x, v) = (self.body.position, self.body.velocity);
         let a = media.acceleration(&self.body, &self.law, x, v);
+        let to = |t: f64, end: DVec2| Cubic { c: [x, v, a * 0.5, (end - x - (v + a * (0.5 * t)) * t) / (t * t * t)] };
         loop {
-            let t = self.until - self.since;
-            let Course { end, middle, .. } = flow_through(media, &self.body, &self.law, t);
-            let way = Cubic { c: [x, v, a * 0.5, (end.0 - x - (v + a * (0.5 * t)) * t) / (t * t * t)] };
-            let strays = middle.is_some_and(|(at, place)| way.from(at).c[0].distance(place) > STRAY);
-            if !strays || t <= SHORTEST {
-                self.end = Some((self.since, self.until, end));
-                return way;
+            let (mut passed, mut count, mut fits) = ([(0.0, DVec2::ZERO); MOST_NODES], 0, true);
+            let course = flow_while(media, &self.body, &self.law, self.until - self.since, |t, (place, speed)| {
+                let way = to(t, place);
+                // It goes beside one that ends as fast as the flow does.
+                let beside = (way.from(t).c[1] - speed).abs().max_element() * t * BESIDE;
+                let strays = |(at, place): &(f64, DVec2)| way.from(*at).c[0].distance(*place) > STRAY;
+                let follows = beside <= STRAY && !passed[..count].iter().any(strays);
+                fits &= follows || count > 0;
+                if follows && count < MOST_NODES {
+                    passed[count] = (t, place);
+                    count += 1;
+                }
+                follows && count < MOST_NODES
+            });
+            self.until = self.since + course.time;
+            self.law.first = course.next;
+            if fits || course.time <= SHORTEST {
+                self.end = Some((self.since, self.until, course.end));
+                return to(course.time, course.end.0);
             }
-            self.until = self.since + 0.5 * t;
+            self.until = self.since + 0.5 * course.time;
         }
     }
 }

@@ -49,12 +49,16 @@ const WORK_OF_AN_ITEM: u64 = 120;
 const WORK_OF_A_CONTACT: u64 = 80;
 /// What each item that an event has to look at adds to its work.
 const WORK_OF_A_LOOK: u64 = 2;
+/// Once it has taken one of so many parts of the budget to go on with ways through liquids, such a part of the tick has to be over: else the island
+/// is handed over at once, as all of the budget would be used up before half of the tick is over.
+const PART_FOR_WAYS: u64 = 4;
+const PROGRESS: f64 = 1.0 / 8.0;
 /// As a part of a tick: what happens so near to its end is left to the next one.
 const END: f64 = 1e-12;
 /// What each stream that an item may cross adds.
 const WORK_OF_A_BORDER: u64 = 8;
 /// What the free flight of a body near zones may use up in a tick, what each stream that it may cross adds, and at most.
-pub(super) const BUDGET_OF_A_FLIGHT: u64 = 20_000;
+pub(super) const BUDGET_OF_A_FLIGHT: u64 = 12_000;
 const BUDGET_OF_A_STREAM: u64 = 1_000;
 const MOST_OF_A_FLIGHT: u64 = 80_000;
 /// What the flow of a body may, where nothing but a rough answer is needed.
@@ -152,6 +156,8 @@ pub(super) struct Events {
     work: u64,
     taken_before: u64,
     budget: u64,
+    /// What of that went on with ways through liquids.
+    on_ways: u64,
     grown: bool,
     /// Whether anything of the island bounces: what does elsewhere is of no concern to it.
     bounces: bool,
@@ -234,7 +240,7 @@ impl Events {
             if self.grown {
                 return Outcome::Grown;
             }
-            if self.spent(scene) > budget {
+            if self.spent(scene) > budget || self.is_hopeless(scene) {
                 if self.now >= scene.tick * (1.0 - END) {
                     break;
                 }
@@ -249,7 +255,7 @@ impl Events {
             self.now = next.at;
             // Whatever an event is, it is counted: no chain of them goes on for ever.
             self.work += WORK_OF_AN_ITEM + WORK_OF_A_LOOK * self.items.len() as u64;
-            if self.spent(scene) > budget {
+            if self.spent(scene) > budget || self.is_hopeless(scene) {
                 continue;
             }
             if self.is_void(&next) {
@@ -264,6 +270,11 @@ impl Events {
         self.follow_surfaces();
         self.settle(scene);
         Outcome::Done
+    }
+
+    /// Whether to foresee ways through liquids, part by part, takes so much that the budget will by far not last for the tick.
+    fn is_hopeless(&self, scene: &Scene) -> bool {
+        self.on_ways > self.budget / PART_FOR_WAYS && self.now < scene.tick * PROGRESS
     }
 
     /// Contacts and accelerations before the first tick: no impact is resolved yet.
@@ -335,7 +346,7 @@ impl Events {
     /// Makes room for all items.
     fn clear_buffers(&mut self) {
         let (all, bodies) = (self.items.len(), self.movable);
-        (self.now, self.work, self.grown) = (0.0, 0, false);
+        (self.now, self.work, self.on_ways, self.grown) = (0.0, 0, 0, false);
         for vectors in [&mut self.masses, &mut self.free, &mut self.solved, &mut self.speeds, &mut self.means] {
             vectors.clear();
             vectors.resize(bodies, DVec2::ZERO);

@@ -29,14 +29,18 @@ const PART_OF_A_CROSSING: f64 = 0.5;
 /// beside its way.
 const BENT: f64 = 1e-3;
 
-/// s from the tick's start. How long the cubic of something that moves through a medium follows its flow.
+/// s from the tick's start. How long the cubic of something that moves through a medium follows its flow; that of a flow through liquids is
+/// looked at as it is foreseen.
 fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
-    let (reach, shortest) =
-        if item.law.is_near_liquid() { (CUBIC_REACH_IN_LIQUID, SHORTEST_IN_LIQUID) } else { (CUBIC_REACH, SHORTEST) };
+    let wet = item.law.is_near_liquid();
+    if wet && item.motion == Motion::Flow {
+        return scene.tick;
+    }
+    let (reach, shortest) = if wet { (CUBIC_REACH_IN_LIQUID, SHORTEST_IN_LIQUID) } else { (CUBIC_REACH, SHORTEST) };
     let pose = (item.body.position, item.body.velocity);
     let rate = scene.media.rate(&item.body, &item.law, pose, scene.tick - item.since);
     let (mut long, least) = (reach / rate, scene.tick * shortest);
-    if item.law.is_near_liquid() {
+    if wet {
         long = long.min((item.body.half / pose.1.abs()).min_element() * PART_OF_A_CROSSING);
     }
     if long >= least {
@@ -271,6 +275,7 @@ impl Events {
 
     /// Goes on with a flow that was foreseen up to now only, or with the next leg of a surface's path.
     pub(super) fn renew(&mut self, scene: &Scene, i: usize) {
+        let before = self.spent(scene);
         let (position, velocity) = self.items[i].pose(scene.media, self.now);
         let item = &mut self.items[i];
         (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
@@ -281,6 +286,9 @@ impl Events {
         self.foresee(scene, i);
         self.work += WORK_OF_AN_ITEM;
         self.predict(scene, i);
+        if self.items[i].law.is_near_liquid() {
+            self.on_ways += self.spent(scene) - before;
+        }
     }
 }
 

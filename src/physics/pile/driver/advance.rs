@@ -68,6 +68,16 @@ impl Store<'_> {
         self.island.members.len()
     }
 
+    /// Whether it is one body, near nothing.
+    pub fn is_alone(&self) -> bool {
+        self.island.members.len() == 1 && self.island.near(self.island.members[0]).is_empty()
+    }
+
+    /// Whether a body was brought to where others were looked for.
+    pub fn is_swept(&self, body: u32) -> bool {
+        self.bodies.is_swept(self.bodies.slot[body as usize] as usize)
+    }
+
     /// Its bodies, in no order that means anything.
     pub fn members(&self) -> impl Iterator<Item = u32> {
         self.island.members.iter().map(|slot| self.bodies.id[*slot as usize])

@@ -1,13 +1,15 @@
-//! Explicit steps through liquids: the embedded Runge–Kutta pair of J. R. Dormand and P. J. Prince (1980), of fifth order, in steps by its own
-//! estimate of their error.
+//! Steps through liquids by their own estimate of their error: explicit ones, the embedded Runge–Kutta pair of J. R. Dormand and P. J. Prince
+//! (1980), of fifth order; or, where drag has taken a body to the speed that its place gives it and would cut those short, implicit ones
+//! ([`super::implicit`]).
 //!
 //! No step is taken across what bends the law: a kink, where a side of the body passes a side of a liquid ([`super::displaced`]), or a turn,
 //! where a component of the velocity changes its sign and drag with it (|u|·u has a corner at 0). Small turns are passed over: what a corner
 //! `τ` seconds from the end of a step of `h` seconds is worth is about k·a²·τ³·h, with k the drag per m and a the acceleration.
 
-use super::bath::{Bath, Regime};
+use super::bath::{Bath, Regime, Slopes};
 use super::flow::Pose;
 use super::impact_time::Cubic;
+use super::implicit;
 use super::liquid::{Taken, step_factor};
 use super::media::Media;
 use glam::DVec2;
@@ -21,18 +23,22 @@ const MOST_CUTS: u32 = 3;
 /// Rate × time that a first step may always have, and its error for a·ω³·h⁵ = 1.
 const SHORT: f64 = 0.25;
 const ERROR_OF_FIRST: f64 = 1e-4;
+/// By which part of itself a speed may change in an implicit step.
+const MOST_CHANGE: f64 = 0.5;
 /// Work of a step.
-const WORK_OF_A_STEP: u64 = 100;
+const WORK_OF_A_STEP: u64 = 150;
 
 /// A body somewhere between kinks: what media do where it is, and its constant acceleration, m/s².
-pub(super) struct Explicit<'a> {
+pub(super) struct Steps<'a> {
     pub media: &'a Media,
     pub regime: &'a Regime<'a>,
     pub bath: &'a Bath,
     pub constant: DVec2,
+    /// The law where a step begins, linearised, where it is to be implicit.
+    pub slopes: Option<Slopes>,
 }
 
-impl Explicit<'_> {
+impl Steps<'_> {
     /// How long the first of some steps may be, in a law of that `rate`, 1/s: the error is about [`ERROR_OF_FIRST`]·a·ω³·h⁵, and a fourth root that
     /// is quickly found errs on the side of caution.
     pub fn first(&self, v: DVec2, rate: f64, left: f64) -> f64 {
@@ -49,30 +55,35 @@ impl Explicit<'_> {
     /// How short a step would still resolve too little.
     pub fn take(&self, pose: Pose, mut h: f64, left: f64) -> Result<Taken, f64> {
         let (x, v) = pose;
-        let tolerance = TOLERANCE + 8.0 * f64::EPSILON * x.abs().max_element();
+        let least = TOLERANCE + 8.0 * f64::EPSILON * x.abs().max_element();
+        let rough = self.media.roughness();
         let shortest = left * f64::EPSILON;
         let pull = self.bath.acceleration(self.constant, v);
         let mut next = h;
-        let mut to_kink = false;
+        let (mut to_kink, mut shrunk) = (false, false);
         if !self.regime.holds_along([x + v * (0.5 * h), x + (v + pull * (0.5 * h)) * h])
             && let Some(kink) = self.regime.end_of(&Cubic::parabola(x, v, pull), h)
         {
             (h, to_kink) = (kink.max(shortest), true);
         }
-        if let Some(turn) = self.turn_ahead(v, pull, h, tolerance) {
+        if self.slopes.is_none()
+            && let Some(turn) = self.turn_ahead(v, pull, h, least)
+        {
             (h, to_kink) = (turn.max(shortest), false);
         }
         let mut cuts = 0;
         loop {
-            self.media.spend(WORK_OF_A_STEP);
             let Step { end, pull: last, error } = self.step(pose, pull, h);
-            let fits = error <= tolerance && end.0.is_finite() && end.1.is_finite();
+            let tolerance = least + rough * (end.0 - x).abs().max_element();
+            // Drag that grows with the speed is told by no slope where the speed is another one.
+            let even = self.slopes.is_none() || (end.1 - v).length() <= MOST_CHANGE * v.length();
+            let fits = even && error <= tolerance && end.0.is_finite() && end.1.is_finite();
             if !fits && h <= shortest {
                 return Err(h);
             }
             if !fits {
                 h *= step_factor((error / tolerance).sqrt().sqrt()).min(0.5);
-                (next, to_kink) = (h, false);
+                (next, to_kink, shrunk) = (h, false, true);
                 continue;
             }
             if cuts < MOST_CUTS
@@ -93,10 +104,9 @@ impl Explicit<'_> {
                 (h, to_kink) = (kink.max(shortest), true);
                 continue;
             }
-            if h < next || h >= left {
-                return Ok(Taken { time: h, end, next, pull: Some(last) });
+            if h >= next && !shrunk {
+                next = h * step_factor((error / tolerance).sqrt().sqrt());
             }
-            next = h * step_factor((error / tolerance).sqrt().sqrt());
             return Ok(Taken { time: h, end, next, pull: Some(last) });
         }
     }
@@ -131,6 +141,11 @@ impl Explicit<'_> {
     /// One step of the pair from where the acceleration is `pull`.
     #[inline]
     fn step(&self, (x, v): Pose, pull: DVec2, h: f64) -> Step {
+        if let Some(slopes) = &self.slopes {
+            let (end, error) = implicit::step(self.regime, self.constant, slopes, (x, v), h);
+            return Step { end, pull: self.regime.pull(self.constant, end.0, end.1), error };
+        }
+        self.media.spend(WORK_OF_A_STEP);
         let (mut speeds, mut pulls) = ([v; 7], [pull; 7]);
         self.stage(&mut speeds, &mut pulls, (x, h), SECOND);
         self.stage(&mut speeds, &mut pulls, (x, h), THIRD);
