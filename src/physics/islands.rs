@@ -41,6 +41,8 @@ impl Choice {
     /// What the budget of an island of few comes to, and for each body once more: so many bodies as one island may have, in however many islands
     /// they are, stay within what their flights through media may take.
     const BUDGET_OF_FEW: u64 = 16_000;
+    /// What a liquid adds to that, and for each body in one once more: bounces in it cost more.
+    const BUDGET_OF_WET: u64 = 12_000;
     /// Ticks for which an island is dense after its budget was used up for the first time, and at most.
     const FIRST_PAUSE: u16 = 8;
     const LONGEST_PAUSE: u16 = 128;
@@ -137,7 +139,9 @@ impl Tick<'_> {
     fn budget(&self) -> u64 {
         let Scratch { members, used, .. } = &*self.scratch;
         let count = members.len() as u64;
-        let whole = (Choice::BUDGET + Choice::BUDGET_OF_A_BODY * count).min(Choice::BUDGET_OF_FEW * (1 + count));
+        let wet = members.iter().filter(|body| self.state.media.wets(&self.state.bodies[**body as usize].bounds())).count() as u64;
+        let of_few = Choice::BUDGET_OF_FEW * (1 + count) + Choice::BUDGET_OF_WET * (wet + wet.min(1));
+        let whole = (Choice::BUDGET + Choice::BUDGET_OF_A_BODY * count).min(of_few);
         whole.saturating_sub(members.iter().map(|body| used[*body as usize]).sum())
     }
 

@@ -77,9 +77,34 @@ impl Events {
         }
     }
 
-    /// Parts what is in each other where everything is stopped in the midst of its way, between two events that were foreseen roughly.
+    /// Parts what is in each other where everything is stopped in the midst of its way, between two events that were foreseen roughly. What gives
+    /// way may get into others, which then do.
     pub(super) fn part(&mut self, scene: &Scene) {
+        for _ in 0..=self.movable {
+            self.find_touching(scene);
+            // Only now it is known who stands against a surface, and gives way to nothing.
+            let mut any = false;
+            for index in 0..self.touching.len() {
+                let contact = self.touching[index];
+                if self.is_in(&contact) {
+                    self.close(scene, &contact);
+                    any = true;
+                }
+            }
+            if !any {
+                break;
+            }
+        }
+        for (item, place) in self.items[..self.movable].iter_mut().zip(&self.places) {
+            item.body.position = *place;
+        }
+        self.release();
+    }
+
+    /// Lists all that touches where it is now.
+    fn find_touching(&mut self, scene: &Scene) {
         let mut near = std::mem::take(&mut self.near);
+        self.touching.clear();
         for i in 0..self.movable as u32 {
             let place = self.locate(scene, i as usize);
             let bounds = Aabb::around(place, self.items[i as usize].body.half);
@@ -92,17 +117,6 @@ impl Events {
             }
         }
         self.near = near;
-        // Only now it is known who stands against a surface, and gives way to nothing.
-        for index in 0..self.touching.len() {
-            let contact = self.touching[index];
-            if self.is_in(&contact) {
-                self.close(scene, &contact);
-            }
-        }
-        for (item, place) in self.items[..self.movable].iter_mut().zip(&self.places) {
-            item.body.position = *place;
-        }
-        self.release();
     }
 
     /// Whether two things were not in each other when the tick began.

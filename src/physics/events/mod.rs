@@ -53,6 +53,8 @@ const WORK_OF_A_LOOK: u64 = 2;
 /// is handed over at once, as all of the budget would be used up before half of the tick is over.
 const PART_FOR_WAYS: u64 = 4;
 const PROGRESS: f64 = 1.0 / 8.0;
+/// What they may always take, so that a ship that splashes into a pool is no such case.
+const ENOUGH_FOR_WAYS: u64 = 40_000;
 /// As a part of a tick: what happens so near to its end is left to the next one.
 const END: f64 = 1e-12;
 /// What each stream that an item may cross adds.
@@ -274,7 +276,7 @@ impl Events {
 
     /// Whether to foresee ways through liquids, part by part, takes so much that the budget will by far not last for the tick.
     fn is_hopeless(&self, scene: &Scene) -> bool {
-        self.on_ways > self.budget / PART_FOR_WAYS && self.now < scene.tick * PROGRESS
+        self.on_ways > (self.budget / PART_FOR_WAYS).max(ENOUGH_FOR_WAYS) && self.now < scene.tick * PROGRESS
     }
 
     /// Contacts and accelerations before the first tick: no impact is resolved yet.
