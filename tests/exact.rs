@@ -7,7 +7,7 @@ use support::scenes::{
     bouncing, column, cradle, dart_and_target, dart_and_wall, held_by_a_wall, held_by_the_floor, pushed_row, slide, slide_in_air,
     ten_tonnes, thrown,
 };
-use support::{G, TICK, world};
+use support::{G, Random, TICK, world};
 
 fn run(world: &mut World, seconds: f64, tick: f64) {
     for _ in 0..(seconds / tick).round() as usize {
@@ -162,6 +162,42 @@ fn the_cradle_hands_all_motion_to_the_last() {
         for (i, body) in world.bodies().iter().enumerate() {
             assert_eq!(body.velocity.x, if i + 1 == n { 3.0 } else { 0.0 }, "block {i} of {n}");
         }
+    }
+}
+
+/// Equal elastic boxes in a row exchange their velocities: less their widths they are points that pass through each other. Of 12 event by event, of
+/// 24 as a gas.
+#[test]
+fn a_row_of_equal_elastic_boxes_passes_through_itself() {
+    const WIDTH: f64 = 0.5;
+    for count in [12, 24] {
+        let mut random = Random(count as u64);
+        let starts: Vec<(f64, f64)> =
+            (0..count).map(|i| (0.2 * i as f64 + 0.1 * random.unit(), random.between(-30.0, 30.0))).collect();
+        let body = |(i, (x, v)): (usize, &(f64, f64))| BodyDef {
+            position: DVec2::new(x + WIDTH * i as f64, 0.0),
+            velocity: DVec2::new(*v, 0.0),
+            half: DVec2::splat(0.5 * WIDTH),
+            restitution: 1.0,
+            ..BodyDef::default()
+        };
+        let bodies = starts.iter().enumerate().map(body).collect();
+        let mut world = world(WorldDef { bodies, gravity: 0.0, air_density: 0.0, ..WorldDef::default() });
+        let (mut in_one_step, mut farthest) = (0, 0.0f64);
+        for tick in 1..=120 {
+            world.step(TICK);
+            in_one_step += world.methods().in_one_step;
+            let time = f64::from(tick) * TICK;
+            let mut points: Vec<(f64, f64)> = starts.iter().map(|(x, v)| (x + v * time, *v)).collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            for (i, (x, _)) in points.iter().enumerate() {
+                farthest = farthest.max((world.body(BodyId(i as u32)).position.x - (x + WIDTH * i as f64)).abs());
+            }
+        }
+        assert!(farthest < 1e-9, "{count} boxes: {farthest} m");
+        assert_eq!(in_one_step > 0, count == 24, "{count} boxes: {in_one_step}");
+        let given_up = Guards { dense_ticks: 0, islands_grown: 0, ..*world.guards() };
+        assert_eq!(given_up, Guards { steps_grown: given_up.steps_grown, ..Guards::default() });
     }
 }
 
