@@ -11,7 +11,7 @@ use std::error::Error;
 // Sizes of type are given as the plotting library wants them: it writes 1/1.24 of them.
 
 /// Pixels.
-pub(super) const SIZE: (u32, u32) = (1120, 600);
+pub(super) const SIZE: (u32, u32) = (1144, 600);
 /// Pixels. Where the legend begins.
 pub(super) const LEGEND: i32 = 740;
 /// Pixels between the legend's lines.
