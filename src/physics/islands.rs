@@ -190,7 +190,8 @@ impl Advance for Tick<'_> {
             return self.fly(store);
         }
         let large = count > Choice::MOST_BY_EVENTS || self.scene.dense;
-        if large || round > Choice::MOST_GROWTHS || self.pauses() || self.budget() == 0 {
+        let budget = if large { 0 } else { self.budget() };
+        if round > Choice::MOST_GROWTHS || self.pauses() || budget == 0 {
             self.guards.dense_ticks += 1;
             self.scratch.leave();
             self.stop_surfaces(store);
@@ -210,7 +211,6 @@ impl Advance for Tick<'_> {
             return Verdict::Taken { rests: false };
         }
         self.scratch.gather(self.state, &self.scene, |body| store.swept(body));
-        let budget = self.budget();
         let outcome = self.scratch.events.advance(&self.scene, budget);
         self.use_up(self.scratch.events.spent(&self.scene));
         self.guards.add(&std::mem::take(&mut self.scratch.events.guards));

@@ -117,48 +117,47 @@ impl ZoneTree {
         self.nodes[at].skip = self.nodes.len() as u32;
     }
 
-    /// Whether a box touches a zone.
-    pub fn any(&self, near: &Aabb) -> bool {
-        let mut at = 0;
-        while let Some(node) = self.nodes.get(at) {
-            let touches = near.touches(&node.bounds, 0.0);
-            if touches && node.zone != INNER {
-                return true;
-            }
-            at = if touches { at + 1 } else { node.skip as usize };
-        }
-        false
-    }
-
-    /// Hands every zone that a box touches within `slop` metres to `found`, in no order that means anything.
-    pub fn touching(&self, near: &Aabb, slop: f64, mut found: impl FnMut(u32)) {
+    /// Hands every zone that a box touches within `slop` metres to `goes_on`, in no order that means anything, until that says no. Returns
+    /// whether it never did.
+    fn search(&self, near: &Aabb, slop: f64, mut goes_on: impl FnMut(u32) -> bool) -> bool {
         let mut at = 0;
         while let Some(node) = self.nodes.get(at) {
             if !near.touches(&node.bounds, slop) {
                 at = node.skip as usize;
                 continue;
             }
-            if node.zone != INNER {
-                found(node.zone);
+            if node.zone != INNER && !goes_on(node.zone) {
+                return false;
             }
             at += 1;
         }
+        true
+    }
+
+    /// Whether a box touches a zone.
+    pub fn any(&self, near: &Aabb) -> bool {
+        !self.search(near, 0.0, |_| false)
+    }
+
+    /// Hands every zone that a box touches within `slop` metres to `found`, in no order that means anything.
+    pub fn touching(&self, near: &Aabb, slop: f64, mut found: impl FnMut(u32)) {
+        self.search(near, slop, |zone| {
+            found(zone);
+            true
+        });
     }
 
     /// The zones that a box touches, if they are no more than `most`.
     pub fn few_near(&self, near: &Aabb, most: u32) -> Option<ZoneList> {
-        let (mut list, mut at) = (ZoneList::default(), 0);
-        while let Some(node) = self.nodes.get(at) {
-            let touches = near.touches(&node.bounds, 0.0);
-            if touches && node.zone != INNER {
-                if list.count == most {
-                    return None;
-                }
-                list.add(node.zone);
+        let mut list = ZoneList::default();
+        let all = self.search(near, 0.0, |zone| {
+            let room = list.count < most;
+            if room {
+                list.add(zone);
             }
-            at = if touches { at + 1 } else { node.skip as usize };
-        }
-        Some(list)
+            room
+        });
+        all.then_some(list)
     }
 
     /// The zones that a box touches.

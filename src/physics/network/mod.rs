@@ -185,18 +185,18 @@ impl Network {
             for end in self.links.iter().flat_map(|link| [link.lo, link.hi]).filter(|end| *end != GROUND) {
                 self.linked[end as usize] = true;
             }
-            self.nodes
-                .iter_mut()
-                .zip(&self.linked)
-                .filter(|(_, linked)| **linked)
-                .for_each(|(node, _)| node.force -= node.mass * frame);
+            self.linked_nodes().for_each(|node| node.force -= node.mass * frame);
             self.links.iter_mut().for_each(|link| link.ground = 0.0);
         }
     }
 
+    fn linked_nodes(&mut self) -> impl Iterator<Item = &mut Node> {
+        self.nodes.iter_mut().zip(&self.linked).filter(|(_, linked)| **linked).map(|(node, _)| node)
+    }
+
     fn leave_frame(&mut self, frame: f64) {
         if frame != 0.0 {
-            self.nodes.iter_mut().zip(&self.linked).filter(|(_, linked)| **linked).for_each(|(node, _)| node.acceleration += frame);
+            self.linked_nodes().for_each(|node| node.acceleration += frame);
         }
     }
 

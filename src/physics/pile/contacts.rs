@@ -134,7 +134,7 @@ impl Contacts {
             || self.ceilings.iter().any(|ceiling| (ceiling.first, ceiling.second) == (j, i))
     }
 
-    /// None, of an island in which nothing touches and all that meets bounces.
+    /// None, of an island that is a gas.
     pub fn have_none(&mut self, bodies: &Bodies, island: Island<'_>) {
         self.clear(bodies, island);
         island.members.iter().for_each(|i| self.ranges[*i as usize] = [0; 4]);

@@ -22,7 +22,8 @@ impl Dense {
         size: StepSize,
     ) -> Option<Outcome> {
         let none_moves = island.states.is_empty() && neighbours.carried().is_empty();
-        if !bodies.lively || !none_moves || !is_gas(bodies, island, &self.reach.added) {
+        // Where it was taken for a gas from the start, that has been asked already.
+        if !bodies.lively || !none_moves || !(size.gas || is_gas(bodies, island, &self.reach.added)) {
             return None;
         }
         self.contacts.have_none(bodies, island);

@@ -54,6 +54,11 @@ impl<'a> Island<'a> {
         all.iter().map(|i| *i as usize).filter(move |i| self.states[*i] == State::Settled)
     }
 
+    /// Whether it is one body, near nothing.
+    pub fn is_alone(&self) -> bool {
+        self.members.len() == 1 && self.near(self.members[0]).is_empty()
+    }
+
     /// Whether two bodies are of one island.
     pub fn joins(&self, a: usize, b: usize) -> bool {
         self.roots[a] == self.roots[b]

@@ -70,7 +70,7 @@ impl Store<'_> {
 
     /// Whether it is one body, near nothing.
     pub fn is_alone(&self) -> bool {
-        self.island.members.len() == 1 && self.island.near(self.island.members[0]).is_empty()
+        self.island.is_alone()
     }
 
     /// Whether a body was brought to where others were looked for.

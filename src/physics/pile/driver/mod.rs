@@ -219,8 +219,7 @@ impl Pile {
                 if driver.stays_asleep(bodies, island) {
                     continue;
                 }
-                let alone = island.members.len() == 1 && island.near(island.members[0]).is_empty();
-                if alone && !other.minds(bodies.id[island.members[0] as usize] as usize) {
+                if island.is_alone() && !other.minds(bodies.id[island.members[0] as usize] as usize) {
                     let i = island.members[0] as usize;
                     (bodies.ux[i], bodies.uy[i]) = (bodies.free_vx[i], bodies.free_vy[i]);
                     driver.wake(bodies.id[i] as usize);

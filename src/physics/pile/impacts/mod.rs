@@ -175,7 +175,7 @@ impl Impacts {
         any
     }
 
-    /// The same for an island in which nothing touches and all pairs bounce: none of them has to be a contact. Returns false as soon as
+    /// The same for a gas, in which nothing lies and all pairs bounce: none of them has to be a contact. Returns false as soon as
     /// something is left to the plastic solution.
     pub fn follow_alone(
         &mut self,
