@@ -366,6 +366,12 @@ impl Displaced {
         self.holds_within(x, 0.5 * self.sliver)
     }
 
+    /// How far beyond where it holds `x` is, m; not more than 0 where it does.
+    pub fn beyond(&self, x: DVec2) -> f64 {
+        let margin = 0.5 * self.sliver;
+        (self.low - margin - x).max(x - (self.high + margin)).max_element()
+    }
+
     /// Whether it holds wherever something gets that starts at `x` and moves by no more than `way` along either axis.
     pub fn holds_around(&self, x: DVec2, way: DVec2) -> bool {
         self.holds_within(x - way, DVec2::ZERO) && self.holds_within(x + way, DVec2::ZERO)

@@ -55,8 +55,9 @@ const SHRINKAGE: f64 = 0.05;
 const CAUTION: f64 = 0.75;
 /// How often the end of an exact step is brought nearer to the kink that it passes.
 const MOST_CUTS: u32 = 8;
-/// Halvings of the time at which a stiff step meets a kink, at most.
-const HALVINGS: u32 = 100;
+/// Trials of the time at which a stiff step meets a kink, at most, and the least part of what is left to search that one of them cuts off.
+const MOST_TRIALS: u32 = 100;
+const LEAST_CUT: f64 = 1e-3;
 /// Places on a stiff step at which the body is looked for beyond a kink.
 const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 /// Trials of the velocity that an implicit step seeks, at most; and what is exact enough, as a part of it.
@@ -66,7 +67,7 @@ const ROUGH_LEAP: f64 = 1e-4;
 /// Trials after which every other one halves what is left to search.
 const SURE_TRIALS: usize = 4;
 /// What a third of an exponential step comes to, baths left out.
-const WORK_OF_A_STEP: u64 = 80;
+const WORK_OF_A_STEP: u64 = 140;
 /// What moves faster than by so many roundings is not at rest.
 const NEARLY: f64 = 16.0;
 
@@ -279,7 +280,7 @@ impl Swimmer<'_> {
             Kind::Settled(velocity) => take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity)),
             Kind::Air(longest) => take_exact(regime, pose, left.min(longest), |t| fly_through(pose, free, &bath.drag, t)),
             Kind::Linear => {
-                let flow = |t| linear_flow(bath, constant, pose, t);
+                let flow = linear_flow(bath, constant, pose);
                 if stays_within(regime, bath, free, pose, left) {
                     return Taken { time: left, end: flow(left), next: f64::INFINITY, pull: None };
                 }
@@ -319,23 +320,17 @@ impl Swimmer<'_> {
     }
 
     fn take_stiff(&self, regime: &Regime, bath: &Bath, constant: DVec2, pose: Pose, (mut h, left): (f64, f64)) -> Taken {
+        let first = linear_flow(bath, constant, pose);
         loop {
             self.media.spend(3 * WORK_OF_A_STEP);
-            let once = linear_flow(bath, constant, pose, h);
-            let middle = linear_flow(bath, constant, pose, 0.5 * h);
-            let second = regime.bath(middle.0);
-            let end = linear_flow(&second, constant, middle, 0.5 * h);
+            let once = first(h);
+            let middle = first(0.5 * h);
+            let second = linear_flow(&regime.bath(middle.0), constant, middle);
+            let end = second(0.5 * h);
             let error = (once.0 - end.0).abs().max_element();
             let factor = step_factor((error / STIFF_TOLERANCE).sqrt());
             if error <= STIFF_TOLERANCE || h <= left * f64::EPSILON {
-                let flow = |t: f64| {
-                    let beyond = t - 0.5 * h;
-                    if beyond <= 0.0 {
-                        linear_flow(bath, constant, pose, t)
-                    } else {
-                        linear_flow(&second, constant, middle, beyond)
-                    }
-                };
+                let flow = |t: f64| if t <= 0.5 * h { first(t) } else { second(t - 0.5 * h) };
                 let (time, end, next) = match self.first_kink(regime, flow, h) {
                     Some(kink) => (kink, flow(kink), h),
                     None => (h, end, h * factor),
@@ -346,18 +341,29 @@ impl Swimmer<'_> {
         }
     }
 
-    /// When a motion is just beyond a kink within `h` seconds.
+    /// When a motion is just beyond a kink within `h` seconds: by false position, the value at the end that stays halved (Illinois).
     fn first_kink(&self, regime: &Regime, flow: impl Fn(f64) -> Pose, h: f64) -> Option<f64> {
         let beyond = LOOKS.iter().position(|part| !regime.holds(flow(part * h).0))?;
         let mut from = if beyond > 0 { LOOKS[beyond - 1] * h } else { 0.0 };
         let mut to = LOOKS[beyond] * h;
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (from + to);
+        let depth = |t: f64| regime.beyond(flow(t).0);
+        let (mut inside, mut outside) = (depth(from), depth(to));
+        let mut last = None;
+        for _ in 0..MOST_TRIALS {
+            let middle = from + (to - from) * (inside / (inside - outside)).clamp(LEAST_CUT, 1.0 - LEAST_CUT);
             if middle <= from || middle >= to || regime.all_but_holds(flow(to).0) {
                 break;
             }
             self.media.spend(WORK_OF_A_STEP);
-            if regime.holds(flow(middle).0) { from = middle } else { to = middle }
+            let deep = depth(middle);
+            let stays = deep <= 0.0;
+            let halved = if last == Some(stays) { 0.5 } else { 1.0 };
+            if stays {
+                (from, inside, outside) = (middle, deep, halved * outside);
+            } else {
+                (to, outside, inside) = (middle, deep, halved * inside);
+            }
+            last = Some(stays);
         }
         Some(to)
     }
@@ -408,11 +414,13 @@ fn settled(bath: &Bath, free: DVec2, v: DVec2) -> Option<DVec2> {
 }
 
 /// The motion by the law linearised where it begins: exact for linear drag and a constant stiffness.
-fn linear_flow(bath: &Bath, constant: DVec2, (x, v): Pose, t: f64) -> Pose {
+fn linear_flow(bath: &Bath, constant: DVec2, (x, v): Pose) -> impl Fn(f64) -> Pose + use<> {
     let (a, answer) = (bath.acceleration(constant, v), bath.answer(v));
-    let across = spring(v.x, a.x, answer.drag.x, 0.0, t);
-    let down = spring(v.y, a.y, answer.drag.y, answer.lift, t);
-    (x + DVec2::new(across.0, down.0), DVec2::new(across.1, down.1))
+    move |t| {
+        let across = spring(v.x, a.x, answer.drag.x, 0.0, t);
+        let down = spring(v.y, a.y, answer.drag.y, answer.lift, t);
+        (x + DVec2::new(across.0, down.0), DVec2::new(across.1, down.1))
+    }
 }
 
 /// By what factor the next step may be longer, given a root of the error of this one as a part of what is allowed: the fourth root stands for

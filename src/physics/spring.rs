@@ -1,8 +1,21 @@
 //! The damped spring with a constant force, δ″ = a₀ − K·δ − D·(δ′ − v₀) from δ = 0, δ′ = v₀: its exact flow for K, D ≥ 0 and any time
 //! (any text on mechanics; here in forms that lose no digits where K or D is small, or the damping nearly critical).
 
-/// Terms of the power series. Its arguments stay below [`NEAR`], so that what is left out is below one rounding.
+/// Terms of the power series. Its arguments stay below [`NEAR`], so that what is left out is below one rounding; and how many do where D·t and
+/// √K·t are below 0.1 and 0.01.
 const TERMS: usize = 16;
+const FEWER: usize = 11;
+const FEW: usize = 8;
+/// What each term is divided by, times that of the one before it: a division takes as long as the rest of a term.
+const DIVIDED: [[f64; 2]; TERMS] = {
+    let mut parts = [[0.0; 2]; TERMS];
+    let mut n = 2;
+    while n < TERMS {
+        parts[n] = [1.0 / (n * (n - 1)) as f64, 1.0 / n as f64];
+        n += 1;
+    }
+    parts
+};
 /// D·t and K·t² up to which the series is used.
 const NEAR: f64 = 0.5;
 /// K·t/D below which the spring is a correction of first order to damping alone: its square is left out.
@@ -43,12 +56,19 @@ fn series(v0: f64, a0: f64, damping: f64, stiffness: f64, t: f64) -> (f64, f64) 
     let (mut before, mut last) = (v0 * t, 0.5 * a0 * t * t);
     let (mut way, mut speed) = (before + last, before + 2.0 * last);
     let (damping, stiffness) = (damping * t, stiffness * t * t);
-    for n in 3..TERMS {
-        let n = n as f64;
-        let next = -(stiffness * before / (n - 1.0) + damping * last) / n;
+    let square = stiffness.max(damping * damping);
+    let terms = if square < 1e-4 {
+        FEW
+    } else if square < 1e-2 {
+        FEWER
+    } else {
+        TERMS
+    };
+    for (n, [both, one]) in DIVIDED[..terms].iter().enumerate().skip(3) {
+        let next = -(stiffness * before * both + damping * last * one);
         (before, last) = (last, next);
         way += next;
-        speed += n * next;
+        speed += n as f64 * next;
     }
     (way, speed / t)
 }

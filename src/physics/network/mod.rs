@@ -164,7 +164,7 @@ impl Network {
         }
         let frame = self.common_frame();
         self.enter_frame(frame);
-        if !self.lies_on_ground() && !self.is_pair() {
+        if !self.lies_on_ground() && !self.is_pair() && !self.is_column() {
             self.solve_by_blocks();
         }
         self.leave_frame(frame);

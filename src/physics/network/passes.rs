@@ -3,6 +3,7 @@
 //! A pile at rest and a pushed row settle in one such pass. Nothing is found here that `routing` would not find too; it is for what these
 //! refuse.
 
+use super::routing::NOWHERE;
 use super::{Carries, GROUND, Link, Network, Note, WORK_OF_A_LOOK};
 use crate::physics::tuning::FORCE_TOLERANCE;
 
@@ -51,6 +52,53 @@ impl Network {
             self.nodes[hi as usize].acceleration = together;
         }
         true
+    }
+
+    /// The direct answer for one column on ground that stands: each body hands on its own excess and what it bears. It is what [`Self::passes`]
+    /// comes to. False if there is more to it.
+    pub(super) fn is_column(&mut self) -> bool {
+        let mut grounds = self.links.iter().filter(|link| link.is_grounded());
+        let (Some(&Link { hi, ground: 0.0, .. }), None) = (grounds.next(), grounds.next()) else { return false };
+        if self.links.len() != self.nodes.len() {
+            return false;
+        }
+        let (sign, downwards) = if hi == GROUND { (1.0, true) } else { (-1.0, false) };
+        self.notes.clear();
+        self.notes.resize(self.nodes.len(), Note::NEW);
+        for (index, link) in self.links.iter().enumerate() {
+            let (from, to) = if downwards { (link.lo, link.hi) } else { (link.hi, link.lo) };
+            if link.carries != Carries::Push || from == GROUND || self.notes[from as usize].came_by != NOWHERE {
+                return false;
+            }
+            self.notes[from as usize].came_by = index as u32;
+            if to != GROUND {
+                self.notes[to as usize].waits_for += 1;
+            }
+        }
+        if self.notes.iter().any(|note| note.waits_for > 1) {
+            return false;
+        }
+        let Some(mut at) = self.notes.iter().position(|note| note.waits_for == 0) else { return false };
+        let tolerance = self.nodes.iter().fold(0.0, |most: f64, node| most.max(node.force.abs())) * FORCE_TOLERANCE;
+        let mut borne = 0.0;
+        for count in 1..=self.nodes.len() {
+            let load = sign * self.nodes[at].force + borne;
+            if load < -tolerance {
+                return false;
+            }
+            let link = &mut self.links[self.notes[at].came_by as usize];
+            borne = load.max(0.0);
+            link.flow = borne;
+            let next = link.other(at as u32);
+            if next == GROUND {
+                self.nodes.iter_mut().for_each(|node| node.acceleration = 0.0);
+                self.work += 2 * WORK_OF_A_LOOK * self.nodes.len() as u64;
+                // What is left besides would go round in a ring.
+                return count == self.nodes.len();
+            }
+            at = next as usize;
+        }
+        false
     }
 
     /// The direct answer where nothing pulls and no ground moves: nothing is passed on. False, and nothing done, if something does.

@@ -39,6 +39,36 @@ fn a_column_rests_exactly_and_each_link_carries_all_above() {
     }
 }
 
+/// On ground at either end, at rest or pulled off it: what is answered directly is what the blocks come to, to the bit.
+#[test]
+fn a_column_is_what_its_blocks_are() {
+    let mut random = Random(3);
+    let mut direct = 0;
+    for _ in 0..1000 {
+        let n = 1 + (random.unit() * 6.0) as u32;
+        let down = random.unit() < 0.5;
+        let order: Vec<u32> = (0..n).map(|k| if down { k } else { n - 1 - k }).collect();
+        let mut network = Network::default();
+        for _ in 0..n {
+            let force = (random.unit() - 0.1) * if down { 10.0 } else { -10.0 };
+            network.nodes.push(Node { mass: 0.1 + random.unit(), force, acceleration: f64::NAN });
+        }
+        for (k, &i) in order.iter().enumerate() {
+            let next = order.get(k + 1).copied().unwrap_or(GROUND);
+            let (lo, hi) = if down { (i, next) } else { (next, i) };
+            network.link(lo, hi, Carries::Push, 0.0);
+        }
+        let mut by_blocks = network.clone();
+        by_blocks.solve_by_blocks();
+        direct += u32::from(network.is_column());
+        network.solve();
+        assert_eq!(accelerations(&network), accelerations(&by_blocks));
+        let flows = |network: &Network| network.links.iter().map(|link| link.flow).collect::<Vec<_>>();
+        assert_eq!(flows(&network), flows(&by_blocks));
+    }
+    assert!(direct > 300, "{direct}");
+}
+
 #[test]
 fn what_pulls_away_parts_and_what_presses_moves_as_one() {
     // The first pushes the second; the third runs ahead of them.

@@ -28,8 +28,7 @@ pub(super) struct Looked {
     pub lane: [f64; 4],
     /// When it touches something, s; infinite if it does not in this step.
     pub next: f64,
-    /// How often it has looked, and set out on another way.
-    pub count: u32,
+    /// How often it has set out on another way.
     pub ways: u32,
     /// When it set out last, s, and how many had before, of all.
     pub since: f64,
@@ -37,16 +36,13 @@ pub(super) struct Looked {
 }
 
 /// A pair will touch.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Due {
     pub time: f64,
     pub speed: f64,
     pub pair: u32,
     /// How many ways its bodies had set out on: if these are more, it is void.
     pub ways: u32,
-    /// Who has found it, and at which of its looks: it has no other.
-    pub by: u32,
-    pub look: u32,
     pub axis: usize,
 }
 

@@ -6,7 +6,7 @@
 //! when the later of the two set out.
 
 use super::super::bodies::Bodies;
-use super::super::islands::apart;
+use super::super::islands::{Island, apart};
 use super::course::time_of_impact;
 use super::due::{Due, Pair};
 use super::{Around, Impacts, NONE, RATTLE, SLOWEST, WORK_OF_A_LINK, WORK_OF_A_LOOK};
@@ -24,51 +24,39 @@ impl Impacts {
         self.work += WORK_OF_A_LOOK;
         let Some(due) = self.touches(bodies, self.pairs.len() as u32 - 1, self.dt) else { return };
         for by in [i, j].into_iter().filter(|by| (*by as usize) < bodies.len()) {
-            let looked = &mut self.looks[by as usize];
-            // `count` numbers what it has found so far.
-            match looked.count {
-                0 => {
-                    self.firsts.push((by, due));
-                    looked.count = self.firsts.len() as u32;
-                }
-                known => {
-                    let first = &mut self.firsts[known as usize - 1].1;
-                    *first = due.max(*first);
-                }
-            }
+            self.calendar.offer(by as usize, due);
         }
     }
 
     /// Notes what each has found first of all.
-    pub(super) fn note_first_looks(&mut self, bodies: &Bodies) {
-        for k in 0..self.firsts.len() {
-            let (by, due) = self.firsts[k];
-            let lane = self.lane(bodies, by as usize, (0.0, due.time));
-            let looked = &mut self.looks[by as usize];
-            (looked.lane, looked.next, looked.count) = (lane, due.time, 1);
-            self.due.push(Due { by, look: 1, ..due });
+    pub(super) fn note_first_looks(&mut self, bodies: &Bodies, island: Island<'_>) {
+        let entered = |i: &usize| self.entered_in[*i] == self.follow_ups;
+        let who = || island.members.iter().map(|i| *i as usize).chain(island.settled().filter(entered));
+        self.calendar.open(who());
+        for i in who() {
+            let time = self.calendar.due(i).time;
+            if time.is_finite() {
+                (self.looks[i].lane, self.looks[i].next) = (self.lane(bodies, i, (0.0, time)), time);
+            }
         }
-        self.firsts.clear();
     }
 
-    /// Whether what is due comes now. If it is void, who knew of it looks again.
-    pub(super) fn is_next(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, due: &Due) -> bool {
-        if self.looks[due.by as usize].count != due.look {
-            return false;
-        }
+    /// Whether what body `by` has found comes now. If it is void, the body looks again.
+    pub(super) fn is_next(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, by: usize, due: &Due) -> bool {
         self.clock = due.time;
         let holds = self.ways_of(&self.pairs[due.pair as usize]) == due.ways;
         if !holds {
-            self.look_on(bodies, around, due.by as usize);
+            self.look_on(bodies, around, by);
         }
         holds
     }
 
-    /// A pair has touched: if that changed nothing for who knew of it, it looks for what comes after that.
-    pub(super) fn pass(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, due: &Due) {
+    /// A pair has touched: if that changed nothing for who has found it, it looks for what comes after that.
+    pub(super) fn pass(&mut self, bodies: &mut Bodies, around: &mut Around<'_>, by: usize, due: &Due) {
         self.pairs[due.pair as usize].passed = due.ways;
-        if self.looks[due.by as usize].count == due.look {
-            self.look_on(bodies, around, due.by as usize);
+        let known = self.calendar.due(by);
+        if (known.pair, known.ways) == (due.pair, due.ways) {
+            self.look_on(bodies, around, by);
         }
     }
 
@@ -132,11 +120,8 @@ impl Impacts {
             }
             at = link.next;
         }
-        let looked = &mut self.looks[i];
-        looked.count = looked.count.wrapping_add(1);
-        (looked.lane, looked.next) = (lane, best.map_or(f64::INFINITY, |due| due.time));
-        let look = looked.count;
-        self.due.extend(best.map(|due| Due { by: i as u32, look, ..due }));
+        (self.looks[i].lane, self.looks[i].next) = (lane, best.map_or(f64::INFINITY, |due| due.time));
+        self.calendar.replace(i, best);
     }
 
     /// When a pair touches, on the ways that its bodies are on now; nobody asks for what comes after `until`, s.
@@ -190,7 +175,7 @@ impl Impacts {
                 self.ends = true;
                 continue;
             }
-            best = Some(Due { time, speed, pair, ways, by: 0, look: 0, axis });
+            best = Some(Due { time, speed, pair, ways, axis });
         }
         best
     }

@@ -14,6 +14,7 @@
 //! does. Waiting takes no momentum and no energy, and nothing gets into anything; what it takes is time, from those alone, and it is counted.
 
 mod bounce;
+mod calendar;
 mod course;
 mod due;
 mod look;
@@ -25,9 +26,9 @@ use super::gravity::Anchors;
 use super::islands::Island;
 use super::neighbours::Neighbours;
 use super::reach::Reach;
+use calendar::Calendar;
 use course::Course;
 use due::{Due, Link, Looked, Pair};
-use std::collections::BinaryHeap;
 
 /// Impacts slower than this are none, m/s. Smaller: rounding bounces.
 pub(super) const SLOWEST: f64 = 1e-9;
@@ -38,6 +39,8 @@ const RATTLE: u32 = 12;
 /// bodies wait where fewer impacts fall into one step.
 const BUDGET: u64 = 20_000;
 const BUDGET_OF_A_BODY: u64 = 300;
+/// What the budget of an island of few comes to, for each body.
+const BUDGET_OF_FEW: u64 = 6_000;
 /// The same of a gas that has time for it.
 const BUDGET_OF_A_GAS: u64 = 200_000;
 /// Once half of the budget is used up, who has been hit so often waits. Fewer: what is hit seldom loses time; more: what is hit often takes
@@ -119,15 +122,13 @@ pub(super) struct Impacts {
     /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
     chain: Vec<u32>,
     links: Vec<Link>,
-    /// What those know first who look ahead for the first time.
-    firsts: Vec<(u32, Due)>,
     /// What each body does next, by slot; of surfaces only where they are.
     looks: Vec<Looked>,
     /// The time up to which impacts have been followed, s, and how often somebody set out on another way.
     clock: f64,
     departures: u32,
     courses: Vec<[Course; 2]>,
-    due: BinaryHeap<Due>,
+    calendar: Calendar,
     dt: f64,
     rest_speed: f64,
     touch: f64,
@@ -153,7 +154,7 @@ impl Impacts {
             links: Vec::with_capacity(8 * count),
             looks: vec![Looked::default(); all],
             courses: vec![[Course::default(); 2]; all],
-            due: BinaryHeap::with_capacity(4 * count),
+            calendar: Calendar::new(count),
             ..Self::default()
         }
     }
@@ -205,18 +206,19 @@ impl Impacts {
         self.follow_ups += 1;
         self.ends = false;
         self.gather(bodies, island, anchors, &around.reach.added);
-        self.allowed = self.budget + BUDGET_OF_A_BODY * island.all.len() as u64;
+        let count = island.all.len() as u64;
+        self.allowed = self.budget.min(BUDGET_OF_FEW * count) + BUDGET_OF_A_BODY * count;
         let most = self.work + self.allowed;
-        while let Some(due) = self.due.pop() {
+        while let Some((by, due)) = self.calendar.first() {
             if alone && self.ends {
                 break;
             }
-            if self.is_next(bodies, around, &due) {
+            if self.is_next(bodies, around, by, &due) {
                 self.go_on(bodies, anchors, around, (due, most));
                 if !self.stirred.is_empty() {
                     break;
                 }
-                self.pass(bodies, around, &due);
+                self.pass(bodies, around, by, &due);
             }
         }
         self.any = true;
@@ -360,7 +362,7 @@ impl Impacts {
     fn gather(&mut self, bodies: &Bodies, island: Island<'_>, anchors: &Anchors, added: &[(u32, u32)]) {
         self.pairs.clear();
         self.links.clear();
-        self.due.clear();
+        self.calendar.clear();
         (self.clock, self.departures) = (0.0, 0);
         for &i in island.members {
             self.enter(bodies, i as usize, anchors);
@@ -386,12 +388,13 @@ impl Impacts {
         for &(i, j) in added {
             self.meet(bodies, i, j);
         }
-        self.note_first_looks(bodies);
+        self.note_first_looks(bodies, island);
     }
 
     /// Notes on which way a body sets out.
     fn enter(&mut self, bodies: &Bodies, i: usize, anchors: &Anchors) {
         self.entered_in[i] = self.follow_ups;
+        self.calendar.enter(i);
         self.chain[i] = NONE;
         (self.hits[i], self.waits[i]) = (0, false);
         self.saved[i] = [bodies.free_vx[i], bodies.free_vy[i]];

@@ -1,0 +1,126 @@
+//! Who comes next: a tournament of what each body has found (Knuth, *The Art of Computer Programming* 3, 5.4.1). Each has one entry, which it
+//! replaces when it looks ahead again; the earliest is at the root, and a replaced entry is played up to there anew.
+
+use super::NONE;
+use super::due::Due;
+
+/// What the bodies of one island have found, each at most one impact.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Calendar {
+    /// By slot; what never comes has found nothing.
+    dues: Vec<Due>,
+    /// By slot: where a body stands among those that are played for.
+    leaf: Vec<u32>,
+    /// The body that comes first of those below, by slot, and when, s: node k is above 2·k and 2·k + 1, and from `leaves` on there is nobody below.
+    nodes: Vec<(f64, u32)>,
+    leaves: usize,
+    count: usize,
+}
+
+impl Calendar {
+    /// Room for `count` bodies.
+    pub fn new(count: usize) -> Self {
+        Self {
+            dues: vec![Due::default(); count],
+            leaf: vec![0; count],
+            nodes: Vec::with_capacity(2 * count.next_power_of_two()),
+            ..Self::default()
+        }
+    }
+
+    /// Begins with nobody in it.
+    pub fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    /// Adds a body that has found nothing yet, before [`Calendar::open`].
+    pub fn enter(&mut self, body: usize) {
+        self.leaf[body] = self.count as u32;
+        self.dues[body].time = f64::INFINITY;
+        self.count += 1;
+    }
+
+    /// What a body has found; its time is infinite if that is nothing.
+    pub fn due(&self, body: usize) -> &Due {
+        &self.dues[body]
+    }
+
+    /// Before [`Calendar::open`], a body has found something: it keeps what comes first.
+    pub fn offer(&mut self, body: usize, due: Due) {
+        self.dues[body] = self.dues[body].max(due);
+    }
+
+    /// All have entered, and found what they know first: these.
+    pub fn open(&mut self, bodies: impl Iterator<Item = usize>) {
+        self.leaves = self.count.next_power_of_two();
+        self.nodes.clear();
+        self.nodes.resize(2 * self.leaves, (f64::INFINITY, NONE));
+        for body in bodies {
+            self.nodes[self.leaves + self.leaf[body] as usize] = (self.dues[body].time, body as u32);
+        }
+        for node in (1..self.leaves).rev() {
+            self.nodes[node] = self.earlier(node);
+        }
+    }
+
+    /// What comes first of all, and who has found it.
+    pub fn first(&self) -> Option<(usize, Due)> {
+        let (time, body) = self.nodes[1];
+        time.is_finite().then(|| (body as usize, self.dues[body as usize]))
+    }
+
+    /// A body has looked ahead anew.
+    pub fn replace(&mut self, body: usize, due: Option<Due>) {
+        let time = due.map_or(f64::INFINITY, |due| due.time);
+        self.dues[body] = due.unwrap_or(Due { time, ..Due::default() });
+        let mut node = self.leaves + self.leaf[body] as usize;
+        self.nodes[node] = (time, body as u32);
+        while node > 1 {
+            node /= 2;
+            self.nodes[node] = self.earlier(node);
+        }
+    }
+
+    /// The winner below a node.
+    #[inline(always)]
+    fn earlier(&self, node: usize) -> (f64, u32) {
+        let (a, b) = (self.nodes[2 * node], self.nodes[2 * node + 1]);
+        let first = if a.0 == b.0 && a.0.is_finite() { self.dues[a.1 as usize] >= self.dues[b.1 as usize] } else { a.0 <= b.0 };
+        if first { a } else { b }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Random;
+
+    /// Against a search through all, with times that are often the same.
+    #[test]
+    fn the_first_is_the_earliest_of_all() {
+        let mut random = Random(7);
+        for count in [1, 2, 5, 64, 100] {
+            let mut calendar = Calendar::new(count);
+            calendar.clear();
+            (0..count).for_each(|body| calendar.enter(body));
+            let due = |random: &mut Random, pair: usize| Due {
+                time: (random.unit() * 8.0).floor(),
+                speed: (random.unit() * 2.0).floor(),
+                pair: pair as u32,
+                ..Due::default()
+            };
+            let mut known: Vec<Option<Due>> = (0..count).map(|body| (body % 3 != 0).then(|| due(&mut random, body))).collect();
+            for (body, due) in known.iter().enumerate() {
+                due.iter().for_each(|due| calendar.offer(body, *due));
+            }
+            calendar.open(0..count);
+            for turn in 0..1000 {
+                let first = known.iter().flatten().max();
+                assert_eq!(calendar.first().map(|(_, due)| due), first.copied(), "{count} bodies, turn {turn}");
+                let body = (random.unit() * count as f64) as usize;
+                known[body] = (random.unit() < 0.7).then(|| due(&mut random, turn));
+                calendar.replace(body, known[body]);
+            }
+        }
+    }
+}
