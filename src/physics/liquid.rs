@@ -16,9 +16,9 @@
 //! What sinks or rises at its terminal velocity stays on it. What floats with nothing left of its bobbing but rounding is at rest.
 
 use super::Body;
-use super::air::{Drag, fly_through};
+use super::air::Drag;
 use super::bath::{Bath, Forms, Regime};
-use super::flow::{Course, Pose};
+use super::flow::{Course, Pose, fly};
 use super::impact_time::Cubic;
 use super::media::{Law, Media};
 use super::series::Series;
@@ -278,7 +278,7 @@ impl Swimmer<'_> {
         let free = DVec2::new(constant.x, constant.y - bath.lift);
         match self.kind(regime, bath, free, pose.1) {
             Kind::Settled(velocity) => take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity)),
-            Kind::Air(longest) => take_exact(regime, pose, left.min(longest), |t| fly_through(pose, free, &bath.drag, t)),
+            Kind::Air(longest) => take_exact(regime, pose, left.min(longest), |t| fly(self.media, pose, free, &bath.drag, t)),
             Kind::Linear => {
                 let flow = linear_flow(bath, constant, pose);
                 if stays_within(regime, bath, free, pose, left) {

@@ -64,7 +64,7 @@ impl Resistance {
 
 impl Bodies {
     /// Whether nothing but the air slows the flight of a body, and it does.
-    fn meets_air(&self, i: usize) -> bool {
+    pub(super) fn meets_air(&self, i: usize) -> bool {
         self.airy && self.drag_wide[i] + self.drag_tall[i] + self.drag_round[i] > 0.0 && !self.is_guided[self.id[i] as usize]
     }
 

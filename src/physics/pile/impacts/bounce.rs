@@ -162,9 +162,9 @@ impl Impacts {
         self.hit_in[i] = self.follow_ups;
         let course = &mut self.courses[i][axis];
         let old = *course;
-        // Of what is led, weight and air are not all that pulls at it.
-        let led = bodies.is_guided[bodies.id[i] as usize];
-        if !led && bodies.drag_wide[i] + bodies.drag_tall[i] > 0.0 {
+        // Of what is led, weight and air are not all that pulls at it; and what goes straight is not as fast in the end.
+        let led = bodies.is_guided[bodies.id[i] as usize] || old.fade > 0.0;
+        if !led && bodies.meets_air(i) {
             let outer = if axis == 0 { bodies.ax[i] } else { bodies.ay[i] };
             course.pull = outer + slowed(old.pull - outer, old.speed(time), speed, dt - time);
         }

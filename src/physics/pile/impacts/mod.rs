@@ -51,6 +51,10 @@ const WORK_OF_A_LINK: u64 = 2;
 const WORK_OF_A_LOOK: u64 = 10;
 const WORK_OF_AN_IMPACT: u64 = 150;
 
+/// What part of its speed the air may leave to what is still taken to be on a parabola. Smaller: it is off its way by more than an eighth of it;
+/// larger: no parabola where one is near enough.
+const BRAKED: f64 = 0.5;
+
 /// The direction of a contact's normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
@@ -398,9 +402,10 @@ impl Impacts {
         self.chain[i] = NONE;
         (self.hits[i], self.waits[i]) = (0, false);
         self.saved[i] = [bodies.free_vx[i], bodies.free_vy[i]];
-        // Through liquids and streams bodies are led; what the air brakes is on a parabola nearly enough.
+        // Through liquids and streams bodies are led; what the air brakes is on a parabola nearly enough, unless it brakes most of the speed.
         let (led, dt) = (bodies.is_guided[bodies.id[i] as usize], self.dt);
-        let course = |at: f64, velocity: f64, end: (f64, f64)| match led {
+        let meets_air = bodies.meets_air(i);
+        let course = |at: f64, velocity: f64, end: (f64, f64)| match led || meets_air && end.1.abs() < BRAKED * velocity.abs() {
             true => Course::to(end, (at, velocity), dt),
             false => Course::by((velocity, end.1), at, dt),
         };
