@@ -9,12 +9,12 @@ use super::due::Due;
 pub(super) struct Calendar {
     /// By slot; what never comes has found nothing.
     dues: Vec<Due>,
-    /// By slot: where a body stands among those that are played for.
+    /// By slot: where a body stands among those that have found something so far; and these, in that order.
     leaf: Vec<u32>,
+    finders: Vec<u32>,
     /// The body that comes first of those below, by slot, and when, s: node k is above 2·k and 2·k + 1, and from `leaves` on there is nobody below.
     nodes: Vec<(f64, u32)>,
     leaves: usize,
-    count: usize,
 }
 
 impl Calendar {
@@ -22,22 +22,22 @@ impl Calendar {
     pub fn new(count: usize) -> Self {
         Self {
             dues: vec![Due::default(); count],
-            leaf: vec![0; count],
+            leaf: vec![NONE; count],
+            finders: Vec::with_capacity(count),
             nodes: Vec::with_capacity(2 * count.next_power_of_two()),
-            ..Self::default()
+            leaves: 0,
         }
     }
 
     /// Begins with nobody in it.
     pub fn clear(&mut self) {
-        self.count = 0;
+        self.finders.clear();
     }
 
-    /// Adds a body that has found nothing yet, before [`Calendar::open`].
+    /// Adds a body that has found nothing yet.
     pub fn enter(&mut self, body: usize) {
-        self.leaf[body] = self.count as u32;
+        self.leaf[body] = NONE;
         self.dues[body].time = f64::INFINITY;
-        self.count += 1;
     }
 
     /// What a body has found; its time is infinite if that is nothing.
@@ -45,22 +45,23 @@ impl Calendar {
         &self.dues[body]
     }
 
+    /// The bodies that have found something so far, by slot.
+    pub fn finders(&self) -> &[u32] {
+        &self.finders
+    }
+
     /// Before [`Calendar::open`], a body has found something: it keeps what comes first.
     pub fn offer(&mut self, body: usize, due: Due) {
+        if self.leaf[body] == NONE {
+            self.find(body);
+        }
         self.dues[body] = self.dues[body].max(due);
     }
 
-    /// All have entered, and found what they know first: these.
-    pub fn open(&mut self, bodies: impl Iterator<Item = usize>) {
-        self.leaves = self.count.next_power_of_two();
-        self.nodes.clear();
-        self.nodes.resize(2 * self.leaves, (f64::INFINITY, NONE));
-        for body in bodies {
-            self.nodes[self.leaves + self.leaf[body] as usize] = (self.dues[body].time, body as u32);
-        }
-        for node in (1..self.leaves).rev() {
-            self.nodes[node] = self.earlier(node);
-        }
+    /// All know what they have found first.
+    pub fn open(&mut self) {
+        self.leaves = self.finders.len().next_power_of_two();
+        self.play_all();
     }
 
     /// What comes first of all, and who has found it.
@@ -73,10 +74,38 @@ impl Calendar {
     pub fn replace(&mut self, body: usize, due: Option<Due>) {
         let time = due.map_or(f64::INFINITY, |due| due.time);
         self.dues[body] = due.unwrap_or(Due { time, ..Due::default() });
+        if self.leaf[body] == NONE {
+            if due.is_none() {
+                return;
+            }
+            self.find(body);
+            if self.finders.len() > self.leaves {
+                self.leaves *= 2;
+                return self.play_all();
+            }
+        }
         let mut node = self.leaves + self.leaf[body] as usize;
         self.nodes[node] = (time, body as u32);
         while node > 1 {
             node /= 2;
+            self.nodes[node] = self.earlier(node);
+        }
+    }
+
+    /// A body finds something for the first time.
+    fn find(&mut self, body: usize) {
+        self.leaf[body] = self.finders.len() as u32;
+        self.finders.push(body as u32);
+    }
+
+    fn play_all(&mut self) {
+        let Self { nodes, leaves, finders, dues, .. } = self;
+        nodes.clear();
+        nodes.resize(2 * *leaves, (f64::INFINITY, NONE));
+        for (node, &body) in nodes[*leaves..].iter_mut().zip(&*finders) {
+            *node = (dues[body as usize].time, body);
+        }
+        for node in (1..self.leaves).rev() {
             self.nodes[node] = self.earlier(node);
         }
     }
@@ -113,7 +142,7 @@ mod tests {
             for (body, due) in known.iter().enumerate() {
                 due.iter().for_each(|due| calendar.offer(body, *due));
             }
-            calendar.open(0..count);
+            calendar.open();
             for turn in 0..1000 {
                 let first = known.iter().flatten().max();
                 assert_eq!(calendar.first().map(|(_, due)| due), first.copied(), "{count} bodies, turn {turn}");

@@ -6,7 +6,7 @@
 //! when the later of the two set out.
 
 use super::super::bodies::Bodies;
-use super::super::islands::{Island, apart};
+use super::super::islands::apart;
 use super::course::time_of_impact;
 use super::due::{Due, Pair};
 use super::{Around, Impacts, NONE, RATTLE, SLOWEST, WORK_OF_A_LINK, WORK_OF_A_LOOK};
@@ -29,15 +29,12 @@ impl Impacts {
     }
 
     /// Notes what each has found first of all.
-    pub(super) fn note_first_looks(&mut self, bodies: &Bodies, island: Island<'_>) {
-        let entered = |i: &usize| self.entered_in[*i] == self.follow_ups;
-        let who = || island.members.iter().map(|i| *i as usize).chain(island.settled().filter(entered));
-        self.calendar.open(who());
-        for i in who() {
+    pub(super) fn note_first_looks(&mut self, bodies: &Bodies) {
+        self.calendar.open();
+        for k in 0..self.calendar.finders().len() {
+            let i = self.calendar.finders()[k] as usize;
             let time = self.calendar.due(i).time;
-            if time.is_finite() {
-                (self.looks[i].lane, self.looks[i].next) = (self.lane(bodies, i, (0.0, time)), time);
-            }
+            (self.looks[i].lane, self.looks[i].next) = (self.lane(bodies, i, (0.0, time)), time);
         }
     }
 

@@ -392,7 +392,7 @@ impl Impacts {
         for &(i, j) in added {
             self.meet(bodies, i, j);
         }
-        self.note_first_looks(bodies, island);
+        self.note_first_looks(bodies);
     }
 
     /// Notes on which way a body sets out.
