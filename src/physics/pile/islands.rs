@@ -13,7 +13,7 @@ use std::cmp::Ordering;
 const MOST_MOVES: usize = 8;
 
 /// While no more than this part of the bodies sweep something else than in the step before, the lists of the others are kept.
-const MOST_CHANGED: f64 = 0.25;
+const MOST_CHANGED: f64 = 0.6;
 
 /// Boxes that are compared at once.
 const BLOCK: usize = 32;
