@@ -109,6 +109,9 @@ pub(super) struct Network {
     pub work: u64,
 }
 
+/// What is pulled at by less than such a part of what pulls at the rest of its block is light: what the block leaves over is looked at once more.
+const LIGHT: f64 = 1e-3;
+
 /// What a node or a link looked at comes to.
 const WORK_OF_A_LOOK: u64 = 10;
 
@@ -303,14 +306,60 @@ impl Network {
         let elsewhere = ground.is_some_and(|ground| self.part_with_other_grounds(begin, end, ground));
         let tolerance = largest * FORCE_TOLERANCE;
         if !elsewhere && (self.passes(begin, end, true, tolerance) || self.passes(begin, end, false, tolerance)) {
-            return;
+            return self.settle_light(begin, end, largest);
         }
         self.reset_flows(begin, end);
         if elsewhere {
             self.pull_by_other_grounds(begin, end, acceleration);
         }
         self.route(begin, end, ground.is_some(), tolerance);
-        self.split(begin, end, ground);
+        if !self.split(begin, end, ground) && !elsewhere {
+            self.settle_light(begin, end, largest);
+        }
+    }
+
+    /// What is nothing beside the rest of its block may be all that acts on something light. It is handed on to something heavier, the lightest
+    /// first; what is pulled away from all that it touches goes on by itself.
+    fn settle_light(&mut self, begin: usize, end: usize, largest: f64) {
+        let own = |node: &Node| node.force.abs().max(node.mass * node.acceleration.abs());
+        let light = |i: &u32| own(&self.nodes[*i as usize]) < LIGHT * largest;
+        self.queue.clear();
+        self.queue.extend(self.order[begin..end].iter().copied().filter(light));
+        let nodes = &self.nodes;
+        self.queue.sort_unstable_by(|a, b| nodes[*a as usize].mass.total_cmp(&nodes[*b as usize].mass).then(a.cmp(b)));
+        for k in 0..self.queue.len() {
+            let i = self.queue[k];
+            let node = self.nodes[i as usize];
+            let (mut left, mut idle) = (node.force - node.mass * node.acceleration, true);
+            let mut heaviest: Option<(f64, u32, f64)> = None;
+            for slot in self.links_of(i) {
+                let link = &self.links[self.around[slot] as usize];
+                if !link.cut {
+                    left += if link.lo == i { -link.flow } else { link.flow };
+                    idle &= link.flow == 0.0;
+                }
+            }
+            if left.abs() <= own(&node) * FORCE_TOLERANCE {
+                continue;
+            }
+            for slot in self.links_of(i) {
+                let link = &self.links[self.around[slot] as usize];
+                let mass = self.nodes.get(link.other(i) as usize).map_or(f64::INFINITY, |other| other.mass);
+                let flow = if link.lo == i { link.flow + left } else { link.flow - left };
+                let fits = match link.carries {
+                    Carries::Push => flow >= 0.0,
+                    Carries::UpTo(limit) => flow.abs() <= limit,
+                };
+                if !link.cut && fits && mass > heaviest.map_or(node.mass, |(mass, ..)| mass) {
+                    heaviest = Some((mass, self.around[slot], flow));
+                }
+            }
+            match heaviest {
+                Some((_, link, flow)) => self.links[link as usize].flow = flow,
+                None if idle => self.nodes[i as usize].acceleration += left / node.mass,
+                None => {}
+            }
+        }
     }
 
     /// Sets those links aside (`cut`) that lead to ground which moves otherwise than `ground`. Returns whether there are any.

@@ -79,11 +79,10 @@ impl Network {
             return false;
         }
         let Some(mut at) = self.notes.iter().position(|note| note.waits_for == 0) else { return false };
-        let tolerance = self.nodes.iter().fold(0.0, |most: f64, node| most.max(node.force.abs())) * FORCE_TOLERANCE;
         let mut borne = 0.0;
         for count in 1..=self.nodes.len() {
             let load = sign * self.nodes[at].force + borne;
-            if load < -tolerance {
+            if load < -borne * FORCE_TOLERANCE {
                 return false;
             }
             let link = &mut self.links[self.notes[at].came_by as usize];

@@ -139,8 +139,8 @@ impl Network {
     }
 
     /// Cuts the block where the routing got stuck: ties across the cut slip at their limits, pushes across it have ended. `ground` is the
-    /// acceleration of the ground that it was held against.
-    pub(super) fn split(&mut self, begin: usize, end: usize, ground: Option<f64>) {
+    /// acceleration of the ground that it was held against. Returns whether it was cut.
+    pub(super) fn split(&mut self, begin: usize, end: usize, ground: Option<f64>) -> bool {
         let first = self.notes[self.order[begin] as usize].side;
         let whole = (begin..end).all(|at| self.notes[self.order[at] as usize].side == first);
         if let Some(side) = self.settle_other_grounds(ground.unwrap_or(0.0)) {
@@ -148,7 +148,7 @@ impl Network {
             self.squeezed.extend(self.order[begin..end].iter().filter(|&&i| notes[i as usize].side == side));
         }
         if whole && (first == Side::Same || ground.is_none()) {
-            return;
+            return false;
         }
         for at in begin..end {
             let i = self.order[at];
@@ -187,6 +187,7 @@ impl Network {
             }
             self.blocks.push((from as u32, at as u32));
         }
+        true
     }
 
     /// Lets a link that has been cut pass on a force that stays.

@@ -69,6 +69,28 @@ fn a_column_is_what_its_blocks_are() {
     assert!(direct > 300, "{direct}");
 }
 
+/// A gram beside forty kilograms: to the last digits of its own forces, not of theirs. One lies on it, one is held by both.
+#[test]
+fn what_is_light_beside_something_heavy_is_in_balance() {
+    let (heavy, force) = (43.7, 43.7 * 9.81);
+    for pull in [1.23e-10, -1.23e-10, 0.0] {
+        let bodies = [(heavy, force), (1e-3, 1e-3 * force / heavy + pull), (1e-3, pull)];
+        let tie = Carries::UpTo(1.0);
+        let links = [(1, 0, Carries::Push), (2, 1, tie), (0, 2, tie)];
+        let network = line(&bodies, &links);
+        for (i, node) in network.nodes.iter().enumerate() {
+            let flows = network.links.iter().map(|link| match i as u32 {
+                i if i == link.lo => -link.flow,
+                i if i == link.hi => link.flow,
+                _ => 0.0,
+            });
+            let left = node.force + flows.sum::<f64>() - node.mass * node.acceleration;
+            let own = node.force.abs().max(node.mass * node.acceleration.abs());
+            assert!(left.abs() <= 4.0 * FORCE_TOLERANCE * own, "{pull} N, node {i}: {left} N of {own} N");
+        }
+    }
+}
+
 #[test]
 fn what_pulls_away_parts_and_what_presses_moves_as_one() {
     // The first pushes the second; the third runs ahead of them.
