@@ -47,10 +47,8 @@ guards! {
     flows_ended_early,
     /// Flights of one body through so many streams that the rest of a tick went with the force that it had come to.
     flights_cut_short,
-    /// Surfaces stopped because they would have squeezed something.
+    /// Surfaces stopped because they would have squeezed something; for a whole tick where islands did not agree within their rounds on when.
     surfaces_stopped,
-    /// Surfaces that stood still for a whole tick, because islands did not agree within their rounds on when they stop.
-    disputes_ended,
     /// Dense: steps of islands solved again because a hit threw a body further than contacts were looked for.
     steps_grown,
     /// Dense: steps of islands whose bodies were kept within what was looked for in the end.

@@ -310,7 +310,7 @@ impl Advance for Tick<'_> {
             *open = *rounds < 2 * Choice::MOST_ROUNDS && met.iter().filter(mine).any(|met| differs(met, stops));
             *rounds += u32::from(*open);
             if *open && *rounds > Choice::MOST_ROUNDS {
-                self.guards.disputes_ended += u64::from(*rounds == Choice::MOST_ROUNDS + 1);
+                self.guards.surfaces_stopped += u64::from(*rounds == Choice::MOST_ROUNDS + 1);
                 let stops = stops.iter_mut().filter(|stop| stop.surface == *surface);
                 stops.for_each(|stop| (stop.leader, stop.at) = (NOBODY, 0.0));
             }

@@ -351,7 +351,7 @@ impl Swimmer<'_> {
         let mut last = None;
         for _ in 0..MOST_TRIALS {
             let middle = from + (to - from) * (inside / (inside - outside)).clamp(LEAST_CUT, 1.0 - LEAST_CUT);
-            if middle <= from || middle >= to || regime.all_but_holds(flow(to).0) {
+            if !(middle > from && middle < to) || regime.all_but_holds(flow(to).0) {
                 break;
             }
             self.media.spend(WORK_OF_A_STEP);

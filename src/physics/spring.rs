@@ -3,9 +3,9 @@
 
 /// Terms of the power series. Its arguments stay below [`NEAR`], so that what is left out is below one rounding; and how many do where D·t and
 /// √K·t are below 0.1 and 0.01.
-const TERMS: usize = 16;
-const FEWER: usize = 11;
-const FEW: usize = 8;
+const TERMS: usize = 20;
+const FEWER: usize = 12;
+const FEW: usize = 9;
 /// What each term is divided by, times that of the one before it: a division takes as long as the rest of a term.
 const DIVIDED: [[f64; 2]; TERMS] = {
     let mut parts = [[0.0; 2]; TERMS];

@@ -9,7 +9,8 @@
 //! *are* the contact forces), and where that cannot be done, cut at the bottleneck and go on with the parts (the decomposition
 //! algorithm for separable convex functions: Fujishige 1980, Groenevelt 1991).
 //!
-//! Most blocks settle in one pass of loads along the axis (`passes`); the rest by maximum flow (`routing`).
+//! A column on ground is answered directly; most blocks settle in one pass of loads along the axis (`passes`), the rest by maximum flow
+//! (`routing`). What a settled block leaves over within its tolerance is handed on by what is light in it, for which it may be all that acts.
 //!
 //! Ground may move: a link to it knows its acceleration (or, when impulses are solved for, its velocity). Where all ground of a network
 //! moves alike, the network is solved in its frame. Otherwise a block is held against one of its grounds at a time: seen from there,
@@ -318,46 +319,47 @@ impl Network {
         }
     }
 
-    /// What is nothing beside the rest of its block may be all that acts on something light. It is handed on to something heavier, the lightest
-    /// first; what is pulled away from all that it touches goes on by itself.
+    /// What is nothing beside the rest of its block may be all that acts on something light. The lightest first, it is handed on to what is not light,
+    /// or at least heavier, or numbered later; what is pulled away from all that it is only pushed by goes on by itself.
     fn settle_light(&mut self, begin: usize, end: usize, largest: f64) {
         let own = |node: &Node| node.force.abs().max(node.mass * node.acceleration.abs());
-        let light = |i: &u32| own(&self.nodes[*i as usize]) < LIGHT * largest;
+        let is_light = |node: &Node| own(node) < LIGHT * largest;
         self.queue.clear();
-        self.queue.extend(self.order[begin..end].iter().copied().filter(light));
+        self.queue.extend(self.order[begin..end].iter().copied().filter(|i| is_light(&self.nodes[*i as usize])));
+        self.work += WORK_OF_A_LOOK * self.queue.len() as u64;
         let nodes = &self.nodes;
         self.queue.sort_unstable_by(|a, b| nodes[*a as usize].mass.total_cmp(&nodes[*b as usize].mass).then(a.cmp(b)));
         for k in 0..self.queue.len() {
             let i = self.queue[k];
             let node = self.nodes[i as usize];
-            let (mut left, mut idle) = (node.force - node.mass * node.acceleration, true);
-            let mut heaviest: Option<(f64, u32, f64)> = None;
-            for slot in self.links_of(i) {
-                let link = &self.links[self.around[slot] as usize];
-                if !link.cut {
-                    left += if link.lo == i { -link.flow } else { link.flow };
-                    idle &= link.flow == 0.0;
-                }
-            }
+            let links = || self.links_of(i).map(|slot| self.around[slot]).filter(|link| !self.links[*link as usize].cut);
+            let gets = |link: &Link| if link.lo == i { -link.flow } else { link.flow };
+            let gotten: f64 = links().map(|link| gets(&self.links[link as usize])).sum();
+            let left = node.force - node.mass * node.acceleration + gotten;
             if left.abs() <= own(&node) * FORCE_TOLERANCE {
                 continue;
             }
-            for slot in self.links_of(i) {
-                let link = &self.links[self.around[slot] as usize];
-                let mass = self.nodes.get(link.other(i) as usize).map_or(f64::INFINITY, |other| other.mass);
+            let (mut best, mut fits, mut idle) = ((node.mass, i, None), false, true);
+            for index in links() {
+                let link = &self.links[index as usize];
+                let other = link.other(i);
+                let heavy =
+                    self.nodes.get(other as usize).filter(|other| is_light(other)).map_or(f64::INFINITY, |other| other.mass);
                 let flow = if link.lo == i { link.flow + left } else { link.flow - left };
-                let fits = match link.carries {
+                idle &= link.flow == 0.0 && link.carries == Carries::Push;
+                let carried = match link.carries {
                     Carries::Push => flow >= 0.0,
                     Carries::UpTo(limit) => flow.abs() <= limit,
                 };
-                if !link.cut && fits && mass > heaviest.map_or(node.mass, |(mass, ..)| mass) {
-                    heaviest = Some((mass, self.around[slot], flow));
+                fits |= carried;
+                if carried && (heavy > best.0 || heavy == best.0 && other > best.1) {
+                    best = (heavy, other, Some((index, flow)));
                 }
             }
-            match heaviest {
-                Some((_, link, flow)) => self.links[link as usize].flow = flow,
-                None if idle => self.nodes[i as usize].acceleration += left / node.mass,
-                None => {}
+            if let (.., Some((link, flow))) = best {
+                self.links[link as usize].flow = flow;
+            } else if idle && !fits {
+                self.nodes[i as usize].acceleration += left / node.mass;
             }
         }
     }

@@ -91,6 +91,23 @@ fn what_is_light_beside_something_heavy_is_in_balance() {
     }
 }
 
+/// What could be carried is no reason to go by itself: by what is as light, or lighter, or not light.
+#[test]
+fn what_is_light_stays_with_what_can_carry_it() {
+    let (push, grip) = (Carries::Push, Carries::UpTo(1.0));
+    for mass in [1e-3, 2e-3] {
+        let bodies = [(mass, 1e-10), (1e-3, 0.0), (43.7, 428.7)];
+        let network = line(&bodies, &[(0, 1, push), (1, 2, push), (1, 2, grip), (2, GROUND, Carries::UpTo(500.0))]);
+        assert_eq!(accelerations(&network), [0.0; 3], "{mass} kg");
+    }
+    let network = line(&[(10.0, 1e-16), (5.0, 30.0)], &[(0, 1, Carries::UpTo(50.0)), (1, GROUND, Carries::UpTo(70.0))]);
+    assert_eq!(accelerations(&network), [0.0; 2]);
+    assert_eq!(network.links[0].flow, 1e-16);
+    // And what nothing holds goes.
+    let network = line(&[(1e-3, -1e-10), (43.7, 428.7)], &[(0, 1, push), (1, GROUND, push), (1, GROUND, Carries::UpTo(500.0))]);
+    assert_eq!(accelerations(&network), [-1e-10 / 1e-3, 0.0]);
+}
+
 #[test]
 fn what_pulls_away_parts_and_what_presses_moves_as_one() {
     // The first pushes the second; the third runs ahead of them.

@@ -78,7 +78,7 @@ impl Impacts {
         for (i, rub) in [(a, rub), (b, -rub)] {
             if rub != 0.0 && i < n {
                 let course = self.courses[i][1 - axis];
-                self.set(bodies, i, 1 - axis, time, (course.place(time), course.speed(time) + rub / bodies.mass[i]));
+                self.rub_along(bodies, i, 1 - axis, time, (course, rub / bodies.mass[i]));
             }
         }
         // Over whole bounces gravity has been answered too.
@@ -120,7 +120,7 @@ impl Impacts {
         let (pull, leaves, left) = ((of_a.pull - of_b.pull) * side, restitution * due.speed, self.dt - due.time);
         let fade = of_a.fade.max(of_b.fade);
         if fade > 0.0 {
-            // What a liquid brakes and presses on is back at once, again and again, and ever slower.
+            // What a medium brakes and presses on is back at once, again and again, and ever slower.
             let closing = (of_a.ends(self.dt) - of_b.ends(self.dt)) * side;
             return (due.time, parting(leaves, closing, fade, left).clamp(0.0, leaves));
         }
@@ -156,22 +156,36 @@ impl Impacts {
         -(coefficient * impulse).min(sliding.abs() * mass).copysign(sliding) * if sliding == 0.0 { 0.0 } else { 1.0 }
     }
 
+    /// From `time` on, body i is faster by a `change` along the axis on which it slides.
+    fn rub_along(&mut self, bodies: &mut Bodies, i: usize, axis: usize, time: f64, (course, change): (Course, f64)) {
+        if !course.braked {
+            return self.set(bodies, i, axis, time, (course.place(time), course.speed(time) + change));
+        }
+        // Its way is another one by no more than that, and what brakes it takes most of that too.
+        let left = self.dt - time;
+        self.hit_in[i] = self.follow_ups;
+        self.courses[i][axis] = Course { at: course.at - change * time, velocity: course.velocity + change, ..course };
+        let (p, free) = if axis == 0 { (&mut bodies.px, &mut bodies.free_vx) } else { (&mut bodies.py, &mut bodies.free_vy) };
+        p[i] += change * left;
+        free[i] += change * libm::exp(-course.fade * left);
+    }
+
     /// From `time` on, body i moves on from a place with a velocity.
     fn set(&mut self, bodies: &mut Bodies, i: usize, axis: usize, time: f64, (place, speed): (f64, f64)) {
         let dt = self.dt;
         self.hit_in[i] = self.follow_ups;
         let course = &mut self.courses[i][axis];
         let old = *course;
-        // Of what is led, weight and air are not all that pulls at it; and what goes straight is not as fast in the end.
-        let led = bodies.is_guided[bodies.id[i] as usize] || old.fade > 0.0;
-        if !led && bodies.meets_air(i) {
+        // Weight and air are not all that pulls at what is led, and what goes straight is not as fast in the end.
+        let is_told = old.braked || bodies.is_guided[bodies.id[i] as usize];
+        if !is_told && bodies.meets_air(i) {
             let outer = if axis == 0 { bodies.ax[i] } else { bodies.ay[i] };
             course.pull = outer + slowed(old.pull - outer, old.speed(time), speed, dt - time);
         }
         course.velocity = speed - course.pull * time;
         course.at = place - (course.velocity + 0.5 * course.pull * time) * time;
         let (p, free) = if axis == 0 { (&mut bodies.px, &mut bodies.free_vx) } else { (&mut bodies.py, &mut bodies.free_vy) };
-        if led {
+        if is_told {
             // It may have been on another way: from now on it is on this course.
             (p[i], free[i]) = (course.place(dt), course.speed(dt));
             return;

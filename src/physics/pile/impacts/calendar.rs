@@ -4,10 +4,13 @@
 use super::NONE;
 use super::due::Due;
 
+/// No pair, at no time.
+const NOTHING: Due = Due { time: f64::INFINITY, speed: 0.0, pair: NONE, ways: 0, axis: 0 };
+
 /// What the bodies of one island have found, each at most one impact.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Calendar {
-    /// By slot; what never comes has found nothing.
+    /// What each body has found, by slot; an infinite time if that is nothing.
     dues: Vec<Due>,
     /// By slot: where a body stands among those that have found something so far; and these, in that order.
     leaf: Vec<u32>,
@@ -21,7 +24,7 @@ impl Calendar {
     /// Room for `count` bodies.
     pub fn new(count: usize) -> Self {
         Self {
-            dues: vec![Due::default(); count],
+            dues: vec![NOTHING; count],
             leaf: vec![NONE; count],
             finders: Vec::with_capacity(count),
             nodes: Vec::with_capacity(2 * count.next_power_of_two()),
@@ -37,7 +40,7 @@ impl Calendar {
     /// Adds a body that has found nothing yet.
     pub fn enter(&mut self, body: usize) {
         self.leaf[body] = NONE;
-        self.dues[body].time = f64::INFINITY;
+        self.dues[body] = NOTHING;
     }
 
     /// What a body has found; its time is infinite if that is nothing.
@@ -73,7 +76,8 @@ impl Calendar {
     /// A body has looked ahead anew.
     pub fn replace(&mut self, body: usize, due: Option<Due>) {
         let time = due.map_or(f64::INFINITY, |due| due.time);
-        self.dues[body] = due.unwrap_or(Due { time, ..Due::default() });
+        debug_assert!(!time.is_nan(), "an impact at no time: {due:?}");
+        self.dues[body] = due.unwrap_or(NOTHING);
         if self.leaf[body] == NONE {
             if due.is_none() {
                 return;
@@ -136,7 +140,7 @@ mod tests {
                 time: (random.unit() * 8.0).floor(),
                 speed: (random.unit() * 2.0).floor(),
                 pair: pair as u32,
-                ..Due::default()
+                ..NOTHING
             };
             let mut known: Vec<Option<Due>> = (0..count).map(|body| (body % 3 != 0).then(|| due(&mut random, body))).collect();
             for (body, due) in known.iter().enumerate() {

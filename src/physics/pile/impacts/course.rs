@@ -6,13 +6,14 @@ pub(super) struct Course {
     pub at: f64,
     pub velocity: f64,
     pub pull: f64,
-    /// What goes straight because a liquid brakes it so much: how fast it is in the end, m/s, and how fast it gets there, 1/s; else 0.
+    /// Whether it goes straight because air or a liquid brakes it so much; how fast it is in the end, m/s, and how fast it gets there, 1/s, or 0.
+    pub braked: bool,
     pub end: f64,
     pub fade: f64,
 }
 
 /// How far from a parabola by its velocities at both ends a way may end and be taken for one, as a part of those velocities times the step. Larger:
-/// what a liquid stops within microseconds would go out and come back; smaller: drag makes impacts slower than they are.
+/// what a medium stops within microseconds would go out and come back; smaller: drag makes impacts slower than they are.
 const BENT: f64 = 0.125;
 
 impl Course {
@@ -26,7 +27,7 @@ impl Course {
         } else {
             let fade = (velocity - end.1) / (way - end.1 * dt);
             let fade = if fade > 0.0 && fade.is_finite() { fade } else { 0.0 };
-            Self { end: end.1, fade, ..Self::straight(at, way / dt) }
+            Self { braked: true, end: end.1, fade, ..Self::straight(at, way / dt) }
         }
     }
 
@@ -104,7 +105,7 @@ mod tests {
 
     /// Terminal velocity u and time constant τ: the way is u·t + (v − u)·τ·(1 − e^(−t/τ)).
     #[test]
-    fn what_a_liquid_brakes_fades_to_its_terminal_velocity() {
+    fn what_a_medium_brakes_fades_to_its_terminal_velocity() {
         let (u, tau, dt): (f64, f64, f64) = (-5.0, 1e-3, 0.01);
         let rest = libm::exp(-dt / tau);
         let end = |v: f64| (u * dt + (v - u) * tau * (1.0 - rest), u + (v - u) * rest);

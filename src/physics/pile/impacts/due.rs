@@ -36,7 +36,7 @@ pub(super) struct Looked {
 }
 
 /// A pair will touch.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Due {
     pub time: f64,
     pub speed: f64,

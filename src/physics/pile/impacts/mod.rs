@@ -39,7 +39,8 @@ const RATTLE: u32 = 12;
 /// bodies wait where fewer impacts fall into one step.
 const BUDGET: u64 = 20_000;
 const BUDGET_OF_A_BODY: u64 = 300;
-/// What the budget of an island of few comes to, for each body.
+/// What the first of these is at most, for each body, in units of work. Larger: many islands of up to three bodies cost more; smaller: they wait
+/// where a larger one would not.
 const BUDGET_OF_FEW: u64 = 6_000;
 /// The same of a gas that has time for it.
 const BUDGET_OF_A_GAS: u64 = 200_000;
@@ -51,8 +52,8 @@ const WORK_OF_A_LINK: u64 = 2;
 const WORK_OF_A_LOOK: u64 = 10;
 const WORK_OF_AN_IMPACT: u64 = 150;
 
-/// What part of its speed the air may leave to what is still taken to be on a parabola. Smaller: it is off its way by more than an eighth of it;
-/// larger: no parabola where one is near enough.
+/// Air that leaves less than this part of the speed may be too strong for a parabola: [`Course::to`] decides. Smaller: what it stops is sought
+/// where it does not get; larger: the same is asked where it is known.
 const BRAKED: f64 = 0.5;
 
 /// The direction of a contact's normal.
@@ -120,7 +121,7 @@ pub(super) struct Impacts {
     pub waiting: u64,
     /// What impacts have taken since the start, in units of work.
     pub work: u64,
-    /// What they may take in this step, and what of that is for how many soever.
+    /// What they may take in this step, and what of that is not for each body by itself, in units of work.
     allowed: u64,
     budget: u64,
     /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
@@ -402,7 +403,7 @@ impl Impacts {
         self.chain[i] = NONE;
         (self.hits[i], self.waits[i]) = (0, false);
         self.saved[i] = [bodies.free_vx[i], bodies.free_vy[i]];
-        // Through liquids and streams bodies are led; what the air brakes is on a parabola nearly enough, unless it brakes most of the speed.
+        // Through liquids and streams bodies are led; what the air brakes is on a parabola nearly enough, unless that takes most of its speed.
         let (led, dt) = (bodies.is_guided[bodies.id[i] as usize], self.dt);
         let meets_air = bodies.meets_air(i);
         let course = |at: f64, velocity: f64, end: (f64, f64)| match led || meets_air && end.1.abs() < BRAKED * velocity.abs() {
