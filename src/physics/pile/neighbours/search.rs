@@ -223,9 +223,15 @@ impl Neighbours {
         }
     }
 
-    /// Collects the surfaces that overlap `mine`.
+    /// Collects the surfaces that overlap `mine`: one by one where that is less than the cells that it is in.
     pub(super) fn near_surfaces(&mut self, mine: &Edges, n: usize) {
-        if self.surface_edges.len() <= FEW_SURFACES {
+        let grid = &self.surfaces;
+        let count = self.surface_edges.len();
+        let few = count <= FEW_SURFACES || {
+            let (wide, high) = (grid.column(mine[1]) - grid.column(mine[0]), grid.row(mine[3]) - grid.row(mine[2]));
+            (wide + 1) * (high + 1) > count
+        };
+        if few {
             for (j, other) in self.surface_edges.iter().enumerate() {
                 if overlap(mine, other) {
                     self.near.push((n + j) as u32);
@@ -233,7 +239,6 @@ impl Neighbours {
             }
             return;
         }
-        let grid = &self.surfaces;
         let known = self.near.len();
         for row in grid.row(mine[2])..=grid.row(mine[3]) {
             for column in grid.column(mine[0])..=grid.column(mine[1]) {
