@@ -346,22 +346,23 @@ impl Swimmer<'_> {
         let beyond = LOOKS.iter().position(|part| !regime.holds(flow(part * h).0))?;
         let mut from = if beyond > 0 { LOOKS[beyond - 1] * h } else { 0.0 };
         let mut to = LOOKS[beyond] * h;
-        let depth = |t: f64| regime.beyond(flow(t).0);
-        let (mut inside, mut outside) = (depth(from), depth(to));
+        let mut there = flow(to).0;
+        let (mut inside, mut outside) = (regime.beyond(flow(from).0), regime.beyond(there));
         let mut last = None;
         for _ in 0..MOST_TRIALS {
             let middle = from + (to - from) * (inside / (inside - outside)).clamp(LEAST_CUT, 1.0 - LEAST_CUT);
-            if !(middle > from && middle < to) || regime.all_but_holds(flow(to).0) {
+            if !(middle > from && middle < to) || regime.all_but_holds(there) {
                 break;
             }
             self.media.spend(WORK_OF_A_STEP);
-            let deep = depth(middle);
+            let place = flow(middle).0;
+            let deep = regime.beyond(place);
             let stays = deep <= 0.0;
             let halved = if last == Some(stays) { 0.5 } else { 1.0 };
             if stays {
                 (from, inside, outside) = (middle, deep, halved * outside);
             } else {
-                (to, outside, inside) = (middle, deep, halved * inside);
+                (to, there, outside, inside) = (middle, place, deep, halved * inside);
             }
             last = Some(stays);
         }

@@ -77,8 +77,7 @@ impl Impacts {
         }
         for (i, rub) in [(a, rub), (b, -rub)] {
             if rub != 0.0 && i < n {
-                let course = self.courses[i][1 - axis];
-                self.rub_along(bodies, i, 1 - axis, time, (course, rub / bodies.mass[i]));
+                self.rub_along(bodies, i, 1 - axis, time, rub / bodies.mass[i]);
             }
         }
         // Over whole bounces gravity has been answered too.
@@ -156,8 +155,9 @@ impl Impacts {
         -(coefficient * impulse).min(sliding.abs() * mass).copysign(sliding) * if sliding == 0.0 { 0.0 } else { 1.0 }
     }
 
-    /// From `time` on, body i is faster by a `change` along the axis on which it slides.
-    fn rub_along(&mut self, bodies: &mut Bodies, i: usize, axis: usize, time: f64, (course, change): (Course, f64)) {
+    /// From `time` on, body i is faster by a `change` (m/s) along the axis on which it slides.
+    fn rub_along(&mut self, bodies: &mut Bodies, i: usize, axis: usize, time: f64, change: f64) {
+        let course = self.courses[i][axis];
         if !course.braked {
             return self.set(bodies, i, axis, time, (course.place(time), course.speed(time) + change));
         }

@@ -39,11 +39,11 @@ const RATTLE: u32 = 12;
 /// bodies wait where fewer impacts fall into one step.
 const BUDGET: u64 = 20_000;
 const BUDGET_OF_A_BODY: u64 = 300;
-/// What the first of these is at most, for each body, in units of work. Larger: many islands of up to three bodies cost more; smaller: they wait
-/// where a larger one would not.
-const BUDGET_OF_FEW: u64 = 6_000;
 /// The same of a gas that has time for it.
 const BUDGET_OF_A_GAS: u64 = 200_000;
+/// What the budget of an island, a gas or not, is at most, for each of its bodies. Larger: many islands of few bodies cost more; smaller: these
+/// wait where those of a larger one would not.
+const BUDGET_OF_FEW: u64 = 6_000;
 /// Once half of the budget is used up, who has been hit so often waits. Fewer: what is hit seldom loses time; more: what is hit often takes
 /// the other half too.
 const OFTEN: u32 = 4;
@@ -121,9 +121,8 @@ pub(super) struct Impacts {
     pub waiting: u64,
     /// What impacts have taken since the start, in units of work.
     pub work: u64,
-    /// What they may take in this step, and what of that is not for each body by itself, in units of work.
+    /// What they may take in this step, in units of work.
     allowed: u64,
-    budget: u64,
     /// The pairs of each body, by slot: a chain of links 2·pair (as its first) and 2·pair + 1 (as its second).
     chain: Vec<u32>,
     links: Vec<Link>,
@@ -196,7 +195,8 @@ impl Impacts {
 
     fn begin(&mut self, tolerances: &Tolerances, island: Island<'_>, size: StepSize) {
         (self.dt, self.rest_speed) = (size.dt, size.rest_speed);
-        self.budget = if size.gas { BUDGET_OF_A_GAS } else { BUDGET };
+        let (budget, count) = (if size.gas { BUDGET_OF_A_GAS } else { BUDGET }, island.all.len() as u64);
+        self.allowed = budget.min(BUDGET_OF_FEW * count) + BUDGET_OF_A_BODY * count;
         (self.touch, self.hair) = (tolerances.touch, tolerances.hair);
         self.all.clear();
         self.any = false;
@@ -211,8 +211,6 @@ impl Impacts {
         self.follow_ups += 1;
         self.ends = false;
         self.gather(bodies, island, anchors, &around.reach.added);
-        let count = island.all.len() as u64;
-        self.allowed = self.budget.min(BUDGET_OF_FEW * count) + BUDGET_OF_A_BODY * count;
         let most = self.work + self.allowed;
         while let Some((by, due)) = self.calendar.first() {
             if alone && self.ends {
