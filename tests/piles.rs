@@ -117,6 +117,18 @@ fn a_large_pile_of_mixed_restitutions_comes_to_rest() {
     settles(def, most);
 }
 
+/// Friction stops a heap as soon as its layers lie on each other, however many there are: nothing creeps on inside.
+#[test]
+fn a_large_heap_does_not_creep() {
+    for seed in [7, 8] {
+        let n = 5000;
+        let mut pile = Pile::new(PileDef { sleep: false, ..rain_into(n, 71, seed, (1.0, 1.0), 0.8) }).unwrap();
+        (0..140).for_each(|_| pile.step(DT));
+        let moving = (0..n).filter(|i| pile.velocity(*i) != DVec2::ZERO).count();
+        assert!(moving < n / 3, "seed {seed}: {moving} of {n} move");
+    }
+}
+
 /// A heavy body throws a light one up to three times as fast, so these bounce for longer than any alone.
 #[test]
 fn rain_of_mixed_masses_and_restitutions_comes_to_rest_in_pits_of_any_shape() {

@@ -10,7 +10,7 @@ const GOLDEN: [(&str, u64); 6] = [
     ("crowd", 0x61ed_bc4e_2267_cddb),
     ("liquid", 0x5625_63a0_2c46_cef5),
     ("stream", 0x4f1b_54c5_d2ca_2690),
-    ("moving surfaces", 0x50fc_575c_0cc8_e31a),
+    ("moving surfaces", 0xa438_c300_8545_6fcb),
     ("moving surfaces, dense", 0x1c67_9211_1cfd_ac61),
 ];
 

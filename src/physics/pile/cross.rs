@@ -18,9 +18,10 @@ use crate::physics::guards::Guards;
 /// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
 /// The same among many bodies of which some bounce: there is always some contact that does not settle.
-const HASTY_ROUNDS: usize = 1;
+const ROUNDS_OF_MANY: usize = 1;
 /// A pushed body that is faster by this part than it was and than its cluster was pushed against friction that did not come: then
-/// the pushes are dropped. Smaller: rounding drops pushes; larger: bodies are driven by friction.
+/// the pushes are dropped. Smaller: rounding drops pushes; larger: bodies are driven by friction. Among many that bounce there is always one, and
+/// only the energy of all counts.
 const DRIVEN: f64 = 1e-9;
 /// Speeds below this are rounding, m/s.
 const STILL: f64 = 1e-12;
@@ -83,8 +84,8 @@ pub(super) struct Cross<'a> {
     pub impacts: &'a Impacts,
     pub report: &'a mut Report,
     pub dt: f64,
-    /// Whether fewer rounds do.
-    pub hasty: bool,
+    /// Whether they are many, of which some bounce.
+    pub many: bool,
 }
 
 impl Cross<'_> {
@@ -209,7 +210,7 @@ impl Cross<'_> {
             let i = i as usize;
             self.pushes.before[i] = bodies.ux[i];
         }
-        for _ in 0..if self.hasty { HASTY_ROUNDS } else { ROUNDS } {
+        for _ in 0..if self.many { ROUNDS_OF_MANY } else { ROUNDS } {
             if self.stir(bodies) {
                 self.rub(bodies);
             }
@@ -222,7 +223,7 @@ impl Cross<'_> {
                 self.friction.solve(bodies, &self.pushes.given);
                 self.friction.spread_ways(bodies, &self.pushes.told, self.dt);
             }
-            if self.drives(bodies) {
+            if !self.many && self.drives(bodies) {
                 self.reset(bodies);
                 return false;
             }

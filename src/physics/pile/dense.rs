@@ -28,8 +28,8 @@ use crate::physics::guards::Guards;
 
 /// How often a pair that was expected to pass and did not makes the step be solved again. More: slower; fewer: more is put back.
 const LOOKS: usize = 3;
-/// Where some of more bodies than this bounce, fewer rounds across do: there is always something that does not settle. Larger: slower;
-/// smaller: more friction of what is pushed comes a step late.
+/// Where some of more bodies than this bounce, fewer rounds across do: there is always something that does not settle. Larger: slower, and one
+/// contact leaves the friction of more out; smaller: more friction of what is pushed comes a step late.
 const MANY: usize = 256;
 /// Energy gained that is no more than rounding, as a part of the kinetic energy. Smaller: rounding slows what it should not.
 const ROUNDING: f64 = 1e-12;
@@ -92,7 +92,7 @@ pub(super) struct Dense {
     /// Whether impacts were followed to the last one, and whether some were put off.
     followed: bool,
     pub puts_off: bool,
-    hasty: bool,
+    many: bool,
     /// By slot: the place among the members.
     place: Vec<u32>,
 }
@@ -119,7 +119,7 @@ impl Dense {
             dt: 0.0,
             followed: false,
             puts_off: false,
-            hasty: false,
+            many: false,
             place: vec![0; n],
         }
     }
@@ -182,7 +182,7 @@ impl Dense {
             return outcome;
         }
         let mut inside = true;
-        self.hasty = self.impacts.any && island.all.len() > MANY;
+        self.many = self.impacts.any && island.all.len() > MANY;
         for look in 0.. {
             self.solve_along(bodies, island, size.dt, look == 0 && !self.impacts.any && !self.anchors.unmerged);
             self.solve_across(bodies, island, size.dt);
@@ -353,9 +353,9 @@ impl Dense {
     }
 
     fn solve_across(&mut self, bodies: &mut Bodies, island: Island<'_>, dt: f64) {
-        let Self { contacts, friction, clusters, pushes, impacts, report, guards, hasty, .. } = self;
-        let (impacts, hasty) = (&*impacts, *hasty);
-        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, impacts, report, dt, hasty };
+        let Self { contacts, friction, clusters, pushes, impacts, report, guards, many, .. } = self;
+        let (impacts, many) = (&*impacts, *many);
+        let mut cross = Cross { members: island.members, contacts, friction, clusters, pushes, impacts, report, dt, many };
         cross.solve(bodies, guards);
     }
 

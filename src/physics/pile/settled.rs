@@ -14,6 +14,9 @@ use super::islands::Island;
 pub(super) const LARGE: usize = 32;
 /// Nor where only such a part of the members rested in the step before.
 const FEWEST: f64 = 0.25;
+/// Where such a part of them did, only what movers come upon wakes what lies on it. Smaller: more steps are solved again; larger: more are looked
+/// at that stay.
+const CALM: f64 = 0.9;
 /// After so many solutions of a step all are looked at.
 const MOST: u32 = 6;
 
@@ -75,18 +78,19 @@ impl Settled {
             return self.begin_with_all(island);
         }
         let n = bodies.len();
+        let calm = known as f64 >= CALM * island.members.len() as f64;
         for &i in island.members {
             let at = i as usize;
             let (found_in, fall) = found[at];
             let flight = (bodies.free_vy[at].to_bits() ^ fall.to_bits()) | bodies.free_vx[at].to_bits();
             let rests = found_in + 1 == *step && flight == 0 && bodies.px[at] == bodies.x[at];
-            let mut state = if rests { State::Rests } else { State::Moves };
+            let mut state = if rests { State::Settled } else { State::Moves };
             for &j in island.near(i).iter().filter(|j| (**j as usize) < n) {
                 let below = &mut states[j as usize];
                 if rests && *below == State::Moves {
-                    state = State::Woken;
-                } else if !rests && *below == State::Rests {
-                    *below = State::Woken;
+                    state = state.min(beside(bodies, (j as usize, at), touch, calm));
+                } else if !rests && *below > State::Moves {
+                    *below = beside(bodies, (at, j as usize), touch, calm).min(*below);
                 }
             }
             states[at] = state;
@@ -104,7 +108,7 @@ impl Settled {
                 active.push(i);
                 continue;
             }
-            let mut state = if *rounds > MOST { State::Woken } else { State::Settled };
+            let mut state = if *rounds > MOST { State::Woken } else { states[at] };
             for &j in island.near(i) {
                 let j = j as usize;
                 let below = match states.get(j) {
@@ -157,6 +161,20 @@ impl Settled {
             let rests = (!all && states[i] == State::Settled) || rests(i, &|j| found[j].0 == *step);
             found[i] = (if rests { *step } else { 0 }, bodies.free_vy[i]);
         }
+    }
+}
+
+/// What somebody who rests is because of a mover near it: woken, or, where it is `calm`, only looked at if that does not come upon it on its
+/// free flight.
+fn beside(bodies: &Bodies, (mover, other): (usize, usize), touch: f64, calm: bool) -> State {
+    let meets = |x: &[f64], px: &[f64], half: &[f64]| {
+        let (from, to, reach) = (x[mover] - x[other], px[mover] - x[other], half[mover] + half[other] + touch);
+        from.min(to) <= reach && from.max(to) >= -reach
+    };
+    if !calm || meets(&bodies.x, &bodies.px, &bodies.hx) && meets(&bodies.y, &bodies.py, &bodies.hy) {
+        State::Woken
+    } else {
+        State::Rests
     }
 }
 

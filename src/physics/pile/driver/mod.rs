@@ -226,7 +226,7 @@ impl Pile {
                     continue;
                 }
                 driver.forget(bodies, island, &mut dense.report.list);
-                let round = driver.growths_of(island);
+                let round = if again { driver.growths_of(island) } else { 0 };
                 let whole = StepSize {
                     dt,
                     later: false,

@@ -63,21 +63,53 @@ impl Friction {
     }
 
     /// The way out where the grips do not settle: contact by contact, friction brings its two bodies together as far as its limit
-    /// allows. Always dissipates, but what sticks high up is stopped only after many steps.
+    /// allows, beginning with the impulses that the grips have come to. Always dissipates, but what sticks high up may be stopped only after
+    /// many steps.
     fn relax(&mut self, bodies: &mut Bodies, given: &[f64]) {
         self.turned = false;
         self.relaxed += 1;
+        self.begin_relaxing(bodies, given);
+        let without = self.kinetic(bodies);
+        let n = bodies.len();
+        let mut work = 0.0;
+        for k in 0..self.gripped.len() {
+            let i = self.gripped[k] as usize;
+            for c in self.under(i) {
+                let tight = &mut self.tight[c];
+                let below = tight.below as usize;
+                tight.impulse = tight.impulse.clamp(-tight.held, tight.held);
+                bodies.ux[i] += tight.impulse / bodies.mass[i];
+                if below < n && self.is_awake[below] {
+                    bodies.ux[below] -= tight.impulse / bodies.mass[below];
+                } else {
+                    work += tight.impulse * (bodies.ux[below] + tight.skin);
+                }
+                self.riders[below].momentum -= tight.impulse;
+            }
+        }
+        // What friction makes as small as its limits allow: the kinetic energy, less the work of ground that moves.
+        if self.kinetic(bodies) - work > without {
+            self.begin_relaxing(bodies, given);
+            self.tight.iter_mut().for_each(|tight| tight.impulse = 0.0);
+        }
+        self.tight.iter_mut().for_each(|tight| tight.grip = Grip::Stick);
+        for _ in 0..SWEEPS {
+            self.sweep(bodies);
+        }
+    }
+
+    /// Everybody by itself, with the momenta that are `given`.
+    fn begin_relaxing(&mut self, bodies: &mut Bodies, given: &[f64]) {
         for &i in &self.gripped {
             let i = i as usize;
             bodies.ux[i] = given[i] / bodies.mass[i];
             self.riders[i] = Node { momentum: given[i], mass: bodies.mass[i], ..Node::default() };
         }
-        for tight in &mut self.tight {
-            (tight.grip, tight.impulse) = (Grip::Stick, 0.0);
-        }
-        for _ in 0..SWEEPS {
-            self.sweep(bodies);
-        }
+    }
+
+    /// The kinetic energy of what is gripped, J.
+    fn kinetic(&self, bodies: &Bodies) -> f64 {
+        self.gripped.iter().map(|i| *i as usize).map(|i| 0.5 * bodies.mass[i] * bodies.ux[i] * bodies.ux[i]).sum()
     }
 
     /// Contact by contact, brings two bodies together as far as the limit allows. Returns the greatest change of a velocity, m/s.
