@@ -337,6 +337,11 @@ impl Islands {
             parent[i as usize] = root as u32;
             ranges[i as usize] = (from as u32, others.len() as u32);
         }
+        // The first of an island is its lowest slot: whoever stands for a body has been told already.
+        if order.len() == n {
+            (0..n).for_each(|i| parent[i] = parent[parent[i] as usize]);
+            return;
+        }
         for &i in &*order {
             parent[i as usize] = first(parent, i as usize) as u32;
         }

@@ -44,13 +44,15 @@ pub(super) struct Settled {
     /// The present step, and how often the present island has been solved in it.
     step: u64,
     rounds: u32,
+    /// Whether nearly all of the present island rested in the step before.
+    calm: bool,
 }
 
 impl Settled {
     /// Of `count` bodies.
     pub fn new(count: usize) -> Self {
         let found = vec![(0, 0.0); count];
-        Self { active: Vec::with_capacity(count), states: vec![State::Moves; count], found, step: 2, rounds: 0 }
+        Self { active: Vec::with_capacity(count), states: vec![State::Moves; count], found, step: 2, rounds: 0, calm: false }
     }
 
     /// A step begins.
@@ -77,56 +79,65 @@ impl Settled {
         if known as f64 <= FEWEST * island.members.len() as f64 {
             return self.begin_with_all(island);
         }
-        let n = bodies.len();
-        let calm = known as f64 >= CALM * island.members.len() as f64;
+        self.calm = known as f64 >= CALM * island.members.len() as f64;
         for &i in island.members {
             let at = i as usize;
             let (found_in, fall) = found[at];
             let flight = (bodies.free_vy[at].to_bits() ^ fall.to_bits()) | bodies.free_vx[at].to_bits();
             let rests = found_in + 1 == *step && flight == 0 && bodies.px[at] == bodies.x[at];
-            let mut state = if rests { State::Settled } else { State::Moves };
-            for &j in island.near(i).iter().filter(|j| (**j as usize) < n) {
-                let below = &mut states[j as usize];
-                if rests && *below == State::Moves {
-                    state = state.min(beside(bodies, (j as usize, at), touch, calm));
-                } else if !rests && *below > State::Moves {
-                    *below = beside(bodies, (at, j as usize), touch, calm).min(*below);
+            states[at] = if rests { State::Settled } else { State::Moves };
+        }
+        let n = bodies.len();
+        for &i in island.members {
+            if self.states[i as usize] == State::Moves {
+                for &j in island.near(i).iter().filter(|j| (**j as usize) < n) {
+                    let beside = self.beside(bodies, (i as usize, j as usize), touch);
+                    let below = &mut self.states[j as usize];
+                    *below = beside.min(*below);
                 }
             }
-            states[at] = state;
         }
         self.choose(bodies, island, touch);
     }
 
-    /// Wakes what touches the woken from above or beside, and leaves out who then rests on what rests.
+    /// Wakes what touches the woken from above or beside, and what is above a mover, and leaves out who then rests on what rests.
     fn choose(&mut self, bodies: &Bodies, island: Island<'_>, touch: f64) {
-        let Self { active, states, rounds, .. } = self;
-        active.clear();
+        self.active.clear();
         for &i in island.members {
             let at = i as usize;
-            if states[at] < State::Rests {
-                active.push(i);
-                continue;
-            }
-            let mut state = if *rounds > MOST { State::Woken } else { states[at] };
-            for &j in island.near(i) {
-                let j = j as usize;
-                let below = match states.get(j) {
-                    Some(below) => *below,
-                    None if bodies.carries(j) => State::Moves,
-                    None => State::Settled,
-                };
-                if below == State::Woken && bodies.touch(at, j, touch) {
+            let mut state = self.states[at];
+            if state >= State::Rests {
+                if self.rounds > MOST {
                     state = State::Woken;
-                } else if below < State::Rests {
-                    state = state.min(State::Rests);
                 }
+                for &j in island.near(i) {
+                    let j = j as usize;
+                    match self.states.get(j) {
+                        Some(State::Settled | State::Rests) => {}
+                        Some(State::Moves) => state = state.min(self.beside(bodies, (j, at), touch)),
+                        Some(State::Woken) if bodies.touch(at, j, touch) => state = State::Woken,
+                        Some(State::Woken) => state = state.min(State::Rests),
+                        None if bodies.carries(j) => state = state.min(State::Rests),
+                        None => {}
+                    }
+                }
+                self.states[at] = state;
             }
-            states[at] = state;
             if state != State::Settled {
-                active.push(i);
+                self.active.push(i);
             }
         }
+    }
+
+    /// What somebody who rests is because of a mover near it: woken, or, where it is calm, only looked at if that does not come upon it on its
+    /// free flight.
+    fn beside(&self, bodies: &Bodies, (mover, other): (usize, usize), touch: f64) -> State {
+        let meets = |x: &[f64], px: &[f64], half: &[f64]| {
+            let (from, to, reach) = (x[mover] - x[other], px[mover] - x[other], half[mover] + half[other] + touch);
+            from.min(to) <= reach && from.max(to) >= -reach
+        };
+        let comes = !self.calm || meets(&bodies.x, &bodies.px, &bodies.hx) && meets(&bodies.y, &bodies.py, &bodies.hy);
+        if comes { State::Woken } else { State::Rests }
     }
 
     /// What is looked at of an island.
@@ -161,20 +172,6 @@ impl Settled {
             let rests = (!all && states[i] == State::Settled) || rests(i, &|j| found[j].0 == *step);
             found[i] = (if rests { *step } else { 0 }, bodies.free_vy[i]);
         }
-    }
-}
-
-/// What somebody who rests is because of a mover near it: woken, or, where it is `calm`, only looked at if that does not come upon it on its
-/// free flight.
-fn beside(bodies: &Bodies, (mover, other): (usize, usize), touch: f64, calm: bool) -> State {
-    let meets = |x: &[f64], px: &[f64], half: &[f64]| {
-        let (from, to, reach) = (x[mover] - x[other], px[mover] - x[other], half[mover] + half[other] + touch);
-        from.min(to) <= reach && from.max(to) >= -reach
-    };
-    if !calm || meets(&bodies.x, &bodies.px, &bodies.hx) && meets(&bodies.y, &bodies.py, &bodies.hy) {
-        State::Woken
-    } else {
-        State::Rests
     }
 }
 
