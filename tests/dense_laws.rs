@@ -82,6 +82,28 @@ fn bodies_side_by_side_rub() {
     assert!(three.velocity(1).y.abs() < 1e-9, "{} {}", three.position(1), three.velocity(1));
 }
 
+/// What is pressed against a body that stands hangs there, or slides with a = g − μ_k·N/m, as on a wall; whatever the two weigh.
+#[test]
+fn a_standing_body_holds_by_friction() {
+    for (mass, press, holds) in [(1.0, 30.0, true), (0.1, 30.0, true), (8.0, 120.0, true), (1.0, 8.0, false), (5.0, 8.0, false)] {
+        let bodies = vec![
+            PileBody { mass, ..square(-0.5, -10.6) },
+            PileBody { half: DVec2::new(0.5, 8.0), mass: 20.0, ..square(0.5, -8.0) },
+        ];
+        let mut two = pile(bodies, vec![surface(-50.0, 0.0, 50.0, 1.0), surface(1.0, -100.0, 2.0, 0.0)], G);
+        two.set_force(0, DVec2::new(press, 0.0));
+        run(&mut two, 1.0);
+        let (x, v) = (two.position(0), two.velocity(0));
+        if holds {
+            assert_eq!((x, v), (DVec2::new(-0.5, -10.6), DVec2::ZERO), "{mass} kg, {press} N");
+        } else {
+            let a = G - 0.65 * press / mass;
+            assert!((v.y - a).abs() < 1e-9 && (x.y + 10.6 - 0.5 * a).abs() < 1e-9, "{mass} kg, {press} N: {x} {v}, expected {a}");
+        }
+        assert_eq!((two.position(1), two.velocity(1)), (DVec2::new(0.5, -8.0), DVec2::ZERO));
+    }
+}
+
 /// Law 1: friction in a bounce, up to μ_k·(1 + e)·w and no more than the sliding.
 #[test]
 fn a_bounce_rubs() {

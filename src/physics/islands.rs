@@ -68,14 +68,14 @@ pub(super) struct Pause {
 
 impl Pause {
     /// What follows for a body from how it ended tick `now`, in which its island had so many `hits`: a pause, one more, twice as long, if then still half as much happens as when it began,
-    /// or, if its island stayed within its budget, that the next one will be a tick shorter.
-    pub fn go_on(&mut self, after: &After, hits: u32, now: u64) {
+    /// or, if it `moves` and its island stayed within its budget, that the next one will be a tick shorter. What rests may not have been looked at.
+    pub fn go_on(&mut self, after: &After, moves: bool, hits: u32, now: u64) {
         let goes_on = after.dense && self.until == now + 1 && self.length < Choice::LONGEST_PAUSE && 2 * hits > self.hits;
         if after.busy || goes_on {
             let length = (2 * self.length).clamp(Choice::FIRST_PAUSE, Choice::LONGEST_PAUSE);
             let hits = if after.busy { hits } else { self.hits };
             *self = Self { until: now + 1 + u64::from(length), length, hits };
-        } else if after.members > 0 && !after.dense {
+        } else if moves && !after.dense {
             self.length = self.length.saturating_sub(1);
         }
     }
@@ -189,8 +189,7 @@ impl Advance for Tick<'_> {
         if store.is_alone() && self.scratch.roughly[self.scratch.members[0] as usize] {
             return self.fly(store);
         }
-        let large = count > Choice::MOST_BY_EVENTS || self.scene.dense;
-        let budget = if large { 0 } else { self.budget() };
+        let budget = if self.leaves_for_good(count) { 0 } else { self.budget() };
         if round > Choice::MOST_GROWTHS || self.pauses() || budget == 0 {
             self.guards.dense_ticks += 1;
             self.scratch.leave();
@@ -257,6 +256,10 @@ impl Advance for Tick<'_> {
 
     fn lists(&self, members: usize, _: bool) -> bool {
         self.lists || members <= Choice::ALWAYS_LISTED
+    }
+
+    fn leaves_for_good(&self, members: usize) -> bool {
+        members > Choice::MOST_BY_EVENTS || self.scene.dense
     }
 
     fn comes_upon(&mut self, body: usize, surface: usize) {

@@ -199,7 +199,8 @@ impl World {
             let i = i as usize;
             let after = &scratch.after[i];
             let body = &mut bodies[i];
-            pauses[i].go_on(after, scratch.after[after.leader as usize].hits, *ticks);
+            let moves = body.velocity != DVec2::ZERO || pile.velocity(i) != DVec2::ZERO;
+            pauses[i].go_on(after, moves, scratch.after[after.leader as usize].hits, *ticks);
             if after.members == 0 && pile.is_sleeping(i) {
                 continue;
             }

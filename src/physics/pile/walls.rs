@@ -1,9 +1,9 @@
 //! Friction on upright faces: along walls, and between bodies side by side.
 //!
-//! How hard the sides press is told by a merging across without the ground's friction. A body that stands still against a wall hangs
-//! there while what it would take, its own weight and all that it carries, stays below μ_s·N; else it slides and loses up to μ_k·N/m.
-//! Bodies side by side that slide past each other rub as a pair. Only those are asked that would move along the face: what the ground
-//! carries does not.
+//! How hard the sides press is told by a merging across without the ground's friction. A body that stands still against a wall, or against
+//! what the ground carries, hangs there while what it would take, its own weight and all that it carries, stays below μ_s·N, by all that it
+//! hangs on together; else it slides and loses up to μ_k·N/m. What it hangs on or slides along bears the same. Bodies side by side that
+//! nothing carries rub as a pair. Only those are asked that would move along the face: what the ground carries does not.
 
 use super::bodies::Bodies;
 use super::clusters::{Clusters, Node};
@@ -16,12 +16,12 @@ use super::report::{Edge, Record, Report};
 /// A limit exceeded by this part still holds: sums of many impulses are rounded.
 const ROUNDING: f64 = 1e-12;
 
-/// A body pressed against a wall.
+/// A body pressed against a wall, or against a body that the ground carries.
 #[derive(Clone, Copy, Debug)]
 struct Grip {
     body: u32,
     wall: u32,
-    /// Velocity of the wall's skin along gravity, m/s.
+    /// Velocity of its skin along gravity, m/s.
     skin: f64,
     /// The largest impulses of friction, N·s.
     held: f64,
@@ -39,6 +39,9 @@ pub(super) struct Walls {
     grips: Vec<Grip>,
     edges: Vec<Edge>,
     loads: Vec<f64>,
+    /// What hangs on each body bears it down by, N·s, and what those can hold together on which a body hangs.
+    borne: Vec<f64>,
+    holds: Vec<f64>,
     /// Free velocities and predictions along gravity before friction.
     saved: Vec<(u32, f64, f64)>,
     records: Vec<Record>,
@@ -59,7 +62,17 @@ pub(super) struct Along<'a> {
 
 impl Walls {
     pub fn new(count: usize) -> Self {
-        Self { loads: vec![0.0; count], ..Self::default() }
+        let none = || vec![0.0; count];
+        Self {
+            loads: none(),
+            borne: none(),
+            holds: none(),
+            grips: Vec::with_capacity(2 * count),
+            edges: Vec::with_capacity(2 * count),
+            saved: Vec::with_capacity(4 * count),
+            records: Vec::with_capacity(2 * count),
+            ..Self::default()
+        }
     }
 
     pub fn record(&self, into: &mut Vec<Record>) {
@@ -110,7 +123,7 @@ impl Walls {
         self.records.clear();
         self.grips.clear();
         for k in 0..self.edges.len() {
-            self.touch(bodies, self.edges[k]);
+            self.touch(bodies, along.anchors, self.edges[k]);
         }
         if self.records.is_empty() && self.grips.is_empty() {
             self.any = false;
@@ -124,11 +137,20 @@ impl Walls {
                 break;
             }
         }
-        for grip in &mut self.grips {
-            if grip.hangs {
-                along.struck[grip.body as usize] += grip.impulse;
+        let mut bears = false;
+        for k in 0..self.grips.len() {
+            let Grip { body, wall, hangs, impulse, .. } = self.grips[k];
+            if hangs {
+                along.struck[body as usize] += impulse;
+                if (wall as usize) < bodies.len() {
+                    self.give(bodies, wall as usize, -impulse);
+                    bears = true;
+                }
             }
-            self.records.push(Record { a: grip.body, b: grip.wall, axis: Axis::Across, normal: 0.0, friction: grip.impulse });
+            self.records.push(Record { a: body, b: wall, axis: Axis::Across, normal: 0.0, friction: impulse });
+        }
+        if bears {
+            along.solve(bodies);
         }
     }
 
@@ -150,40 +172,34 @@ impl Walls {
         }
     }
 
-    /// Lets a pair that presses rub: bodies at once, walls when it is known what they have to hold.
-    fn touch(&mut self, bodies: &mut Bodies, edge: Edge) {
+    /// Lets a pair that presses rub: bodies that nothing carries at once, others when it is known what has to be held.
+    fn touch(&mut self, bodies: &mut Bodies, anchors: &Anchors, edge: Edge) {
         let n = bodies.len();
         let (a, b, press) = (edge.a as usize, edge.b as usize, edge.impulse.max(0.0));
-        let (i, j) = if a < n { (a, b) } else { (b, a) };
+        let (i, j) = if a < n && (b >= n || !anchors.rests[a]) { (a, b) } else { (b, a) };
         let skin = (if j < n { bodies.uy[j] } else { bodies.mean_vy[j] }) + bodies.skin(j, 0, i == b);
         if press == 0.0 || bodies.uy[i] == skin {
             return;
         }
         let (mine, other) = (bodies.traits[i], bodies.traits[j]);
-        if j >= n {
-            let (held, dragged) = (other.static_friction * press, other.kinetic_friction * press);
+        let pick = |mine: f64, other: f64| if j < n { mine.min(other) } else { other };
+        let held = press * pick(mine.static_friction, other.static_friction);
+        let dragged = press * pick(mine.kinetic_friction, other.kinetic_friction);
+        if j >= n || (anchors.rests[j] && !anchors.rests[i]) {
             let (body, wall) = (i as u32, j as u32);
-            self.grips.push(Grip {
-                body,
-                wall,
-                skin,
-                held,
-                dragged,
-                hangs: bodies.rides_along(i, j, bodies.skin(j, 0, i == b)),
-                impulse: 0.0,
-            });
+            let hangs = bodies.rides_along(i, j, bodies.skin(j, 0, i == b));
+            self.grips.push(Grip { body, wall, skin, held, dragged, hangs, impulse: 0.0 });
             return;
         }
-        let coefficient = if bodies.vy[i] == bodies.vy[j] {
-            mine.static_friction.min(other.static_friction)
-        } else {
-            mine.kinetic_friction.min(other.kinetic_friction)
-        };
+        let most = if bodies.vy[i] == bodies.vy[j] { held } else { dragged };
         let mass = 1.0 / (1.0 / bodies.mass[i] + 1.0 / bodies.mass[j]);
         let sliding = bodies.uy[i] - skin;
-        let impulse = -(coefficient * press).min(mass * sliding.abs()).copysign(sliding);
-        self.give(bodies, i, impulse);
-        self.give(bodies, j, -impulse);
+        let impulse = -most.min(mass * sliding.abs()).copysign(sliding);
+        for (i, impulse) in [(i, impulse), (j, -impulse)] {
+            self.give(bodies, i, impulse);
+            // What others rub off as well is no more than what is left.
+            bodies.uy[i] += impulse / bodies.mass[i];
+        }
         self.records.push(Record { a: i as u32, b: j as u32, axis: Axis::Across, normal: 0.0, friction: impulse });
     }
 
@@ -202,13 +218,19 @@ impl Walls {
         }
         along.anchors.any_hung = false;
         for k in 0..self.grips.len() {
-            let grip = self.grips[k];
-            let i = grip.body as usize;
+            let grip = &mut self.grips[k];
+            let hung = &mut along.anchors.hung[grip.body as usize];
+            // Nothing hangs on two that move apart.
+            grip.hangs &= hung.is_none_or(|skin| skin == grip.skin);
             if grip.hangs {
-                along.anchors.hung[i] = Some(grip.skin);
+                *hung = Some(grip.skin);
                 along.anchors.any_hung = true;
             } else if grip.impulse == 0.0 {
                 self.slow(bodies, k, along.dt);
+                let Grip { wall, impulse, .. } = self.grips[k];
+                if (wall as usize) < bodies.len() {
+                    self.give(bodies, wall as usize, -impulse);
+                }
             }
         }
     }
@@ -237,8 +259,40 @@ impl Walls {
 
     /// Finds who hangs and cannot be held. Returns whether there is any.
     fn slip(&mut self, bodies: &Bodies, along: &Along<'_>) -> bool {
+        let n = bodies.len();
+        along.members.iter().for_each(|i| self.borne[*i as usize] = 0.0);
+        for grip in &self.grips {
+            self.holds[grip.body as usize] = 0.0;
+            self.borne.get_mut(grip.wall as usize).into_iter().for_each(|borne| *borne = 0.0);
+        }
+        self.load(bodies, along);
+        for grip in self.grips.iter().filter(|grip| grip.hangs) {
+            self.holds[grip.body as usize] += grip.held;
+        }
+        let mut bears = false;
+        for grip in self.grips.iter().filter(|grip| grip.hangs && (grip.wall as usize) < n) {
+            self.borne[grip.wall as usize] += grip.share(self.loads[grip.body as usize], &self.holds);
+            bears = true;
+        }
+        if bears {
+            self.load(bodies, along);
+        }
+        let mut slips = false;
+        for grip in self.grips.iter_mut().filter(|grip| grip.hangs) {
+            let load = self.loads[grip.body as usize];
+            grip.impulse = -grip.share(load, &self.holds);
+            if load.abs() > self.holds[grip.body as usize] * (1.0 + ROUNDING) {
+                (grip.hangs, grip.impulse) = (false, 0.0);
+                slips = true;
+            }
+        }
+        slips
+    }
+
+    /// Adds up what each body has to bear, top-down.
+    fn load(&mut self, bodies: &Bodies, along: &Along<'_>) {
         for &i in along.members {
-            self.loads[i as usize] = along.struck[i as usize];
+            self.loads[i as usize] = along.struck[i as usize] + self.borne[i as usize];
         }
         for &i in along.members.iter().rev() {
             let i = i as usize;
@@ -260,16 +314,14 @@ impl Walls {
                 }
             }
         }
-        let mut slips = false;
-        for grip in self.grips.iter_mut().filter(|grip| grip.hangs) {
-            let load = self.loads[grip.body as usize];
-            grip.impulse = -load;
-            if load.abs() > grip.held * (1.0 + ROUNDING) {
-                (grip.hangs, grip.impulse) = (false, 0.0);
-                slips = true;
-            }
-        }
-        slips
+    }
+}
+
+impl Grip {
+    /// What this takes of the load of a body that all on which it hangs take together, N·s.
+    fn share(&self, load: f64, holds: &[f64]) -> f64 {
+        let all = holds[self.body as usize];
+        if all > 0.0 { load * (self.held / all) } else { load }
     }
 }
 

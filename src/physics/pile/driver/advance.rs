@@ -19,6 +19,9 @@ pub(in crate::physics) trait Advance {
     /// Whether the contacts of an island of so many bodies are to be listed; `on` is whether those of the one before were.
     fn lists(&self, members: usize, on: bool) -> bool;
 
+    /// Whether an island of so many bodies is left to the dense method for good: then it falls asleep as that leaves it.
+    fn leaves_for_good(&self, members: usize) -> bool;
+
     /// The island of this body has come upon a surface besides, and took it to go to its end.
     fn comes_upon(&mut self, body: usize, surface: usize);
 
@@ -162,6 +165,10 @@ impl Advance for AllDense {
 
     fn lists(&self, _: usize, on: bool) -> bool {
         on
+    }
+
+    fn leaves_for_good(&self, _: usize) -> bool {
+        true
     }
 
     fn comes_upon(&mut self, _: usize, _: usize) {}

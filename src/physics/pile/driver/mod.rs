@@ -263,7 +263,8 @@ impl Pile {
                 dense.report.on = other.lists(island.members.len(), dense.report.on);
                 if dense.step(bodies, neighbours, island, size) == Outcome::Done {
                     // What stands still for the rest of a step may have moved before.
-                    driver.finish(bodies, island, self.may_sleep && !later);
+                    let may_sleep = self.may_sleep && !later && other.leaves_for_good(island.members.len());
+                    driver.finish(bodies, island, may_sleep);
                     driver.list_impacts(bodies, &dense.impacts);
                     if size.gas && dense.puts_off {
                         island.members.iter().for_each(|i| other.put_off(bodies.id[*i as usize] as usize));
