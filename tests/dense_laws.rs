@@ -104,6 +104,21 @@ fn a_standing_body_holds_by_friction() {
     }
 }
 
+/// A row that is pressed against a wall hangs there, each on the next.
+#[test]
+fn a_row_hangs_on_a_wall() {
+    for count in [2, 3, 6] {
+        let bodies = (0..count).map(|i| square(-0.5 - f64::from(i), 0.0)).collect();
+        let mut row = pile(bodies, vec![surface(0.0, -100.0, 1.0, 100.0)], G);
+        row.set_force(count as usize - 1, DVec2::new(1.02 * f64::from(count) * G / 0.9, 0.0));
+        run(&mut row, 1.0);
+        for i in 0..count {
+            let (x, v) = (row.position(i as usize), row.velocity(i as usize));
+            assert_eq!((x, v), (DVec2::new(-0.5 - f64::from(i), 0.0), DVec2::ZERO), "{i} of {count}");
+        }
+    }
+}
+
 /// Law 1: friction in a bounce, up to μ_k·(1 + e)·w and no more than the sliding.
 #[test]
 fn a_bounce_rubs() {

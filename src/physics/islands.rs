@@ -67,8 +67,9 @@ pub(super) struct Pause {
 }
 
 impl Pause {
-    /// What follows for a body from how it ended tick `now`, in which its island had so many `hits`: a pause, one more, twice as long, if then still half as much happens as when it began,
-    /// or, if it `moves` and its island stayed within its budget, that the next one will be a tick shorter. What rests may not have been looked at.
+    /// What follows for a body from how it ended tick `now`, in which its island had so many `hits`: a pause; one more, twice as long, if then
+    /// still half as much happens as when it began; or, if it `moves` and its island stayed within its budget, that the next one will be a
+    /// tick shorter. What rests may not have been looked at.
     pub fn go_on(&mut self, after: &After, moves: bool, hits: u32, now: u64) {
         let goes_on = after.dense && self.until == now + 1 && self.length < Choice::LONGEST_PAUSE && 2 * hits > self.hits;
         if after.busy || goes_on {

@@ -1,9 +1,9 @@
 //! Friction on upright faces: along walls, and between bodies side by side.
 //!
-//! How hard the sides press is told by a merging across without the ground's friction. A body that stands still against a wall, or against
-//! what the ground carries, hangs there while what it would take, its own weight and all that it carries, stays below μ_s·N, by all that it
-//! hangs on together; else it slides and loses up to μ_k·N/m. What it hangs on or slides along bears the same. Bodies side by side that
-//! nothing carries rub as a pair. Only those are asked that would move along the face: what the ground carries does not.
+//! How hard the sides press is told by a merging across without the ground's friction. A body that stands still against a wall, against what
+//! the ground carries, or against one that hangs, hangs there while what it would take, its own weight and all that it carries, stays below
+//! μ_s·N, by all that it hangs on together; else it slides and loses up to μ_k·N/m. What it hangs on or slides along bears the same. Bodies
+//! side by side that nothing carries rub as a pair. Only those are asked that would move along the face: what the ground carries does not.
 
 use super::bodies::Bodies;
 use super::clusters::{Clusters, Node};
@@ -16,7 +16,10 @@ use super::report::{Edge, Record, Report};
 /// A limit exceeded by this part still holds: sums of many impulses are rounded.
 const ROUNDING: f64 = 1e-12;
 
-/// A body pressed against a wall, or against a body that the ground carries.
+/// How often those are sought that hang on what hangs, to and fro. Fewer: the end of a long row that is listed in disorder falls.
+const SWEEPS: usize = 8;
+
+/// A body pressed against a wall, or against a body that the ground carries or that hangs.
 #[derive(Clone, Copy, Debug)]
 struct Grip {
     body: u32,
@@ -26,8 +29,9 @@ struct Grip {
     /// The largest impulses of friction, N·s.
     held: f64,
     dragged: f64,
-    /// Whether it hangs.
+    /// Whether it hangs, and whether that on which it does hangs itself.
     hangs: bool,
+    on_hung: bool,
     /// Impulse on the body, N·s.
     impulse: f64,
 }
@@ -42,6 +46,8 @@ pub(super) struct Walls {
     /// What hangs on each body bears it down by, N·s, and what those can hold together on which a body hangs.
     borne: Vec<f64>,
     holds: Vec<f64>,
+    /// With which velocity each of those hangs that press, by slot, m/s.
+    skins: Vec<Option<f64>>,
     /// Free velocities and predictions along gravity before friction.
     saved: Vec<(u32, f64, f64)>,
     records: Vec<Record>,
@@ -67,6 +73,7 @@ impl Walls {
             loads: none(),
             borne: none(),
             holds: none(),
+            skins: vec![None; count],
             grips: Vec::with_capacity(2 * count),
             edges: Vec::with_capacity(2 * count),
             saved: Vec::with_capacity(4 * count),
@@ -125,6 +132,9 @@ impl Walls {
         for k in 0..self.edges.len() {
             self.touch(bodies, along.anchors, self.edges[k]);
         }
+        if self.grips.iter().any(|grip| grip.hangs) {
+            self.hang_on(bodies, along.anchors);
+        }
         if self.records.is_empty() && self.grips.is_empty() {
             self.any = false;
             return;
@@ -181,14 +191,11 @@ impl Walls {
         if press == 0.0 || bodies.uy[i] == skin {
             return;
         }
-        let (mine, other) = (bodies.traits[i], bodies.traits[j]);
-        let pick = |mine: f64, other: f64| if j < n { mine.min(other) } else { other };
-        let held = press * pick(mine.static_friction, other.static_friction);
-        let dragged = press * pick(mine.kinetic_friction, other.kinetic_friction);
+        let (held, dragged) = limits(bodies, (i, j), press);
         if j >= n || (anchors.rests[j] && !anchors.rests[i]) {
             let (body, wall) = (i as u32, j as u32);
             let hangs = bodies.rides_along(i, j, bodies.skin(j, 0, i == b));
-            self.grips.push(Grip { body, wall, skin, held, dragged, hangs, impulse: 0.0 });
+            self.grips.push(Grip { body, wall, skin, held, dragged, hangs, on_hung: false, impulse: 0.0 });
             return;
         }
         let most = if bodies.vy[i] == bodies.vy[j] { held } else { dragged };
@@ -201,6 +208,36 @@ impl Walls {
             bodies.uy[i] += impulse / bodies.mass[i];
         }
         self.records.push(Record { a: i as u32, b: j as u32, axis: Axis::Across, normal: 0.0, friction: impulse });
+    }
+
+    /// Lets those hang that nothing carries, and that stand still against what hangs and press on it: each after that on which it does.
+    fn hang_on(&mut self, bodies: &Bodies, anchors: &Anchors) {
+        let n = bodies.len();
+        let Self { edges, grips, skins, .. } = self;
+        for i in edges.iter().flat_map(|edge| [edge.a, edge.b]) {
+            skins.get_mut(i as usize).into_iter().for_each(|skin| *skin = None);
+        }
+        for grip in grips.iter().filter(|grip| grip.hangs) {
+            skins[grip.body as usize] = Some(grip.skin);
+        }
+        for sweep in 0..SWEEPS {
+            let known = grips.len();
+            for k in 0..edges.len() {
+                let edge = &edges[if sweep % 2 == 0 { k } else { edges.len() - 1 - k }];
+                let (a, b, press) = (edge.a as usize, edge.b as usize, edge.impulse);
+                if a >= n || b >= n || press <= 0.0 || skins[a].is_some() == skins[b].is_some() || bodies.vy[a] != bodies.vy[b] {
+                    continue;
+                }
+                let (i, j) = if skins[a].is_some() { (b, a) } else { (a, b) };
+                let Some(skin) = skins[j].filter(|_| !anchors.rests[i]) else { continue };
+                let (held, dragged) = limits(bodies, (i, j), press);
+                grips.push(Grip { body: i as u32, wall: j as u32, skin, held, dragged, hangs: true, on_hung: true, impulse: 0.0 });
+                skins[i] = Some(skin);
+            }
+            if grips.len() == known {
+                return;
+            }
+        }
     }
 
     /// Changes where a body goes along gravity by an impulse, spread over the step.
@@ -219,13 +256,15 @@ impl Walls {
         along.anchors.any_hung = false;
         for k in 0..self.grips.len() {
             let grip = &mut self.grips[k];
-            let hung = &mut along.anchors.hung[grip.body as usize];
+            let hung = along.anchors.hung[grip.body as usize];
             // Nothing hangs on two that move apart.
             grip.hangs &= hung.is_none_or(|skin| skin == grip.skin);
+            let falls = grip.on_hung && along.anchors.hung[grip.wall as usize].is_none();
+            grip.hangs &= !falls;
             if grip.hangs {
-                *hung = Some(grip.skin);
+                along.anchors.hung[grip.body as usize] = Some(grip.skin);
                 along.anchors.any_hung = true;
-            } else if grip.impulse == 0.0 {
+            } else if grip.impulse == 0.0 && !falls {
                 self.slow(bodies, k, along.dt);
                 let Grip { wall, impulse, .. } = self.grips[k];
                 if (wall as usize) < bodies.len() {
@@ -270,8 +309,13 @@ impl Walls {
             self.holds[grip.body as usize] += grip.held;
         }
         let mut bears = false;
-        for grip in self.grips.iter().filter(|grip| grip.hangs && (grip.wall as usize) < n) {
-            self.borne[grip.wall as usize] += grip.share(self.loads[grip.body as usize], &self.holds);
+        // Who hangs on another comes after it.
+        for grip in self.grips.iter().rev().filter(|grip| grip.hangs && (grip.wall as usize) < n) {
+            let share = grip.share(self.loads[grip.body as usize], &self.holds);
+            self.borne[grip.wall as usize] += share;
+            if grip.on_hung {
+                self.loads[grip.wall as usize] += share;
+            }
             bears = true;
         }
         if bears {
@@ -331,14 +375,28 @@ impl Along<'_> {
     }
 }
 
-/// Whether anything presses sideways that would move along the face.
+/// The largest impulses of static and kinetic friction between a body and what it presses with so much impulse, N·s.
+fn limits(bodies: &Bodies, (i, j): (usize, usize), press: f64) -> (f64, f64) {
+    let (mine, other) = (&bodies.traits[i], &bodies.traits[j]);
+    let pick = |mine: f64, other: f64| if j < bodies.len() { mine.min(other) } else { other };
+    (press * pick(mine.static_friction, other.static_friction), press * pick(mine.kinetic_friction, other.kinetic_friction))
+}
+
+/// Whether anything presses sideways, and anything that does or is pressed by it would move along the face.
 fn rubs(bodies: &Bodies, along: &Along<'_>) -> bool {
     let (n, per_second) = (bodies.len(), 1.0 / along.dt);
     let slack = along.contacts.tolerances.hair * per_second;
     let mean = |i: usize| if i < n { (bodies.px[i] - bodies.x[i]) * per_second } else { bodies.mean_vx[i] };
-    along.contacts.sides.iter().any(|side| {
+    let (mut presses, mut slides) = (false, false);
+    for side in along.contacts.sides.iter().filter(|side| side.live) {
         let (a, b) = (side.first as usize, side.second as usize);
-        let slides = bodies.uy[a] != bodies.uy[b] || bodies.belt[a] != 0.0 || bodies.belt[b] != 0.0;
-        slides && side.live && mean(a) > mean(b) + side.bound + slack
-    })
+        let closes = mean(a) > mean(b) + side.bound + slack;
+        let moves = bodies.uy[a] != bodies.uy[b] || bodies.belt[a] != 0.0 || bodies.belt[b] != 0.0;
+        presses |= closes;
+        slides |= moves && (closes || side.bound == 0.0);
+        if presses && slides {
+            return true;
+        }
+    }
+    false
 }
