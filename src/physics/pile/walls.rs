@@ -192,7 +192,8 @@ impl Walls {
             return;
         }
         let (held, dragged) = limits(bodies, (i, j), press);
-        if j >= n || (anchors.rests[j] && !anchors.rests[i]) {
+        // The ground bears what presses down on it; what is drawn up is light or heavy.
+        if j >= n || (anchors.rests[j] && !anchors.rests[i] && bodies.uy[i] > skin) {
             let (body, wall) = (i as u32, j as u32);
             let hangs = bodies.rides_along(i, j, bodies.skin(j, 0, i == b));
             self.grips.push(Grip { body, wall, skin, held, dragged, hangs, on_hung: false, impulse: 0.0 });
@@ -229,7 +230,7 @@ impl Walls {
                     continue;
                 }
                 let (i, j) = if skins[a].is_some() { (b, a) } else { (a, b) };
-                let Some(skin) = skins[j].filter(|_| !anchors.rests[i]) else { continue };
+                let Some(skin) = skins[j].filter(|skin| !anchors.rests[i] && bodies.uy[i] > *skin) else { continue };
                 let (held, dragged) = limits(bodies, (i, j), press);
                 grips.push(Grip { body: i as u32, wall: j as u32, skin, held, dragged, hangs: true, on_hung: true, impulse: 0.0 });
                 skins[i] = Some(skin);
