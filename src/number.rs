@@ -1,4 +1,4 @@
-//! How results and exports print numbers.
+//! How results and exports print numbers, and how every screen prints a time of a flight.
 
 use crate::physics::DVec2;
 use serde::{Serialize, Serializer};
@@ -32,9 +32,24 @@ pub const fn pair(vector: DVec2) -> Pair {
     (Shortest(vector.x), Shortest(vector.y))
 }
 
+/// A hundredth that is begun by less than this share of it is not begun: 0.29 s is 29 hundredths and a rounding. Far below a tick.
+const ROUNDING: f64 = 1e-6;
+
+/// A time of a flight in hundredths of a second, rounded up. Times that are shown and limits of medals are both compared in this unit:
+/// what is shown as within a limit is within it.
+pub fn hundredths(seconds: f64) -> u64 {
+    (seconds * 100.0 - ROUNDING).ceil().max(0.0) as u64
+}
+
+/// A time of a flight as every screen shows it, mm:ss.hh; minutes go on beyond 99.
+pub fn clock(seconds: f64) -> String {
+    let hundredths = hundredths(seconds);
+    format!("{:02}:{:02}.{:02}", hundredths / 6000, hundredths / 100 % 60, hundredths % 100)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::Shortest;
+    use super::{Shortest, clock};
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
 
@@ -54,6 +69,21 @@ mod tests {
         ] {
             assert_eq!(Shortest(number).to_string(), text);
         }
+    }
+
+    #[test]
+    fn the_clock_shows_the_hundredth_that_has_begun() {
+        let shown = [
+            (0.0, "00:00.00"),
+            (1.0 / 120.0, "00:00.01"),
+            (0.29, "00:00.29"),
+            (119.0 / 120.0, "00:01.00"),
+            (5.5, "00:05.50"),
+            (661.0 / 120.0, "00:05.51"),
+            (59.0 * 60.0 + 59.9, "59:59.90"),
+            (6000.0, "100:00.00"),
+        ];
+        assert_eq!(shown.map(|(seconds, _)| clock(seconds)), shown.map(|(_, text)| text));
     }
 
     proptest! {

@@ -2,8 +2,9 @@
 
 use super::{Outcome, RunResult};
 use crate::level::{Awards, Mark};
+use crate::number::hundredths;
 
-/// A time or a speed that is over by less than this is not over, s and m/s: a tenth is no binary number. Far below a tick.
+/// A speed that is over by less than this, m/s, is not over, and a share of the fuel that lacks less is there: a tenth is no binary number.
 const ROUNDING: f64 = 1e-9;
 
 /// What a level brings for being done, and for being done fast; the better ones are greater.
@@ -32,7 +33,7 @@ impl Medal {
 
     /// What a flight of that time brings where it completes the level; without a time, as it is with help, bronze.
     pub fn for_time(awards: &Awards, time: Option<f64>) -> Self {
-        let within = |limit: Option<f64>| limit.zip(time).is_some_and(|(limit, time)| time <= limit + ROUNDING);
+        let within = |limit: Option<f64>| limit.zip(time).is_some_and(|(limit, time)| hundredths(time) <= hundredths(limit));
         match (within(awards.gold), within(awards.silver)) {
             (true, _) => Self::Gold,
             (false, true) => Self::Silver,
@@ -98,8 +99,8 @@ pub fn goals(awards: &Awards, result: &RunResult) -> Vec<Goal> {
     };
     let bronze = (!completed).then(|| "not completed".to_owned());
     let timed = |medal, limit: f64| {
-        let late = result.time - limit;
-        let lacks = (late > ROUNDING).then(|| format!("{late:.2} s too slow"));
+        let late = hundredths(result.time).saturating_sub(hundredths(limit));
+        let lacks = (late > 0).then(|| format!("{}.{:02} s too slow", late / 100, late % 100));
         Goal { prize: Prize::Medal(medal), asks: format!("within {limit} s"), missing: unless(lacks) }
     };
     let mark = |mark| Goal { prize: Prize::Mark, asks: words(mark), missing: unless(lacks(mark, result)) };
@@ -150,6 +151,7 @@ fn count_pushes(n: u32) -> String {
 mod tests {
     use super::*;
     use crate::game::ScoreParts;
+    use crate::number::clock;
 
     const AWARDS: Awards = Awards { silver: Some(9.0), gold: Some(7.5), mark: Some(Mark::Fuel(60.0)) };
 
@@ -184,6 +186,20 @@ mod tests {
         assert_eq!(of(RunResult { assisted: true, ..flight(1.0, 1.0) }), medals(Medal::Bronze, false));
         assert_eq!(of(RunResult { outcome: Outcome::Failed, ..flight(1.0, 1.0) }), Medals::default());
         assert_eq!(Medals::of(&Awards::default(), &flight(1.0, 1.0)), medals(Medal::Bronze, false), "bronze alone");
+    }
+
+    #[test]
+    fn a_shown_time_and_what_it_lacks_add_up_to_the_limit() {
+        // 661 ticks are 5.5083 s: they are shown as 00:05.51, and lack what that lacks.
+        let awards = Awards { gold: Some(5.5), ..Awards::default() };
+        let missing = |ticks: f64| goals(&awards, &flight(ticks / 120.0, 1.0)).remove(1).missing;
+        assert_eq!(missing(660.0), None);
+        assert_eq!((missing(661.0).as_deref(), clock(661.0 / 120.0)), (Some("0.01 s too slow"), "00:05.51".to_owned()));
+        assert_eq!((missing(814.0).as_deref(), clock(814.0 / 120.0)), (Some("1.29 s too slow"), "00:06.79".to_owned()));
+        assert_eq!(Medal::for_time(&awards, Some(661.0 / 120.0)), Medal::Bronze);
+        // A limit between two hundredths counts as the next one, as it is shown.
+        let odd = Awards { gold: Some(5.505), ..Awards::default() };
+        assert_eq!(Medal::for_time(&odd, Some(661.0 / 120.0)), Medal::Gold);
     }
 
     #[test]

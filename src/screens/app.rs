@@ -443,7 +443,8 @@ impl App {
     fn scoring(&mut self, attempt: Attempt, result: RunResult, flown: Option<Rc<Flown>>) -> Screen {
         let next = self.library.after(&result.level);
         let remark = self.ended.clone().unwrap_or_default();
-        Screen::Scoring(Box::new(Scoring::new(attempt, result, flown, next, remark)))
+        let best = self.journal.best(&result.level);
+        Screen::Scoring(Box::new(Scoring::new(attempt, result, flown, next, remark).with_best(best)))
     }
 
     /// Takes note of the attempt on the screen, once, when it has ended. Who watches a recording has flown nothing.

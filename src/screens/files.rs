@@ -7,6 +7,7 @@ use crate::game::{Outcome, level_hash};
 use crate::instruments::vary::Variation;
 use crate::level::document::{Folder, Opened};
 use crate::level::{Awards, Level, Problem, scaffold};
+use crate::number::clock;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -225,10 +226,10 @@ impl Flight {
         let game = self.game();
         match game.outcome() {
             Outcome::Running => String::new(),
-            Outcome::Completed => format!("Completed in {:.2} s, {:.0} % of the fuel left.", game.time(), 100.0 * game.fuel()),
+            Outcome::Completed => format!("Completed in {}, {:.0} % of the fuel left.", clock(game.time()), 100.0 * game.fuel()),
             Outcome::Failed => {
                 let cause = game.result().death.map_or_else(String::new, |death| format!(": {death}"));
-                format!("Lost after {:.2} s{cause}.", game.time())
+                format!("Lost after {}{cause}.", clock(game.time()))
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Who plays, and what they have done: known at once, and on disk as soon as that can be, without holding up a frame.
 
-use super::scoring::precise;
 use crate::game::{Game, Medals, Outcome, RunResult};
+use crate::number::{clock, hundredths};
 use crate::scores::{AttemptRow, Damage, Deed, Name, PATIENCE, Player, Players, Rescue, Scores, ScoresError};
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -128,14 +128,14 @@ impl Journal {
                 self.by_guest.push(deed.clone());
             }
             self.apply(deed);
-            let time = precise(time);
+            let shown = clock(time);
             brought = match before {
                 _ if assisted => format!("{player}: done, with help: neither time nor score is saved."),
-                None => format!("{player}: done for the first time, in {time}."),
-                Some(before) if self.best(&level) < Some(before) => {
-                    format!("{player}: your best time! It was {}, it is {time}.", precise(before))
+                None => format!("{player}: done for the first time, in {shown}."),
+                Some(before) if hundredths(time) < hundredths(before) => {
+                    format!("{player}: your best time! It was {}, it is {shown}.", clock(before))
                 }
-                Some(before) => format!("{player}: {time}, your best time is {}.", precise(before)),
+                Some(before) => format!("{player}: {shown}, your best time is {}.", clock(before)),
             };
         }
         self.update(0.0);

@@ -3,6 +3,7 @@
 use super::leaderboard::{Way, subject};
 use super::{Attempt, Buttons, Flown, Gain, Input, Key, Request, Visit};
 use crate::game::{Goal, Outcome, RunResult, goals};
+use crate::number::clock;
 use crate::settings::Action;
 use crate::view::layout::ROW_BUTTON;
 use std::rc::Rc;
@@ -82,6 +83,8 @@ pub struct Scoring {
     buttons: Buttons,
     /// What it brought whoever flew, or why it brought nothing; in words.
     remark: String,
+    /// The player's best time in the level, this flight included, s.
+    best: Option<f64>,
     /// The flight, where it was flown by hand.
     flown: Option<Rc<Flown>>,
 }
@@ -100,7 +103,7 @@ impl Scoring {
         presses.extend([Press::Flights, Press::MainMenu]);
         let onward = if result.outcome == Outcome::Completed { presses[1] } else { Press::Replay };
         let focus = presses.iter().position(|press| *press == onward).unwrap_or(0);
-        Self { attempt, result, next, presses, buttons: Buttons::focused_on(focus), remark, flown }
+        Self { attempt, result, next, presses, buttons: Buttons::focused_on(focus), remark, best: None, flown }
     }
 
     /// One frame.
@@ -170,6 +173,22 @@ impl Scoring {
         &self.buttons
     }
 
+    /// With the player's best time in the level, s.
+    #[must_use]
+    pub fn with_best(self, best: Option<f64>) -> Self {
+        Self { best, ..self }
+    }
+
+    /// The times that the flight's own is measured against; a level without medals for time has its optimal time.
+    fn measures(&self) -> String {
+        let (awards, optimal) = (&self.attempt.level.awards, Some(self.result.optimal_time));
+        let medals = [("gold", awards.gold), ("silver", awards.silver)];
+        let none = medals.iter().all(|(_, time)| time.is_none());
+        let told = medals.into_iter().chain([("optimal", optimal.filter(|_| none)), ("best", self.best)]);
+        let words: Vec<String> = told.filter_map(|(name, time)| Some(format!("{name} {}", clock(time?)))).collect();
+        words.join(" · ")
+    }
+
     /// The parts of the score, a line each.
     pub fn parts(&self) -> Vec<Part> {
         let (result, score) = (&self.result, &self.result.score);
@@ -185,8 +204,8 @@ impl Scoring {
             ),
             part(
                 "Time",
-                minutes(result.time),
-                format!("optimal {}", minutes(result.optimal_time)),
+                clock(result.time),
+                self.measures(),
                 score.time,
                 Effect::of(score.time),
             ),
@@ -224,18 +243,6 @@ impl Scoring {
     }
 }
 
-/// Whole minutes and seconds, mm:ss; a second that has begun is not yet over.
-pub fn minutes(seconds: f64) -> String {
-    let whole = seconds.max(0.0) as u64;
-    format!("{:02}:{:02}", whole / 60, whole % 60)
-}
-
-/// Minutes, seconds and hundredths, mm:ss.hh; a hundredth that has begun is not yet over.
-pub fn precise(seconds: f64) -> String {
-    let hundredths = (seconds.max(0.0) * 100.0 + 1e-6) as u64;
-    format!("{:02}:{:02}.{:02}", hundredths / 6000, hundredths / 100 % 60, hundredths % 100)
-}
-
 /// A number with its sign; the minus is a true one.
 fn signed(points: i64) -> String {
     match points {
@@ -255,7 +262,7 @@ mod drawing {
 
     /// The panel and where its columns stand, from its left edge.
     const PANEL: Vec2 = Vec2::new(880.0, 248.0);
-    const COLUMNS: [f32; 3] = [24.0, 400.0, 424.0];
+    const COLUMNS: [f32; 3] = [24.0, 320.0, 344.0];
     const ROW: f32 = 44.0;
     /// From one panel to the next.
     const BETWEEN: f32 = 10.0;
@@ -357,9 +364,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn minutes_and_signs_read_well() {
-        assert_eq!([0.0, 59.99, 60.0, 3725.0].map(minutes), ["00:00", "00:59", "01:00", "62:05"]);
-        assert_eq!([0.0, 5.483_333, 59.999, 3725.5].map(precise), ["00:00.00", "00:05.48", "00:59.99", "62:05.50"]);
+    fn signs_read_well() {
         assert_eq!([-500, 0, 940].map(signed), ["−500", "0", "+940"]);
     }
 }

@@ -305,7 +305,7 @@ fn line(frame: &Frame) -> Area {
 #[cfg(feature = "window")]
 mod drawing {
     use super::{FOOT, Watch};
-    use crate::screens::scoring::precise;
+    use crate::number::clock;
     use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, TEXT, Vec2};
     use crate::view::{theme, widgets};
@@ -324,7 +324,7 @@ mod drawing {
             canvas.disc(Vec2::new(line.min.x + line.size.x * part, line.centre().y), 10.0, theme::text());
             let y = line.centre().y;
             let number = Style::new(TEXT, theme::text()).mono().middle();
-            let at = format!("{} / {}", precise(tick as f64 / rate), precise(known as f64 / rate));
+            let at = format!("{} / {}", clock(tick as f64 / rate), clock(known as f64 / rate));
             canvas.text(&at, Vec2::new(24.0, y), number);
             let pace = if self.paused { format!("paused · {}", pace(self.pace())) } else { pace(self.pace()) };
             canvas.text(&pace, Vec2::new(size.x - 24.0, y), number.right());

@@ -6,6 +6,7 @@ use super::layout::{Area, DETAILS, GRID, HudLayout, TEXT, Vec2};
 use super::theme::{self, faded, rgb};
 use super::widgets::panel_in;
 use crate::game::{DAMAGING_SPEED, Game, SHIP};
+use crate::number::clock;
 use crate::physics::DVec2;
 use crate::settings::{Action, Settings};
 use macroquad::color::Color;
@@ -148,27 +149,10 @@ pub fn fuel_colour(share: f32) -> Color {
     Color::new(mix(FUEL_EMPTY.r, FUEL_FULL.r), mix(FUEL_EMPTY.g, FUEL_FULL.g), mix(FUEL_EMPTY.b, FUEL_FULL.b), 1.0)
 }
 
-/// A time in seconds as mm:ss.hh, hundredths that are over; minutes go on beyond 99.
-pub fn clock(time: f64) -> String {
-    // A tick of 1/100 s ends at 0.29 as a binary fraction a hair below.
-    let hundredths = (time * 100.0 + 1e-6) as u64;
-    format!("{:02}:{:02}.{:02}", hundredths / 6000, hundredths / 100 % 60, hundredths % 100)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::view::layout::Frame;
-
-    #[test]
-    fn the_clock_counts_hundredths() {
-        assert_eq!(clock(0.0), "00:00.00");
-        assert_eq!(clock(119.0 / 120.0), "00:00.99");
-        assert_eq!(clock(0.29), "00:00.29");
-        assert_eq!(clock(1.0), "00:01.00");
-        assert_eq!(clock(59.0 * 60.0 + 59.9), "59:59.90");
-        assert_eq!(clock(6000.0), "100:00.00");
-    }
 
     #[test]
     fn the_fuel_bar_is_three_quarters_wide_and_three_hundredths_high_at_the_bottom_centre() {

@@ -2,7 +2,7 @@
 
 use super::places::{FOOT, FOOT_BUTTON, HEAD, SIDE};
 use super::{Entry, LevelSelect, Pick, Press, Purpose};
-use crate::screens::scoring::precise;
+use crate::number::clock;
 use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, ROW_BUTTON, TEXT, Vec2};
 use crate::view::{medals, theme, widgets};
@@ -86,7 +86,7 @@ fn card(canvas: &Canvas, area: Area, entry: &Entry, hover: bool, focus: bool) {
             match entry.medals.medal {
                 Some(_) => {
                     let (style, at) = (Style::new(TEXT, theme::text()).mono().middle(), middle(1.95));
-                    let time = entry.best.map_or("with help".to_owned(), precise);
+                    let time = entry.best.map_or("with help".to_owned(), clock);
                     let width = canvas.width(&time, style);
                     // The medals go before the time, and all of it stands in the middle.
                     let room = 28.0 * medals::offered(&entry.awards) as f32;
