@@ -106,6 +106,16 @@ fn what_flies_into_the_ship_damages_it_and_what_flies_into_something_else_does_n
 }
 
 #[test]
+fn air_streams_blow_from_steel() {
+    let mut level = room();
+    let source = area(40.0, 60.0, 60.0, 61.0);
+    level.streams = vec![Stream { source, zone: area(40.0, 61.0, 60.0, 62.0), force: DVec2::Y, name: None }];
+    let game = Game::new(Arc::new(level)).unwrap();
+    let surface = game.world().surfaces().iter().find(|surface| surface.bounds == source);
+    assert_eq!(surface.map(|surface| surface.material), Some(Material::STEEL));
+}
+
+#[test]
 fn a_gentle_touch_raises_no_dust() {
     let (_, events) = fly(above_floor(0.1, DVec2::new(0.0, 1.0)), NONE, 60);
     assert_eq!(events, []);

@@ -160,7 +160,7 @@ fn watch(level: &Arc<Level>, inputs: impl Iterator<Item = Controls>, name: &str,
     let mut onlookers = Onlooker::all();
     let every = (EVERY * game.tick_rate()) as u64;
     let mut look = |game: &Game, camera: &Camera| {
-        let what = format!("{name} after {:.1} s", game.time());
+        let what = format!("{name} after {:.1} s", game.elapsed());
         onlookers.iter_mut().for_each(|onlooker| onlooker.look(game, camera, seen, &what));
     };
     look(&game, &camera);

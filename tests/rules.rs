@@ -3,8 +3,8 @@
 mod support;
 
 use resultant::game::{BURN_RATE, Controls, Game, GameError, GameEvent, Outcome, ROTATION_RATE, SHIP, TICK_RATE};
-use resultant::level::{Level, Objective, ObjectiveKind};
-use resultant::physics::DVec2;
+use resultant::level::{Level, Mover, Objective, ObjectiveKind, Route, SHIP_BODY, Solid};
+use resultant::physics::{DVec2, Material, Path};
 use std::sync::Arc;
 use support::rooms::{area, crate_at, objective, room};
 
@@ -271,6 +271,131 @@ fn a_level_is_complete_when_all_are_met_at_once() {
     }
 }
 
+// The clock
+
+#[test]
+fn the_clock_starts_with_the_first_tick_that_has_an_input() {
+    for key in [THRUST, REVERSE, LEFT, RIGHT, Controls { right: true, ..LEFT }] {
+        let mut game = start(moving(1.0, 0.0));
+        fly(&mut game, NONE, 60);
+        assert!(game.is_idle() && (game.elapsed() - 0.5).abs() < 1e-12, "{key:?}");
+        assert_eq!(game.world().body(SHIP).position, DVec2::new(50.5, 50.0), "the world goes on");
+        game.step(key);
+        assert!(!game.is_idle(), "{key:?}");
+        assert_eq!((game.ticks(), game.ticks_on_clock(), game.time()), (61, 1, 1.0 / 120.0), "{key:?}");
+        fly(&mut game, NONE, 119);
+        assert_eq!((game.elapsed(), game.time(), game.result().time), (1.5, 1.0, 1.0), "{key:?}");
+    }
+}
+
+#[test]
+fn without_any_input_the_time_is_that_of_the_simulation() {
+    let mut game = start(room());
+    fly(&mut game, NONE, 120);
+    assert_eq!((game.time(), game.result().time), (1.0, 1.0));
+}
+
+#[test]
+fn score_and_medals_count_what_is_on_the_clock() {
+    let flown = |idle: u32| {
+        let mut level = room();
+        level.objectives = vec![objective(ObjectiveKind::Player, area(49.0, 40.0, 51.0, 45.0))];
+        let mut game = start(level);
+        fly(&mut game, NONE, idle);
+        while game.outcome() == Outcome::Running {
+            game.step(THRUST);
+        }
+        (game.result(), game.ticks() - u64::from(idle))
+    };
+    let (at_once, late) = (flown(0), flown(600));
+    assert_eq!((&at_once.0, at_once.1), (&late.0, late.1), "whoever looks at the level first loses nothing");
+}
+
+#[test]
+fn the_clock_is_part_of_the_state() {
+    let after = |idle: u32| {
+        let mut game = start(room());
+        fly(&mut game, NONE, idle);
+        fly(&mut game, Controls { right: true, ..LEFT }, 1);
+        fly(&mut game, NONE, 60 - idle);
+        game
+    };
+    let (early, late) = (after(10), after(20));
+    assert_eq!(early.ticks(), late.ticks());
+    assert_ne!(early.hash(), late.hash(), "one of them will have the better time");
+}
+
+// Standing
+
+/// The room with gravity and a floor below the ship, which leans.
+fn leaning(angle: f64) -> Level {
+    let mut level = room();
+    (level.gravity, level.player.angle) = (15.0, angle);
+    level.world = vec![Solid::new(area(0.0, 50.85, 100.0, 52.0), Material::ASPHALT)];
+    level
+}
+
+#[test]
+fn the_ship_comes_to_rest_upright_or_on_its_side() {
+    for (angle, rest) in [(30.0, 0.0), (-44.0, 0.0), (45.0, 90.0), (60.5, 90.0), (181.25, 180.0), (-80.0, -90.0), (405.0, 450.0)] {
+        let mut game = start(leaning(angle));
+        let mut before = angle;
+        for tick in 0..120 {
+            game.step(NONE);
+            let now = game.ship().angle;
+            let turned = (now - before).abs();
+            assert!(turned <= ROTATION_RATE / TICK_RATE + 1e-12, "{angle}°: by {turned}° in tick {tick}");
+            assert!((now - rest).abs() <= (before - rest).abs(), "{angle}°: away from {rest}° in tick {tick}");
+            before = now;
+        }
+        assert_eq!(game.ship().angle, rest, "{angle}°");
+        // From there keys count by whole ticks again.
+        fly(&mut game, RIGHT, 2);
+        assert_eq!(game.ship().angle, rest + 2.0 * ROTATION_RATE / TICK_RATE);
+    }
+}
+
+#[test]
+fn a_ship_that_turns_burns_flies_or_slides_does_not_right_itself() {
+    let turned = |level: Level, controls: Controls| {
+        let mut game = start(level);
+        fly(&mut game, controls, 100);
+        game.ship().angle - 30.0
+    };
+    assert_eq!(turned(leaning(30.0), RIGHT), 150.0);
+    assert_eq!(turned(leaning(30.0), Controls { right: true, ..LEFT }), 0.0, "keys that cancel each other hold it");
+    assert_eq!(turned(leaning(30.0), THRUST), 0.0);
+    assert_eq!(turned(Level { gravity: 0.0, ..leaning(30.0) }, NONE), 0.0, "nothing carries it");
+    let mut above = leaning(30.0);
+    above.player.position.y = 20.0;
+    assert_eq!(turned(above, NONE), 0.0, "it falls");
+    let mut slides = leaning(30.0);
+    slides.player.velocity.x = 9.0;
+    slides.friction = 0.1;
+    assert_eq!(turned(slides, NONE), 0.0, "it slides");
+}
+
+#[test]
+fn what_carries_the_ship_may_move() {
+    let righted = |level: Level| {
+        let mut game = start(level);
+        fly(&mut game, NONE, 360);
+        game.ship().angle
+    };
+    let mut belt = leaning(30.0);
+    belt.world[0].belt = 2.0;
+    assert_eq!(righted(belt), 0.0, "a belt");
+    let mut lift = leaning(30.0);
+    let solid = lift.world.remove(0);
+    let path = Path::steady(DVec2::new(0.0, -1.0));
+    lift.movers = vec![Mover { solid, path, stops: vec![], route: Route::Once }];
+    assert_eq!(righted(lift), 0.0, "a lift");
+    let mut crates = leaning(30.0);
+    crates.player.position.y -= 1.0;
+    crates.objects = vec![crate_at(DVec2::new(50.0, 50.35), DVec2::ZERO, None)];
+    assert_eq!(righted(crates), 0.0, "a crate");
+}
+
 // Death boxes
 
 #[test]
@@ -278,18 +403,49 @@ fn a_death_box_ends_the_attempt_at_once_with_nothing() {
     let mut level = moving(12.0, 0.0);
     level.obstacles = vec![area(52.0, 49.0, 53.0, 51.0)];
     let mut game = start(level);
-    fly(&mut game, NONE, 11);
+    // The tip of its fin is 1.2435 m away.
+    fly(&mut game, NONE, 12);
     assert_eq!(game.outcome(), Outcome::Running);
     game.step(NONE);
     assert_eq!((game.outcome(), game.events()), (Outcome::Failed, &[GameEvent::Died][..]));
-    assert_eq!((game.result().score.total, game.result().time), (0, 0.1));
+    assert_eq!((game.result().score.total, game.result().time), (0, 13.0 / 120.0));
+}
+
+#[test]
+fn what_kills_touches_the_ships_body_and_not_the_box_around_it() {
+    let killed = |angle: f64, obstacle| {
+        let mut level = room();
+        level.player.angle = angle;
+        level.obstacles = vec![obstacle];
+        let mut game = start(level);
+        game.step(NONE);
+        game.outcome() == Outcome::Failed
+    };
+    const PIXEL: f64 = 1.0 / 30.0;
+    // Beside the cabin there is a gap of six pixels; beside the fins, of almost three; in the box's corners, of more than ten.
+    let right = |pixels: f64, top: f64, bottom: f64| area(50.85 - pixels * PIXEL, top, 60.0, bottom);
+    assert!(!killed(0.0, right(5.0, 49.15, 49.9)), "beside the cabin");
+    assert!(killed(0.0, right(5.0, 49.15, 50.85)), "beside the fins");
+    assert!(!killed(0.0, right(2.5, 49.15, 50.85)) && killed(0.0, right(3.0, 49.15, 50.85)), "at the fins' tips");
+    for (x, y) in [(49.15, 49.15), (50.85, 49.15), (49.15, 50.85), (50.85, 50.85)] {
+        let corner = |pixels: f64| area(x - pixels * PIXEL, y - pixels * PIXEL, x + pixels * PIXEL, y + pixels * PIXEL);
+        assert!(!killed(0.0, corner(4.0)) && killed(0.0, corner(15.0)), "the corner at ({x}, {y}) m");
+    }
+    // On its side the nose reaches where the fins did not.
+    let ahead = right(4.0, 49.9, 50.1);
+    assert!(!killed(0.0, ahead) && killed(90.0, ahead) && !killed(-90.0, right(1.0, 49.9, 50.1)));
+    // A strip that is flatter than the gap below the nozzle, on the floor that the box stands on.
+    let strip = |pixels: f64| area(40.0, 50.85 - pixels * PIXEL, 60.0, 50.85);
+    assert!(!killed(0.0, strip(1.0)) && killed(0.0, strip(1.5)), "below the nozzle the gap is a little more than a pixel");
+    assert!(!killed(90.0, strip(2.5)) && killed(90.0, strip(3.0)), "below a fin almost three");
 }
 
 #[test]
 fn touching_is_lethal_and_a_micrometre_is_not() {
-    for (left, outcome) in [(50.85, Outcome::Failed), (50.85 + 1e-6, Outcome::Running)] {
+    let fin = 50.0 + SHIP_BODY[5].x;
+    for (left, outcome) in [(fin, Outcome::Failed), (fin + 1e-6, Outcome::Running)] {
         let mut level = room();
-        level.obstacles = vec![area(left, 50.0, 60.0, 51.0)];
+        level.obstacles = vec![area(left, 50.0, 60.0, 50.7)];
         let mut game = start(level);
         game.step(NONE);
         assert_eq!(game.outcome(), outcome);
@@ -313,7 +469,7 @@ fn no_death_box_is_skipped_at_any_speed() {
 fn death_goes_before_completion() {
     let mut level = room();
     level.objectives = vec![objective(ObjectiveKind::Player, area(50.0, 50.0, 51.0, 51.0))];
-    level.obstacles = vec![area(49.0, 49.0, 50.0, 50.0)];
+    level.obstacles = vec![area(49.5, 49.5, 50.0, 50.0)];
     let mut game = start(level);
     game.step(NONE);
     assert_eq!((game.outcome(), game.met(), game.result().score.total), (Outcome::Failed, &[true][..], 0));

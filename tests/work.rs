@@ -21,7 +21,7 @@ impl Flown {
     fn of(mut game: Game, seconds: f64, controls: impl Fn(f64) -> Controls) -> Self {
         let mut history = History::new(&game);
         for _ in 0..(seconds * game.tick_rate()).round() as u32 {
-            let now = controls(game.time());
+            let now = controls(game.elapsed());
             game.step(now);
             history.note(&game, now);
         }

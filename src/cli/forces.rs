@@ -59,6 +59,6 @@ impl<W: Write> Forces<W> {
     fn write_row(&mut self, game: &Game, id: BodyId, (kind, by): (&str, &str), (vector, point): (DVec2, DVec2)) -> io::Result<()> {
         // Adding zero turns −0 into 0: what opposes 0 is 0.
         let vector = pair(vector + DVec2::ZERO);
-        self.0.row(&Row { tick: game.ticks(), time: Shortest(game.time()), object: id.0, kind, by, vector, point: pair(point) })
+        self.0.row(&Row { tick: game.ticks(), time: Shortest(game.elapsed()), object: id.0, kind, by, vector, point: pair(point) })
     }
 }

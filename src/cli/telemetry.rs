@@ -81,7 +81,7 @@ fn row(game: &Game, (id, impulse): (BodyId, DVec2), kind: &'static str, (angle, 
     let (body, forces) = (game.world().body(id), game.world().forces(id));
     Row {
         tick: game.ticks(),
-        time: Shortest(game.time()),
+        time: Shortest(game.elapsed()),
         object: id.0,
         kind,
         position: pair(body.position),

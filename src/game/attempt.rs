@@ -9,10 +9,10 @@ use super::impacts::{Felt, Impacts, READABLE};
 use super::mechanisms::{Change, Mechanisms};
 use super::objectives::Objectives;
 use super::pushes::{APART, Pushes};
-use super::touch::sweep_touches;
+use super::touch::{SHIP_BOX, TOUCH};
 use super::{Controls, RunResult, ScoreParts, Ship};
-use crate::level::{Level, SHIP_HALF};
-use crate::physics::{Aabb, BodyId, DVec2, Event, Obstacle, World};
+use crate::level::{Level, SHIP_HALF, ship_body, sweep_touches};
+use crate::physics::{Aabb, BodyId, DVec2, Event, Force, ForceKind, Obstacle, Source, World};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
@@ -53,6 +53,8 @@ pub struct Game {
     ship: Ship,
     outcome: Outcome,
     ticks: u64,
+    /// Ticks before the first one with an input: they are not on the clock.
+    idle: u64,
     objectives: Objectives,
     pushes: Pushes,
     mechanisms: Mechanisms,
@@ -97,6 +99,7 @@ impl Game {
             ship: Ship::new(&level.player),
             outcome: Outcome::Running,
             ticks: 0,
+            idle: 0,
             flight,
             events: Vec::new(),
             impacts: Impacts::default(),
@@ -130,7 +133,10 @@ impl Game {
         if self.outcome != Outcome::Running {
             return;
         }
-        let drive = self.ship.obey(controls, &self.level.player, self.tick_rate);
+        // Counts on only as long as no tick before this one had an input.
+        self.idle += u64::from(self.is_idle() && controls == Controls::default());
+        let world = &self.world;
+        let drive = self.ship.obey(controls, &self.level.player, self.tick_rate, || stands(world));
         self.world.set_drive(SHIP, drive);
         self.world.step(1.0 / self.tick_rate);
         self.ticks += 1;
@@ -197,7 +203,7 @@ impl Game {
         });
         for index in 0..self.level.pods.len() {
             let full = self.ship.fuel >= self.level.player.fuel;
-            let touched = !full && !self.mechanisms.is_taken(index) && self.has_touched(&self.level.pods[index].bounds);
+            let touched = !full && !self.mechanisms.is_taken(index) && self.has_touched(&SHIP_BOX, &self.level.pods[index].bounds);
             if touched && self.mechanisms.take_pod(index) {
                 self.ship.refuel(self.level.pods[index].fuel, &self.level.player);
                 self.events.push(GameEvent::Refuelled(index));
@@ -231,15 +237,24 @@ impl Game {
 
     /// What the last tick did to the ship.
     fn death(&self) -> Option<Death> {
-        let touched = self.level.obstacles.iter().position(|deadly| self.has_touched(deadly)).map(Death::Obstacle);
+        let body = ship_body(self.ship.angle);
+        let swept = self.swept();
+        let touches = |deadly: &Aabb| swept.touches(deadly, TOUCH) && self.has_touched(&body, deadly);
+        let touched = self.level.obstacles.iter().position(touches).map(Death::Obstacle);
         let squeezed = || crushed(self.world.events()).find(|(body, _)| *body == SHIP).map(|(_, by)| Death::Crushed(by));
         touched.or_else(squeezed)
     }
 
-    /// Whether the ship touched a box at any moment of the last tick, however fast it went.
-    fn has_touched(&self, deadly: &Aabb) -> bool {
+    /// The box around all of the ship's places in the last tick.
+    fn swept(&self) -> Aabb {
+        let places = self.world.path(SHIP).map(|at| Aabb::around(at, SHIP_HALF));
+        places.fold(Aabb::around(self.world.previous_position(SHIP), SHIP_HALF), |all, place| all.union(&place))
+    }
+
+    /// Whether a body of those corners about the ship's centre touched a box at any moment of the last tick, however fast it went.
+    fn has_touched(&self, corners: &[DVec2], target: &Aabb) -> bool {
         let mut from = self.world.previous_position(SHIP);
-        self.world.path(SHIP).any(|to| sweep_touches(std::mem::replace(&mut from, to), to, SHIP_HALF, deadly))
+        self.world.path(SHIP).any(|to| sweep_touches(corners, std::mem::replace(&mut from, to), to, target, TOUCH))
     }
 
     /// The level.
@@ -282,9 +297,25 @@ impl Game {
         self.tick_rate
     }
 
-    /// Seconds since the start.
-    pub fn time(&self) -> f64 {
+    /// Whether no tick so far had an input: the clock stands at 0 until one has.
+    pub const fn is_idle(&self) -> bool {
+        self.idle == self.ticks
+    }
+
+    /// Seconds of the simulation since the start.
+    pub fn elapsed(&self) -> f64 {
         self.ticks as f64 / self.tick_rate
+    }
+
+    /// Seconds on the clock, which score, medals and boards count: from the beginning of the first tick with an input. Of a run without
+    /// any input it is [`Game::elapsed`].
+    pub fn time(&self) -> f64 {
+        self.ticks_on_clock() as f64 / self.tick_rate
+    }
+
+    /// The same in ticks.
+    pub const fn ticks_on_clock(&self) -> u64 {
+        if self.is_idle() { self.ticks } else { self.ticks - self.idle }
     }
 
     /// The fraction of the fuel left, 0 … 1; 0 where the level gives none.
@@ -355,6 +386,9 @@ impl Game {
         let mut write = |word| hash.write(word);
         write(self.ticks);
         write(self.outcome as u64);
+        if self.idle != 0 {
+            write(self.idle);
+        }
         self.objectives.hash_state(&self.level, &mut write);
         self.ship.hash_state(&mut write);
         write(u64::from(self.flight.collisions));
@@ -366,6 +400,26 @@ impl Game {
         self.world.hash_state(&mut write);
         hash.finish()
     }
+}
+
+/// The ship stands still on something that moves no faster than this past it, m/s: far above the rounding of a belt's or a lift's speed.
+const STILL: f64 = 1e-6;
+
+/// Whether something carries the ship, against its weight, and the ship does not move on it.
+fn stands(world: &World) -> bool {
+    let (forces, velocity) = (world.forces(SHIP), world.body(SHIP).velocity);
+    let weight = forces.total(ForceKind::Weight);
+    let carries = |force: &Force| {
+        let carrier = match force.source {
+            Source::Surface(surface) => world.surfaces()[surface as usize].skin(force.vector.normalize_or_zero()),
+            Source::Body(body) => world.body(body).velocity,
+            _ => return false,
+        };
+        matches!(force.kind, ForceKind::Reaction | ForceKind::Push)
+            && force.vector.dot(weight) < 0.0
+            && velocity.distance(carrier) < STILL
+    };
+    forces.forces().iter().any(carries)
 }
 
 /// Where and how fast (m/s) the ship was damaged in a tick with these events: its hardest hit, so that a hit of several surfaces at

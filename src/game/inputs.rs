@@ -121,6 +121,12 @@ impl Inputs {
         })
     }
 
+    /// How many ticks go by before the first one with a key; `None` where none has one.
+    pub fn idle(&self) -> Option<u64> {
+        let begins = self.rows.iter().position(|row| row.controls != Controls::default())?;
+        Some(self.rows[..begins].iter().map(|row| row.ticks).sum())
+    }
+
     /// How many ticks there are.
     pub fn ticks(&self) -> u64 {
         self.rows.iter().map(|row| row.ticks).sum()

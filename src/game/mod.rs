@@ -51,7 +51,7 @@ pub use pushes::APART;
 pub use replay::{MOST_SECONDS, Mismatch, PROGRAM, Recorder, Replay};
 pub use score::{RunResult, ScoreParts};
 pub use ship::{BURN_RATE, ROTATION_RATE, Ship, nose};
-pub use touch::{TOUCH, sweep_touches};
+pub use touch::TOUCH;
 pub use track::{Pose, Track};
 
 /// What the player holds down during one tick.

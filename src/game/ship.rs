@@ -1,11 +1,15 @@
 //! The ship's engine and its rotation: what the keys do.
 
 use super::Controls;
+pub use crate::level::nose;
 use crate::level::Player;
 use crate::physics::DVec2;
 
 /// Degrees a second while a rotation key is held. Higher is twitchier: a quarter turn takes half a second.
 pub const ROTATION_RATE: f64 = 180.0;
+/// How long the ship stands on something, tilted and without a key, before it turns to stand upright or on its side, s. Shorter, and it
+/// turns back while a player who aims on the ground changes from one key to the next.
+const RIGHTING_AFTER: f64 = 0.5;
 /// Fuel units a second while the engine burns. Higher shortens every flight: the usual 500 units last 25 s.
 pub const BURN_RATE: f64 = 20.0;
 
@@ -20,9 +24,13 @@ pub struct Ship {
     pub fuel: f64,
     /// The engine during the last tick: 1 along the nose, −1 against it, 0 off.
     pub burning: i8,
-    /// Ticks rotated clockwise minus ticks rotated anticlockwise. Angle and fuel are counted, not added up, so that they stay
-    /// free of rounding that grows with the flight.
+    /// Ticks rotated clockwise minus ticks rotated anticlockwise, and the angle that they are counted from: that of the start, or the last
+    /// right angle to which the ship turned by itself. Angle and fuel are counted, not added up, so that they stay free of rounding
+    /// that grows with the flight.
     turned: i64,
+    from: f64,
+    /// Ticks for which it has stood on something, tilted and without a key.
+    tilted: u32,
     /// Ticks burnt since the tank was last filled, how much was in it then, and what had been used before, fuel units.
     burnt: u64,
     filled: f64,
@@ -40,6 +48,8 @@ impl Ship {
             fuel: player.fuel,
             burning: 0,
             turned: 0,
+            from: player.angle,
+            tilted: 0,
             burnt: 0,
             filled: player.fuel,
             used: 0.0,
@@ -48,13 +58,11 @@ impl Ship {
     }
 
     /// Obeys the keys for one tick and returns the engine's drive during it, N. Left and right cancel each other; so do thrust and
-    /// reverse, which then burn nothing. The last tick with fuel burns what is left of it, at full thrust.
-    pub(super) fn obey(&mut self, controls: Controls, player: &Player, tick_rate: f64) -> DVec2 {
-        self.previous_angle = self.angle;
-        self.turned += i64::from(controls.right) - i64::from(controls.left);
-        self.angle = player.angle + self.turned as f64 * ROTATION_RATE / tick_rate;
-
+    /// reverse, which then burn nothing. The last tick with fuel burns what is left of it, at full thrust. `stands` says whether it stands
+    /// still on something.
+    pub(super) fn obey(&mut self, controls: Controls, player: &Player, tick_rate: f64, stands: impl FnOnce() -> bool) -> DVec2 {
         self.burning = if self.fuel > 0.0 { i8::from(controls.thrust) - i8::from(controls.reverse) } else { 0 };
+        self.turn(controls, tick_rate, stands);
         if self.burning == 0 {
             return DVec2::ZERO;
         }
@@ -62,6 +70,22 @@ impl Ship {
         self.fuel = (self.filled - self.burnt as f64 * BURN_RATE / tick_rate).max(0.0);
         // Adding zero turns a negative zero into zero.
         nose(self.angle) * (f64::from(self.burning) * player.thrust) + DVec2::ZERO
+    }
+
+    /// Turns by the keys; or, where it has stood tilted for a while, by itself, as fast, to the nearest right angle and not beyond.
+    fn turn(&mut self, controls: Controls, tick_rate: f64, stands: impl FnOnce() -> bool) {
+        self.previous_angle = self.angle;
+        let goal = (self.angle / 90.0).round() * 90.0;
+        let let_go = !controls.left && !controls.right && self.burning == 0;
+        self.tilted = if let_go && self.angle != goal && stands() { self.tilted.saturating_add(1) } else { 0 };
+        if f64::from(self.tilted) <= RIGHTING_AFTER * tick_rate {
+            self.turned += i64::from(controls.right) - i64::from(controls.left);
+        } else if (goal - self.angle).abs() <= ROTATION_RATE / tick_rate {
+            (self.from, self.turned, self.tilted) = (goal, 0, 0);
+        } else {
+            self.turned += if goal > self.angle { 1 } else { -1 };
+        }
+        self.angle = self.from + self.turned as f64 * ROTATION_RATE / tick_rate;
     }
 
     /// Takes up fuel, as much of it as the tank holds.
@@ -86,7 +110,7 @@ impl Ship {
         nose(self.angle)
     }
 
-    /// Feeds every bit of the state to `write`.
+    /// Feeds every bit of the state to `write`. The angle from which turns are counted follows from the angle and from them.
     pub(super) fn hash_state(&self, write: &mut impl FnMut(u64)) {
         for value in [self.angle, self.previous_angle, self.fuel] {
             write(value.to_bits());
@@ -94,54 +118,15 @@ impl Ship {
         write(self.burning as u64);
         write(self.turned as u64);
         write(self.burnt);
+        if self.tilted != 0 {
+            write(u64::from(self.tilted));
+        }
         if self.fuel_lasts {
             write(1);
         }
         if self.used != 0.0 {
             write(self.used.to_bits());
             write(self.filled.to_bits());
-        }
-    }
-}
-
-/// The unit vector that points `angle` degrees clockwise from straight up. Whole quarter turns are taken out before the sine and
-/// the cosine, so that right angles are exact and many turns cost no digits.
-pub fn nose(angle: f64) -> DVec2 {
-    let quarters = (angle / 90.0).round();
-    let (sin, cos) = libm::sincos((angle - quarters * 90.0).to_radians());
-    match quarters.rem_euclid(4.0) as u8 {
-        0 => DVec2::new(sin, -cos),
-        1 => DVec2::new(cos, sin),
-        2 => DVec2::new(-sin, cos),
-        _ => DVec2::new(-cos, -sin),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_nose_points_where_the_angle_says() {
-        let half = std::f64::consts::FRAC_1_SQRT_2;
-        for (angle, expected) in [
-            (0.0, DVec2::new(0.0, -1.0)),
-            (90.0, DVec2::new(1.0, 0.0)),
-            (180.0, DVec2::new(0.0, 1.0)),
-            (270.0, DVec2::new(-1.0, 0.0)),
-            (-90.0, DVec2::new(-1.0, 0.0)),
-            (-360_000.0, DVec2::new(0.0, -1.0)),
-        ] {
-            assert_eq!(nose(angle), expected, "{angle} degrees");
-        }
-        for (angle, expected) in
-            [(45.0, DVec2::new(half, -half)), (-45.0, DVec2::new(-half, -half)), (585.0, DVec2::new(-half, half))]
-        {
-            assert!(nose(angle).distance(expected) < 1e-15, "{angle} degrees: {}", nose(angle));
-        }
-        for angle in (-720..720).map(|tenth| f64::from(tenth) * 0.7) {
-            let (sin, cos) = angle.to_radians().sin_cos();
-            assert!(nose(angle).distance(DVec2::new(sin, -cos)) < 1e-14, "{angle} degrees");
         }
     }
 }

@@ -1,43 +1,36 @@
-//! Touching objectives and death boxes: pure questions about boxes.
+//! Touching objectives, pods and death boxes.
 
-use crate::physics::{Aabb, DVec2};
+use crate::level::SHIP_HALF;
+use crate::physics::DVec2;
 
 /// Boxes closer than this touch, m. It makes up for the rounding of pixels to metres; much larger and one would see the gap.
 pub const TOUCH: f64 = 1e-9;
 
-/// Whether a box that reaches `half` to each side of its centre touches `target` anywhere while the centre moves straight from
-/// `from` to `to`. Seen from the centre the box is a point and the target grows by `half`: a segment against a box, slab by slab
-/// (Kay and Kajiya 1986). Touching counts, so a box that only slides along the target's edge touches it.
-pub fn sweep_touches(from: DVec2, to: DVec2, half: DVec2, target: &Aabb) -> bool {
-    let (min, max) = (target.min - half - TOUCH, target.max + half + TOUCH);
-    let way = to - from;
-    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for axis in 0..2 {
-        let (from, way, min, max) = (from[axis], way[axis], min[axis], max[axis]);
-        if way == 0.0 {
-            if from < min || from > max {
-                return false;
-            }
-        } else {
-            let (a, b) = ((min - from) / way, (max - from) / way);
-            enter = enter.max(a.min(b));
-            leave = leave.min(a.max(b));
-        }
-    }
-    enter <= leave
-}
+/// The corners of the ship's box about its centre, clockwise.
+pub(super) const SHIP_BOX: [DVec2; 4] = [
+    DVec2::new(-SHIP_HALF.x, -SHIP_HALF.y),
+    DVec2::new(SHIP_HALF.x, -SHIP_HALF.y),
+    DVec2::new(SHIP_HALF.x, SHIP_HALF.y),
+    DVec2::new(-SHIP_HALF.x, SHIP_HALF.y),
+];
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::level::{ship_body, sweep_touches};
+    use crate::physics::Aabb;
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
 
     const TARGET: Aabb = Aabb::new(DVec2::new(2.0, 3.0), DVec2::new(4.0, 3.1));
     const HALF: DVec2 = DVec2::new(0.5, 0.25);
 
+    fn corners() -> [DVec2; 4] {
+        [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| HALF * DVec2::new(x, y))
+    }
+
     fn touches(from: [f64; 2], to: [f64; 2]) -> bool {
-        sweep_touches(from.into(), to.into(), HALF, &TARGET)
+        sweep_touches(&corners(), from.into(), to.into(), &TARGET, TOUCH)
     }
 
     #[test]
@@ -78,9 +71,31 @@ mod tests {
             let walked = (0..=1000).any(|i| touches_at(f64::from(i) / 1000.0, 0.0));
             // A step of the walk is at most 22 mm.
             let nearly = (0..=1000).any(|i| touches_at(f64::from(i) / 1000.0, 0.022));
-            let swept = sweep_touches(from, to, HALF, &TARGET);
+            let swept = sweep_touches(&corners(), from, to, &TARGET, TOUCH);
             prop_assert!(swept || !walked, "the sweep misses a touch");
             prop_assert!(nearly || !swept, "the sweep invents a touch");
+        }
+
+        #[test]
+        fn the_ships_body_touches_what_a_walk_of_its_outline_touches(
+            angle in -360.0..360.0, x0 in -4.0..10.0, y0 in -4.0..10.0, x1 in -4.0..10.0, y1 in -4.0..10.0,
+        ) {
+            let (from, to, body) = (DVec2::new(x0, y0), DVec2::new(x1, y1), ship_body(angle));
+            let target = Aabb::new(DVec2::new(2.0, 3.0), DVec2::new(4.0, 5.0));
+            // Points of the outline at most 10 mm apart, at places at most 20 mm apart: none of them is nearer to a corner of the target
+            // than the sweep is by more than that.
+            let outline = || (0..body.len()).flat_map(|i| {
+                let (a, b) = (body[i], body[(i + 1) % body.len()]);
+                (0..64).map(move |part| a.lerp(b, f64::from(part) / 64.0))
+            });
+            let gap = |point: DVec2| (target.min - point).max(point - target.max).max(DVec2::ZERO).length();
+            let nearest = (0..=1000)
+                .flat_map(|i| outline().map(move |point| from.lerp(to, f64::from(i) / 1000.0) + point))
+                .map(gap)
+                .fold(f64::INFINITY, f64::min);
+            let swept = sweep_touches(&body, from, to, &target, TOUCH);
+            prop_assert!(swept || nearest > 0.0, "the sweep misses a touch");
+            prop_assert!(!swept || nearest < 0.04, "the sweep invents a touch, {nearest} m away");
         }
     }
 }

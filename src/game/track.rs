@@ -19,8 +19,10 @@ pub struct Pose {
 #[derive(Clone, Debug)]
 pub struct Track {
     poses: Vec<Pose>,
-    /// The tick at which each objective was met for the first time.
+    /// Ticks on the clock when each objective was met for the first time.
     met: Vec<Option<u64>>,
+    /// Ticks before its clock starts.
+    idle: u64,
     outcome: Outcome,
     /// What is not flown yet.
     ahead: Option<(Box<Game>, Playback)>,
@@ -35,7 +37,7 @@ impl Track {
         let game = Game::new(level)?;
         let met = vec![None; game.met().len()];
         let ahead = Some((Box::new(game.clone()), inputs.clone().into_iter()));
-        Ok(Self { poses: vec![pose(&game)], met, outcome: Outcome::Running, ahead })
+        Ok(Self { poses: vec![pose(&game)], met, idle: inputs.idle().unwrap_or(0), outcome: Outcome::Running, ahead })
     }
 
     /// Finds out so many ticks more, as far as there are any.
@@ -51,7 +53,7 @@ impl Track {
             self.outcome = game.outcome();
             for event in game.events() {
                 if let GameEvent::ObjectiveMet(index) = event {
-                    self.met[*index].get_or_insert(game.ticks());
+                    self.met[*index].get_or_insert(game.ticks_on_clock());
                 }
             }
         }
@@ -80,7 +82,13 @@ impl Track {
         Pose { centre: from.centre.lerp(to.centre, alpha), angle: from.angle + turn * alpha }
     }
 
-    /// The tick at which an objective is met for the first time; `None` where it is not, as far as is known.
+    /// The tick of this flight that stands beside a game: the one with the same time on the clock, and where it would go on from as long as
+    /// the game's clock has not started.
+    pub fn beside(&self, game: &Game) -> u64 {
+        if game.is_idle() { game.ticks().min(self.idle) } else { self.idle + game.ticks_on_clock() }
+    }
+
+    /// Ticks on the clock when an objective is met for the first time; `None` where it is not, as far as is known.
     pub fn met(&self, objective: usize) -> Option<u64> {
         self.met.get(objective).copied().flatten()
     }

@@ -128,7 +128,7 @@ impl Moment {
         let (body, forces) = (game.world().body(id), game.world().forces(id));
         let constants = Constants::of(game, id);
         Self {
-            time: game.time(),
+            time: game.elapsed(),
             constants,
             position: DVec2::new(body.position.x, constants.height - body.position.y),
             velocity: upwards(body.velocity),

@@ -3,7 +3,7 @@
 //!
 //! The way of a level: `cells` cuts a file's bytes into cells that know their line; `table` finds out which cell belongs to which
 //! column; `quantity` says which numbers are accepted, `varied` which of them can be varied while a level is flown; `rows`, `blocks` and `extras` turn each file's records into typed rows; `read`
-//! puts the rows together, `names`, `strength`, `placement`, `reach` and `winnable` look at the whole. All of that is pure: [`read()`] asks [`Files`] for bytes. Only `folder`
+//! puts the rows together, `names`, `strength`, `placement`, `reach` and `winnable` look at the whole; `ship_body` is the part of the ship that red kills. All of that is pure: [`read()`] asks [`Files`] for bytes. Only `folder`
 //! knows the disk: [`load`] and [`list`].
 
 mod awards;
@@ -26,6 +26,7 @@ mod route;
 mod rows;
 pub mod scaffold;
 mod shade;
+mod ship_body;
 mod strength;
 mod table;
 mod types;
@@ -42,6 +43,7 @@ pub use name::{NameFault, judge_name};
 pub use names::FILES;
 pub use problem::Problem;
 pub use read::{Files, Loaded, read};
+pub use ship_body::{SHIP_BODY, nose, ship_body, sweep_touches};
 pub use types::{
     Decoration, Field, Fluid, Latch, Level, Look, Mover, Object, Objective, ObjectiveKind, Player, Pod, Presser, Route, SHIP_DRAG,
     SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Switch, Text, Work,

@@ -5,6 +5,7 @@ use super::placement::space;
 use super::problem::{Problem, quoted};
 use super::read::Draft;
 use super::rows::Placed;
+use super::ship_body::{ship_body, sweep_touches};
 use super::types::{Objective, ObjectiveKind, Player, SHIP_HALF};
 use crate::physics::{Aabb, DVec2};
 
@@ -17,7 +18,7 @@ type Body = (DVec2, DVec2);
 /// Everything that cannot be won, in a level of that size in metres.
 pub(super) fn check(draft: &Draft, player: &Player, size: DVec2) -> Vec<Problem> {
     let ship = (player.position, SHIP_HALF);
-    let mut problems = starts(draft, ship);
+    let mut problems = starts(draft, ship, player.angle);
     problems.extend(unreachable(draft, ship, size));
     if problems.is_empty() {
         problems.extend(apart(draft));
@@ -38,8 +39,9 @@ fn touches((centre, half): Body, bounds: &Aabb) -> bool {
 }
 
 /// A start that is the end.
-fn starts(draft: &Draft, ship: Body) -> Vec<Problem> {
-    let deadly = draft.obstacles.iter().filter(|deadly| touches(ship, &deadly.item));
+fn starts(draft: &Draft, ship: Body, angle: f64) -> Vec<Problem> {
+    let (at, body) = (ship.0, ship_body(angle));
+    let deadly = draft.obstacles.iter().filter(|deadly| sweep_touches(&body, at, at, &deadly.item, TOUCH));
     let mut problems: Vec<Problem> =
         deadly.map(|deadly| deadly.problem("x", "a death box that touches the ship at its start", "a start off red")).collect();
     let met = |objective: &Objective| {

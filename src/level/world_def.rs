@@ -81,7 +81,7 @@ impl Level {
             let runs = starts_on(Worked::Belt(i)).unwrap_or(true);
             SurfaceDef { belt: if runs { solid.belt } else { 0.0 }, ..block(solid) }
         });
-        let sources = self.streams.iter().map(|stream| SurfaceDef::fixed(stream.source, self.rubbing(Material::ASPHALT)));
+        let sources = self.streams.iter().map(|stream| SurfaceDef::fixed(stream.source, self.rubbing(Material::STEEL)));
         let movers = self.movers.iter().enumerate().map(|(i, mover)| {
             let runs = starts_on(Worked::Mover(i)).unwrap_or(true);
             SurfaceDef { path: mover.path.clone(), runs, ..block(&mover.solid) }

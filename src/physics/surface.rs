@@ -273,6 +273,11 @@ impl Surface {
         surface
     }
 
+    /// How fast its skin runs on the side with that outward normal, m/s: its belt's speed goes clockwise around it.
+    pub fn skin(&self, outward: DVec2) -> DVec2 {
+        self.velocity + outward.perp() * self.belt
+    }
+
     /// Where its centre is (in place of the offset) `t` seconds from now.
     pub(super) fn at(&self, t: f64) -> PathPoint {
         let centre = self.def.bounds.centre();

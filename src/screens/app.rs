@@ -51,6 +51,8 @@ pub struct App {
     pub(super) journal: Journal,
     /// What the attempt on the screen, which has ended, brought whoever flew.
     pub(super) ended: Option<String>,
+    /// The same of the attempt before that one, which was lost.
+    pub(super) lost: Option<String>,
     /// The level that was last chosen: where the keyboard is when the list comes back.
     pub(super) last_level: Option<String>,
     pub(super) settings: Settings,
@@ -94,6 +96,7 @@ impl App {
             scores,
             shown_for: 0.0,
             ended: None,
+            lost: None,
             last_level: None,
             menus: 0,
             waiting: None,
@@ -442,7 +445,8 @@ impl App {
 
     fn scoring(&mut self, attempt: Attempt, result: RunResult, flown: Option<Rc<Flown>>) -> Screen {
         let next = self.library.after(&result.level);
-        let remark = self.ended.clone().unwrap_or_default();
+        // Asked for while the next attempt is being flown, it is that of the attempt before.
+        let remark = self.ended.get_or_insert_with(|| self.lost.take().unwrap_or_default()).clone();
         let best = self.journal.best(&result.level);
         Screen::Scoring(Box::new(Scoring::new(attempt, result, flown, next, remark).with_best(best)))
     }

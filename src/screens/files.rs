@@ -56,7 +56,7 @@ impl App {
         if let Err(error) = flight.restart(level, spectator) {
             return flight.tell_of_problems(vec![error.to_string()]);
         }
-        self.ended = None;
+        self.lost = self.ended.take();
         if let Some(problems) = problems {
             flight.tell_of_problems(problems);
         }

@@ -2,6 +2,7 @@
 
 use crate::game::{Game, GameError, GameEvent, Inputs, Outcome, Pose, Track};
 use crate::level::Level;
+use crate::number::hundredths;
 use std::sync::Arc;
 
 /// The most ghosts at a time: more would hide the level, and each is flown once.
@@ -33,7 +34,7 @@ pub struct Ghost {
 pub struct Split {
     /// Its index in the level.
     pub objective: usize,
-    /// The tick at which it was met for the first time.
+    /// Ticks on the clock when it was met for the first time.
     pub tick: u64,
 }
 
@@ -81,24 +82,29 @@ impl Race {
             if let GameEvent::ObjectiveMet(objective) = *event
                 && self.splits.iter().all(|split| split.objective != objective)
             {
-                self.splits.push(Split { objective, tick: game.ticks() });
+                self.splits.push(Split { objective, tick: game.ticks_on_clock() });
             }
         }
     }
 
-    /// Flies the ghosts ahead: at least to where the ship is, and further as long as a frame has room for it.
-    pub fn update(&mut self, tick: u64, frame_time: f64) {
+    /// Flies the ghosts ahead: at least to where they are beside that game, and further as long as a frame has room for it.
+    pub fn update(&mut self, game: &Game, frame_time: f64) {
         let ahead = if frame_time > SLOW_FRAME { TICKS_A_FRAME / 4 } else { TICKS_A_FRAME } / self.ghosts.len() as u64;
         for ghost in &mut self.ghosts {
-            let behind = tick.saturating_sub(ghost.track.ticks());
+            let behind = ghost.track.beside(game).saturating_sub(ghost.track.ticks());
             ghost.track.fly(behind + if frame_time > 0.0 { ahead } else { 0 });
         }
     }
 
-    /// The ghosts, each with where it is drawn at that tick of the ship's, if its flight is not over yet or has reached its goal.
-    pub fn ghosts(&self, tick: u64, alpha: f64) -> impl Iterator<Item = (&Ghost, Pose)> {
-        let shown = move |ghost: &&Ghost| ghost.track.ticks() >= tick || ghost.track.outcome() != Outcome::Failed;
-        self.ghosts.iter().filter(shown).map(move |ghost| (ghost, ghost.track.pose(tick, alpha)))
+    /// The ghosts, each with where it is drawn beside that game, if its flight is not over yet or has reached its goal.
+    pub fn ghosts(&self, game: &Game, alpha: f64) -> impl Iterator<Item = (&Ghost, Pose)> {
+        self.ghosts.iter().filter_map(move |ghost| {
+            let (track, tick) = (&ghost.track, ghost.track.beside(game));
+            // One that waits for the game's clock does not move.
+            let alpha = if tick < game.ticks() && game.is_idle() { 1.0 } else { alpha };
+            let shown = track.ticks() >= tick || track.outcome() != Outcome::Failed;
+            shown.then(|| (ghost, track.pose(tick, alpha)))
+        })
     }
 
     /// All ghosts.
@@ -114,7 +120,11 @@ impl Race {
     /// How the ship stood to a ghost at an objective.
     pub fn gap(&self, ghost: &Ghost, split: Split) -> Gap {
         match ghost.track.met(split.objective) {
-            Some(met) => Gap::Seconds((split.tick as f64 - met as f64) / self.tick_rate),
+            Some(met) => {
+                // In the hundredths in which both times are shown.
+                let shown = |ticks: u64| hundredths(ticks as f64 / self.tick_rate) as f64;
+                Gap::Seconds((shown(split.tick) - shown(met)) / 100.0)
+            }
             None if ghost.track.is_whole() => Gap::Never,
             None => Gap::Unknown,
         }
@@ -136,14 +146,15 @@ impl Gap {
 #[cfg(feature = "window")]
 mod drawing {
     use super::{Gap, Race};
+    use crate::game::Game;
     use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{DETAILS, GRID, HudLayout, TEXT, Vec2};
     use crate::view::{Ghost, theme, widgets};
 
     impl Race {
         /// Where the ghosts are drawn.
-        pub fn poses(&self, tick: u64, alpha: f64) -> Vec<Ghost> {
-            self.ghosts(tick, alpha)
+        pub fn poses(&self, game: &Game, alpha: f64) -> Vec<Ghost> {
+            self.ghosts(game, alpha)
                 .map(|(ghost, pose)| Ghost { name: ghost.name.clone(), pose: Some(pose), objects: Vec::new() })
                 .collect()
         }

@@ -1,7 +1,7 @@
 //! What an attempt came to, part by part.
 
 use super::leaderboard::{Way, subject};
-use super::{Attempt, Buttons, Flown, Gain, Input, Key, Request, Visit};
+use super::{Attempt, Buttons, Flown, Gain, Input, Key, Keys, Request, Visit};
 use crate::game::{Goal, Outcome, RunResult, goals};
 use crate::number::clock;
 use crate::settings::Action;
@@ -72,6 +72,18 @@ impl Press {
     }
 }
 
+/// For how long the keys of menus do nothing on a page that has just opened, s: a key that was meant for the flight goes down about so late.
+const GUARD: f64 = 0.4;
+/// What steers the ship.
+const STEERING: [Action; 4] = [Action::Thrust, Action::Reverse, Action::Left, Action::Right];
+/// The keys of menus that may steer, too.
+const MENU_KEYS: [Key; 5] = [Key::Left, Key::Right, Key::Up, Key::Down, Key::Enter];
+
+/// They, and the buttons of gamepads that do the same.
+fn menu_keys() -> Keys {
+    MENU_KEYS.into_iter().chain(MENU_KEYS.into_iter().filter_map(Key::on_pad)).collect()
+}
+
 /// The scoring screen.
 #[derive(Debug)]
 pub struct Scoring {
@@ -83,6 +95,9 @@ pub struct Scoring {
     buttons: Buttons,
     /// What it brought whoever flew, or why it brought nothing; in words.
     remark: String,
+    /// For how long the page has been there, s, and whether no key that steers has been held at a moment since.
+    shown: f64,
+    released: bool,
     /// The player's best time in the level, this flight included, s.
     best: Option<f64>,
     /// The flight, where it was flown by hand.
@@ -103,11 +118,16 @@ impl Scoring {
         presses.extend([Press::Flights, Press::MainMenu]);
         let onward = if result.outcome == Outcome::Completed { presses[1] } else { Press::Replay };
         let focus = presses.iter().position(|press| *press == onward).unwrap_or(0);
-        Self { attempt, result, next, presses, buttons: Buttons::focused_on(focus), remark, best: None, flown }
+        Self { attempt, result, next, presses, buttons: Buttons::focused_on(focus), remark, shown: 0.0, released: false, best: None, flown }
     }
 
-    /// One frame.
+    /// One frame. The keys of the flight do not move the keyboard: those of menus count once the page has stood for a moment and none that
+    /// steers is held since the flight.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
+        self.shown += input.frame_time;
+        self.released |= !STEERING.into_iter().any(|action| input.keeps(action));
+        let fresh = self.shown < GUARD || !self.released;
+        let input = &if fresh { Input { pressed: input.pressed.less(menu_keys()), ..input.clone() } } else { input.clone() };
         self.buttons.place(input.frame.row(self.presses.len(), input.frame.size.y - ROW_BUTTON.y - 40.0));
         if input.pressed(Key::Escape) {
             return Some(Request::Menu);

@@ -324,7 +324,10 @@ mod drawing {
             canvas.disc(Vec2::new(line.min.x + line.size.x * part, line.centre().y), 10.0, theme::text());
             let y = line.centre().y;
             let number = Style::new(TEXT, theme::text()).mono().middle();
-            let at = format!("{} / {}", clock(tick as f64 / rate), clock(known as f64 / rate));
+            // On the clock of the flight.
+            let idle = self.reel.history().inputs().idle().unwrap_or(0);
+            let time = |tick: u64| clock(tick.saturating_sub(idle) as f64 / rate);
+            let at = format!("{} / {}", time(tick), time(known));
             canvas.text(&at, Vec2::new(24.0, y), number);
             let pace = if self.paused { format!("paused · {}", pace(self.pace())) } else { pace(self.pace()) };
             canvas.text(&pace, Vec2::new(size.x - 24.0, y), number.right());

@@ -104,9 +104,10 @@ pub fn facts(game: &Game, id: BodyId) -> Facts {
     let (body, forces) = (world.body(id), world.forces(id));
     let mut rows = Vec::with_capacity(16);
     if ship {
+        rows.push(Row::plain("Engine", Value::Scalar(game.level().player.thrust), "N"));
         // Along the nose positive, against it negative.
         let drive = forces.total(ForceKind::Drive).length() * if game.ship().burning < 0 { -1.0 } else { 1.0 };
-        rows.push(Row::plain("Engine drive", Value::Scalar(drive), "N"));
+        rows.push(Row::plain("Burning", Value::Scalar(drive), "N"));
     }
     rows.push(Row::plain("Mass", Value::Scalar(body.mass), "kg"));
     rows.push(Row::plain("Velocity", Value::Vector(body.velocity), "m/s"));

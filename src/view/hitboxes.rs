@@ -7,6 +7,7 @@ use super::facts::number;
 use super::layout::{Area, DETAILS, Frame, GRID, HudLayout, LINE, MONO_ADVANCE, Vec2};
 use super::theme::{self, faded, rgb};
 use crate::game::{Game, SHIP};
+use crate::level::ship_body;
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind, Source};
 use macroquad::color::Color;
 use macroquad::shapes::draw_rectangle_lines;
@@ -41,6 +42,9 @@ pub fn draw(game: &Game, figures: &str, view: &Viewport, canvas: &Canvas) {
     for zone in level.streams.iter().map(|s| &s.zone).chain(level.fluids.iter().map(|f| &f.zone)) {
         outline(zone, ZONE);
     }
+    // The part of the ship that red kills.
+    let centre = world.body(SHIP).position;
+    canvas.convex_edge(&ship_body(game.ship().angle).map(|corner| view.point(centre + corner)), 2.0, theme::bad());
     for (i, body) in world.bodies().iter().enumerate() {
         let id = BodyId(i as u32);
         outline(&body.bounds(), BODY);

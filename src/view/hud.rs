@@ -48,7 +48,7 @@ pub fn draw(game: &Game, settings: &Settings, told: bool, canvas: &Canvas) {
 
 /// What the keys do, as the first level tells at its start: in the fuel bar, where it hides nothing.
 fn hint(game: &Game, settings: &Settings) -> Option<String> {
-    let first = game.level().name == "1" && game.time() < HINT_TIME;
+    let first = game.level().name == "1" && game.elapsed() < HINT_TIME;
     first.then(|| {
         let label = |action| settings.keys.label(action);
         let [restart, pause, details] = [Action::Restart, Action::Pause, Action::Details].map(label);
@@ -62,7 +62,7 @@ fn draw_status(game: &Game, settings: &Settings, area: Area, canvas: &Canvas) {
     let number = Style::new(TEXT, theme::text()).mono().middle();
     let left = area.min.x + 2.0 * GRID;
     if settings.timer {
-        canvas.text(&clock(game.time()), Vec2::new(left, middle), number);
+        canvas.text(&clock(if game.is_idle() { 0.0 } else { game.time() }), Vec2::new(left, middle), number);
     }
     draw_speed(game, area, canvas);
     let (met, all) = (game.met().iter().filter(|met| **met).count(), game.met().len());

@@ -1,7 +1,10 @@
 //! A flight: its keys, its pause panel, its end, and who watches it.
 
-use crate::sitting::{Sitting, enter};
-use resultant::screens::{Input, Key, Spectator};
+use crate::sitting::{FAR_AWAY, Sitting, enter, level};
+use resultant::game::Outcome;
+use resultant::screens::{Input, Key, Keys, Spectator};
+use std::fs;
+use std::path::Path;
 
 #[test]
 fn the_pause_panel_does_what_it_says_by_mouse_and_by_keyboard() {
@@ -111,8 +114,80 @@ fn from_death_to_flying_again_it_is_one_key_also_on_the_screen_that_follows() {
     sitting.fly(2).wait(0.1);
     assert_eq!(sitting.press(Key::R).at(), "flight");
     assert!(sitting.flight().game().ticks() <= 2, "a fresh attempt at once");
-    sitting.wait(2.0);
+    sitting.press(Key::Enter);
     assert_eq!(sitting.at(), "scoring");
     assert!(sitting.scoring().remark().contains("Touched a red box at x = "), "{}", sitting.scoring().remark());
     assert_eq!(sitting.press(Key::R).at(), "flight");
+}
+
+/// A level in which the ship has to turn and thrust to get to the red.
+fn with_red_above(root: &Path) {
+    level(root, "2", FAR_AWAY, "0,240,800,20\n");
+    fs::write(root.join("levels/2/world.csv"), "x,y,width,height\n0,325.5,800,20\n").unwrap();
+}
+
+#[test]
+fn after_a_death_the_level_flies_within_half_a_second_and_keys_that_are_held_count() {
+    let mut sitting = Sitting::with(with_red_above);
+    sitting.fly(1);
+    let hold = |sitting: &mut Sitting| {
+        sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
+    };
+    let lost = |sitting: &Sitting| sitting.flight().game().outcome() == Outcome::Failed;
+    (0..120).take_while(|_| !lost(&sitting)).for_each(|_| hold(&mut sitting));
+    assert!(lost(&sitting));
+    let frames = (1..=60).find(|_| {
+        hold(&mut sitting);
+        !lost(&sitting) && sitting.flight().game().ticks() > 0
+    });
+    assert!(frames.is_some_and(|frames| frames < 30), "flies again after {frames:?} frames of 1/60 s");
+    assert_eq!(sitting.flight().game().ship().burning, 1, "thrust is held");
+    assert!(sitting.flight().lost().is_some_and(|death| death.contains("Touched a red box")), "{:?}", sitting.flight().lost());
+    // The details of the attempt are one key away, with its own figures and flight.
+    sitting.press(Key::Enter);
+    assert_eq!(sitting.at(), "scoring");
+    assert_eq!((sitting.scoring().result().outcome, sitting.scoring().result().score.total), (Outcome::Failed, 0));
+    assert!(sitting.scoring().result().time > 0.3 && sitting.scoring().remark().contains("Touched a red box"));
+    assert_eq!(sitting.scores_file("attempts.csv").lines().filter(|line| line.contains(",failed,")).count(), 1);
+    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
+    sitting.wait(0.5).choose(flights).choose(0).wait(0.2);
+    assert_eq!(sitting.watch().game().level().name, "2");
+    assert!(sitting.watch().place().1 > 30, "{:?}", sitting.watch().place());
+}
+
+#[test]
+fn what_is_told_of_a_death_goes_by_itself_and_enter_flies_on_then() {
+    let mut sitting = Sitting::with(with_red_above);
+    sitting.fly(1);
+    for _ in 0..90 {
+        sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
+        if sitting.flight().lost().is_some() {
+            break;
+        }
+    }
+    assert!(sitting.flight().lost().is_some());
+    assert!(sitting.wait(6.0).flight().lost().is_none());
+    assert_eq!(sitting.press(Key::Enter).at(), "flight");
+}
+
+#[test]
+fn keys_of_the_flight_move_nothing_on_the_page_that_follows() {
+    let steer = |sitting: &mut Sitting, pressed: bool| {
+        let left = [Key::Left].into_iter().collect();
+        let none = Keys::default();
+        sitting.give(Input { held: left, pressed: if pressed { left } else { none }, ..Input::default() });
+    };
+    let mut sitting = Sitting::new();
+    sitting.fly(0);
+    while sitting.at() == "flight" {
+        steer(&mut sitting, false);
+    }
+    let focus = sitting.buttons().focus();
+    // Pressed once more, and held for longer than the page has a guard: it is the hand of the flight still.
+    steer(&mut sitting, true);
+    (0..60).for_each(|_| steer(&mut sitting, false));
+    steer(&mut sitting, true);
+    assert_eq!(sitting.buttons().focus(), focus);
+    sitting.rest().press(Key::Left);
+    assert_ne!(sitting.buttons().focus(), focus, "once it was let go, it chooses");
 }

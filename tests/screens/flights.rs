@@ -4,6 +4,7 @@ use crate::sitting::{HERE, Sitting, level};
 use resultant::game::{Game, Outcome, Replay};
 use resultant::pack;
 use resultant::scores::Standing;
+use resultant::number::hundredths;
 use resultant::screens::{Gap, Input, Instrument, Key, MOST_RIVALS, Screen, Spectator, Split};
 use resultant::view::layout::Vec2;
 use resultant::view::quantity::scalar;
@@ -15,15 +16,17 @@ fn sitting() -> Sitting {
     Sitting::with(|root| level(root, "0", "PLAYER,380,60,40,40\n", ""))
 }
 
-/// Flies "up" to its end and waits for the score.
+/// Flies "up" to its end and waits for the score, until its keys count. Two keys that cancel each other start the clock; after the delay, in
+/// frames, the ship thrusts.
 fn fly_up(sitting: &mut Sitting, delay: u32) {
     for _ in 0..delay {
-        sitting.rest();
+        sitting.give(Input { held: [Key::Left, Key::Right].into_iter().collect(), ..Input::default() });
     }
     for _ in 0..600 {
         let held = [Key::Space].into_iter().collect();
         sitting.give(Input { held, ..Input::default() });
         if !matches!(sitting.app.screen(), Screen::Flight(_)) {
+            sitting.wait(0.5);
             return;
         }
     }
@@ -197,10 +200,11 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     assert_eq!(sitting.flight().race().unwrap().all().len(), 1);
     let board = sitting.scores_file("0.csv");
     let file = board.lines().nth(1).unwrap().split(',').nth(2).unwrap().to_owned();
-    let ann = Replay::parse("ann", &sitting.scores_file(&format!("flights/0/{file}"))).unwrap().inputs.ticks();
-    // The start of the race is that of the ghost; then it waits, as ann did.
-    let start = sitting.flight().game().world().body(resultant::game::SHIP).position;
-    let ghost = sitting.flight().race().unwrap().ghosts(0, 1.0).next().unwrap().1;
+    let ann = Replay::parse("ann", &sitting.scores_file(&format!("flights/0/{file}"))).unwrap().time.unwrap();
+    // The start of the race is that of the ghost, which waits there for the clock, however long no key is pressed.
+    sitting.wait(1.0);
+    let start = sitting.flight().game().level().player.position;
+    let ghost = sitting.flight().race().unwrap().ghosts(sitting.flight().game(), 1.0).next().unwrap().1;
     assert_eq!(ghost.centre, start);
     for _ in 0..600 {
         sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
@@ -214,10 +218,13 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     sitting.rest();
     let race = sitting.flight().race().unwrap();
     let Gap::Seconds(gap) = race.gap(&race.all()[0], split) else { panic!("{:?}", race.gap(&race.all()[0], split)) };
-    assert!((gap - (split.tick as f64 - ann as f64) / 120.0).abs() < 1e-12, "{gap} s behind a flight of {ann} ticks");
-    assert!(gap < -0.5 && race.gap(&race.all()[0], split).words().starts_with('−'));
+    // In the hundredths in which both times are shown, however long each has waited for its first key.
+    let shown = |time: f64| hundredths(time) as f64;
+    let apart = (shown(sitting.flight().game().time()) - shown(ann)) / 100.0;
+    assert!((gap - apart).abs() < 1e-12, "{gap} s, not {apart} s behind a flight of {ann} s");
+    assert!(gap < -0.4 && race.gap(&race.all()[0], split).words().starts_with('−'));
     // The score leads to the same race again.
-    sitting.wait(1.5);
+    sitting.wait(2.0);
     assert_eq!(sitting.choose(0).flight().race().unwrap().all().len(), 1);
     // R begins it anew.
     assert_eq!(sitting.wait(0.2).press(Key::R).flight().race().unwrap().splits(), []);
@@ -285,7 +292,7 @@ fn a_flight_is_kept_as_a_file_and_says_where() {
 #[test]
 fn a_lost_flight_can_be_watched_and_one_with_help_is_not_recorded() {
     let mut sitting = Sitting::new();
-    sitting.fly(2).wait(1.5);
+    sitting.lose();
     let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
     sitting.choose(flights).choose(0).wait(0.2);
     assert_eq!(sitting.watch().game().outcome(), Outcome::Failed);
@@ -294,7 +301,7 @@ fn a_lost_flight_can_be_watched_and_one_with_help_is_not_recorded() {
         level(root, "4", HERE, "");
         fs::write(root.join("settings.csv"), "setting,value,player\nassist_fuel,on,\n").unwrap();
     });
-    sitting.fly(0).wait(1.5);
+    sitting.fly(0).wait(2.0);
     let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
     assert!(sitting.choose(flights).flights().candidates().is_empty());
 }

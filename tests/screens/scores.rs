@@ -10,9 +10,9 @@ use std::sync::Arc;
 
 #[test]
 fn save_and_next_are_there_only_when_they_may_be_used() {
-    let presses = |index: usize| Sitting::new().fly(index).wait(1.5).scoring().presses().to_vec();
-    assert_eq!(presses(0), [Press::Replay, Press::NextLevel, Press::SaveScore, Press::Flights, Press::MainMenu]);
-    assert_eq!(presses(2), [Press::Replay, Press::NextLevel, Press::Flights, Press::MainMenu], "a lost attempt cannot be saved");
+    let presses = |sitting: &Sitting| sitting.scoring().presses().to_vec();
+    assert_eq!(presses(Sitting::new().complete()), [Press::Replay, Press::NextLevel, Press::SaveScore, Press::Flights, Press::MainMenu]);
+    assert_eq!(presses(Sitting::new().lose()), [Press::Replay, Press::NextLevel, Press::Flights, Press::MainMenu], "a lost attempt cannot be saved");
     let mut sitting = Sitting::new();
     let flown = sitting.fly(0).flight().game().level().clone();
     let recording = Attempt { level: Arc::new(flown), inputs: Some(Arc::default()), rivals: Vec::new() };
@@ -28,12 +28,8 @@ fn save_and_next_are_there_only_when_they_may_be_used() {
 
 #[test]
 fn the_keyboard_is_where_most_go_on() {
-    let focused = |index: usize| {
-        let mut sitting = Sitting::new();
-        let focus = sitting.fly(index).wait(1.5).buttons().focus();
-        sitting.scoring().presses()[focus]
-    };
-    assert_eq!((focused(0), focused(2)), (Press::NextLevel, Press::Replay));
+    let focused = |sitting: &Sitting| sitting.scoring().presses()[sitting.buttons().focus()];
+    assert_eq!((focused(Sitting::new().complete()), focused(Sitting::new().lose())), (Press::NextLevel, Press::Replay));
     let last = |root: &Path| level(root, "z-last", HERE, "");
     let mut sitting = Sitting::with(last);
     let focus = sitting.fly(5).wait(1.5).buttons().focus();
@@ -63,16 +59,16 @@ fn the_score_is_explained_part_by_part() {
         lines,
         [
             ("Objectives met", "1/1", Effect::Helped),
-            ("Time", "00:00", Effect::Helped),
+            ("Time", "00:00.01", Effect::Helped),
             ("Damaging collisions", "0", Effect::Nothing),
             ("Fuel left", "100 %", Effect::Helped),
         ]
     );
-    assert_eq!((parts[1].beside.as_str(), parts[2].beside.as_str()), ("optimal 00:10", "−500 each"));
+    assert_eq!((parts[1].beside.as_str(), parts[2].beside.as_str()), ("optimal 00:10.00 · best 00:00.01", "−500 each"));
     let sum: i64 = parts.iter().map(|part| part.points.replace('−', "-").parse::<i64>().unwrap()).sum();
     assert_eq!(sum, sitting.scoring().result().score.total);
 
-    let lost = Sitting::new().fly(2).wait(1.5).scoring().parts();
+    let lost = Sitting::new().lose().scoring().parts();
     assert_eq!((lost[0].value.as_str(), lost[0].effect), ("0/1", Effect::Cost));
 }
 

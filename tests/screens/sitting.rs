@@ -27,7 +27,7 @@ impl Sitting {
         let folder = tempfile::tempdir().unwrap();
         level(folder.path(), "1", HERE, "");
         level(folder.path(), "2", FAR_AWAY, "");
-        level(folder.path(), "3", FAR_AWAY, "380,325.501,40,40\n");
+        level(folder.path(), "3", FAR_AWAY, "380,324.356,40,40\n");
         level(folder.path(), "10", FAR_AWAY, "");
         level(folder.path(), "broken", FAR_AWAY, "380,280,wide,40\n");
         prepare(folder.path());
@@ -244,9 +244,16 @@ impl Sitting {
         self.choose(1).choose(index)
     }
 
-    /// From the menu to the score of level 1.
+    /// From the menu to the score of level 3, which is lost.
+    pub fn lose(&mut self) -> &mut Self {
+        self.fly(2).wait(0.1).press(Key::Enter).wait(0.5);
+        assert_eq!(self.at(), "scoring");
+        self
+    }
+
+    /// From the menu to the score of level 1, once its keys count.
     pub fn complete(&mut self) -> &mut Self {
-        self.fly(0).wait(1.5);
+        self.fly(0).wait(2.0);
         assert_eq!(self.at(), "scoring");
         self
     }

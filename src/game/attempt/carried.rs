@@ -50,7 +50,7 @@ impl Game {
         (start.player.position, start.player.velocity, start.player.angle) = (ship.position, ship.velocity, self.ship.angle);
         let mut game = Self::with_tick_rate(Arc::new(start), self.tick_rate).ok()?;
         game.ship.fill(self.ship.fuel.min(level.player.fuel));
-        game.ticks = self.ticks;
+        (game.ticks, game.idle) = (self.ticks, self.idle);
         game.flight = self.flight.clone();
         Some(game)
     }

@@ -14,7 +14,8 @@ impl Flight {
     fn draw_time(&self, canvas: &Canvas) {
         let kept = self.game.outcome() != Outcome::Running && self.instruments.stays() && !self.observer.frozen();
         let ended = kept.then(|| "The flight has ended: Enter leads on".to_owned());
-        let Some(words) = ended.or_else(|| self.observer.words()) else { return };
+        let lost = self.lost().map(|death| format!("{death} · Enter: what the attempt came to"));
+        let Some(words) = ended.or_else(|| self.observer.words()).or(lost) else { return };
         let style = Style::new(TEXT, theme::accent()).middle().centred();
         let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
         // A test flight has its words there.

@@ -21,6 +21,8 @@ use what_if::WhatIf;
 
 /// From the end of an attempt to its score, s: long enough to see what happened.
 const END_PAUSE: f64 = 1.2;
+/// From the loss of the ship to the next attempt, s: long enough to see it burst, and short enough that the level flies within half a second.
+const LOSS_PAUSE: f64 = 0.35;
 /// The words on the pause panel's buttons, from top to bottom.
 pub const PAUSE_LABELS: [&str; 6] = ["Resume", "Restart", "Settings", "Level Select", "Main Menu", "Edit Level"];
 
@@ -107,9 +109,20 @@ pub struct Flight {
     test: bool,
     /// What became of the level's files since they were read, while that is shown.
     news: Option<News>,
+    /// The attempt before this one, while it is shown that it was lost.
+    lost: Option<Box<Lost>>,
 }
 
-/// How long it is told that a level was read anew, s.
+/// An attempt that was lost, and went over into the next one without a page between.
+#[derive(Debug)]
+struct Lost {
+    result: RunResult,
+    flown: Option<Rc<Flown>>,
+    /// For how long that has been shown, s.
+    since: f64,
+}
+
+/// How long it is told that a level was read anew, or that the attempt before was lost, s.
 const TOLD: f64 = 5.0;
 
 /// What became of a level's files while it is flown.
@@ -148,6 +161,7 @@ impl Flight {
             ahead: what_if::AT_FIRST,
             test: false,
             news: None,
+            lost: None,
             attempt,
             game,
         })
@@ -191,6 +205,15 @@ impl Flight {
         }
         let (input, wish) = self.measure(input);
         let input = &input;
+        if let Some(lost) = &mut self.lost {
+            lost.since += input.frame_time;
+            if (input.pressed.has(Key::Enter) || input.pressed.has(Key::PadSelect)) && !steers(input) {
+                return Some(Request::Score(self.attempt.clone(), lost.result.clone(), lost.flown.clone()));
+            }
+            if lost.since > TOLD {
+                self.lost = None;
+            }
+        }
         if let Some(request) = wish.and_then(|wish| self.grant(wish, spectator)) {
             return Some(request);
         }
@@ -234,7 +257,7 @@ impl Flight {
             self.tick(spectator);
         }
         if let Some(race) = &mut self.race {
-            race.update(self.game.ticks(), input.frame_time);
+            race.update(&self.game, input.frame_time);
         }
         None
     }
@@ -428,24 +451,39 @@ impl Flight {
         None
     }
 
-    /// The attempt has ended: its score comes after a while, or at once on Esc or Enter.
+    /// The attempt has ended: its score comes after a while, or at once on Esc or Enter. One that was lost goes over into the next.
     fn wait_for_score(&mut self, input: &Input) -> Option<Request> {
         self.ended += input.frame_time;
-        // Whoever plots it has not seen enough of it yet.
-        let over = self.ended >= END_PAUSE && !self.instruments.stays() || input.pressed(Key::Escape) || input.pressed(Key::Enter);
-        let result = || RunResult { assisted: self.assisted, ..self.game.result() };
+        // A flight that is plotted stays.
+        let passed = |pause: f64| self.ended >= pause && !self.instruments.stays();
+        // A button that steers is still held by the flight that has just ended.
+        let leads_on = (input.pressed(Key::Escape) || input.pressed(Key::Enter)) && (self.ended >= END_PAUSE || !steers(input));
+        if self.flies_on() && passed(LOSS_PAUSE) && !leads_on {
+            return Some(Request::Restart);
+        }
+        let over = passed(END_PAUSE) || leads_on;
         if self.test {
             return over.then(|| Request::BackToEditor(self.told()));
         }
-        over.then(|| Request::Score(self.attempt.clone(), result(), self.flown()))
+        over.then(|| {
+            let result = RunResult { assisted: self.assisted, ..self.game.result() };
+            Request::Score(self.attempt.clone(), result, self.flown(self.history.clone()))
+        })
     }
 
-    /// The flight, where it was flown by hand and without help: with help it would not be flown again as it was.
-    fn flown(&self) -> Option<Rc<Flown>> {
-        let kept = || {
-            let (level, history) = (self.attempt.level.clone(), self.history.clone());
-            Rc::new(Flown { level, replay: history.record(&self.game), history })
-        };
+    /// Whether a fresh attempt follows by itself: this one was flown by hand, for its own sake, and lost.
+    fn flies_on(&self) -> bool {
+        self.game.outcome() == Outcome::Failed && self.is_by_hand() && !self.test && self.what_if.is_none()
+    }
+
+    /// What the attempt before this one was lost to, in words, while that is shown.
+    pub fn lost(&self) -> Option<&str> {
+        self.lost.as_ref()?.result.death.as_deref()
+    }
+
+    /// The flight with that history, where it was flown by hand and without help: with help it would not be flown again as it was.
+    fn flown(&self, history: History) -> Option<Rc<Flown>> {
+        let kept = || Rc::new(Flown { level: self.attempt.level.clone(), replay: history.record(&self.game), history });
         (self.is_by_hand() && !self.assisted).then(kept)
     }
 
@@ -454,8 +492,14 @@ impl Flight {
     /// # Errors
     /// The level makes no world; the flight goes on then.
     pub(super) fn restart(&mut self, level: Arc<Level>, spectator: &mut dyn Spectator) -> Result<(), GameError> {
+        let flies_on = self.flies_on();
         let (same, varied) = (level_hash(&level) == level_hash(&self.attempt.level), self.what_if.take());
         let mut fresh = Self::new(Attempt { level, ..self.attempt.clone() }, spectator)?;
+        let lost = flies_on.then(|| {
+            let result = RunResult { assisted: self.assisted, ..self.game.result() };
+            let history = std::mem::replace(&mut self.history, History::new(&self.game));
+            Box::new(Lost { result, flown: self.flown(history), since: 0.0 })
+        });
         if same {
             // What is known of the others' ways stays known.
             fresh.race = self.race.take().map(Race::again);
@@ -466,6 +510,7 @@ impl Flight {
             observer: self.observer,
             instruments: std::mem::take(&mut self.instruments).of_another_flight(),
             test: self.test,
+            lost,
             settings_problems: std::mem::take(&mut self.settings_problems),
             ..fresh
         };
@@ -519,6 +564,11 @@ impl Flight {
     pub fn news(&self) -> Option<&News> {
         self.news.as_ref()
     }
+}
+
+/// Whether a key went down that steers.
+fn steers(input: &Input) -> bool {
+    controls(|action| input.acts(action)) != Controls::default()
 }
 
 fn controls(is: impl Fn(Action) -> bool) -> Controls {

@@ -16,7 +16,7 @@ const AS_TURNED: f64 = 0.01;
 impl Flight {
     /// Those who are not there: who flies along, or the run before the last change.
     pub fn ghosts(&self) -> Vec<Ghost> {
-        let race = self.race().map(|race| race.poses(self.game.ticks(), self.alpha()));
+        let race = self.race().map(|race| race.poses(&self.game, self.alpha()));
         race.into_iter().flatten().chain(self.ghost_before()).collect()
     }
 

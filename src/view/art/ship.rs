@@ -73,6 +73,7 @@ fn mix(a: [u8; 3], b: [u8; 3], t: f32) -> [u8; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::DVec2;
 
     /// How far the picture reaches along both axes when it is turned, in halves of its box: to the far corners of every pixel that shows
     /// anything, and half a pixel more, over which filtering spreads it.
@@ -104,6 +105,33 @@ mod tests {
                     assert!((0.75..=1.0).contains(&reach), "at {degrees}° it reaches {reach} of half its box");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn what_red_kills_is_what_is_drawn_within_half_a_pixel() {
+        use crate::level::{SHIP_BODY, SHIP_HALF, SHIP_PIXELS};
+        const HALF_A_PIXEL: f64 = 0.5;
+        let picture = ship(SHIP_PIXELS as usize * super::super::SHIP_DETAIL);
+        let size = picture.width();
+        // Pixels of the box that is 51 of them wide, from its centre.
+        let pixels = |i: usize| ((i as f64 + 0.5) / size as f64 - 0.5) * SHIP_PIXELS;
+        let drawn: Vec<DVec2> = (0..size * size)
+            .filter(|i| picture.at(i % size, i / size)[3] > 127)
+            .map(|i| DVec2::new(pixels(i % size), pixels(i / size)))
+            .collect();
+        let body = SHIP_BODY.map(|corner| corner / SHIP_HALF.x * (SHIP_PIXELS / 2.0));
+        for (i, from) in body.iter().enumerate() {
+            let to = body[(i + 1) % body.len()];
+            let outward = (*from - to).perp().normalize();
+            let reach = drawn.iter().map(|pixel| outward.dot(*pixel)).fold(f64::NEG_INFINITY, f64::max);
+            let off = reach - outward.dot(*from);
+            assert!(off.abs() <= HALF_A_PIXEL, "side {i}: the picture reaches {off} pixels beyond it");
+            let turn = (to - *from).perp_dot(body[(i + 2) % body.len()] - to);
+            assert!(turn > 0.0, "corner {i} is not convex");
+            let nearest = drawn.iter().map(|pixel| pixel.distance(*from)).fold(f64::INFINITY, f64::min);
+            assert!(nearest <= HALF_A_PIXEL, "corner {i}: the picture is {nearest} pixels away");
+            assert!(from.length() <= SHIP_PIXELS / 2.0, "corner {i} leaves the box when it turns");
         }
     }
 

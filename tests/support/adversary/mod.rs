@@ -105,14 +105,14 @@ fn attempt(level: &Arc<Level>, space: &Space, seed: u64, report: &mut Report) {
     let Ok(mut game) = Game::new(Arc::clone(level)) else { return };
     game.set_lasting_fuel(endless);
     let mut watch = Watch { last: (game.fuel(), 0), stayed: (game.world().body(SHIP).position, 0.0) };
-    while game.outcome() == Outcome::Running && game.time() < LONGEST && !game.is_stranded() {
+    while game.outcome() == Outcome::Running && game.elapsed() < LONGEST && !game.is_stranded() {
         game.step(player.keys(&game));
         if let Err((kind, what)) = watch.look(&game, space) {
             report.add(&game, (kind, seed), what);
             break;
         }
     }
-    report.seconds += game.time();
+    report.seconds += game.elapsed();
     report.lost += u64::from(game.outcome() == Outcome::Failed);
     if game.outcome() == Outcome::Completed && !endless {
         report.completed += 1;
@@ -129,7 +129,7 @@ impl Report {
         let place = game.world().body(SHIP).position;
         let known = |other: &Finding| other.kind == kind && other.place.distance(place) < SAME_PLACE;
         if !self.findings.iter().any(known) {
-            self.findings.push(Finding { kind, seed, time: game.time(), place, what });
+            self.findings.push(Finding { kind, seed, time: game.elapsed(), place, what });
         }
     }
 }
@@ -154,7 +154,7 @@ impl Watch {
             return Err((Kind::Outside, format!("body {body} is at {}", bodies[body].position)));
         }
         self.rules(game).map_err(|what| (Kind::Broken, what))?;
-        let (at, now) = (game.world().body(SHIP).position, game.time());
+        let (at, now) = (game.world().body(SHIP).position, game.elapsed());
         if at.distance(self.stayed.0) > STAYED.0 {
             self.stayed = (at, now);
         } else if now - self.stayed.1 > STAYED.1 && game.fuel() > 0.0 {
@@ -206,8 +206,8 @@ fn is_trapped(game: &Game, space: &Space) -> bool {
     let lead_on = || {
         wanted(&game).into_iter().chain([start]).any(|goal| {
             let (mut game, mut player) = (game.clone(), Player::after(&goal, space));
-            let until = game.time() + WAY_BACK;
-            while game.outcome() == Outcome::Running && game.time() < until && !got_away(&game) {
+            let until = game.elapsed() + WAY_BACK;
+            while game.outcome() == Outcome::Running && game.elapsed() < until && !got_away(&game) {
                 game.step(player.keys(&game));
             }
             got_away(&game)

@@ -109,7 +109,7 @@ fn fly(level: &Arc<Level>, plan: &Plan, seed: u64, longest: f64, mut each: impl 
     let mut eyes = Eyes { seen: game.clone(), pressed: VecDeque::new(), wanted: VecDeque::new() };
     let mut pilot = Pilot::new(plan, &Sight::of(&game)).with(Judgement::new(SPREAD / level.metre, MISJUDGED, random.clone()));
     let mut hands = Hands::default();
-    while game.outcome() == Outcome::Running && game.time() < longest && !game.is_stranded() {
+    while game.outcome() == Outcome::Running && game.elapsed() < longest && !game.is_stranded() {
         if pilot.is_due() {
             pilot.look(&Sight::of(&eyes.imagine()));
         }

@@ -86,7 +86,45 @@ impl Flight {
     pub fn by_plan(level: &Arc<Level>, plan: &Plan) -> Self {
         let mut game = new_game(level);
         let mut pilot = Pilot::new(plan, &Sight::of(&game));
-        let mut flight = Self {
+        let mut flight = Self::begun(&game);
+        // What goes on for twice its time will not do any more.
+        let longest = (2.0 * plan.settings.par).min(LONGEST);
+        while game.outcome() == Outcome::Running && game.elapsed() < longest {
+            let controls = pilot.keys(&Sight::of(&game));
+            flight.inputs.record(controls);
+            flight.last_speed = game.world().body(SHIP).velocity.length();
+            game.step(controls);
+            flight.watch(&game, pilot.flies(), pilot.pushes());
+        }
+        flight.end(&game);
+        flight.steps = pilot.step();
+        let left = &plan.steps[flight.steps.min(plan.steps.len())..];
+        flight.pushes_left = left.iter().filter(|step| step.kind == Kind::Push).count() as u32;
+        flight.distance = pilot.distance(&Sight::of(&game));
+        flight
+    }
+
+    /// Flies the keys of a record again, as long as there are any and the flight goes on.
+    pub fn by_keys(level: &Arc<Level>, keys: &Inputs) -> Self {
+        let mut game = new_game(level);
+        let mut flight = Self::begun(&game);
+        for controls in keys.clone() {
+            if game.outcome() != Outcome::Running {
+                break;
+            }
+            flight.inputs.record(controls);
+            flight.last_speed = game.world().body(SHIP).velocity.length();
+            game.step(controls);
+            // What its plan meant to do in a tick is not known.
+            flight.watch(&game, false, true);
+        }
+        flight.end(&game);
+        flight
+    }
+
+    /// A flight of which nothing is flown yet.
+    fn begun(game: &Game) -> Self {
+        Self {
             inputs: Inputs::default(),
             result: game.result(),
             ticks: 0,
@@ -103,29 +141,19 @@ impl Flight {
             aside: 0.0,
             last_speed: 0.0,
             given_up: false,
-        };
-        // What goes on for twice its time will not do any more.
-        let longest = (2.0 * plan.settings.par).min(LONGEST);
-        while game.outcome() == Outcome::Running && game.time() < longest {
-            let controls = pilot.keys(&Sight::of(&game));
-            flight.inputs.record(controls);
-            flight.last_speed = game.world().body(SHIP).velocity.length();
-            game.step(controls);
-            flight.watch(&game, pilot.flies(), pilot.pushes());
         }
+    }
+
+    /// Takes up what the flight has come to at its end.
+    fn end(&mut self, game: &Game) {
         let ship = game.world().body(SHIP).bounds();
-        let wanted = level.objectives.iter().filter(|objective| objective.kind == ObjectiveKind::Player);
+        let wanted = game.level().objectives.iter().filter(|objective| objective.kind == ObjectiveKind::Player);
         let shared = wanted.map(|objective| ship.max.x.min(objective.bounds.max.x) - ship.min.x.max(objective.bounds.min.x));
-        flight.aside = shared.fold(0.0, |aside: f64, shared| aside.max(1.0 - shared / (2.0 * SHIP_HALF.x)));
-        flight.given_up = Guards { islands_grown: 0, ..*game.world().guards() } != Guards::default();
-        flight.result = game.result();
-        flight.ticks = game.ticks();
-        flight.rows = flight.inputs.to_string().lines().count() - 1;
-        flight.steps = pilot.step();
-        let left = &plan.steps[flight.steps.min(plan.steps.len())..];
-        flight.pushes_left = left.iter().filter(|step| step.kind == Kind::Push).count() as u32;
-        flight.distance = pilot.distance(&Sight::of(&game));
-        flight
+        self.aside = shared.fold(0.0, |aside: f64, shared| aside.max(1.0 - shared / (2.0 * SHIP_HALF.x)));
+        self.given_up = Guards { islands_grown: 0, ..*game.world().guards() } != Guards::default();
+        self.result = game.result();
+        self.ticks = game.ticks();
+        self.rows = self.inputs.to_string().lines().count() - 1;
     }
 
     fn watch(&mut self, game: &Game, flies: bool, pushes: bool) {

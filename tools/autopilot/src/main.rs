@@ -25,6 +25,7 @@ const USAGE: &str = "\
 autopilot all [OPTIONS]                  makes all flights of all levels
 autopilot LEVEL… [OPTIONS]               makes those of some levels
     --only careful|gold|mark  --tune TRIALS  --seed N  --keep  --trace
+autopilot again [LEVEL…] [--only …]      flies the recorded flights again by their keys and records them as they are flown now
 autopilot difficulty [LEVEL…] [--trace --seed N] [--tune TRIALS --seed N --keep]
                                          the share of 50 unsteady flights that succeed
 autopilot speed [LEVEL…]                 how long ticks take along the recorded flights, and opening a level
@@ -45,7 +46,7 @@ fn main() -> ExitCode {
 /// Does what is asked for; whether all went well.
 fn run(arguments: Vec<String>) -> Result<bool, String> {
     let mut arguments = arguments.into_iter().peekable();
-    let task = arguments.next_if(|word| matches!(word.as_str(), "all" | "difficulty" | "adversary" | "speed")).unwrap_or_default();
+    let task = arguments.next_if(|word| matches!(word.as_str(), "all" | "again" | "difficulty" | "adversary" | "speed")).unwrap_or_default();
     let (mut options, mut levels, mut minutes) = (Options::default(), Vec::new(), 30.0);
     while let Some(argument) = arguments.next() {
         let mut value = || arguments.next().ok_or(format!("{argument} wants a value"));
@@ -72,6 +73,7 @@ fn run(arguments: Vec<String>) -> Result<bool, String> {
     let mut all_well = true;
     for name in &levels {
         let done = load(name).and_then(|level| match task.as_str() {
+            "again" => make::fly_again(&level, &options),
             "difficulty" => difficulty::measure(&level, &options),
             "speed" => speed::measure(&level, &project()),
             "adversary" => hunt(&level, minutes, options.seed),

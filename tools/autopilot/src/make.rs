@@ -6,9 +6,9 @@ use crate::sight::Sight;
 use crate::{pilot, plan_file, plan_of, project};
 use rand::SeedableRng;
 use rand_pcg::Pcg32;
-use resultant::game::{Controls, Game, Outcome, Recorder, SHIP};
+use resultant::game::{Controls, Game, Inputs, Outcome, Recorder, Replay, SHIP};
 use resultant::level::Level;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// How many variations of a plan are tried where the plan does not do.
@@ -37,27 +37,32 @@ impl Default for Options {
     }
 }
 
+impl Options {
+    fn wants(&self, aim: Aim) -> bool {
+        self.only.as_deref().is_none_or(|only| only == aim.name())
+    }
+}
+
 /// Flies a level for each aim and records the flights; what went wrong with one keeps no other from being made.
 pub fn record(level: &Arc<Level>, options: &Options) -> Result<(), String> {
-    let wanted = |aim: &Aim| options.only.as_deref().is_none_or(|only| only == aim.name());
-    let made = Aim::ALL.into_iter().filter(wanted).map(|aim| make(level, aim, options).map_err(|problem| (aim, problem)));
+    let made = Aim::ALL.into_iter().filter(|aim| options.wants(*aim)).map(|aim| make(level, aim, options).map_err(|problem| (aim, problem)));
     let failed: Vec<String> =
         made.filter_map(Result::err).map(|(aim, problem)| format!("{}: not recorded: {problem}", aim.name())).collect();
     if failed.is_empty() { Ok(()) } else { Err(failed.join("\n")) }
 }
 
+/// The plan for an aim; the careful plan is where the others begin.
+fn plan_for(level: &Level, aim: Aim) -> Result<Plan, String> {
+    plan_of(&level.name, aim.name()).or_else(|problem| plan_of(&level.name, Aim::Careful.name()).map_err(|_| problem))
+}
+
 fn make(level: &Arc<Level>, aim: Aim, options: &Options) -> Result<(), String> {
-    // The careful plan is where the others begin.
-    let plan =
-        plan_of(&level.name, aim.name()).or_else(|problem| plan_of(&level.name, Aim::Careful.name()).map_err(|_| problem))?;
+    let plan = plan_for(level, aim)?;
     if options.trace {
         trace(level, &plan);
     }
     let (mut flight, mut plan) = (Flight::by_plan(level, &plan), plan);
-    let lacks = |flight: &Flight, plan: &Plan| {
-        let firm = || aim != Aim::Careful || bears(level, &flight.inputs, SAME, LATE);
-        flight.lacks(aim, level, plan.settings.par).or_else(|| (!firm()).then(|| "its keys bear no small change".to_owned()))
-    };
+    let lacks = |flight: &Flight, plan: &Plan| lacks(flight, aim, level, plan);
     let trials = options.trials.unwrap_or(if lacks(&flight, &plan).is_none() { 0 } else { TRIALS });
     if trials > 0 {
         report("as planned", aim, level, &flight);
@@ -71,23 +76,71 @@ fn make(level: &Arc<Level>, aim: Aim, options: &Options) -> Result<(), String> {
     if let Some(problem) = lacks(&flight, &plan) {
         return Err(problem);
     }
-    let name = format!("{}.replay.csv", aim.name());
-    write(&project().join("levels").join(&level.name).join("flights").join(name), &replay(level, &flight)?)?;
+    keep(level, aim, &replay(level, &flight.inputs)?)
+}
+
+/// What keeps a flight by that plan from being recorded; `None` where nothing does.
+fn lacks(flight: &Flight, aim: Aim, level: &Level, plan: &Plan) -> Option<String> {
+    let firm = || aim != Aim::Careful || bears(level, &flight.inputs, SAME, LATE);
+    flight.lacks(aim, level, plan.settings.par).or_else(|| (!firm()).then(|| "its keys bear no small change".to_owned()))
+}
+
+/// Flies the recorded flights of a level again by their keys, and records them as they are flown now; what has changed is said. A flight
+/// that no longer does what its name says stays as it was recorded, and is named.
+pub fn fly_again(level: &Arc<Level>, options: &Options) -> Result<(), String> {
+    let mut failed = Vec::new();
+    for aim in Aim::ALL.into_iter().filter(|aim| options.wants(*aim)) {
+        let file = record_file(level, aim);
+        let text = std::fs::read_to_string(&file).map_err(|error| format!("{}: {error}", file.display()))?;
+        let before = Replay::parse(aim.name(), &text).map_err(|problems| problems.to_string())?;
+        let (flight, plan) = (Flight::by_keys(level, &before.inputs), plan_for(level, aim)?);
+        let after = replay(level, &flight.inputs)?;
+        println!("{} {}: {}", level.name, aim.name(), changes(&before, &after));
+        match lacks(&flight, aim, level, &plan) {
+            Some(problem) => failed.push(format!("{}: not recorded: {problem}", aim.name())),
+            None => keep(level, aim, &after)?,
+        }
+    }
+    if failed.is_empty() { Ok(()) } else { Err(failed.join("\n")) }
+}
+
+/// What differs between a record and the flight by its keys now, in words.
+fn changes(before: &Replay, after: &Replay) -> String {
+    let outcome = |replay: &Replay| replay.outcome.map_or("unknown", Outcome::name);
+    let time = |replay: &Replay| replay.time.map_or_else(|| "unknown".to_owned(), |time| format!("{time:.3} s"));
+    let told = [
+        ("outcome", outcome(before).to_owned(), outcome(after).to_owned()),
+        ("time", time(before), time(after)),
+        ("score", before.score.to_string(), after.score.to_string()),
+        ("hash", format!("{:016x}", before.hash), format!("{:016x}", after.hash)),
+    ];
+    let changed = told.into_iter().filter(|(_, before, after)| before != after);
+    let words: Vec<String> = changed.map(|(what, before, after)| format!("{what} {before} is now {after}")).collect();
+    if words.is_empty() { "as recorded".to_owned() } else { words.join(", ") }
+}
+
+fn record_file(level: &Level, aim: Aim) -> PathBuf {
+    project().join("levels").join(&level.name).join("flights").join(format!("{}.replay.csv", aim.name()))
+}
+
+/// Writes the record of a flight, and of a careful one the inputs that people read.
+fn keep(level: &Level, aim: Aim, replay: &Replay) -> Result<(), String> {
+    write(&record_file(level, aim), &replay.to_string())?;
     if aim == Aim::Careful {
-        write(&project().join("tests/inputs").join(&level.name).with_extension("csv"), &flight.inputs.to_string())?;
+        write(&project().join("tests/inputs").join(&level.name).with_extension("csv"), &replay.inputs.to_string())?;
     }
     Ok(())
 }
 
-/// The flight's record, from flying its keys again.
-fn replay(level: &Arc<Level>, flight: &Flight) -> Result<String, String> {
+/// The record of a flight by those keys.
+fn replay(level: &Arc<Level>, keys: &Inputs) -> Result<Replay, String> {
     let mut game = Game::new(Arc::clone(level)).map_err(|error| error.to_string())?;
     let mut recorder = Recorder::default();
-    for controls in flight.inputs.clone() {
+    for controls in keys.clone() {
         game.step(controls);
         recorder.note(&game, controls);
     }
-    Ok(recorder.finish(&game).to_string())
+    Ok(recorder.finish(&game))
 }
 
 pub fn write(path: &Path, text: &str) -> Result<(), String> {
@@ -190,7 +243,7 @@ fn report(name: &str, aim: Aim, level: &Level, flight: &Flight) {
 fn trace(level: &Arc<Level>, plan: &Plan) {
     let Ok(mut game) = Game::new(Arc::clone(level)) else { return };
     let mut pilot = pilot::Pilot::new(plan, &Sight::of(&game));
-    while game.outcome() == Outcome::Running && game.time() < 2.0 * plan.settings.par {
+    while game.outcome() == Outcome::Running && game.elapsed() < 2.0 * plan.settings.par {
         let controls = pilot.keys(&Sight::of(&game));
         game.step(controls);
         trace_line(&game, pilot.step(), controls);
@@ -210,7 +263,7 @@ pub fn trace_line(game: &Game, step: usize, keys: Controls) {
         .collect();
     eprintln!(
         "{:6.2} s step {} at ({:.0}, {:.0}) v ({:.1}, {:.1}) angle {} thrust {}{} met {:?} fuel {:.0} objects {}",
-        game.time(),
+        game.elapsed(),
         step + 1,
         at.x,
         at.y,
