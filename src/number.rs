@@ -35,10 +35,15 @@ pub const fn pair(vector: DVec2) -> Pair {
 /// A hundredth that is begun by less than this share of it is not begun: 0.29 s is 29 hundredths and a rounding. Far below a tick.
 const ROUNDING: f64 = 1e-6;
 
-/// A time of a flight in hundredths of a second, rounded up. Times that are shown and limits of medals are both compared in this unit:
-/// what is shown as within a limit is within it.
+/// A time of a flight in hundredths of a second, rounded up. A medal asks for this time, which is the one that is shown, within
+/// [`whole_hundredths`] of its limit.
 pub fn hundredths(seconds: f64) -> u64 {
     (seconds * 100.0 - ROUNDING).ceil().max(0.0) as u64
+}
+
+/// The limit of a medal in hundredths of a second, rounded down.
+pub fn whole_hundredths(limit: f64) -> u64 {
+    (limit * 100.0 + ROUNDING).max(0.0) as u64
 }
 
 /// A time of a flight as every screen shows it, mm:ss.hh; minutes go on beyond 99.

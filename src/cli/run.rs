@@ -19,7 +19,8 @@ const WHOLE_TICK: f64 = 1e-6;
 
 /// What to play, and how.
 #[derive(clap::Args, Debug)]
-#[command(after_long_help = "Prints key=value: outcome (completed, failed, running), time (s), score, objectives (met/all), \
+#[command(
+    after_long_help = "Prints key=value: outcome (completed, failed, running), time (s, from the first tick with an input; from the start where there is none), score, objectives (met/all), \
     collisions (damaging), fuel (fraction left), ticks, hash (of the whole state), x and y (where the ship's centre ended, m \
     from the level's top left corner) and, when it failed, killed_by (obstacle N: the Nth row of obstacles.csv; crushed by …: what \
     squeezed the ship). With --diagnostics a line guard_NAME=COUNT for each guard of the engine follows.\n\n\
@@ -28,7 +29,8 @@ const WHOLE_TICK: f64 = 1e-6;
     stream N), edge left, right, top or bottom, or object N (as in the telemetry; 0 is the ship). Rows of the kind impact tell what \
     an impact since the tick before passed on, in N·s.\n\n\
     An inputs file is a CSV with the header ticks,thrust,reverse,left,right; each row holds its keys (0 or 1) for that many \
-    ticks. After the last row nothing is pressed.")]
+    ticks. After the last row nothing is pressed."
+)]
 pub struct Args {
     /// A name under levels/, or a level's folder
     level: String,

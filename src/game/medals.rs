@@ -2,7 +2,7 @@
 
 use super::{Outcome, RunResult};
 use crate::level::{Awards, Mark};
-use crate::number::hundredths;
+use crate::number::{hundredths, whole_hundredths};
 
 /// A speed that is over by less than this, m/s, is not over, and a share of the fuel that lacks less is there: a tenth is no binary number.
 const ROUNDING: f64 = 1e-9;
@@ -33,7 +33,7 @@ impl Medal {
 
     /// What a flight of that time brings where it completes the level; without a time, as it is with help, bronze.
     pub fn for_time(awards: &Awards, time: Option<f64>) -> Self {
-        let within = |limit: Option<f64>| limit.zip(time).is_some_and(|(limit, time)| hundredths(time) <= hundredths(limit));
+        let within = |limit: Option<f64>| limit.zip(time).is_some_and(|(limit, time)| hundredths(time) <= whole_hundredths(limit));
         match (within(awards.gold), within(awards.silver)) {
             (true, _) => Self::Gold,
             (false, true) => Self::Silver,
@@ -99,7 +99,7 @@ pub fn goals(awards: &Awards, result: &RunResult) -> Vec<Goal> {
     };
     let bronze = (!completed).then(|| "not completed".to_owned());
     let timed = |medal, limit: f64| {
-        let late = hundredths(result.time).saturating_sub(hundredths(limit));
+        let late = hundredths(result.time).saturating_sub(whole_hundredths(limit));
         let lacks = (late > 0).then(|| format!("{}.{:02} s too slow", late / 100, late % 100));
         Goal { prize: Prize::Medal(medal), asks: format!("within {limit} s"), missing: unless(lacks) }
     };
@@ -197,9 +197,9 @@ mod tests {
         assert_eq!((missing(661.0).as_deref(), clock(661.0 / 120.0)), (Some("0.01 s too slow"), "00:05.51".to_owned()));
         assert_eq!((missing(814.0).as_deref(), clock(814.0 / 120.0)), (Some("1.29 s too slow"), "00:06.79".to_owned()));
         assert_eq!(Medal::for_time(&awards, Some(661.0 / 120.0)), Medal::Bronze);
-        // A limit between two hundredths counts as the next one, as it is shown.
+        // What is shown as 00:05.51 is not within 5.505 s.
         let odd = Awards { gold: Some(5.505), ..Awards::default() };
-        assert_eq!(Medal::for_time(&odd, Some(661.0 / 120.0)), Medal::Gold);
+        assert_eq!([5.5, 5.503].map(|time| Medal::for_time(&odd, Some(time))), [Medal::Gold, Medal::Bronze]);
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! The ship's engine and its rotation: what the keys do.
 
 use super::Controls;
-pub use crate::level::nose;
 use crate::level::Player;
+pub use crate::level::nose;
 use crate::physics::DVec2;
 
 /// Degrees a second while a rotation key is held. Higher is twitchier: a quarter turn takes half a second.

@@ -3,7 +3,7 @@
 //!
 //! The way of a level: `cells` cuts a file's bytes into cells that know their line; `table` finds out which cell belongs to which
 //! column; `quantity` says which numbers are accepted, `varied` which of them can be varied while a level is flown; `rows`, `blocks` and `extras` turn each file's records into typed rows; `read`
-//! puts the rows together, `names`, `strength`, `placement`, `reach` and `winnable` look at the whole; `ship_body` is the part of the ship that red kills. All of that is pure: [`read()`] asks [`Files`] for bytes. Only `folder`
+//! puts the rows together, `names`, `strength`, `placement`, `reach` and `winnable` look at the whole; `ship_body` is the shape of the ship that red kills. All of that is pure: [`read()`] asks [`Files`] for bytes. Only `folder`
 //! knows the disk: [`load`] and [`list`].
 
 mod awards;

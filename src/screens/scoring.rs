@@ -3,7 +3,7 @@
 use super::leaderboard::{Way, subject};
 use super::{Attempt, Buttons, Flown, Gain, Input, Key, Keys, Request, Visit};
 use crate::game::{Goal, Outcome, RunResult, goals};
-use crate::number::clock;
+use crate::number::{clock, whole_hundredths};
 use crate::settings::Action;
 use crate::view::layout::ROW_BUTTON;
 use std::rc::Rc;
@@ -118,7 +118,18 @@ impl Scoring {
         presses.extend([Press::Flights, Press::MainMenu]);
         let onward = if result.outcome == Outcome::Completed { presses[1] } else { Press::Replay };
         let focus = presses.iter().position(|press| *press == onward).unwrap_or(0);
-        Self { attempt, result, next, presses, buttons: Buttons::focused_on(focus), remark, shown: 0.0, released: false, best: None, flown }
+        Self {
+            attempt,
+            result,
+            next,
+            presses,
+            buttons: Buttons::focused_on(focus),
+            remark,
+            shown: 0.0,
+            released: false,
+            best: None,
+            flown,
+        }
     }
 
     /// One frame. The keys of the flight do not move the keyboard: those of menus count once the page has stood for a moment and none that
@@ -202,7 +213,8 @@ impl Scoring {
     /// The times that the flight's own is measured against; a level without medals for time has its optimal time.
     fn measures(&self) -> String {
         let (awards, optimal) = (&self.attempt.level.awards, Some(self.result.optimal_time));
-        let medals = [("gold", awards.gold), ("silver", awards.silver)];
+        let limit = |limit: f64| whole_hundredths(limit) as f64 / 100.0;
+        let medals = [("gold", awards.gold.map(limit)), ("silver", awards.silver.map(limit))];
         let none = medals.iter().all(|(_, time)| time.is_none());
         let told = medals.into_iter().chain([("optimal", optimal.filter(|_| none)), ("best", self.best)]);
         let words: Vec<String> = told.filter_map(|(name, time)| Some(format!("{name} {}", clock(time?)))).collect();
@@ -222,13 +234,7 @@ impl Scoring {
                 score.base,
                 if all_met { Effect::of(score.base) } else { Effect::Cost },
             ),
-            part(
-                "Time",
-                clock(result.time),
-                self.measures(),
-                score.time,
-                Effect::of(score.time),
-            ),
+            part("Time", clock(result.time), self.measures(), score.time, Effect::of(score.time)),
             part(
                 "Damaging collisions",
                 result.collisions.to_string(),

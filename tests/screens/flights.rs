@@ -2,9 +2,9 @@
 
 use crate::sitting::{HERE, Sitting, level};
 use resultant::game::{Game, Outcome, Replay};
+use resultant::number::hundredths;
 use resultant::pack;
 use resultant::scores::Standing;
-use resultant::number::hundredths;
 use resultant::screens::{Gap, Input, Instrument, Key, MOST_RIVALS, Screen, Spectator, Split};
 use resultant::view::layout::Vec2;
 use resultant::view::quantity::scalar;
@@ -214,7 +214,7 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     }
     let race = sitting.flight().race().unwrap();
     let split = race.splits()[0];
-    assert_eq!(split, Split { objective: 0, tick: sitting.flight().game().ticks() });
+    assert_eq!(split, Split { objective: 0, tick: sitting.flight().game().ticks_on_clock() });
     sitting.rest();
     let race = sitting.flight().race().unwrap();
     let Gap::Seconds(gap) = race.gap(&race.all()[0], split) else { panic!("{:?}", race.gap(&race.all()[0], split)) };

@@ -197,6 +197,7 @@ fn a_watched_flight_is_plotted_and_gone_through() {
     while sitting.at() == "flight" {
         sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
     }
+    sitting.wait(0.5);
     let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
     sitting.choose(flights).choose(0).press(Key::I);
     let rail = sitting.watch().instruments().areas(&sitting.frame);

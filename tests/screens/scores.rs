@@ -11,8 +11,15 @@ use std::sync::Arc;
 #[test]
 fn save_and_next_are_there_only_when_they_may_be_used() {
     let presses = |sitting: &Sitting| sitting.scoring().presses().to_vec();
-    assert_eq!(presses(Sitting::new().complete()), [Press::Replay, Press::NextLevel, Press::SaveScore, Press::Flights, Press::MainMenu]);
-    assert_eq!(presses(Sitting::new().lose()), [Press::Replay, Press::NextLevel, Press::Flights, Press::MainMenu], "a lost attempt cannot be saved");
+    assert_eq!(
+        presses(Sitting::new().complete()),
+        [Press::Replay, Press::NextLevel, Press::SaveScore, Press::Flights, Press::MainMenu]
+    );
+    assert_eq!(
+        presses(Sitting::new().lose()),
+        [Press::Replay, Press::NextLevel, Press::Flights, Press::MainMenu],
+        "a lost attempt cannot be saved"
+    );
     let mut sitting = Sitting::new();
     let flown = sitting.fly(0).flight().game().level().clone();
     let recording = Attempt { level: Arc::new(flown), inputs: Some(Arc::default()), rivals: Vec::new() };

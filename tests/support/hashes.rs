@@ -9,7 +9,7 @@ const GOLDEN: [(&str, u64); 6] = [
     ("yard", 0xf9dd_8fc9_b416_dce1),
     ("crowd", 0x61ed_bc4e_2267_cddb),
     ("liquid", 0x5625_63a0_2c46_cef5),
-    ("stream", 0x4f1b_54c5_d2ca_2690),
+    ("stream", 0x26f8_ab50_745b_2be5),
     ("moving surfaces", 0x55ab_78e6_6e8e_c36c),
     ("moving surfaces, dense", 0x6c3c_64f7_021f_81b3),
 ];

@@ -11,6 +11,7 @@ expect flights-start hud
 hold 4 space
 expect flights-score hides "$accent" 14 90 72 10 5 # the fuel bar has gone: this is the score
 expect flights-score shows "$good" 0 0 100 100 0.02
+sleep 0.8 # until the keys of the page count
 press Right Return # Save Score
 type_text ann
 press Return

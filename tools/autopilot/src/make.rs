@@ -113,10 +113,16 @@ fn changes(before: &Replay, after: &Replay) -> String {
         ("time", time(before), time(after)),
         ("score", before.score.to_string(), after.score.to_string()),
         ("hash", format!("{:016x}", before.hash), format!("{:016x}", after.hash)),
+        ("first second that differs", "none".to_owned(), departs(before, after).map_or_else(|| "none".to_owned(), |at| at.to_string())),
     ];
     let changed = told.into_iter().filter(|(_, before, after)| before != after);
     let words: Vec<String> = changed.map(|(what, before, after)| format!("{what} {before} is now {after}")).collect();
     if words.is_empty() { "as recorded".to_owned() } else { words.join(", ") }
+}
+
+/// The first second after which the states differ.
+fn departs(before: &Replay, after: &Replay) -> Option<usize> {
+    before.seconds.iter().zip(&after.seconds).position(|(before, after)| before != after).map(|second| second + 1)
 }
 
 fn record_file(level: &Level, aim: Aim) -> PathBuf {
