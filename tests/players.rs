@@ -211,6 +211,9 @@ fn no_board_takes_the_place_of_another_file() {
     assert_eq!(fixture.names(), [""; 0]);
 }
 
+/// How long a process waits for its turn, also where other programs keep every core busy.
+const UNTIL_ITS_TURN: Duration = Duration::from_secs(600);
+
 /// The scores folder a worker writes to; set only in the processes that [`worker`] starts.
 const WORKER_FOLDER: &str = "RESULTANT_TEST_PLAYERS_FOLDER";
 /// Who a worker is.
@@ -240,8 +243,8 @@ fn writing_process() {
     let levels: u32 = std::env::var(WORKER_LEVELS).unwrap().parse().unwrap();
     let scores = Scores::new(Path::new(&folder));
     for level in 1..=levels {
-        scores.record_within(PATIENCE, &[done(&player, &level.to_string(), 1.0)]).unwrap();
-        scores.append_within(PATIENCE, &attempt(&player, &level.to_string())).unwrap();
+        scores.record_within(UNTIL_ITS_TURN, &[done(&player, &level.to_string(), 1.0)]).unwrap();
+        scores.append_within(UNTIL_ITS_TURN, &attempt(&player, &level.to_string())).unwrap();
         let mut out = std::io::stdout().lock();
         writeln!(out, "\n{DONE}{level}").unwrap();
         out.flush().unwrap();

@@ -8,6 +8,7 @@
 //! A folder may be shared: whoever may write in it may also lock what is in it, and a file keeps its mode and its group whoever saves.
 //! Where a file is a link, the file that it leads to is changed, and everything happens beside that.
 
+use std::cell::Cell;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -19,6 +20,15 @@ use crate::files;
 /// The pause between two looks at a lock that is held. Where many processes save without end, each gets its turn by luck: with longer
 /// pauses some would not get one in time.
 const LOCK_PAUSE: Duration = Duration::from_millis(1);
+
+thread_local! {
+    static PAUSES: Cell<u32> = const { Cell::new(0) };
+}
+
+/// How often this thread has paused for a lock that is held, so far: a frame never does.
+pub fn pauses() -> u32 {
+    PAUSES.get()
+}
 
 /// How often a rename is tried. Windows refuses it while a virus scanner or a spreadsheet has the target open.
 const RENAME_TRIES: u32 = if cfg!(windows) { 50 } else { 1 };
@@ -237,7 +247,10 @@ fn lock(folder: &Path, path: &Path, patience: Duration) -> Result<File, ScoresEr
     loop {
         match file.try_lock() {
             Ok(()) => return Ok(file),
-            Err(TryLockError::WouldBlock) if begun.elapsed() < patience => std::thread::sleep(LOCK_PAUSE),
+            Err(TryLockError::WouldBlock) if begun.elapsed() < patience => {
+                PAUSES.set(PAUSES.get().wrapping_add(1));
+                std::thread::sleep(LOCK_PAUSE);
+            }
             Err(TryLockError::WouldBlock) => return Err(ScoresError::Busy(path.to_owned())),
             Err(TryLockError::Error(error)) => return Err(ScoresError::file("lock the scores", path)(error)),
         }

@@ -18,7 +18,7 @@ pub mod table;
 
 pub use attempts::AttemptRow;
 pub use board::{Board, Placement, Row};
-pub use disk::Rescue;
+pub use disk::{Rescue, pauses};
 pub use earned::{Claim, Doubt, Standing};
 pub use error::{Damage, ScoresError};
 pub use folder::{Loaded, PATIENCE, Saved, Score, Scores};

@@ -4,10 +4,11 @@
 use super::journal::{Journal, damage_text, rescue_text};
 use super::leaderboard::subject;
 use super::library::{Library, Refusal};
+use super::pace;
 use super::{
     Attempt, Classic, Classics, Editor, Facts, Flight, FlightCandidate, Flights, Flown, FolderWatch, Fresh, Gain, Input, Jumper,
-    Key, Lab, Leaderboard, LevelSelect, Menu, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring, Screen, SettingsPanel,
-    Source, Spectator, TileRun, Visit, Watch, Way, footage, jumper,
+    Key, Lab, Leaderboard, LevelSelect, Menu, Pace, Picture, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring, Screen,
+    SettingsPanel, Source, Spectator, TileRun, Visit, Watch, Way, footage, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Medals, Outcome, Reel, RunResult, TICK_RATE, level_hash};
@@ -47,6 +48,7 @@ pub struct App {
     pub(super) screen: Screen,
     /// How long the screen has been there, s.
     shown_for: f64,
+    pace: Pace,
     /// Who plays, and what they have done.
     pub(super) journal: Journal,
     /// What the attempt on the screen, which has ended, brought whoever flew.
@@ -95,6 +97,7 @@ impl App {
             journal,
             scores,
             shown_for: 0.0,
+            pace: Pace::default(),
             ended: None,
             lost: None,
             last_level: None,
@@ -127,6 +130,7 @@ impl App {
         // Whatever has just opened knows its places, and what is under the pointer, before it is drawn.
         let nothing_more = self.update_screen(&input.without_edges(), spectator);
         debug_assert!(nothing_more.is_none(), "{nothing_more:?} was asked for by no one");
+        self.pace.decide(self.screen.motion(input), input.frame_time, self.shown_for);
         true
     }
 
@@ -136,7 +140,9 @@ impl App {
         if input.pressed.has(Key::F11) || alt_enter {
             self.set(Settings { fullscreen: !self.settings.fullscreen, ..self.settings });
         }
-        let mut input = Input { settings: self.settings, ..input.clone() };
+        let frame_time = pace::passed(input.frame_time);
+        let mut input = Input { settings: self.settings, frame_time, ..input.clone() };
+        input.idle = self.pace.note(&input);
         input.pressed = input.pressed.without(Key::F11);
         if alt_enter {
             input.pressed = input.pressed.without(Key::Enter);
@@ -179,6 +185,21 @@ impl App {
     /// How long it has been there, s.
     pub fn shown_for(&self) -> f64 {
         self.shown_for
+    }
+
+    /// How much of it its curtain still hides, 0 … 1.
+    pub fn veil(&self) -> f64 {
+        pace::veil(self.shown_for)
+    }
+
+    /// The least time from the last frame to the one with that input, s.
+    pub fn interval(&self, input: &Input) -> f64 {
+        self.pace.interval(self.screen.motion(input), input)
+    }
+
+    /// What becomes of the frame that was updated last.
+    pub const fn picture(&self) -> Picture {
+        self.pace.picture()
     }
 
     /// Goes to the screen that is asked for, or to one that says why it cannot be had.

@@ -23,6 +23,12 @@ pub struct Input {
     pub frame: Frame,
     /// Since the last frame, s.
     pub frame_time: f64,
+    /// How much of that the window has waited on purpose, s.
+    pub waited: f64,
+    /// How long the player has done nothing, s; [`super::App`] keeps it.
+    pub idle: f64,
+    /// Another window has the keyboard, or this one is hidden.
+    pub away: bool,
     /// Where the pointer is.
     pub pointer: Vec2,
     /// The left button went down.
@@ -69,6 +75,17 @@ impl Input {
         self.settings.keys.does(action, self.held)
     }
 
+    /// Whether something went down, was turned, typed or dropped.
+    pub fn has_news(&self) -> bool {
+        let pointer = self.click || self.right_click || self.wheel != 0.0;
+        pointer || !self.pressed.is_empty() || !self.typed.is_empty() || !self.dropped.is_empty()
+    }
+
+    /// How long the last frame took to be made, s: 0 only where no time has passed.
+    pub fn worked(&self) -> f64 {
+        if self.frame_time > 0.0 { (self.frame_time - self.waited).max(f64::MIN_POSITIVE) } else { 0.0 }
+    }
+
     /// The same moment once everything new in it has been taken: no time has passed and nothing was pressed, turned or typed.
     pub fn without_edges(&self) -> Self {
         Self {
@@ -77,6 +94,8 @@ impl Input {
             holding: self.holding,
             dragging: self.dragging,
             held: self.held,
+            idle: self.idle,
+            away: self.away,
             settings: self.settings,
             ..Self::default()
         }

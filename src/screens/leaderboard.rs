@@ -121,7 +121,7 @@ impl Leaderboard {
     pub fn update(&mut self, input: &Input) -> Option<Request> {
         self.place(&input.frame);
         if let Some(prover) = &mut self.prover {
-            prover.update(&self.board, self.scroll.range(), input.frame_time);
+            prover.update(&self.board, self.scroll.range(), input.worked());
         }
         // Where Enter and Esc are all that the buttons need, all arrows turn pages.
         let turns = self.ways.len() <= 2;

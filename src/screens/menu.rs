@@ -2,7 +2,7 @@
 
 use super::balls::Balls;
 use super::level_select::Purpose;
-use super::{Buttons, Input, Key, Request};
+use super::{Buttons, Input, Key, Request, pace};
 use crate::scores::Name;
 use crate::view::layout::{Area, Frame, GRID, ROW_BUTTON, TITLE, Vec2};
 
@@ -49,7 +49,8 @@ impl Menu {
         self.buttons.place(places(&input.frame));
         let mut obstacles = self.buttons.areas().to_vec();
         obstacles.push(title_area(&input.frame));
-        self.balls.update(input, &obstacles);
+        let frame_time = if self.rests(input) { 0.0 } else { input.frame_time };
+        self.balls.update(&Input { frame_time, ..input.clone() }, &obstacles);
         if input.pressed(Key::Escape) {
             return None; // Quit is a button, so that no one leaves by one key too many.
         }
@@ -72,6 +73,11 @@ impl Menu {
     /// Its buttons: Play, Level Select, Leaderboards, Classics, Lab, Settings, Quit; who plays; Credits.
     pub fn buttons(&self) -> &Buttons {
         &self.buttons
+    }
+
+    /// Whether ship and balls hold still: nobody has touched anything for long, or the player is elsewhere.
+    pub fn rests(&self, input: &Input) -> bool {
+        input.away || input.idle >= pace::REST
     }
 
     /// What it says.

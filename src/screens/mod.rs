@@ -30,6 +30,7 @@ mod name_field;
 mod new_file;
 mod noise;
 mod observer;
+mod pace;
 #[cfg(feature = "window")]
 mod pad;
 mod pi;
@@ -72,6 +73,7 @@ pub use name_field::{Entry as NameEntry, NameField};
 pub use new_file::NewFile;
 pub use noise::Noise;
 pub use observer::{Observer, PACES as OBSERVED_PACES};
+pub use pace::{Motion, Pace, Picture};
 pub use pi::Pi;
 pub use players::{Candidate, Players};
 pub use problems::Problems;

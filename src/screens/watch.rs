@@ -94,7 +94,7 @@ impl Watch {
         if let Some(file) = self.instruments.take_export() {
             return Some(Request::Export(file));
         }
-        self.fly_ahead(input.frame_time);
+        self.fly_ahead(input.worked());
         // The arrows to the sides repeat; the rest of the row does not.
         let once = [Key::Left, Key::Right, Key::PadLeft, Key::PadRight].into_iter().collect();
         let row = self.toolbar.update(&Input { pressed: input.pressed.less(once), ..input.clone() }, &KEYS);

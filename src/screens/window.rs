@@ -3,7 +3,9 @@
 use super::editor::Sheets;
 use super::pad::Pads;
 use super::watch::above;
-use super::{Answer, App, Attempt, Flight, Input, Instruments, Key, Keys, Noise, Places, Request, Screen, Spectator, Watch};
+use super::{
+    Answer, App, Attempt, Flight, Input, Instruments, Key, Keys, Noise, Picture, Places, Request, Screen, Spectator, Watch, pace,
+};
 use crate::game::Game;
 use crate::level;
 use crate::physics::{BodyId, DVec2};
@@ -13,26 +15,26 @@ use crate::view::focus::Focus;
 use crate::view::layout::{Area, DESIGN, Vec2};
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
+use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, get_dropped_files, is_key_down, is_key_pressed, is_mouse_button_down,
     is_mouse_button_pressed, mouse_position, mouse_wheel,
 };
+use macroquad::miniquad::EventHandler;
 use macroquad::miniquad::conf::Conf;
-use macroquad::time::{get_fps, get_frame_time, get_time};
 use macroquad::window::{next_frame, set_fullscreen};
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::PathBuf;
 use std::rc::Rc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-/// A new screen fades in over this, s.
-const FADE: f64 = 0.16;
 /// How often the window is tried to open, and the time after each: an X server turns programs away for a moment while it resets.
 const ATTEMPTS: u32 = 4;
 const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(150);
-/// How much one tick's time counts in the running mean that F3 shows.
+/// How much one tick's time, and one frame's, counts in the running means that F3 shows.
 const COST_WEIGHT: f64 = 0.02;
+const FRAME_WEIGHT: f64 = 0.1;
 /// The tune of the menus.
 const MENU: &str = "0";
 macro_rules! codes {
@@ -110,11 +112,20 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         None => {}
     }
     let mut pads = Pads::new();
+    let mut focus = WindowFocus::new();
+    let mut begun = Instant::now();
     let mut fullscreen = false;
     loop {
         theme::wear(app.settings().palette);
         canvas.begin(text_scale(&app))?;
-        let mut input = read_input(&canvas, pads.read());
+        let mut input = Input { away: focus.is_away(), ..read_input(&canvas, pads.read()) };
+        // What is pressed meanwhile comes with the next frame, which waits for nothing.
+        let worked = begun.elapsed();
+        std::thread::sleep(Duration::from_secs_f64(app.interval(&input)).saturating_sub(worked));
+        let passed = begun.elapsed();
+        begun += passed;
+        input.frame_time = pace::passed(passed.as_secs_f64());
+        input.waited = (passed - worked).as_secs_f64();
         (input.pointed, input.place) = theatre.pointed(app.screen(), &input);
         if !app.update(&input, &mut theatre) {
             return Ok(());
@@ -123,7 +134,15 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
             fullscreen = app.settings().fullscreen;
             set_fullscreen(fullscreen);
         }
-        draw(&app, &mut theatre, input.frame_time, &mut canvas);
+        theatre.frame_cost += (input.frame_time - theatre.frame_cost) * FRAME_WEIGHT;
+        if app.picture() == Picture::Again {
+            canvas.show_kept();
+        } else {
+            draw(&app, &mut theatre, input.frame_time, &mut canvas);
+            if app.picture() == Picture::Kept {
+                canvas.keep();
+            }
+        }
         theatre.speaker.set_volumes(volumes(app.settings()));
         theatre.sound(app.screen(), input.answer.get());
         next_frame().await;
@@ -143,7 +162,6 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
     };
     Input {
         frame: *canvas.frame(),
-        frame_time: f64::from(get_frame_time()),
         pointer: canvas.to_canvas(Vec2::from(mouse_position())),
         click: is_mouse_button_pressed(MouseButton::Left),
         holding: is_mouse_button_down(MouseButton::Left),
@@ -195,7 +213,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) 
         Screen::Settings(screen) => screen.draw(canvas),
         Screen::Pi(screen) => screen.draw(canvas),
     }
-    let veil = 1.0 - (app.shown_for() / FADE).min(1.0);
+    let veil = app.veil();
     if veil > 0.0 {
         widgets::curtain(canvas, veil as f32);
     }
@@ -209,9 +227,42 @@ struct Theatre {
     speaker: Speaker,
     ear: Ear,
     view: Option<GameView>,
-    tick_started: f64,
+    tick_started: Instant,
     /// Running mean of the time that a tick takes, s.
     tick_cost: f64,
+    /// The same from frame to frame.
+    frame_cost: f64,
+}
+
+/// Whether the window has the keyboard, by what miniquad reports: on X11 that another window has it, elsewhere that it is hidden.
+struct WindowFocus {
+    subscriber: usize,
+    away: bool,
+}
+
+impl WindowFocus {
+    fn new() -> Self {
+        Self { subscriber: register_input_subscriber(), away: false }
+    }
+
+    fn is_away(&mut self) -> bool {
+        repeat_all_miniquad_input(self, self.subscriber);
+        self.away
+    }
+}
+
+impl EventHandler for WindowFocus {
+    fn update(&mut self) {}
+
+    fn draw(&mut self) {}
+
+    fn window_minimized_event(&mut self) {
+        self.away = true;
+    }
+
+    fn window_restored_event(&mut self) {
+        self.away = false;
+    }
 }
 
 impl Theatre {
@@ -222,8 +273,9 @@ impl Theatre {
             speaker,
             ear: Ear::default(),
             view: None,
-            tick_started: 0.0,
+            tick_started: Instant::now(),
             tick_cost: 0.0,
+            frame_cost: pace::EASY,
         }
     }
 
@@ -248,6 +300,7 @@ impl Theatre {
 
     /// Lets the view move on by the frame just updated, and draws it.
     fn draw(&mut self, flight: &Flight, settings: Settings, frame_time: f64, canvas: &Canvas) {
+        let figures = self.figures();
         let Some(view) = &mut self.view else { return };
         let (details, hitboxes) = (flight.details(), flight.hitboxes());
         let focus = looked_at(flight.observer().focus(), details || flight.instruments().is_open());
@@ -260,7 +313,7 @@ impl Theatre {
             self.speaker.surround(Ambience::of(flight.game(), view.burning()));
         }
         view.set_ghosts(flight.ghosts());
-        view.draw(flight.game(), flight.alpha(), overlays, &figures(self.tick_cost), canvas);
+        view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
         draw_instruments(flight.instruments(), view, (flight.game(), flight.alpha()), canvas);
         if let Some(race) = flight.race() {
             race.draw(canvas);
@@ -269,6 +322,7 @@ impl Theatre {
 
     /// The same for a flight that is watched.
     fn draw_watched(&mut self, watch: &Watch, settings: Settings, frame_time: f64, canvas: &Canvas) {
+        let figures = self.figures();
         let Some(view) = &mut self.view else { return };
         let (details, hitboxes) = (watch.details(), watch.hitboxes());
         let focus = looked_at(watch.focus(), details || watch.instruments().is_open());
@@ -279,7 +333,7 @@ impl Theatre {
         if !watch.paused() {
             self.speaker.surround(Ambience::of(watch.game(), view.burning()));
         }
-        view.draw(watch.game(), watch.alpha(), overlays, &figures(self.tick_cost), canvas);
+        view.draw(watch.game(), watch.alpha(), overlays, &figures, canvas);
         draw_instruments(watch.instruments(), view, (watch.game(), watch.alpha()), canvas);
     }
 }
@@ -298,12 +352,12 @@ fn draw_instruments(instruments: &Instruments, view: &GameView, (game, alpha): (
     }
 }
 
-/// The line that F3 shows: frames a second, and what a tick costs, s.
-fn figures(tick_cost: f64) -> String {
-    format!("{:>3} fps  tick {:.1} µs", get_fps(), tick_cost * 1e6)
-}
-
 impl Theatre {
+    /// The line that F3 shows: frames a second, and what a tick costs.
+    fn figures(&self) -> String {
+        format!("{:>3.0} fps  tick {:.1} µs", 1.0 / self.frame_cost, self.tick_cost * 1e6)
+    }
+
     /// Ends the frame for the ear: buttons, and the tune that belongs to the screen.
     fn sound(&mut self, screen: &Screen, answer: Option<Answer>) {
         match answer {
@@ -371,11 +425,11 @@ impl Spectator for Theatre {
     }
 
     fn before_tick(&mut self) {
-        self.tick_started = get_time();
+        self.tick_started = Instant::now();
     }
 
     fn after_tick(&mut self, game: &Game) {
-        let cost = get_time() - self.tick_started;
+        let cost = self.tick_started.elapsed().as_secs_f64();
         self.tick_cost += (cost - self.tick_cost) * COST_WEIGHT;
         self.ear.listen(game, |sound| self.speaker.play(sound));
         if let Some(view) = &mut self.view {

@@ -121,6 +121,11 @@ impl Keys {
         self.0 & (1 << key as u32) != 0
     }
 
+    /// Whether there are none.
+    pub const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
     /// Adds a key.
     pub const fn add(&mut self, key: Key) {
         self.0 |= 1 << key as u32;

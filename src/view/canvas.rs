@@ -8,6 +8,7 @@ use macroquad::camera::{Camera2D, set_camera, set_default_camera};
 use macroquad::color::Color;
 use macroquad::math::Rect;
 use macroquad::text::{TextParams, draw_text_ex, measure_text};
+use macroquad::texture::{DrawTextureParams, FilterMode, Image, Texture2D, draw_texture_ex};
 use macroquad::window::{clear_background, screen_dpi_scale, screen_height, screen_width};
 use std::cell::RefCell;
 
@@ -88,6 +89,8 @@ pub struct Canvas {
     /// Physical pixels a logical one: macroquad's units.
     dpi: f32,
     lines: RefCell<Vec<Line>>,
+    /// The picture that is shown again while nothing changes.
+    kept: Option<Texture2D>,
 }
 
 impl Canvas {
@@ -102,6 +105,7 @@ impl Canvas {
             window: Frame::default().size,
             dpi: 1.0,
             lines: RefCell::new(Vec::new()),
+            kept: None,
         })
     }
 
@@ -138,6 +142,28 @@ impl Canvas {
             draw_text_ex(&line.text, line.at.x, line.at.y, params);
         }
         self.use_canvas_units();
+    }
+
+    /// Keeps what has been drawn in this frame, to be shown again.
+    pub fn keep(&mut self) {
+        let size = (Vec2::new(screen_width(), screen_height()) * self.dpi).round();
+        let kept = self.kept.take().filter(|kept| kept.size() == size).unwrap_or_else(|| {
+            let kept = Texture2D::from_image(&Image::gen_image_color(size.x as u16, size.y as u16, theme::ground()));
+            kept.set_filter(FilterMode::Nearest);
+            kept
+        });
+        self.end_layer();
+        kept.grab_screen();
+        self.kept = Some(kept);
+        // macroquad does not know that this texture is bound now; to draw it makes that so.
+        self.show_kept();
+    }
+
+    /// Shows what was kept, in a window of the same size.
+    pub fn show_kept(&self) {
+        let Some(kept) = &self.kept else { return };
+        let params = DrawTextureParams { dest_size: Some(self.window), flip_y: true, ..DrawTextureParams::default() };
+        draw_texture_ex(kept, 0.0, 0.0, macroquad::color::WHITE, params);
     }
 
     /// Width and height of the canvas, and its scale.

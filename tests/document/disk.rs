@@ -5,6 +5,7 @@ use resultant::level;
 use resultant::level::document::{Folder, Kind, Place, SaveError, SetCell, Table};
 use resultant::physics::DVec2;
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
@@ -146,6 +147,9 @@ fn a_file_keeps_its_mode_and_a_link_stays_one() {
     assert!(Folder::open(folder.path(), folder.path()).unwrap().kept.is_some());
 }
 
+/// The editing process prints this, and the number that is kept.
+const EDITED: &str = "edited ";
+
 /// In a process of its own, to be killed: edits two files so that both hold one number, keeps, and saves, without end.
 #[test]
 #[ignore = "runs for ever: the test below starts and kills it"]
@@ -161,6 +165,7 @@ fn edits_without_end() {
         if number % 2 == 1 {
             opened.folder.save(&opened.document, false).unwrap();
         }
+        println!("{EDITED}{number}");
     }
 }
 
@@ -173,13 +178,16 @@ fn a_kill_leaves_each_file_old_or_new_and_the_edits_are_offered() {
     let mut offered = 0;
     for round in 0..25 {
         let mut editor = Command::new(std::env::current_exe().unwrap())
-            .args(["--exact", "disk::edits_without_end", "--ignored"])
+            .args(["--exact", "disk::edits_without_end", "--ignored", "--nocapture"])
             .env("LEVEL_TO_EDIT", folder.path())
-            .stdout(Stdio::null())
+            .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
-        std::thread::sleep(Duration::from_millis(60 + 7 * round));
+        // At another moment each time, among edits and among saves, however late it begins.
+        let said = BufReader::new(editor.stdout.take().unwrap()).lines().map_while(Result::ok);
+        assert!(said.filter(|line| line.contains(EDITED)).nth(round % 5).is_some());
+        std::thread::sleep(Duration::from_micros(round as u64 * 1_733 % 20_011));
         editor.kill().unwrap();
         editor.wait().unwrap();
         let mut opened = Folder::open(folder.path(), folder.path()).unwrap();

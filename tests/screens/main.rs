@@ -8,6 +8,7 @@ mod lesson;
 mod levels;
 mod menu;
 mod observed;
+mod pace;
 mod players;
 mod plot;
 mod reload;

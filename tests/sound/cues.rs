@@ -1,6 +1,6 @@
 //! Sounds that are played once.
 
-use super::hearing::{FULL, Heard, Listener, RATE};
+use super::hearing::{ALONE, Heard, Listener, RATE};
 use resultant::view::sound::{Ambience, Cue, Sound, Stuff, Volumes};
 
 fn heard(cue: Cue) -> Heard {
@@ -33,7 +33,7 @@ fn every_cue_is_audible_and_is_not_cut_off() {
     for cue in Cue::ALL {
         let heard = heard(cue);
         assert!((0.02..0.5).contains(&heard.loudest()), "{cue:?}: {}", heard.loudest());
-        // Up to 0.7 the limiter leaves samples as they are.
+        // Up to 0.85 the limiter leaves samples as they are.
         assert!((0.06..0.75).contains(&heard.peak()), "{cue:?}: {}", heard.peak());
     }
 }
@@ -123,26 +123,12 @@ fn volumes_are_apart_and_silence_is_silence() {
         listener.hear(0.5, Ambience::default());
         listener.hear_cue(Cue::Crash, 1.0).peak()
     };
-    let full = peak(FULL);
-    assert_eq!(peak(Volumes { music: 0.0, ..FULL }), full);
-    assert!(peak(Volumes { effects: 0.0, ..FULL }) < 1e-6);
-    assert!(peak(Volumes { master: 0.0, ..FULL }) < 1e-6);
-    let half = peak(Volumes { effects: 0.5, ..FULL });
+    let full = peak(ALONE);
+    assert_eq!(peak(Volumes { music: 0.0, ..ALONE }), full);
+    assert!(peak(Volumes { effects: 0.0, ..ALONE }) < 1e-6);
+    assert!(peak(Volumes { master: 0.0, ..ALONE }) < 1e-6);
+    let half = peak(Volumes { effects: 0.5, ..ALONE });
     assert!((0.2..0.3).contains(&(half / full)), "{half} of {full}");
-}
-
-#[test]
-fn everything_at_once_stays_within_bounds_for_as_long_as_it_lasts() {
-    let mut listener = Listener::new();
-    listener.desk.set_tune(Some(1));
-    let all = Ambience { engine: 1.0, wind: 1.0, liquid: 0.0, motion: 1.0 };
-    for _ in 0..60 {
-        for cue in Cue::ALL {
-            listener.desk.play(Sound { cue, loudness: 1.0, place: -1.0 });
-        }
-        let heard = listener.hear(0.1, all);
-        assert!(heard.peak() < 1.0 && heard.rms() > 0.1);
-    }
 }
 
 #[test]

@@ -7,6 +7,8 @@ use std::f64::consts::TAU;
 pub const RATE: u32 = 48_000;
 /// As loud as it gets.
 pub const FULL: Volumes = Volumes { master: 1.0, effects: 1.0, music: 1.0 };
+/// So loud that the limiter leaves each sound alone as it is: 0.8 times the amplitudes of the recipes.
+pub const ALONE: Volumes = Volumes { master: 0.531, ..FULL };
 /// Frames a second, and samples a frame.
 const FRAMES: u32 = 60;
 const FRAME: usize = (RATE / FRAMES) as usize;
@@ -18,10 +20,10 @@ pub struct Listener {
 }
 
 impl Listener {
-    /// At full volume; what precedes the first sound, the volumes' glide, is over.
+    /// At a volume at which each sound is left alone as it is; what precedes the first sound, the volumes' glide, is over.
     pub fn new() -> Self {
         let (desk, feed) = desk();
-        desk.set_volumes(FULL);
+        desk.set_volumes(ALONE);
         let mut listener = Self { desk, mixer: Mixer::new(RATE, feed) };
         listener.hear(0.5, Ambience::default());
         listener

@@ -6,6 +6,7 @@ mod cues;
 mod device;
 mod flight;
 mod hearing;
+mod loudness;
 mod music;
 #[path = "../support/mod.rs"]
 mod support;

@@ -1,6 +1,6 @@
 //! The music: quiet, of each level its own, and none where it is switched off.
 
-use super::hearing::{FULL, Heard, Listener};
+use super::hearing::{ALONE, Heard, Listener};
 use resultant::view::sound::{Ambience, Volumes};
 
 fn heard(tune: u32, seconds: f64) -> Heard {
@@ -47,9 +47,9 @@ fn music_that_is_switched_off_is_none_and_comes_back() {
     let mut listener = Listener::new();
     listener.desk.set_tune(Some(1));
     listener.hear(3.0, Ambience::default());
-    listener.desk.set_volumes(Volumes { music: 0.0, ..FULL });
+    listener.desk.set_volumes(Volumes { music: 0.0, ..ALONE });
     listener.hear(3.0, Ambience::default());
     assert_eq!(listener.hear(2.0, Ambience::default()).peak(), 0.0);
-    listener.desk.set_volumes(FULL);
+    listener.desk.set_volumes(ALONE);
     assert!(listener.hear(6.0, Ambience::default()).rms() > 0.008);
 }

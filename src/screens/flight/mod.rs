@@ -228,7 +228,7 @@ impl Flight {
         }
         self.details ^= input.acts(Action::Details);
         self.hitboxes ^= input.acts(Action::Hitboxes);
-        if self.update_what_if(input.frame_time, spectator) {
+        if self.update_what_if(input.worked(), spectator) {
             return None;
         }
         let looked_at = self.details || self.instruments.is_open();
@@ -257,7 +257,7 @@ impl Flight {
             self.tick(spectator);
         }
         if let Some(race) = &mut self.race {
-            race.update(&self.game, input.frame_time);
+            race.update(&self.game, input.worked());
         }
         None
     }

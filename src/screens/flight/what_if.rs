@@ -182,6 +182,11 @@ impl Flight {
             self.ahead = if frame_time > SHORT_FRAME { self.ahead / 2 } else { self.ahead * 5 / 4 }.clamp(least, most);
             self.fly_again(self.ahead, spectator);
         }
+        self.is_flown_again()
+    }
+
+    /// Whether a varied level is being flown again up to the moment that was shown.
+    pub fn is_flown_again(&self) -> bool {
         self.what_if.as_ref().is_some_and(|what_if| what_if.again.is_some())
     }
 

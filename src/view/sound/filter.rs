@@ -111,17 +111,6 @@ impl BandPass {
     }
 }
 
-/// Keeps samples within −1 … 1: as they are up to ±0.7, bent smoothly beyond.
-pub fn limited(sample: f32) -> f32 {
-    const KNEE: f32 = 0.7;
-    let over = sample.abs() - KNEE;
-    if over <= 0.0 {
-        return sample;
-    }
-    let room = 1.0 - KNEE;
-    sample.signum() * (KNEE + room * (over / (over + room)))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -161,18 +150,6 @@ mod tests {
         };
         assert!((passes(800.0) - 1.0).abs() < 0.01);
         assert!(passes(200.0) < 0.2 && passes(3200.0) < 0.2);
-    }
-
-    #[test]
-    fn the_limiter_is_smooth_and_never_reaches_one() {
-        let mut last = 0.0;
-        for i in 0..10_000 {
-            let (sample, out) = (i as f32 * 0.001, limited(i as f32 * 0.001));
-            assert!(out < 1.0 && out >= last && out - last <= 0.001 + 1e-6, "{sample}");
-            assert_eq!(limited(-sample), -out);
-            last = out;
-        }
-        assert_eq!(limited(0.5), 0.5);
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! All sounds together: stereo samples from what lies on the desk.
 
 use super::bed::Bed;
-use super::filter::{Glide, LowPass, Noise, limited};
+use super::filter::{Glide, LowPass, Noise};
+use super::limiter::Limiter;
 use super::music::Music;
 use super::recipe::Recipe;
 use super::voice::{Choir, Voice};
@@ -16,10 +17,11 @@ const HELD_UP: f32 = 0.4;
 /// Under water nothing above this is heard, Hz; in air nothing is held back.
 const UNDER_WATER: f32 = 420.0;
 const IN_AIR: f32 = 18_000.0;
-/// Effects are made so loud that a crash is just not bent by the limiter.
-const EFFECTS: f32 = 0.8;
+/// With the volumes as they are at first, flights come to some −19 dBFS, as other games do; what is louder is the limiter's: a crash
+/// beside the engine, or volumes near their ends.
+const EFFECTS: f32 = 2.84;
 /// At full volume music is nearly as loud as the engine; as it is set at first, far below it.
-const MUSIC: f32 = 1.6;
+const MUSIC: f32 = 5.68;
 
 /// Computes what is heard. It allocates nothing after it has been made, and never waits.
 #[derive(Debug)]
@@ -41,6 +43,7 @@ pub struct Mixer {
     held_up: u32,
     effects_gain: Glide,
     music_gain: Glide,
+    limiter: Limiter,
     age: u32,
 }
 
@@ -66,11 +69,12 @@ impl Mixer {
             held_up: 0,
             effects_gain: gain,
             music_gain: gain,
+            limiter: Limiter::new(rate),
             age: 0,
         }
     }
 
-    /// The next samples, left and right by turns, each within −1 … 1. An odd one at the end is silent.
+    /// The next samples, left and right by turns, each within −1.4 dBFS. An odd one at the end is silent.
     pub fn render(&mut self, samples: &mut [f32]) {
         let (pairs, rest) = samples.as_chunks_mut();
         for pair in pairs {
@@ -94,10 +98,11 @@ impl Mixer {
         }
         let (once, always) = (self.choir.next(&mut self.noise), self.bed.next(&self.ambience, &mut self.noise));
         let tune = if music > 1e-5 || !self.music.is_silent() { self.music.next(self.tune, &mut self.noise) } else { [0.0; 2] };
-        std::array::from_fn(|side| {
+        let sum = std::array::from_fn(|side| {
             let [first, second] = &mut self.water[side];
-            limited(effects * second.next(first.next(once[side] + always[side])) + music * tune[side])
-        })
+            effects * second.next(first.next(once[side] + always[side])) + music * tune[side]
+        });
+        self.limiter.next(sum)
     }
 
     fn look_at_the_desk(&mut self) {

@@ -2,7 +2,7 @@
 //!
 //! The way of a sound: `heard` says which event is heard as what, and what the ship hears all the time ([`Ambience`]). The
 //! [`Speaker`] gathers that for a frame and writes it into a `desk` of atomics. The [`Mixer`] reads the desk and computes stereo samples:
-//! one-shot `voice`s after the `recipe`s of the cues, the `bed` of engine, wind and liquid, and the `music`. An `output` takes the samples to a
+//! one-shot `voice`s after the `recipe`s of the cues, the `bed` of engine, wind and liquid, and the `music`, below the ceiling of a `limiter`. An `output` takes the samples to a
 //! device on a thread of its own. Neither side ever waits for the other, and where there is no device the desk is simply not read.
 
 mod bed;
@@ -10,6 +10,7 @@ mod cue;
 mod desk;
 mod filter;
 mod heard;
+mod limiter;
 mod mixer;
 mod music;
 mod output;

@@ -170,7 +170,7 @@ impl Editor {
         let style = Style::new(DETAILS, theme::text()).mono();
         let at = self.pointed();
         let metre = self.document.metre();
-        let fps = if self.figures { format!("{} fps   ", get_fps()) } else { String::new() };
+        let fps = if self.figures { format!("{} fps   ", get_fps().max(0)) } else { String::new() };
         let zoom = self.view.scale() * 100.0;
         let place = format!("{fps}{:.0}, {:.0} px   {:.2}, {:.2} m   {zoom:.0} %", at.x, at.y, at.x / metre, at.y / metre);
         let head = area.min + Vec2::new(INSIDE, INSIDE / 2.0);

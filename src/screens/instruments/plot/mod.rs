@@ -118,7 +118,7 @@ impl Default for Plot {
 impl Plot {
     /// One frame; the answer is what is left of the input, with the part of the canvas that is left for the flight.
     pub fn update(&mut self, input: &Input, stage: &Stage) -> Input {
-        self.read(input.frame_time, stage);
+        self.read(input.worked(), stage);
         let places = PlotPlaces::new(&input.frame, self.large);
         self.lay_out(&places);
         // Arrows and Enter fly.

@@ -1,6 +1,6 @@
 //! Playing on Linux: block after block is computed and written; the device holds the thread until it has room.
 
-use super::pace::Pace;
+use super::pace::keep_pace;
 use super::system::{CHANNELS, Device, LATENCY, Libraries, RATE};
 use super::{Feed, Why};
 use crate::view::sound::Mixer;
@@ -19,18 +19,18 @@ pub fn play(feed: &Feed, ends: &AtomicBool) -> Why {
     let Some(mut device) = Device::open(libraries) else { return Why::NoDevice };
     let mut mixer = Mixer::new(RATE, feed.clone());
     let mut samples = [0.0; BLOCK * CHANNELS];
-    let mut pace = Pace::default();
-    let mut begun = Instant::now();
-    while !ends.load(Ordering::Acquire) {
+    let (begun, mut lost) = (Instant::now(), false);
+    let write = || {
+        if ends.load(Ordering::Acquire) {
+            return false;
+        }
         mixer.render(&mut samples);
-        if !device.write(&samples) {
-            return Why::Lost;
-        }
-        let wait = pace.after(BLOCK as f64 / f64::from(RATE), begun.elapsed().as_secs_f64());
-        if !wait.is_zero() {
-            std::thread::sleep(wait);
-        }
-        begun = Instant::now();
+        lost = !device.write(&samples);
+        !lost
+    };
+    keep_pace(BLOCK as f64 / f64::from(RATE), write, || begun.elapsed().as_secs_f64(), std::thread::sleep);
+    if lost {
+        return Why::Lost;
     }
     // The last block goes down to nothing, and is heard before the device is closed.
     mixer.render(&mut samples);

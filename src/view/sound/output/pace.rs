@@ -15,9 +15,22 @@ pub struct Pace {
     lead: f64,
 }
 
+/// Writes blocks that last so long (s) until `write` refuses one, at the pace of the clock (s) that `now` reads and `pause` lets pass.
+pub fn keep_pace(block: f64, mut write: impl FnMut() -> bool, now: impl Fn() -> f64, pause: impl Fn(Duration)) {
+    let mut pace = Pace::default();
+    let mut begun = now();
+    while write() {
+        let wait = pace.after(block, now() - begun);
+        if !wait.is_zero() {
+            pause(wait);
+        }
+        begun = now();
+    }
+}
+
 impl Pace {
     /// A block that lasts so long was computed and taken in so much time (both s): how long to wait.
-    pub fn after(&mut self, block: f64, taken: f64) -> Duration {
+    fn after(&mut self, block: f64, taken: f64) -> Duration {
         self.lead = ((self.lead + block - taken) * (1.0 - FORGETS)).max(0.0);
         if self.lead < AHEAD {
             return Duration::ZERO;
@@ -39,6 +52,21 @@ mod tests {
         let mut pace = Pace::default();
         let waited: Duration = (0..1000).map(|_| pace.after(BLOCK, 0.0001)).sum();
         assert!((9.0..10.0).contains(&waited.as_secs_f64()), "{waited:?}");
+    }
+
+    /// A device that takes a block in a millisecond gets ten seconds of samples in ten seconds, by a clock that only the device and the
+    /// pauses move; a twentieth more at the most, since the lead is forgotten by and by.
+    #[test]
+    fn samples_are_computed_at_the_pace_of_the_clock() {
+        let (clock, blocks) = (std::cell::Cell::new(0.0), std::cell::Cell::new(0));
+        let write = || {
+            blocks.set(blocks.get() + 1);
+            clock.set(clock.get() + 0.001);
+            clock.get() < 10.0
+        };
+        keep_pace(BLOCK, write, || clock.get(), |wait| clock.set(clock.get() + wait.as_secs_f64()));
+        let seconds = f64::from(blocks.get()) * BLOCK;
+        assert!((9.9..10.5 + AHEAD).contains(&seconds), "{seconds}");
     }
 
     #[test]
