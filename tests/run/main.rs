@@ -1,5 +1,7 @@
 //! `resultant run` and `resultant verify`, through the program.
 
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+mod faults;
 mod files;
 #[path = "../program/mod.rs"]
 mod program;
