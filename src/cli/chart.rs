@@ -4,7 +4,7 @@
 
 use super::files::{NewFile, Staged, read_text};
 use super::{Project, Status, Stop};
-use crate::files::CHART;
+use crate::files::{self, CHART};
 use crate::lab::charts::{Charts, Setting};
 use crate::lab::course::{Course, OverTime};
 use crate::lab::curve::{Curve, Measured, Origin, Point};
@@ -217,7 +217,7 @@ fn point(scene: &Scene, method: &Method, step: f64, quick: bool) -> Point {
 /// The kind of machine, without its name.
 fn machine() -> String {
     let system = format!("{} {}", std::env::consts::OS, std::env::consts::ARCH);
-    let Ok(text) = std::fs::read_to_string("/proc/cpuinfo") else { return system };
+    let Ok(text) = files::read_text(Path::new("/proc/cpuinfo"), files::INPUTS) else { return system };
     let model = text.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
     model.map_or(system.clone(), |(_, model)| format!("{}, {system}", model.trim()))
 }

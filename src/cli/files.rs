@@ -126,7 +126,7 @@ impl NewFile {
             }
             Place::Itself(_) => Ok(None),
         });
-        written.map_err(|error| failed(&path, &error)).map(|fresh| Staged { path, fresh })
+        written.map_err(|error| Stop::Output(named(&path, &error))).map(|fresh| Staged { path, fresh })
     }
 }
 
@@ -137,7 +137,7 @@ impl Staged {
     /// What the system says; that file and those behind it are as they were then.
     pub fn place_all(staged: impl IntoIterator<Item = Self>) -> Result<(), Stop> {
         for Self { path, fresh } in staged {
-            fresh.map_or(Ok(()), Replacement::finish).map_err(|error| failed(&path, &error))?;
+            fresh.map_or(Ok(()), Replacement::finish).map_err(|error| Stop::Output(named(&path, &error)))?;
         }
         Ok(())
     }
@@ -253,16 +253,17 @@ impl Write for Place {
 
 impl Write for NewFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.writer.write(bytes)
+        self.writer.write(bytes).map_err(|error| named(&self.path, &error))
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.writer.flush()
+        self.writer.flush().map_err(|error| named(&self.path, &error))
     }
 }
 
-fn failed(path: &Path, error: &io::Error) -> Stop {
-    Stop::Output(io::Error::new(error.kind(), format!("{}: {error}", path.display())))
+/// An error with the file that it is about.
+fn named(path: &Path, error: &io::Error) -> io::Error {
+    io::Error::new(error.kind(), format!("{}: {error}", path.display()))
 }
 
 fn refused(path: &Path, error: &io::Error) -> Stop {

@@ -162,7 +162,7 @@ pub fn create_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) ->
     sweep(around);
     let begun = (0..MOST_SWEPT).find_map(|_| match builder(0o777).tempdir_in(around) {
         // Where a folder cannot be opened, it cannot be locked, and no sweep removes it.
-        Ok(begun) => match File::open(begun.path()) {
+        Ok(begun) => match open_folder(begun.path()) {
             Ok(lock) => holds(&lock, begun.path()).then_some(Ok((begun, Some(lock)))),
             Err(_) => Some(Ok((begun, None))),
         },
@@ -203,9 +203,18 @@ pub fn copy(from: &Path, to: &Path) -> io::Result<()> {
 /// Makes a new name in a folder outlast a power cut. The new file is in its place by then, so a file system that cannot do this fails
 /// nothing.
 pub fn sync_folder(folder: &Path) {
-    if cfg!(unix) {
-        let _ = File::open(folder).and_then(|folder| folder.sync_all());
+    let _ = open_folder(folder).and_then(|folder| folder.sync_all());
+}
+
+/// Opens a folder, and nothing else, where the system can.
+fn open_folder(folder: &Path) -> io::Result<File> {
+    let mut options = OpenOptions::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        options.custom_flags(libc::O_DIRECTORY);
     }
+    options.read(true).open(folder)
 }
 
 /// The folder that a path lies in.
@@ -265,7 +274,7 @@ fn sweep(folder: &Path) {
     for path in entries.filter(|entry| is_staged(&entry.file_name().to_string_lossy())).map(|entry| entry.path()) {
         let Ok(found) = fs::symlink_metadata(&path) else { continue };
         let opened = if found.is_dir() {
-            File::open(&path)
+            open_folder(&path)
         } else {
             open(OpenOptions::new().read(true), &path, Links::Never).map(|(file, _)| file)
         };

@@ -96,6 +96,7 @@ fn a_full_disk_is_told_and_changes_nothing() {
         let ran = Ran::new(&mut shell);
         assert_eq!(ran.status, 2, "{}", ran.err);
         assert!(ran.err.starts_with("cannot write the results: "), "{}", ran.err);
+        assert_eq!(ran.err.contains("old.csv: "), to.is_empty(), "{}", ran.err);
         assert_eq!((names(&data), read(&data, "old.csv").as_str()), (vec!["levels".into(), "old.csv".into()], "old"));
     }
 }
