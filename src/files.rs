@@ -9,7 +9,7 @@ mod lock;
 mod staged;
 
 pub use lock::{Lock, PATIENCE, share};
-pub use staged::{Replacement, behind_links, copy, create, create_folder, put, replace, sync_folder};
+pub use staged::{Replacement, behind_links, copy, create, create_folder, put, replace, sync_folder, target};
 
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, Read};

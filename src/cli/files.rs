@@ -151,15 +151,11 @@ impl Place {
         if files::is_passed_on(path) {
             return Ok(Self::Itself(OpenOptions::new().write(true).open(path)?));
         }
-        let target = files::behind_links(path)?;
-        match files::open(OpenOptions::new().write(true), &target, Links::Never) {
-            Ok((_, found)) if found.permissions().readonly() => return Err(read_only()),
-            Ok((_, found)) => one_name(&found)?,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-            Err(_) if fs::metadata(&target).is_ok_and(|found| found.is_file() && found.permissions().readonly()) => {
-                return Err(read_only());
-            }
-            Err(error) => return Err(error),
+        let (target, found) = files::target(path, Links::Followed)?;
+        if let Some(found) = found {
+            one_name(&found)?;
+            // A file that this user may not write to is not replaced either.
+            files::open(OpenOptions::new().write(true), &target, Links::Never)?;
         }
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let closed = |error: io::Error| {
@@ -168,10 +164,6 @@ impl Place {
         };
         tempfile::tempfile_in(folder).map(Self::Collected).map_err(closed)
     }
-}
-
-fn read_only() -> io::Error {
-    io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only")
 }
 
 /// Refuses a file with further names (hard links): they would go on leading to the old content.

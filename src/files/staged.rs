@@ -41,21 +41,7 @@ impl Replacement {
     /// # Errors
     /// A read-only file; no regular file; a link that leads to no file; whatever the system says.
     pub fn begin(path: &Path, links: Links) -> io::Result<Self> {
-        let target = if links == Links::Followed { behind_links(path)? } else { path.to_path_buf() };
-        let found = match fs::symlink_metadata(&target) {
-            // A pipe or a link that is in the way is replaced, too: a rename does not open it.
-            Ok(found) if links == Links::Never && !found.is_file() => None,
-            Ok(found) => Some(found),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-            Err(error) => return Err(error),
-        };
-        if let Some(found) = &found {
-            judge(found)?;
-            // The system lets its administrator replace read-only files, too.
-            if found.permissions().readonly() {
-                return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
-            }
-        }
+        let (target, found) = target(path, links)?;
         // Other users cannot read the new content before it has the mode of the old file.
         let staged = stage(around(&target), if found.is_some() { 0o600 } else { 0o666 })?;
         Ok(Self { staged, target, found, sealed: false })
@@ -234,6 +220,29 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
         io::ErrorKind::NotFound => io::Error::new(io::ErrorKind::NotFound, "a link that leads to no file"),
         _ => error,
     })
+}
+
+/// The file whose place new content for `path` takes, and the old file that is there.
+///
+/// # Errors
+/// A read-only file; no regular file; a link that leads to no file; whatever the system says.
+pub fn target(path: &Path, links: Links) -> io::Result<(PathBuf, Option<Metadata>)> {
+    let target = if links == Links::Followed { behind_links(path)? } else { path.to_path_buf() };
+    let found = match fs::symlink_metadata(&target) {
+        // A pipe or a link that is in the way is replaced, too: a rename does not open it.
+        Ok(found) if links == Links::Never && !found.is_file() => None,
+        Ok(found) => Some(found),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+        Err(error) => return Err(error),
+    };
+    if let Some(found) = &found {
+        judge(found)?;
+        // The system lets its administrator replace read-only files, too.
+        if found.permissions().readonly() {
+            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
+        }
+    }
+    Ok((target, found))
 }
 
 /// A staged file in a folder, empty and locked.

@@ -1,9 +1,5 @@
 //! The program as a user runs it, in a data folder of its own.
 
-#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
-#[allow(dead_code)] // Not every test program looks so closely.
-pub mod traced;
-
 use std::path::PathBuf;
 use std::process::{Command, Output};
 

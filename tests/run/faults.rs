@@ -1,7 +1,7 @@
 //! Files that are written while the system fails, at every single system call of the program, or while it is killed there.
 
-use crate::program::traced::{Fault, run};
 use crate::program::{Data, resultant};
+use crate::traced::{Fault, run};
 use crate::{data, read};
 use std::collections::BTreeMap;
 use std::fs;

@@ -8,6 +8,8 @@ mod program;
 mod records;
 mod scores;
 mod telemetry;
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+mod traced;
 
 use program::{Data, resultant};
 use std::process::{Command, Stdio};

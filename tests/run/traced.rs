@@ -13,6 +13,7 @@ pub enum Fault {
 }
 
 /// Runs the program to its end; at the call of that index the fault happens. The numbers of all calls that were asked for, and how it ended.
+#[allow(clippy::zombie_processes)] // It is waited for by its number.
 pub fn run(command: &mut Command, fault: Option<(usize, Fault)>) -> (Vec<i64>, ExitStatus) {
     let trace_me = || match ptrace(libc::PTRACE_TRACEME, 0, 0, 0) {
         -1 => Err(std::io::Error::last_os_error()),
