@@ -1,8 +1,17 @@
-//! Reading what others have put on the disk: only regular files, and none larger than its kind may be. A pipe or a device may never
-//! end, and a file of gigabytes would fill the memory before anyone could say what is wrong with it. Here are the sizes; each leaves
-//! room for a hundred times what the kind is known to need. What is in a file is not judged here.
+//! How files are read, locked and written; the content of a file is not judged here.
+//!
+//! **Reading** takes only regular files, and none larger than its kind may be. A pipe or a device may never end, and a file of gigabytes
+//! would fill the memory before anyone could say what is wrong with it. Here are the sizes; each leaves room for a hundred times what the
+//! kind is known to need. [`Lock`] keeps two programs from changing one file at once. **Writing** makes a file or a folder whole or not
+//! at all: [`replace`], [`create`], [`create_folder`], and [`Replacement`] for content that is written piece by piece.
 
-use std::fs::{self, File, Metadata};
+mod lock;
+mod staged;
+
+pub use lock::{Lock, PATIENCE, pauses, share};
+pub use staged::{Replacement, behind_links, copy, create, create_folder, put, replace, sync_folder, target};
+
+use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -24,6 +33,15 @@ pub const TILE_MAP: u64 = 1 << 20;
 /// The commands of a tile run: some 100 000.
 pub const TILE_COMMANDS: u64 = 1 << 20;
 
+/// What a symbolic link stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Links {
+    /// The file that it leads to.
+    Followed,
+    /// Itself: it is no file to read, and a new file takes its place. For hidden files of the game, which may lie in a stranger's folder.
+    Never,
+}
+
 /// The bytes of a file, of which there may be at most so many.
 ///
 /// What the caller of the program has opened already and passed on by number (`/dev/stdin`, `/dev/fd/3`) may be of any kind: it is
@@ -32,14 +50,50 @@ pub const TILE_COMMANDS: u64 = 1 << 20;
 /// # Errors
 /// What is there is no regular file or is larger; whatever the system says.
 pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
-    if !is_passed_on(path) {
-        judge(&fs::metadata(path)?, at_most)?;
-    }
-    let file = File::open(path)?;
+    read_with(path, at_most, Links::Followed)
+}
+
+/// As [`read`], with a say about links.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(path: &Path, at_most: u64, links: Links) -> io::Result<Vec<u8>> {
+    let file = if is_passed_on(path) {
+        File::open(path)?
+    } else {
+        let (file, found) = open(OpenOptions::new().read(true), path, links)?;
+        if found.len() > at_most {
+            return Err(too_large(Some(found.len()), at_most));
+        }
+        file
+    };
     let mut bytes = Vec::new();
     // It may have grown since, and what has no size in advance shows it only now.
     file.take(at_most + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > at_most { Err(too_large(None, at_most)) } else { Ok(bytes) }
+}
+
+/// Opens a regular file that is there, and nothing else: a pipe waits for its other end, and a device may act on being opened.
+///
+/// # Errors
+/// What is there is no regular file; whatever the system says.
+pub fn open(options: &OpenOptions, path: &Path, links: Links) -> io::Result<(File, Metadata)> {
+    judge(&match links {
+        Links::Followed => fs::metadata(path)?,
+        Links::Never => fs::symlink_metadata(path)?,
+    })?;
+    let mut options = options.clone();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        let never = if links == Links::Never { libc::O_NOFOLLOW } else { 0 };
+        options.custom_flags(libc::O_NONBLOCK | never);
+    }
+    let file = options.open(path)?;
+    // Another program may have put something else there since the first look.
+    let found = file.metadata()?;
+    judge(&found)?;
+    Ok((file, found))
 }
 
 /// The text of a file, as [`read`].
@@ -53,18 +107,20 @@ pub fn read_text(path: &Path, at_most: u64) -> io::Result<String> {
 }
 
 /// Whether the path leads to what this process was given open.
-fn is_passed_on(path: &Path) -> bool {
-    path == Path::new("/dev/stdin") || path.starts_with("/dev/fd") || path.starts_with("/proc/self/fd")
+pub fn is_passed_on(path: &Path) -> bool {
+    ["/dev/stdin", "/dev/stdout", "/dev/stderr"].iter().any(|passed| path == Path::new(passed))
+        || path.starts_with("/dev/fd")
+        || path.starts_with("/proc/self/fd")
 }
 
-fn judge(found: &Metadata, at_most: u64) -> io::Result<()> {
-    if found.is_dir() {
-        return Err(io::Error::new(io::ErrorKind::IsADirectory, "found a folder, expected a file"));
-    }
-    if !found.is_file() {
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, "found a pipe or a device, expected a regular file"));
-    }
-    if found.len() > at_most { Err(too_large(Some(found.len()), at_most)) } else { Ok(()) }
+fn judge(found: &Metadata) -> io::Result<()> {
+    let (kind, other) = match found.file_type() {
+        kind if kind.is_file() => return Ok(()),
+        kind if kind.is_dir() => (io::ErrorKind::IsADirectory, "found a folder, expected a file"),
+        kind if kind.is_symlink() => (io::ErrorKind::InvalidInput, "found a link, expected a regular file"),
+        _ => (io::ErrorKind::InvalidInput, "found a pipe or a device, expected a regular file"),
+    };
+    Err(io::Error::new(kind, other))
 }
 
 fn too_large(bytes: Option<u64>, at_most: u64) -> io::Error {

@@ -16,7 +16,7 @@
 //! - [`screens`]: the screens as a state machine, one file a screen; it is tested without a window.
 //! - [`view`]: drawing only: it reads the game and changes nothing in it.
 //! - [`cli`]: one file a subcommand.
-//! - [`number`]: how results print numbers, and every screen a time. [`files`]: how large each kind of file may be, and reading no more than that.
+//! - [`number`]: how results print numbers, and every screen a time. [`files`]: reading with a limit, locks, and writing whole or not at all.
 
 // One file needs it, view/sound/output/system.rs, and says why.
 #![deny(unsafe_code)]

@@ -9,7 +9,8 @@ use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 use resultant::files;
-use resultant::scores::{Name, PATIENCE, Placement, Score, Scores, ScoresError, pauses};
+use resultant::files::pauses;
+use resultant::scores::{Name, PATIENCE, Placement, Score, Scores, ScoresError};
 
 /// How long a save waits that must come to its turn, also where other programs keep every core busy.
 const UNTIL_ITS_TURN: Duration = Duration::from_secs(600);
@@ -203,15 +204,13 @@ fn a_read_only_file_is_left_alone() {
 #[test]
 fn whatever_the_system_refuses_is_an_error_with_its_place_and_leaves_the_old_file_whole() {
     let text = "name,score\nann,30\nbroken\n";
-    for (blocked, attempt) in [(".1.csv.new", "write the new scores"), (".1.csv.lock", "open the lock file")] {
-        let fixture = Fixture::with(text);
-        fs::create_dir(fixture.file(blocked)).unwrap();
-        let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
-        let place = format!("{}: cannot {attempt}: ", fixture.file(blocked).display());
-        assert!(error.to_string().starts_with(&place), "{error}");
-        assert_eq!(fixture.text("1.csv"), text);
-        assert!(!fixture.names().iter().any(|name| name.contains("damaged")), "no copy without a save");
-    }
+    let fixture = Fixture::with(text);
+    fs::create_dir(fixture.file(".1.csv.lock")).unwrap();
+    let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
+    let place = format!("{}: cannot lock the scores: found a folder", fixture.file(".1.csv.lock").display());
+    assert!(error.to_string().starts_with(&place), "{error}");
+    assert_eq!(fixture.text("1.csv"), text);
+    assert!(!fixture.names().iter().any(|name| name.contains("damaged")), "no copy without a save");
 
     let fixture = Fixture::new();
     fs::create_dir_all(fixture.file("1.csv")).unwrap();
@@ -224,19 +223,44 @@ fn whatever_the_system_refuses_is_an_error_with_its_place_and_leaves_the_old_fil
     assert!(error.to_string().contains("scores: cannot create the scores folder: "), "{error}");
 }
 
-/// `/dev/full` behaves like a disk without space, and to follow a link is what opening a file does.
-#[cfg(target_os = "linux")]
+/// Under a limit of no bytes at all a write fails as on a full disk, and the signal that comes with it is ignored.
+#[cfg(unix)]
 #[test]
 fn a_full_disk_loses_nothing_and_leaves_no_litter() {
     let text = "name,score\nann,30\nbroken\n";
     let fixture = Fixture::with(text);
-    std::os::unix::fs::symlink("/dev/full", fixture.file(".1.csv.new")).unwrap();
-    let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
-    assert!(error.to_string().contains("1.csv.new: cannot write the new scores: No space left"), "{error}");
+    let mut shell = Command::new("sh");
+    shell.args(["-c", "trap '' XFSZ; ulimit -f 0; exec \"$0\" --exact saving_process --nocapture"]);
+    shell.arg(std::env::current_exe().unwrap());
+    shell.env(WORKER_FOLDER, fixture.folder()).env(WORKER_PREFIX, "a").env(WORKER_SAVES, "1");
+    let saved = shell.output().unwrap();
+    let said = String::from_utf8_lossy(&[saved.stdout, saved.stderr].concat()).into_owned();
+    assert!(!saved.status.success() && said.contains("write the new scores"), "{said}");
     assert_eq!(fixture.text("1.csv"), text);
     assert_eq!(fixture.names(), [".1.csv.lock", "1.csv"]);
     fixture.scores().save("1", &name("bob"), 40).unwrap();
     assert_eq!(fixture.text("1.csv"), "name,score\nbob,40\nann,30\n");
+}
+
+/// Names under which new content was staged once, and the lock's.
+#[cfg(unix)]
+#[test]
+fn no_link_that_somebody_laid_is_written_through() {
+    let fixture = Fixture::with("name,score\nann,30\n");
+    let mine = fixture.root.path().join("mine");
+    fs::write(&mine, "mine").unwrap();
+    for link in [".1.csv.new", ".players.csv.new", ".resultant-aB3dE6gH.new"] {
+        std::os::unix::fs::symlink(&mine, fixture.file(link)).unwrap();
+    }
+    fixture.scores().save("1", &name("bob"), 40).unwrap();
+    fixture.scores().record_within(PATIENCE, &[resultant::scores::Deed::Chosen(name("bob"))]).unwrap();
+    std::os::unix::fs::symlink(&mine, fixture.file(".2.csv.lock")).unwrap();
+    let error = fixture.scores().save("2", &name("bob"), 40).unwrap_err();
+    assert!(error.to_string().ends_with(".2.csv.lock: cannot lock the scores: found a link, expected a regular file"), "{error}");
+    assert_eq!(
+        (fs::read_to_string(mine).unwrap().as_str(), fixture.text("1.csv").as_str()),
+        ("mine", "name,score\nbob,40\nann,30\n")
+    );
 }
 
 /// Whoever may write in the folder may save, whatever the umask of the first who did: a test of modes, as another user cannot be had here.
@@ -378,11 +402,11 @@ fn a_file_shared_with_a_group_stays_shared() {
     assert!(!given || std::os::unix::fs::MetadataExt::gid(&found) == 12_345);
 }
 
-/// What a killed process can leave behind is written over, and its lock is gone with it.
+/// What a killed process can leave behind is removed, and its lock is gone with it.
 #[test]
 fn leftovers_of_a_killed_process_are_no_obstacle() {
     let fixture = Fixture::with("name,score\nann,30\n");
-    fs::write(fixture.file(".1.csv.new"), "name,sco").unwrap();
+    fs::write(fixture.file(".resultant-aB3dE6gH.new"), "name,sco").unwrap();
     fs::write(fixture.file(".1.csv.lock"), "").unwrap();
     fixture.scores().save("1", &name("bob"), 40).unwrap();
     assert_eq!(fixture.text("1.csv"), "name,score\nbob,40\nann,30\n");

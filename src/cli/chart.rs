@@ -2,9 +2,9 @@
 //! place of the lab with a clock and files. The clock is the thread's own CPU time, as in `benches/peers`: what else the machine does
 //! counts for little.
 
-use super::files::{NewFile, read_text};
+use super::files::{NewFile, Staged, read_text};
 use super::{Project, Status, Stop};
-use crate::files::CHART;
+use crate::files::{self, CHART};
 use crate::lab::charts::{Charts, Setting};
 use crate::lab::course::{Course, OverTime};
 use crate::lab::curve::{Curve, Measured, Origin, Point};
@@ -108,10 +108,12 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     files.extend(stability_diagram::csv(&regions).map(|(name, text)| (name.to_owned(), text)));
     files.push(("shipped.csv".to_owned(), shipped_csv(&charts.diagrams)));
     files.push(("summary.md".to_owned(), summary(&charts, &regions)));
-    folder.write(&files)?;
+    let staged = folder.stage(&files)?;
     for (name, _) in &files {
         writeln!(out, "{}", args.out.join(name).display())?;
     }
+    out.flush()?;
+    Staged::place_all(staged)?;
     Ok(Status::Done)
 }
 
@@ -143,16 +145,14 @@ impl<'a> Folder<'a> {
         NewFile::create(&self.path.join(name))
     }
 
-    /// Writes all of them and puts them in their places once all are written.
-    fn write(&self, files: &[(String, String)]) -> Result<(), Stop> {
-        let written = files.iter().map(|(name, text)| {
-            let failed = |error| Stop::refused(format!("{}: {error}", self.path.join(name).display()));
+    /// Writes all of them, to be put in their places once all are written.
+    fn stage(&self, files: &[(String, String)]) -> Result<Vec<Staged>, Stop> {
+        let stage = |(name, text): &(String, String)| {
             let mut file = self.begin(name)?;
-            file.write_all(text.as_bytes()).and_then(|()| file.flush()).map_err(failed)?;
-            Ok(file)
-        });
-        let written: Vec<NewFile> = written.collect::<Result<_, Stop>>()?;
-        written.into_iter().try_for_each(NewFile::finish)
+            file.write_all(text.as_bytes())?;
+            file.stage()
+        };
+        files.iter().map(stage).collect()
     }
 }
 
@@ -217,7 +217,7 @@ fn point(scene: &Scene, method: &Method, step: f64, quick: bool) -> Point {
 /// The kind of machine, without its name.
 fn machine() -> String {
     let system = format!("{} {}", std::env::consts::OS, std::env::consts::ARCH);
-    let Ok(text) = std::fs::read_to_string("/proc/cpuinfo") else { return system };
+    let Ok(text) = files::read_text(Path::new("/proc/cpuinfo"), files::INPUTS) else { return system };
     let model = text.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
     model.map_or(system.clone(), |(_, model)| format!("{}, {system}", model.trim()))
 }

@@ -3,6 +3,7 @@
 use super::{Project, Readers, Status, Stop, shown};
 use crate::level::{self, Level, Loaded, ObjectiveKind};
 use crate::physics::World;
+use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -11,7 +12,7 @@ use std::path::PathBuf;
 pub struct Args {
     /// Names under levels/, or levels' folders; without any, all levels
     #[arg(value_name = "LEVEL")]
-    pub levels: Vec<String>,
+    pub levels: Vec<OsString>,
 }
 
 /// Checks the levels: results go to `out`, problems and warnings to standard error.
@@ -23,8 +24,8 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
 }
 
 fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Write) -> Result<Status, Stop> {
-    let all = if args.levels.is_empty() { level::list(&project.levels()) } else { Vec::new() };
-    let names = if args.levels.is_empty() { &all } else { &args.levels };
+    let all = || level::list(&project.levels()).into_iter().map(OsString::from).collect();
+    let names: Vec<OsString> = if args.levels.is_empty() { all() } else { args.levels.clone() };
     if names.is_empty() {
         let levels = project.levels();
         let why = std::fs::read_dir(&levels).err().map_or(String::new(), |error| format!(", which cannot be read: {error}"));
@@ -32,7 +33,7 @@ fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Writ
     }
     let folders = names.iter().map(|name| project.level_folder(name)).collect::<Result<Vec<PathBuf>, Stop>>()?;
     let (mut status, mut refused) = (Status::Done, 0);
-    for (name, folder) in names.iter().map(shown).zip(folders) {
+    for (name, folder) in names.iter().map(|name| shown(name.display())).zip(folders) {
         let problems = match level::load(&folder, project.root()) {
             Ok(loaded) => match World::new(loaded.level.world_def()) {
                 Ok(world) => {

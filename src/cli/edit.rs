@@ -1,13 +1,14 @@
 //! `resultant edit LEVEL`: opens the editor.
 
 use super::{Project, Status, Stop};
+use std::ffi::OsString;
 use std::io::Write;
 
 /// What to edit.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// A name under levels/, or a level's folder
-    pub level: String,
+    pub level: OsString,
 }
 
 /// Opens the editor and returns when the window is closed.

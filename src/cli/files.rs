@@ -1,14 +1,14 @@
 //! Text files that a subcommand is told to read, and files that it is told to write.
 //!
-//! What is written is collected first, in a file without a name, and copied into its target when all of it is there: until then an
-//! older file stays as it is, whatever stops the program leaves nothing behind, and a disk that is full is noticed before the target
-//! is touched. The target keeps its mode, its owner and its links, as with `cp`.
+//! New content is collected in a file without a name, so that a program that is stopped leaves nothing behind. When all of it is there,
+//! it is staged beside its target, written to the disk, and takes the target's place in one step: a target is the old file or the new
+//! one, whole, after a kill, a full disk or an error at any moment.
 
 use super::Stop;
-use crate::files;
+use crate::files::{self, Links, Replacement};
 use serde::Serialize;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// The text of a file of at most so many bytes (one of the sizes in [`crate::files`]).
@@ -24,7 +24,7 @@ pub fn read_text(path: &Path, at_most: u64) -> Result<String, Stop> {
     })
 }
 
-/// A file to be written. What is no ordinary file (a pipe, /dev/stdout) is written to as it is.
+/// A file to be written. Standard output, and what the caller has passed on open (`/dev/fd/3`), is written to as it is.
 pub struct NewFile {
     path: PathBuf,
     writer: BufWriter<Place>,
@@ -61,9 +61,15 @@ fn plain(error: csv::Error) -> io::Error {
     }
 }
 
+/// A file that is written, and not in its place yet.
+pub struct Staged {
+    path: PathBuf,
+    fresh: Option<Replacement>,
+}
+
 enum Place {
-    /// Without a name, to be copied into that target.
-    Collected(File, PathBuf),
+    /// Without a name, to be staged beside its target.
+    Collected(File),
     Itself(File),
 }
 
@@ -104,16 +110,36 @@ impl NewFile {
         Ok(files)
     }
 
-    /// Copies what was written into the target.
+    /// Writes what was collected to the disk, beside the target.
     ///
     /// # Errors
     /// The disk is full or gone.
-    pub fn finish(self) -> Result<(), Stop> {
-        let finished = self.writer.into_inner().map_err(io::IntoInnerError::into_error).and_then(|place| match place {
-            Place::Collected(mut file, target) => pour(&mut file, &target),
-            Place::Itself(_) => Ok(()),
+    pub fn stage(self) -> Result<Staged, Stop> {
+        let Self { path, writer } = self;
+        let written = writer.into_inner().map_err(io::IntoInnerError::into_error).and_then(|place| match place {
+            Place::Collected(mut collected) => {
+                let mut fresh = Replacement::begin(&path, Links::Followed)?;
+                collected.rewind()?;
+                io::copy(&mut collected, fresh.file())?;
+                fresh.seal()?;
+                Ok(Some(fresh))
+            }
+            Place::Itself(_) => Ok(None),
         });
-        finished.map_err(|error| Stop::Output(io::Error::new(error.kind(), format!("{}: {error}", self.path.display()))))
+        written.map_err(|error| Stop::Output(named(&path, &error))).map(|fresh| Staged { path, fresh })
+    }
+}
+
+impl Staged {
+    /// Puts files in their places, each in one step, once all of them are staged.
+    ///
+    /// # Errors
+    /// What the system says; that file and those behind it are as they were then.
+    pub fn place_all(staged: impl IntoIterator<Item = Self>) -> Result<(), Stop> {
+        for Self { path, fresh } in staged {
+            fresh.map_or(Ok(()), Replacement::finish).map_err(|error| Stop::Output(named(&path, &error)))?;
+        }
+        Ok(())
     }
 }
 
@@ -122,33 +148,40 @@ impl Place {
         if let Some(output) = standard_output(path)? {
             return Ok(Self::Itself(output));
         }
-        let target = match fs::metadata(path) {
-            Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
-            Ok(found) if !found.is_file() => return Ok(Self::Itself(OpenOptions::new().write(true).open(path)?)),
-            Ok(found) => {
-                // The system lets its administrator write to read-only files, too.
-                if found.permissions().readonly() {
-                    return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
-                }
-                OpenOptions::new().write(true).open(path)?;
-                path.canonicalize()?
-            }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                if fs::symlink_metadata(path).is_ok() {
-                    return Err(io::Error::new(io::ErrorKind::NotFound, "a link that leads to no file"));
-                }
-                // Whether it can be made is not to be found out when the work is done.
-                drop(File::create_new(path)?);
-                fs::remove_file(path)?;
-                path.to_path_buf()
-            }
-            Err(error) => return Err(error),
-        };
+        if files::is_passed_on(path) {
+            return Ok(Self::Itself(OpenOptions::new().write(true).open(path)?));
+        }
+        let (target, found) = files::target(path, Links::Followed)?;
+        if let Some(found) = found {
+            one_name(&found)?;
+            // A file that this user may not write to is not replaced either.
+            files::open(OpenOptions::new().write(true), &target, Links::Never)?;
+        }
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        // A file may be written to in a folder that is closed to new ones.
-        let collected = tempfile::tempfile_in(folder).or_else(|_| tempfile::tempfile())?;
-        Ok(Self::Collected(collected, target))
+        let closed = |error: io::Error| {
+            let why = format!("{error}: the file is written beside its place first, and its folder takes no new file");
+            io::Error::new(error.kind(), why)
+        };
+        tempfile::tempfile_in(folder).map(Self::Collected).map_err(closed)
     }
+}
+
+/// Refuses a file with further names (hard links): they would go on leading to the old content.
+#[cfg(unix)]
+fn one_name(found: &fs::Metadata) -> io::Result<()> {
+    match std::os::unix::fs::MetadataExt::nlink(found) {
+        0 | 1 => Ok(()),
+        names => {
+            let why =
+                format!("the file has {names} names (hard links), which cannot all get the new content at once, expected one");
+            Err(io::Error::new(io::ErrorKind::InvalidInput, why))
+        }
+    }
+}
+
+#[cfg(not(unix))]
+fn one_name(_: &fs::Metadata) -> io::Result<()> {
+    Ok(())
 }
 
 /// This program's standard output, if that is the file that the path leads to: two that write to one file from its beginning would
@@ -164,26 +197,6 @@ fn standard_output(path: &Path) -> io::Result<Option<File>> {
 #[cfg(not(unix))]
 fn standard_output(_: &Path) -> io::Result<Option<File>> {
     Ok(None)
-}
-
-/// Makes `target` hold what was collected. What it has to grow by is written first: where the disk is full, that is cut off again, and
-/// the old content is as it was.
-fn pour(collected: &mut File, target: &Path) -> io::Result<()> {
-    let is_new = !target.exists();
-    let mut file = OpenOptions::new().write(true).create(true).truncate(false).open(target)?;
-    let (old, new) = (file.metadata()?.len(), collected.metadata()?.len());
-    let mut copy = |from: u64, to: u64| {
-        collected.seek(SeekFrom::Start(from))?;
-        file.seek(SeekFrom::Start(from))?;
-        io::copy(&mut Read::by_ref(collected).take(to.saturating_sub(from)), &mut file).map(drop)
-    };
-    if let Err(error) = copy(old, new) {
-        // The first error is the one to tell.
-        let _ = if is_new { fs::remove_file(target) } else { file.set_len(old) };
-        return Err(error);
-    }
-    copy(0, old.min(new))?;
-    file.set_len(new)
 }
 
 /// Which regular file a path leads to, or would lead to if it were made.
@@ -219,25 +232,30 @@ impl Identity {
 impl Write for Place {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
-            Self::Collected(file, _) | Self::Itself(file) => file.write(bytes),
+            Self::Collected(file) | Self::Itself(file) => file.write(bytes),
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
         match self {
-            Self::Collected(file, _) | Self::Itself(file) => file.flush(),
+            Self::Collected(file) | Self::Itself(file) => file.flush(),
         }
     }
 }
 
 impl Write for NewFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.writer.write(bytes)
+        self.writer.write(bytes).map_err(|error| named(&self.path, &error))
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.writer.flush()
+        self.writer.flush().map_err(|error| named(&self.path, &error))
     }
+}
+
+/// An error with the file that it is about.
+fn named(path: &Path, error: &io::Error) -> io::Error {
+    io::Error::new(error.kind(), format!("{}: {error}", path.display()))
 }
 
 fn refused(path: &Path, error: &io::Error) -> Stop {
@@ -251,7 +269,7 @@ mod tests {
     fn write(path: &Path, text: &str) {
         let mut file = NewFile::create(path).unwrap();
         file.write_all(text.as_bytes()).unwrap();
-        file.finish().unwrap();
+        Staged::place_all([file.stage().unwrap()]).unwrap();
     }
 
     fn names(folder: &Path) -> usize {
@@ -284,21 +302,35 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn modes_and_links_are_kept() {
+    fn modes_and_links_are_kept_and_a_file_with_two_names_is_refused() {
         use std::os::unix::fs::{PermissionsExt, symlink};
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
         fs::write(path("out.csv"), "old").unwrap();
-        fs::set_permissions(path("out.csv"), fs::Permissions::from_mode(0o600)).unwrap();
-        fs::hard_link(path("out.csv"), path("hard")).unwrap();
+        fs::set_permissions(path("out.csv"), fs::Permissions::from_mode(0o640)).unwrap();
         symlink("out.csv", path("soft")).unwrap();
         write(&path("soft"), "new");
-        for name in ["out.csv", "hard", "soft"] {
-            assert_eq!(fs::read_to_string(path(name)).unwrap(), "new", "{name}");
-        }
+        assert_eq!(fs::read_to_string(path("out.csv")).unwrap(), "new");
         assert!(fs::symlink_metadata(path("soft")).unwrap().is_symlink());
-        assert_eq!(fs::metadata(path("out.csv")).unwrap().permissions().mode() & 0o777, 0o600);
-        assert_eq!(names(folder.path()), 3);
+        assert_eq!(fs::metadata(path("out.csv")).unwrap().permissions().mode() & 0o777, 0o640);
+        assert_eq!(names(folder.path()), 2);
+        fs::hard_link(path("out.csv"), path("hard")).unwrap();
+        for name in ["out.csv", "hard", "soft"] {
+            let Err(Stop::Refused(problem)) = NewFile::create(&path(name)) else { panic!("begun") };
+            assert!(problem.contains("the file has 2 names (hard links)"), "{problem}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn no_pipe_and_no_device_is_opened() {
+        let folder = tempfile::tempdir().unwrap();
+        let pipe = folder.path().join("pipe");
+        assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        for path in [pipe.as_path(), Path::new("/dev/null"), Path::new("/dev/full")] {
+            let Err(Stop::Refused(problem)) = NewFile::create(path) else { panic!("begun") };
+            assert!(problem.ends_with("found a pipe or a device, expected a regular file"), "{problem}");
+        }
     }
 
     #[test]
@@ -325,21 +357,6 @@ mod tests {
         std::os::unix::fs::symlink("nowhere", &link).unwrap();
         let Err(Stop::Refused(problem)) = NewFile::create(&link) else { panic!("begun") };
         assert!(problem.contains("a link that leads to no file"), "{problem}");
-    }
-
-    /// `/dev/full` behaves like a disk without space, but has no length: this is what [`pour`] does when its first part fails.
-    #[test]
-    fn what_cannot_be_copied_leaves_the_old_content() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("out.csv");
-        fs::write(&path, "old").unwrap();
-        // Reading from a file that was opened for writing only fails.
-        let mut unreadable = OpenOptions::new().write(true).create(true).truncate(true).open(folder.path().join("other")).unwrap();
-        unreadable.write_all(b"longer than old").unwrap();
-        assert!(pour(&mut unreadable, &path).is_err());
-        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
-        assert!(pour(&mut unreadable, &folder.path().join("new")).is_err());
-        assert!(!folder.path().join("new").exists());
     }
 
     #[test]

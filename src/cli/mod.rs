@@ -28,7 +28,7 @@ use crate::level::{self, Level};
 use clap::Parser;
 use std::fmt::Display;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -36,7 +36,7 @@ use std::sync::Arc;
 #[derive(Parser, Debug)]
 #[command(version, about, after_help = "Without a command the game opens.")]
 #[command(after_long_help = "Without a command the game opens.\n\nExit status: 0 done; 1 a check or verification found something \
-    wrong; 2 the input was refused and nothing was run.")]
+    wrong; 2 the input was refused, or its results could not be written: no file has changed.")]
 struct Cli {
     /// The folder that holds assets/, levels/ and scores/
     #[arg(long, global = true, value_name = "DIR")]
@@ -81,7 +81,7 @@ pub enum Status {
     Done = 0,
     /// A check or verification found something wrong, also when nobody reads what.
     Wrong = 1,
-    /// The input was refused: nothing was run, nothing written.
+    /// The input was refused, or the results could not be written: no file has changed.
     Refused = 2,
 }
 
@@ -90,7 +90,7 @@ pub enum Status {
 pub enum Stop {
     /// The input was refused, for this reason; ends with [`Status::Refused`]. Of several problems each has its line.
     Refused(String),
-    /// Results could not be written.
+    /// Results could not be written; ends with [`Status::Refused`], too.
     Output(io::Error),
 }
 
@@ -158,7 +158,7 @@ pub fn main() -> ExitCode {
         Err(Stop::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Status::Done,
         Err(Stop::Output(error)) => {
             let _ = writeln!(io::stderr(), "cannot write the results: {error}");
-            Status::Wrong
+            Status::Refused
         }
     };
     ExitCode::from(status as u8)
@@ -187,7 +187,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
 ///
 /// # Errors
 /// There is no such level, or it is refused, with every problem.
-fn load_level(project: &Project, name: &str) -> Result<Arc<Level>, Stop> {
+fn load_level(project: &Project, name: impl AsRef<Path>) -> Result<Arc<Level>, Stop> {
     let loaded = level::load(&project.level_folder(name)?, project.root()).map_err(|problems| {
         let lines: Vec<String> = problems.iter().map(ToString::to_string).collect();
         Stop::Refused(lines.join("\n"))

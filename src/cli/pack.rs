@@ -3,6 +3,7 @@
 use super::{Project, Status, Stop, shown};
 use crate::files;
 use crate::pack::{self, Installed, Package};
+use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -10,7 +11,7 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args, Debug)]
 pub struct PackArgs {
     /// A name under levels/, or a level's folder
-    level: String,
+    level: OsString,
     /// The file to make [default: LEVEL.zip in the working directory]
     #[arg(long, value_name = "FILE.zip")]
     out: Option<PathBuf>,
@@ -39,7 +40,7 @@ pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<S
     // What is handed on can be taken.
     pack::read(&bytes, &package.name)
         .map_err(|problem| Stop::Refused(format!("{}: cannot be packed: {problem}", shown(folder.display()))))?;
-    write_new(&path, &bytes).map_err(|error| {
+    files::create(&path, &bytes).map_err(|error| {
         let why = match error.kind() {
             io::ErrorKind::AlreadyExists => "there is a file of that name already".to_owned(),
             _ => error.to_string(),
@@ -94,20 +95,4 @@ fn counts(package: &Package) -> (usize, usize) {
 fn refused(problems: Vec<String>) -> Stop {
     let lines: Vec<String> = problems.iter().map(shown).collect();
     Stop::Refused(lines.join("\n"))
-}
-
-/// A file that was not there before, whole or not at all.
-fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.prefix(".packing-").tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist_noclobber(path).map_err(|error| error.error)?;
-    Ok(())
 }

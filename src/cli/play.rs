@@ -9,16 +9,17 @@ use crate::{
     level,
     screens::{Attempt, Places, Start, open},
 };
+use std::ffi::OsString;
 use std::io::Write;
 use std::path::PathBuf;
 #[cfg(feature = "window")]
-use std::{path::Path, sync::Arc};
+use std::{ffi::OsStr, path::Path, sync::Arc};
 
 /// What to open.
 #[derive(clap::Args, Debug, Default)]
 pub struct Args {
     /// A name under levels/, or a level's folder; without it the game opens with its menu
-    pub level: Option<String>,
+    pub level: Option<OsString>,
     /// Play these recorded inputs instead of the keys, from the first tick on
     #[arg(long, value_name = "FILE", requires = "level")]
     pub inputs: Option<PathBuf>,
@@ -31,7 +32,7 @@ pub struct Args {
 #[cfg(feature = "window")]
 pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
     show(project, || {
-        let attempt = |level: &str| -> Result<Start, Stop> {
+        let attempt = |level: &OsStr| -> Result<Start, Stop> {
             Ok(Start::Play(project.level_folder(level)?, attempt(level, args.inputs.as_deref(), project)?))
         };
         args.level.as_deref().map(attempt).transpose()
@@ -60,9 +61,10 @@ pub fn show(project: &Project, start: impl FnOnce() -> Result<Option<Start>, Sto
 
 /// Reads what is to be flown before a window opens.
 #[cfg(feature = "window")]
-fn attempt(level: &str, inputs: Option<&Path>, project: &Project) -> Result<Attempt, Stop> {
-    let loaded = level::load(&project.level_folder(level)?, project.root())
-        .map_err(|problems| Stop::Refused(problems.iter().map(|problem| format!("{}/{problem}\n", shown(level))).collect()))?;
+fn attempt(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Attempt, Stop> {
+    let loaded = level::load(&project.level_folder(level)?, project.root()).map_err(|problems| {
+        Stop::Refused(problems.iter().map(|problem| format!("{}/{problem}\n", shown(level.display()))).collect())
+    })?;
     let inputs = inputs.map(|file| Inputs::parse(&file.display().to_string(), &read_text(file, INPUTS)?).map_err(Stop::refused));
     Ok(Attempt { level: Arc::new(loaded.level), inputs: inputs.transpose()?.map(Arc::new), rivals: Vec::new() })
 }

@@ -57,14 +57,14 @@ impl Project {
     ///
     /// # Errors
     /// There is neither.
-    pub fn level_folder(&self, level: &str) -> Result<PathBuf, Stop> {
+    pub fn level_folder(&self, level: impl AsRef<Path>) -> Result<PathBuf, Stop> {
+        let level = level.as_ref();
         let listed = self.levels().join(level);
-        if !level.is_empty() && listed.is_dir() {
+        if !level.as_os_str().is_empty() && listed.is_dir() {
             return Ok(listed);
         }
-        let folder = PathBuf::from(level);
-        if folder.is_dir() {
-            return Ok(folder);
+        if level.is_dir() {
+            return Ok(level.to_path_buf());
         }
         Err(Stop::Refused(format!("no level {level:?}: neither {} nor {level:?} is a folder", shown(listed.display()))))
     }
@@ -97,6 +97,13 @@ mod tests {
         assert_eq!(project.level_folder(own.path().to_str().unwrap()).unwrap(), own.path());
         for none in ["", "8"] {
             assert!(project.level_folder(none).is_err(), "{none:?}");
+        }
+        #[cfg(target_os = "linux")]
+        {
+            use std::os::unix::ffi::OsStrExt;
+            let bytes = std::ffi::OsStr::from_bytes(b"h\xf6hle");
+            std::fs::create_dir(own.path().join(bytes)).unwrap();
+            assert_eq!(project.level_folder(own.path().join(bytes)).unwrap(), own.path().join(bytes));
         }
     }
 }

@@ -1,15 +1,16 @@
 //! `resultant run`: plays a level without a window.
 
-use super::files::{NewFile, read_text};
+use super::files::{NewFile, Staged, read_text};
 use super::forces::Forces;
 use super::telemetry::Telemetry;
 use super::{Project, Status, Stop, load_level};
 use crate::files::INPUTS;
 use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE, TICK_RATES};
-use crate::level::{Level, Look};
+use crate::level::{FILES, Level, Look};
 use crate::number::Shortest;
+use std::ffi::OsString;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// How long a run without inputs takes, s.
 const DEFAULT_SECONDS: f64 = 10.0;
@@ -33,7 +34,7 @@ const WHOLE_TICK: f64 = 1e-6;
 )]
 pub struct Args {
     /// A name under levels/, or a level's folder
-    level: String,
+    level: OsString,
     /// What is pressed when
     #[arg(long, value_name = "FILE")]
     inputs: Option<PathBuf>,
@@ -79,7 +80,7 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
         None => None,
     };
     let last = last_tick(args, inputs.as_ref())?;
-    let mut read = level_files(project, &args.level, &level)?;
+    let mut read = level_files(&project.level_folder(&args.level)?, &level);
     read.extend(args.inputs.clone());
     let mut game = Game::with_tick_rate(level, args.tick).map_err(Stop::refused)?;
     let outputs =
@@ -89,10 +90,10 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
         Written { telemetry: telemetry.map(Telemetry::new).transpose()?, forces: forces.map(Forces::new).transpose()? };
 
     let flown = fly(&mut game, inputs.unwrap_or_default(), last, &mut written)?;
-    written.finish()?;
+    let mut staged = written.stage()?;
     if let Some(mut file) = record {
         write!(file, "{}", flown.finish(&game))?;
-        file.finish()?;
+        staged.push(file.stage()?);
     }
     print(&game, out)?;
     if args.diagnostics {
@@ -100,17 +101,20 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
             writeln!(out, "guard_{name}={count}")?;
         }
     }
+    // Where the results cannot be printed, no file changes either.
+    out.flush()?;
+    Staged::place_all(staged)?;
     Ok(Status::Done)
 }
 
-/// What the level is made of: all that lies in its folder, and the pictures of its objects.
-fn level_files(project: &Project, name: &str, level: &Level) -> Result<Vec<PathBuf>, Stop> {
-    let folder = std::fs::read_dir(project.level_folder(name)?).into_iter().flatten().flatten().map(|entry| entry.path());
+/// What the level is made of: its tables and its background, also where there is none yet, and its pictures.
+fn level_files(folder: &Path, level: &Level) -> Vec<PathBuf> {
     let pictures = level.objects.iter().filter_map(|object| match &object.look {
         Look::Image(path) => Some(path.clone()),
         Look::Box | Look::Ball => None,
     });
-    Ok(folder.chain(pictures).collect())
+    let decoration = level.decoration.iter().map(|picture| picture.image.clone());
+    FILES.iter().map(|file| folder.join(file)).chain(pictures).chain(decoration).collect()
 }
 
 /// The tick after which the time is up.
@@ -145,14 +149,10 @@ impl Written {
         Ok(())
     }
 
-    fn finish(self) -> Result<(), Stop> {
-        if let Some(file) = self.telemetry {
-            file.into_inner()?.finish()?;
-        }
-        if let Some(file) = self.forces {
-            file.into_inner()?.finish()?;
-        }
-        Ok(())
+    fn stage(self) -> Result<Vec<Staged>, Stop> {
+        let telemetry = self.telemetry.map(Telemetry::into_inner).transpose()?;
+        let forces = self.forces.map(Forces::into_inner).transpose()?;
+        telemetry.into_iter().chain(forces).map(NewFile::stage).collect()
     }
 }
 

@@ -4,12 +4,10 @@
 use super::document::{Document, Table};
 use super::name::judge_name;
 use super::problem::quoted;
+use crate::files::{self, create_folder, put};
 use std::fs;
 use std::io;
 use std::path::Path;
-
-/// What the name of a level's folder begins with until it is whole.
-const HIDDEN: &str = ".new-";
 
 /// How many names of one stem are tried.
 const MOST_NAMES: usize = 1000;
@@ -93,8 +91,8 @@ pub const BARE: [(&str, &str); 2] = [
 /// # Errors
 /// There is one already, or the disk refuses; nothing is left behind.
 pub fn make(levels: &Path, name: &str, files: &[(&str, &str)]) -> io::Result<()> {
-    build(levels, name, |folder| {
-        files.iter().try_for_each(|(file, text)| fs::write(folder.join(file), text.replace("{name}", name)))
+    create_folder(&levels.join(name), |folder| {
+        files.iter().try_for_each(|(file, text)| put(&folder.join(file), text.replace("{name}", name).as_bytes()))
     })
 }
 
@@ -103,7 +101,7 @@ pub fn make(levels: &Path, name: &str, files: &[(&str, &str)]) -> io::Result<()>
 /// # Errors
 /// As [`make`].
 pub fn copy(from: &Path, levels: &Path, name: &str) -> io::Result<()> {
-    build(levels, name, |folder| copy_files(from, folder, |_| true))
+    create_folder(&levels.join(name), |folder| copy_files(from, folder, |_| true))
 }
 
 /// Copies what is wanted of a folder's files, none that is hidden.
@@ -113,7 +111,7 @@ fn copy_files(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> io::Resu
         let (file, path) = (entry.file_name(), entry.path());
         let name = file.to_string_lossy();
         if !name.starts_with('.') && wanted(&name) && fs::metadata(&path)?.is_file() {
-            fs::copy(path, to.join(&file))?;
+            files::copy(&path, &to.join(&file))?;
         }
     }
     Ok(())
@@ -124,10 +122,10 @@ fn copy_files(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> io::Resu
 /// # Errors
 /// As [`make`].
 pub fn copy_edited(from: &Path, levels: &Path, name: &str, document: &Document) -> io::Result<()> {
-    build(levels, name, |folder| {
+    create_folder(&levels.join(name), |folder| {
         copy_files(from, folder, |file| Table::of_file(file).is_none())?;
         let tables = Table::ALL.iter().filter_map(|table| Some((table.file(), document.bytes(*table)?)));
-        tables.into_iter().try_for_each(|(file, bytes)| fs::write(folder.join(file), bytes))
+        tables.into_iter().try_for_each(|(file, bytes)| put(&folder.join(file), bytes))
     })
 }
 
@@ -160,27 +158,5 @@ pub fn judge(levels: &Path, name: &str) -> Result<(), String> {
     if fs::symlink_metadata(levels.join(name)).is_ok() {
         return Err(format!("{}: there is one of that name already", quoted(name)));
     }
-    Ok(())
-}
-
-fn build(levels: &Path, name: &str, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
-    let folder = levels.join(name);
-    fs::create_dir_all(levels)?;
-    // Nobody's level is ever touched. A rename would fail, too, but not where there is an empty folder.
-    if fs::symlink_metadata(&folder).is_ok() {
-        return Err(io::ErrorKind::AlreadyExists.into());
-    }
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // As for any new folder; tempfile's own would be for the user's eyes only.
-        builder.permissions(fs::Permissions::from_mode(0o777));
-    }
-    let begun = builder.prefix(HIDDEN).tempdir_in(levels)?;
-    fill(begun.path())?;
-    fs::rename(begun.path(), folder)?;
-    // There is nothing left to remove.
-    drop(begun.keep());
     Ok(())
 }

@@ -6,8 +6,6 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// How the folder begins in which a level is put together: a list of levels does not show it.
-const HIDDEN: &str = ".new-";
 /// How many names are tried for a level whose own is taken.
 const MOST_NAMES: u32 = 1000;
 
@@ -38,47 +36,31 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
     path::judge_folder(&package.name).map_err(|problem| vec![problem])?;
     check(package, project)?;
     let refused = |error: &io::Error| vec![format!("{}: cannot install {:?}: {error}", levels.display(), package.name)];
-    fs::create_dir_all(levels).map_err(|error| refused(&error))?;
-    let whole = put_together(package, levels).map_err(|error| refused(&error))?;
     for number in 1..=MOST_NAMES {
         let name = if number > 1 { format!("{}-{number}", package.name) } else { package.name.clone() };
         let folder = levels.join(&name);
-        // A rename would take the place of an empty folder.
-        if fs::symlink_metadata(&folder).is_err() {
-            fs::rename(whole.path(), &folder).map_err(|error| refused(&error))?;
-            // There is nothing left to remove.
-            drop(whole.keep());
-            return Ok(Installed::New(folder));
-        }
-        if is_same(package, &folder) {
-            return Ok(Installed::Already(folder));
-        }
-        if !free_name {
-            let found = format!("{}: there is another level of that name", folder.display());
-            return Err(vec![format!("{found}; nothing was written, --as NAME gives this one another name")]);
+        match files::create_folder(&folder, |begun| fill(package, begun)) {
+            Ok(()) => return Ok(Installed::New(folder)),
+            Err(error) if error.kind() != io::ErrorKind::AlreadyExists => return Err(refused(&error)),
+            Err(_) if is_same(package, &folder) => return Ok(Installed::Already(folder)),
+            Err(_) if free_name => {}
+            Err(_) => {
+                let found = format!("{}: there is another level of that name", folder.display());
+                return Err(vec![format!("{found}; nothing was written, --as NAME gives this one another name")]);
+            }
         }
     }
     Err(vec![format!("{}: there are too many levels named {:?}", levels.display(), package.name)])
 }
 
-/// All files in a folder under a hidden name, which goes again unless it becomes the level's.
-fn put_together(package: &Package, levels: &Path) -> io::Result<tempfile::TempDir> {
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // As for any new folder; tempfile's own would be for the user's eyes only.
-        builder.permissions(fs::Permissions::from_mode(0o777));
-    }
-    let begun = builder.prefix(HIDDEN).tempdir_in(levels)?;
+/// All files of a package.
+fn fill(package: &Package, folder: &Path) -> io::Result<()> {
     for (path, bytes) in &package.files {
-        let to = begun.path().join(path);
-        fs::create_dir_all(to.parent().unwrap_or(begun.path()))?;
-        let mut file = fs::File::create_new(&to)?;
-        io::Write::write_all(&mut file, bytes)?;
-        file.sync_all()?;
+        let to = folder.join(path);
+        fs::create_dir_all(to.parent().unwrap_or(folder))?;
+        files::put(&to, bytes)?;
     }
-    Ok(begun)
+    Ok(())
 }
 
 /// Whether a folder holds each of these files, with these bytes.

@@ -8,11 +8,8 @@ use super::attempts::{self, AttemptRow};
 use super::disk::{self, Change, Rescue};
 use super::players::{self, Deed, Players};
 use super::{Board, Damage, Name, Origin, Placement, ScoresError, table};
-use crate::files;
+use crate::files::{self, PATIENCE};
 use crate::game::Replay;
-
-/// How long a save waits for another process that saves there. A save takes milliseconds; whoever holds a lock for longer hangs.
-pub const PATIENCE: Duration = Duration::from_secs(2);
 
 /// The file of what the players have done.
 const PLAYERS: &str = "players.csv";
@@ -130,7 +127,7 @@ impl Scores {
                 board.set_origin(name, &origin);
             }
             let bytes = table::write(&board).map_err(ScoresError::file("write the new scores", path))?;
-            Ok(Change { bytes, damage, outcome: (board, placement) })
+            Ok(Change { bytes, damage, taken_up: Vec::new(), outcome: (board, placement) })
         })?;
         Ok(Saved { board, placement, rescue })
     }
@@ -187,7 +184,7 @@ impl Scores {
                 let (mut aside, damage) = table::read(path, old);
                 rows.iter().for_each(|(_, row)| aside.merge(row));
                 let bytes = table::write(&aside).map_err(ScoresError::file("write the scores kept aside", path))?;
-                Ok(Change { bytes, damage, outcome: () })
+                Ok(Change { bytes, damage, taken_up: Vec::new(), outcome: () })
             })?;
         }
         Ok(())
@@ -219,9 +216,18 @@ impl Scores {
     pub fn record_within(&self, patience: Duration, deeds: &[Deed]) -> Result<(Players, Option<Rescue>), ScoresError> {
         disk::update(&self.folder, self.folder.join(PLAYERS), patience, |path, old| {
             let (mut players, damage) = players::read(path, old);
+            let mut taken_up = Vec::new();
+            for (path, bytes) in disk::waiting(path) {
+                let (waiting, damage) = players::read(&path, &bytes);
+                players.merge(waiting);
+                // A file that was damaged meanwhile stays for people to look at.
+                if damage.is_empty() {
+                    taken_up.push(path);
+                }
+            }
             deeds.iter().for_each(|deed| players.apply(deed));
             let bytes = players::write(&players).map_err(ScoresError::file("write the new scores", path))?;
-            Ok(Change { bytes, damage, outcome: players })
+            Ok(Change { bytes, damage, taken_up, outcome: players })
         })
     }
 
@@ -233,6 +239,43 @@ impl Scores {
         let path = self.folder.join(ATTEMPTS);
         let row = attempts::line(attempt).map_err(ScoresError::file("write the attempt", &path))?;
         disk::append(&self.folder, path, patience, (attempts::HEADER.as_bytes(), &row))
+    }
+
+    /// Puts by what could not be written down because another program holds the locks: the next sitting takes it up.
+    ///
+    /// # Errors
+    /// Whatever the system refuses.
+    pub fn put_by(&self, deeds: &[Deed], attempts: impl IntoIterator<Item = AttemptRow>) -> Result<(), ScoresError> {
+        let mut players = Players::default();
+        deeds.iter().for_each(|deed| players.apply(deed));
+        if !players.all().is_empty() {
+            let path = self.folder.join(PLAYERS);
+            let bytes = players::write(&players).map_err(ScoresError::file("write the new scores", &path))?;
+            disk::put_by(&self.folder, path, &bytes)?;
+        }
+        let (path, mut bytes) = (self.folder.join(ATTEMPTS), Vec::new());
+        for attempt in attempts {
+            bytes.extend(attempts::line(&attempt).map_err(ScoresError::file("write the attempt", &path))?);
+        }
+        if bytes.is_empty() {
+            return Ok(());
+        }
+        disk::put_by(&self.folder, path, &[attempts::HEADER.as_bytes(), &bytes].concat())
+    }
+
+    /// Takes up what earlier sittings have put by.
+    ///
+    /// # Errors
+    /// As [`Scores::save`]; what was put by stays then.
+    pub fn take_up(&self, patience: Duration) -> Result<(), ScoresError> {
+        let (players, attempts) = (self.folder.join(PLAYERS), self.folder.join(ATTEMPTS));
+        if !disk::waiting(&players).is_empty() {
+            self.record_within(patience, &[])?;
+        }
+        if !disk::waiting(&attempts).is_empty() {
+            disk::append(&self.folder, attempts, patience, (attempts::HEADER.as_bytes(), b""))?;
+        }
+        Ok(())
     }
 
     /// The file of a level, whose name must be one that stays in the folder on every system and is no other file's.

@@ -16,12 +16,13 @@ mod players;
 mod records;
 pub mod table;
 
+pub use crate::files::PATIENCE;
 pub use attempts::AttemptRow;
 pub use board::{Board, Placement, Row};
-pub use disk::{Rescue, pauses};
+pub use disk::Rescue;
 pub use earned::{Claim, Doubt, Standing};
 pub use error::{Damage, ScoresError};
-pub use folder::{Loaded, PATIENCE, Saved, Score, Scores};
+pub use folder::{Loaded, Saved, Score, Scores};
 pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};
 pub use origin::Origin;
 pub use players::{Deed, Player, Players};

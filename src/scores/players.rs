@@ -133,6 +133,14 @@ impl Players {
         }
     }
 
+    /// Adds what others have done; who plays on is as it was.
+    pub(super) fn merge(&mut self, others: Self) {
+        for Player { name, done } in others.players {
+            let player = self.player(&name);
+            done.into_iter().for_each(|(level, done)| player.complete(&level, done));
+        }
+    }
+
     fn player(&mut self, name: &Name) -> &mut Player {
         let index = self.index(name);
         &mut self.players[index]

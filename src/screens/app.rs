@@ -17,6 +17,7 @@ use crate::pack::Installed;
 use crate::scores::{Board, Loaded, Name, PATIENCE, Placement, Saved, Score, Scores, ScoresError};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -80,6 +81,13 @@ struct Waiting {
     since: f64,
 }
 
+/// The window may be closed without a word to the game.
+impl Drop for App {
+    fn drop(&mut self) {
+        self.close();
+    }
+}
+
 impl App {
     /// A sitting that begins with the menu, of whoever played here last.
     pub fn new(places: Places) -> Self {
@@ -115,12 +123,13 @@ impl App {
         self.refresh_view(input.frame_time);
         self.shown_for += input.frame_time;
         self.journal.update(input.frame_time);
+        self.save_settings(input.frame_time);
         let asked = self.update_screen(input, spectator);
         self.note_end();
         let asked = asked.or_else(|| input.dropped.first().filter(|path| self.takes(path)).cloned().map(Request::Open));
         match asked {
             Some(Request::Quit) => {
-                self.journal.close();
+                self.close();
                 return false;
             }
             Some(request) => self.grant(request, spectator),
@@ -291,11 +300,21 @@ impl App {
     /// Takes new settings over, keeps them, and says where that failed.
     fn set(&mut self, settings: Settings) {
         self.settings = settings;
-        let player = whose(self.journal.current());
-        self.settings_problems = match self.settings_file.save(player, &settings) {
-            Ok(()) => self.settings_file.load(player).1,
-            Err(problem) => vec![problem],
-        };
+        self.settings_file.set(whose(self.journal.current()), &settings);
+        self.save_settings(0.0);
+        self.tell_of_settings();
+    }
+
+    /// Tries to write down what was set, and says what is wrong with its file once that is known.
+    fn save_settings(&mut self, frame_time: f64) {
+        if let Some(problems) = self.settings_file.update(frame_time) {
+            self.settings_problems = problems;
+            self.tell_of_settings();
+        }
+    }
+
+    fn tell_of_settings(&mut self) {
+        let settings = self.settings;
         match &mut self.screen {
             Screen::Settings(screen) => screen.tell(settings, self.settings_problems.clone()),
             Screen::Flight(screen) => screen.tell_of_settings(settings, &self.settings_problems),
@@ -315,8 +334,20 @@ impl App {
 
     /// Somebody plays from now on, with the settings of theirs.
     fn choose(&mut self, name: Name, named: bool) {
+        let closed = self.settings_file.close(PATIENCE);
         self.journal.choose(name, named);
         (self.settings, self.settings_problems) = self.settings_file.load(whose(self.journal.current()));
+        self.settings_problems.extend(closed.err().map(|error| error.to_string()));
+    }
+
+    /// Writes down what waits, at the end of the sitting.
+    fn close(&mut self) {
+        let (journal, settings) = (self.journal.close(PATIENCE), self.settings_file.close(PATIENCE));
+        let problems = [journal.err().map(|error| error.to_string()), settings.err().map(|error| error.to_string())];
+        for problem in problems.into_iter().flatten() {
+            // The window is gone, and nothing can be done about a standard error that is closed.
+            let _ = writeln!(io::stderr(), "{problem}");
+        }
     }
 
     fn players(&mut self) -> Screen {

@@ -6,13 +6,18 @@ use crate::view::layout::{Area, DETAILS, Frame, GAP, LINE, MONO_ADVANCE, PADDING
 
 /// The game's own licence, word for word.
 const LICENCE: &str = include_str!("../../LICENSE");
-/// What was used besides: what it is, and under which licence it comes.
-const PARTS: [(&str, &str); 14] = [
+/// Typefaces, and their licences.
+const FONTS: [(&str, &str); 2] = [
     ("Ubuntu Light, a typeface: Dalton Maag, Canonical", "Ubuntu Font Licence 1.0"),
     ("Hack, a typeface: C. Simpkins, DejaVu, Bitstream", "MIT; Bitstream Vera"),
-    ("epaint_default_fonts, which brings both", "MIT or Apache 2.0"),
+];
+/// Crates, by their names before the colon, and their licences.
+const CRATES: [(&str, &str); 17] = [
+    ("epaint_default_fonts: both typefaces", "MIT or Apache 2.0"),
     ("macroquad and miniquad: window, keys, drawing", "MIT or Apache 2.0"),
-    ("quad-snd: sound", "MIT or Apache 2.0"),
+    ("gilrs: gamepads", "MIT or Apache 2.0"),
+    ("libloading: finds the sound system of Linux", "ISC"),
+    ("cpal: sound on Windows and macOS", "Apache 2.0"),
     ("glam: vectors", "MIT or Apache 2.0"),
     ("serde: rows of files as structs", "MIT or Apache 2.0"),
     ("csv: the cells of files", "Unlicense or MIT"),
@@ -20,8 +25,11 @@ const PARTS: [(&str, &str); 14] = [
     ("libm: sines and logarithms, the same everywhere", "MIT"),
     ("clap: the command line", "MIT or Apache 2.0"),
     ("png: pictures", "MIT or Apache 2.0"),
-    ("plotters: charts; zip: levels as one file", "MIT"),
-    ("tempfile and cpu-time: files, clocks", "MIT or Apache 2.0"),
+    ("plotters: charts", "MIT"),
+    ("zip: levels as one file", "MIT"),
+    ("tempfile: files that are written whole", "MIT or Apache 2.0"),
+    ("libc: how each system opens a file", "MIT or Apache 2.0"),
+    ("cpu-time: a clock", "MIT or Apache 2.0"),
 ];
 /// The longest line of the licence, characters.
 const MOST_COLUMNS: usize = 78;
@@ -110,7 +118,7 @@ impl Credits {
 fn lines(columns: usize) -> Vec<Line> {
     let heading = [Line::Heading("Resultant"), Line::Words("Levels, art, sounds, text and code were made for this game.")];
     let between = [Line::Words(""), Line::Heading("Built with")];
-    let parts = PARTS.into_iter().map(|(part, licence)| Line::Part(part, licence));
+    let parts = FONTS.into_iter().chain(CRATES).map(|(part, licence)| Line::Part(part, licence));
     let own = [Line::Words(""), Line::Heading("The game's licence")];
     let licence = LICENCE.split("\n\n").flat_map(|paragraph| filled(paragraph, columns)).map(Line::Licence);
     heading.into_iter().chain(between).chain(parts).chain(own).chain(licence).collect()
@@ -176,5 +184,30 @@ mod drawing {
                 widgets::button(canvas, *area, "Back", self.back.hover().is_some(), true);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    /// The crates that the game asks for itself, and miniquad, which is half of macroquad.
+    #[test]
+    fn the_credits_name_the_crates_that_are_built_in_and_no_other() {
+        let mut asked = BTreeSet::from(["miniquad"]);
+        let mut wanted = false;
+        for line in include_str!("../../Cargo.toml").lines() {
+            if line.starts_with('[') {
+                wanted = line == "[dependencies]" || line.starts_with("[target.") && line.ends_with(".dependencies]");
+            } else if let Some((name, _)) = line.split_once(" = ").filter(|_| wanted && !line.starts_with('#')) {
+                asked.insert(name.trim());
+            }
+        }
+        let names = CRATES.iter().flat_map(|(part, _)| part.split_once(": ").unwrap().0.split(" and "));
+        assert_eq!(names.collect::<BTreeSet<_>>(), asked);
+        let lock = include_str!("../../Cargo.lock").replace("\r\n", "\n");
+        let macroquad = lock.split("\n\n").find(|entry| entry.contains("name = \"macroquad\"")).unwrap();
+        assert!(macroquad.contains("\"miniquad\""), "{macroquad}");
     }
 }

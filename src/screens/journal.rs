@@ -44,6 +44,8 @@ impl Journal {
             pause: 0.0,
             trouble: None,
         };
+        // What cannot be taken up now is taken up with the next write.
+        let _ = journal.scores.take_up(Duration::ZERO);
         journal.read();
         if let Some(player) = journal.players.all().first() {
             journal.current = player.name().clone();
@@ -163,12 +165,17 @@ impl Journal {
         }
     }
 
-    /// Writes down what still waits, at the end of a sitting.
-    pub fn close(&mut self) {
-        if !self.is_written()
-            && let Err(error) = self.write(PATIENCE)
-        {
-            self.trouble = Some(error.to_string());
+    /// Writes down what still waits, at the end of a sitting; or puts it by for the next one, where another program is still writing.
+    ///
+    /// # Errors
+    /// Why neither can be done.
+    pub fn close(&mut self, patience: Duration) -> Result<(), ScoresError> {
+        if self.is_written() {
+            return Ok(());
+        }
+        match self.write(patience) {
+            Err(ScoresError::Busy(_)) => self.scores.put_by(&std::mem::take(&mut self.deeds), std::mem::take(&mut self.attempts)),
+            written => written,
         }
     }
 

@@ -1,7 +1,7 @@
 //! A new file in a folder, whole or not at all, that never takes the place of another one.
 
-use crate::files::read_text;
-use std::io::{self, Write};
+use crate::files::{self, read_text};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// The most files of one name.
@@ -30,25 +30,16 @@ impl NewFile {
     pub fn write(&self, folder: &Path) -> Result<PathBuf, String> {
         let refused = |path: &Path, error: &io::Error| format!("{}: cannot keep {}: {error}", path.display(), self.what);
         std::fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
-        let mut builder = tempfile::Builder::new();
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::PermissionsExt;
-            // As for any new file; tempfile's own would be for the user's eyes only.
-            builder.permissions(std::fs::Permissions::from_mode(0o666));
-        }
-        let mut file = builder.prefix(".keeping-").tempfile_in(folder).map_err(|error| refused(folder, &error))?;
-        file.write_all(self.text.as_bytes()).and_then(|()| file.as_file().sync_all()).map_err(|error| refused(folder, &error))?;
         for number in 1..=MOST_OF_A_NAME {
             let count = if number > 1 { format!("-{number}") } else { String::new() };
             let path = folder.join(format!("{}{count}{}", self.stem, self.ending));
             if read_text(&path, self.same_up_to).is_ok_and(|kept| kept == self.text) {
                 return Ok(path);
             }
-            match file.persist_noclobber(&path) {
-                Ok(_) => return Ok(path),
-                Err(taken) if taken.error.kind() == io::ErrorKind::AlreadyExists => file = taken.file,
-                Err(failed) => return Err(refused(&path, &failed.error)),
+            match files::create(&path, self.text.as_bytes()) {
+                Ok(()) => return Ok(path),
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(refused(&path, &error)),
             }
         }
         Err(format!("{}: there are too many files of that name", folder.display()))

@@ -4,11 +4,12 @@
 //! line as it is: comments, rows of other players, and what it did not understand.
 
 use super::{Action, Item, Key, Settings};
-use crate::files::{self, SETTINGS};
+use crate::files::{self, Links, Lock, PATIENCE, SETTINGS};
 use serde::{Deserialize, Serialize};
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// A row of the file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -176,16 +177,31 @@ fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
     Ok(out + &String::from_utf8_lossy(&fresh))
 }
 
-/// The file.
-#[derive(Clone, Debug)]
+/// From a write that failed to the next try, s.
+const RETRY: f64 = 2.0;
+
+/// The file, and what waits to be written into it.
+#[derive(Debug)]
 pub struct SettingsFile {
     path: PathBuf,
+    unsaved: Option<Unsaved>,
+}
+
+/// Settings of a player that are not on disk yet.
+#[derive(Debug)]
+struct Unsaved {
+    player: String,
+    settings: Settings,
+    /// How long another program has kept them from being written, s.
+    waited: f64,
+    /// Until the next try, s.
+    pause: f64,
 }
 
 impl SettingsFile {
     /// The file at that path, which need not exist yet.
     pub fn new(path: impl Into<PathBuf>) -> Self {
-        Self { path: path.into() }
+        Self { path: path.into(), unsaved: None }
     }
 
     /// Its settings for a player (`""` for nobody in particular), and what is wrong with it, a line each. Without a file they are the
@@ -198,37 +214,67 @@ impl SettingsFile {
         }
     }
 
+    /// Takes note of a player's settings, to be written by [`SettingsFile::update`].
+    pub fn set(&mut self, player: &str, settings: &Settings) {
+        self.unsaved = Some(Unsaved { player: player.to_owned(), settings: *settings, waited: 0.0, pause: 0.0 });
+    }
+
+    /// Tries to write what waits; one frame has passed, and none is held up. The answer is what is wrong with the file, once that is known.
+    pub fn update(&mut self, frame_time: f64) -> Option<Vec<String>> {
+        let mut unsaved = self.unsaved.take()?;
+        unsaved.pause -= frame_time;
+        let tried = (unsaved.pause <= 0.0).then(|| self.save(&unsaved.player, &unsaved.settings, Duration::ZERO));
+        let problems = match tried {
+            Some(Ok(())) => return Some(self.load(&unsaved.player).1),
+            Some(Err(error)) if error.kind() == io::ErrorKind::WouldBlock && unsaved.waited < PATIENCE.as_secs_f64() => {
+                unsaved.waited += frame_time;
+                None
+            }
+            Some(Err(error)) => {
+                unsaved.pause = RETRY;
+                Some(vec![error.to_string()])
+            }
+            None => None,
+        };
+        self.unsaved = Some(unsaved);
+        problems
+    }
+
+    /// Writes what waits, before other settings take its place or the program ends.
+    ///
+    /// # Errors
+    /// As [`SettingsFile::save`].
+    pub fn close(&mut self, patience: Duration) -> io::Result<()> {
+        self.unsaved.take().map_or(Ok(()), |Unsaved { player, settings, .. }| self.save(&player, &settings, patience))
+    }
+
     /// Writes the settings of a player into it: the file is the old one or the new one, whole, whatever happens meanwhile.
     ///
     /// # Errors
-    /// What the system refuses, with the path; the old file is untouched then.
-    pub fn save(&self, player: &str, settings: &Settings) -> Result<(), String> {
-        self.replace(player, settings).map_err(|error| format!("{}: {error}", self.path.display()))
+    /// What the system refuses, with the path; [`io::ErrorKind::WouldBlock`] where another program writes there for longer than `patience`.
+    /// The old file is untouched then.
+    pub fn save(&self, player: &str, settings: &Settings, patience: Duration) -> io::Result<()> {
+        self.replace(player, settings, patience).map_err(|error| {
+            let why = match error.kind() {
+                io::ErrorKind::WouldBlock => "another program is writing there and does not come to an end".to_owned(),
+                _ => error.to_string(),
+            };
+            io::Error::new(error.kind(), format!("{}: {why}; the settings are not saved", self.path.display()))
+        })
     }
 
-    fn replace(&self, player: &str, settings: &Settings) -> io::Result<()> {
+    fn replace(&self, player: &str, settings: &Settings, patience: Duration) -> io::Result<()> {
         let folder = self.path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         fs::create_dir_all(folder)?;
+        let path = files::behind_links(&self.path)?;
         // Of two games that save at once, neither loses the other's rows.
-        let lock = OpenOptions::new().create(true).truncate(false).write(true).open(folder.join(".settings.csv.lock"))?;
-        lock.lock()?;
-        let text = match files::read_text(&self.path, SETTINGS) {
+        let _lock = Lock::wait(&path.with_file_name(".settings.csv.lock"), patience)?;
+        let text = match files::read_text(&path, SETTINGS) {
             Ok(text) => text,
             Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
             Err(error) => return Err(error),
         };
-        let mut fresh = tempfile::NamedTempFile::new_in(folder)?;
-        fresh.write_all(merged(&text, player, settings)?.as_bytes())?;
-        fresh.as_file().sync_all()?;
-        if let Ok(metadata) = fs::metadata(&self.path) {
-            fresh.as_file().set_permissions(metadata.permissions())?;
-        }
-        fresh.persist(&self.path)?;
-        if cfg!(unix) {
-            // The new file is in its place by now: a file system that cannot do this fails nothing.
-            drop(File::open(folder).and_then(|folder| folder.sync_all()));
-        }
-        Ok(())
+        files::replace(&path, merged(&text, player, settings)?.as_bytes(), Links::Followed)
     }
 }
 
@@ -245,17 +291,17 @@ mod tests {
         settings.assists.speed = 70;
         settings.keys.set(Action::Thrust, [None, Some(Key::GraveAccent)]);
         settings.keys.set(Action::Hitboxes, [None, None]);
-        file.save("ann", &settings).unwrap();
+        file.save("ann", &settings, PATIENCE).unwrap();
         let mut read = settings;
         // Keys move up into the first free place.
         read.keys.set(Action::Thrust, [Some(Key::GraveAccent), None]);
         assert_eq!(file.load("ann"), (read, vec![]));
         read.assists.speed = 100;
         assert_eq!(file.load("bob"), (read, vec![]), "volume and keys are the machine's, help is the player's");
-        file.save("bob", &Settings::default()).unwrap();
+        file.save("bob", &Settings::default(), PATIENCE).unwrap();
         assert_eq!(file.load("ann").0, Settings { assists: settings.assists, ..Settings::default() });
         let rows = fs::read_to_string(folder.path().join("settings.csv")).unwrap().lines().count();
-        file.save("bob", &Settings::default()).unwrap();
+        file.save("bob", &Settings::default(), PATIENCE).unwrap();
         assert_eq!(fs::read_to_string(folder.path().join("settings.csv")).unwrap().lines().count(), rows, "nothing piles up");
     }
 
@@ -280,12 +326,64 @@ mod tests {
         assert_eq!(read(&merged, "").0.master, 0);
     }
 
+    /// Frames are counted here: no time passes.
+    #[test]
+    fn a_lock_that_is_held_holds_up_no_frame_and_is_told_after_two_seconds() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut file = SettingsFile::new(folder.path().join("settings.csv"));
+        assert_eq!(file.update(0.0), None, "nothing waits");
+        let held = Lock::wait(&folder.path().join(".settings.csv.lock"), Duration::ZERO).unwrap();
+        file.set("", &Settings { music: 1, ..Settings::default() });
+        let told: Vec<_> = (0..5).map(|_| file.update(0.5)).collect();
+        assert_eq!(told[..4], [const { None }; 4]);
+        let problems = told[4].clone().unwrap();
+        assert!(
+            problems[0].ends_with(
+                "settings.csv: another program is writing there and does not come to an end; the settings are not saved"
+            )
+        );
+        drop(held);
+        assert_eq!(file.update(RETRY - 0.5), None, "the next try is after a pause");
+        assert_eq!((file.update(1.0), file.load("").0.music), (Some(vec![]), 1));
+        file.set("", &Settings { music: 2, ..Settings::default() });
+        file.close(PATIENCE).unwrap();
+        assert_eq!(file.load("").0.music, 2);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_followed_and_neither_pipes_nor_read_only_files_are_touched() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::create_dir(path("mine")).unwrap();
+        fs::write(path("mine/all.csv"), "# mine\n").unwrap();
+        symlink("mine/all.csv", path("settings.csv")).unwrap();
+        let file = SettingsFile::new(path("settings.csv"));
+        file.save("", &Settings::default(), PATIENCE).unwrap();
+        let text = fs::read_to_string(path("mine/all.csv")).unwrap();
+        assert!(path("settings.csv").is_symlink() && text.contains("# mine\n") && text.lines().count() > 10, "{text}");
+
+        let mut permissions = fs::metadata(path("mine/all.csv")).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(path("mine/all.csv"), permissions).unwrap();
+        let error = file.save("", &Settings { music: 3, ..Settings::default() }, PATIENCE).unwrap_err();
+        assert!(error.to_string().ends_with("settings.csv: the file is read-only; the settings are not saved"), "{error}");
+        assert_eq!(fs::read_to_string(path("mine/all.csv")).unwrap(), text);
+
+        let lock = path("mine/.settings.csv.lock");
+        fs::remove_file(&lock).unwrap();
+        assert!(std::process::Command::new("mkfifo").arg(&lock).status().unwrap().success());
+        let error = file.save("", &Settings::default(), PATIENCE).unwrap_err();
+        assert!(error.to_string().contains("found a pipe or a device, expected a regular file"), "{error}");
+    }
+
     #[test]
     fn a_file_that_cannot_be_written_is_told_and_stays() {
         let folder = tempfile::tempdir().unwrap();
         let file = SettingsFile::new(folder.path().join("settings.csv"));
         fs::create_dir(folder.path().join("settings.csv")).unwrap();
-        assert!(file.save("", &Settings::default()).unwrap_err().contains("settings.csv"));
+        assert!(file.save("", &Settings::default(), PATIENCE).unwrap_err().to_string().contains("settings.csv"));
         assert_eq!(file.load("").1.len(), 1);
     }
 }

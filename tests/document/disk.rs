@@ -147,6 +147,34 @@ fn a_file_keeps_its_mode_and_a_link_stays_one() {
     assert!(Folder::open(folder.path(), folder.path()).unwrap().kept.is_some());
 }
 
+/// A folder that came from a stranger: nothing outside it is written, and nothing that is no file is opened.
+#[cfg(unix)]
+#[test]
+fn neither_a_link_nor_a_pipe_in_a_strangers_folder_does_harm() {
+    let (folder, elsewhere) = (level(), tempfile::tempdir().unwrap());
+    let (path, mine) = (|name: &str| folder.path().join(name), elsewhere.path().join("mine"));
+    fs::write(&mine, "mine").unwrap();
+    for link in [".autosave", ".autosave.new", ".world.csv.new", ".player.csv.new", ".resultant-aB3dE6gH.new"] {
+        std::os::unix::fs::symlink(&mine, path(link)).unwrap();
+    }
+    let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
+    assert!(opened.kept.is_none());
+    opened.document.put(Kind::Solid, BLOCK).unwrap();
+    opened.folder.keep(&opened.document).unwrap();
+    assert!(!path(".autosave").is_symlink() && Folder::open(folder.path(), folder.path()).unwrap().kept.is_some());
+    opened.folder.save(&opened.document, false).unwrap();
+    assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
+    assert_eq!(fs::read_to_string(path("world.csv")).unwrap().lines().count(), 2);
+
+    assert!(Command::new("mkfifo").arg(path(".autosave")).status().unwrap().success());
+    let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
+    assert!(opened.kept.is_none());
+    opened.document.put(Kind::Solid, BLOCK).unwrap();
+    opened.folder.save(&opened.document, false).unwrap();
+    assert!(!path(".autosave").exists());
+    std::os::unix::fs::symlink("/dev/zero", path(".autosave")).unwrap();
+    assert!(Folder::open(folder.path(), folder.path()).unwrap().kept.is_none());
+}
 /// The editing process prints this, and the number that is kept.
 const EDITED: &str = "edited ";
 

@@ -109,9 +109,10 @@ fn new_makes_a_folder_whole_or_not_at_all() {
     names.sort();
     assert_eq!(names, ["empty", "file"], "nothing is left of what was begun");
     // What a kill in the middle leaves is hidden and is no level.
-    std::fs::create_dir(levels.join(".new-Ab3dE")).unwrap();
+    std::fs::create_dir(levels.join(".resultant-Ab3dE6gH.new")).unwrap();
     assert_eq!(level::list(&levels), ["empty"]);
     assert_eq!(texts(&resultant(project.path(), &["new", "whole"])).0, 0);
+    assert!(!levels.join(".resultant-Ab3dE6gH.new").exists() || cfg!(windows), "the next one sweeps it away");
     assert_eq!(std::fs::read_dir(levels.join("whole")).unwrap().count(), 14);
 }
 

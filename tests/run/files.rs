@@ -44,19 +44,79 @@ fn a_file_that_is_read_only_or_needed_otherwise_is_not_written_to() {
 
 #[cfg(unix)]
 #[test]
-fn a_file_that_is_written_over_keeps_its_mode_and_its_links() {
+fn a_file_that_is_written_over_keeps_its_mode_and_its_link_and_has_one_name() {
     use std::os::unix::fs::PermissionsExt;
     let data = data();
     let secret = data.write("secret.csv", "old");
     std::fs::set_permissions(&secret, std::fs::Permissions::from_mode(0o600)).unwrap();
-    std::fs::hard_link(&secret, data.path("same.csv")).unwrap();
     std::os::unix::fs::symlink("secret.csv", data.path("link.csv")).unwrap();
     let link = data.path("link.csv");
     assert_eq!(data.resultant(&["run", "goal", "--telemetry", link.to_str().unwrap()]).status, 0);
     assert_eq!(std::fs::metadata(&secret).unwrap().permissions().mode() & 0o777, 0o600);
     assert!(std::fs::symlink_metadata(link).unwrap().is_symlink());
     assert!(read(&data, "secret.csv").starts_with(COLUMNS));
-    assert_eq!(read(&data, "same.csv"), read(&data, "secret.csv"));
+
+    std::fs::write(&secret, "old").unwrap();
+    std::fs::hard_link(&secret, data.path("same.csv")).unwrap();
+    let ran = data.resultant(&["run", "goal", "--telemetry", &secret]);
+    assert_eq!((ran.status, read(&data, "same.csv").as_str()), (2, "old"));
+    assert!(ran.err.contains("secret.csv: the file has 2 names (hard links)"), "{}", ran.err);
+}
+
+#[test]
+fn telemetry_goes_into_a_levels_folder_again_and_again_but_over_nothing_that_is_read() {
+    let data = data();
+    for _ in 0..2 {
+        let path = data.path("levels/goal/out.txt");
+        let ran = data.resultant(&["run", "goal", "--telemetry", path.to_str().unwrap()]);
+        assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+        assert!(read(&data, "levels/goal/out.txt").starts_with(COLUMNS));
+    }
+    for table in ["player.csv", "movers.csv", "background.png"] {
+        let path = data.path(&format!("levels/goal/{table}"));
+        let ran = data.resultant(&["run", "goal", "--telemetry", path.to_str().unwrap()]);
+        assert_eq!(ran.status, 2);
+        assert!(ran.err.ends_with("this file is read by the same command, expected another\n"), "{}", ran.err);
+    }
+}
+
+/// Under a limit of no bytes at all a write fails as on a full disk, and the signal that comes with it is ignored.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_is_told_and_changes_nothing() {
+    let data = data();
+    let old = data.write("old.csv", "old");
+    let program = env!("CARGO_BIN_EXE_resultant");
+    for (limits, to) in
+        [("trap '' XFSZ; ulimit -f 0;", ""), ("", " > /dev/full")].into_iter().take(if cfg!(target_os = "linux") { 2 } else { 1 })
+    {
+        let script = format!("{limits} exec \"$0\" \"$@\"{to}");
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &script, program, "--data"]).arg(data.path(".")).args(["run", "goal", "--telemetry", &old]);
+        let ran = Ran::new(&mut shell);
+        assert_eq!(ran.status, 2, "{}", ran.err);
+        assert!(ran.err.starts_with("cannot write the results: "), "{}", ran.err);
+        assert_eq!(ran.err.contains("old.csv: "), to.is_empty(), "{}", ran.err);
+        assert_eq!((names(&data), read(&data, "old.csv").as_str()), (vec!["levels".into(), "old.csv".into()], "old"));
+    }
+}
+
+/// A path is bytes on Linux; other systems refuse such a one themselves.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_path_need_not_be_text() {
+    use std::os::unix::ffi::OsStrExt;
+    let data = data();
+    let odd = |name: &[u8]| data.path(".").join(std::ffi::OsStr::from_bytes(name));
+    std::fs::rename(data.path("levels/goal"), odd(b"g\xf6al")).unwrap();
+    std::fs::write(odd(b"\xff.csv"), format!("{HEADER}\n2,0,0,0,0\n")).unwrap();
+    let mut run = resultant();
+    run.arg("--data").arg(data.path(".")).arg("run").arg(odd(b"g\xf6al")).arg("--inputs").arg(odd(b"\xff.csv"));
+    let ran = Ran::new(run.arg("--telemetry").arg(odd(b"\xfe.csv")));
+    assert_eq!((ran.status, ran.value("outcome")), (0, "completed"), "{}", ran.err);
+    assert!(std::fs::read_to_string(odd(b"\xfe.csv")).unwrap().starts_with(COLUMNS));
+    let ran = Ran::new(resultant().arg("check").arg(odd(b"g\xf6al")));
+    assert_eq!(ran.status, 0, "{}", ran.err);
 }
 
 #[cfg(unix)]

@@ -1,11 +1,15 @@
 //! `resultant run` and `resultant verify`, through the program.
 
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+mod faults;
 mod files;
 #[path = "../program/mod.rs"]
 mod program;
 mod records;
 mod scores;
 mod telemetry;
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+mod traced;
 
 use program::{Data, resultant};
 use std::process::{Command, Stdio};

@@ -127,9 +127,9 @@ fn a_file_that_another_game_holds_is_written_when_it_lets_go_at_the_latest_at_th
         held
     };
     let held = hold(&sitting);
-    let before = resultant::scores::pauses();
+    let before = resultant::files::pauses();
     sitting.complete();
-    assert_eq!(resultant::scores::pauses(), before, "frames were spent on waiting");
+    assert_eq!(resultant::files::pauses(), before, "frames were spent on waiting");
     assert_eq!(sitting.scores_file("players.csv"), "");
     drop(held);
     assert!(sitting.rest().scores_file("players.csv").contains("Guest,1,"));
@@ -141,6 +141,29 @@ fn a_file_that_another_game_holds_is_written_when_it_lets_go_at_the_latest_at_th
     let quit = sitting.buttons().areas()[6].centre();
     sitting.give(Input { pointer: quit, click: true, ..Input::default() });
     assert!(!sitting.open && sitting.scores_file("players.csv").contains("ann"));
+}
+
+/// The window's own button says nothing to the game: it is dropped.
+#[test]
+fn a_window_that_is_closed_while_another_game_writes_loses_no_attempt() {
+    let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
+    let held = [".players.csv.lock", ".attempts.csv.lock"].map(|file| {
+        let held = fs::File::create(sitting.folder.path().join("scores").join(file)).unwrap();
+        held.lock().unwrap();
+        held
+    });
+    sitting.complete();
+    sitting.reopen();
+    assert_eq!((sitting.scores_file("players.csv"), sitting.scores_file("attempts.csv")), (String::new(), String::new()));
+    assert!(sitting.scores_file("players.csv.waiting-1").contains("Guest,1,"));
+    assert_eq!(sitting.scores_file("attempts.csv.waiting-1").lines().count(), 2);
+    drop(held);
+    sitting.reopen();
+    assert!(sitting.scores_file("players.csv").contains("Guest,1,"));
+    assert_eq!(sitting.scores_file("attempts.csv").lines().count(), 2);
+    let left: Vec<_> =
+        fs::read_dir(sitting.folder.path().join("scores")).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert!(!left.iter().any(|name| name.to_string_lossy().contains("waiting")), "{left:?}");
 }
 
 #[test]

@@ -155,9 +155,9 @@ fn a_board_that_another_program_holds_is_waited_for_without_holding_up_a_frame()
     let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
     let held = hold(&sitting);
     sitting.reach_save_score().write("ann");
-    let before = resultant::scores::pauses();
+    let before = resultant::files::pauses();
     sitting.press(Key::Enter).rest();
-    assert_eq!(resultant::scores::pauses(), before, "a frame was spent on waiting");
+    assert_eq!(resultant::files::pauses(), before, "a frame was spent on waiting");
     sitting.wait(1.0);
     assert!(sitting.save_score().error().is_some_and(|error| error.contains("waiting")), "{:?}", sitting.save_score().error());
     drop(held);

@@ -1,11 +1,11 @@
 //! The only part of the document that knows the disk: opening, saving, and keeping what is not saved yet.
 //!
-//! Each file is replaced whole: written beside itself under a hidden name, and renamed. Before the first one is, everything stands in
+//! Each file is replaced whole. Before the first one is, everything stands in
 //! `.autosave`, in the level's folder, and that goes when the last one is there: whenever the program ends, however it ends, each file is
 //! the old one or the new one, and what was edited is in the one or the other. The loader and `check` pass over hidden names.
 
 use super::{Document, Table};
-use crate::files;
+use crate::files::{self, Links, Replacement};
 use crate::level::folder::{Disk, load_from};
 use crate::level::image::png_size;
 use crate::level::read::{BACKGROUND, Files};
@@ -13,10 +13,9 @@ use crate::level::{Loaded, Problem};
 use crate::physics::DVec2;
 use std::collections::BTreeMap;
 use std::fmt;
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 /// What is not saved yet.
 const KEPT: &str = ".autosave";
@@ -24,8 +23,8 @@ const KEPT: &str = ".autosave";
 const MARK: &str = "resultant autosave 1\n";
 /// How it ends: what has no such end was cut short.
 const END: &str = "end\n";
-/// How often a rename is tried, and the pause between: Windows refuses it while another program has the target open.
-const RENAMES: (u32, Duration) = (if cfg!(windows) { 50 } else { 1 }, Duration::from_millis(20));
+/// The largest such file that is read: all tables at their limits, and room for their names.
+const KEPT_MOST: u64 = (files::LEVEL_TABLE + 100) * Table::ALL.len() as u64;
 
 /// A level's folder as a document knows it.
 #[derive(Clone, Debug)]
@@ -86,7 +85,10 @@ impl Folder {
             known.push(read(folder, *table).map_err(|error| format!("{}: {error}", table.file()))?);
         }
         let mut document = Document::new(|table| known[table.index()].clone());
-        let kept = fs::read(folder.join(KEPT)).ok().and_then(|bytes| parse(&bytes)).filter(|kept| kept.0 != known);
+        let kept = files::read_with(&folder.join(KEPT), KEPT_MOST, Links::Never)
+            .ok()
+            .and_then(|bytes| parse(&bytes))
+            .filter(|kept| kept.0 != known);
         let folder = Self { folder: folder.to_path_buf(), project: project.to_path_buf(), known };
         folder.measure(&mut document);
         Ok(Opened { document, folder, kept })
@@ -187,13 +189,13 @@ impl Folder {
         for table in changed {
             let path = self.folder.join(table.file());
             let written = match document.bytes(table) {
-                Some(bytes) => replace(&path, bytes, true),
+                Some(bytes) => files::replace(&path, bytes, Links::Followed),
                 None => fs::remove_file(&path),
             };
             written.map_err(|error| SaveError::File(table.file().to_owned(), error))?;
             self.known[table.index()] = document.bytes(table).map(<[u8]>::to_vec);
         }
-        sync(&self.folder);
+        files::sync_folder(&self.folder);
         self.forget();
         Ok(())
     }
@@ -225,7 +227,12 @@ impl Folder {
             }
         }
         all.extend_from_slice(END.as_bytes());
-        replace(&self.folder.join(KEPT), &all, durable)
+        let mut kept = Replacement::begin(&self.folder.join(KEPT), Links::Never)?;
+        kept.file().write_all(&all)?;
+        if durable {
+            kept.seal()?;
+        }
+        kept.finish()
     }
 }
 
@@ -256,47 +263,4 @@ fn parse(bytes: &[u8]) -> Option<Kept> {
         rest = &rest[end + 1 + bytes.len()..];
     }
     Some(Kept(kept))
-}
-
-/// Makes a file hold that, in one step: whoever reads it finds the old content or the new one. It keeps its mode, and a link stays one.
-fn replace(path: &Path, bytes: &[u8], durable: bool) -> io::Result<()> {
-    let is_link = fs::symlink_metadata(path).is_ok_and(|found| found.is_symlink());
-    let path = if is_link { path.canonicalize()? } else { path.to_path_buf() };
-    let permissions = fs::metadata(&path).ok().map(|found| found.permissions());
-    if permissions.as_ref().is_some_and(fs::Permissions::readonly) {
-        return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
-    }
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let staged = path.with_file_name(format!(".{}.new", name.trim_start_matches('.')));
-    let written = File::create(&staged).and_then(|mut file| {
-        file.write_all(bytes)?;
-        if let Some(permissions) = permissions {
-            file.set_permissions(permissions)?;
-        }
-        if durable { file.sync_all() } else { Ok(()) }
-    });
-    written.and_then(|()| rename(&staged, &path)).inspect_err(|_| {
-        // The first error is the one to tell.
-        let _ = fs::remove_file(&staged);
-    })
-}
-
-fn rename(from: &Path, to: &Path) -> io::Result<()> {
-    let mut tries = 1;
-    loop {
-        match fs::rename(from, to) {
-            Err(error) if error.kind() == io::ErrorKind::PermissionDenied && tries < RENAMES.0 => {
-                std::thread::sleep(RENAMES.1);
-                tries += 1;
-            }
-            renamed => return renamed,
-        }
-    }
-}
-
-/// Lets new names in a folder outlast a power cut, where the system can.
-fn sync(folder: &Path) {
-    if let Ok(folder) = File::open(folder) {
-        let _ = folder.sync_all();
-    }
 }

@@ -1,0 +1,92 @@
+//! Locks between programs.
+//!
+//! The system frees a lock when its process ends, however it ends. The lock file itself stays: were it deleted, two processes could hold
+//! the locks of two different files of that name.
+
+use super::{Links, open};
+use std::cell::Cell;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// How long a write waits for another process that writes there. A write takes milliseconds: a process that holds a lock for longer hangs.
+pub const PATIENCE: Duration = Duration::from_secs(2);
+
+/// The pause between two looks at a lock that is held. Where many processes save without end, each gets its turn by luck: with longer
+/// pauses some would not get one in time.
+const PAUSE: Duration = Duration::from_millis(1);
+
+thread_local! {
+    static PAUSES: Cell<u32> = const { Cell::new(0) };
+}
+
+/// How often this thread has paused for a lock that is held, so far: a frame never does.
+pub fn pauses() -> u32 {
+    PAUSES.get()
+}
+
+/// A lock that this process holds until the value is dropped.
+#[derive(Debug)]
+pub struct Lock {
+    _held: File,
+}
+
+impl Lock {
+    /// Takes the lock that a file stands for. The file is made where there is none, for all who may write in its folder.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::WouldBlock`] where another process holds it for longer than `patience`; something other than a regular file is
+    /// there; whatever the system says.
+    pub fn wait(path: &Path, patience: Duration) -> io::Result<Self> {
+        let file = open_lock(path)?;
+        let begun = Instant::now();
+        loop {
+            match file.try_lock() {
+                Ok(()) => return Ok(Self { _held: file }),
+                Err(TryLockError::WouldBlock) if begun.elapsed() < patience => {
+                    PAUSES.set(PAUSES.get().wrapping_add(1));
+                    std::thread::sleep(PAUSE);
+                }
+                Err(TryLockError::WouldBlock) => return Err(io::ErrorKind::WouldBlock.into()),
+                Err(TryLockError::Error(error)) => return Err(error),
+            }
+        }
+    }
+}
+
+fn open_lock(path: &Path) -> io::Result<File> {
+    match File::create_new(path) {
+        Ok(file) => {
+            share(super::staged::around(path), &file, true)?;
+            return Ok(file);
+        }
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+        Err(error) => return Err(error),
+    }
+    // To hold a lock is all that it is for: where another user made it and only reading is allowed, that will do.
+    let opened = open(OpenOptions::new().write(true), path, Links::Never);
+    opened.or_else(|_| open(OpenOptions::new().read(true), path, Links::Never)).map(|(file, _)| file)
+}
+
+/// Lets all who may write in the folder read the file and write to it, whatever the process' umask says. Whether others may do what they
+/// could do is as it was, or, for a private file, no.
+///
+/// # Errors
+/// What the system says.
+#[cfg(unix)]
+pub fn share(folder: &Path, file: &File, private: bool) -> io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    let may_write = fs::metadata(folder)?.permissions().mode() & 0o022;
+    let least = if private { 0o600 } else { file.metadata()?.permissions().mode() & 0o777 };
+    file.set_permissions(fs::Permissions::from_mode(least | may_write | may_write << 1))
+}
+
+/// Other systems have no such modes.
+///
+/// # Errors
+/// None.
+#[cfg(not(unix))]
+pub fn share(_: &Path, _: &File, _: bool) -> io::Result<()> {
+    Ok(())
+}

@@ -1,0 +1,383 @@
+//! Files and folders that are made whole or not at all.
+//!
+//! New content is staged in the folder of its target under a hidden name with random letters, and takes the target's name by one rename
+//! once all of it is on the disk. A reader finds the old content or the new one. The staged file is created exclusively, so that a link of
+//! that name is never followed, and this process locks it: one without a lock was left by a process that was killed, and the next write
+//! in that folder removes it.
+
+use super::{Links, judge, open};
+use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use tempfile::{Builder, NamedTempFile};
+
+/// Names of staged files and folders are these two with random letters between.
+const PREFIX: &str = ".resultant-";
+const SUFFIX: &str = ".new";
+/// How many random letters.
+const LETTERS: usize = 8;
+/// How many names are tried while other processes sweep the folder. Each try fails only where a sweep falls between two system calls.
+const MOST_SWEPT: usize = 20;
+
+/// How often a rename is tried. Windows refuses it while a virus scanner or a spreadsheet has the target open.
+const RENAME_TRIES: u32 = if cfg!(windows) { 50 } else { 1 };
+/// The pause between two tries. With fewer or shorter ones a save fails that would have succeeded.
+const RENAME_PAUSE: Duration = Duration::from_millis(20);
+
+/// The new content of a file, while it is written. It goes with this value unless [`Replacement::finish`] puts it in place.
+#[derive(Debug)]
+pub struct Replacement {
+    staged: NamedTempFile,
+    target: PathBuf,
+    /// The old file, if there is one.
+    found: Option<Metadata>,
+    sealed: bool,
+}
+
+impl Replacement {
+    /// Begins new content for `path`, where there need not be a file yet.
+    ///
+    /// # Errors
+    /// A read-only file; no regular file; a link that leads to no file; whatever the system says.
+    pub fn begin(path: &Path, links: Links) -> io::Result<Self> {
+        let (target, found) = target(path, links)?;
+        // Other users cannot read the new content before it has the mode of the old file.
+        let staged = stage(around(&target), if found.is_some() { 0o600 } else { 0o666 })?;
+        Ok(Self { staged, target, found, sealed: false })
+    }
+
+    /// Whether there was no file before.
+    pub fn is_new(&self) -> bool {
+        self.found.is_none()
+    }
+
+    /// The staged file, to be written to.
+    pub fn file(&mut self) -> &mut File {
+        self.staged.as_file_mut()
+    }
+
+    /// Waits until the content is on the disk, so that it outlasts a power cut.
+    ///
+    /// # Errors
+    /// Whatever the system says.
+    pub fn seal(&mut self) -> io::Result<()> {
+        self.inherit()?;
+        self.sealed = true;
+        self.staged.as_file().sync_all()
+    }
+
+    /// Gives the staged file the mode of the old file and, as far as that is allowed, its owner and group.
+    fn inherit(&self) -> io::Result<()> {
+        let Some(found) = &self.found else { return Ok(()) };
+        let file = self.staged.as_file();
+        keep_owner(file, found);
+        if file.metadata()?.permissions() == found.permissions() {
+            return Ok(());
+        }
+        file.set_permissions(found.permissions())
+    }
+
+    /// Puts the content in the file's place.
+    ///
+    /// # Errors
+    /// Whatever the system says; the old file is in its place then.
+    pub fn finish(self) -> io::Result<()> {
+        if !self.sealed {
+            self.inherit()?;
+        }
+        let Self { mut staged, target, sealed, .. } = self;
+        if cfg!(windows) {
+            // There a lock keeps readers out, who would find it on the file in its new place. Should this fail, it lasts a moment longer.
+            let _ = staged.as_file().unlock();
+        }
+        let mut tries = 1;
+        while let Err(refused) = staged.persist(&target) {
+            if refused.error.kind() != io::ErrorKind::PermissionDenied || tries >= RENAME_TRIES {
+                return Err(refused.error);
+            }
+            staged = refused.file;
+            std::thread::sleep(RENAME_PAUSE);
+            tries += 1;
+        }
+        if sealed {
+            sync_folder(around(&target));
+        }
+        Ok(())
+    }
+}
+
+/// Makes a file hold these bytes, on the disk when this returns. It keeps its mode.
+///
+/// # Errors
+/// As [`Replacement`]; the file is as it was then.
+pub fn replace(path: &Path, bytes: &[u8], links: Links) -> io::Result<()> {
+    let mut fresh = Replacement::begin(path, links)?;
+    fresh.file().write_all(bytes)?;
+    fresh.seal()?;
+    fresh.finish()
+}
+
+/// Makes a file with these bytes where there is none, on the disk when this returns.
+///
+/// # Errors
+/// [`io::ErrorKind::AlreadyExists`]; whatever the system says. Nothing is left behind then.
+pub fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    if fs::symlink_metadata(path).is_ok() {
+        return Err(io::ErrorKind::AlreadyExists.into());
+    }
+    let mut staged = stage(around(path), 0o666)?;
+    staged.write_all(bytes)?;
+    staged.as_file().sync_all()?;
+    staged.persist_noclobber(path).map_err(|taken| taken.error)?;
+    sync_folder(around(path));
+    Ok(())
+}
+
+/// Makes a folder, which `fill` fills under another name, where there is none of that name.
+///
+/// # Errors
+/// [`io::ErrorKind::AlreadyExists`]; those of `fill`; whatever the system says. Nothing is left behind then.
+pub fn create_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
+    // A rename would take the place of an empty folder.
+    if fs::symlink_metadata(path).is_ok() {
+        return Err(io::ErrorKind::AlreadyExists.into());
+    }
+    let around = around(path);
+    fs::create_dir_all(around)?;
+    sweep(around);
+    let begun = (0..MOST_SWEPT).find_map(|_| match builder(0o777).tempdir_in(around) {
+        // Where a folder cannot be opened, it cannot be locked, and no sweep removes it.
+        Ok(begun) => match open_folder(begun.path()) {
+            Ok(lock) => holds(&lock, begun.path()).then_some(Ok((begun, Some(lock)))),
+            Err(_) => Some(Ok((begun, None))),
+        },
+        Err(error) => Some(Err(error)),
+    });
+    let (begun, _lock) = begun.unwrap_or_else(|| Err(io::ErrorKind::ResourceBusy.into()))?;
+    fill(begun.path())?;
+    let folders = fs::read_dir(begun.path())?.flatten().map(|entry| entry.path()).filter(|path| path.is_dir());
+    folders.chain([begun.path().to_owned()]).for_each(|folder| sync_folder(&folder));
+    fs::rename(begun.path(), path)?;
+    // There is nothing left to remove.
+    drop(begun.keep());
+    sync_folder(around);
+    Ok(())
+}
+
+/// Writes a file of a folder that is being filled.
+///
+/// # Errors
+/// There is one of that name; whatever the system says.
+pub fn put(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = File::create_new(path)?;
+    file.write_all(bytes)?;
+    file.sync_all()
+}
+
+/// Copies a file into a folder that is being filled.
+///
+/// # Errors
+/// As [`put`]; the file is no regular one.
+pub fn copy(from: &Path, to: &Path) -> io::Result<()> {
+    let (mut from, _) = open(OpenOptions::new().read(true), from, Links::Followed)?;
+    let mut file = File::create_new(to)?;
+    io::copy(&mut from, &mut file)?;
+    file.sync_all()
+}
+
+/// Makes a new name in a folder outlast a power cut. The new file is in its place by then, so a file system that cannot do this fails
+/// nothing.
+pub fn sync_folder(folder: &Path) {
+    let _ = open_folder(folder).and_then(|folder| folder.sync_all());
+}
+
+/// Opens a folder, and nothing else, where the system can.
+fn open_folder(folder: &Path) -> io::Result<File> {
+    let mut options = OpenOptions::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        options.custom_flags(libc::O_DIRECTORY);
+    }
+    options.read(true).open(folder)
+}
+
+/// The folder that a path lies in.
+pub(super) fn around(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// The file that a path means: the one that its links lead to.
+///
+/// # Errors
+/// A link that leads to no file; whatever the system says.
+pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
+    if !fs::symlink_metadata(path).is_ok_and(|found| found.is_symlink()) {
+        return Ok(path.to_path_buf());
+    }
+    path.canonicalize().map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => io::Error::new(io::ErrorKind::NotFound, "a link that leads to no file"),
+        _ => error,
+    })
+}
+
+/// The file whose place new content for `path` takes, and the old file that is there.
+///
+/// # Errors
+/// A read-only file; no regular file; a link that leads to no file; whatever the system says.
+pub fn target(path: &Path, links: Links) -> io::Result<(PathBuf, Option<Metadata>)> {
+    let target = if links == Links::Followed { behind_links(path)? } else { path.to_path_buf() };
+    let found = match fs::symlink_metadata(&target) {
+        // A pipe or a link that is in the way is replaced, too: a rename does not open it.
+        Ok(found) if links == Links::Never && !found.is_file() => None,
+        Ok(found) => Some(found),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+        Err(error) => return Err(error),
+    };
+    if let Some(found) = &found {
+        judge(found)?;
+        // The system lets its administrator replace read-only files, too.
+        if found.permissions().readonly() {
+            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
+        }
+    }
+    Ok((target, found))
+}
+
+/// A staged file in a folder, empty and locked.
+fn stage(folder: &Path, mode: u32) -> io::Result<NamedTempFile> {
+    sweep(folder);
+    for _ in 0..MOST_SWEPT {
+        let staged = builder(mode).tempfile_in(folder)?;
+        if holds(staged.as_file(), staged.path()) {
+            return Ok(staged);
+        }
+    }
+    Err(io::ErrorKind::ResourceBusy.into())
+}
+
+/// What gives names to staged files. A file or folder of that mode is open to others as far as the umask says.
+fn builder(mode: u32) -> Builder<'static, 'static> {
+    let mut builder = Builder::new();
+    builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(LETTERS);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(mode));
+    }
+    #[cfg(not(unix))]
+    let _ = mode;
+    builder
+}
+
+/// Locks what was just staged. `false` where a sweep came between: it holds the lock, or has removed the path. A file system without locks
+/// has no sweeps.
+fn holds(staged: &File, path: &Path) -> bool {
+    !matches!(staged.try_lock(), Err(TryLockError::WouldBlock)) && fs::symlink_metadata(path).is_ok()
+}
+
+/// Removes what processes that were killed have left staged in a folder. Whatever cannot be removed stays.
+fn sweep(folder: &Path) {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    for path in entries.filter(|entry| is_staged(&entry.file_name().to_string_lossy())).map(|entry| entry.path()) {
+        let Ok(found) = fs::symlink_metadata(&path) else { continue };
+        let opened = if found.is_dir() {
+            open_folder(&path)
+        } else {
+            open(OpenOptions::new().read(true), &path, Links::Never).map(|(file, _)| file)
+        };
+        let Ok(left) = opened else { continue };
+        if left.try_lock().is_ok() {
+            let _ = if found.is_dir() { fs::remove_dir_all(&path) } else { fs::remove_file(&path) };
+        }
+    }
+}
+
+/// Whether a name is that of a staged file or folder.
+fn is_staged(name: &str) -> bool {
+    let letters = name.strip_prefix(PREFIX).and_then(|rest| rest.strip_suffix(SUFFIX));
+    letters.is_some_and(|letters| letters.len() == LETTERS && letters.bytes().all(|byte| byte.is_ascii_alphanumeric()))
+}
+
+/// Gives a file the owner and the group of the old file, or the group alone, as far as that is allowed: who shared the one shares the other.
+#[cfg(unix)]
+fn keep_owner(file: &File, old: &Metadata) {
+    use std::os::unix::fs::{MetadataExt, fchown};
+    let same = |own: Metadata| (own.uid(), own.gid()) == (old.uid(), old.gid());
+    if !file.metadata().is_ok_and(same) && fchown(file, Some(old.uid()), Some(old.gid())).is_err() {
+        // The folder may be shared in another way than by a group.
+        let _ = fchown(file, None, Some(old.gid()));
+    }
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_: &File, _: &Metadata) {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<_> =
+            fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn what_a_killed_process_left_staged_goes_and_what_is_in_use_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let mut used = Replacement::begin(&path("a"), Links::Followed).unwrap();
+        used.file().write_all(b"used").unwrap();
+        fs::write(path(".resultant-aB3dE6gH.new"), "half").unwrap();
+        fs::create_dir(path(".resultant-12345678.new")).unwrap();
+        fs::write(path(".resultant-12345678.new/world.csv"), "half").unwrap();
+        let others = [".resultant-aB3dE6g.new", ".resultant-aB3dE6gH.new2", ".resultant-../dE6g.new", "resultant-aB3dE6gH.new"];
+        others.iter().filter(|name| !name.contains('/')).for_each(|name| fs::write(path(name), "kept").unwrap());
+        replace(&path("b"), b"new", Links::Followed).unwrap();
+        let left = names(folder.path());
+        assert!(
+            !left.iter().any(|name| name.contains("aB3dE6gH.new") && name.len() == 23 || name.contains("12345678")),
+            "{left:?}"
+        );
+        assert_eq!(left.len(), 3 + 2, "{left:?}");
+        used.finish().unwrap();
+        assert_eq!((fs::read(path("a")).unwrap(), fs::read(path("b")).unwrap()), (b"used".to_vec(), b"new".to_vec()));
+    }
+
+    #[test]
+    fn a_folder_is_made_whole_or_not_at_all() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("around/level");
+        let failed = create_folder(&path, |begun| put(&begun.join("a"), b"1").and(Err(io::ErrorKind::StorageFull.into())));
+        assert_eq!(failed.unwrap_err().kind(), io::ErrorKind::StorageFull);
+        assert_eq!(names(&folder.path().join("around")), [""; 0]);
+        create_folder(&path, |begun| put(&begun.join("a"), b"1")).unwrap();
+        assert_eq!((names(&folder.path().join("around")), names(&path)), (vec!["level".to_owned()], vec!["a".to_owned()]));
+        assert_eq!(create_folder(&path, |_| Ok(())).unwrap_err().kind(), io::ErrorKind::AlreadyExists);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_is_followed_or_replaced_and_no_file_of_a_staged_name_is_opened() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::write(path("mine"), "mine").unwrap();
+        symlink("mine", path("link")).unwrap();
+        symlink("mine", path(".resultant-aB3dE6gH.new")).unwrap();
+        replace(&path("link"), b"followed", Links::Followed).unwrap();
+        assert_eq!(fs::read(path("mine")).unwrap(), b"followed");
+        replace(&path("link"), b"replaced", Links::Never).unwrap();
+        assert_eq!(
+            (fs::read(path("mine")).unwrap(), fs::read(path("link")).unwrap()),
+            (b"followed".to_vec(), b"replaced".to_vec())
+        );
+        assert!(!path("link").is_symlink() && path(".resultant-aB3dE6gH.new").is_symlink());
+        symlink("nowhere", path("lost")).unwrap();
+        assert_eq!(replace(&path("lost"), b"", Links::Followed).unwrap_err().to_string(), "a link that leads to no file");
+        assert_eq!(create(&path("lost"), b"").unwrap_err().kind(), io::ErrorKind::AlreadyExists);
+    }
+}
