@@ -288,7 +288,7 @@ fn a_lock_that_is_held_is_waited_for_and_then_told() {
     assert_eq!(fixture.text("1.csv"), "name,score\nann,30\n");
     let begun = Instant::now();
     assert!(matches!(
-        fixture.scores().save_within(Duration::ZERO, "1", Score { name: &name("bob"), points: 40, flight: None }),
+        fixture.scores().save_within(Duration::ZERO, "1", Score { name: &name("bob"), points: 40, flight: None, version: None }),
         Err(ScoresError::Busy(_))
     ));
     assert!(begun.elapsed() < Duration::from_millis(500));

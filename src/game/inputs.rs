@@ -121,6 +121,12 @@ impl Inputs {
         })
     }
 
+    /// How many ticks there are before the first in which a key is held; none of them where no key ever is.
+    pub fn idle(&self) -> u64 {
+        let held = |row: &Row| row.controls != Controls::default();
+        if self.rows.iter().any(held) { self.rows.iter().take_while(|row| !held(row)).map(|row| row.ticks).sum() } else { 0 }
+    }
+
     /// How many ticks there are.
     pub fn ticks(&self) -> u64 {
         self.rows.iter().map(|row| row.ticks).sum()

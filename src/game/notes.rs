@@ -64,20 +64,19 @@ impl<'a> Notes<'a> {
     }
 }
 
-/// A level's name on its line: as it is, or in quotes where it would not come back whole.
-pub(super) fn written(level: &str) -> String {
-    let plain =
-        level.trim() == level && !level.starts_with('"') && !level.chars().any(|c| c.is_control() || LINE_ENDS.contains(&c));
-    if plain { level.to_owned() } else { format!("{level:?}") }
+/// A name on its line: as it is, or in quotes where it would not come back whole.
+pub(super) fn written(name: &str) -> String {
+    let plain = name.trim() == name && !name.starts_with('"') && !name.chars().any(|c| c.is_control() || LINE_ENDS.contains(&c));
+    if plain { name.to_owned() } else { format!("{name:?}") }
 }
 
 /// What some programs take for the end of a line, besides control characters.
 const LINE_ENDS: [char; 2] = ['\u{2028}', '\u{2029}'];
 
-/// What [`written`] has written.
-pub(super) struct LevelName(pub String);
+/// A name that [`written`] has written.
+pub(super) struct Plain(pub String);
 
-impl FromStr for LevelName {
+impl FromStr for Plain {
     type Err = ();
 
     fn from_str(text: &str) -> Result<Self, ()> {

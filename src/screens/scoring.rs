@@ -202,13 +202,7 @@ impl Scoring {
                 score.base,
                 if all_met { Effect::of(score.base) } else { Effect::Cost },
             ),
-            part(
-                "Time",
-                clock(result.time),
-                self.measures(),
-                score.time,
-                Effect::of(score.time),
-            ),
+            part("Time", clock(result.time), self.measures(), score.time, Effect::of(score.time)),
             part(
                 "Damaging collisions",
                 result.collisions.to_string(),
