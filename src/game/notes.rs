@@ -4,6 +4,9 @@ use super::replay::MOST_SECONDS;
 use super::{Outcome, TICK_RATES};
 use std::str::FromStr;
 
+/// How many comments of a file are looked at: a record has one a second, and people add some.
+const MOST_NOTES: usize = 2 * MOST_SECONDS;
+
 /// The comments of a replay file.
 pub(super) struct Notes<'a> {
     file: &'a str,
@@ -18,7 +21,7 @@ impl<'a> Notes<'a> {
             Some((key.trim(), value.trim()))
         };
         let lines = (1..).zip(text.lines()).filter_map(|(number, line)| Some((number, note(line)?)));
-        Self { file, lines: lines.collect() }
+        Self { file, lines: lines.take(MOST_NOTES).collect() }
     }
 
     /// The first line `# name: value`, and its number.

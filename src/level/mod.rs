@@ -38,10 +38,10 @@ mod world_def;
 pub use awards::{Awards, Mark};
 pub use folder::{list, load, title};
 pub use image::read_picture;
-pub use name::{NameFault, judge_name};
+pub use name::{NameFault, is_device, judge_name};
 pub use names::FILES;
 pub use problem::Problem;
-pub use read::{Files, Loaded, read};
+pub use read::{BACKGROUND, Files, Loaded, read};
 pub use types::{
     Decoration, Field, Fluid, Latch, Level, Look, Mover, Object, Objective, ObjectiveKind, Player, Pod, Presser, Route, SHIP_DRAG,
     SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Switch, Text, Work,

@@ -358,9 +358,10 @@ impl App {
                 self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
                 (format!("Installed: {}", self.last_level.as_deref().unwrap_or_default()), vec![folder.display().to_string()])
             }
-            Ok(Installed::Already(folder)) => {
+            Ok(Installed::Already(folder, more)) => {
                 self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
-                ("This level is there already".to_owned(), vec![folder.display().to_string()])
+                let beside = more.into_iter().map(|file| format!("also in its folder: {file}"));
+                ("This level is there already".to_owned(), [folder.display().to_string()].into_iter().chain(beside).collect())
             }
             Err(problems) => ("This file cannot be opened".to_owned(), problems),
         };

@@ -140,6 +140,8 @@ fn a_level_is_packed_and_unpacked_elsewhere_and_nothing_is_written_over() {
     let flown = there.resultant(&["verify", there.path("levels/15/flights/gold.replay.csv").to_str().unwrap()]);
     assert_eq!(flown.status, 0, "{flown:?}");
     assert!(there.resultant(&["unpack", zip]).out.ends_with("there already\n"));
+    fs::write(there.path("levels/15/mine.txt"), "mine").unwrap();
+    assert!(there.resultant(&["unpack", zip]).out.ends_with("there already, and more in its folder: mine.txt\n"));
     fs::write(there.path("levels/15/texts.csv"), "x,y,size,text\n1,1,20,mine\n").unwrap();
     let taken = there.resultant(&["unpack", zip]);
     assert_eq!(taken.status, 2);
