@@ -1,9 +1,9 @@
 //! Scores that are earned: a row leads to its flight, and what was forged, taken from elsewhere or flown in another version of the level
 //! is found.
 
-use resultant::game::{Mismatch, Replay, level_hash};
+use resultant::game::{Controls, Fingerprint, Game, LevelHash, Mismatch, Recorder, Replay, level_hash};
 use resultant::level::{self, Level};
-use resultant::scores::{Claim, Doubt, Name, PATIENCE, Placement, Score, Scores};
+use resultant::scores::{Doubt, IN_TURN, Judge, Name, PATIENCE, Placement, Score, Scores, Standing, TURN};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -26,27 +26,42 @@ fn name(text: &str) -> Name {
 }
 
 fn save(scores: &Scores, user: &str, flight: &Replay) -> Placement {
-    let score = Score { name: &name(user), points: flight.score, flight: Some(flight) };
+    let score = Score { name: &name(user), points: flight.score, flight: Some(flight), version: None };
     scores.save_within(PATIENCE, "1", score).unwrap().placement
 }
 
-/// What comes of flying a row again.
+/// The judge of a level's board, once all of it is judged.
+fn judged(scores: &Scores, level: Arc<Level>) -> Judge {
+    let board = scores.load("1").unwrap().board;
+    let mut judge = Judge::new(scores.clone(), level, &board);
+    loop {
+        while judge.begin(&board, 0..board.rows().len()).is_some() {}
+        if !judge.flies() {
+            return judge;
+        }
+        judge.fly(1000);
+    }
+}
+
+/// How a row stands: `None` where it is unproven.
 fn judge(scores: &Scores, row: usize, level: Arc<Level>) -> Option<Result<(), Doubt>> {
     let board = scores.load("1").unwrap().board;
-    let origin = board.origin(row);
-    let flight = match scores.flight("1", &origin)? {
-        Ok(flight) => flight,
-        Err(problem) => return Some(Err(Doubt::Unreadable(problem))),
-    };
-    let mut claim = match Claim::new(&board.rows()[row], &origin, flight, level) {
-        Ok(claim) => claim,
-        Err(doubt) => return Some(Err(doubt)),
-    };
-    loop {
-        if let Some(verdict) = claim.step() {
-            return Some(verdict);
-        }
+    match judged(scores, level).standing(&board.rows()[row].name).expect("it is judged") {
+        Standing::Proven => Some(Ok(())),
+        Standing::Unproven => None,
+        Standing::Doubtful(doubt) => Some(Err(doubt.clone())),
     }
+}
+
+/// The scores in a folder with a board of level 1, and the flights of its rows by their files.
+fn board(folder: &Path, rows: &str, flights: &[(&str, &str)]) -> Scores {
+    let scores = folder.join("scores");
+    fs::create_dir_all(scores.join("flights/1")).unwrap();
+    fs::write(scores.join("1.csv"), rows).unwrap();
+    for (file, text) in flights {
+        fs::write(scores.join("flights/1").join(file), text).unwrap();
+    }
+    Scores::new(scores)
 }
 
 #[test]
@@ -56,7 +71,8 @@ fn a_row_leads_to_its_flight_and_is_proven_by_it() {
     let (careful, gold) = (record("1", "careful"), record("1", "gold"));
     assert_eq!(save(&scores, "ann", &careful), Placement::New { rank: 1 });
     assert_eq!(judge(&scores, 0, level("1")), Some(Ok(())));
-    assert_eq!(scores.flight("1", &scores.load("1").unwrap().board.origin(0)), Some(Ok(careful.clone())));
+    let saved = |flight: &Replay| Some(Ok(Replay { player: Some("ann".into()), ..flight.clone() }));
+    assert_eq!(scores.flight("1", &scores.load("1").unwrap().board.origin(0)), saved(&careful), "with its player's name");
     // A better one takes its place, a worse one leaves no trace.
     assert!(matches!(save(&scores, "ann", &gold), Placement::Raised { rank: 1, .. }));
     let flights = || fs::read_dir(folder.path().join("scores/flights/1")).unwrap().count();
@@ -64,10 +80,10 @@ fn a_row_leads_to_its_flight_and_is_proven_by_it() {
     assert!(matches!(save(&scores, "ann", &careful), Placement::Kept { .. }));
     assert_eq!((scores.load("1").unwrap().board, flights()), (board.clone(), kept));
     let origin = board.origin(0);
-    assert_eq!(scores.flight("1", &origin), Some(Ok(gold.clone())));
+    assert_eq!(scores.flight("1", &origin), saved(&gold));
     assert_eq!((origin.version, origin.program), (gold.level_hash, gold.program));
     // A score that is saved without a flight is no longer that of the old one.
-    assert!(matches!(scores.save("1", &name("ann"), 99_999), Ok(saved) if saved.board.origin(0).flight.is_none()));
+    assert!(matches!(scores.save("1", &name("ann"), 20_999), Ok(saved) if saved.board.origin(0).flight.is_none()));
     assert_eq!(judge(&scores, 0, level("1")), None);
 }
 
@@ -111,18 +127,29 @@ fn what_is_forged_is_found() {
     // The row's score alone.
     let raised = sound.replacen(&gold.score.to_string(), "20000", 1);
     assert_eq!(verdict(&raised, &flown), Err(Doubt::Score(20_000, gold.score)));
-    // The record's, too.
+    // The record's, too: more than that time can bring, and, with the time, another score than the flight comes to.
     let forged = flown.replace(&format!("# score: {}", gold.score), "# score: 20000");
-    assert!(matches!(verdict(&raised, &forged), Err(Doubt::Flown(Mismatch::End { .. }, None))));
+    assert_eq!(verdict(&raised, &forged), Err(Doubt::TooMuch(20_000, 18_222, Some(5.0))));
+    let lower = sound.replacen(&gold.score.to_string(), "18000", 1);
+    let forged = flown.replace(&format!("# score: {}", gold.score), "# score: 18000");
+    assert!(matches!(verdict(&lower, &forged), Err(Doubt::Flown(Mismatch::End { .. }, None))));
     // Its inputs.
-    let other = flown.replacen("\n60,1,0,0,0", "\n61,1,0,0,0", 1);
+    let other = flown.replacen("\n60,1,0,0,0\n10,", "\n61,1,0,0,0\n9,", 1);
     assert_ne!(other, flown);
+    // More of them than its own time has.
+    let longer = flown.replacen("\n60,1,0,0,0\n10,", "\n60,1,0,0,0\n11,", 1);
+    assert_eq!(verdict(&sound, &longer), Err(Doubt::Flown(Mismatch::RunsOn(600, 601), None)));
+    // A flight that somebody else has saved.
+    let others = flown.replace("# player: ann\n", "# player: bob\n");
+    assert_eq!(verdict(&sound, &others), Err(Doubt::Player("bob".into())));
+    let nobodys = flown.replace("# player: ann\n", "");
+    assert_eq!(verdict(&sound, &nobodys), Ok(()), "records from before they had a player");
     assert!(matches!(verdict(&sound, &other), Err(Doubt::Flown(Mismatch::Second(1, ..), None))));
     // The flight of another level, and one that does not say of which it is.
     let elsewhere = Replay { score: gold.score, ..record("2", "gold") }.to_string();
     let hash = level_hash(&level("2"));
     assert_eq!(verdict(&sound, &elsewhere), Err(Doubt::Version(level_hash(&level("1")), hash)));
-    let unversioned = sound.replace(&format!("{:016x}", level_hash(&level("1"))), "");
+    let unversioned = sound.replace(&level_hash(&level("1")).to_string(), "");
     assert!(matches!(verdict(&unversioned, &elsewhere), Err(Doubt::Flown(Mismatch::Level(found, _), None)) if found == hash));
     let nowhere = Replay { level_hash: None, ..gold.clone() }.to_string();
     assert_eq!(verdict(&sound, &nowhere), Err(Doubt::NoLevel));
@@ -152,7 +179,7 @@ fn a_changed_level_keeps_its_old_board_aside() {
     let folder = tempfile::tempdir().unwrap();
     let scores = Scores::new(folder.path().join("scores"));
     let gold = record("1", "gold");
-    let (now, then) = (gold.level_hash.unwrap(), 0x1234);
+    let (now, then) = (gold.level_hash.unwrap(), LevelHash::Fnv64(0x1234));
     let older = |score: i64| Replay { level_hash: Some(then), score, ..gold.clone() };
     fs::create_dir_all(folder.path().join("scores")).unwrap();
     fs::write(folder.path().join("scores/1.csv"), "name,score,class\nold,5,7b\n").unwrap();
@@ -161,7 +188,7 @@ fn a_changed_level_keeps_its_old_board_aside() {
     let text = fs::read_to_string(folder.path().join("scores/1.csv")).unwrap();
     fs::write(folder.path().join("scores/1.csv"), text.replace("cid,8000,,", "cid,8000,8a,")).unwrap();
     // Seen from the level as it is now they are not on the board; nothing is written by looking.
-    let shown = |version: u64| {
+    let shown = |version: LevelHash| {
         let (loaded, others) = scores.load_version("1", version).unwrap();
         let rows: Vec<String> = loaded.board.rows().iter().map(|row| format!("{} {}", row.name, row.score)).collect();
         (rows.join(", "), others)
@@ -183,6 +210,177 @@ fn a_changed_level_keeps_its_old_board_aside() {
     assert!(board.contains("old,5,7b") && board.contains("cid,8000,8a"), "{board}");
 }
 
+#[test]
+fn rows_with_the_old_hash_of_the_level_stay_and_those_of_another_come_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let level = level("1");
+    let (version, gold) = (Fingerprint::of(&level), record("1", "gold"));
+    let [new, old] = version.hashes().collect::<Vec<_>>()[..] else { panic!("two hashes") };
+    assert!(!new.is_old() && old.is_old() && gold.level_hash == Some(new), "{new} {old}");
+    let flown = Replay { level_hash: Some(old), ..gold.clone() };
+    let rows = format!(
+        "name,score,flight,version,program\nann,{},a.replay.csv,{old},\nbob,9,b.replay.csv,0000000000001234,\n",
+        gold.score
+    );
+    let scores = board(folder.path(), &rows, &[("a.replay.csv", &flown.to_string())]);
+    let aside = folder.path().join("scores/aside");
+    fs::create_dir_all(&aside).unwrap();
+    for (hash, row) in [(new, "cid,7"), (old, "dan,6"), (LevelHash::Sha256([3; 32]), "eve,5")] {
+        fs::write(aside.join(format!("1.{hash}.csv")), format!("name,score,flight,version\n{row},,{hash}\n")).unwrap();
+    }
+    let shown = |version: Fingerprint| {
+        let (loaded, others) = scores.load_version("1", version).unwrap();
+        (loaded.board.rows().iter().map(|row| row.name.to_string()).collect::<Vec<_>>().join(" "), others)
+    };
+    assert_eq!(shown(version), ("ann cid dan".to_owned(), 2));
+    assert_eq!(judge(&scores, 0, level), Some(Ok(())), "its record carries the old hash, and is flown all the same");
+    // A save leaves the old hash where it is, and moves the other version aside under the hash that it carries.
+    let fay = name("fay");
+    let score = Score { name: &fay, points: gold.score - 1, flight: Some(&gold), version: Some(version) };
+    scores.save_within(PATIENCE, "1", score).unwrap();
+    let text = fs::read_to_string(folder.path().join("scores/1.csv")).unwrap();
+    assert!(text.contains(&format!(",{old},")) && text.contains(&format!(",{new},")) && !text.contains("bob"), "{text}");
+    assert!(aside.join("1.0000000000001234.csv").is_file());
+    assert_eq!(shown(version), ("ann fay cid dan".to_owned(), 2));
+    assert_eq!(shown(LevelHash::Sha256([3; 32]).into()).0, "eve");
+}
+
+#[test]
+fn what_the_rules_do_not_allow_is_told_at_sight() {
+    let folder = tempfile::tempdir().unwrap();
+    let gold = record("1", "gold").to_string();
+    let points = record("1", "gold").score;
+    let rows = format!(
+        "name,score,flight,version,program\nhuge,99999999999,,,\nmuch,21001,,,\nmost,21000,,,\nann,{points},a.replay.csv,,\n\
+         bob,{points},a.replay.csv,,\ncid,{points},c.replay.csv,,\ndan,{points},,,resultant 0.1.0\neve,5,,,\n"
+    );
+    let scores = board(folder.path(), &rows, &[("a.replay.csv", &gold), ("c.replay.csv", &gold)]);
+    let verdicts: Vec<_> = (0..8).map(|row| judge(&scores, row, level("1"))).collect();
+    let doubt = |doubt| Some(Err(doubt));
+    assert_eq!(
+        verdicts,
+        [
+            doubt(Doubt::TooMuch(99_999_999_999, 21_000, None)),
+            doubt(Doubt::TooMuch(21_001, 21_000, None)),
+            None,
+            Some(Ok(())),
+            doubt(Doubt::Twice(name("ann"))),
+            doubt(Doubt::Twice(name("ann"))),
+            doubt(Doubt::Emptied),
+            None,
+        ]
+    );
+    // Ranked by that, rows without a flight are last, whatever they say.
+    let (mut board, judge) = (scores.load("1").unwrap().board, judged(&scores, level("1")));
+    board.rank_by(|name| judge.fails(name));
+    let ranked: Vec<&str> = board.rows().iter().map(|row| row.name.as_str()).collect();
+    assert_eq!(ranked, ["ann", "bob", "cid", "huge", "much", "most", "dan", "eve"]);
+    let (loaded, _) = scores.load_version("1", level_hash(&level("1"))).unwrap();
+    assert_eq!(loaded.board.rows()[0].name.as_str(), "ann", "also before any is flown");
+}
+
+/// Of two rows with one flight the one that stands ahead keeps it, whichever is looked at first.
+#[test]
+fn the_older_of_two_rows_with_one_flight_keeps_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let (gold, points) = (record("1", "gold").to_string(), record("1", "gold").score);
+    let rows = format!("name,score,flight\nann,{points},a.replay.csv\nbob,{points},b.replay.csv\n");
+    let scores = board(folder.path(), &rows, &[("a.replay.csv", &gold), ("b.replay.csv", &gold)]);
+    let board = scores.load("1").unwrap().board;
+    for order in [[0, 1], [1, 0]] {
+        for flown_between in [0, 10_000] {
+            let mut judge = Judge::new(scores.clone(), level("1"), &board);
+            judge.begin(&board, [order[0]]);
+            judge.fly(flown_between);
+            judge.begin(&board, [order[1]]);
+            judge.fly(10_000);
+            let standings = ["ann", "bob"].map(|user| judge.standing(&name(user)).cloned());
+            assert_eq!(standings, [Some(Standing::Proven), Some(Standing::Doubtful(Doubt::Twice(name("ann"))))]);
+            assert_eq!(judge.failed(), 1);
+        }
+    }
+}
+
+/// Ticks flown are what judging costs.
+#[test]
+fn a_forged_row_costs_no_more_than_the_honest_part_of_its_flight() {
+    let folder = tempfile::tempdir().unwrap();
+    let gold = record("1", "gold");
+    let text = gold.to_string();
+    let lines = |wanted: bool| move |line: &&str| line.starts_with("# hash ") != wanted;
+    let without_hashes: String = text.lines().filter(lines(true)).map(|line| format!("{line}\n")).collect();
+    let hour = |ticks: u64, hashes: u64| {
+        let time = ticks as f64 / 120.0;
+        let seconds: String = (1..=hashes).map(|second| format!("# hash {second}: 0123456789abcdef\n")).collect();
+        without_hashes.replace("# time: 5\n", &format!("# time: {time}\n{seconds}")).replacen(
+            "\n60,1,0,0,0",
+            &format!("\n{},1,0,0,0", ticks - 540),
+            1,
+        )
+    };
+    let one = |text: &str| {
+        let score = text.lines().find_map(|line| line.strip_prefix("# score: ")).unwrap();
+        let scores = board(folder.path(), &format!("name,score,flight\nann,{score},a.replay.csv\n"), &[("a.replay.csv", text)]);
+        let judge = judged(&scores, level("1"));
+        (judge.standing(&name("ann")).cloned().unwrap(), judge.ticks())
+    };
+    // 10⁹ ticks behind its own end.
+    let (standing, ticks) = one(&(text.clone() + "999999400,0,0,0,0\n"));
+    assert_eq!((standing, ticks), (Standing::Doubtful(Doubt::Flown(Mismatch::RunsOn(600, 1_000_000_000), None)), 0));
+    // The same, with the time that they take: so slow a flight is not worth its score.
+    let slow = hour(1_000_000_000, 0);
+    assert!(matches!(one(&slow), (Standing::Doubtful(Doubt::TooMuch(18_222, 1000, Some(_))), 0)));
+    // With a score that it may have.
+    let slow = slow.replace("# score: 18222", "# score: 1");
+    assert_eq!(one(&slow), (Standing::Doubtful(Doubt::TooLong(1_000_000_000)), 0));
+    // An hour of it, without the hashes of its seconds, and with some.
+    let slow = |hashes| hour(432_000, hashes).replace("# score: 18222", "# score: 1");
+    assert_eq!(one(&slow(0)), (Standing::Doubtful(Doubt::Seconds(0, 3600)), 0));
+    assert!(matches!(one(&slow(3600)), (Standing::Doubtful(Doubt::Flown(Mismatch::Second(1, ..), None)), 120)));
+    // Before the first key: nothing of it counts as time, but it is flown.
+    let idle = without_hashes.replace("\n60,1,0,0,0", "\n999999400,0,0,0,0\n60,1,0,0,0");
+    assert_eq!(one(&idle), (Standing::Doubtful(Doubt::TooLong(1_000_000_000)), 0));
+    // The honest flight costs its ticks, and the look at its end.
+    assert_eq!(one(&text), (Standing::Proven, 601));
+}
+
+#[test]
+fn rows_are_judged_in_turn() {
+    let folder = tempfile::tempdir().unwrap();
+    let level = level("1");
+    // Slow flights that hold up to their end, at which they have not completed anything.
+    let mut game = Game::new(level.clone()).unwrap();
+    let mut recorder = Recorder::default();
+    for _ in 0..60 * 120 {
+        game.step(Controls::default());
+        recorder.note(&game, Controls::default());
+    }
+    let slow = Replay { score: 1000, ..recorder.finish(&game) };
+    let gold = record("1", "gold");
+    let users: Vec<String> = (0..IN_TURN).map(|user| format!("slow{user}")).collect();
+    let mut rows = "name,score,flight\n".to_owned();
+    let mut flights = Vec::new();
+    for (index, user) in users[1..].iter().enumerate() {
+        rows += &format!("{user},1000,{user}.replay.csv\n");
+        flights.push((format!("{user}.replay.csv"), Replay { hash: index as u64, ..slow.clone() }.to_string()));
+    }
+    rows += "honest,18222,gold.replay.csv\n";
+    flights.push(("gold.replay.csv".to_owned(), gold.to_string()));
+    let flights: Vec<(&str, &str)> = flights.iter().map(|(file, text)| (file.as_str(), text.as_str())).collect();
+    let scores = board(folder.path(), &rows, &flights);
+    let board = scores.load("1").unwrap().board;
+    let mut judge = Judge::new(scores, level, &board);
+    // The honest row comes last into the air.
+    while judge.begin(&board, (0..board.rows().len()).rev()).is_some() {}
+    while judge.standing(&name("honest")).is_none() {
+        judge.fly(TURN);
+    }
+    assert_eq!(judge.standing(&name("honest")), Some(&Standing::Proven));
+    let bound = IN_TURN as u64 * (601 + TURN);
+    assert!(judge.ticks() <= bound, "{} ticks were flown, expected at most {bound}", judge.ticks());
+    assert!(judge.standing(&name("slow1")).is_none(), "still in the air");
+}
+
 #[cfg(unix)]
 #[test]
 fn a_flight_that_cannot_be_kept_saves_no_row() {
@@ -191,7 +389,7 @@ fn a_flight_that_cannot_be_kept_saves_no_row() {
     fs::write(folder.path().join("scores/flights"), "in the way").unwrap();
     let scores = Scores::new(folder.path().join("scores"));
     let gold = record("1", "gold");
-    let score = Score { name: &name("ann"), points: gold.score, flight: Some(&gold) };
+    let score = Score { name: &name("ann"), points: gold.score, flight: Some(&gold), version: None };
     assert!(scores.save_within(PATIENCE, "1", score).is_err());
     assert!(!folder.path().join("scores/1.csv").exists());
 }

@@ -158,6 +158,22 @@ fn what_could_do_harm_is_refused_with_its_name() {
     says(&renamed(with(&[("t/aaaa.csv", b"one"), ("t/bbbb.csv", b"two")]), b"t/bbbb.csv", b"t/aaaa.csv"), "one entry a name");
     // Names that are no text.
     says(&renamed(with(&[("t/aaaa.csv", b"x")]), b"t/aaaa.csv", b"t/\xff\xfeaa.csv"), "UTF-8");
+    // One name in two encodings, or in two cases that are not one letter each.
+    says(&with(&[("t/\u{e9}.png", b"x"), ("t/e\u{301}.png", b"x")]), "twice");
+    says(&with(&[("t/straße.png", b"x"), ("t/STRASSE.png", b"x")]), "twice");
+    for device in ["t/con .txt", "t/CONIN$.txt", "t/com1 .csv"] {
+        says(&with(&[(device, b"x")]), "a device");
+    }
+    // A pipe, and a device, by their modes, which stand in the high bytes of each entry's attributes.
+    for kind in [0o010_000_u32, 0o020_000, 0o060_000, 0o140_000] {
+        let mut made = ZipWriter::new(Cursor::new(Vec::new()));
+        made.start_file("t/notes.txt", SimpleFileOptions::default().unix_permissions(0o644)).unwrap();
+        let mut bytes = made.finish().unwrap().into_inner();
+        let mode = (0o100_644_u32 << 16).to_le_bytes();
+        let at = bytes.windows(4).position(|window| window == mode).unwrap();
+        bytes[at..at + 4].copy_from_slice(&((kind | 0o644) << 16).to_le_bytes());
+        says(&bytes, "a pipe or a device");
+    }
     // Links.
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     zip.add_symlink("t/world.csv", "/etc/passwd", SimpleFileOptions::default()).unwrap();
@@ -208,9 +224,9 @@ fn bombs_do_not_go_off() {
     says(&bomb, "more than 16777216 bytes");
     says(&with(&[("t/world.csv", &zeros[..1 << 20])]), "more than 262144 bytes");
     // Many that are allowed, each by itself.
-    let names: Vec<String> = (0..9).map(|i| format!("t/{i}.png")).collect();
+    let names: Vec<String> = (0..5).map(|i| format!("t/{i}.png")).collect();
     let many: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), &zeros[..16 << 20])).collect();
-    says(&with(&many), "expected no more");
+    says(&with(&many), "67108864 bytes up to here, expected no more");
     let names: Vec<String> = (0..1000).map(|i| format!("t/{i}.txt")).collect();
     let many: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), &b"x"[..])).collect();
     says(&with(&many), "expected at most 1000");
@@ -221,6 +237,110 @@ fn bombs_do_not_go_off() {
     assert!(!places.is_empty());
     places.iter().for_each(|&at| liar[at..at + 4].copy_from_slice(&10_u32.to_le_bytes()));
     assert!(pack::read(&liar, "t").is_err());
+}
+
+/// A PNG of that size by its head, in a few bytes.
+fn png_of(width: u32, height: u32) -> Vec<u8> {
+    [b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR", &width.to_be_bytes()[..], &height.to_be_bytes(), b"\x01\0\0\0\0"].concat()
+}
+
+#[test]
+fn a_level_that_needs_too_much_memory_is_refused_by_its_sizes_alone() {
+    // Pictures of a few bytes: 4 bytes a pixel for each, and 8 once more for the largest.
+    let picture = png_of(4096, 4096);
+    let names: Vec<String> = (0..3).map(|i| format!("t/{i}.png")).collect();
+    let pictures = |count: usize| with(&names[..count].iter().map(|name| (name.as_str(), picture.as_slice())).collect::<Vec<_>>());
+    assert!(pictures(3).len() < 6000);
+    let told = pack::read(&pictures(3), "t").unwrap_err();
+    let needs: u64 = told.strip_prefix("found a level that needs ").unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!(needs > 3 * (64 << 20) + (128 << 20) && told.ends_with(" bytes of memory, expected at most 268435456"), "{told}");
+    assert!(pack::read(&pictures(1), "t").is_ok());
+    // An archive that says that an entry is larger than any memory: nothing of it was unfolded, for it is not there.
+    let mut liar = with(&[("t/notes.txt", &[b'x'; 77_777])]);
+    let places: Vec<usize> = (0..liar.len() - 4).filter(|&at| liar[at..at + 4] == 77_777_u32.to_le_bytes()).collect();
+    assert!(!places.is_empty());
+    places.iter().for_each(|&at| liar[at..at + 4].copy_from_slice(&(1_u32 << 30).to_le_bytes()));
+    assert!(pack::read(&liar, "t").unwrap_err().contains("bytes of memory"));
+    // One that says that it is smaller: no more than that is unfolded.
+    places.iter().for_each(|&at| liar[at..at + 4].copy_from_slice(&7_u32.to_le_bytes()));
+    assert!(pack::read(&liar, "t").unwrap_err().contains("notes.txt"));
+}
+
+/// A flight has a limit of its own, far above that of a table.
+#[test]
+fn a_long_flight_goes_along() {
+    let flight = fs::read_to_string(root().join("levels/1/flights/gold.replay.csv")).unwrap();
+    let long = flight + &"1,1,0,0,0\n1,0,0,0,0\n".repeat(40_000);
+    assert!(long.len() > 3 * (256 << 10));
+    let package = pack::read(&with(&[("t/flights/long.replay.csv", long.as_bytes())]), "").unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let installed = pack::install(&package, &folder.path().join("levels"), folder.path(), false).unwrap();
+    let (packed, left) = pack::gather(installed.folder(), folder.path()).unwrap();
+    assert_eq!((&packed, left.len()), (&package, 0));
+    // No flight is a table, and a table has its own limit wherever it lies.
+    let wide = vec![b'x'; 300 << 10];
+    for (file, most) in [("t/world.csv", "262144"), ("t/flights/t/world.csv", "262144"), ("world.csv", "262144")] {
+        let told = pack::read(&with(&[(file, &wide)]), "t").unwrap_err();
+        assert!(told.contains(most), "{told}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pack_holds_what_lies_in_the_folder_and_follows_no_link() {
+    use std::os::unix::fs::symlink;
+    let project = tempfile::tempdir().unwrap();
+    let secret = project.path().join("secret.txt");
+    fs::write(&secret, "nobody's business").unwrap();
+    fs::create_dir_all(project.path().join("pictures")).unwrap();
+    fs::copy(root().join("levels/15/sails.png"), project.path().join("pictures/a.png")).unwrap();
+    let folder = project.path().join("levels/t");
+    fs::create_dir_all(&folder).unwrap();
+    for (name, text) in LEVEL {
+        fs::write(project.path().join("levels").join(name), text).unwrap();
+    }
+    let link = |to: &Path, from: &str, more: Option<(&str, &str)>| {
+        let from = folder.join(from);
+        symlink(to, &from).unwrap();
+        let table = more.map(|(name, text)| (folder.join(name), text));
+        table.iter().for_each(|(path, text)| fs::write(path, text).unwrap());
+        let told = pack::gather(&folder, project.path()).unwrap_err().join("\n");
+        assert!(told.starts_with(&format!("{}: found a link", from.display())), "{told}");
+        fs::remove_file(&from).unwrap();
+        table.iter().for_each(|(path, _)| fs::remove_file(path).unwrap());
+    };
+    link(&secret, "notes.txt", None);
+    link(&secret, "own.png", None);
+    fs::create_dir(folder.join("flights")).unwrap();
+    link(&secret, "flights/x.replay.csv", None);
+    fs::remove_dir(folder.join("flights")).unwrap();
+    let art = Some(("decoration.csv", "x,y,image\n1,1,art/a.png\n"));
+    link(&project.path().join("pictures"), "art", art);
+    link(&project.path().join("pictures/a.png"), "b.png", Some(("decoration.csv", "x,y,image\n1,1,levels/t/b.png\n")));
+    fs::write(project.path().join("x.replay.csv"), "flight").unwrap();
+    link(project.path(), "flights", None);
+    assert_eq!(pack::gather(&folder, project.path()).unwrap().0.files.len(), 3);
+}
+
+#[test]
+fn what_is_there_already_is_told_precisely() {
+    let folder = tempfile::tempdir().unwrap();
+    let levels = folder.path().join("levels");
+    let package = pack::read(&with(&[("t/world.csv", b"x,y,width,height\n0,500,800,20\n")]), "").unwrap();
+    let install = || pack::install(&package, &levels, folder.path(), false);
+    install().unwrap();
+    // What the loader does not read makes no other level of it; what it reads does.
+    fs::create_dir(levels.join("t/flights")).unwrap();
+    for mine in ["notes.txt", "flights/mine.replay.csv", ".autosave"] {
+        fs::write(levels.join("t").join(mine), "mine").unwrap();
+    }
+    let more = vec!["flights/mine.replay.csv".to_owned(), "notes.txt".to_owned()];
+    assert_eq!(install(), Ok(Installed::Already(levels.join("t"), more)));
+    fs::write(levels.join("t/objects.csv"), "").unwrap();
+    assert!(install().unwrap_err()[0].contains("another level of that name: objects.csv lies there, too"));
+    fs::remove_file(levels.join("t/objects.csv")).unwrap();
+    fs::write(levels.join("t/world.csv"), "x,y,width,height\n0,500,800,21\n").unwrap();
+    assert!(install().unwrap_err()[0].contains("another level of that name: world.csv is another one"));
 }
 
 #[test]
@@ -239,12 +359,12 @@ fn nothing_is_written_that_does_not_load_and_nothing_over_what_is_there() {
     let install = |package: &Package, free| pack::install(package, &levels, folder.path(), free);
     assert_eq!(install(&first, false), Ok(Installed::New(levels.join("t"))));
     let before = tree(folder.path());
-    assert_eq!(install(&first, false), Ok(Installed::Already(levels.join("t"))));
+    assert_eq!(install(&first, false), Ok(Installed::Already(levels.join("t"), vec![])));
     let taken = install(&second, false).unwrap_err();
-    assert!(taken[0].contains("another level of that name"), "{taken:?}");
+    assert!(taken[0].contains("another level of that name: notes.txt is not there"), "{taken:?}");
     assert_eq!(tree(folder.path()), before, "nothing was written");
     assert_eq!(install(&second, true), Ok(Installed::New(levels.join("t-2"))));
-    assert_eq!(install(&second, true), Ok(Installed::Already(levels.join("t-2"))));
+    assert_eq!(install(&second, true), Ok(Installed::Already(levels.join("t-2"), vec![])));
     // A folder that is empty, or a file, is somebody's too.
     fs::create_dir(levels.join("t-3")).unwrap();
     fs::write(levels.join("t-4"), "").unwrap();

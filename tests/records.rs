@@ -2,7 +2,7 @@
 
 mod support;
 
-use resultant::game::level_hash;
+use resultant::game::{LevelHash, level_hash};
 use resultant::level::{Fluid, Level, Look, ObjectiveKind, Solid, Stream, Text};
 use resultant::physics::{DVec2, Material};
 use support::rooms::{area, crate_at, objective, room};
@@ -22,7 +22,7 @@ fn full() -> Level {
 }
 
 /// The hash of the level once it is changed.
-fn changed(change: impl FnOnce(&mut Level)) -> u64 {
+fn changed(change: impl FnOnce(&mut Level)) -> LevelHash {
     let mut level = full();
     change(&mut level);
     level_hash(&level)
@@ -92,4 +92,32 @@ fn names_words_and_looks_do_not() {
     }
     let colour = |colour| changed(|level| level.objects[0].key = Some(colour));
     assert_eq!(colour([0; 3]), colour([255; 3]));
+}
+
+/// What stands at the end of one list or name is not taken for the beginning of the next.
+#[test]
+fn no_two_levels_have_one_encoding() {
+    let zone = area(1.0, 2.0, 3.0, 4.0);
+    let named = |world: &[Option<&str>], obstacles: usize| {
+        changed(|level| {
+            level.world =
+                world.iter().map(|name| Solid { name: name.map(str::to_owned), ..Solid::new(zone, Material::ASPHALT) }).collect();
+            level.obstacles = vec![zone; obstacles];
+        })
+    };
+    let hashes = [
+        named(&[Some("ab"), Some("c")], 0),
+        named(&[Some("a"), Some("bc")], 0),
+        named(&[Some("abc"), None], 0),
+        named(&[None, Some("abc")], 0),
+        named(&[None, Some("name")], 0),
+        named(&[Some("name"), None], 0),
+        named(&[None, None], 0),
+        named(&[None], 1),
+        named(&[], 2),
+    ];
+    for (index, hash) in hashes.iter().enumerate() {
+        assert!(!hash.is_old() && hash.to_string().len() == 64);
+        assert!(!hashes[..index].contains(hash), "{index}");
+    }
 }

@@ -2,14 +2,14 @@
 
 use super::{Project, Readers, Status, Stop, shown};
 use crate::classics::jumper::scene::LEADERBOARD;
-use crate::game::level_hash;
-use crate::level::{self, Level};
-use crate::scores::{Board, Claim, Doubt, Scores, Standing};
+use crate::game::Fingerprint;
+use crate::level;
+use crate::scores::{Board, Doubt, Judge, Loaded, Scores, Standing};
 use std::io::{self, Write};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// How long a flight is flown without a word, and how long from one word to the next.
+/// How long flights are flown without a word, and how long from one word to the next.
 const SILENCE: Duration = Duration::from_secs(2);
 /// How often the clock is asked, ticks: asking it must not count.
 const TICKS_A_LOOK: u64 = 4096;
@@ -31,84 +31,92 @@ pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
             status = Status::Wrong;
         }
     }
+    // A file that cannot be read is told where it is used: no row of it is a row of a board.
+    let players = scores.players().map(|(players, _)| players).unwrap_or_default();
+    let claims: usize = players.all().iter().map(crate::scores::Player::done).sum();
+    if claims > 0 {
+        writeln!(out, "players.csv: {claims} levels done, on the players' own word")?;
+    }
     Ok(status)
 }
 
 /// Judges a level's board; whether all of it holds.
 fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): (&mut dyn Write, &mut dyn Write)) -> Result<bool, Stop> {
-    let level = match level::load(&project.levels().join(name), project.root()) {
-        Ok(loaded) => Ok(Arc::new(loaded.level)),
-        Err(problems) => Err(problems.first().map(ToString::to_string).unwrap_or_default()),
-    };
+    let level = level::load(&project.levels().join(name), project.root());
+    let level = level.map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default());
     let shown_name = shown(name);
     let loaded = match &level {
-        Ok(level) => scores.load_version(name, level_hash(level)),
+        Ok(loaded) => scores.load_version(name, Fingerprint::of(&loaded.level)),
         Err(_) => scores.load(name).map(|loaded| (loaded, 0)),
     };
-    let (loaded, others) = match loaded {
+    let (Loaded { mut board, damage }, others) = match loaded {
         Ok(loaded) => loaded,
         Err(error) => {
             writeln!(err, "{shown_name}: {}", shown(error))?;
             return Ok(false);
         }
     };
-    for damage in &loaded.damage {
+    for damage in &damage {
         writeln!(err, "{}", shown(damage))?;
     }
-    let (mut proven, mut without, mut doubtful) = (0, 0, 0);
-    for (index, row) in loaded.board.rows().iter().enumerate() {
-        let called = format!("{shown_name}: rank {}, {}, {} points", index + 1, row.name, row.score);
-        match judge(scores, name, &loaded.board, index, (&level, &called, err))? {
+    let standings: Vec<Standing> = match level {
+        Ok(loaded) => {
+            let mut judge = Judge::new(scores.clone(), Arc::new(loaded.level), &board);
+            judge_all(&mut judge, &board, &shown_name, err)?;
+            board.rank_by(|name| judge.fails(name));
+            board.rows().iter().filter_map(|row| judge.standing(&row.name).cloned()).collect()
+        }
+        Err(problem) => {
+            let standing =
+                |row| board.origin(row).flight.map_or(Standing::Unproven, |_| Standing::Doubtful(Doubt::Level(problem.clone())));
+            (0..board.rows().len()).map(standing).collect()
+        }
+    };
+    let (mut proven, mut unproven, mut doubtful) = (0, 0, 0);
+    for (index, (row, standing)) in board.rows().iter().zip(standings).enumerate() {
+        match standing {
             Standing::Proven => proven += 1,
-            Standing::NoFlight => without += 1,
+            Standing::Unproven => unproven += 1,
             Standing::Doubtful(doubt) => {
                 doubtful += 1;
-                writeln!(err, "{called}: does not hold: {}", shown(doubt))?;
+                let doubt = shown(doubt);
+                writeln!(err, "{shown_name}: rank {}, {}, {} points: does not hold: {doubt}", index + 1, row.name, row.score)?;
             }
         }
     }
     write!(out, "{shown_name}: {proven} proven")?;
-    if without > 0 {
-        write!(out, ", {without} without a flight")?;
+    if unproven > 0 {
+        write!(out, ", {unproven} unproven")?;
     }
     if doubtful > 0 {
         write!(out, ", {doubtful} not")?;
+    }
+    let old = (0..board.rows().len()).filter(|&row| board.origin(row).version.is_some_and(|version| version.is_old())).count();
+    if old > 0 {
+        write!(out, "; {old} with the old 64-bit hash of the level")?;
     }
     if others > 0 {
         write!(out, "; {others} boards of other versions of the level aside")?;
     }
     writeln!(out)?;
-    Ok(doubtful == 0 && loaded.damage.is_empty())
+    Ok(doubtful == 0 && damage.is_empty())
 }
 
-/// What comes of flying a row again; of a long flight it is said from time to time how far it is.
-fn judge(
-    scores: &Scores,
-    name: &str,
-    board: &Board,
-    index: usize,
-    (level, called, err): (&Result<Arc<Level>, String>, &str, &mut dyn Write),
-) -> Result<Standing, Stop> {
-    let origin = board.origin(index);
-    let flight = match (scores.flight(name, &origin), level) {
-        (None, _) => return Ok(Standing::NoFlight),
-        (Some(_), Err(problem)) => return Ok(Standing::Doubtful(Doubt::Level(problem.clone()))),
-        (Some(Err(problem)), Ok(_)) => return Ok(Standing::Doubtful(Doubt::Unreadable(problem))),
-        (Some(Ok(flight)), Ok(level)) => (flight, level.clone()),
-    };
-    let ticks = flight.0.inputs.ticks();
-    let mut claim = match Claim::new(&board.rows()[index], &origin, flight.0, flight.1) {
-        Ok(claim) => claim,
-        Err(doubt) => return Ok(Standing::Doubtful(doubt)),
-    };
-    let mut last = Instant::now();
+/// Flies all flights of a board, and says from time to time how far that is.
+fn judge_all(judge: &mut Judge, board: &Board, name: &str, err: &mut dyn Write) -> Result<(), Stop> {
+    let (mut last, mut next) = (Instant::now(), 0);
     loop {
-        if let Some(verdict) = claim.step() {
-            return Ok(verdict.map_or_else(Standing::Doubtful, |()| Standing::Proven));
+        while let Some(row) = judge.begin(board, next..board.rows().len()) {
+            next = row + 1;
         }
-        if claim.ticks().is_multiple_of(TICKS_A_LOOK) && last.elapsed() >= SILENCE {
+        if !judge.flies() {
+            return Ok(());
+        }
+        judge.fly(TICKS_A_LOOK);
+        if last.elapsed() >= SILENCE {
             last = Instant::now();
-            writeln!(err, "{called}: {} of {ticks} ticks flown", claim.ticks())?;
+            let judged = board.rows().iter().filter(|row| judge.standing(&row.name).is_some()).count();
+            writeln!(err, "{name}: {judged} of {} rows judged, {} ticks flown", board.rows().len(), judge.ticks())?;
         }
     }
 }

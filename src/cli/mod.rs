@@ -188,7 +188,15 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
 /// # Errors
 /// There is no such level, or it is refused, with every problem.
 fn load_level(project: &Project, name: impl AsRef<Path>) -> Result<Arc<Level>, Stop> {
-    let loaded = level::load(&project.level_folder(name)?, project.root()).map_err(|problems| {
+    load_folder(project, &project.level_folder(name)?)
+}
+
+/// The level in a folder, ready to be played.
+///
+/// # Errors
+/// It is refused, with every problem.
+fn load_folder(project: &Project, folder: &Path) -> Result<Arc<Level>, Stop> {
+    let loaded = level::load(folder, project.root()).map_err(|problems| {
         let lines: Vec<String> = problems.iter().map(ToString::to_string).collect();
         Stop::Refused(lines.join("\n"))
     })?;

@@ -7,6 +7,9 @@ use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+/// How many files are named in a line.
+const MOST_NAMED: usize = 5;
+
 /// What to pack.
 #[derive(clap::Args, Debug)]
 pub struct PackArgs {
@@ -71,9 +74,19 @@ pub fn unpack(args: &UnpackArgs, project: &Project, out: &mut dyn Write) -> Resu
     let (files, flights) = counts(&package);
     match pack::install(&package, &project.levels(), project.root(), false).map_err(refused)? {
         Installed::New(folder) => writeln!(out, "{}: {files} files, {flights} flights", shown(folder.display()))?,
-        Installed::Already(folder) => writeln!(out, "{}: there already", shown(folder.display()))?,
+        Installed::Already(folder, more) => writeln!(out, "{}: there already{}", shown(folder.display()), beside(&more))?,
     }
     Ok(Status::Done)
+}
+
+/// Which other files lie in the folder of a level that is there already, in words.
+fn beside(more: &[String]) -> String {
+    let named: Vec<String> = more.iter().take(MOST_NAMED).map(shown).collect();
+    match more.len() {
+        0 => String::new(),
+        all if all > named.len() => format!(", and more in its folder: {} and {} others", named.join(", "), all - named.len()),
+        _ => format!(", and more in its folder: {}", named.join(", ")),
+    }
 }
 
 /// The package in an archive on disk.

@@ -1,7 +1,7 @@
 //! Where the game's folders are.
 
 use super::{Stop, shown};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// The folder that holds `assets/`, `levels/` and `scores/`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,6 +68,25 @@ impl Project {
         }
         Err(Stop::Refused(format!("no level {level:?}: neither {} nor {level:?} is a folder", shown(listed.display()))))
     }
+
+    /// The folder of the level that a record names: records come from anywhere, so that it is one right below `levels/` and no other.
+    ///
+    /// # Errors
+    /// The name is no plain one; there is no such folder.
+    pub fn recorded_level(&self, level: &str) -> Result<PathBuf, Stop> {
+        let mut parts = Path::new(level).components();
+        let own = matches!((parts.next(), parts.next()), (Some(Component::Normal(own)), None) if own == level);
+        if !own || level.contains('\\') {
+            let expected = "expected the plain name of a folder below levels/";
+            return Err(Stop::Refused(format!("found a record of the level {level:?}, {expected}")));
+        }
+        let folder = self.levels().join(level);
+        if folder.is_dir() {
+            Ok(folder)
+        } else {
+            Err(Stop::Refused(format!("no level {level:?}: {} is no folder", shown(folder.display()))))
+        }
+    }
 }
 
 #[cfg(test)]
@@ -85,6 +104,22 @@ mod tests {
         assert_eq!(Project::first_with_levels(candidates().take(1)).root(), Path::new("."));
         assert_eq!(Project::find(Some(bare.path())).unwrap().root(), bare.path());
         assert!(Project::find(Some(&bare.path().join("missing"))).is_err());
+    }
+
+    #[test]
+    fn a_record_leads_nowhere_but_to_a_level() {
+        let data = tempfile::tempdir().unwrap();
+        for folder in ["levels/7/deep", "evil"] {
+            std::fs::create_dir_all(data.path().join(folder)).unwrap();
+        }
+        let project = Project::find(Some(data.path())).unwrap();
+        assert_eq!(project.recorded_level("7").unwrap(), data.path().join("levels").join("7"));
+        let absolute = data.path().join("evil");
+        for away in ["", ".", "..", "../evil", "7/..", "7/deep", "./7", "7/", "..\\evil", absolute.to_str().unwrap()] {
+            let Err(Stop::Refused(problem)) = project.recorded_level(away) else { panic!("{away:?} leads somewhere") };
+            assert!(problem.contains("expected the plain name"), "{problem}");
+        }
+        assert!(matches!(project.recorded_level("8"), Err(Stop::Refused(problem)) if problem.starts_with("no level \"8\"")));
     }
 
     #[test]

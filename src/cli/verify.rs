@@ -1,7 +1,7 @@
 //! `resultant verify`: flies recorded runs again and compares where they lead.
 
 use super::files::read_text;
-use super::{Project, Readers, Status, Stop, earned, load_level, shown};
+use super::{Project, Readers, Status, Stop, earned, load_folder, shown};
 use crate::files::INPUTS;
 use crate::game::{Mismatch, PROGRAM, Replay};
 use crate::level::Level;
@@ -53,8 +53,14 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     for (name, replay, level) in replays {
         match fly(&name, &replay, level, &mut err)? {
             Ok(()) => {
-                let whose = if replay.level_hash.is_some() { "" } else { "; the record does not say which level of that name" };
-                writeln!(out, "{name}: ok, score {}, hash {:016x}{whose}", replay.score, replay.hash)?;
+                let player = replay.player.map(|player| format!("; saved by {}", shown(player))).unwrap_or_default();
+                let version = match replay.level_hash {
+                    Some(hash) if hash.is_old() => "; carries the old 64-bit hash of the level",
+                    Some(_) => "",
+                    None => "; the record does not say which level of that name",
+                };
+                write!(out, "{name}: ok, score {}, hash {:016x}", replay.score, replay.hash)?;
+                writeln!(out, "; level {}, {} ticks{player}{version}", shown(replay.level), replay.inputs.ticks())?;
             }
             Err(mismatch) => {
                 let by = replay.program.filter(|program| program != PROGRAM);
@@ -82,6 +88,10 @@ fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> R
 
 fn read(project: &Project, path: &std::path::Path) -> Result<(Replay, Arc<Level>), Stop> {
     let replay = Replay::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(Stop::refused)?;
-    let level = load_level(project, &replay.level)?;
+    let named = |stop| match stop {
+        Stop::Refused(problem) => Stop::Refused(format!("{}: {problem}", shown(path.display()))),
+        other => other,
+    };
+    let level = project.recorded_level(&replay.level).and_then(|folder| load_folder(project, &folder)).map_err(named)?;
     Ok((replay, level))
 }

@@ -1,93 +1,221 @@
 //! Which level a run was flown in: a hash of all that a flight and its score depend on.
+//!
+//! The hash is SHA-256, so that nobody can make another level that has it. Its encoding is unambiguous: numbers are 8 bytes, lists and
+//! texts begin with their length, each optional part with a byte that says whether it follows. Records and boards of before carry 64 bits
+//! of FNV-1a instead, which one walk over the level computes beside it.
 
 use super::hash::Fnv1a;
 use crate::level::{Field, Fluid, Level, Mover, Object, Objective, Player, Pod, SHIP_DRAG, Solid, Stream, Switch, Work};
 use crate::physics::{Aabb, DVec2, Leg, Material, Path, Sides};
+use sha2::{Digest, Sha256};
+use std::fmt;
+use std::str::FromStr;
 
-/// The hash of a level. Its name, its words and how things look are left out, and so is how its files are written: two levels with the
-/// same hash are flown alike. Whatever is added to a level has to be named here, on one side or the other.
-pub fn level_hash(level: &Level) -> u64 {
-    let Level {
-        name: _,
-        title: _,
-        metre: _,
-        texts: _,
-        background: _,
-        // What is earned is worked out from a result, whenever it is asked for.
-        awards: _,
-        decoration: _,
-        size,
-        gravity,
-        gravity_x,
-        air_density,
-        optimal_time,
-        rest_speed,
-        friction,
-        player,
-        world,
-        movers,
-        doors,
-        switches,
-        objects,
-        objectives,
-        obstacles,
-        streams,
-        fluids,
-        fields,
-        pods,
-    } = level;
-    let mut hash = Hash(Fnv1a::new());
-    hash.vectors(&[*size]);
-    hash.numbers(&[*gravity, *air_density, *optimal_time, *rest_speed]);
-    hash.player(player);
-    hash.given("friction", *friction != 1.0, |hash| hash.numbers(&[*friction]));
-    hash.given("gravity_x", *gravity_x != 0.0, |hash| hash.numbers(&[*gravity_x]));
-    hash.each(world, Hash::solid);
-    hash.each(objects, Hash::object);
-    hash.each(objectives, |hash, Objective { kind, bounds, hold, order, colour }| {
-        hash.0.write(*kind as u64);
-        hash.area(bounds);
-        hash.given("hold", *hold != 0.0, |hash| hash.numbers(&[*hold]));
-        hash.given("order", order.is_some(), |hash| hash.0.write(u64::from(order.unwrap_or_default())));
-        hash.given("colour", colour.is_some(), |hash| hash.colour(colour.unwrap_or_default()));
-    });
-    hash.given("keys", objectives.iter().any(|objective| objective.colour.is_some()), |hash| {
-        objects.iter().filter_map(|object| object.key).for_each(|key| hash.colour(key));
-    });
-    hash.each(obstacles, Hash::area);
-    hash.each(streams, |hash, Stream { source, zone, force, name }| {
-        hash.area(source);
-        hash.area(zone);
-        hash.vectors(&[*force]);
-        hash.name(name.as_deref());
-    });
-    hash.each(fluids, |hash, Fluid { zone, density, viscosity, colour: _ }| {
-        hash.area(zone);
-        hash.numbers(&[*density, *viscosity]);
-    });
-    hash.given("movers", !movers.is_empty(), |hash| hash.each(movers, Hash::mover));
-    hash.given("doors", !doors.is_empty(), |hash| hash.each(doors, Hash::solid));
-    hash.given("switches", !switches.is_empty(), |hash| hash.each(switches, Hash::switch));
-    hash.given("fields", !fields.is_empty(), |hash| {
-        hash.each(fields, |hash, Field { zone, strength }| {
-            hash.area(zone);
-            hash.vectors(&[*strength]);
-        });
-    });
-    hash.given("pods", !pods.is_empty(), |hash| {
-        hash.each(pods, |hash, Pod { bounds, fuel }| {
-            hash.area(bounds);
-            hash.numbers(&[*fuel]);
-        });
-    });
-    hash.0.finish()
+/// What the SHA-256 begins with: no other file has this hash by accident, and another encoding gets another number.
+const ENCODING: &str = "resultant level 1";
+/// Hex digits of a hash in a message: enough to tell two apart at a glance.
+const SHORT: usize = 16;
+
+/// The hash of a level, as a file carries it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum LevelHash {
+    /// SHA-256, 64 hex digits.
+    Sha256([u8; 32]),
+    /// 64 bits of FNV-1a, 16 hex digits, in files of before: they tell versions of a level apart, but anyone can make a level that has them.
+    Fnv64(u64),
 }
 
-struct Hash(Fnv1a);
+impl LevelHash {
+    /// What files are expected to carry.
+    pub const EXPECTED: &str = "64 hex digits, or the 16 of an older file";
+
+    /// Whether this is the 64-bit hash of older files.
+    pub const fn is_old(self) -> bool {
+        matches!(self, Self::Fnv64(_))
+    }
+
+    /// Its first digits, for messages.
+    pub fn short(self) -> String {
+        self.to_string().chars().take(SHORT).collect()
+    }
+}
+
+impl fmt::Display for LevelHash {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Sha256(bytes) => bytes.iter().try_for_each(|byte| write!(f, "{byte:02x}")),
+            Self::Fnv64(bits) => write!(f, "{bits:016x}"),
+        }
+    }
+}
+
+impl FromStr for LevelHash {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        if !text.bytes().all(|byte| byte.is_ascii_hexdigit()) {
+            return Err(());
+        }
+        match text.len() {
+            16 => u64::from_str_radix(text, 16).map(Self::Fnv64).map_err(drop),
+            64 => {
+                let mut bytes = [0; 32];
+                for (at, byte) in bytes.iter_mut().enumerate() {
+                    *byte = u8::from_str_radix(&text[2 * at..2 * at + 2], 16).map_err(drop)?;
+                }
+                Ok(Self::Sha256(bytes))
+            }
+            _ => Err(()),
+        }
+    }
+}
+
+/// Both hashes of one level: a file may carry either.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fingerprint {
+    hash: LevelHash,
+    old: Option<LevelHash>,
+}
+
+impl From<LevelHash> for Fingerprint {
+    /// A level of which one hash is known.
+    fn from(hash: LevelHash) -> Self {
+        Self { hash, old: None }
+    }
+}
+
+impl Fingerprint {
+    /// The hash that new files carry.
+    pub const fn hash(self) -> LevelHash {
+        self.hash
+    }
+
+    /// All hashes that files may carry, the new one first.
+    pub fn hashes(self) -> impl Iterator<Item = LevelHash> {
+        [self.hash].into_iter().chain(self.old)
+    }
+
+    /// Whether a file that carries this hash is of the level.
+    pub fn is(self, hash: LevelHash) -> bool {
+        self.hashes().any(|own| own == hash)
+    }
+
+    /// The hash to be compared with one from a file: of the same kind, where that is known.
+    pub fn beside(self, other: LevelHash) -> LevelHash {
+        self.old.filter(|_| other.is_old()).unwrap_or(self.hash)
+    }
+
+    /// The hashes of a level. Its name, its words and how things look are left out, and so is how its files are written: two levels with
+    /// the same hash are flown alike. A new field of a level has to be named here, on one side or the other.
+    pub fn of(level: &Level) -> Self {
+        let Level {
+            name: _,
+            title: _,
+            metre: _,
+            texts: _,
+            background: _,
+            // What is earned is worked out from a result, whenever it is asked for.
+            awards: _,
+            decoration: _,
+            size,
+            gravity,
+            gravity_x,
+            air_density,
+            optimal_time,
+            rest_speed,
+            friction,
+            player,
+            world,
+            movers,
+            doors,
+            switches,
+            objects,
+            objectives,
+            obstacles,
+            streams,
+            fluids,
+            fields,
+            pods,
+        } = level;
+        let mut hash = Hash { sha256: Sha256::new(), old: Fnv1a::new() };
+        hash.text(ENCODING);
+        hash.vectors(&[*size]);
+        hash.numbers(&[*gravity, *air_density, *optimal_time, *rest_speed]);
+        hash.player(player);
+        hash.given("friction", *friction != 1.0, |hash| hash.numbers(&[*friction]));
+        hash.given("gravity_x", *gravity_x != 0.0, |hash| hash.numbers(&[*gravity_x]));
+        hash.each(world, Hash::solid);
+        hash.each(objects, Hash::object);
+        hash.each(objectives, |hash, Objective { kind, bounds, hold, order, colour }| {
+            hash.word(*kind as u64);
+            hash.area(bounds);
+            hash.given("hold", *hold != 0.0, |hash| hash.numbers(&[*hold]));
+            hash.given("order", order.is_some(), |hash| hash.word(u64::from(order.unwrap_or_default())));
+            hash.given("colour", colour.is_some(), |hash| hash.colour(colour.unwrap_or_default()));
+        });
+        hash.given("keys", objectives.iter().any(|objective| objective.colour.is_some()), |hash| {
+            objects.iter().filter_map(|object| object.key).for_each(|key| hash.colour(key));
+        });
+        hash.each(obstacles, Hash::area);
+        hash.each(streams, |hash, Stream { source, zone, force, name }| {
+            hash.area(source);
+            hash.area(zone);
+            hash.vectors(&[*force]);
+            hash.name(name.as_deref());
+        });
+        hash.each(fluids, |hash, Fluid { zone, density, viscosity, colour: _ }| {
+            hash.area(zone);
+            hash.numbers(&[*density, *viscosity]);
+        });
+        hash.given("movers", !movers.is_empty(), |hash| hash.each(movers, Hash::mover));
+        hash.given("doors", !doors.is_empty(), |hash| hash.each(doors, Hash::solid));
+        hash.given("switches", !switches.is_empty(), |hash| hash.each(switches, Hash::switch));
+        hash.given("fields", !fields.is_empty(), |hash| {
+            hash.each(fields, |hash, Field { zone, strength }| {
+                hash.area(zone);
+                hash.vectors(&[*strength]);
+            });
+        });
+        hash.given("pods", !pods.is_empty(), |hash| {
+            hash.each(pods, |hash, Pod { bounds, fuel }| {
+                hash.area(bounds);
+                hash.numbers(&[*fuel]);
+            });
+        });
+        Self { hash: LevelHash::Sha256(hash.sha256.finalize().into()), old: Some(LevelHash::Fnv64(hash.old.finish())) }
+    }
+}
+
+/// The hash of a level that new files carry.
+pub fn level_hash(level: &Level) -> LevelHash {
+    Fingerprint::of(level).hash
+}
+
+/// Both hashes of what has been written so far.
+struct Hash {
+    sha256: Sha256,
+    old: Fnv1a,
+}
 
 impl Hash {
+    fn word(&mut self, word: u64) {
+        self.sha256.update(word.to_le_bytes());
+        self.old.write(word);
+    }
+
+    /// A text with its length; the old hash passes it over.
+    fn text(&mut self, text: &str) {
+        self.sha256.update((text.len() as u64).to_le_bytes());
+        self.sha256.update(text);
+    }
+
+    /// What the old hash takes for a text: a word a byte, without a length.
+    fn old_text(&mut self, text: &str) {
+        text.bytes().for_each(|byte| self.old.write(u64::from(byte)));
+    }
+
     fn numbers(&mut self, numbers: &[f64]) {
-        numbers.iter().for_each(|number| self.0.write(number.to_bits()));
+        numbers.iter().for_each(|number| self.word(number.to_bits()));
     }
 
     fn vectors(&mut self, vectors: &[DVec2]) {
@@ -98,21 +226,22 @@ impl Hash {
         self.vectors(&[*min, *max]);
     }
 
-    /// Something that older levels do not have: nothing is written where it is not given, so that their hashes stay what they were.
+    /// A part that a level may lack. The old hash has nothing where it is not given, and its name where it is.
     fn given(&mut self, name: &str, given: bool, write: impl FnOnce(&mut Self)) {
+        self.sha256.update([u8::from(given)]);
         if given {
-            name.bytes().for_each(|byte| self.0.write(u64::from(byte)));
+            self.old_text(name);
             write(self);
         }
     }
 
     fn colour(&mut self, colour: [u8; 3]) {
-        colour.into_iter().for_each(|channel| self.0.write(u64::from(channel)));
+        colour.into_iter().for_each(|channel| self.word(u64::from(channel)));
     }
 
     /// How many there are, and each of them.
     fn each<T>(&mut self, things: &[T], write: impl Fn(&mut Self, &T)) {
-        self.0.write(things.len() as u64);
+        self.word(things.len() as u64);
         things.iter().for_each(|thing| write(self, thing));
     }
 
@@ -121,10 +250,11 @@ impl Hash {
         self.given("bounces", *restitution != 0.0, |hash| hash.numbers(&[*restitution]));
     }
 
-    /// What switches find it by.
+    /// The name by which switches find it.
     fn name(&mut self, name: Option<&str>) {
         self.given("name", name.is_some(), |hash| {
-            name.unwrap_or_default().bytes().for_each(|byte| hash.0.write(u64::from(byte)));
+            hash.text(name.unwrap_or_default());
+            hash.old_text(name.unwrap_or_default());
         });
     }
 
@@ -133,7 +263,7 @@ impl Hash {
         self.area(bounds);
         self.material(material);
         self.given("sides", *sides != Sides::ALL, |hash| {
-            [left, right, top, bottom].into_iter().for_each(|solid| hash.0.write(u64::from(solid)));
+            [left, right, top, bottom].into_iter().for_each(|solid| hash.word(u64::from(solid)));
         });
         self.given("belt", *belt != 0.0, |hash| hash.numbers(&[*belt]));
         self.given("breaks", breaks.is_some(), |hash| hash.numbers(&[breaks.unwrap_or_default()]));
@@ -147,18 +277,18 @@ impl Hash {
             hash.numbers(&[*duration]);
             hash.vectors(&[*velocity, *acceleration]);
         });
-        self.0.write(u64::from(*repeats));
+        self.word(u64::from(*repeats));
     }
 
     fn switch(&mut self, Switch { bounds, works, weight, by, latch }: &Switch) {
         self.area(bounds);
         self.each(works, |hash, Work { name, inverted }| {
             hash.name(Some(name));
-            hash.0.write(u64::from(*inverted));
+            hash.word(u64::from(*inverted));
         });
         self.given("weight", weight.is_some(), |hash| hash.numbers(&[weight.unwrap_or_default()]));
-        self.0.write(*by as u64);
-        self.0.write(*latch as u64);
+        self.word(*by as u64);
+        self.word(*latch as u64);
     }
 
     fn player(&mut self, player: &Player) {
@@ -166,7 +296,7 @@ impl Hash {
         self.vectors(&[*position, *velocity]);
         self.numbers(&[*angle, *mass, *fuel, *thrust]);
         self.material(material);
-        self.0.write(u64::from(*feels_air));
+        self.word(u64::from(*feels_air));
         self.given("drag", *drag != SHIP_DRAG, |hash| hash.numbers(&[*drag]));
         self.given("bounces", *restitution != 0.0, |hash| hash.numbers(&[*restitution]));
     }
@@ -176,8 +306,43 @@ impl Hash {
         self.vectors(&[*position, *velocity, *size]);
         self.numbers(&[*mass, *drag, *restitution]);
         self.material(material);
-        self.0.write(u64::from(*circular));
-        self.0.write(u64::from(key.is_some()));
+        self.word(u64::from(*circular));
+        self.word(u64::from(key.is_some()));
         self.given("weightless", *weightless, |_| {});
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hashes_of_both_kinds_read_back_and_nothing_else_is_one() {
+        let new = LevelHash::Sha256(std::array::from_fn(|at| at as u8 * 7));
+        let old = LevelHash::Fnv64(0x1f);
+        assert_eq!((new.to_string().len(), old.to_string().as_str()), (64, "000000000000001f"));
+        for hash in [new, old] {
+            assert_eq!(hash.to_string().parse(), Ok(hash));
+        }
+        for text in ["", "1f", "00000000000000zz", &new.to_string()[1..], &format!("{new}0"), &"é".repeat(32), "+00000000000001f"]
+        {
+            assert_eq!(text.parse::<LevelHash>(), Err(()), "{text}");
+        }
+    }
+
+    #[test]
+    fn either_hash_is_of_the_level() {
+        let (hash, old) = (LevelHash::Sha256([1; 32]), LevelHash::Fnv64(1));
+        let both = Fingerprint { hash, old: Some(old) };
+        assert!(both.is(hash) && both.is(old) && !both.is(LevelHash::Fnv64(2)));
+        assert_eq!((both.beside(LevelHash::Fnv64(2)), both.beside(LevelHash::Sha256([2; 32]))), (old, hash));
+        assert!(!Fingerprint::from(hash).is(old));
+    }
+
+    /// SHA-256 of "abc", FIPS 180-4: the crate is the function that it says.
+    #[test]
+    fn sha_256_is_the_one_of_the_standard() {
+        let digest = LevelHash::Sha256(Sha256::digest("abc").into());
+        assert_eq!(digest.to_string(), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     }
 }

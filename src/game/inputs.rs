@@ -71,7 +71,7 @@ impl Inputs {
     /// A missing header, a wrong number of cells, ticks that are no whole number from 1, a key that is neither 0 nor 1, more than
     /// [`MOST_TICKS`] in all.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
-        let mut lines = lines(file, text).into_iter();
+        let mut lines = lines(file, text);
         let names: Vec<&str> = HEADER.split(',').collect();
         match lines.next() {
             None => {
@@ -176,7 +176,7 @@ impl Iterator for Playback {
 /// What a file without its first row is told.
 const HEADER_ROW: &str = "the header ticks,thrust,reverse,left,right";
 
-/// A line of the file that holds something.
+/// A line of the file that holds something. No cell of these files needs quotes: each comma parts two cells.
 struct Line<'a> {
     file: &'a str,
     number: usize,
@@ -191,15 +191,14 @@ pub(crate) fn records(lines: &str) -> Vec<StringRecord> {
     reader.from_reader(lines.as_bytes()).records().map(Result::unwrap_or_default).collect()
 }
 
-/// The lines that hold something: neither blank nor a comment. They keep the numbers that an editor gives them; those of the `csv` crate
-/// are off behind blank lines and comments. Empty cells at a line's end, as spreadsheets leave them, are none.
-fn lines<'a>(file: &'a str, text: &str) -> Vec<Line<'a>> {
+/// The lines that hold something: neither blank nor a comment, one after the other, as a file may have millions. They keep the numbers that
+/// an editor gives them; those of the `csv` crate are off behind blank lines and comments. Empty cells at a line's end, as spreadsheets leave
+/// them, are none.
+fn lines<'a>(file: &'a str, text: &'a str) -> impl Iterator<Item = Line<'a>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let cut = text.lines().map(|line| line.trim().trim_end_matches([',', ' ', '\t']));
-    let (numbers, rows): (Vec<usize>, Vec<&str>) =
-        (1..).zip(cut).filter(|(_, line)| !line.is_empty() && !line.starts_with('#')).unzip();
-    let rows = rows.join("\n");
-    numbers.into_iter().zip(records(&rows)).map(|(number, cells)| Line { file, number, cells }).collect()
+    let used = (1..).zip(cut).filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+    used.map(move |(number, line)| Line { file, number, cells: line.split(',').map(str::trim).collect() })
 }
 
 impl Line<'_> {

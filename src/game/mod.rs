@@ -37,7 +37,7 @@ pub use attempt::{DAMAGING_SPEED, DUST_SPEED, Game, SHIP, TICK_RATE, TICK_RATES}
 pub use clock::{Clock, TICKS_A_FRAME};
 pub use death::Death;
 pub use event::{GameError, GameEvent, Outcome};
-pub use fingerprint::level_hash;
+pub use fingerprint::{Fingerprint, LevelHash, level_hash};
 pub use history::{History, Reel};
 pub use impacts::{Felt, READABLE};
 pub(crate) use inputs::records;

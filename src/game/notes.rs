@@ -4,6 +4,9 @@ use super::replay::MOST_SECONDS;
 use super::{Outcome, TICK_RATES};
 use std::str::FromStr;
 
+/// How many comments of a file are looked at: a record has one a second, and people add some.
+const MOST_NOTES: usize = 2 * MOST_SECONDS;
+
 /// The comments of a replay file.
 pub(super) struct Notes<'a> {
     file: &'a str,
@@ -18,7 +21,7 @@ impl<'a> Notes<'a> {
             Some((key.trim(), value.trim()))
         };
         let lines = (1..).zip(text.lines()).filter_map(|(number, line)| Some((number, note(line)?)));
-        Self { file, lines: lines.collect() }
+        Self { file, lines: lines.take(MOST_NOTES).collect() }
     }
 
     /// The first line `# name: value`, and its number.
@@ -64,20 +67,19 @@ impl<'a> Notes<'a> {
     }
 }
 
-/// A level's name on its line: as it is, or in quotes where it would not come back whole.
-pub(super) fn written(level: &str) -> String {
-    let plain =
-        level.trim() == level && !level.starts_with('"') && !level.chars().any(|c| c.is_control() || LINE_ENDS.contains(&c));
-    if plain { level.to_owned() } else { format!("{level:?}") }
+/// A name on its line: as it is, or in quotes where it would not come back whole.
+pub(super) fn written(name: &str) -> String {
+    let plain = name.trim() == name && !name.starts_with('"') && !name.chars().any(|c| c.is_control() || LINE_ENDS.contains(&c));
+    if plain { name.to_owned() } else { format!("{name:?}") }
 }
 
 /// What some programs take for the end of a line, besides control characters.
 const LINE_ENDS: [char; 2] = ['\u{2028}', '\u{2029}'];
 
-/// What [`written`] has written.
-pub(super) struct LevelName(pub String);
+/// A name that [`written`] has written.
+pub(super) struct Plain(pub String);
 
-impl FromStr for LevelName {
+impl FromStr for Plain {
     type Err = ();
 
     fn from_str(text: &str) -> Result<Self, ()> {

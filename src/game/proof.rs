@@ -1,7 +1,7 @@
 //! Flying a record again, a tick at a time, to see whether it leads where it says.
 
 use super::replay::{ended_second, thousandths};
-use super::{Game, GameError, Mismatch, Outcome, Playback, Replay, level_hash};
+use super::{Fingerprint, Game, GameError, Mismatch, Outcome, Playback, Replay};
 use crate::level::Level;
 use std::sync::Arc;
 
@@ -17,11 +17,14 @@ impl Proof {
     /// The record at its start in that level.
     ///
     /// # Errors
-    /// As [`Game::with_tick_rate`]; within, the level is another one than the record's, by its hash.
+    /// As [`Game::with_tick_rate`]; within, the level is another one than the record's, by its hash, or its keys go on beyond its own time.
     pub fn new(replay: Arc<Replay>, level: Arc<Level>) -> Result<Result<Self, Mismatch>, GameError> {
-        let here = level_hash(&level);
-        if let Some(recorded) = replay.level_hash.filter(|&recorded| recorded != here) {
-            return Ok(Err(Mismatch::Level(recorded, here)));
+        let here = Fingerprint::of(&level);
+        if let Some(recorded) = replay.level_hash.filter(|&recorded| !here.is(recorded)) {
+            return Ok(Err(Mismatch::Level(recorded, here.beside(recorded))));
+        }
+        if let Some(mismatch) = replay.runs_on() {
+            return Ok(Err(mismatch));
         }
         let game = Game::with_tick_rate(level, replay.tick_rate)?;
         Ok(Ok(Self { rest: replay.inputs.clone().into_iter(), game, replay }))
@@ -29,9 +32,10 @@ impl Proof {
 
     /// Flies one tick; the answer once it is known.
     pub fn step(&mut self) -> Option<Result<(), Mismatch>> {
-        // Once it has ended nothing changes any more.
-        let next = if self.game.outcome() == Outcome::Running { self.rest.next() } else { None };
-        let Some(controls) = next else { return Some(self.compare()) };
+        let Some(controls) = self.rest.next() else { return Some(self.compare()) };
+        if self.game.outcome() != Outcome::Running {
+            return Some(Err(Mismatch::RunsOn(self.game.ticks(), self.replay.inputs.ticks())));
+        }
         self.game.step(controls);
         let second = ended_second(&self.game)?;
         let &recorded = self.replay.seconds.get(second - 1)?;

@@ -3,8 +3,9 @@
 //!
 //! ```text
 //! # program: resultant 0.1.0
+//! # player: ann
 //! # level: 1
-//! # level_hash: 0123456789abcdef
+//! # level_hash: 0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef
 //! # tick_rate: 120
 //! # outcome: completed
 //! # time: 5.25
@@ -16,11 +17,11 @@
 //! ```
 //!
 //! `hash` is that of the last state, `hash 1` that after the first second, and so on: they tell in which second a flight departs.
-//! Program, level's hash, outcome, time and the hashes of the seconds are not in records of before there were any; a record without a
-//! level's hash is flown in whatever level has its name.
+//! `player` is in the record of a saved score. Program, level's hash, outcome, time and the hashes of the seconds are not in older records,
+//! or the level's hash has 16 digits there; a record without a level's hash is flown in the level that has its name.
 
-use super::notes::{Ended, Hex, LevelName, Notes, Seconds, TickRate, written};
-use super::{BadFile, Controls, Game, GameError, Inputs, Outcome, Proof, level_hash};
+use super::notes::{Ended, Hex, Notes, Plain, Seconds, TickRate, written};
+use super::{BadFile, Controls, Game, GameError, Inputs, LevelHash, Outcome, Proof, level_hash};
 use crate::level::Level;
 use std::fmt;
 use std::sync::Arc;
@@ -36,10 +37,12 @@ pub const MOST_SECONDS: usize = 3600;
 pub struct Replay {
     /// What recorded it, where that is written down.
     pub program: Option<String>,
+    /// The name under which its score was saved, where it was.
+    pub player: Option<String>,
     /// The level's folder name.
     pub level: String,
-    /// The level's hash, as [`level_hash`] has it, where that is written down.
-    pub level_hash: Option<u64>,
+    /// The level's hash, where that is written down.
+    pub level_hash: Option<LevelHash>,
     /// Ticks a second.
     pub tick_rate: f64,
     /// How it ended, where that is written down.
@@ -60,7 +63,9 @@ pub struct Replay {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Mismatch {
     /// The level is another one, by its hash; it was not flown.
-    Level(u64, u64),
+    Level(LevelHash, LevelHash),
+    /// Its keys go on beyond its end: after how many ticks it ended, and how many there are.
+    RunsOn(u64, u64),
     /// It leads elsewhere from this second on, the first being 1; the hashes of the state after it. The rest was not flown.
     Second(usize, u64, u64),
     /// The same state, but not what is written of how and when it ended.
@@ -83,8 +88,10 @@ impl fmt::Display for Mismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Level(recorded, here) => {
-                write!(f, "recorded in a level with the hash {recorded:016x}, the level of that name here has the hash {here:016x}")
+                let (recorded, here) = (recorded.short(), here.short());
+                write!(f, "recorded in a level with the hash {recorded}…, the level of that name here has the hash {here}…")
             }
+            Self::RunsOn(ended, ticks) => write!(f, "it ends after {ended} ticks, but its keys go on for {ticks}"),
             Self::Second(second, recorded, flown) => {
                 write!(f, "departs in second {second}: recorded hash {recorded:016x} after it, flown {flown:016x}")
             }
@@ -127,6 +134,7 @@ impl Recorder {
         let result = game.result();
         Replay {
             program: Some(PROGRAM.to_owned()),
+            player: None,
             level: game.level().name.clone(),
             level_hash: Some(level_hash(game.level())),
             tick_rate: game.tick_rate(),
@@ -161,8 +169,9 @@ impl Replay {
         let mut problems = Vec::new();
         let notes = Notes::of(file, text);
         let program = notes.find_any("program", "a program's name and version", &mut problems);
+        let player = notes.find_any("player", "a player's name", &mut problems);
         let level = notes.find("level", "a level's name", &mut problems);
-        let level_hash = notes.find_any("level_hash", "16 hex digits", &mut problems);
+        let level_hash = notes.find_any("level_hash", LevelHash::EXPECTED, &mut problems);
         let tick_rate = notes.find("tick_rate", "1 to 1000000 ticks a second", &mut problems);
         let outcome = notes.find_any("outcome", "completed, failed or running", &mut problems);
         let time = notes.find_any("time", "seconds, 0 or more", &mut problems);
@@ -171,15 +180,21 @@ impl Replay {
         let seconds = notes.seconds(&mut problems);
         let inputs = Inputs::parse(file, text).map_err(|BadFile(found)| problems.extend(found)).ok();
         match (level, tick_rate, score, hash, inputs) {
-            (Some(LevelName(level)), Some(TickRate(tick_rate)), Some(score), Some(Hex(hash)), Some(inputs))
-                if problems.is_empty() =>
-            {
-                let level_hash = level_hash.map(|Hex(hash)| hash);
+            (Some(Plain(level)), Some(TickRate(tick_rate)), Some(score), Some(Hex(hash)), Some(inputs)) if problems.is_empty() => {
+                let player = player.map(|Plain(player)| player);
                 let (outcome, time) = (outcome.map(|Ended(outcome)| outcome), time.map(|Seconds(time)| time));
-                Ok(Self { program, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs })
+                Ok(Self { program, player, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs })
             }
             _ => Err(BadFile(problems)),
         }
+    }
+
+    /// Whether the keys go on beyond the record's own time, which can be told without flying it. What comes before the first key is no part
+    /// of that time.
+    pub fn runs_on(&self) -> Option<Mismatch> {
+        let (ended, ticks) = (self.time? * self.tick_rate, self.inputs.ticks());
+        let ended = ended.round() as u64;
+        (ticks - self.inputs.idle().unwrap_or(0) > ended).then_some(Mismatch::RunsOn(ended, ticks))
     }
 
     /// Flies the inputs again and compares where they lead. `watch` is told of every tick when it is over.
@@ -204,13 +219,16 @@ impl Replay {
 impl fmt::Display for Replay {
     /// The text of the file, which [`Replay::parse`] reads.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { program, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs } = self;
+        let Self { program, player, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs } = self;
         if let Some(program) = program {
             writeln!(f, "# program: {program}")?;
         }
+        if let Some(player) = player {
+            writeln!(f, "# player: {}", written(player))?;
+        }
         writeln!(f, "# level: {}", written(level))?;
         if let Some(level_hash) = level_hash {
-            writeln!(f, "# level_hash: {level_hash:016x}")?;
+            writeln!(f, "# level_hash: {level_hash}")?;
         }
         writeln!(f, "# tick_rate: {tick_rate}")?;
         if let Some(outcome) = outcome {
@@ -237,8 +255,9 @@ mod tests {
         inputs.record(Controls { thrust: true, ..Controls::default() });
         Replay {
             program: Some(PROGRAM.into()),
+            player: Some("ann".into()),
             level: "up: and away".into(),
-            level_hash: Some(0x1f),
+            level_hash: Some(LevelHash::Sha256([0x1f; 32])),
             tick_rate: 59.94,
             outcome: Some(Outcome::Completed),
             time: Some(5.25),
@@ -251,12 +270,14 @@ mod tests {
 
     #[test]
     fn a_record_from_before_levels_had_hashes_is_read() {
-        let old = Replay { program: None, level_hash: None, outcome: None, time: None, seconds: vec![], ..replay() };
+        let old = Replay { program: None, player: None, level_hash: None, outcome: None, time: None, seconds: vec![], ..replay() };
         let text = old.to_string();
         assert!(text.starts_with("# level: up: and away\n# tick_rate: 59.94\n# score: 17342\n"), "{text}");
         assert_eq!(Replay::parse("run.csv", &text), Ok(old));
         let bad = Replay::parse("run.csv", &text.replace("# score", "# level_hash: 12\n# score")).unwrap_err();
-        assert_eq!(bad.0, [r#"run.csv:3: "level_hash": found "12", expected 16 hex digits"#]);
+        assert_eq!(bad.0, [r#"run.csv:3: "level_hash": found "12", expected 64 hex digits, or the 16 of an older file"#]);
+        let old = Replay { level_hash: Some(LevelHash::Fnv64(0x1f)), ..replay() };
+        assert_eq!(Replay::parse("run.csv", &old.to_string()), Ok(old), "the 64 bits of an older record stay what they are");
     }
 
     #[test]
@@ -276,7 +297,7 @@ mod tests {
         ] {
             let named = Replay { level: name.into(), ..replay() };
             let text = named.to_string();
-            assert_eq!(text.lines().count(), 12, "{text}");
+            assert_eq!(text.lines().count(), 13, "{text}");
             assert_eq!(Replay::parse("run.csv", &text), Ok(named), "{text}");
         }
         for line in ["", "\"", "\"a", "\"a\"b\"", "\"\\q\"", "\"\\u{}\"", "\"\\u{d800}\"", "\"\\"] {
@@ -297,16 +318,16 @@ mod tests {
     fn no_second_is_left_out() {
         let told = |text: String| Replay::parse("run.csv", &text).unwrap_err().0;
         let text = replay().to_string();
-        assert_eq!(told(text.replace("# hash 1:", "# hash 3:")), [r#"run.csv:9: found "hash 3", expected "hash 1""#]);
+        assert_eq!(told(text.replace("# hash 1:", "# hash 3:")), [r#"run.csv:10: found "hash 3", expected "hash 1""#]);
         assert_eq!(
             told(text.replace("# hash 2: 000", "# hash 2: ")),
-            [r#"run.csv:10: "hash 2": found "0000000000002", expected 16 hex digits"#]
+            [r#"run.csv:11: "hash 2": found "0000000000002", expected 16 hex digits"#]
         );
         assert_eq!(
             told(text.replace("completed", "won").replace("5.25", "-5")),
             [
-                r#"run.csv:5: "outcome": found "won", expected completed, failed or running"#,
-                r#"run.csv:6: "time": found "-5", expected seconds, 0 or more"#,
+                r#"run.csv:6: "outcome": found "won", expected completed, failed or running"#,
+                r#"run.csv:7: "time": found "-5", expected seconds, 0 or more"#,
             ]
         );
     }

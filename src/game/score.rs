@@ -49,6 +49,11 @@ impl ScoreParts {
         parts.total = (parts.base + parts.time + parts.fuel + parts.collisions).max(LEAST);
         parts
     }
+
+    /// The most that a level brings in that time, s: nothing was hit, and the tank is full.
+    pub fn most(time: f64, optimal_time: f64) -> i64 {
+        Self::completed(time, optimal_time, 1.0, 0).total
+    }
 }
 
 fn whole(points: f64) -> i64 {
@@ -137,6 +142,11 @@ mod tests {
         assert_eq!(ScoreParts::completed(1e9, 10.0, 0.0, 0).time, -10_000);
         assert_eq!(ScoreParts::completed(0.0, 10.0, 0.0, 0).time, 10_000);
         assert_eq!([0.5, 0.75, 1.0].map(|fuel| ScoreParts::completed(10.0, 10.0, fuel, 0).fuel), [1_000; 3]);
+    }
+
+    #[test]
+    fn no_flight_is_worth_more_than_the_rules_allow() {
+        assert_eq!([0.0, 10.0, 20.0, 1e9].map(|time| ScoreParts::most(time, 10.0)), [21_000, 11_000, 1_000, 1_000]);
     }
 
     #[test]

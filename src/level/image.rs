@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 
 /// The longest side of a picture, pixels: what graphics cards draw.
 const MOST_SIDE: u32 = 16_384;
-/// The most pixels of a picture: 128 MiB when it is unpacked. A PNG of a few kilobytes can unfold to gigabytes.
-const MOST_PIXELS: u64 = 1 << 25;
-/// The most pixels of all the pictures of a level's objects together: 512 MiB.
-const MOST_PIXELS_IN_ALL: u64 = 1 << 27;
+/// The most pixels of a picture: 64 MiB when it is unpacked. A PNG of a few kilobytes can unfold to gigabytes.
+const MOST_PIXELS: u64 = 1 << 24;
+/// The most pixels of all the pictures of a level together, its background with them: 128 MiB.
+const MOST_PIXELS_IN_ALL: u64 = 1 << 25;
 
 /// What was found and what is expected.
 pub(super) type Refusal = (String, String);
@@ -26,13 +26,14 @@ pub(super) type Shape = (Look, f64, f64);
 pub(super) struct Images<'a> {
     files: &'a dyn Files,
     known: BTreeMap<String, Result<(f64, f64), Refusal>>,
-    /// Of all known images together.
+    /// Of all known images together, and the background.
     pixels: u64,
 }
 
 impl<'a> Images<'a> {
-    pub fn new(files: &'a dyn Files) -> Self {
-        Self { files, known: BTreeMap::new(), pixels: 0 }
+    /// None yet, beside a background of so many pixels.
+    pub fn new(files: &'a dyn Files, pixels: u64) -> Self {
+        Self { files, known: BTreeMap::new(), pixels }
     }
 
     /// What an `image` cell means: `box:40x40`, `ball:40x40`, or a PNG's path from the project root.

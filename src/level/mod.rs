@@ -39,10 +39,10 @@ mod world_def;
 pub use awards::{Awards, Mark};
 pub use folder::{list, load, title};
 pub use image::read_picture;
-pub use name::{NameFault, judge_name};
+pub use name::{NameFault, is_device, judge_name};
 pub use names::FILES;
 pub use problem::Problem;
-pub use read::{Files, Loaded, read};
+pub use read::{BACKGROUND, Files, Loaded, read};
 pub use ship_body::{SHIP_BODY, nose, ship_body, sweep_touches};
 pub use types::{
     Decoration, Field, Fluid, Latch, Level, Look, Mover, Object, Objective, ObjectiveKind, Player, Pod, Presser, Route, SHIP_DRAG,

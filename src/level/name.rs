@@ -53,12 +53,18 @@ pub(super) fn judge_taken(name: &str) -> Result<(), NameFault> {
     if let Some((_, reason)) = OTHER_FILES.into_iter().find(|(file, _)| *file == lower) {
         return Err(NameFault::Board(reason));
     }
+    if is_device(&lower) { Err(NameFault::Device) } else { Ok(()) }
+}
+
+/// Whether Windows takes a file or folder of that name for a device: `con`, `CON .txt`, `com1.csv`, `CONIN$`.
+pub fn is_device(name: &str) -> bool {
+    let lower = name.to_lowercase();
     let stem = lower.split('.').next().unwrap_or_default().trim_end();
     let numbered = NUMBERED_DEVICES.iter().filter_map(|device| stem.strip_prefix(device)).any(|rest| {
         let mut rest = rest.chars();
         rest.next().is_some_and(|c| c.is_ascii_digit() || matches!(c, '¹' | '²' | '³')) && rest.next().is_none()
     });
-    if numbered || DEVICES.contains(&stem) { Err(NameFault::Device) } else { Ok(()) }
+    numbered || DEVICES.contains(&stem)
 }
 
 #[cfg(test)]
@@ -84,6 +90,9 @@ mod tests {
             assert_eq!(judge_name(name), Err(NameFault::Device), "{name}");
         }
         assert_eq!(judge_taken("aux.2"), Err(NameFault::Device));
+        for name in ["con .txt", "CONIN$", "conout$.csv", "COM1 .png"] {
+            assert!(is_device(name), "{name}");
+        }
         for name in ["jumper2", "the-jumper", "icon", "console", "com", "com10", "lpt-1", "auxiliary", "nul1"] {
             assert_eq!(judge_name(name), Ok(()), "{name}");
         }

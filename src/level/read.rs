@@ -20,7 +20,7 @@ use std::io;
 use std::path::PathBuf;
 
 /// The picture behind a level, in its folder.
-pub(super) const BACKGROUND: &str = "background.png";
+pub const BACKGROUND: &str = "background.png";
 
 /// Where the loader gets bytes from.
 pub trait Files {
@@ -81,10 +81,13 @@ pub(super) struct Draft {
 /// # Errors
 /// Every problem in every file, in the order of files and lines.
 pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
-    let mut reader = Reader { files, scale: Scale { metre: 1.0 }, problems: Vec::new(), warnings: Vec::new() };
+    let mut reader = Reader { files, scale: Scale { metre: 1.0 }, pixels: 0, problems: Vec::new(), warnings: Vec::new() };
     reader.strays();
     let constants = reader.constants();
     let background = reader.background();
+    if let Some(Ok(DVec2 { x, y })) = background {
+        reader.pixels = (x * y) as u64;
+    }
     let size = match background {
         Some(size) => {
             reader.sizes_that_are_not_used(&constants, size);
@@ -149,6 +152,8 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
 pub(super) struct Reader<'a> {
     files: &'a dyn Files,
     pub scale: Scale,
+    /// Of the background.
+    pixels: u64,
     pub problems: Vec<Problem>,
     pub warnings: Vec<Problem>,
 }
@@ -230,7 +235,7 @@ impl Reader<'_> {
     }
 
     fn draft(&mut self, size: Option<DVec2>, gravity: [f64; 2]) -> Draft {
-        let mut images = Images::new(self.files);
+        let mut images = Images::new(self.files, self.pixels);
         let scale = self.scale;
         let player = self.player();
         let world = self.things(blocks::WORLD, blocks::solid);

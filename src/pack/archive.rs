@@ -1,6 +1,7 @@
 //! A package as the bytes of a `.zip`, and back. Reading caps everything by what really comes out, not by what the archive says.
 
-use super::{LARGEST, MOST_FILES, Package, UNPACKED, limit, path};
+use super::cost::Cost;
+use super::{LARGEST, MEMORY, MOST_FILES, Package, UNPACKED, limit, path};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Cursor, Read, Write};
 use zip::write::SimpleFileOptions;
@@ -12,6 +13,9 @@ const HEART: &str = "player.csv";
 const END: &[u8] = b"PK\x05\x06";
 const END_LENGTH: usize = 22;
 const END_COUNT: usize = 10;
+/// The kind of a file in its Unix mode, and the two that a level's files are; 0 where an archive does not say.
+const KIND: u32 = 0o170_000;
+const PLAIN: [u32; 3] = [0, 0o100_000, 0o040_000];
 
 /// The bytes of the archive; the same package always makes the same bytes.
 ///
@@ -31,8 +35,8 @@ pub fn write(package: &Package) -> Result<Vec<u8>, String> {
 /// The package in an archive; `called` is what the level is named where its files lie in no folder. Whether it is a level is not judged here.
 ///
 /// # Errors
-/// No archive or a damaged one; what is too large or too much; a path that could lead elsewhere, two that are one somewhere, links, secrets,
-/// files that belong to no level; files of several levels.
+/// No archive or a damaged one; one that is too large, has too much in it, or would cost too much memory; a path that could lead elsewhere,
+/// two that are one somewhere, links, devices, files that belong to no level; files of several levels.
 pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
     if bytes.len() as u64 > LARGEST {
         return Err(format!("found {} bytes, expected at most {LARGEST}", bytes.len()));
@@ -46,11 +50,29 @@ pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
     if archive.len() != count {
         return Err(format!("found {count} entries of {} names, expected one entry a name", archive.len()));
     }
+    let cost = cost(&mut archive, bytes.len() as u64)?;
+    if cost > MEMORY {
+        return Err(format!("found a level that needs {cost} bytes of memory, expected at most {MEMORY}"));
+    }
     let mut found = Found::default();
     for index in 0..archive.len() {
         found.entry(&mut archive, index)?;
     }
     found.package(called)
+}
+
+/// What a level costs in memory, by what its archive says of its files. Of each picture the head alone is unfolded.
+fn cost(archive: &mut ZipArchive<Cursor<&[u8]>>, packed: u64) -> Result<u64, String> {
+    let mut cost = Cost::of_archive(packed);
+    for index in 0..archive.len() {
+        let entry = archive.by_index(index).map_err(|error| format!("found an entry that cannot be read: {error}"))?;
+        let (name, size) = (String::from_utf8_lossy(entry.name_raw()).into_owned(), entry.size());
+        let mut head = Vec::new();
+        // A head that is damaged is told when the file is read.
+        let _ = entry.take(Cost::HEAD).read_to_end(&mut head);
+        cost.add(&name, size, &head);
+    }
+    Ok(cost.bytes())
 }
 
 /// How many entries an archive says at its end that it has.
@@ -66,7 +88,7 @@ fn entries(bytes: &[u8]) -> Option<usize> {
 struct Found {
     /// By the parts of their paths.
     files: BTreeMap<Vec<String>, Vec<u8>>,
-    /// All paths of files and of the folders around them as the least particular system tells them apart.
+    /// All paths of files and of the folders around them, [`path::folded`].
     taken: BTreeSet<String>,
     folders: BTreeSet<String>,
     unpacked: u64,
@@ -80,13 +102,21 @@ impl Found {
         if entry.is_symlink() {
             return Err(format!("{shown}: found a link, expected a file"));
         }
+        if entry.unix_mode().is_some_and(|mode| !PLAIN.contains(&(mode & KIND))) {
+            return Err(format!("{shown}: found a pipe or a device, expected a file"));
+        }
         if entry.is_dir() {
             return Ok(());
         }
-        // Where it lies in the level's folder is not known yet: the rest of the path decides, at any depth.
-        let most = (0..parts.len().min(2)).find_map(|from| limit(&parts[from..].join("/")));
+        // Whether the first part is the level's folder is not known yet: the whole path is judged once it is.
+        let most = (0..parts.len().min(2)).filter_map(|from| limit(&parts[from..].join("/"))).max();
         let most = most.ok_or_else(|| format!("{shown}: found a file that belongs to no level, expected CSV, PNG, TXT, MD"))?;
-        let most = most.min(UNPACKED - self.unpacked);
+        let left = UNPACKED - self.unpacked;
+        if entry.size() > left {
+            return Err(format!("{shown}: found more than {UNPACKED} bytes up to here, expected no more"));
+        }
+        // What an archive says is what was judged: an entry that unfolds to more is refused.
+        let most = most.min(entry.size());
         let mut bytes = Vec::new();
         entry.by_ref().take(most + 1).read_to_end(&mut bytes).map_err(|error| format!("{shown}: found a damaged file: {error}"))?;
         if bytes.len() as u64 > most {
@@ -100,13 +130,13 @@ impl Found {
 
     /// No two paths may be one on any system, and none a file here and a folder there.
     fn take_name(&mut self, parts: &[String]) -> Result<(), String> {
-        let lower: Vec<String> = parts.iter().map(|part| part.to_lowercase()).collect();
-        let whole = lower.join("/");
-        let around: Vec<String> = (1..lower.len()).map(|end| lower[..end].join("/")).collect();
+        let folded: Vec<String> = parts.iter().map(|part| path::folded(part)).collect();
+        let whole = folded.join("/");
+        let around: Vec<String> = (1..folded.len()).map(|end| folded[..end].join("/")).collect();
         let clash = self.folders.contains(&whole) || around.iter().any(|folder| self.taken.contains(folder));
         if clash || !self.taken.insert(whole) {
             return Err(format!(
-                "{:?}: found that name twice, expected names that differ in more than their case",
+                "{:?}: found that name twice, expected names that differ in more than their case and the encoding of accents",
                 parts.join("/")
             ));
         }
@@ -133,8 +163,10 @@ impl Found {
                 return Err(format!("{:?}: found a file beside the level's folder, expected all in it", parts.join("/")));
             };
             let own = own.join("/");
-            if limit(&own).is_none_or(|most| bytes.len() as u64 > most) {
-                return Err(format!("{own:?}: found a file that belongs to no level, or is too large for its place"));
+            let most =
+                limit(&own).ok_or_else(|| format!("{own:?}: found a file that belongs to no level, expected CSV, PNG, TXT, MD"))?;
+            if bytes.len() as u64 > most {
+                return Err(format!("{own:?}: found {} bytes, expected at most {most}", bytes.len()));
             }
             files.insert(own, bytes);
         }

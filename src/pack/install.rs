@@ -1,7 +1,8 @@
 //! Writing a package into the folder of levels.
 
-use super::{Package, check, path};
+use super::{MOST_FILES, Package, check, listed, path};
 use crate::files;
+use crate::level::{BACKGROUND, FILES};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -14,15 +15,15 @@ const MOST_NAMES: u32 = 1000;
 pub enum Installed {
     /// It has a folder now.
     New(PathBuf),
-    /// The very same level is there already.
-    Already(PathBuf),
+    /// The very same level is there already; with the other files that lie in its folder.
+    Already(PathBuf, Vec<String>),
 }
 
 impl Installed {
     /// The level's folder.
     pub fn folder(&self) -> &Path {
         match self {
-            Self::New(folder) | Self::Already(folder) => folder,
+            Self::New(folder) | Self::Already(folder, _) => folder,
         }
     }
 }
@@ -42,12 +43,15 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
         match files::create_folder(&folder, |begun| fill(package, begun)) {
             Ok(()) => return Ok(Installed::New(folder)),
             Err(error) if error.kind() != io::ErrorKind::AlreadyExists => return Err(refused(&error)),
-            Err(_) if is_same(package, &folder) => return Ok(Installed::Already(folder)),
-            Err(_) if free_name => {}
-            Err(_) => {
-                let found = format!("{}: there is another level of that name", folder.display());
-                return Err(vec![format!("{found}; nothing was written, --as NAME gives this one another name")]);
-            }
+            Err(_) => {}
+        }
+        let differs = match compare(package, &folder) {
+            Ok(more) => return Ok(Installed::Already(folder, more)),
+            Err(differs) => differs,
+        };
+        if !free_name {
+            let found = format!("{}: there is another level of that name: {differs}", folder.display());
+            return Err(vec![format!("{found}; nothing was written, --as NAME gives this one another name")]);
         }
     }
     Err(vec![format!("{}: there are too many levels named {:?}", levels.display(), package.name)])
@@ -63,7 +67,40 @@ fn fill(package: &Package, folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether a folder holds each of these files, with these bytes.
-fn is_same(package: &Package, folder: &Path) -> bool {
-    package.files.iter().all(|(path, bytes)| files::read(&folder.join(path), bytes.len() as u64).is_ok_and(|found| found == *bytes))
+/// Compares a package with a folder: the files that lie there beside those of the package.
+///
+/// # Errors
+/// A difference that makes another level of it, in words.
+fn compare(package: &Package, folder: &Path) -> Result<Vec<String>, String> {
+    for (path, bytes) in &package.files {
+        match files::read(&folder.join(path), bytes.len() as u64) {
+            Ok(found) if found == *bytes => {}
+            Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
+                return Err(format!("{path} is not there"));
+            }
+            _ => return Err(format!("{path} is another one")),
+        }
+    }
+    let mut more = Vec::new();
+    beside(package, folder, "", &mut more);
+    match more.iter().find(|path| FILES.contains(&path.as_str()) || *path == BACKGROUND) {
+        Some(table) => Err(format!("{table} lies there, too")),
+        None => Ok(more),
+    }
+}
+
+/// Adds the files of a folder that are not the package's, by their paths from the level's folder. Hidden ones are nobody's business.
+fn beside(package: &Package, folder: &Path, within: &str, more: &mut Vec<String>) {
+    for name in listed(&folder.join(within)).unwrap_or_default() {
+        let path = if within.is_empty() { name } else { format!("{within}/{name}") };
+        let is_folder = std::fs::symlink_metadata(folder.join(&path)).is_ok_and(|found| found.is_dir());
+        if more.len() >= MOST_FILES {
+            return;
+        }
+        if is_folder && path.split('/').count() < path::DEEPEST {
+            beside(package, folder, &path, more);
+        } else if !package.files.contains_key(&path) {
+            more.push(path);
+        }
+    }
 }

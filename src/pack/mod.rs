@@ -4,6 +4,7 @@
 //! What a level's files mean is [`crate::level`]'s.
 
 mod archive;
+mod cost;
 mod install;
 mod path;
 
@@ -20,7 +21,9 @@ use std::path::Path;
 /// The largest archive, bytes.
 pub const LARGEST: u64 = 64 << 20;
 /// The most bytes of all its files together, unpacked.
-pub const UNPACKED: u64 = 128 << 20;
+pub const UNPACKED: u64 = 64 << 20;
+/// The most memory that a level may need from its archive to the screen, bytes.
+pub const MEMORY: u64 = 256 << 20;
 /// The most files in one.
 pub const MOST_FILES: usize = 1000;
 /// The folder of a level's flights, and how their files end.
@@ -51,22 +54,26 @@ fn limit(path: &str) -> Option<u64> {
 /// names of those in the folder that cannot.
 ///
 /// # Errors
-/// A name that cannot be handed on; the level's problems; a file that cannot be read; what [`check`] refuses.
+/// A name that cannot be handed on; the level's problems; a file that cannot be read, or is a link; what [`check`] refuses.
 pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), Vec<String>> {
     let name = folder.canonicalize().ok().as_deref().unwrap_or(folder).file_name().map(|name| name.to_string_lossy().into_owned());
     let name = name.unwrap_or_default();
     path::judge_folder(&name).map_err(|problem| vec![problem])?;
     let level = level::load(folder, project).map_err(|problems| told(&problems))?.level;
     let (mut package, mut left) = (Package { name, files: BTreeMap::new() }, Vec::new());
-    let mut take = |path: String, from: &Path, most: u64| {
+    let mut take = |path: String, from: &Path, root: &Path, most: u64| {
+        if let Some(link) = link_below(root, from) {
+            let expected = "expected a file: what a link finds elsewhere is not handed on";
+            return Err(vec![format!("{}: found a link, {expected}", link.display())]);
+        }
         let bytes = files::read(from, most).map_err(|error| vec![format!("{}: {error}", from.display())])?;
         package.files.insert(path, bytes);
-        Ok::<(), Vec<String>>(())
+        Ok(())
     };
     for entry in listed(folder)? {
         let table = FILES.contains(&entry.as_str()) || entry.ends_with(".txt") || entry.ends_with(".md");
         match limit(&entry).filter(|_| table || entry.ends_with(".png")) {
-            Some(most) => take(entry.clone(), &folder.join(&entry), most)?,
+            Some(most) => take(entry.clone(), &folder.join(&entry), folder, most)?,
             None if folder.join(&entry).is_dir() => {}
             None => left.push(entry),
         }
@@ -74,17 +81,23 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
     for entry in listed(&folder.join(FLIGHTS)).unwrap_or_default() {
         let path = format!("{FLIGHTS}{entry}");
         match limit(&path) {
-            Some(most) => take(path.clone(), &folder.join(&path), most)?,
+            Some(most) => take(path.clone(), &folder.join(&path), folder, most)?,
             None => left.push(path),
         }
     }
     for picture in pictures(&level) {
-        let own = picture.strip_prefix(folder).or_else(|_| picture.strip_prefix(project)).unwrap_or(picture);
+        let root = if picture.starts_with(folder) { folder } else { project };
+        let own = picture.strip_prefix(root).unwrap_or(picture);
         let parts: Vec<_> = own.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
-        take(parts.join("/"), picture, files::PICTURE)?;
+        take(parts.join("/"), picture, root, files::PICTURE)?;
     }
     check(&package, project)?;
     Ok((package, left))
+}
+
+/// The first link on the path from a folder down to something in it.
+fn link_below<'a>(root: &Path, path: &'a Path) -> Option<&'a Path> {
+    path.ancestors().take_while(|part| *part != root && part.starts_with(root)).find(|part| part.is_symlink())
 }
 
 /// The pictures that a level's objects and decoration show.

@@ -1,10 +1,11 @@
 //! Paths in an archive: which of them stay in their folder on every system, and mean the same file there.
 
-use crate::level::{NameFault, judge_name};
+use crate::level::{NameFault, is_device, judge_name};
+use unicode_normalization::UnicodeNormalization;
 
 /// The longest part of a path, bytes, and the most parts.
 const LONGEST: usize = 120;
-const DEEPEST: usize = 8;
+pub(super) const DEEPEST: usize = 8;
 /// What Windows allows in no name.
 const FORBIDDEN: &str = "\\:*?\"<>|";
 
@@ -35,9 +36,16 @@ fn fault(part: &str) -> Option<&'static str> {
         _ if part.len() > LONGEST => Some("a part that is too long"),
         _ if part.chars().any(|c| c.is_control() || FORBIDDEN.contains(c)) => Some("a character that no name has everywhere"),
         _ if part.ends_with([' ', '.']) || part.starts_with(' ') => Some("a part that begins or ends with a space or a full stop"),
-        _ if judge_name(part.split('.').next().unwrap_or_default()) == Err(NameFault::Device) => Some("a part that is a device"),
+        _ if is_device(part) => Some("a part that is a device"),
         _ => None,
     }
+}
+
+/// A name as the least particular system tells it from others: in whatever case, and however its accents are encoded.
+pub(super) fn folded(name: &str) -> String {
+    let decomposed: String = name.nfd().collect();
+    // There and back: what is two letters in capitals, as ß is, is these two.
+    decomposed.to_lowercase().to_uppercase().to_lowercase().nfd().collect()
 }
 
 /// Judges a level's folder name: one that every system can have, and that no other file of the scores has.
@@ -75,6 +83,9 @@ mod tests {
             "a/AUX.csv",
             "a/nul.x",
             "a/com1.png",
+            "a/con .txt",
+            "a/CONIN$.txt",
+            "a/conout$",
             "a/b.",
             "a/b ",
             "a/ b",
@@ -90,6 +101,18 @@ mod tests {
             assert!(parts(bad.as_bytes()).is_err(), "{bad:?}");
         }
         assert!(parts(b"a/\xff.csv").unwrap_err().contains("UTF-8"));
+    }
+
+    #[test]
+    fn names_are_one_that_are_one_anywhere() {
+        let same = ["e\u{301}t\u{e9}", "\u{c9}T\u{c9}", "\u{e9}te\u{301}"];
+        assert!(same.iter().all(|name| folded(name) == folded("\u{e9}t\u{e9}")));
+        for (one, other) in
+            [("straße", "STRASSE"), ("ẞ", "ss"), ("ﬁn", "FIN"), ("όσος", "ΌΣΟΣ"), ("\u{212b}", "å"), ("\u{212a}", "k")]
+        {
+            assert_eq!(folded(one), folded(other));
+        }
+        assert_ne!(folded("a"), folded("ä"));
     }
 
     #[test]

@@ -5,6 +5,7 @@ use std::cmp::Reverse;
 use serde::Serialize;
 
 use super::{Name, Origin, ScoresError};
+use crate::game::{Fingerprint, LevelHash};
 
 /// One user's best score.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -89,6 +90,16 @@ impl Board {
         Origin::of(cell)
     }
 
+    /// Ranks the rows: those with a flight that may hold, then those whose flight does not, then those without any; in each group the highest
+    /// score first. Of equal ones the older stays ahead.
+    pub fn rank_by(&mut self, fails: impl Fn(&Name) -> bool) {
+        let group = |index: usize| if self.origin(index).flight.is_none() { 2 } else { u8::from(fails(&self.rows[index].name)) };
+        let groups: Vec<u8> = (0..self.rows.len()).map(group).collect();
+        let mut rows: Vec<(u8, Row)> = groups.into_iter().zip(std::mem::take(&mut self.rows)).collect();
+        rows.sort_by_key(|(group, row)| (*group, Reverse(row.score)));
+        self.rows = rows.into_iter().map(|(_, row)| row).collect();
+    }
+
     /// The index of a column behind `name` and `score`.
     fn column(&self, name: &str) -> Option<usize> {
         self.more_columns.iter().position(|column| column.trim().eq_ignore_ascii_case(name))
@@ -128,10 +139,10 @@ impl Board {
     }
 
     /// Takes out the rows that were flown in another version of the level, each with that version; those that do not say in which stay.
-    pub(super) fn take_other_versions(&mut self, version: u64) -> Vec<(u64, Moved)> {
+    pub(super) fn take_other_versions(&mut self, version: Fingerprint) -> Vec<(LevelHash, Moved)> {
         let mut taken = Vec::new();
         for index in (0..self.rows.len()).rev() {
-            if let Some(other) = self.origin(index).version.filter(|&other| other != version) {
+            if let Some(other) = self.origin(index).version.filter(|&other| !version.is(other)) {
                 taken.push((other, self.moved(index)));
                 self.rows.remove(index);
             }

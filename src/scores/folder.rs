@@ -9,7 +9,7 @@ use super::disk::{self, Change, Rescue};
 use super::players::{self, Deed, Players};
 use super::{Board, Damage, Name, Origin, Placement, ScoresError, table};
 use crate::files::{self, PATIENCE};
-use crate::game::Replay;
+use crate::game::{Fingerprint, LevelHash, Replay};
 
 /// The file of what the players have done.
 const PLAYERS: &str = "players.csv";
@@ -44,6 +44,8 @@ pub struct Score<'a> {
     pub points: i64,
     /// How they were flown; by it the row can be proven.
     pub flight: Option<&'a Replay>,
+    /// The level's version, where more is known of it than the flight says.
+    pub version: Option<Fingerprint>,
 }
 
 /// What a save has done.
@@ -73,19 +75,22 @@ impl Scores {
         Ok(Loaded { board, damage })
     }
 
-    /// As [`Scores::load`], for a level of that version (its hash): rows that say that they are of another one are not on its board, and those
-    /// that were kept aside are. With the number of other versions that there are boards of.
+    /// As [`Scores::load`], for a level of that version: rows that say that they are of another one are not on its board, and those that were
+    /// kept aside are. Rows without a flight stand
+    /// last. With the number of other versions that there are boards of.
     ///
     /// # Errors
     /// As [`Scores::load`].
-    pub fn load_version(&self, level: &str, version: u64) -> Result<(Loaded, usize), ScoresError> {
+    pub fn load_version(&self, level: &str, version: impl Into<Fingerprint>) -> Result<(Loaded, usize), ScoresError> {
+        let version = version.into();
         let mut loaded = self.load(level)?;
         let mut others = self.versions_aside(level);
         others.extend(loaded.board.take_other_versions(version).into_iter().map(|(other, _)| other));
-        others.retain(|&other| other != version);
+        others.retain(|&other| !version.is(other));
         others.sort_unstable();
         others.dedup();
         self.fetch_back(&mut loaded.board, level, version)?;
+        loaded.board.rank_by(|_| false);
         Ok((loaded, others.len()))
     }
 
@@ -98,7 +103,7 @@ impl Scores {
     /// A score below 1; a level name that cannot name a file; a read-only file; a board that is too large; another process that does
     /// not come to an end ([`ScoresError::Busy`]: it may be tried again); whatever the system refuses. The old file is untouched then.
     pub fn save(&self, level: &str, name: &Name, score: i64) -> Result<Saved, ScoresError> {
-        self.save_within(PATIENCE, level, Score { name, points: score, flight: None })
+        self.save_within(PATIENCE, level, Score { name, points: score, flight: None, version: None })
     }
 
     /// As [`Scores::save`], with that much patience, and with the flight: without any patience it returns at once. The flight is on disk
@@ -108,13 +113,14 @@ impl Scores {
     /// As [`Scores::save`].
     pub fn save_within(&self, patience: Duration, level: &str, score: Score<'_>) -> Result<Saved, ScoresError> {
         let path = self.path(level)?;
-        let Score { name, points, flight } = score;
+        let Score { name, points, flight, version } = score;
+        let version = version.or_else(|| Some(flight?.level_hash?.into()));
         if points < 1 {
             return Err(ScoresError::NoScore);
         }
         let ((board, placement), rescue) = disk::update(&self.folder, path, patience, |path, old| {
             let (mut board, damage) = table::read(path, old);
-            if let Some(version) = flight.and_then(|flight| flight.level_hash) {
+            if let Some(version) = version {
                 self.put_aside(&mut board, level, version, patience)?;
                 self.fetch_back(&mut board, level, version)?;
             }
@@ -122,6 +128,7 @@ impl Scores {
             if !matches!(placement, Placement::Kept { .. }) {
                 let origin = flight.map(|flight| Origin::of_flight(name.as_str(), flight)).unwrap_or_default();
                 if let (Some(file), Some(flight)) = (&origin.flight, flight) {
+                    let flight = Replay { player: Some(name.to_string()), ..flight.clone() };
                     disk::write_within(&self.folder, &[FLIGHTS, level], file, flight.to_string().as_bytes())?;
                 }
                 board.set_origin(name, &origin);
@@ -158,22 +165,19 @@ impl Scores {
     }
 
     /// The file of a level's board of another version.
-    fn aside(&self, level: &str, version: u64) -> PathBuf {
-        self.folder.join(ASIDE).join(format!("{level}.{version:016x}.csv"))
+    fn aside(&self, level: &str, version: LevelHash) -> PathBuf {
+        self.folder.join(ASIDE).join(format!("{level}.{version}.csv"))
     }
 
     /// The versions of a level that have boards aside.
-    fn versions_aside(&self, level: &str) -> Vec<u64> {
+    fn versions_aside(&self, level: &str) -> Vec<LevelHash> {
         let entries = std::fs::read_dir(self.folder.join(ASIDE)).into_iter().flatten().flatten();
-        let version = |name: String| {
-            let digits = name.strip_prefix(level)?.strip_prefix('.')?.strip_suffix(".csv")?;
-            u64::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 16)
-        };
+        let version = |name: String| name.strip_prefix(level)?.strip_prefix('.')?.strip_suffix(".csv")?.parse().ok();
         entries.filter_map(|entry| version(entry.file_name().into_string().ok()?)).collect()
     }
 
     /// Moves the rows of other versions of the level to their boards. They are on disk there before they leave this one.
-    fn put_aside(&self, board: &mut Board, level: &str, version: u64, patience: Duration) -> Result<(), ScoresError> {
+    fn put_aside(&self, board: &mut Board, level: &str, version: Fingerprint, patience: Duration) -> Result<(), ScoresError> {
         let mut taken = board.take_other_versions(version);
         while let Some(&(other, _)) = taken.first() {
             let (rows, rest) = taken.into_iter().partition::<Vec<_>, _>(|(version, _)| *version == other);
@@ -191,10 +195,12 @@ impl Scores {
     }
 
     /// Puts the rows on a board that were kept aside when the level was another one for a while.
-    fn fetch_back(&self, board: &mut Board, level: &str, version: u64) -> Result<(), ScoresError> {
-        let path = self.aside(level, version);
-        if let Some(bytes) = disk::read_if_there(&path)? {
-            table::read(&path, &bytes).0.all_moved().iter().for_each(|row| board.merge(row));
+    fn fetch_back(&self, board: &mut Board, level: &str, version: Fingerprint) -> Result<(), ScoresError> {
+        for hash in version.hashes() {
+            let path = self.aside(level, hash);
+            if let Some(bytes) = disk::read_if_there(&path)? {
+                table::read(&path, &bytes).0.all_moved().iter().for_each(|row| board.merge(row));
+            }
         }
         Ok(())
     }

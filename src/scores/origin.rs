@@ -1,7 +1,7 @@
 //! Where a row of a leaderboard comes from: which flight, in which version of the level, with which program. Rows from before there was
 //! any of that do not say, and are rows all the same.
 
-use crate::game::Replay;
+use crate::game::{LevelHash, Replay};
 
 /// The columns, in the order in which they are added.
 const FLIGHT: &str = "flight";
@@ -16,7 +16,7 @@ pub struct Origin {
     /// The file of its flight, in the level's folder of flights.
     pub flight: Option<String>,
     /// The version of the level: its hash.
-    pub version: Option<u64>,
+    pub version: Option<LevelHash>,
     /// The program that it was flown with.
     pub program: Option<String>,
 }
@@ -30,17 +30,16 @@ impl Origin {
 
     /// What stands in the cells of those columns; what cannot be read says nothing.
     pub(super) fn of<'a>(cell: impl Fn(&str) -> Option<&'a str>) -> Self {
-        let digits = |text: &&str| text.len() == 16 && text.bytes().all(|byte| byte.is_ascii_hexdigit());
         Self {
             flight: cell(FLIGHT).map(str::to_owned),
-            version: cell(VERSION).filter(digits).and_then(|text| u64::from_str_radix(text, 16).ok()),
+            version: cell(VERSION).and_then(|text| text.parse().ok()),
             program: cell(PROGRAM).map(str::to_owned),
         }
     }
 
     /// The columns and their cells.
     pub(super) fn cells(&self) -> [(&'static str, String); 3] {
-        let version = self.version.map(|version| format!("{version:016x}")).unwrap_or_default();
+        let version = self.version.map(|version| version.to_string()).unwrap_or_default();
         [(FLIGHT, self.flight.clone().unwrap_or_default()), (VERSION, version), (PROGRAM, self.program.clone().unwrap_or_default())]
     }
 

@@ -11,8 +11,8 @@ use super::{
     SettingsPanel, Source, Spectator, TileRun, Visit, Watch, Way, footage, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
-use crate::game::{Medals, Outcome, Reel, RunResult, TICK_RATE, level_hash};
-use crate::level::{Awards, Level};
+use crate::game::{Fingerprint, Outcome, Reel, RunResult, TICK_RATE};
+use crate::level::Level;
 use crate::pack::Installed;
 use crate::scores::{Board, Loaded, Name, PATIENCE, Placement, Saved, Score, Scores, ScoresError};
 use crate::settings::Settings;
@@ -45,7 +45,7 @@ pub struct Places {
 pub struct App {
     places: Places,
     pub(super) library: Library,
-    scores: Scores,
+    pub(super) scores: Scores,
     pub(super) screen: Screen,
     /// How long the screen has been there, s.
     shown_for: f64,
@@ -413,9 +413,10 @@ impl App {
                 self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
                 (format!("Installed: {}", self.last_level.as_deref().unwrap_or_default()), vec![folder.display().to_string()])
             }
-            Ok(Installed::Already(folder)) => {
+            Ok(Installed::Already(folder, more)) => {
                 self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
-                ("This level is there already".to_owned(), vec![folder.display().to_string()])
+                let beside = more.into_iter().map(|file| format!("also in its folder: {file}"));
+                ("This level is there already".to_owned(), [folder.display().to_string()].into_iter().chain(beside).collect())
             }
             Err(problems) => ("This file cannot be opened".to_owned(), problems),
         };
@@ -431,7 +432,7 @@ impl App {
             Ok(level) => level,
             Err(refusal) => return self.refused(Purpose::Play, &visit.level, refusal),
         };
-        let (board, problem) = match self.scores.load_version(&visit.level, level_hash(&level)) {
+        let (board, problem) = match self.scores.load_version(&visit.level, Fingerprint::of(&level)) {
             Ok((loaded, _)) => (loaded.board, None),
             Err(error) => (Board::default(), Some(error.to_string())),
         };
@@ -483,7 +484,11 @@ impl App {
     /// Keeps a flight as a file, and says where.
     fn keep(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
         let level = self.level_of(visit, candidate)?;
-        let replay = footage::record(visit, candidate, &self.scores, &level)?;
+        let mut replay = footage::record(visit, candidate, &self.scores, &level)?;
+        let player = self.journal.current();
+        if candidate.source == Source::Flown && !player.is_guest() {
+            replay.player = Some(player.to_string());
+        }
         let path = footage::keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;
         Ok(format!("Kept as {}", path.display()))
     }
@@ -569,7 +574,8 @@ impl App {
     fn save(&mut self, waiting: Waiting) -> Result<Screen, String> {
         let Waiting { gain, name, since } = waiting;
         let flight = gain.flown.as_ref().map(|flown| &flown.replay);
-        let score = Score { name: &name, points: gain.points, flight };
+        let version = gain.flown.as_ref().map(|flown| Fingerprint::of(&flown.level));
+        let score = Score { name: &name, points: gain.points, flight, version };
         let Saved { board, placement, rescue } = match self.scores.save_within(Duration::ZERO, &gain.board, score) {
             Ok(saved) => saved,
             Err(ScoresError::Busy(_)) if since < PATIENCE.as_secs_f64() => {
@@ -587,24 +593,15 @@ impl App {
             self.choose(name.clone(), true);
         }
         let fresh = Fresh { name, remark };
-        let medals = self.medals(&gain.board, &board);
-        let prover = self.prover(&gain.board);
+        let prover = self.prover(&gain.board, &board);
         let screen = Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.ways);
-        Ok(Screen::Leaderboard(screen.with_medals(medals).with_prover(prover)))
+        Ok(Screen::Leaderboard(screen.with_prover(prover)))
     }
 
-    /// What finds out which rows of a level's board are earned.
-    fn prover(&self, level: &str) -> Option<Prover> {
+    /// The judge of a level's board.
+    fn prover(&self, level: &str, board: &Board) -> Option<Prover> {
         let level = self.library.load(level).ok()?;
-        Some(Prover::new(self.scores.clone(), level))
-    }
-
-    /// What a level has brought each of those on its board.
-    fn medals(&self, level: &str, board: &Board) -> Vec<Medals> {
-        let awards = self.library.load(level).map_or_else(|_| Awards::default(), |level| level.awards);
-        let player = |name: &Name| self.journal.players().get(name);
-        let medals = |name: &Name| player(name).map(|player| player.medals(level).with_best(&awards, player.best(level)));
-        board.rows().iter().map(|row| medals(&row.name).unwrap_or_default()).collect()
+        Some(Prover::new(self.scores.clone(), level, board))
     }
 
     fn leaderboard(&mut self, name: &str) -> Screen {
@@ -618,7 +615,7 @@ impl App {
         let title = level.as_ref().map_or(name, |level| &level.title);
         // Of a level that does not load nobody can say which version it is.
         let shown = match &level {
-            Some(level) => self.scores.load_version(name, level_hash(level)),
+            Some(level) => self.scores.load_version(name, Fingerprint::of(level)),
             None => self.scores.load(name).map(|loaded| (loaded, 0)),
         };
         let back = Request::Leaderboard(name.to_owned());
@@ -635,10 +632,9 @@ impl App {
         match shown {
             Ok((Loaded { board, damage }, others)) => {
                 let damage = (!damage.is_empty()).then(|| damage_text(&damage));
-                let medals = self.medals(name, &board);
-                let prover = self.prover(name);
+                let prover = self.prover(name, &board);
                 let screen = Leaderboard::new(subject, board, None, damage, ways).with_other_versions(others);
-                Screen::Leaderboard(screen.with_medals(medals).with_prover(prover))
+                Screen::Leaderboard(screen.with_prover(prover))
             }
             Err(error) => {
                 let mut screen = self.level_select(Purpose::Leaderboard);

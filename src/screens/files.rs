@@ -2,7 +2,7 @@
 //! names and edits levels.
 
 use super::level_select::Entry;
-use super::{App, Attempt, Editor, Flight, LevelSelect, Make, Miniature, Purpose, Request, Screen, Spectator, Stamp};
+use super::{App, Attempt, Editor, Flight, LevelSelect, Make, Miniature, Purpose, Request, Screen, Spectator, Stamp, footage};
 use crate::game::{Outcome, level_hash};
 use crate::instruments::vary::Variation;
 use crate::level::document::{Folder, Opened};
@@ -78,8 +78,12 @@ impl App {
         }
     }
 
-    /// Tells the list of levels what it shows: what is new in view, and what has changed on disk.
+    /// Tells the list of levels what is new in view, and the list of flights how long one of them took.
     pub(super) fn fill_in_view(&mut self) {
+        if let Screen::Flights(screen) = &mut self.screen {
+            // One file is enough for a frame.
+            screen.look_one_up(|visit, source| footage::read(visit, source, &self.scores).ok());
+        }
         let Screen::LevelSelect(screen) = &mut self.screen else { return };
         screen.learn_titles(|name| self.library.title(name));
         let unknown = |index: &usize| screen.entries()[*index].level.is_none();

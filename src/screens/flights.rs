@@ -5,6 +5,7 @@ use super::input::Repeat;
 use super::race::MOST_RIVALS;
 use super::scroll::{Bar, Scroll, bar_beside};
 use super::{Buttons, Flown, Input, Key, Keys, Request};
+use crate::game::Replay;
 use crate::scores::Origin;
 use crate::settings::Action;
 use crate::view::layout::{Area, Frame, Vec2};
@@ -15,7 +16,7 @@ use std::rc::Rc;
 pub const PAGE: usize = 10;
 /// Height of a row, and width of the panel.
 const ROW: f32 = 40.0;
-const WIDTH: f32 = 880.0;
+const WIDTH: f32 = 920.0;
 /// From the panel's top to its first row, from the canvas' top to the panel, and from the panel down to the buttons.
 const HEAD: f32 = 48.0;
 const TOP: f32 = 120.0;
@@ -48,7 +49,7 @@ pub enum Source {
 }
 
 /// A flight that can be watched.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
     /// Whose it is.
     pub name: String,
@@ -56,6 +57,8 @@ pub struct Candidate {
     pub about: String,
     /// What it came to, where that is known.
     pub score: Option<i64>,
+    /// How long it took, s, where that is known.
+    pub time: Option<f64>,
     /// Where it is.
     pub source: Source,
 }
@@ -66,6 +69,8 @@ pub struct Flights {
     visit: Visit,
     subject: String,
     candidates: Vec<Candidate>,
+    /// Whether the record of each has been read.
+    read: Vec<bool>,
     /// Those that are to be raced.
     marked: Vec<usize>,
     chosen: usize,
@@ -83,6 +88,7 @@ impl Flights {
         Self {
             visit,
             subject,
+            read: vec![false; candidates.len()],
             candidates,
             marked: Vec::new(),
             chosen: 0,
@@ -110,6 +116,17 @@ impl Flights {
             1 => Some(Request::Race(self.visit.clone(), self.rivals())).filter(|_| !self.candidates.is_empty()),
             2 => Some(Request::Keep(self.visit.clone(), self.chosen()?.clone())),
             _ => Some((*self.visit.back).clone()),
+        }
+    }
+
+    /// Reads the record of one flight in view that has not been read yet, for its time and score. A record that cannot be read says so
+    /// when it is asked for.
+    pub fn look_one_up(&mut self, read: impl FnOnce(&Visit, &Source) -> Option<Replay>) {
+        let Some(index) = self.scroll.range().find(|&index| self.read.get(index) == Some(&false)) else { return };
+        self.read[index] = true;
+        let candidate = &mut self.candidates[index];
+        if let Some(replay) = read(&self.visit, &candidate.source) {
+            (candidate.time, candidate.score) = (replay.time, candidate.score.or(Some(replay.score)));
         }
     }
 
@@ -212,12 +229,13 @@ fn panel(frame: &Frame) -> Area {
 #[cfg(feature = "window")]
 mod drawing {
     use super::{Flights, HEAD, LABELS, ROW};
+    use crate::number::clock;
     use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, HEADING, TEXT, Vec2};
     use crate::view::{theme, widgets};
 
-    /// Where the columns stand, from the panel's left edge: whose, what it is, score (its right end), the box (its middle).
-    const COLUMNS: [f32; 4] = [40.0, 264.0, 672.0, 780.0];
+    /// Where the columns stand, from the panel's left edge: whose, what it is, time and score (their right ends), the box (its middle).
+    const COLUMNS: [f32; 5] = [40.0, 288.0, 656.0, 752.0, 824.0];
 
     impl Flights {
         /// Draws the list.
@@ -247,8 +265,9 @@ mod drawing {
             let column = |i: usize, y: f32| Vec2::new(panel.min.x + COLUMNS[i], y);
             let head = panel.min.y + HEAD / 2.0 + 2.0;
             canvas.text("Whose", column(0, head), quiet);
-            canvas.text("Score", column(2, head), quiet.right());
-            canvas.text("Race", column(3, head), quiet.centred());
+            canvas.text("Time", column(2, head), quiet.right());
+            canvas.text("Score", column(3, head), quiet.right());
+            canvas.text("Race", column(4, head), quiet.centred());
             if self.candidates.is_empty() {
                 canvas.text("No flights yet: fly one and save its score.", panel.centre(), quiet.centred());
             }
@@ -261,10 +280,11 @@ mod drawing {
                 let y = panel.min.y + HEAD + line as f32 * ROW + ROW / 2.0;
                 canvas.text(&candidate.name, column(0, y), Style::new(TEXT, theme::text()).middle());
                 canvas.text(&candidate.about, column(1, y), quiet);
-                if let Some(score) = candidate.score {
-                    canvas.text(&score.to_string(), column(2, y), Style::new(TEXT, theme::text()).mono().middle().right());
+                let number = Style::new(TEXT, theme::text()).mono().middle().right();
+                for (at, words) in [(2, candidate.time.map(clock)), (3, candidate.score.map(|score| score.to_string()))] {
+                    canvas.text(words.as_deref().unwrap_or_default(), column(at, y), number);
                 }
-                let tick = Area::around(column(3, y), Vec2::splat(20.0));
+                let tick = Area::around(column(4, y), Vec2::splat(20.0));
                 canvas.rounded(tick, 4.0, theme::ground());
                 canvas.rounded_edge(tick, 4.0, 2.0, theme::solid_top());
                 if self.marked.contains(&index) {

@@ -3,7 +3,7 @@
 use super::flights::{Candidate, Source, Visit};
 use super::new_file::NewFile;
 use crate::files::{INPUTS, read_text};
-use crate::game::{Replay, level_hash};
+use crate::game::{Fingerprint, Replay};
 use crate::level::Level;
 use crate::scores::{Board, Name, Scores};
 use std::path::{Path, PathBuf};
@@ -24,6 +24,7 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
         name: "This flight".to_owned(),
         about: "just flown".to_owned(),
         score: Some(flown.replay.score),
+        time: flown.replay.time,
         source: Source::Flown,
     });
     let own = OWN.iter().filter_map(|(file, name, about)| {
@@ -32,6 +33,7 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
             name: (*name).to_owned(),
             about: (*about).to_owned(),
             score: None,
+            time: None,
             source: Source::Level(path),
         })
     });
@@ -44,7 +46,8 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
         }
         let yours = row.name == *player;
         let about = if yours { format!("your best, rank {}", index + 1) } else { format!("rank {}", index + 1) };
-        let candidate = Candidate { name: row.name.to_string(), about, score: Some(row.score), source: Source::Row(origin) };
+        let candidate =
+            Candidate { name: row.name.to_string(), about, score: Some(row.score), time: None, source: Source::Row(origin) };
         if yours { best = Some(candidate) } else { rows.push(candidate) }
     }
     flown.into_iter().chain(best).chain(own).chain(rows).collect()
@@ -55,7 +58,20 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
 /// # Errors
 /// It cannot be read, or it was flown in another level, in words.
 pub fn record(visit: &Visit, candidate: &Candidate, scores: &Scores, level: &Level) -> Result<Replay, String> {
-    let replay = match &candidate.source {
+    let replay = read(visit, &candidate.source, scores)?;
+    let here = Fingerprint::of(level);
+    match replay.level_hash.filter(|&flown| !here.is(flown)) {
+        Some(_) => Err(format!("{}: flown in another version of the level, or in another level.", candidate.name)),
+        None => Ok(replay),
+    }
+}
+
+/// The record of a flight as it lies there, in whatever level it was flown.
+///
+/// # Errors
+/// It cannot be read, in words.
+pub fn read(visit: &Visit, source: &Source, scores: &Scores) -> Result<Replay, String> {
+    Ok(match source {
         Source::Flown => visit.flown.as_ref().map(|flown| flown.replay.clone()).ok_or("there is no flight")?,
         Source::Level(path) => {
             let named = path.display().to_string();
@@ -65,12 +81,7 @@ pub fn record(visit: &Visit, candidate: &Candidate, scores: &Scores, level: &Lev
         Source::Row(origin) => {
             scores.flight(&visit.level, origin).ok_or("the row names no flight")?.map_err(|problems| first_line(&problems))?
         }
-    };
-    let here = level_hash(level);
-    match replay.level_hash.filter(|&flown| flown != here) {
-        Some(_) => Err(format!("{}: flown in another version of the level, or in another level.", candidate.name)),
-        None => Ok(replay),
-    }
+    })
 }
 
 fn first_line(text: &str) -> String {

@@ -11,7 +11,7 @@ pub const PAGE: usize = 10;
 /// Height of a row.
 const ROW: f32 = 40.0;
 /// Width of the panel.
-const WIDTH: f32 = 880.0;
+const WIDTH: f32 = 1000.0;
 /// From the panel's top to the first row: the columns' names.
 const HEAD: f32 = 48.0;
 /// From the canvas' top to the panel.
@@ -47,12 +47,10 @@ pub struct Fresh {
 pub struct Leaderboard {
     subject: String,
     board: Board,
-    /// What the level has brought each of them, row by row; none where that is not known.
-    medals: Vec<Medals>,
-    /// What finds out which rows are earned; the jumper has none.
+    /// Judges the rows; the jumper's board has no judge.
     prover: Option<Prover>,
-    /// The row just saved.
-    saved: Option<usize>,
+    /// Whose row was just saved.
+    saved: Option<Name>,
     /// What is wrong with the scores file.
     damage: Option<String>,
     /// What became of the score, where it is not plain to see.
@@ -66,21 +64,20 @@ pub struct Leaderboard {
 impl Leaderboard {
     /// A board of that subject; `fresh` is what was just saved, and `ways` are its buttons, of which there is one at least.
     pub fn new(subject: String, board: Board, fresh: Option<Fresh>, damage: Option<String>, ways: Vec<Way>) -> Self {
-        let saved = fresh.as_ref().and_then(|fresh| board.rank(&fresh.name)).map(|rank| rank - 1);
-        let remark = fresh.and_then(|fresh| fresh.remark);
+        let (saved, remark) = fresh.map(|fresh| (fresh.name, fresh.remark)).unzip();
         let (scroll, buttons) = (Scroll::of_pages(), Buttons::default());
-        let mut screen = Self { subject, board, medals: Vec::new(), prover: None, saved, damage, remark, scroll, ways, buttons };
-        screen.place(&Frame::default());
-        if let Some(row) = saved {
-            screen.scroll.show(row);
-        }
+        let remark = remark.flatten();
+        let mut screen = Self { subject, board, prover: None, saved, damage, remark, scroll, ways, buttons };
+        screen.show_saved();
         screen
     }
 
-    /// The same with what the level has brought each of them, row by row.
-    #[must_use]
-    pub fn with_medals(self, medals: Vec<Medals>) -> Self {
-        Self { medals, ..self }
+    /// Scrolls to the row just saved.
+    fn show_saved(&mut self) {
+        self.place(&Frame::default());
+        if let Some(row) = self.saved() {
+            self.scroll.show(row);
+        }
     }
 
     /// The same with word of so many other versions of the level that have boards of their own.
@@ -93,35 +90,50 @@ impl Leaderboard {
         self
     }
 
-    /// The same with what finds out which rows are earned.
+    /// The same with a judge of the rows.
     #[must_use]
-    pub fn with_prover(self, prover: Option<Prover>) -> Self {
-        Self { prover, ..self }
+    pub fn with_prover(mut self, prover: Option<Prover>) -> Self {
+        self.prover = prover;
+        if let Some(prover) = &mut self.prover {
+            prover.rank(&mut self.board);
+        }
+        self.show_saved();
+        self
+    }
+
+    fn name(&self, row: usize) -> Option<&Name> {
+        self.board.rows().get(row).map(|row| &row.name)
     }
 
     /// How a row stands, as far as that is known.
     pub fn standing(&self, row: usize) -> Option<&Standing> {
-        self.prover.as_ref().and_then(|prover| prover.standing(row))
+        self.prover.as_ref()?.standing(self.name(row)?)
     }
 
     /// What is wrong with the first row in view that does not hold.
     pub fn doubt(&self) -> Option<String> {
         self.range().find_map(|row| match self.standing(row)? {
             Standing::Doubtful(doubt) => Some(format!("{} does not hold: {doubt}.", self.board.rows()[row].name)),
-            Standing::Proven | Standing::NoFlight => None,
+            Standing::Proven | Standing::Unproven => None,
         })
     }
 
-    /// What the level has brought whoever is in a row.
+    /// The medals that the flight of a row has earned, once it is proven.
     pub fn medals(&self, row: usize) -> Medals {
-        self.medals.get(row).copied().unwrap_or_default()
+        let medals = || Some(self.prover.as_ref()?.medals(self.name(row)?));
+        medals().unwrap_or_default()
+    }
+
+    /// How long the flight of a row took, s, where that is known.
+    pub fn time(&self, row: usize) -> Option<f64> {
+        self.prover.as_ref()?.time(self.name(row)?)
     }
 
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
         self.place(&input.frame);
         if let Some(prover) = &mut self.prover {
-            prover.update(&self.board, self.scroll.range(), input.worked());
+            prover.update(&mut self.board, self.scroll.range(), input.worked());
         }
         // Where Enter and Esc are all that the buttons need, all arrows turn pages.
         let turns = self.ways.len() <= 2;
@@ -152,7 +164,7 @@ impl Leaderboard {
 
     /// The index of the row just saved.
     pub fn saved(&self) -> Option<usize> {
-        self.saved
+        self.board.rank(self.saved.as_ref()?).map(|rank| rank - 1)
     }
 
     /// What is wrong with the scores file.
@@ -209,17 +221,20 @@ fn panel(frame: &Frame) -> Area {
 mod drawing {
     use super::{HEAD, Leaderboard, PAGE, ROW, panel};
     use crate::level::Awards;
+    use crate::number::clock;
     use crate::scores::{Origin, Standing};
     use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
     use crate::view::{medals, theme, widgets};
 
     /// Where the medals stand, from the panel's left edge, and how large they are.
-    const MEDALS: f32 = 424.0;
+    const MEDALS: f32 = 316.0;
     const RADIUS: f32 = 12.0;
-    /// Where the columns stand, from the panel's left edge: rank (its right end), name, score (its right end), with which program and in
-    /// which version of the level it was flown, and whether that is proven (its middle).
-    const COLUMNS: [f32; 5] = [96.0, 144.0, 600.0, 640.0, 812.0];
+    /// Where the columns stand, from the panel's left edge: rank (its right end), name, time and score (their right ends), with which program
+    /// and in which version of the level it was flown, and whether that is proven (its middle).
+    const COLUMNS: [f32; 6] = [80.0, 112.0, 484.0, 640.0, 672.0, 908.0];
+    /// The most digits of a score that stand in their column at the usual size.
+    const DIGITS: usize = 11;
 
     impl Leaderboard {
         /// Draws the board.
@@ -253,16 +268,17 @@ mod drawing {
             let head = panel.min.y + HEAD / 2.0 + 2.0;
             canvas.text("Rank", column(0, head), quiet.right());
             canvas.text("Name", column(1, head), quiet);
-            canvas.text("Score", column(2, head), quiet.right());
+            canvas.text("Score", column(3, head), quiet.right());
             if self.prover.is_some() {
-                canvas.text("Version", column(3, head), quiet);
-                canvas.text("Proven", column(4, head), quiet.centred());
+                canvas.text("Time", column(2, head), quiet.right());
+                canvas.text("Version", column(4, head), quiet);
+                canvas.text("Proven", column(5, head), quiet.centred());
             }
             for (line, index) in self.scroll.range().enumerate() {
                 let row = &self.board.rows()[index];
                 let top = panel.min.y + HEAD + line as f32 * ROW;
                 let y = top + ROW / 2.0;
-                if self.saved == Some(index) {
+                if self.saved() == Some(index) {
                     let area = Area::new(panel.min.x + 16.0, top + 2.0, panel.size.x - 48.0, ROW - 4.0);
                     canvas.rounded(area, 6.0, theme::panel_hover());
                     canvas.rounded_edge(area, 6.0, 2.0, theme::accent());
@@ -273,14 +289,20 @@ mod drawing {
                 canvas.text(row.name.as_str(), column(1, y), style);
                 let first = Vec2::new(panel.min.x + MEDALS, y);
                 medals::draw_earned(canvas, self.medals(index), &Awards::default(), first, RADIUS);
-                canvas.text(&row.score.to_string(), column(2, y), style.right());
-                canvas.text(&version(&self.board.origin(index)), column(3, y), Style { size: DETAILS, ..quiet }.mono());
+                let score = row.score.to_string();
+                let size = if score.len() > DIGITS { DETAILS } else { TEXT };
+                canvas.text(&score, column(3, y), Style { size, ..style }.right());
+                if self.prover.is_none() {
+                    continue;
+                }
+                let time = self.time(index).map_or("–".to_owned(), clock);
+                canvas.text(&time, column(2, y), style.right());
+                canvas.text(&version(&self.board.origin(index)), column(4, y), Style { size: DETAILS, ..quiet }.mono());
                 match self.standing(index) {
-                    Some(Standing::Proven) => widgets::tick(canvas, column(4, y), 8.0, theme::good()),
-                    Some(Standing::Doubtful(_)) => widgets::cross(canvas, column(4, y), 8.0, theme::bad()),
-                    Some(Standing::NoFlight) => canvas.text("–", column(4, y), quiet.centred()),
-                    None if self.prover.is_some() => canvas.text("…", column(4, y), quiet.centred()),
-                    None => {}
+                    Some(Standing::Proven) => widgets::tick(canvas, column(5, y), 8.0, theme::good()),
+                    Some(Standing::Doubtful(_)) => widgets::cross(canvas, column(5, y), 8.0, theme::bad()),
+                    Some(Standing::Unproven) => canvas.text("unproven", column(5, y), quiet.centred()),
+                    None => canvas.text("…", column(5, y), quiet.centred()),
                 }
             }
             if let Some(doubt) = self.doubt() {
@@ -299,12 +321,13 @@ mod drawing {
         }
     }
 
-    /// With which program a row was flown, and the first digits of the level's version.
+    /// With which program a row was flown, and the first digits of the level's hash.
     fn version(origin: &Origin) -> String {
         let program = origin.program.as_deref().unwrap_or_default();
         let number = program.rsplit(' ').next().unwrap_or_default();
         let short: String = number.chars().take(8).collect();
-        let level = origin.version.map(|version| format!("{:04x}", version >> 48)).unwrap_or_default();
-        if level.is_empty() { short } else { format!("{short} · {level}") }
+        let Some(version) = origin.version else { return short };
+        let digits: String = version.to_string().chars().take(4).collect();
+        format!("{short} · {digits}{}", if version.is_old() { ", 64-bit" } else { "" })
     }
 }

@@ -2,6 +2,8 @@
 
 use crate::program::{Data, resultant};
 use crate::{HEADER, data, read};
+use resultant::game::Fingerprint;
+use resultant::level;
 use std::process::Stdio;
 
 /// The data folder with a run of `goal` recorded in it, and the record's path.
@@ -36,11 +38,18 @@ fn a_run_that_was_tampered_with_is_found_out() {
     let path = path.as_str();
     let good = read(&data, "run.csv");
     assert_eq!(data.resultant(&["verify", path]).status, 0);
-    for (from, to) in [("score: 20983", "score: 20984"), ("2,0,0,0,0", "1,1,0,0,0"), ("tick_rate: 120", "tick_rate: 60")] {
-        data.write("run.csv", &good.replace(from, to));
+    for (from, to, why) in [
+        ("score: 20983", "score: 20984", "recorded score 2098"),
+        ("2,0,0,0,0", "1,1,0,0,0", "recorded score 2098"),
+        ("tick_rate: 120", "tick_rate: 60", "it ends after 1 ticks, but its keys go on for 2"),
+        ("2,0,0,0,0", "1000000000,0,0,0,0", "it ends after 2 ticks, but its keys go on for 1000000000"),
+        ("time: 0.016666666666666666", "time: 8333333", "it ends after 2 ticks, but its keys go on for 3"),
+    ] {
+        let changed = good.replace(from, to);
+        data.write("run.csv", &if from.starts_with("time") { changed + "1,0,0,0,0\n" } else { changed });
         let ran = data.resultant(&["verify", path]);
         assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{to}");
-        assert!(ran.err.contains("run.csv: recorded score 2098"), "{to}: {}", ran.err);
+        assert!(ran.err.contains(&format!("run.csv: {why}")), "{to}: {}", ran.err);
     }
 }
 
@@ -58,7 +67,8 @@ fn it_is_told_in_which_second_a_flight_departs_and_how_it_should_have_ended() {
         ("150,0,0,0,0", "149,0,0,0,0\n1,0,0,1,0", "run.csv: departs in second 3: recorded hash "),
         ("100,1,0,1,0", "99,1,0,1,0", "run.csv: recorded score 0 and hash "),
         ("outcome: running", "outcome: failed", "run.csv: recorded failed at 3.333 s, flown running at 3.333 s"),
-        ("time: 3.3", "time: 2.3", "run.csv: recorded running at 2.333 s, flown running at 3.333 s"),
+        ("time: 3.3", "time: 4.3", "run.csv: recorded running at 4.333 s, flown running at 3.333 s"),
+        ("time: 3.3", "time: 2.3", "run.csv: it ends after 280 ticks, but its keys go on for 400"),
     ] {
         data.write("run.csv", &good.replace(from, to));
         let ran = data.resultant(&["verify", &path]);
@@ -105,11 +115,42 @@ fn a_record_tells_what_recorded_it_and_in_which_level() {
     data.write("run.csv", &older.replace("score: 20983", "score: 1"));
     assert!(data.resultant(&["verify", path]).err.contains("; recorded by resultant 0.0.1, this is resultant "));
 
+    // A record with the hash that levels had before, of 64 bits.
+    let old = Fingerprint::of(&level::load(&data.path("levels/goal"), &data.path(".")).unwrap().level).hashes().nth(1).unwrap();
+    data.write("run.csv", &good.replace(hash, &format!("# level_hash: {old}")));
+    let ran = data.resultant(&["verify", path]);
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    assert!(ran.out.ends_with("; level goal, 2 ticks; carries the old 64-bit hash of the level\n"), "{}", ran.out);
+
     // A record from before there were hashes.
     data.write("run.csv", &good.replace(&format!("{hash}\n"), ""));
     let ran = data.resultant(&["verify", path]);
     assert_eq!((ran.status, ran.err.as_str()), (0, ""));
     assert!(ran.out.ends_with("; the record does not say which level of that name\n"), "{}", ran.out);
+}
+
+/// Whatever a record says, no folder is flown but a level's own.
+#[test]
+fn a_record_leads_to_no_folder_outside_the_levels() {
+    let (data, path) = recorded();
+    let good = read(&data, "run.csv")
+        .lines()
+        .filter(|line| !line.contains("level_hash"))
+        .fold(String::new(), |text, line| text + line + "\n");
+    let evil = data.path("evil");
+    std::fs::create_dir(&evil).unwrap();
+    for entry in std::fs::read_dir(data.path("levels/goal")).unwrap().flatten() {
+        std::fs::copy(entry.path(), evil.join(entry.file_name())).unwrap();
+    }
+    for level in ["../evil", "goal/../../evil", evil.to_str().unwrap(), "./goal", ".."] {
+        data.write("run.csv", &good.replace("level: goal", &format!("level: {level}")));
+        let ran = data.resultant(&["verify", &path]);
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{level}");
+        assert!(ran.err.contains("run.csv: found a record of the level ") && ran.err.contains("below levels/"), "{}", ran.err);
+    }
+    data.write("run.csv", &good.replace("# level: goal", "# player: ann\n# level: goal"));
+    let ran = data.resultant(&["verify", &path]);
+    assert!(ran.out.contains("; level goal, 2 ticks; saved by ann;"), "it says what was flown: {ran:?}");
 }
 
 #[cfg(unix)]
@@ -163,7 +204,11 @@ fn a_long_record_tells_how_far_it_has_come() {
     let path = path.as_str();
     // Three months, of which the first seconds are watched.
     let text = read(&data, "run.csv").replace("goal", "flight").replace("2,0,0,0,0", "1000000000,0,0,0,0");
-    let text: String = text.lines().filter(|line| !line.contains("level_hash")).map(|line| format!("{line}\n")).collect();
+    let text: String = text
+        .lines()
+        .filter(|line| !["level_hash", "time"].iter().any(|note| line.starts_with(&format!("# {note}:"))))
+        .map(|line| format!("{line}\n"))
+        .collect();
     data.write("run.csv", &text);
     let mut child = resultant();
     child.arg("--data").arg(data.path(".")).args(["verify", path]).stdout(Stdio::null()).stderr(Stdio::piped());

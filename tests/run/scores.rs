@@ -1,7 +1,8 @@
 //! `resultant verify --scores`, `pack` and `unpack`, through the program.
 
 use crate::program::{Data, Ran, resultant};
-use resultant::game::Replay;
+use resultant::game::{Fingerprint, Replay};
+use resultant::level;
 use resultant::scores::{Name, PATIENCE, Score, Scores};
 use std::fs;
 use std::path::Path;
@@ -31,7 +32,7 @@ fn flight(level: &str, name: &str) -> Replay {
 
 fn save(data: &Data, level: &str, user: &str, flight: &Replay) {
     let name = Name::new(user).unwrap();
-    let score = Score { name: &name, points: flight.score, flight: Some(flight) };
+    let score = Score { name: &name, points: flight.score, flight: Some(flight), version: None };
     Scores::new(data.path("scores")).save_within(PATIENCE, level, score).unwrap();
 }
 
@@ -48,7 +49,7 @@ fn boards_are_proven_and_what_does_not_hold_is_named() {
     let board = fs::read_to_string(data.path("scores/1.csv")).unwrap();
     fs::write(data.path("scores/1.csv"), format!("{board}old,5\n")).unwrap();
     let held = data.resultant(&["verify", "--scores"]);
-    assert_eq!((held.status, held.out.as_str()), (0, "1: 2 proven, 1 without a flight\n2: 1 proven\n"));
+    assert_eq!((held.status, held.out.as_str()), (0, "1: 2 proven, 1 unproven\n2: 1 proven\n"));
     // One that is forged.
     let points = flight("1", "gold").score;
     fs::write(data.path("scores/1.csv"), board.replace(&format!("ann,{points}"), "ann,29999")).unwrap();
@@ -56,8 +57,45 @@ fn boards_are_proven_and_what_does_not_hold_is_named() {
     assert_eq!((forged.status, forged.out.as_str()), (1, "1: 1 proven, 1 not\n2: 1 proven\n"));
     assert_eq!(
         forged.err,
-        format!("1: rank 1, ann, 29999 points: does not hold: the row says 29999 points, its flight {points}\n")
+        "1: rank 2, ann, 29999 points: does not hold: 29999 points are more than the 21000 that the rules allow\n"
     );
+}
+
+#[test]
+fn a_flight_under_another_name_an_emptied_row_and_an_old_hash_are_told() {
+    let data = data();
+    let board = fs::read_to_string(data.path("scores/1.csv")).unwrap();
+    let row = board.lines().nth(1).unwrap();
+    let file = row.split(',').nth(2).unwrap();
+    // bob's row leads to ann's flight, cid's to a copy of it, dan's to nothing any more, and eve's was never flown.
+    fs::copy(data.path("scores/flights/1").join(file), data.path("scores/flights/1/copy.replay.csv")).unwrap();
+    let others = format!(
+        "{}\n{}\n{}\neve,20999\n",
+        row.replacen("ann,", "bob,", 1),
+        row.replacen("ann,", "cid,", 1).replace(file, "copy.replay.csv"),
+        row.replacen("ann,", "dan,", 1).replace(file, "")
+    );
+    fs::write(data.path("scores/1.csv"), board.clone() + &others).unwrap();
+    fs::write(data.path("scores/players.csv"), "player,level,time,medal,mark\neve,1,0.01,gold,TRUE\n").unwrap();
+    let told = data.resultant(&["verify", "--scores"]);
+    assert_eq!(
+        (told.status, told.out.as_str()),
+        (1, "1: 1 proven, 1 unproven, 3 not\nplayers.csv: 1 levels done, on the players' own word\n")
+    );
+    let lines: Vec<&str> = told.err.lines().collect();
+    assert!(
+        lines[0].ends_with("rank 2, bob, 18222 points: does not hold: its flight stands under the name ann, too"),
+        "{}",
+        told.err
+    );
+    assert!(lines[1].ends_with("rank 3, cid, 18222 points: does not hold: its flight was saved by ann"), "{}", told.err);
+    assert!(lines[2].contains("rank 5, dan, 18222 points: does not hold: the row says how it was flown"), "{}", told.err);
+    // A row that carries the old hash of the level says so.
+    let level = level::load(&data.path("levels/1"), &data.path(".")).unwrap().level;
+    let [new, old] = Fingerprint::of(&level).hashes().collect::<Vec<_>>()[..] else { panic!("two hashes") };
+    fs::write(data.path("scores/1.csv"), board.replace(&new.to_string(), &old.to_string())).unwrap();
+    let held = data.resultant(&["verify", "--scores"]);
+    assert_eq!((held.status, held.out.lines().next()), (0, Some("1: 1 proven; 1 with the old 64-bit hash of the level")));
 }
 
 #[test]
@@ -71,7 +109,7 @@ fn an_edited_level_has_another_board_and_a_level_that_is_gone_none() {
     assert_eq!((edited.status, edited.out.as_str(), edited.err.as_str()), (0, told, ""));
     // Its row without word of a version is found all the same.
     let board = fs::read_to_string(data.path("scores/1.csv")).unwrap();
-    let version = format!("{:016x}", flight("1", "gold").level_hash.unwrap());
+    let version = flight("1", "gold").level_hash.unwrap();
     fs::write(data.path("scores/1.csv"), board.replace(&format!(",{version},"), ",,")).unwrap();
     let found = data.resultant(&["verify", "--scores"]);
     assert_eq!(found.status, 1);
@@ -102,6 +140,8 @@ fn a_level_is_packed_and_unpacked_elsewhere_and_nothing_is_written_over() {
     let flown = there.resultant(&["verify", there.path("levels/15/flights/gold.replay.csv").to_str().unwrap()]);
     assert_eq!(flown.status, 0, "{flown:?}");
     assert!(there.resultant(&["unpack", zip]).out.ends_with("there already\n"));
+    fs::write(there.path("levels/15/mine.txt"), "mine").unwrap();
+    assert!(there.resultant(&["unpack", zip]).out.ends_with("there already, and more in its folder: mine.txt\n"));
     fs::write(there.path("levels/15/texts.csv"), "x,y,size,text\n1,1,20,mine\n").unwrap();
     let taken = there.resultant(&["unpack", zip]);
     assert_eq!(taken.status, 2);

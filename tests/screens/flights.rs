@@ -174,13 +174,16 @@ fn a_saved_score_has_its_flight_and_a_tick_on_the_board() {
     let flight = sitting.scores_file(&format!("flights/0/{}", cells[2]));
     let replay = Replay::parse("flight", &flight).unwrap();
     assert_eq!((replay.score.to_string(), replay.outcome), (cells[1].to_owned(), Some(Outcome::Completed)));
+    assert_eq!((replay.player.as_deref(), replay.level.as_str()), (Some("ann"), "0"));
+    assert!(sitting.leaderboard().time(0).is_some_and(|time| (time - replay.inputs.ticks() as f64 / 120.0).abs() < 1e-9));
     // A row that is forged with an editor does not hold; one without a flight is left alone.
-    let forged = text.replace(&format!("ann,{}", cells[1]), "ann,29999") + "old,5\n";
+    let forged = text.replace(&format!("ann,{}", cells[1]), "ann,19999") + "old,20500\n";
     fs::write(sitting.folder.path().join("scores/0.csv"), forged).unwrap();
     sitting.press(Key::Escape).choose(2).choose(0).wait(0.5);
     assert!(matches!(sitting.leaderboard().standing(0), Some(Standing::Doubtful(_))));
-    assert_eq!(sitting.leaderboard().standing(1), Some(&Standing::NoFlight));
-    assert!(sitting.leaderboard().doubt().unwrap().starts_with("ann does not hold: the row says 29999 points"));
+    assert_eq!(sitting.leaderboard().standing(1), Some(&Standing::Unproven));
+    assert_eq!(sitting.leaderboard().board().rows()[1].name.as_str(), "old", "it outranks no row that has a flight");
+    assert!(sitting.leaderboard().doubt().unwrap().starts_with("ann does not hold: the row says 19999 points"));
 }
 
 #[test]

@@ -1,0 +1,163 @@
+//! Judging the rows of a board: as much as is plain at once, the flights in turn, so that none holds up the others.
+
+use super::earned::{Claim, at_sight};
+use super::{Board, Doubt, Name, Scores, Standing};
+use crate::game::Medals;
+use crate::level::Level;
+use std::collections::{HashMap, VecDeque};
+use std::sync::Arc;
+
+/// The most flights in the air at once.
+pub const IN_TURN: usize = 10;
+/// The ticks that a flight is flown until it is the next one's turn.
+pub const TURN: u64 = 30;
+
+/// A row of a board as far as it is judged.
+#[derive(Debug, Default)]
+struct Judged {
+    /// `None` until that is known.
+    standing: Option<Standing>,
+    /// How long its flight took, as its record says, s.
+    time: Option<f64>,
+    /// What its flight has earned, once it is proven.
+    medals: Medals,
+    /// Whether its flight is in the air.
+    flies: bool,
+}
+
+/// The judgement of one board.
+#[derive(Debug)]
+pub struct Judge {
+    scores: Scores,
+    level: Arc<Level>,
+    rows: HashMap<Name, Judged>,
+    /// Whose flight ends in the state with that hash.
+    ends: HashMap<u64, Name>,
+    air: VecDeque<(Name, Box<Claim>)>,
+    /// How many rows are known not to hold.
+    failed: usize,
+    ticks: u64,
+}
+
+impl Judge {
+    /// What is plain of the rows of that level's board without a look at any flight.
+    pub fn new(scores: Scores, level: Arc<Level>, board: &Board) -> Self {
+        let (mut rows, mut files) = (HashMap::new(), HashMap::new());
+        for (index, row) in board.rows().iter().enumerate() {
+            let origin = board.origin(index);
+            let mut standing = at_sight(row, &origin, &level);
+            if let (None, Some(file)) = (&standing, origin.flight) {
+                let first = files.entry(file).or_insert_with(|| row.name.clone());
+                standing = (*first != row.name).then(|| Standing::Doubtful(Doubt::Twice(first.clone())));
+            }
+            rows.insert(row.name.clone(), Judged { standing, ..Judged::default() });
+        }
+        let failed = rows.values().filter(|row: &&Judged| matches!(row.standing, Some(Standing::Doubtful(_)))).count();
+        Self { scores, level, rows, ends: HashMap::new(), air: VecDeque::new(), failed, ticks: 0 }
+    }
+
+    /// How the row of that name stands; `None` as long as that is not known.
+    pub fn standing(&self, name: &Name) -> Option<&Standing> {
+        self.rows.get(name)?.standing.as_ref()
+    }
+
+    /// Whether the row of that name is known not to hold.
+    pub fn fails(&self, name: &Name) -> bool {
+        matches!(self.standing(name), Some(Standing::Doubtful(_)))
+    }
+
+    /// How many rows are known not to hold.
+    pub const fn failed(&self) -> usize {
+        self.failed
+    }
+
+    /// How long the flight of a row took, s: as its record says, until it is known not to hold.
+    pub fn time(&self, name: &Name) -> Option<f64> {
+        self.rows.get(name)?.time.filter(|_| !self.fails(name))
+    }
+
+    /// What the flight of a row has earned, once it is proven.
+    pub fn medals(&self, name: &Name) -> Medals {
+        self.rows.get(name).map(|row| row.medals).unwrap_or_default()
+    }
+
+    /// How many ticks have been flown.
+    pub const fn ticks(&self) -> u64 {
+        self.ticks
+    }
+
+    /// Whether a flight is in the air.
+    pub fn flies(&self) -> bool {
+        !self.air.is_empty()
+    }
+
+    /// Reads the flight of one of these rows of the board that is neither judged nor in the air, where there is room in the air for it;
+    /// which it was.
+    pub fn begin(&mut self, board: &Board, rows: impl IntoIterator<Item = usize>) -> Option<usize> {
+        if self.air.len() >= IN_TURN {
+            return None;
+        }
+        let open = |name: &Name| self.rows.get(name).is_some_and(|row| row.standing.is_none() && !row.flies);
+        let index = rows.into_iter().find(|&row| open(&board.rows()[row].name))?;
+        let (row, origin) = (&board.rows()[index], board.origin(index));
+        let flight = self.scores.flight(&self.level.name, &origin).unwrap_or(Err(Doubt::Emptied.to_string()));
+        let (end, time) = flight.as_ref().map(|flight| (flight.hash, flight.time)).unwrap_or_default();
+        let claim = flight.map_err(Doubt::Unreadable).and_then(|flight| Claim::new(row, &origin, flight, self.level.clone()));
+        if let Some(judged) = self.rows.get_mut(&row.name) {
+            (judged.time, judged.flies) = (time, true);
+        }
+        match claim.and_then(|claim| self.is_the_only_one(board, &row.name, end).map(|()| claim)) {
+            Ok(claim) => self.air.push_back((row.name.clone(), Box::new(claim))),
+            Err(doubt) => self.conclude(&row.name, Err(doubt)),
+        }
+        Some(index)
+    }
+
+    /// Flies so many ticks in all, the flights in the air in turn.
+    pub fn fly(&mut self, mut ticks: u64) {
+        while ticks > 0 {
+            let Some((name, mut claim)) = self.air.pop_front() else { return };
+            let turn = TURN.min(ticks);
+            let verdict = (0..turn).find_map(|_| {
+                (ticks, self.ticks) = (ticks - 1, self.ticks + 1);
+                claim.step()
+            });
+            match verdict {
+                Some(verdict) => self.conclude(&name, verdict),
+                // Another row turned out to have the same flight with more right to it.
+                None if self.fails(&name) => {}
+                None => self.air.push_back((name, claim)),
+            }
+        }
+    }
+
+    fn conclude(&mut self, name: &Name, verdict: Result<Medals, Doubt>) {
+        let Some(row) = self.rows.get_mut(name).filter(|row| row.standing.is_none()) else { return };
+        match verdict {
+            Ok(medals) => (row.standing, row.medals) = (Some(Standing::Proven), medals),
+            Err(doubt) => {
+                row.standing = Some(Standing::Doubtful(doubt));
+                self.failed += 1;
+            }
+        }
+    }
+
+    /// Whether no other row has a flight with that end. Of two such rows the one that stands ahead, which is the older, may keep it.
+    fn is_the_only_one(&mut self, board: &Board, name: &Name, end: u64) -> Result<(), Doubt> {
+        match self.ends.insert(end, name.clone()) {
+            Some(other) if self.fails(&other) => Ok(()),
+            Some(other) if board.rank(&other) < board.rank(name) => {
+                self.ends.insert(end, other.clone());
+                Err(Doubt::Twice(other))
+            }
+            Some(other) => {
+                if let Some(row) = self.rows.get_mut(&other) {
+                    (row.standing, row.medals) = (Some(Standing::Doubtful(Doubt::Twice(name.clone()))), Medals::default());
+                    self.failed += 1;
+                }
+                Ok(())
+            }
+            None => Ok(()),
+        }
+    }
+}
