@@ -28,11 +28,17 @@ pub(super) struct Images<'a> {
     known: BTreeMap<String, Result<(f64, f64), Refusal>>,
     /// Of all known images together.
     pixels: u64,
+    /// What an object is drawn as whose image is missing; without it such an object is refused.
+    pub stand_in: Option<Shape>,
 }
 
+/// The sides of the box that stands in for a missing picture, pixels.
+const STAND_IN: f64 = 40.0;
+
 impl<'a> Images<'a> {
-    pub fn new(files: &'a dyn Files) -> Self {
-        Self { files, known: BTreeMap::new(), pixels: 0 }
+    /// With `stand_ins` a box stands in for every image that is missing.
+    pub fn new(files: &'a dyn Files, stand_ins: bool) -> Self {
+        Self { files, known: BTreeMap::new(), pixels: 0, stand_in: stand_ins.then_some((Look::Box, STAND_IN, STAND_IN)) }
     }
 
     /// What an `image` cell means: `box:40x40`, `ball:40x40`, or a PNG's path from the project root.

@@ -36,12 +36,12 @@ mod words;
 mod world_def;
 
 pub use awards::{Awards, Mark};
-pub use folder::{list, load, title};
+pub use folder::{list, load, load_unfinished, title};
 pub use image::read_picture;
 pub use name::{NameFault, judge_name};
 pub use names::FILES;
 pub use problem::Problem;
-pub use read::{Files, Loaded, read};
+pub use read::{Files, Loaded, read, read_unfinished};
 pub use types::{
     Decoration, Field, Fluid, Latch, Level, Look, Mover, Object, Objective, ObjectiveKind, Player, Pod, Presser, Route, SHIP_DRAG,
     SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Switch, Text, Work,

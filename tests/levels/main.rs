@@ -10,6 +10,7 @@ mod loading;
 mod sizes;
 #[path = "../support/mod.rs"]
 mod support;
+mod unfinished;
 mod varied;
 
 use resultant::level::{self, Level, Problem};
