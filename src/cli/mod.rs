@@ -188,10 +188,8 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
 /// # Errors
 /// There is no such level, or it is refused, with every problem.
 fn load_level(project: &Project, name: &str) -> Result<Arc<Level>, Stop> {
-    let loaded = level::load(&project.level_folder(name)?, project.root()).map_err(|problems| {
-        let lines: Vec<String> = problems.iter().map(ToString::to_string).collect();
-        Stop::Refused(lines.join("\n"))
-    })?;
+    let loaded = level::load(&project.level_folder(name)?, project.root())
+        .map_err(|problems| Stop::Refused(level::told(&problems).join("\n")))?;
     Ok(Arc::new(loaded.level))
 }
 

@@ -60,7 +60,7 @@ fn start(level: &str, inputs: Option<&Path>, project: &Project) -> Result<Start,
     let loaded = match level::load(&folder, project.root()) {
         Ok(loaded) => loaded,
         Err(problems) => {
-            let lines: String = problems.iter().map(|problem| format!("{}/{problem}\n", shown(level))).collect();
+            let lines: String = level::told(&problems).iter().map(|problem| format!("{}/{problem}\n", shown(level))).collect();
             let unfinished = level::load_unfinished(&folder, project.root()).ok().filter(|_| inputs.is_none());
             let Some(unfinished) = unfinished else { return Err(Stop::Refused(lines)) };
             let _ = writeln!(std::io::stderr(), "{lines}{}: not finished yet, its flights count for nothing", shown(level));

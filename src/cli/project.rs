@@ -1,7 +1,7 @@
 //! Where the game's folders are.
 
 use super::{Stop, shown};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// The folder that holds `assets/`, `levels/` and `scores/`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -10,8 +10,8 @@ pub struct Project {
 }
 
 impl Project {
-    /// `data` where it is given. Otherwise the first of the working directory, the executable's folder and the folder that the
-    /// program was built from which holds `levels/`; where none does, the working directory.
+    /// `data` where it is given. Otherwise the first of the working directory, those above it, the executable's folder and the folder
+    /// that the program was built from which holds `levels/`; where none does, the working directory.
     ///
     /// # Errors
     /// `data` is no folder.
@@ -25,7 +25,10 @@ impl Project {
         }
         let executable = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
         let package = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-        Ok(Self::first_with_levels([Some(PathBuf::from(".")), executable, Some(package)].into_iter().flatten()))
+        let working = std::env::current_dir().ok();
+        let above = working.iter().flat_map(|folder| folder.ancestors().skip(1).map(Path::to_path_buf));
+        let others = executable.into_iter().chain([package]);
+        Ok(Self::first_with_levels([PathBuf::from(".")].into_iter().chain(above).chain(others)))
     }
 
     fn first_with_levels(mut candidates: impl Iterator<Item = PathBuf>) -> Self {
@@ -58,11 +61,13 @@ impl Project {
     /// # Errors
     /// There is neither.
     pub fn level_folder(&self, level: &str) -> Result<PathBuf, Stop> {
+        let folder = PathBuf::from(level);
         let listed = self.levels().join(level);
-        if !level.is_empty() && listed.is_dir() {
+        // `.` and `..` are places, and no names under levels/.
+        let is_name = folder.components().all(|part| matches!(part, Component::Normal(_)));
+        if is_name && !level.is_empty() && listed.is_dir() {
             return Ok(listed);
         }
-        let folder = PathBuf::from(level);
         if folder.is_dir() {
             return Ok(folder);
         }
@@ -95,6 +100,9 @@ mod tests {
         let project = Project::find(Some(data.path())).unwrap();
         assert_eq!(project.level_folder("7").unwrap(), data.path().join("levels").join("7"));
         assert_eq!(project.level_folder(own.path().to_str().unwrap()).unwrap(), own.path());
+        // A place is no name, also where levels/ has such a place.
+        std::fs::create_dir_all(data.path().join("levels/7/flights")).unwrap();
+        assert_eq!(project.level_folder(".").unwrap(), Path::new("."));
         for none in ["", "8"] {
             assert!(project.level_folder(none).is_err(), "{none:?}");
         }

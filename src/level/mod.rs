@@ -40,7 +40,7 @@ pub use folder::{list, load, load_unfinished, title};
 pub use image::read_picture;
 pub use name::{NameFault, judge_name};
 pub use names::FILES;
-pub use problem::Problem;
+pub use problem::{Problem, told};
 pub use read::{Files, Loaded, read, read_unfinished};
 pub use types::{
     Decoration, Field, Fluid, Latch, Level, Look, Mover, Object, Objective, ObjectiveKind, Player, Pod, Presser, Route, SHIP_DRAG,

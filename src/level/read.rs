@@ -94,6 +94,7 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
         return Err(in_order(problems));
     };
     warnings.extend(names::warn(&draft));
+    warnings.extend(winnable::same_turns(&draft));
     warnings.extend(words::warn(&draft, size / draft.scale.metre));
     warnings.extend(placement::warn(&draft, &player.item, size / draft.scale.metre));
     let (player, size) = (player.item.clone(), size / draft.scale.metre);

@@ -145,7 +145,7 @@ pub fn free_name(levels: &Path, of: &str) -> String {
 /// # Errors
 /// There is one of that name already, or the disk refuses; nothing has changed then.
 pub fn rename(levels: &Path, from: &str, to: &str) -> io::Result<()> {
-    if fs::symlink_metadata(levels.join(to)).is_ok() {
+    if taken(levels, to).is_some_and(|other| other != from) {
         return Err(io::ErrorKind::AlreadyExists.into());
     }
     fs::rename(levels.join(from), levels.join(to))
@@ -157,17 +157,28 @@ pub fn rename(levels: &Path, from: &str, to: &str) -> io::Result<()> {
 /// Why not, in words.
 pub fn judge(levels: &Path, name: &str) -> Result<(), String> {
     judge_name(name).map_err(|fault| format!("{}: expected {}", quoted(name), fault.expected()))?;
-    if fs::symlink_metadata(levels.join(name)).is_ok() {
-        return Err(format!("{}: there is one of that name already", quoted(name)));
+    match taken(levels, name) {
+        None => Ok(()),
+        Some(other) if other == name => Err(format!("{}: there is one of that name already", quoted(name))),
+        Some(other) => Err(format!("{}: {} is there already, the same folder on some systems", quoted(name), quoted(&other))),
     }
-    Ok(())
+}
+
+/// What is in `levels` under that name already, in whichever case: on some systems `Tower` and `tower` are one folder.
+pub fn taken(levels: &Path, name: &str) -> Option<String> {
+    if fs::symlink_metadata(levels.join(name)).is_ok() {
+        return Some(name.to_owned());
+    }
+    let lower = name.to_lowercase();
+    let entries = fs::read_dir(levels).into_iter().flatten().flatten();
+    entries.filter_map(|entry| entry.file_name().into_string().ok()).find(|other| other.to_lowercase() == lower)
 }
 
 fn build(levels: &Path, name: &str, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
     let folder = levels.join(name);
     fs::create_dir_all(levels)?;
     // Nobody's level is ever touched. A rename would fail, too, but not where there is an empty folder.
-    if fs::symlink_metadata(&folder).is_ok() {
+    if taken(levels, name).is_some() {
         return Err(io::ErrorKind::AlreadyExists.into());
     }
     let mut builder = tempfile::Builder::new();

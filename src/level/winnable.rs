@@ -7,6 +7,7 @@ use super::read::Draft;
 use super::rows::Placed;
 use super::types::{Objective, ObjectiveKind, Player, SHIP_HALF};
 use crate::physics::{Aabb, DVec2};
+use std::collections::BTreeMap;
 
 /// What touches by less than this far, m, touches: as the rules have it.
 const TOUCH: f64 = 1e-9;
@@ -96,6 +97,21 @@ fn apart(draft: &Draft) -> Option<Problem> {
         }
     }
     None
+}
+
+/// Objectives whose turn is the same: the rules let these be met in any order, which is seldom what a number is given for.
+pub(super) fn same_turns(draft: &Draft) -> Vec<Problem> {
+    let mut first: BTreeMap<u32, usize> = BTreeMap::new();
+    let mut warnings = Vec::new();
+    for placed in &draft.objectives {
+        let Some(order) = placed.item.order else { continue };
+        let line = *first.entry(order).or_insert(placed.line);
+        if line != placed.line {
+            let found = format!("{order} once more, the turn of line {line}: these two can be met in either order");
+            warnings.push(placed.problem("order", found, "a number of its own for each turn"));
+        }
+    }
+    warnings
 }
 
 /// More objectives for keys than keys, none of which can touch two at once.

@@ -2,6 +2,7 @@
 
 use super::{Package, check, path};
 use crate::files;
+use crate::level::scaffold;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -44,12 +45,14 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
         let name = if number > 1 { format!("{}-{number}", package.name) } else { package.name.clone() };
         let folder = levels.join(&name);
         // A rename would take the place of an empty folder.
-        if fs::symlink_metadata(&folder).is_err() {
+        let other = scaffold::taken(levels, &name);
+        if other.is_none() {
             fs::rename(whole.path(), &folder).map_err(|error| refused(&error))?;
             // There is nothing left to remove.
             drop(whole.keep());
             return Ok(Installed::New(folder));
         }
+        let folder = other.map_or(folder, |other| levels.join(other));
         if is_same(package, &folder) {
             return Ok(Installed::Already(folder));
         }

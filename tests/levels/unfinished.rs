@@ -33,10 +33,7 @@ fn what_cannot_be_read_or_placed_is_left_out_and_a_missing_picture_is_a_box() {
         CONSTANTS,
         PLAYER,
         ("world.csv", "0,580,800,20\n100,wide,10,10\n"),
-        (
-            "objects.csv",
-            "100,100,nowhere.png,50,1,FALSE,0\n200,100,box:40x40,50,1,FALSE,0\n300,595,box:40x40,50,1,FALSE,0\n",
-        ),
+        ("objects.csv", "100,100,nowhere.png,50,1,FALSE,0\n200,100,box:40x40,50,1,FALSE,0\n300,595,box:40x40,50,1,FALSE,0\n"),
         ("switches.csv", "0,0,10,10,gate\n"),
         ("objectives.csv", "PHYS,10,10,20,20\n"),
     ]);
