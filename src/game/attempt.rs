@@ -11,13 +11,12 @@ use super::objectives::Objectives;
 use super::pushes::{APART, Pushes};
 use super::touch::sweep_touches;
 use super::{Controls, RunResult, ScoreParts, Ship};
+pub use crate::level::TICK_RATE;
 use crate::level::{Level, SHIP_HALF};
 use crate::physics::{Aabb, BodyId, DVec2, Event, Obstacle, World};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-/// Ticks a second.
-pub const TICK_RATE: f64 = 120.0;
 /// The tick rates that a game can be given. Below, a tick is longer than a player's reaction; above, it moves things by less than
 /// rounding.
 pub const TICK_RATES: RangeInclusive<f64> = 1.0..=1e6;

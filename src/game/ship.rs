@@ -1,13 +1,12 @@
 //! The ship's engine and its rotation: what the keys do.
 
 use super::Controls;
+pub use crate::level::BURN_RATE;
 use crate::level::Player;
 use crate::physics::DVec2;
 
 /// Degrees a second while a rotation key is held. Higher is twitchier: a quarter turn takes half a second.
 pub const ROTATION_RATE: f64 = 180.0;
-/// Fuel units a second while the engine burns. Higher shortens every flight: the usual 500 units last 25 s.
-pub const BURN_RATE: f64 = 20.0;
 
 /// What the ship has besides its body.
 #[derive(Clone, Debug, PartialEq)]

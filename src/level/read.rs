@@ -14,7 +14,7 @@ use super::types::{
 };
 use super::winnable;
 use super::words;
-use super::{blocks, extras, names};
+use super::{blocks, extras, gates, names, power, pushed};
 use crate::physics::{Aabb, DVec2};
 use std::collections::BTreeSet;
 use std::io;
@@ -86,17 +86,22 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     problems.extend(names::check(&draft));
     problems.extend(strength::check(&draft));
     problems.extend(placement::check(&draft));
-    if let (Some(player), Some(size), true) = (&draft.player, draft.size, problems.is_empty()) {
-        problems.extend(winnable::check(&draft, &player.item, size / draft.scale.metre));
-    }
     // A level without a readable player or size has a problem already.
     let (Some(player), Some(size), true) = (&draft.player, draft.size, problems.is_empty()) else {
         return Err(in_order(problems));
     };
+    let space = placement::space(&draft, size / draft.scale.metre);
+    let problems = winnable::check(&draft, &player.item, &space);
+    if !problems.is_empty() {
+        return Err(in_order(problems));
+    }
     warnings.extend(names::warn(&draft));
     warnings.extend(winnable::same_turns(&draft));
     warnings.extend(words::warn(&draft, size / draft.scale.metre));
-    warnings.extend(placement::warn(&draft, &player.item, size / draft.scale.metre));
+    warnings.extend(placement::warn(&draft, &player.item, &space));
+    warnings.extend(gates::warn(&draft, &player.item, &constants, &space));
+    warnings.extend(pushed::warn(&draft, &player.item, &constants, &space));
+    warnings.extend(power::warn(&draft, player, &constants, &space));
     let (player, size) = (player.item.clone(), size / draft.scale.metre);
     Ok(Loaded { level: level(name, &constants, background, draft, player, size), warnings })
 }

@@ -12,6 +12,7 @@ mod sizes;
 mod support;
 mod unfinished;
 mod varied;
+mod warnings;
 
 use resultant::level::{self, Level, Problem};
 use resultant::physics::{Aabb, DVec2, World};
