@@ -3,9 +3,9 @@
 use super::{Project, Readers, Status, Stop, shown};
 use crate::level::{self, Level, Loaded, ObjectiveKind};
 use crate::physics::World;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// What to check.
 #[derive(clap::Args, Debug, Default)]
@@ -33,21 +33,22 @@ fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Writ
     }
     let folders = names.iter().map(|name| project.level_folder(name)).collect::<Result<Vec<PathBuf>, Stop>>()?;
     let (mut status, mut refused) = (Status::Done, 0);
-    for (name, folder) in names.iter().map(|name| shown(name.display())).zip(folders) {
-        let problems = match level::load(&folder, project.root()) {
-            Ok(loaded) => match World::new(loaded.level.world_def()) {
-                Ok(world) => {
-                    describe(&name, &loaded, &world, out, err)?;
-                    continue;
+    for (name, folder) in names.iter().zip(folders) {
+        let name = called(name, &folder);
+        let made =
+            level::load(&folder, project.root()).map_err(|problems| (problems.len(), level::told(&problems))).and_then(|loaded| {
+                match World::new(loaded.level.world_def()) {
+                    Ok(world) => Ok((loaded, world)),
+                    Err(refusal) => Err((1, vec![refusal.to_string()])),
                 }
-                Err(refusal) => vec![refusal.to_string()],
-            },
-            Err(problems) => problems.iter().map(ToString::to_string).collect(),
-        };
-        (status, refused) = (Status::Wrong, refused + 1);
-        writeln!(err, "{name}: refused, {}", count(problems.len(), "problem", "problems"))?;
-        for problem in problems {
-            writeln!(err, "{problem}")?;
+            });
+        match made {
+            Ok((loaded, world)) => describe(&name, &loaded, &world, out, err)?,
+            Err((problems, lines)) => {
+                (status, refused) = (Status::Wrong, refused + 1);
+                writeln!(err, "{name}: refused, {}", count(problems, "problem", "problems"))?;
+                lines.iter().try_for_each(|line| writeln!(err, "{line}"))?;
+            }
         }
     }
     if names.len() > 1 {
@@ -56,9 +57,17 @@ fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Writ
     Ok(status)
 }
 
+/// What a level is called in results: as on the command line; a place such as `.` by the name of its folder.
+fn called(name: &OsStr, folder: &Path) -> String {
+    let place = Path::new(name).file_name().is_none();
+    let resolved = folder.canonicalize().ok().filter(|_| place);
+    let own = resolved.as_deref().and_then(Path::file_name).map(|own| own.to_string_lossy().into_owned());
+    shown(own.unwrap_or_else(|| name.to_string_lossy().into_owned()))
+}
+
 /// A good level: what is in it, the parts of the physics model that it uses, and what is odd about it.
 fn describe(name: &str, loaded: &Loaded, world: &World, out: &mut dyn Write, err: &mut dyn Write) -> io::Result<()> {
-    for warning in &loaded.warnings {
+    for warning in level::told(&loaded.warnings) {
         writeln!(err, "{name}: warning: {warning}")?;
     }
     writeln!(out, "{name}: ok")?;

@@ -196,10 +196,7 @@ fn load_level(project: &Project, name: impl AsRef<Path>) -> Result<Arc<Level>, S
 /// # Errors
 /// It is refused, with every problem.
 fn load_folder(project: &Project, folder: &Path) -> Result<Arc<Level>, Stop> {
-    let loaded = level::load(folder, project.root()).map_err(|problems| {
-        let lines: Vec<String> = problems.iter().map(ToString::to_string).collect();
-        Stop::Refused(lines.join("\n"))
-    })?;
+    let loaded = level::load(folder, project.root()).map_err(|problems| Stop::Refused(level::told(&problems).join("\n")))?;
     Ok(Arc::new(loaded.level))
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Project, Status, Stop};
 use crate::level;
-use std::io::{self, Write};
+use std::io::Write;
 
 /// What to make.
 #[derive(clap::Args, Debug)]
@@ -22,13 +22,9 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     }
     let levels = project.levels();
     let folder = levels.join(name);
-    level::scaffold::make(&levels, name, &level::scaffold::FILES).map_err(|error| {
-        let why = match error.kind() {
-            io::ErrorKind::AlreadyExists => "there is one of that name already".to_owned(),
-            _ => error.to_string(),
-        };
-        Stop::Refused(format!("cannot make {}: {why}", folder.display()))
-    })?;
+    let cannot = |why: String| Stop::Refused(format!("cannot make {}: {why}", folder.display()));
+    level::scaffold::judge(&levels, name).map_err(cannot)?;
+    level::scaffold::make(&levels, name, &level::scaffold::FILES).map_err(|error| cannot(error.to_string()))?;
     writeln!(out, "{}", folder.display())?;
     Ok(Status::Done)
 }

@@ -31,12 +31,7 @@ pub struct Args {
 /// A level or inputs that are refused; folders that are missing; no display; a build without a window.
 #[cfg(feature = "window")]
 pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
-    show(project, || {
-        let attempt = |level: &OsStr| -> Result<Start, Stop> {
-            Ok(Start::Play(project.level_folder(level)?, attempt(level, args.inputs.as_deref(), project)?))
-        };
-        args.level.as_deref().map(attempt).transpose()
-    })
+    show(project, || args.level.as_deref().map(|level| start(level, args.inputs.as_deref(), project)).transpose())
 }
 
 /// Opens the window with what `start` makes, once the folders are known to be there, and returns when it is closed.
@@ -59,14 +54,23 @@ pub fn show(project: &Project, start: impl FnOnce() -> Result<Option<Start>, Sto
     Ok(Status::Done)
 }
 
-/// Reads what is to be flown before a window opens.
+/// Reads what is to be flown before a window opens. A level that is not finished is tried out, and its problems stand on standard error.
 #[cfg(feature = "window")]
-fn attempt(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Attempt, Stop> {
-    let loaded = level::load(&project.level_folder(level)?, project.root()).map_err(|problems| {
-        Stop::Refused(problems.iter().map(|problem| format!("{}/{problem}\n", shown(level.display()))).collect())
-    })?;
+fn start(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Start, Stop> {
+    let folder = project.level_folder(level)?;
+    let loaded = match level::load(&folder, project.root()) {
+        Ok(loaded) => loaded,
+        Err(problems) => {
+            let lines: String = level::told(&problems).iter().map(|problem| format!("{}/{problem}\n", shown(level.display()))).collect();
+            let unfinished = level::load_unfinished(&folder, project.root()).ok().filter(|_| inputs.is_none());
+            let Some(unfinished) = unfinished else { return Err(Stop::Refused(lines)) };
+            let _ = writeln!(std::io::stderr(), "{lines}{}: not finished yet, its flights count for nothing", shown(level.display()));
+            return Ok(Start::Test(folder, Arc::new(unfinished.level)));
+        }
+    };
     let inputs = inputs.map(|file| Inputs::parse(&file.display().to_string(), &read_text(file, INPUTS)?).map_err(Stop::refused));
-    Ok(Attempt { level: Arc::new(loaded.level), inputs: inputs.transpose()?.map(Arc::new), rivals: Vec::new() })
+    let attempt = Attempt { level: Arc::new(loaded.level), inputs: inputs.transpose()?.map(Arc::new), rivals: Vec::new() };
+    Ok(Start::Play(folder, attempt))
 }
 
 /// Opens nothing: this build has no window.

@@ -10,8 +10,8 @@ pub struct Project {
 }
 
 impl Project {
-    /// `data` where it is given. Otherwise the first of the working directory, the executable's folder and the folder that the
-    /// program was built from which holds `levels/`; where none does, the working directory.
+    /// `data` where it is given. Otherwise the first of the working directory, those above it, the executable's folder and the folder
+    /// that the program was built from which holds `levels/`; where none does, the working directory.
     ///
     /// # Errors
     /// `data` is no folder.
@@ -25,7 +25,10 @@ impl Project {
         }
         let executable = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
         let package = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-        Ok(Self::first_with_levels([Some(PathBuf::from(".")), executable, Some(package)].into_iter().flatten()))
+        let working = std::env::current_dir().ok();
+        let above = working.iter().flat_map(|folder| folder.ancestors().skip(1).map(Path::to_path_buf));
+        let others = executable.into_iter().chain([package]);
+        Ok(Self::first_with_levels([PathBuf::from(".")].into_iter().chain(above).chain(others)))
     }
 
     fn first_with_levels(mut candidates: impl Iterator<Item = PathBuf>) -> Self {
@@ -60,7 +63,9 @@ impl Project {
     pub fn level_folder(&self, level: impl AsRef<Path>) -> Result<PathBuf, Stop> {
         let level = level.as_ref();
         let listed = self.levels().join(level);
-        if !level.as_os_str().is_empty() && listed.is_dir() {
+        // `.` and `..` are places, and no names under levels/.
+        let is_name = level.components().all(|part| matches!(part, Component::Normal(_)));
+        if is_name && !level.as_os_str().is_empty() && listed.is_dir() {
             return Ok(listed);
         }
         if level.is_dir() {
@@ -130,6 +135,9 @@ mod tests {
         let project = Project::find(Some(data.path())).unwrap();
         assert_eq!(project.level_folder("7").unwrap(), data.path().join("levels").join("7"));
         assert_eq!(project.level_folder(own.path().to_str().unwrap()).unwrap(), own.path());
+        // A place is no name, also where levels/ has such a place.
+        std::fs::create_dir_all(data.path().join("levels/7/flights")).unwrap();
+        assert_eq!(project.level_folder(".").unwrap(), Path::new("."));
         for none in ["", "8"] {
             assert!(project.level_folder(none).is_err(), "{none:?}");
         }

@@ -11,13 +11,12 @@ use super::objectives::Objectives;
 use super::pushes::{APART, Pushes};
 use super::touch::{SHIP_BOX, TOUCH};
 use super::{Controls, RunResult, ScoreParts, Ship};
+pub use crate::level::TICK_RATE;
 use crate::level::{Level, SHIP_HALF, ship_body, sweep_touches};
 use crate::physics::{Aabb, BodyId, DVec2, Event, Force, ForceKind, Obstacle, Source, World};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-/// Ticks a second.
-pub const TICK_RATE: f64 = 120.0;
 /// The tick rates that a game can be given. Below, a tick is longer than a player's reaction; above, it moves things by less than
 /// rounding.
 pub const TICK_RATES: RangeInclusive<f64> = 1.0..=1e6;

@@ -1,6 +1,7 @@
 //! The ship's engine and its rotation: what the keys do.
 
 use super::Controls;
+pub use crate::level::BURN_RATE;
 use crate::level::Player;
 pub use crate::level::nose;
 use crate::physics::DVec2;
@@ -10,8 +11,6 @@ pub const ROTATION_RATE: f64 = 180.0;
 /// How long the ship stands on something, tilted and without a key, before it turns to stand upright or on its side, s. Shorter, and it
 /// turns back while a player who aims on the ground changes from one key to the next.
 const RIGHTING_AFTER: f64 = 0.5;
-/// Fuel units a second while the engine burns. Higher shortens every flight: the usual 500 units last 25 s.
-pub const BURN_RATE: f64 = 20.0;
 
 /// What the ship has besides its body.
 #[derive(Clone, Debug, PartialEq)]

@@ -17,6 +17,8 @@ pub(super) struct Constants {
     pub optimal_time: f64,
     pub rest_speed: f64,
     pub friction: f64,
+    /// The line of each constant that is given.
+    pub lines: Vec<(&'static str, usize)>,
     pub awards: Awards,
     pub title: Option<String>,
     pub width: Option<f64>,
@@ -67,6 +69,7 @@ impl Reader<'_> {
             optimal_time: constant("optimal_time", q::OPTIMAL_TIME).unwrap_or(60.0),
             rest_speed: constant("rest_speed", q::REST_SPEED).unwrap_or(0.0),
             friction: constant("friction", q::FRICTION).unwrap_or(1.0),
+            lines: given.iter().map(|(name, record)| (*name, record.line)).collect(),
             awards,
             title: find("title").and_then(value).filter(|title| !title.is_empty()),
             width: constant("width", size),

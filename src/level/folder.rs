@@ -2,7 +2,7 @@
 
 use super::name::{self, NameFault};
 use super::problem::{Problem, quoted};
-use super::read::{Files, Loaded, read};
+use super::read::{Files, Loaded, read, read_unfinished};
 use super::rows;
 use super::table::{self, Layout, Record};
 use super::types::Look;
@@ -17,11 +17,22 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// Every problem in every file; a folder that is none is one problem, and so is one with the name of another leaderboard.
 pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
-    load_from(&Disk { folder, project }, &Disk { folder, project })
+    load_from(&Disk { folder, project }, &Disk { folder, project }, read)
 }
 
+/// As [`load`], to try out a level that is not finished: see [`read_unfinished`].
+///
+/// # Errors
+/// As [`load`], where there is no ship, no place for it or no size.
+pub fn load_unfinished(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
+    load_from(&Disk { folder, project }, &Disk { folder, project }, read_unfinished)
+}
+
+/// How a level's files become a level: [`read()`] or [`read_unfinished`].
+pub(super) type Reading = fn(&str, &dyn Files) -> Result<Loaded, Vec<Problem>>;
+
 /// As [`load`], with the level's files from elsewhere.
-pub(super) fn load_from(disk: &Disk, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
+pub(super) fn load_from(disk: &Disk, files: &dyn Files, read: Reading) -> Result<Loaded, Vec<Problem>> {
     let Disk { folder, .. } = disk;
     // `.` and `..` have a name only once they are resolved.
     let resolved = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());

@@ -28,12 +28,17 @@ pub(super) struct Images<'a> {
     known: BTreeMap<String, Result<(f64, f64), Refusal>>,
     /// Of all known images together, and the background.
     pixels: u64,
+    /// What an object is drawn as whose image is missing; without it such an object is refused.
+    pub stand_in: Option<Shape>,
 }
 
+/// The sides of the box that stands in for a missing picture, pixels.
+const STAND_IN: f64 = 40.0;
+
 impl<'a> Images<'a> {
-    /// None yet, beside a background of so many pixels.
-    pub fn new(files: &'a dyn Files, pixels: u64) -> Self {
-        Self { files, known: BTreeMap::new(), pixels }
+    /// None yet, beside a background of so many pixels. With `stand_ins` a box stands in for every image that is missing.
+    pub fn new(files: &'a dyn Files, pixels: u64, stand_ins: bool) -> Self {
+        Self { files, known: BTreeMap::new(), pixels, stand_in: stand_ins.then_some((Look::Box, STAND_IN, STAND_IN)) }
     }
 
     /// What an `image` cell means: `box:40x40`, `ball:40x40`, or a PNG's path from the project root.

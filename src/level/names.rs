@@ -3,6 +3,7 @@
 use super::nearest::{meant, nearest};
 use super::problem::{Problem, quoted};
 use super::read::Draft;
+use super::table::MOST_PROBLEMS;
 use std::collections::BTreeSet;
 
 /// The files of a level, in the order in which problems are listed.
@@ -25,17 +26,32 @@ pub const FILES: [&str; 16] = [
     "texts.csv",
 ];
 
-/// A file that no level has: refused where it is one of [`FILES`] misspelt, else only named. What is no table is the author's own.
+/// A file that no level has: refused where it is one of [`FILES`] misspelt, else a table is only named. Other files are the author's own.
 pub(super) fn stray(file: &str) -> Option<Result<Problem, Problem>> {
-    let table = file.to_lowercase().ends_with(".csv");
-    if FILES.contains(&file) || !(table || nearest(file, ["background.png"]).is_some()) {
+    if FILES.contains(&file) {
         return None;
     }
-    let known = nearest(file, FILES);
+    let known = meant_file(file);
+    if known.is_none() && !file.to_lowercase().ends_with(".csv") {
+        return None;
+    }
     let expected = known.map_or_else(|| format!("one of {}", FILES.join(", ")), |known| format!("the name {known:?}"));
     let problem = Problem::of_file(file, "a file that no level has", expected);
     Some(if known.is_some() { Err(problem) } else { Ok(problem) })
 }
+
+/// The file of a level that a name misspells: stem and ending are each near enough, whatever the case. The ending alone, which all tables
+/// share, makes no name near.
+fn meant_file(file: &str) -> Option<&'static str> {
+    let (stem, ending) = file.rsplit_once('.')?;
+    let near = FILES.iter().filter(|known| known.rsplit_once('.').is_some_and(|(_, own)| nearest(ending, [own]).is_some()));
+    let stems = near.filter_map(|known| known.rsplit_once('.').map(|(stem, _)| stem));
+    let stem = nearest(stem, stems)?;
+    FILES.into_iter().find(|known| known.rsplit_once('.').is_some_and(|(own, _)| own == stem))
+}
+
+/// How many names a message lists and compares with one that is unknown: nobody reads more, and a table can hold thousands.
+const MOST_NAMES: usize = 100;
 
 /// All names that something is called by that can be worked.
 fn worked(draft: &Draft) -> BTreeSet<&str> {
@@ -49,14 +65,21 @@ fn worked(draft: &Draft) -> BTreeSet<&str> {
 /// Switches that work what is not there.
 pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     let known = worked(draft);
+    let mut all = known.iter().copied().take(MOST_NAMES).collect::<Vec<_>>().join(", ");
+    if known.len() > MOST_NAMES {
+        all += &format!(" and {} more", known.len() - MOST_NAMES);
+    }
     let mut problems = Vec::new();
     for switch in &draft.switches {
         for work in switch.item.works.iter().filter(|work| !known.contains(work.name.as_str())) {
-            let all = known.iter().copied().collect::<Vec<_>>().join(", ");
+            if problems.len() > MOST_PROBLEMS {
+                return problems;
+            }
             let expected = if known.is_empty() {
                 "the name of a mover, door, stream or belt; none has one".to_owned()
             } else {
-                format!("the name of a mover, door, stream or belt: {all}{}", meant(&work.name, known.iter().copied()))
+                let meant = meant(&work.name, known.iter().copied().take(MOST_NAMES));
+                format!("the name of a mover, door, stream or belt: {all}{meant}")
             };
             problems.push(switch.problem("works", quoted(&work.name), expected));
         }
@@ -77,11 +100,37 @@ pub(super) fn warn(draft: &Draft) -> Vec<Problem> {
         .filter_map(|placed| {
             let name = placed.item.as_deref().filter(|name| !known.contains(name))?;
             let found = format!("{}, which no switch works", quoted(name));
-            Some(placed.problem(
-                "name",
-                found,
-                format!("a row of switches.csv that works it{}", meant(name, known.iter().copied())),
-            ))
+            let meant = meant(name, known.iter().copied().take(MOST_NAMES));
+            Some(placed.problem("name", found, format!("a row of switches.csv that works it{meant}")))
         })
+        .take(MOST_PROBLEMS)
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FILES, stray};
+
+    #[test]
+    fn a_name_is_refused_for_its_stem_and_never_for_the_ending_that_all_tables_share() {
+        for own in ["notes", "foo", "plan", "tool", "scores", "inventory", "a", "todo", "levels", "history"] {
+            let file = format!("{own}.csv");
+            assert!(matches!(stray(&file), Some(Ok(_))), "{file}: {:?}", stray(&file));
+        }
+        for own in ["world.txt", "movers.md", "readme", "picture.png", "player.png", ".csv.new", "world"] {
+            assert_eq!(stray(own), None, "{own}");
+        }
+        for (file, meant) in [
+            ("wrold.csv", "world.csv"),
+            ("player.CSV", "player.csv"),
+            ("movers.cvs", "movers.csv"),
+            ("Background.png", "background.png"),
+            ("backgroud.PNG", "background.png"),
+            ("constant.csv", "constants.csv"),
+        ] {
+            let Some(Err(problem)) = stray(file) else { panic!("{file}: {:?}", stray(file)) };
+            assert_eq!(problem.expected, format!("the name {meant:?}"), "{file}");
+        }
+        assert!(FILES.iter().all(|file| stray(file).is_none()));
+    }
 }

@@ -1,11 +1,14 @@
 //! Where things start: inside the level, in free space, within reach.
 
 use super::problem::Problem;
-use super::reach;
+use super::reach::Space;
 use super::read::Draft;
 use super::rows::Placed;
+use super::table::MOST_PROBLEMS;
 use super::types::{Player, SHIP_HALF, Solid};
+use crate::physics::zone_tree::ZoneTree;
 use crate::physics::{Aabb, DVec2, Sides};
+use std::rc::Rc;
 
 /// How far things may overlap at the start, m: what rounding pixels to metres can make of things that touch. Larger, and the
 /// engine would have to push things apart at the first tick.
@@ -36,11 +39,24 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     bodies.extend(draft.player.iter().map(|ship| ("the ship", ship.map(|ship| Aabb::around(ship.position, SHIP_HALF)))));
     bodies.extend(draft.objects.iter().map(|body| ("the object", body.map(|body| Aabb::around(body.position, body.size * 0.5)))));
     let mut problems = Vec::new();
+    let all: Vec<&Named> = solids.iter().chain(&bodies).collect();
+    let tree = ZoneTree::of(all.iter().map(|(_, thing)| thing.item));
     for (i, (name, body)) in bodies.iter().enumerate() {
-        let mut others = solids.iter().chain(&bodies[..i]);
+        if problems.len() > MOST_PROBLEMS {
+            return problems;
+        }
+        // The first of all solids and of the bodies before it.
+        let mut first = solids.len() + i;
+        tree.search(&body.item, -0.5 * OVERLAP, |index| {
+            let index = index as usize;
+            if index < first && all[index].1.item.overlaps(&body.item, OVERLAP) {
+                first = index;
+            }
+            true
+        });
         if let Some(problem) = outside(name, body, draft) {
             problems.push(problem);
-        } else if let Some((what, other)) = others.find(|(_, other)| other.item.overlaps(&body.item, OVERLAP)) {
+        } else if let Some((what, other)) = all.get(first).filter(|_| first < solids.len() + i) {
             let (column, deep, side) = depth(&body.item, &other.item, draft.scale.metre);
             let found = format!("{name} {deep} pixels inside {what} of {}:{}", other.file, other.line);
             problems.push(body.problem(column, found, format!("a start in free space, such as {deep} pixels further {side}")));
@@ -92,25 +108,17 @@ fn outside(name: &str, body: &Placed<Aabb>, draft: &Draft) -> Option<Problem> {
     Some(body.problem(column, found, format!("all of it between 0 and {size} pixels, the level's {side}")))
 }
 
-/// The objects that nobody can reach from the ship's start in a level of that size in metres.
-pub(super) fn warn(draft: &Draft, player: &Player, size: DVec2) -> Vec<Problem> {
+/// The objects that nobody can reach from the ship's start.
+pub(super) fn warn(draft: &Draft, player: &Player, space: &Space) -> Vec<Problem> {
     let bodies = draft.objects.iter().map(|object| (object.item.position, object.item.size * 0.5)).collect::<Vec<_>>();
-    let unreached = space(draft, size).unreached((player.position, SHIP_HALF), &bodies);
+    let unreached = space.unreached((player.position, SHIP_HALF), &bodies);
     let expected = "a way for the ship, or for something that it can push";
     unreached.into_iter().map(|i| draft.objects[i].problem("x", "an object that no one can reach", expected)).collect()
 }
 
 /// Where things can be that fly, in a level of that size in metres: wherever there is no rock.
-pub(super) fn space(draft: &Draft, size: DVec2) -> reach::Space {
-    reach::Space {
-        level: Aabb::new(DVec2::ZERO, size),
-        solids: draft
-            .world
-            .iter()
-            .filter(|solid| solid.item.is_rock())
-            .map(|solid| solid.item.bounds)
-            .chain(draft.streams.iter().map(|s| s.item.source))
-            .collect(),
-        slack: OVERLAP,
-    }
+pub(super) fn space(draft: &Draft, size: DVec2) -> Space {
+    let rock = draft.world.iter().filter(|solid| solid.item.is_rock()).map(|solid| solid.item.bounds);
+    let solids = rock.chain(draft.streams.iter().map(|stream| stream.item.source)).collect();
+    Space::new(Aabb::new(DVec2::ZERO, size), solids, OVERLAP, Rc::default())
 }

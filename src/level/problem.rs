@@ -1,5 +1,6 @@
 //! What is wrong with a level: where, what was found, what is expected.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// How many characters of an author's cell a message quotes.
@@ -51,6 +52,38 @@ impl fmt::Display for Problem {
     }
 }
 
+/// How many problems that are alike but for the row are written out.
+const ALIKE: usize = 3;
+
+/// The problems as they are printed, a line each; of those that are alike but for the row the first few, and a line that counts the rest.
+pub fn told(problems: &[Problem]) -> Vec<String> {
+    let alike = |problem: &Problem| (problem.file.clone(), problem.column.clone(), problem.found.clone(), problem.expected.clone());
+    // How many there are of a kind, and the last of them.
+    let mut kinds: BTreeMap<_, (usize, usize)> = BTreeMap::new();
+    let number = |problem: &Problem| {
+        let (count, last) = kinds.entry(alike(problem)).or_default();
+        (*count, *last) = (*count + 1, problem.line);
+        *count - 1
+    };
+    let numbers: Vec<usize> = problems.iter().map(number).collect();
+    let line = |(problem, number): (&Problem, usize)| {
+        let (count, last) = kinds[&alike(problem)];
+        match Some(number).filter(|_| count > ALIKE + 1) {
+            Some(ALIKE) => {
+                let more = count - ALIKE;
+                let Problem { file, line, column, found, .. } = problem;
+                Some(format!(
+                    "{file}:{line}: column {}: found {found} in {more} more rows, the last in line {last}",
+                    quoted(column)
+                ))
+            }
+            Some(further) if further > ALIKE => None,
+            _ => Some(problem.to_string()),
+        }
+    };
+    problems.iter().zip(numbers).filter_map(line).collect()
+}
+
 /// An author's text in quotes, on one line, cut when it is long.
 pub(super) fn quoted(text: &str) -> String {
     match text.char_indices().nth(QUOTED_CHARACTERS) {
@@ -67,6 +100,19 @@ mod tests {
     fn a_problem_stays_on_one_line() {
         let problem = Problem::new("texts.csv", 3, "a\nb", quoted("1\r\n2"), "a number");
         assert_eq!(problem.to_string(), r#"texts.csv:3: column "a\nb": found "1\r\n2", expected a number"#);
+    }
+
+    #[test]
+    fn problems_that_are_alike_are_summed_up() {
+        let alike = |line| Problem::new("world.csv", line, "material", quoted("Cheese"), "one of Asphalt, Steel");
+        let other = Problem::new("world.csv", 5, "x", quoted("a"), "a number");
+        let mut problems: Vec<Problem> = (2..=1001).map(alike).collect();
+        problems.insert(3, other.clone());
+        let lines = told(&problems);
+        assert_eq!(lines.len(), 5, "{lines:?}");
+        assert_eq!(lines[..4], [alike(2).to_string(), alike(3).to_string(), alike(4).to_string(), other.to_string()]);
+        assert_eq!(lines[4], "world.csv:5: column \"material\": found \"Cheese\" in 997 more rows, the last in line 1001");
+        assert_eq!(told(&problems[..5]).len(), 5, "four of a kind take no less room summed up");
     }
 
     #[test]

@@ -8,51 +8,102 @@
 //! reachable: objects are no obstacles to each other, and nothing is too heavy to push.
 
 use crate::physics::{Aabb, DVec2};
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// Grids with more cells than this are not searched: a warning is not worth a long load. 4 million cells take about 50 ms.
 const MOST_CELLS: usize = 4_000_000;
 /// No more sizes of objects than this are searched.
 const MOST_SIZES: usize = 16;
+/// How many cells all searches of a level may look at together.
+const MOST_WORK: u64 = 40_000_000;
+
+/// What the searches of a level have cost so far, in cells looked at.
+#[derive(Debug, Default)]
+pub(super) struct Work(Cell<u64>);
+
+impl Work {
+    /// Whether so many cells may still be looked at; they count as looked at then.
+    pub fn spend(&self, cells: usize) -> bool {
+        let spent = self.0.get().saturating_add(cells as u64);
+        let allowed = spent <= MOST_WORK;
+        if allowed {
+            self.0.set(spent);
+        }
+        allowed
+    }
+
+    #[cfg(test)]
+    pub fn spent(&self) -> u64 {
+        self.0.get()
+    }
+}
 
 /// A level's free space.
 pub(super) struct Space {
-    pub level: Aabb,
-    pub solids: Vec<Aabb>,
+    level: Aabb,
+    solids: Vec<Aabb>,
     /// How far boxes may overlap solids, m: rounding must not close a gap.
-    pub slack: f64,
+    slack: f64,
+    work: Rc<Work>,
+    grids: RefCell<Vec<(DVec2, Option<Rc<Grid>>)>>,
 }
 
 /// Where the centre of a box of one size can be.
-struct Grid {
+pub(super) struct Grid {
     half: DVec2,
+    slack: f64,
     /// The edges, ascending, without repeats. Cell 2i + 1 is edge i, cell 2i the open interval before it.
     x: Vec<f64>,
     y: Vec<f64>,
     /// The connected part of the free space that each cell belongs to, from 1; 0 where it is blocked. Row by row.
     parts: Vec<u32>,
+    counts: RefCell<BTreeMap<u32, Rc<Counts>>>,
 }
 
 /// A connected part of the free space of one size: the index of its grid, and the part's number.
 type Part = (usize, u32);
 
+/// A `(centre, half)` box.
+pub(super) type Body = (DVec2, DVec2);
+
 impl Space {
-    /// The indices of those `(centre, half)` bodies that nothing reaches that starts with the ship; none where the level is too
-    /// large to say.
-    pub fn unreached(&self, ship: (DVec2, DVec2), bodies: &[(DVec2, DVec2)]) -> Vec<usize> {
+    pub fn new(level: Aabb, solids: Vec<Aabb>, slack: f64, work: Rc<Work>) -> Self {
+        Self { level, solids, slack, work, grids: RefCell::default() }
+    }
+
+    /// The same with more that is solid.
+    pub fn with(&self, more: impl IntoIterator<Item = Aabb>) -> Self {
+        let solids = self.solids.iter().copied().chain(more).collect();
+        Self::new(self.level, solids, self.slack, self.work.clone())
+    }
+
+    /// The lowest y, m.
+    pub const fn bottom(&self) -> f64 {
+        self.level.max.y
+    }
+
+    /// What the searches of this level cost.
+    pub fn work(&self) -> &Work {
+        &self.work
+    }
+
+    /// The indices of those bodies that nothing reaches that starts with the ship; none where the level is too large to say.
+    pub fn unreached(&self, ship: Body, bodies: &[Body]) -> Vec<usize> {
         let mut halves = vec![ship.1];
         for (_, half) in bodies {
-            if !halves.contains(half) {
+            if halves.len() <= MOST_SIZES && !halves.contains(half) {
                 halves.push(*half);
             }
         }
-        let edges = 2 * self.solids.len() + 2;
-        let cells = (2 * edges + 1) * (2 * edges + 1);
-        if bodies.is_empty() || halves.len() > MOST_SIZES || cells.saturating_mul(halves.len()) > MOST_CELLS {
+        if bodies.is_empty() || halves.len() > MOST_SIZES {
             return Vec::new();
         }
-        let grids: Vec<Grid> = halves.into_iter().map(|half| self.grid(half)).collect();
-        let part_of = |(centre, half): &(DVec2, DVec2)| -> Option<Part> {
+        let Some(grids) = halves.into_iter().map(|half| self.grid(half)).collect::<Option<Vec<Rc<Grid>>>>() else {
+            return Vec::new();
+        };
+        let part_of = |(centre, half): &Body| -> Option<Part> {
             let grid = grids.iter().position(|grid| grid.half == *half)?;
             Some((grid, grids[grid].part_at(*centre))).filter(|(_, part)| *part != 0)
         };
@@ -64,10 +115,18 @@ impl Space {
             }
         }
         let mut reached: Vec<Part> = part_of(&ship).into_iter().collect();
-        while let Some(by) = reached.pop() {
-            let toucher = Toucher::new(&grids[by.0], by.1);
-            let touched: Vec<Part> =
-                waiting.keys().copied().filter(|part| toucher.touches(&grids[part.0], part.1, self.slack)).collect();
+        while let Some((grid, part)) = reached.pop() {
+            let Some(from) = self.counts(&grids[grid], part) else { return Vec::new() };
+            let mut touched = Vec::new();
+            for (grid, part) in waiting.keys() {
+                let to = &grids[*grid];
+                if !self.work.spend(to.parts.len()) {
+                    return Vec::new();
+                }
+                if from.touches(to, *part) {
+                    touched.push((*grid, *part));
+                }
+            }
             for part in touched {
                 waiting.remove(&part);
                 reached.push(part);
@@ -78,23 +137,45 @@ impl Space {
         unreached
     }
 
-    /// Whether a `(centre, half)` body can get somewhere from where it touches a box; also where the level is too large to say, or where the
-    /// body starts in something.
-    pub fn gets_to(&self, (centre, half): (DVec2, DVec2), target: &Aabb) -> bool {
-        let edges = 2 * self.solids.len() + 2;
-        if (2 * edges + 1) * (2 * edges + 1) > MOST_CELLS {
+    /// Whether a body can get somewhere from where it touches a box; also where the level is too large to say, or where the body starts in
+    /// something.
+    pub fn gets_to(&self, (centre, half): Body, target: &Aabb) -> bool {
+        let Some(grid) = self.grid(half) else { return true };
+        let part = grid.part_at(centre);
+        if part == 0 || !self.work.spend(1) {
             return true;
         }
-        let grid = self.grid(half);
-        let part = grid.part_at(centre);
+        let Some(counts) = self.counts(&grid, part) else { return true };
         let reach = half + self.slack;
-        let along = |edges: &[f64], low: f64, high: f64| Grid::cell(edges, low)..=Grid::cell(edges, high);
-        let mut near = along(&grid.y, target.min.y - reach.y, target.max.y + reach.y)
-            .flat_map(|row| along(&grid.x, target.min.x - reach.x, target.max.x + reach.x).map(move |column| (row, column)));
-        part == 0 || near.any(|(row, column)| grid.parts[row * grid.columns() + column] == part)
+        counts.any_in(&Aabb::new(target.min - reach, target.max + reach))
     }
 
-    fn grid(&self, half: DVec2) -> Grid {
+    /// Where the centres of boxes of that size can be; `None` where the level is too large to say.
+    pub fn grid(&self, half: DVec2) -> Option<Rc<Grid>> {
+        if let Some((_, known)) = self.grids.borrow().iter().find(|(known, _)| *known == half) {
+            return known.clone();
+        }
+        let edges = 2 * self.solids.len() + 2;
+        let cells = (2 * edges + 1) * (2 * edges + 1);
+        let room = self.grids.borrow().len() < MOST_SIZES && cells <= MOST_CELLS;
+        let grid = (room && self.work.spend(cells)).then(|| Rc::new(self.build(half)));
+        self.grids.borrow_mut().push((half, grid.clone()));
+        grid
+    }
+
+    fn counts(&self, grid: &Rc<Grid>, part: u32) -> Option<Rc<Counts>> {
+        if let Some(known) = grid.counts.borrow().get(&part) {
+            return Some(known.clone());
+        }
+        if !self.work.spend(grid.parts.len()) {
+            return None;
+        }
+        let counts = Rc::new(Counts::new(grid, |cell| grid.parts[cell] == part));
+        grid.counts.borrow_mut().insert(part, counts.clone());
+        Some(counts)
+    }
+
+    fn build(&self, half: DVec2) -> Grid {
         let grown: Vec<Aabb> = self
             .solids
             .iter()
@@ -108,25 +189,33 @@ impl Space {
             edges.dedup();
             edges
         };
-        let mut grid = Grid { half, x: edges(|v| v.x), y: edges(|v| v.y), parts: Vec::new() };
-        let (columns, rows) = (2 * grid.x.len() + 1, 2 * grid.y.len() + 1);
-        let mut blocked = vec![false; columns * rows];
+        let (x, y) = (edges(|v| v.x), edges(|v| v.y));
+        let (columns, rows) = (2 * x.len() + 1, 2 * y.len() + 1);
         let index = |edges: &[f64], value: f64| edges.partition_point(|edge| *edge < value);
+        // How many solids begin less how many end at each cell: however many there are and however large, each costs four cells.
+        let mut begun = vec![0i32; (columns + 1) * (rows + 1)];
         for solid in &grown {
             // All cells strictly between two edges: the edges themselves stay free.
-            let (left, right) = (2 * index(&grid.x, solid.min.x) + 2, 2 * index(&grid.x, solid.max.x));
-            let (top, bottom) = (2 * index(&grid.y, solid.min.y) + 2, 2 * index(&grid.y, solid.max.y));
-            for row in top..=bottom {
-                blocked[row * columns + left..=row * columns + right].fill(true);
+            let (left, right) = (2 * index(&x, solid.min.x) + 2, 2 * index(&x, solid.max.x) + 1);
+            let (top, bottom) = (2 * index(&y, solid.min.y) + 2, 2 * index(&y, solid.max.y) + 1);
+            for (row, column, by) in [(top, left, 1), (top, right, -1), (bottom, left, -1), (bottom, right, 1)] {
+                begun[row * (columns + 1) + column] += by;
             }
         }
-        let (left, right) = (2 * index(&grid.x, inside.min.x) + 1, 2 * index(&grid.x, inside.max.x) + 1);
-        let (top, bottom) = (2 * index(&grid.y, inside.min.y) + 1, 2 * index(&grid.y, inside.max.y) + 1);
-        for (i, cell) in blocked.iter_mut().enumerate() {
-            *cell |= !(left..=right).contains(&(i % columns)) || !(top..=bottom).contains(&(i / columns));
+        let (left, right) = (2 * index(&x, inside.min.x) + 1, 2 * index(&x, inside.max.x) + 1);
+        let (top, bottom) = (2 * index(&y, inside.min.y) + 1, 2 * index(&y, inside.max.y) + 1);
+        let mut blocked = vec![false; columns * rows];
+        let mut above = vec![0i32; columns];
+        for row in 0..rows {
+            let mut before = 0;
+            for column in 0..columns {
+                before += begun[row * (columns + 1) + column];
+                above[column] += before;
+                let outside = !(left..=right).contains(&column) || !(top..=bottom).contains(&row);
+                blocked[row * columns + column] = above[column] > 0 || outside;
+            }
         }
-        grid.parts = label(&blocked, columns);
-        grid
+        Grid { half, slack: self.slack, x, y, parts: label(&blocked, columns), counts: RefCell::default() }
     }
 }
 
@@ -171,48 +260,99 @@ impl Grid {
         }
     }
 
-    fn columns(&self) -> usize {
+    /// How many cells a row has.
+    pub fn columns(&self) -> usize {
         2 * self.x.len() + 1
     }
 
+    /// How many cells there are.
+    pub fn len(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// Where the centres in a cell are; infinite at the outermost, which are blocked.
+    pub fn area(&self, cell: usize) -> Aabb {
+        let (x, y) =
+            (Self::interval(&self.x, cell % self.columns()), Self::interval(&self.y, cell / self.columns()));
+        Aabb { min: DVec2::new(x.0, y.0), max: DVec2::new(x.1, y.1) }
+    }
+
+    /// Half the size of the box.
+    pub const fn half(&self) -> DVec2 {
+        self.half
+    }
+
+    /// How far boxes may overlap solids, m.
+    pub const fn slack(&self) -> f64 {
+        self.slack
+    }
+
+    /// The cell that holds a point.
+    pub fn at(&self, point: DVec2) -> usize {
+        Self::cell(&self.y, point.y) * self.columns() + Self::cell(&self.x, point.x)
+    }
+
+    /// Whether the box fits nowhere in a cell.
+    pub fn is_blocked(&self, cell: usize) -> bool {
+        self.parts[cell] == 0
+    }
+
+    /// The part that a cell belongs to; 0 where it is blocked.
+    pub fn part(&self, cell: usize) -> u32 {
+        self.parts[cell]
+    }
+
     /// The part that a point belongs to; 0 where it is blocked.
-    fn part_at(&self, point: DVec2) -> u32 {
-        self.parts[Self::cell(&self.y, point.y) * self.columns() + Self::cell(&self.x, point.x)]
+    pub fn part_at(&self, point: DVec2) -> u32 {
+        self.parts[self.at(point)]
+    }
+
+    /// The cells beside a free one: left, right, above, below.
+    pub fn beside(&self, cell: usize) -> [usize; 4] {
+        [cell - 1, cell + 1, cell - self.columns(), cell + self.columns()]
     }
 }
 
-/// A part of a grid, asked what its box can touch.
-struct Toucher<'a> {
-    grid: &'a Grid,
-    /// How many cells of the part lie above and to the left of each corner of the grid, so that the cells of the part in any
-    /// rectangle are counted by four look-ups. Row by row, one longer each way than the grid.
+/// Some cells of a grid, counted: how many of them lie above and to the left of each corner of the grid, so that those in any rectangle are
+/// counted by four look-ups. Row by row, one longer each way than the grid.
+pub(super) struct Counts {
     count: Vec<u32>,
+    half: DVec2,
+    slack: f64,
+    x: Vec<f64>,
+    y: Vec<f64>,
 }
 
-impl<'a> Toucher<'a> {
-    fn new(grid: &'a Grid, part: u32) -> Self {
+impl Counts {
+    /// Of those cells that are wanted.
+    pub fn new(grid: &Grid, wanted: impl Fn(usize) -> bool) -> Self {
         let columns = grid.columns();
         let at = |row: usize, column: usize| row * (columns + 1) + column;
         let rows = grid.parts.len() / columns;
         let mut count = vec![0u32; (columns + 1) * (rows + 1)];
-        for (i, cell) in grid.parts.iter().enumerate() {
+        for i in 0..grid.parts.len() {
             let (row, column) = (i / columns, i % columns);
             let others = count[at(row, column + 1)] + count[at(row + 1, column)] - count[at(row, column)];
-            count[at(row + 1, column + 1)] = others + u32::from(*cell == part);
+            count[at(row + 1, column + 1)] = others + u32::from(wanted(i));
         }
-        Self { grid, count }
+        Self { count, half: grid.half, slack: grid.slack, x: grid.x.clone(), y: grid.y.clone() }
     }
 
-    /// Whether the box somewhere in its part can touch another grid's box somewhere in that part.
-    fn touches(&self, other: &Grid, part: u32, slack: f64) -> bool {
-        let reach = self.grid.half + other.half + slack;
-        let at = |row: usize, column: usize| self.count[row * (self.grid.columns() + 1) + column];
+    /// Whether one of the cells has a point in a rectangle, its edges included.
+    pub fn any_in(&self, area: &Aabb) -> bool {
+        let columns = 2 * self.x.len() + 1;
+        let at = |row: usize, column: usize| self.count[row * (columns + 1) + column];
+        let (left, right) = (Grid::cell(&self.x, area.min.x), Grid::cell(&self.x, area.max.x) + 1);
+        let (top, bottom) = (Grid::cell(&self.y, area.min.y), Grid::cell(&self.y, area.max.y) + 1);
+        at(bottom, right) + at(top, left) > at(top, right) + at(bottom, left)
+    }
+
+    /// Whether the box somewhere in these cells can touch another grid's box somewhere in that part.
+    fn touches(&self, other: &Grid, part: u32) -> bool {
+        let reach = self.half + other.half + self.slack;
         (0..other.parts.len()).filter(|i| other.parts[*i] == part).any(|i| {
-            let x = Grid::interval(&other.x, i % other.columns());
-            let y = Grid::interval(&other.y, i / other.columns());
-            let (left, right) = (Grid::cell(&self.grid.x, x.0 - reach.x), Grid::cell(&self.grid.x, x.1 + reach.x) + 1);
-            let (top, bottom) = (Grid::cell(&self.grid.y, y.0 - reach.y), Grid::cell(&self.grid.y, y.1 + reach.y) + 1);
-            at(bottom, right) + at(top, left) > at(top, right) + at(bottom, left)
+            let area = other.area(i);
+            self.any_in(&Aabb { min: area.min - reach, max: area.max + reach })
         })
     }
 }
@@ -223,11 +363,30 @@ mod tests {
 
     fn space(solids: &[[f64; 4]]) -> Space {
         let aabb = |[x, y, w, h]: [f64; 4]| Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h));
-        Space { level: aabb([0.0, 0.0, 100.0, 100.0]), solids: solids.iter().copied().map(aabb).collect(), slack: 1e-6 }
+        let solids = solids.iter().copied().map(aabb).collect();
+        Space::new(aabb([0.0, 0.0, 100.0, 100.0]), solids, 1e-6, Rc::default())
     }
 
     fn body(x: f64, y: f64, half: f64) -> (DVec2, DVec2) {
         (DVec2::new(x, y), DVec2::splat(half))
+    }
+
+    #[test]
+    fn what_a_search_costs_depends_on_the_grid_and_not_on_how_much_of_it_solids_cover() {
+        // 480 solids, each as large as the level but for a hair, and 2000 targets.
+        let solids: Vec<[f64; 4]> = (0..480).map(|i| [0.01 * f64::from(i), 0.0, 40.0, 95.0 + 0.01 * f64::from(i)]).collect();
+        let space = space(&solids);
+        let targets = (0..2000).map(|i| Aabb::new(DVec2::new(50.0, 1.0), DVec2::new(51.0, 1.0 + 0.01 * f64::from(i))));
+        assert!(targets.into_iter().all(|target| space.gets_to(body(80.0, 50.0, 1.0), &target)));
+        let cells = (2 * (2 * 480 + 2) + 1_u64).pow(2);
+        assert!(space.work().spent() <= 2 * cells, "{} of {cells} cells", space.work().spent());
+        // Nothing is searched beyond what all may cost.
+        let mut spent = 0;
+        for i in 0..40 {
+            space.with([Aabb::new(DVec2::ZERO, DVec2::splat(f64::from(i + 1)))]).gets_to(body(80.0, 50.0, 1.0), &Aabb::around(DVec2::ONE, DVec2::ONE));
+            spent = space.work().spent();
+        }
+        assert!(spent <= MOST_WORK && spent + 4 * cells > MOST_WORK, "{spent}");
     }
 
     /// A wall at x = 50 … 52 with a gap of `gap` at the floor.

@@ -14,8 +14,9 @@ use super::types::{
 };
 use super::winnable;
 use super::words;
-use super::{blocks, extras, names};
+use super::{blocks, extras, gates, names, power, pushed};
 use crate::physics::{Aabb, DVec2};
+use std::collections::BTreeSet;
 use std::io;
 use std::path::PathBuf;
 
@@ -81,7 +82,59 @@ pub(super) struct Draft {
 /// # Errors
 /// Every problem in every file, in the order of files and lines.
 pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
-    let mut reader = Reader { files, scale: Scale { metre: 1.0 }, pixels: 0, problems: Vec::new(), warnings: Vec::new() };
+    let Gathered { constants, background, draft, mut problems, mut warnings } = gather(files, false);
+    problems.extend(names::check(&draft));
+    problems.extend(strength::check(&draft));
+    problems.extend(placement::check(&draft));
+    // A level without a readable player or size has a problem already.
+    let (Some(player), Some(size), true) = (&draft.player, draft.size, problems.is_empty()) else {
+        return Err(in_order(problems));
+    };
+    let space = placement::space(&draft, size / draft.scale.metre);
+    let problems = winnable::check(&draft, &player.item, &space);
+    if !problems.is_empty() {
+        return Err(in_order(problems));
+    }
+    warnings.extend(names::warn(&draft));
+    warnings.extend(winnable::same_turns(&draft));
+    warnings.extend(words::warn(&draft, size / draft.scale.metre));
+    warnings.extend(placement::warn(&draft, &player.item, &space));
+    warnings.extend(gates::warn(&draft, &player.item, &constants, &space));
+    warnings.extend(pushed::warn(&draft, &player.item, &constants, &space));
+    warnings.extend(power::warn(&draft, player, &constants, &space));
+    let (player, size) = (player.item.clone(), size / draft.scale.metre);
+    Ok(Loaded { level: level(name, &constants, background, draft, player, size), warnings })
+}
+
+/// As [`read()`], of a level that is not finished: a ship and a size are enough. A row that cannot be read or placed is left out, an
+/// object whose picture is missing is a box, and the problems stand among the warnings.
+///
+/// # Errors
+/// Every problem, where there is no ship, no place for it or no size.
+pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
+    let Gathered { constants, background, mut draft, mut problems, mut warnings } = gather(files, true);
+    problems.extend(names::check(&draft));
+    let misplaced: Vec<Problem> = strength::check(&draft).into_iter().chain(placement::check(&draft)).collect();
+    draft.leave_out(&misplaced);
+    problems.extend(misplaced);
+    let (Some(player), Some(size)) = (&draft.player, draft.size) else { return Err(in_order(problems)) };
+    warnings.splice(..0, in_order(problems));
+    let (player, size) = (player.item.clone(), size / draft.scale.metre);
+    Ok(Loaded { level: level(name, &constants, background, draft, player, size), warnings })
+}
+
+/// All that a level's files hold, each row judged by itself.
+struct Gathered {
+    constants: Constants,
+    /// Whether there is a background.
+    background: bool,
+    draft: Draft,
+    problems: Vec<Problem>,
+    warnings: Vec<Problem>,
+}
+
+fn gather(files: &dyn Files, unfinished: bool) -> Gathered {
+    let mut reader = Reader { files, unfinished, scale: Scale { metre: 1.0 }, pixels: 0, problems: Vec::new(), warnings: Vec::new() };
     reader.strays();
     let constants = reader.constants();
     let background = reader.background();
@@ -89,68 +142,80 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
         reader.pixels = (x * y) as u64;
     }
     let size = match background {
-        Some(size) => {
+        Some(size) if size.is_ok() || !unfinished => {
             reader.sizes_that_are_not_used(&constants, size);
             size.ok()
         }
-        None => reader.plain_size(&constants),
+        _ => reader.plain_size(&constants),
     };
     let draft = reader.draft(size, [constants.gravity, constants.gravity_x]);
-    reader.problems.extend(names::check(&draft));
-    reader.problems.extend(strength::check(&draft));
-    reader.problems.extend(placement::check(&draft));
-    if let (Some(player), Some(size), true) = (&draft.player, draft.size, reader.problems.is_empty()) {
-        reader.problems.extend(winnable::check(&draft, &player.item, size / draft.scale.metre));
+    let background = background.is_some_and(|size| size.is_ok());
+    let Reader { problems, warnings, .. } = reader;
+    Gathered { constants, background, draft, problems, warnings }
+}
+
+/// The problems by files and lines, and no more than anybody reads.
+fn in_order(mut problems: Vec<Problem>) -> Vec<Problem> {
+    problems.sort_by_key(|problem| (file_order(&problem.file), problem.line));
+    if problems.len() > table::MOST_PROBLEMS {
+        problems.truncate(table::MOST_PROBLEMS);
+        problems.extend(problems.last().map(|last| table::too_many(&last.file, last.line)));
     }
-    let Reader { mut problems, mut warnings, .. } = reader;
-    // A level without a readable player or size has a problem already.
-    let (Some(player), Some(size), true) = (&draft.player, draft.size, problems.is_empty()) else {
-        problems.sort_by_key(|problem| (file_order(&problem.file), problem.line));
-        if problems.len() > table::MOST_PROBLEMS {
-            problems.truncate(table::MOST_PROBLEMS);
-            problems.extend(problems.last().map(|last| table::too_many(&last.file, last.line)));
+    problems
+}
+
+/// The level of a draft, with its size in metres.
+fn level(name: &str, constants: &Constants, background: bool, draft: Draft, player: Player, size: DVec2) -> Level {
+    Level {
+        name: name.to_owned(),
+        title: constants.title.clone().unwrap_or_else(|| name.to_owned()),
+        metre: draft.scale.metre,
+        size,
+        gravity: constants.gravity,
+        gravity_x: constants.gravity_x,
+        air_density: constants.air_density,
+        optimal_time: constants.optimal_time,
+        rest_speed: constants.rest_speed,
+        friction: constants.friction,
+        awards: constants.awards,
+        player,
+        world: items(draft.world),
+        movers: items(draft.movers),
+        doors: items(draft.doors),
+        switches: items(draft.switches),
+        objects: items(draft.objects),
+        objectives: items(draft.objectives),
+        obstacles: items(draft.obstacles),
+        streams: items(draft.streams),
+        fluids: items(draft.fluids),
+        fields: items(draft.fields),
+        pods: items(draft.pods),
+        decoration: items(draft.decoration),
+        texts: items(draft.texts),
+        background: background.then(|| PathBuf::from(BACKGROUND)),
+    }
+}
+
+impl Draft {
+    /// Leaves out every row that one of the problems names.
+    fn leave_out(&mut self, problems: &[Problem]) {
+        let rows: BTreeSet<(&str, usize)> = problems.iter().map(|problem| (problem.file.as_str(), problem.line)).collect();
+        fn keep<T>(things: &mut Vec<Placed<T>>, rows: &BTreeSet<(&str, usize)>) {
+            things.retain(|thing| !rows.contains(&(thing.file, thing.line)));
         }
-        return Err(problems);
-    };
-    warnings.extend(names::warn(&draft));
-    warnings.extend(words::warn(&draft, size / draft.scale.metre));
-    warnings.extend(placement::warn(&draft, &player.item, size / draft.scale.metre));
-    Ok(Loaded {
-        level: Level {
-            name: name.to_owned(),
-            title: constants.title.clone().unwrap_or_else(|| name.to_owned()),
-            metre: draft.scale.metre,
-            size: size / draft.scale.metre,
-            gravity: constants.gravity,
-            gravity_x: constants.gravity_x,
-            air_density: constants.air_density,
-            optimal_time: constants.optimal_time,
-            rest_speed: constants.rest_speed,
-            friction: constants.friction,
-            awards: constants.awards,
-            player: player.item.clone(),
-            world: items(draft.world),
-            movers: items(draft.movers),
-            doors: items(draft.doors),
-            switches: items(draft.switches),
-            objects: items(draft.objects),
-            objectives: items(draft.objectives),
-            obstacles: items(draft.obstacles),
-            streams: items(draft.streams),
-            fluids: items(draft.fluids),
-            fields: items(draft.fields),
-            pods: items(draft.pods),
-            decoration: items(draft.decoration),
-            texts: items(draft.texts),
-            background: background.map(|_| PathBuf::from(BACKGROUND)),
-        },
-        warnings,
-    })
+        self.player = self.player.take().filter(|ship| !rows.contains(&(ship.file, ship.line)));
+        keep(&mut self.objects, &rows);
+        keep(&mut self.movers, &rows);
+        keep(&mut self.streams, &rows);
+        keep(&mut self.fluids, &rows);
+    }
 }
 
 /// What is being read, and what has been found out.
 pub(super) struct Reader<'a> {
     files: &'a dyn Files,
+    /// Whether what is missing may be missing.
+    unfinished: bool,
     pub scale: Scale,
     /// Of the background.
     pixels: u64,
@@ -235,7 +300,7 @@ impl Reader<'_> {
     }
 
     fn draft(&mut self, size: Option<DVec2>, gravity: [f64; 2]) -> Draft {
-        let mut images = Images::new(self.files, self.pixels);
+        let mut images = Images::new(self.files, self.pixels, self.unfinished);
         let scale = self.scale;
         let player = self.player();
         let world = self.things(blocks::WORLD, blocks::solid);

@@ -251,7 +251,7 @@ pub(super) fn object(record: &Record, scale: Scale, images: &mut Images, problem
         Ok(shape) => Some(shape),
         Err((found, expected)) => {
             problems.push(record.problem("image", found, expected));
-            None
+            images.stand_in.clone()
         }
     });
     let mass = record.number(cell!(row.mass), q::MASS, problems);

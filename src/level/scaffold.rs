@@ -91,7 +91,7 @@ pub const BARE: [(&str, &str); 2] = [
 /// # Errors
 /// There is one already, or the disk refuses; nothing is left behind.
 pub fn make(levels: &Path, name: &str, files: &[(&str, &str)]) -> io::Result<()> {
-    create_folder(&levels.join(name), |folder| {
+    build(levels, name, |folder| {
         files.iter().try_for_each(|(file, text)| put(&folder.join(file), text.replace("{name}", name).as_bytes()))
     })
 }
@@ -101,7 +101,7 @@ pub fn make(levels: &Path, name: &str, files: &[(&str, &str)]) -> io::Result<()>
 /// # Errors
 /// As [`make`].
 pub fn copy(from: &Path, levels: &Path, name: &str) -> io::Result<()> {
-    create_folder(&levels.join(name), |folder| copy_files(from, folder, |_| true))
+    build(levels, name, |folder| copy_files(from, folder, |_| true))
 }
 
 /// Copies what is wanted of a folder's files, none that is hidden.
@@ -122,7 +122,7 @@ fn copy_files(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> io::Resu
 /// # Errors
 /// As [`make`].
 pub fn copy_edited(from: &Path, levels: &Path, name: &str, document: &Document) -> io::Result<()> {
-    create_folder(&levels.join(name), |folder| {
+    build(levels, name, |folder| {
         copy_files(from, folder, |file| Table::of_file(file).is_none())?;
         let tables = Table::ALL.iter().filter_map(|table| Some((table.file(), document.bytes(*table)?)));
         tables.into_iter().try_for_each(|(file, bytes)| put(&folder.join(file), bytes))
@@ -143,7 +143,7 @@ pub fn free_name(levels: &Path, of: &str) -> String {
 /// # Errors
 /// There is one of that name already, or the disk refuses; nothing has changed then.
 pub fn rename(levels: &Path, from: &str, to: &str) -> io::Result<()> {
-    if fs::symlink_metadata(levels.join(to)).is_ok() {
+    if taken(levels, to).is_some_and(|other| other != from) {
         return Err(io::ErrorKind::AlreadyExists.into());
     }
     fs::rename(levels.join(from), levels.join(to))
@@ -155,8 +155,27 @@ pub fn rename(levels: &Path, from: &str, to: &str) -> io::Result<()> {
 /// Why not, in words.
 pub fn judge(levels: &Path, name: &str) -> Result<(), String> {
     judge_name(name).map_err(|fault| format!("{}: expected {}", quoted(name), fault.expected()))?;
-    if fs::symlink_metadata(levels.join(name)).is_ok() {
-        return Err(format!("{}: there is one of that name already", quoted(name)));
+    match taken(levels, name) {
+        None => Ok(()),
+        Some(other) if other == name => Err(format!("{}: there is one of that name already", quoted(name))),
+        Some(other) => Err(format!("{}: {} is there already, the same folder on some systems", quoted(name), quoted(&other))),
     }
-    Ok(())
+}
+
+/// What is in `levels` under that name already, in whichever case: on some systems `Tower` and `tower` are one folder.
+pub fn taken(levels: &Path, name: &str) -> Option<String> {
+    if fs::symlink_metadata(levels.join(name)).is_ok() {
+        return Some(name.to_owned());
+    }
+    let lower = name.to_lowercase();
+    let entries = fs::read_dir(levels).into_iter().flatten().flatten();
+    entries.filter_map(|entry| entry.file_name().into_string().ok()).find(|other| other.to_lowercase() == lower)
+}
+
+/// Makes a level's folder under a name that no level has, in whichever case.
+fn build(levels: &Path, name: &str, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
+    if taken(levels, name).is_some() {
+        return Err(io::ErrorKind::AlreadyExists.into());
+    }
+    create_folder(&levels.join(name), fill)
 }

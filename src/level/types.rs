@@ -9,6 +9,10 @@ pub const SHIP_HEIGHT: f64 = 1.7;
 pub const SHIP_HALF: DVec2 = DVec2::new(0.85, 0.85);
 /// The ship's height in pixels at the default scale of 30 pixels a metre.
 pub const SHIP_PIXELS: f64 = 51.0;
+/// Ticks a second.
+pub const TICK_RATE: f64 = 120.0;
+/// Fuel units a second while the engine burns. Higher shortens every flight: the usual 500 units last 25 s.
+pub const BURN_RATE: f64 = 20.0;
 /// The ship's drag coefficient where its level gives none.
 pub const SHIP_DRAG: f64 = 1.15;
 

@@ -1,34 +1,33 @@
 //! Whether a level can be won at all, and has not been won or lost before it begins. What might be possible counts as possible: doors are
 //! open, nothing is too heavy, and movers are anywhere.
 
-use super::placement::space;
 use super::problem::{Problem, quoted};
+use super::reach::{Body, Space};
 use super::read::Draft;
 use super::rows::Placed;
 use super::ship_body::{ship_body, sweep_touches};
 use super::types::{Objective, ObjectiveKind, Player, SHIP_HALF};
+use crate::physics::zone_tree::ZoneTree;
 use crate::physics::{Aabb, DVec2};
+use std::collections::BTreeMap;
 
 /// What touches by less than this far, m, touches: as the rules have it.
 const TOUCH: f64 = 1e-9;
 
-/// A thing that can meet an objective: where it starts, and half its size.
-type Body = (DVec2, DVec2);
-
-/// Everything that cannot be won, in a level of that size in metres.
-pub(super) fn check(draft: &Draft, player: &Player, size: DVec2) -> Vec<Problem> {
+/// Everything that cannot be won.
+pub(super) fn check(draft: &Draft, player: &Player, space: &Space) -> Vec<Problem> {
     let ship = (player.position, SHIP_HALF);
     let mut problems = starts(draft, ship, player.angle);
-    problems.extend(unreachable(draft, ship, size));
+    problems.extend(unreachable(draft, ship, space));
     if problems.is_empty() {
         problems.extend(apart(draft));
-        problems.extend(too_few_keys(draft));
+        problems.extend(too_few_keys(draft, space));
     }
     problems
 }
 
 /// The bodies that fit an objective.
-fn fitting<'a>(draft: &'a Draft, objective: &'a Objective, ship: Body) -> impl Iterator<Item = Body> + 'a {
+pub(super) fn fitting<'a>(draft: &'a Draft, objective: &'a Objective, ship: Body) -> impl Iterator<Item = Body> + 'a {
     let player = objective.kind == ObjectiveKind::Player;
     let keys = draft.objects.iter().filter(move |object| !player && object.item.key.is_some_and(|key| objective.fits(key)));
     player.then_some(ship).into_iter().chain(keys.map(|key| (key.item.position, key.item.size * 0.5)))
@@ -56,8 +55,7 @@ fn starts(draft: &Draft, ship: Body, angle: f64) -> Vec<Problem> {
 }
 
 /// Objectives that nothing which fits can get to.
-fn unreachable(draft: &Draft, ship: Body, size: DVec2) -> Vec<Problem> {
-    let space = space(draft, size);
+fn unreachable(draft: &Draft, ship: Body, space: &Space) -> Vec<Problem> {
     let mut problems = Vec::new();
     for placed in &draft.objectives {
         let objective = &placed.item;
@@ -100,16 +98,37 @@ fn apart(draft: &Draft) -> Option<Problem> {
     None
 }
 
+/// Objectives whose turn is the same: the rules let these be met in any order, which is seldom what a number is given for.
+pub(super) fn same_turns(draft: &Draft) -> Vec<Problem> {
+    let mut first: BTreeMap<u32, usize> = BTreeMap::new();
+    let mut warnings = Vec::new();
+    for placed in &draft.objectives {
+        let Some(order) = placed.item.order else { continue };
+        let line = *first.entry(order).or_insert(placed.line);
+        if line != placed.line {
+            let found = format!("{order} once more, the turn of line {line}: these two can be met in either order");
+            warnings.push(placed.problem("order", found, "a number of its own for each turn"));
+        }
+    }
+    warnings
+}
+
 /// More objectives for keys than keys, none of which can touch two at once.
-fn too_few_keys(draft: &Draft) -> Option<Problem> {
+fn too_few_keys(draft: &Draft, space: &Space) -> Option<Problem> {
     let at_once = |objective: &&Placed<Objective>| objective.item.kind == ObjectiveKind::Physics && objective.item.order.is_none();
     let wanted: Vec<&Placed<Objective>> = draft.objectives.iter().filter(at_once).collect();
     let keys: Vec<DVec2> = draft.objects.iter().filter(|object| object.item.key.is_some()).map(|key| key.item.size * 0.5).collect();
+    let mut halves = keys.clone();
+    halves.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    halves.dedup();
     let shared = |half: &DVec2| {
         let rooms: Vec<Aabb> = wanted.iter().map(|objective| grown(&objective.item.bounds, *half)).collect();
-        rooms.iter().enumerate().any(|(i, room)| rooms[..i].iter().any(|other| room.touches(other, TOUCH)))
+        let tree = ZoneTree::of(rooms.iter().copied());
+        let alone = |(i, room): (usize, &Aabb)| tree.search(room, TOUCH, |other| other as usize == i);
+        // Where that would take too long, what might be possible counts as possible.
+        !space.work().spend(rooms.len()) || !rooms.iter().enumerate().all(alone)
     };
-    if wanted.len() <= keys.len() || keys.iter().any(shared) {
+    if wanted.len() <= keys.len() || halves.iter().any(shared) {
         return None;
     }
     let found = format!("objective {} for key objects, with {} of these", keys.len() + 1, keys.len());

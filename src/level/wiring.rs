@@ -1,9 +1,10 @@
 //! What switches work, found by name; and which of a world's surfaces is which.
 
 use super::types::Level;
+use std::collections::BTreeMap;
 
 /// Something that switches work.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Worked {
     /// A mover: it goes on its way while it is on.
     Mover(usize),
@@ -56,13 +57,11 @@ impl Level {
         let named = named.chain((0..self.doors.len()).map(|i| (&self.doors[i].name, Some(Worked::Door(i)))));
         let named = named.chain((0..self.world.len()).map(|i| (&self.world[i].name, belt(i))));
         let named = named.chain((0..self.streams.len()).map(|i| (&self.streams[i].name, Some(Worked::Stream(i)))));
-        let wire = |name: &str, worked| {
-            let works = |(switch, of): (usize, &super::Switch)| {
-                of.works.iter().filter(|work| work.name == name).map(move |work| (switch, work.inverted)).collect::<Vec<_>>()
-            };
-            let by: Vec<(usize, bool)> = self.switches.iter().enumerate().flat_map(works).collect();
-            (!by.is_empty()).then_some(Wire { worked, by })
-        };
+        let mut known: BTreeMap<&str, Vec<(usize, bool)>> = BTreeMap::new();
+        for (switch, of) in self.switches.iter().enumerate() {
+            of.works.iter().for_each(|work| known.entry(&work.name).or_default().push((switch, work.inverted)));
+        }
+        let wire = |name: &str, worked| Some(Wire { worked, by: known.get(name)?.clone() });
         named.filter_map(|(name, worked)| wire(name.as_deref()?, worked?)).collect()
     }
 

@@ -3,6 +3,7 @@
 use super::types::{Level, SHIP_HALF, Solid};
 use super::wiring::Worked;
 use crate::physics::{Aabb, BodyDef, DVec2, FieldDef, FluidDef, Material, StreamDef, SurfaceDef, WorldDef};
+use std::collections::BTreeMap;
 
 /// How far beyond the level its own sideways gravity reaches, in sizes of the level: nothing comes near the end of it.
 const BEYOND: f64 = 2.0;
@@ -70,8 +71,8 @@ impl Level {
     /// In the order of [`Level::surface`].
     fn surfaces(&self) -> Vec<SurfaceDef> {
         let off: Vec<bool> = vec![false; self.switches.len()];
-        let wires = self.wires();
-        let starts_on = |worked| wires.iter().find(|wire| wire.worked == worked).map(|wire| wire.is_on(&off));
+        let wires: BTreeMap<Worked, bool> = self.wires().into_iter().map(|wire| (wire.worked, wire.is_on(&off))).collect();
+        let starts_on = |worked| wires.get(&worked).copied();
         let block = |solid: &Solid| SurfaceDef {
             sides: solid.sides,
             belt: solid.belt,

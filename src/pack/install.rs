@@ -2,7 +2,7 @@
 
 use super::{MOST_FILES, Package, check, listed, path};
 use crate::files;
-use crate::level::{BACKGROUND, FILES};
+use crate::level::{BACKGROUND, FILES, scaffold};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -40,11 +40,14 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
     for number in 1..=MOST_NAMES {
         let name = if number > 1 { format!("{}-{number}", package.name) } else { package.name.clone() };
         let folder = levels.join(&name);
-        match files::create_folder(&folder, |begun| fill(package, begun)) {
-            Ok(()) => return Ok(Installed::New(folder)),
-            Err(error) if error.kind() != io::ErrorKind::AlreadyExists => return Err(refused(&error)),
-            Err(_) => {}
-        }
+        let folder = match scaffold::taken(levels, &name) {
+            Some(other) => levels.join(other),
+            None => match files::create_folder(&folder, |begun| fill(package, begun)) {
+                Ok(()) => return Ok(Installed::New(folder)),
+                Err(error) if error.kind() != io::ErrorKind::AlreadyExists => return Err(refused(&error)),
+                Err(_) => folder,
+            },
+        };
         let differs = match compare(package, &folder) {
             Ok(more) => return Ok(Installed::Already(folder, more)),
             Err(differs) => differs,

@@ -11,9 +11,9 @@ mod path;
 pub use archive::{read, write};
 pub use install::{Installed, install};
 
+use crate::files;
 use crate::game::Replay;
-use crate::level::{self, FILES, Files, Level, Loaded, Look};
-use crate::{files, level::Problem};
+use crate::level::{self, FILES, Files, Level, Loaded, Look, told};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
@@ -134,10 +134,6 @@ pub fn check(package: &Package, project: &Path) -> Result<Loaded, Vec<String>> {
         Ok(loaded) if problems.is_empty() => Ok(loaded),
         _ => Err(problems),
     }
-}
-
-fn told(problems: &[Problem]) -> Vec<String> {
-    problems.iter().map(ToString::to_string).collect()
 }
 
 /// A package as the loader reads a folder.

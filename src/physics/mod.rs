@@ -89,7 +89,7 @@ mod surface;
 mod tuning;
 mod validate;
 mod world;
-mod zone_tree;
+pub(crate) mod zone_tree;
 mod zones;
 
 pub use aabb::Aabb;

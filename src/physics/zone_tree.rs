@@ -14,7 +14,7 @@ const INNER: u32 = u32::MAX;
 
 /// Some of a world's zones, by their indices in ascending order.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct ZoneList {
+pub(crate) struct ZoneList {
     /// Short, for every law of a body has such a list, wet or not.
     few: [u16; FEW],
     count: u32,
@@ -85,7 +85,7 @@ struct Node {
 
 /// The tree.
 #[derive(Clone, Debug, Default)]
-pub(super) struct ZoneTree {
+pub(crate) struct ZoneTree {
     nodes: Vec<Node>,
 }
 
@@ -119,7 +119,7 @@ impl ZoneTree {
 
     /// Hands every zone that a box touches within `slop` metres to `goes_on`, in no order that means anything, until that says no. Returns
     /// whether it never did.
-    fn search(&self, near: &Aabb, slop: f64, mut goes_on: impl FnMut(u32) -> bool) -> bool {
+    pub fn search(&self, near: &Aabb, slop: f64, mut goes_on: impl FnMut(u32) -> bool) -> bool {
         let mut at = 0;
         while let Some(node) = self.nodes.get(at) {
             if !near.touches(&node.bounds, slop) {

@@ -512,7 +512,7 @@ impl App {
     fn note_end(&mut self) {
         let Screen::Flight(flight) = &self.screen else { return };
         let game = flight.game();
-        if self.editing.is_some() || self.library.is_experiment(&game.level().name) {
+        if flight.is_test() || self.library.is_experiment(&game.level().name) {
             return;
         }
         if flight.variation().is_some() {

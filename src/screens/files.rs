@@ -215,6 +215,7 @@ impl App {
         let before = std::mem::replace(&mut self.screen, Screen::LevelSelect(LevelSelect::new(Purpose::Edit, Vec::new())));
         let mut editor = match (self.editing.take(), before) {
             (Some(editor), _) | (None, Screen::Editor(editor)) => editor,
+            (None, Screen::Flight(flight)) => return self.edit(&flight.game().level().name),
             (None, _) => return Screen::LevelSelect(self.level_select(Purpose::Edit)),
         };
         if !how.is_empty() {

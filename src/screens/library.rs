@@ -101,7 +101,7 @@ impl Library {
     pub fn load(&self, name: &str) -> Result<Arc<Level>, Refusal> {
         match level::load(&self.folder(name), &self.root) {
             Ok(loaded) => Ok(Arc::new(loaded.level)),
-            Err(problems) => Err(problems.iter().map(ToString::to_string).collect()),
+            Err(problems) => Err(level::told(&problems)),
         }
     }
 

@@ -7,7 +7,7 @@ use super::{
     Answer, App, Attempt, Flight, Input, Instruments, Key, Keys, Noise, Picture, Places, Request, Screen, Spectator, Watch, pace,
 };
 use crate::game::Game;
-use crate::level;
+use crate::level::{self, Level};
 use crate::physics::{BodyId, DVec2};
 use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
@@ -27,6 +27,7 @@ use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::PathBuf;
 use std::rc::Rc;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// How often the window is tried to open, and the time after each: an X server turns programs away for a moment while it resets.
@@ -59,6 +60,8 @@ const MORE_KEYS: [(KeyCode, Key); 8] = [
 pub enum Start {
     /// An attempt at the level in that folder.
     Play(PathBuf, Attempt),
+    /// The level in that folder, which is not finished, to try it out.
+    Test(PathBuf, Arc<Level>),
     /// The editor of the level in that folder, which has that name.
     Edit(PathBuf, String),
 }
@@ -108,6 +111,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     let mut app = App::new(places);
     match start {
         Some(Start::Play(folder, attempt)) => app.begin(&folder, Request::Attempt(attempt), &mut theatre),
+        Some(Start::Test(folder, level)) => app.begin(&folder, Request::TestFly(level), &mut theatre),
         Some(Start::Edit(folder, name)) => app.begin(&folder, Request::Edit(name), &mut theatre),
         None => {}
     }

@@ -76,6 +76,50 @@ fn new_makes_a_level_that_loads_and_touches_no_other() {
 }
 
 #[test]
+fn new_refuses_a_name_that_differs_by_its_case_alone() {
+    let project = tempfile::tempdir().unwrap();
+    assert_eq!(texts(&resultant(project.path(), &["new", "tower"])).0, 0);
+    for name in ["Tower", "TOWER"] {
+        let (code, out, err) = texts(&resultant(project.path(), &["new", name]));
+        assert_eq!((code, out.as_str()), (2, ""), "{err}");
+        assert!(err.contains("\"tower\" is there already"), "{err}");
+    }
+    assert_eq!(level::list(&project.path().join("levels")), ["tower"]);
+}
+
+#[test]
+fn check_of_a_place_is_of_the_folder_that_it_is() {
+    let project = tempfile::tempdir().unwrap();
+    assert_eq!(texts(&resultant(project.path(), &["new", "tower"])).0, 0);
+    let within = |place: &str, folder: &str| {
+        let at = project.path().join(folder);
+        texts(&Command::new(env!("CARGO_BIN_EXE_resultant")).args(["check", place]).current_dir(at).output().unwrap())
+    };
+    for (place, folder) in
+        [(".", "levels/tower"), ("../tower", "levels/tower"), ("tower", "levels/tower"), ("..", "levels/tower/flights")]
+    {
+        std::fs::create_dir_all(project.path().join("levels/tower/flights")).unwrap();
+        let (code, out, err) = within(place, folder);
+        assert_eq!((code, err.as_str()), (0, ""), "{place} in {folder}");
+        assert!(out.starts_with("tower: ok\n") || place == "../tower", "{place} in {folder}: {out}");
+    }
+    let (code, out, err) = within(".", "levels");
+    assert_eq!((code, out.as_str()), (1, ""), "no level lies there: {err}");
+}
+
+#[test]
+fn a_thousand_equal_problems_are_summed_up() {
+    let project = tempfile::tempdir().unwrap();
+    assert_eq!(texts(&resultant(project.path(), &["new", "tower"])).0, 0);
+    let rows: String = (0..900).map(|i| format!("{i},0,1,1,Cheese\n")).collect();
+    std::fs::write(project.path().join("levels/tower/world.csv"), rows).unwrap();
+    let (code, out, err) = texts(&resultant(project.path(), &["check", "tower"]));
+    assert_eq!((code, out.as_str(), err.lines().count()), (1, "", 5), "{err}");
+    assert!(err.starts_with("tower: refused, 900 problems\n") && err.contains("in 897 more rows, the last in line 900\n"), "{err}");
+    assert_eq!(texts(&resultant(project.path(), &["run", "tower"])).2.lines().count(), 4);
+}
+
+#[test]
 fn new_refuses_names_that_are_taken_by_something_else() {
     let project = tempfile::tempdir().unwrap();
     for (names, why) in [

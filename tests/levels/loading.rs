@@ -1,6 +1,6 @@
 //! What loads, into what.
 
-use crate::{fixtures, good, lines, rectangle};
+use crate::{fixtures, good, lines, package, rectangle};
 use resultant::level::{self, Latch, Look, ObjectiveKind, Presser, Route, SurfaceOf, Work};
 use resultant::physics::{Aabb, DVec2, Material, Sides, World};
 
@@ -34,6 +34,33 @@ fn a_folder_written_for_the_original_loads_unchanged() {
     assert_eq!((up.source, up.force), (rectangle(700.0, 300.0, 40.0, 80.0), DVec2::new(0.0, -1200.0)));
     assert_eq!(up.zone, rectangle(700.0, 180.0, 40.0, 120.0));
     assert_eq!(left.zone, rectangle(750.0, 300.0, 50.0, 80.0));
+}
+
+/// The three sprites that the original's rows name come with the game.
+#[test]
+fn rows_typed_from_the_original_load_and_their_sprites_go_into_a_pack() {
+    let levels = tempfile::tempdir().unwrap();
+    let folder = levels.path().join("typed");
+    std::fs::create_dir(&folder).unwrap();
+    for (file, text) in [
+        ("constants.csv", "width,1000\nheight,600\n"),
+        ("player.csv", "50,50,100,500,3000,TRUE\n"),
+        ("objects.csv", "100,100,assets/sprites/ball.png,150,0.5,TRUE,0.35\n300,100,assets/sprites/cube.png,100,1.05,FALSE,0.2\n"),
+        ("objectives.csv", "OBJECT,600,100,assets/sprites/pinkcube.png,75,181,49,201,0.5,0.1\nPHYS,550,200,100,10\n"),
+    ] {
+        std::fs::write(folder.join(file), text).unwrap();
+    }
+    let level = level::load(&folder, package()).unwrap_or_else(|problems| panic!("{}", lines(&problems))).level;
+    assert_eq!(level.objects.len(), 3);
+    for object in &level.objects {
+        let Look::Image(path) = &object.look else { panic!("{object:?}") };
+        assert!(level::read_picture(path).is_ok() && object.size == DVec2::splat(40.0) / 30.0, "{object:?}");
+    }
+    let (packed, left) = resultant::pack::gather(&folder, package()).unwrap();
+    for sprite in ["ball", "cube", "pinkcube"] {
+        assert!(packed.files.contains_key(&format!("assets/sprites/{sprite}.png")), "{sprite}: {:?}", packed.files.keys());
+    }
+    assert!(left.is_empty(), "{left:?}");
 }
 
 #[test]

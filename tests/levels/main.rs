@@ -10,7 +10,9 @@ mod loading;
 mod sizes;
 #[path = "../support/mod.rs"]
 mod support;
+mod unfinished;
 mod varied;
+mod warnings;
 
 use resultant::level::{self, Level, Problem};
 use resultant::physics::{Aabb, DVec2, World};

@@ -8,7 +8,7 @@ use super::{Document, Table};
 use crate::files::{self, Links, Replacement};
 use crate::level::folder::{Disk, load_from};
 use crate::level::image::png_size;
-use crate::level::read::{BACKGROUND, Files};
+use crate::level::read::{BACKGROUND, Files, read, read_unfinished};
 use crate::level::{Loaded, Problem};
 use crate::physics::DVec2;
 use std::collections::BTreeMap;
@@ -82,7 +82,7 @@ impl Folder {
         }
         let mut known = Vec::new();
         for table in Table::ALL {
-            known.push(read(folder, *table).map_err(|error| format!("{}: {error}", table.file()))?);
+            known.push(read_table(folder, *table).map_err(|error| format!("{}: {error}", table.file()))?);
         }
         let mut document = Document::new(|table| known[table.index()].clone());
         let kept = files::read_with(&folder.join(KEPT), KEPT_MOST, Links::Never)
@@ -140,7 +140,16 @@ impl Folder {
     /// As [`load`](crate::level::load).
     pub fn check(&self, document: &Document) -> Result<Loaded, Vec<Problem>> {
         let disk = self.disk();
-        load_from(&disk, &document.over(&disk))
+        load_from(&disk, &document.over(&disk), read)
+    }
+
+    /// The document as far as it can be flown, to try it out.
+    ///
+    /// # Errors
+    /// As [`load_unfinished`](crate::level::load_unfinished).
+    pub fn unfinished(&self, document: &Document) -> Result<Loaded, Vec<Problem>> {
+        let disk = self.disk();
+        load_from(&disk, &document.over(&disk), read_unfinished)
     }
 
     /// Whether the document has something that is not on disk.
@@ -151,7 +160,7 @@ impl Folder {
     /// The files that another program has changed since they were opened or saved, with what they hold now; a file that cannot be read has
     /// not changed yet.
     pub fn changed(&self) -> Vec<(Table, Option<Vec<u8>>)> {
-        let now = Table::ALL.iter().filter_map(|table| Some((*table, read(&self.folder, *table).ok()?)));
+        let now = Table::ALL.iter().filter_map(|table| Some((*table, read_table(&self.folder, *table).ok()?)));
         now.filter(|(table, bytes)| *bytes != self.known[table.index()]).collect()
     }
 
@@ -243,7 +252,7 @@ impl Document {
     }
 }
 
-fn read(folder: &Path, table: Table) -> io::Result<Option<Vec<u8>>> {
+fn read_table(folder: &Path, table: Table) -> io::Result<Option<Vec<u8>>> {
     match files::read(&folder.join(table.file()), files::LEVEL_TABLE) {
         Ok(bytes) => Ok(Some(bytes)),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),

@@ -1,0 +1,160 @@
+//! Doors that nobody can open, pads behind red, plates that are too heavy: warnings. What might be possible counts as possible: a body gets
+//! anywhere in its own free space, one-way and fragile blocks and movers are no obstacles.
+
+use super::constants::Constants;
+use super::problem::Problem;
+use super::reach::{Body, Space};
+use super::read::Draft;
+use super::rows::Placed;
+use super::types::{ObjectiveKind, Player, Presser, SHIP_HALF, Switch};
+use super::winnable::fitting;
+use crate::physics::Aabb;
+use std::collections::BTreeMap;
+
+/// Everything that is odd about switches, doors and red.
+pub(super) fn warn(draft: &Draft, player: &Player, constants: &Constants, space: &Space) -> Vec<Problem> {
+    if draft.switches.is_empty() && draft.doors.is_empty() && draft.obstacles.is_empty() {
+        return Vec::new();
+    }
+    let ship = (player.position, SHIP_HALF);
+    let red = || draft.obstacles.iter().map(|red| red.item);
+    let off_red = space.with(red());
+    let gates = Gates::new(draft);
+    let (pressed, open) = gates.play(ship, space);
+    let closed = || gates.closed(&open);
+    let (behind, behind_and_red) = (space.with(closed()), space.with(closed().chain(red())));
+    let mut warnings = Vec::new();
+    for (index, switch) in draft.switches.iter().enumerate().filter(|(index, _)| !pressed[*index]) {
+        let (found, expected) = if !presses(draft, &switch.item, ship, (space, space)) {
+            ("a switch that nothing which works it gets to".to_owned(), "free space from the start of what works it")
+        } else if !presses(draft, &switch.item, ship, (&off_red, space)) {
+            ("a switch that the ship gets to through red alone".to_owned(), "a route that keeps off the rows of obstacles.csv")
+        } else {
+            let own = gates.works[index].iter().find(|(door, inverted)| !inverted && !open[*door]);
+            let whose = own.map_or_else(
+                || "a door that nothing opens".to_owned(),
+                |(door, _)| format!("its own door, line {} of doors.csv", draft.doors[*door].line),
+            );
+            (format!("a switch behind {whose}"), "a route to it that needs no closed door, or another switch for the door")
+        };
+        warnings.push(switch.problem("x", found, expected));
+    }
+    for placed in &draft.objectives {
+        let objective = &placed.item;
+        let gets_there = |space: &Space| fitting(draft, objective, ship).any(|body| space.gets_to(body, &objective.bounds));
+        let pad = objective.kind == ObjectiveKind::Player;
+        if pad && !gets_there(&off_red) {
+            let expected = "a route for the ship that keeps off the rows of obstacles.csv";
+            warnings.push(placed.problem("x", "an objective that the ship gets to through red alone", expected));
+        } else if !gets_there(if pad { &behind_and_red } else { &behind }) {
+            let expected = "a switch in reach for each door on the route, or a route around";
+            warnings.push(placed.problem("x", "an objective behind a door that nothing opens", expected));
+        }
+    }
+    warnings.extend(plates(draft, player, constants, space));
+    warnings
+}
+
+/// Doors, and which switch opens which.
+struct Gates<'a> {
+    draft: &'a Draft,
+    /// Of each switch the doors that it works, and whether it works them the other way round.
+    works: Vec<Vec<(usize, bool)>>,
+}
+
+impl<'a> Gates<'a> {
+    fn new(draft: &'a Draft) -> Self {
+        let mut named: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+        for (index, door) in draft.doors.iter().enumerate() {
+            if let Some(name) = &door.item.name {
+                named.entry(name).or_default().push(index);
+            }
+        }
+        let doors = |switch: &Placed<Switch>| {
+            let works = switch.item.works.iter();
+            works.flat_map(|work| named.get(work.name.as_str()).into_iter().flatten().map(|door| (*door, work.inverted))).collect()
+        };
+        Self { draft, works: draft.switches.iter().map(doors).collect() }
+    }
+
+    fn closed(&self, open: &[bool]) -> impl Iterator<Item = Aabb> + use<'_> {
+        let closed: Vec<usize> = (0..open.len()).filter(|door| !open[*door]).collect();
+        closed.into_iter().map(|door| self.draft.doors[door].item.bounds)
+    }
+
+    /// Which switches can be pressed, and which doors are open at some time: from what is in reach at the start, door after door.
+    fn play(&self, ship: Body, space: &Space) -> (Vec<bool>, Vec<bool>) {
+        let mut pressed = vec![false; self.works.len()];
+        let mut open = vec![false; self.draft.doors.len()];
+        // A door that a switch works the other way round is open until that one is pressed.
+        self.works.iter().flatten().filter(|(_, inverted)| *inverted).for_each(|(door, _)| open[*door] = true);
+        loop {
+            let free = space.with(self.closed(&open));
+            let off_red = free.with(self.draft.obstacles.iter().map(|red| red.item));
+            let mut news = false;
+            for (index, switch) in self.draft.switches.iter().enumerate() {
+                if !pressed[index] && presses(self.draft, &switch.item, ship, (&off_red, &free)) {
+                    pressed[index] = true;
+                    for (door, _) in &self.works[index] {
+                        news |= !std::mem::replace(&mut open[*door], true);
+                    }
+                }
+            }
+            if !news {
+                return (pressed, open);
+            }
+        }
+    }
+}
+
+/// Whether something that works a switch gets to it, the ship in one space and the objects in another.
+fn presses(draft: &Draft, switch: &Switch, ship: Body, (ships, objects): (&Space, &Space)) -> bool {
+    let by_ship = matches!(switch.by, Presser::Any | Presser::Ship);
+    let counts = |key: bool| match switch.by {
+        Presser::Any | Presser::Object => true,
+        Presser::Key => key,
+        Presser::Ship => false,
+    };
+    let mut others = draft.objects.iter().filter(|object| counts(object.item.key.is_some()));
+    by_ship && ships.gets_to(ship, &switch.bounds)
+        || others.any(|object| objects.gets_to((object.item.position, object.item.size * 0.5), &switch.bounds))
+}
+
+/// Plates that are heavier than all that can press them: weights, the ship's thrust and the winds near by, all downwards at once. What a
+/// mover or a belt presses has no such bound.
+fn plates(draft: &Draft, player: &Player, constants: &Constants, space: &Space) -> Vec<Problem> {
+    let driven = draft.world.iter().any(|solid| solid.item.belt != 0.0) || !draft.movers.is_empty();
+    let plates = draft.switches.iter().filter_map(|switch| Some((switch, switch.item.weight?)));
+    if driven {
+        return Vec::new();
+    }
+    // Bodies that touch each other reach no further than all of them in a row.
+    let sizes = draft.objects.iter().map(|object| object.item.size.max_element());
+    let reach = 2.0 * SHIP_HALF.x + sizes.sum::<f64>();
+    let near = |plate: &Aabb| Aabb::new(plate.min - reach, plate.max + reach);
+    let bodies: Vec<(Body, f64, bool)> = std::iter::once(((player.position, SHIP_HALF), player.mass, false))
+        .chain(draft.objects.iter().map(|object| {
+            let object = &object.item;
+            ((object.position, object.size * 0.5), object.mass, object.weightless)
+        }))
+        .collect();
+    let fields: f64 = draft.fields.iter().map(|field| field.item.strength.y.max(0.0)).sum();
+    let pull = constants.gravity.max(0.0) + fields;
+    let mut warnings = Vec::new();
+    for (plate, weight) in plates {
+        let near = near(&plate.item.bounds);
+        let there = bodies.iter().filter(|(body, ..)| space.gets_to(*body, &near));
+        let (mut most, mut count) = (player.thrust, 0.0);
+        for (_, mass, weightless) in there {
+            most += if *weightless { 0.0 } else { mass * pull };
+            count += 1.0;
+        }
+        let winds = draft.streams.iter().filter(|stream| stream.item.zone.touches(&near, 0.0));
+        most += count * winds.map(|stream| stream.item.force.y.max(0.0)).sum::<f64>();
+        if most <= weight {
+            let found = format!("{weight} N, with {most:.0} N of weight, thrust and wind in all to press it");
+            warnings.push(plate.problem("weight", found, "less than that"));
+        }
+    }
+    warnings
+}

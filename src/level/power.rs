@@ -1,0 +1,357 @@
+//! Engines, tanks and medals that cannot do what is asked of them: warnings, by bounds that hold however well one flies.
+//!
+//! With e the energy of everything a kilogram of the ship, thrust T, mass m and burning time b: √(2e) grows by no more than b·T/m, for the
+//! engine does work at T·v and v ≤ √(2e). A climb by h from a place that lies D above the lowest takes √(2g(D + h)). Likewise √(2E) of all
+//! bodies together grows by no more than t·√(Σ F²/m), with F all that can act on each.
+
+use super::awards::Mark;
+use super::constants::Constants;
+use super::problem::Problem;
+use super::reach::{Grid, Space};
+use super::read::Draft;
+use super::rows::{self, Placed};
+use super::types::{BURN_RATE, Object, Objective, ObjectiveKind, Player, SHIP_HALF, TICK_RATE};
+use super::winnable::fitting;
+use crate::physics::{Aabb, DVec2, Material};
+use std::collections::BinaryHeap;
+use std::rc::Rc;
+
+/// How often a body may bounce off movers within the time of a medal, each time by twice their speed.
+const BOUNCES: f64 = 10.0;
+/// No more ticks of burning are reckoned with: 97 days.
+const MOST_TICKS: f64 = 1e9;
+/// m. What is nearer than this is there.
+const NEAR: f64 = 1e-6;
+
+/// Everything that is odd about what the ship can do.
+pub(super) fn warn(draft: &Draft, player: &Placed<Player>, constants: &Constants, space: &Space) -> Vec<Problem> {
+    let power = Power { draft, ship: &player.item, constants, gravity: constants.gravity };
+    let mut warnings = Vec::new();
+    let weight = player.item.mass * constants.gravity;
+    if player.item.thrust < weight && !power.is_lifted() {
+        let found = format!("{} N, less than the ship's weight of {weight} N", player.item.thrust);
+        warnings.push(player.problem("thrust", found, "more than that, as nothing in the level lifts the ship"));
+    }
+    let needed = power.fuel_needed(space);
+    let pods: f64 = draft.pods.iter().map(|pod| pod.item.fuel).sum();
+    if let Some((needed, line)) = needed.filter(|(needed, _)| player.item.fuel + pods < *needed) {
+        let found = format!("{} fuel units", player.item.fuel);
+        let expected = format!("at least {needed:.3}, less than which no flight to line {line} of objectives.csv takes");
+        warnings.push(player.problem("fuel", found, expected));
+    }
+    warnings.extend(power.medals(needed.map_or(0.0, |(needed, _)| needed)));
+    warnings
+}
+
+struct Power<'a> {
+    draft: &'a Draft,
+    ship: &'a Player,
+    constants: &'a Constants,
+    /// N/kg, downwards.
+    gravity: f64,
+}
+
+impl Power<'_> {
+    /// Whether something in the level may lift the ship or throw it up.
+    fn is_lifted(&self) -> bool {
+        let draft = self.draft;
+        let winds = draft.streams.iter().map(|stream| stream.item.force.y);
+        let up = winds.chain(draft.fields.iter().map(|field| field.item.strength.y)).any(|y| y < 0.0);
+        up || !draft.fluids.is_empty() || !draft.movers.is_empty() || self.throws() || self.belt() > 0.0
+    }
+
+    /// Whether something in the level may drive the ship any way.
+    fn is_helped(&self) -> bool {
+        self.is_lifted() || !self.draft.streams.is_empty() || !self.draft.fields.is_empty()
+    }
+
+    /// Whether a material throws back.
+    fn throws(&self) -> bool {
+        self.draft.world.iter().any(|solid| solid.item.material.restitution > 0.0)
+    }
+
+    /// The fastest belt, m/s.
+    fn belt(&self) -> f64 {
+        let belts = self.draft.world.iter().map(|solid| &solid.item).chain(self.draft.movers.iter().map(|mover| &mover.item.solid));
+        belts.map(|solid| solid.belt.abs()).fold(0.0, f64::max)
+    }
+
+    /// Fuel units without which the ship gets to no objective of a kind, and the line of that objective; `None` where nothing is known.
+    fn fuel_needed(&self, space: &Space) -> Option<(f64, usize)> {
+        if self.is_helped() || self.gravity <= 0.0 || self.constants.gravity_x != 0.0 || self.ship.thrust == 0.0 {
+            return None;
+        }
+        let pads: Vec<&Placed<Objective>> =
+            self.draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Player).collect();
+        let climbs = Climbs::new(self.ship.position, space)?;
+        // What others can pass on to the ship: what they bring along, and what they may fall, where they bounce.
+        let others: f64 = self.draft.objects.iter().map(|object| self.energy_of(&object.item, space)).sum();
+        let begun = 0.5 * self.ship.velocity.length_squared() + others / self.ship.mass;
+        let depth = climbs.depth;
+        let speed = |height: f64| (2.0 * self.gravity * (depth + height).max(0.0)).sqrt();
+        let mut most: Option<(f64, usize)> = None;
+        for pad in pads {
+            let climb = climbs.to(&pad.item.bounds)?;
+            let missing = speed(climb) - (2.0 * (begun + self.gravity * depth)).sqrt();
+            // The last tick with fuel burns to its end.
+            let mut seconds = (missing * self.ship.mass / self.ship.thrust - 1.0 / TICK_RATE).max(0.0);
+            let still = begun == 0.0 && depth < NEAR && self.ship.restitution.max(self.ship.material.restitution) == 0.0;
+            if still && climb < NEAR {
+                seconds = seconds.max(self.seconds_along(&pad.item.bounds));
+            }
+            if most.is_none_or(|(known, _)| known < seconds) {
+                most = Some((seconds, pad.line));
+            }
+        }
+        most.map(|(seconds, line)| (seconds * BURN_RATE, line))
+    }
+
+    /// What an object can pass on, J: all that it brings along, and, where it bounces, all that it may fall.
+    fn energy_of(&self, object: &Object, space: &Space) -> f64 {
+        let bounces = object.restitution.max(object.material.restitution).max(self.ship.restitution) > 0.0;
+        let fall = if bounces { (space.bottom() - object.position.y - object.size.y * 0.5).max(0.0) } else { 0.0 };
+        object.mass * (0.5 * object.velocity.length_squared() + self.gravity * fall)
+    }
+
+    /// Seconds of burning without which nothing that stands on the lowest floor comes so far aside: after each tick of it the ship flies as
+    /// far as its speed carries it, and slides out.
+    fn seconds_along(&self, pad: &Aabb) -> f64 {
+        let gap = pad.gap(&Aabb::around(self.ship.position, SHIP_HALF)).x;
+        let floors = self.draft.world.iter().map(|solid| solid.item.material);
+        let floors = floors.chain(self.draft.objects.iter().map(|object| object.item.material));
+        let friction = floors.map(|material| material.kinetic_friction).fold(Material::ASPHALT.kinetic_friction, f64::min);
+        let friction = friction * self.constants.friction;
+        if gap <= 0.0 || friction <= 0.0 {
+            return 0.0;
+        }
+        let pull = self.ship.thrust / self.ship.mass;
+        let far = |ticks: f64| {
+            let (seconds, speed) = (ticks / TICK_RATE, pull * ticks / TICK_RATE);
+            // In n falls from step to step it is in the air √n times as long as in one.
+            let falls = 2.0 + (self.draft.world.len() as f64).sqrt();
+            speed * seconds + ticks * speed * speed / self.gravity * (falls + 0.5 / friction)
+        };
+        let mut most = 1.0;
+        while far(most) < gap && most < MOST_TICKS {
+            most *= 2.0;
+        }
+        let mut least = 0.0;
+        while most - least > 1.0 {
+            let middle = (0.5 * (least + most)).floor();
+            if far(middle) < gap { least = middle } else { most = middle }
+        }
+        // With the last tick begun it may be as far as that.
+        least / TICK_RATE
+    }
+
+    /// Medals that nobody can earn.
+    fn medals(&self, burnt: f64) -> Vec<Problem> {
+        let awards = &self.constants.awards;
+        let mut warnings = Vec::new();
+        let mut warn = |name: &str, found: String, expected: String| {
+            let line = self.constants.lines.iter().find(|(known, _)| *known == name).map_or(1, |(_, line)| *line);
+            warnings.push(Problem::new(rows::CONSTANTS.file, line, "value", found, expected));
+        };
+        let least = self.least_time();
+        for (name, time) in [("silver", awards.silver), ("gold", awards.gold)] {
+            if let (Some(time), Some((least, line))) = (time, least)
+                && time < least - 1.0 / TICK_RATE
+            {
+                let expected = format!("at least {least:.3} s, less than which no flight to line {line} of objectives.csv takes");
+                warn(name, format!("{time} s for {name}"), expected);
+            }
+        }
+        let still = self.falls().filter(|_| self.draft.objectives.iter().any(|placed| self.gap(&placed.item).is_some_and(|gap| gap.0 > NEAR)));
+        match awards.mark {
+            Some(Mark::Fuel(percent)) if self.draft.pods.is_empty() && self.ship.fuel > 0.0 && still.is_some() => {
+                let burnt = burnt.max(BURN_RATE / TICK_RATE);
+                let most = (100.0 * (1.0 - burnt / self.ship.fuel)).max(0.0);
+                if percent > most {
+                    let expected = format!("at most {most:.3} %: any flight to the end burns more than the rest");
+                    warn("mark_fuel", format!("{percent} % of the fuel left"), expected);
+                }
+            }
+            Some(Mark::Speed(speed)) if self.ship.velocity.length() > speed => {
+                let found = format!("{speed} m/s, with a start at {:.3} m/s", self.ship.velocity.length());
+                warn("mark_speed", found, "at least the speed at the start".to_owned());
+            }
+            Some(Mark::Pushes(0)) if still.is_some() && !self.is_helped() && self.a_key_has_to_move() => {
+                let expected = "at least 1: a key has to be moved, and nothing but the ship moves it";
+                warn("mark_pushes", "0 pushes".to_owned(), expected.to_owned());
+            }
+            _ => {}
+        }
+        warnings
+    }
+
+    fn a_key_has_to_move(&self) -> bool {
+        let physics = self.draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Physics);
+        physics.into_iter().any(|placed| self.gap(&placed.item).is_some_and(|(gap, _)| gap > NEAR))
+    }
+
+    /// The shortest time to the end, s, and the line of the objective that takes it; `None` where nothing is known. The clock begins with the
+    /// first input, and until then everything falls.
+    fn least_time(&self) -> Option<(f64, usize)> {
+        let falls = self.falls()?;
+        let constants = self.constants;
+        let pull = self.gravity.abs() + constants.gravity_x.abs();
+        let pull = pull + self.draft.fields.iter().map(|field| field.item.strength.length()).sum::<f64>();
+        let wind: f64 = self.draft.streams.iter().map(|stream| stream.item.force.length()).sum();
+        let dense: f64 = self.draft.fluids.iter().map(|fluid| fluid.item.density).sum();
+        let bodies = std::iter::once((self.ship.mass, SHIP_HALF * 2.0, self.ship.thrust));
+        let bodies = bodies.chain(self.draft.objects.iter().map(|object| (object.item.mass, object.item.size, 0.0)));
+        let (mut energy, mut power) = (0.0, 0.0);
+        for ((mass, size, thrust), fall) in bodies.zip(falls) {
+            let force = mass * pull + wind + thrust + dense * pull * size.x * size.y;
+            energy += mass * self.gravity * fall;
+            power += force * force / mass;
+        }
+        let (begun, grows) = ((2.0 * energy).sqrt(), power.sqrt());
+        let movers = self.draft.movers.iter().flat_map(|mover| &mover.item.path.legs).map(|leg| {
+            leg.velocity.length() + leg.acceleration.length() * leg.duration
+        });
+        let driven = 2.0 * BOUNCES * movers.fold(0.0, f64::max) + self.belt();
+        let mut longest: Option<(f64, usize)> = None;
+        for placed in &self.draft.objectives {
+            let (gap, mass) = self.gap(&placed.item)?;
+            let (speed, pull) = (begun / mass.sqrt() + driven, grows / mass.sqrt());
+            let time = placed.item.hold + if gap > NEAR { 2.0 * gap / (speed + (speed * speed + 2.0 * pull * gap).sqrt()) } else { 0.0 };
+            if longest.is_none_or(|(known, _)| known < time) {
+                longest = Some((time, placed.line));
+            }
+        }
+        longest
+    }
+
+    /// How far a body that fits an objective is from it, m, wherever it has fallen to before the first input, and its mass, kg: of all that
+    /// fit the least of each.
+    fn gap(&self, objective: &Objective) -> Option<(f64, f64)> {
+        let ship = (self.ship.position, SHIP_HALF);
+        let gaps = fitting(self.draft, objective, ship).map(|(centre, half)| {
+            let gap = self.column(centre, half).gap(&objective.bounds).max(DVec2::ZERO);
+            gap.length()
+        });
+        let gap = gaps.reduce(f64::min)?;
+        let keys = self.draft.objects.iter().filter(|object| object.item.key.is_some_and(|key| objective.fits(key)));
+        let lightest = keys.map(|key| key.item.mass).fold(f64::INFINITY, f64::min);
+        Some((gap, if objective.kind == ObjectiveKind::Player { self.ship.mass } else { lightest }))
+    }
+
+    /// Where a body gets that falls straight down to the first block.
+    fn column(&self, centre: DVec2, half: DVec2) -> Aabb {
+        let body = Aabb::around(centre, half);
+        Aabb { min: body.min, max: DVec2::new(body.max.x, body.max.y + self.fall(&body)) }
+    }
+
+    fn fall(&self, body: &Aabb) -> f64 {
+        let below = self.draft.world.iter().filter(|solid| solid.item.is_rock()).map(|solid| solid.item.bounds);
+        let below = below.filter(|solid| solid.min.x < body.max.x - NEAR && solid.max.x > body.min.x + NEAR);
+        let floor = self.draft.size.map_or(f64::INFINITY, |size| size.y / self.draft.scale.metre);
+        let first = below.map(|solid| solid.min.y).filter(|top| *top >= body.max.y - NEAR).fold(floor, f64::min);
+        (first - body.max.y).max(0.0)
+    }
+
+    /// How far each body falls before the first input, m, the ship first; `None` where anything may then move another way.
+    fn falls(&self) -> Option<Vec<f64>> {
+        let draft = self.draft;
+        let thrown = self.ship.velocity != DVec2::ZERO || draft.objects.iter().any(|object| object.item.velocity != DVec2::ZERO);
+        if thrown || self.gravity < 0.0 || self.constants.gravity_x != 0.0 {
+            return None;
+        }
+        let zones = draft.streams.iter().map(|stream| stream.item.zone).chain(draft.fields.iter().map(|field| field.item.zone));
+        let zones = zones.chain(draft.fluids.iter().map(|fluid| fluid.item.zone));
+        let belts = draft.world.iter().filter(|solid| solid.item.belt != 0.0).map(|solid| solid.item.bounds);
+        let swept = draft.movers.iter().map(|mover| {
+            let half = mover.item.solid.bounds.size() * 0.5;
+            mover.item.stops.iter().map(|stop| Aabb::around(*stop, half)).fold(mover.item.solid.bounds, |all, at| all.union(&at))
+        });
+        let drives: Vec<Aabb> = zones.chain(belts).chain(swept).collect();
+        let bodies = std::iter::once((self.ship.position, SHIP_HALF));
+        let bodies = bodies.chain(draft.objects.iter().map(|object| (object.item.position, object.item.size * 0.5)));
+        let columns: Vec<(Aabb, f64)> = bodies
+            .map(|(centre, half)| (self.column(centre, half), self.fall(&Aabb::around(centre, half))))
+            .collect();
+        let driven = columns.iter().any(|(column, _)| drives.iter().any(|drive| drive.touches(column, NEAR)));
+        (!driven).then(|| columns.into_iter().map(|(_, fall)| fall).collect())
+    }
+}
+
+/// How far the ship has to climb above its start to get somewhere, at least.
+struct Climbs {
+    grid: Rc<Grid>,
+    /// Of each cell, m; infinite where it does not get.
+    climb: Vec<f64>,
+    /// How far below its start the lowest place is that it gets to, m.
+    depth: f64,
+    start: f64,
+}
+
+impl Climbs {
+    /// `None` where the level is too large to say, or where the ship starts in something.
+    fn new(start: DVec2, space: &Space) -> Option<Self> {
+        let grid = space.grid(SHIP_HALF)?;
+        // A heap costs some steps a cell.
+        if grid.is_blocked(grid.at(start)) || !space.work().spend(4 * grid.len()) {
+            return None;
+        }
+        let mut climbs = Self { climb: vec![f64::INFINITY; grid.len()], grid, depth: 0.0, start: start.y };
+        let first = climbs.grid.at(start);
+        climbs.climb[first] = 0.0;
+        let mut open = BinaryHeap::from([Reached { climb: 0.0, cell: first }]);
+        while let Some(Reached { climb, cell }) = open.pop() {
+            if climb > climbs.climb[cell] {
+                continue;
+            }
+            let lowest = climbs.grid.area(cell).max.y - climbs.grid.slack();
+            climbs.depth = climbs.depth.max(lowest - start.y);
+            for next in climbs.grid.beside(cell) {
+                if climbs.grid.is_blocked(next) {
+                    continue;
+                }
+                let through = climb.max(start.y - climbs.grid.area(next).max.y);
+                if through < climbs.climb[next] {
+                    climbs.climb[next] = through;
+                    open.push(Reached { climb: through, cell: next });
+                }
+            }
+        }
+        Some(climbs)
+    }
+
+    /// To a place from which it touches a box; `None` where it gets to none.
+    fn to(&self, target: &Aabb) -> Option<f64> {
+        let reach = SHIP_HALF + self.grid.slack();
+        let near = Aabb { min: target.min - reach, max: target.max + reach };
+        let climbs = (0..self.grid.len()).filter(|cell| self.climb[*cell].is_finite()).filter_map(|cell| {
+            let area = self.grid.area(cell);
+            area.touches(&near, 0.0).then(|| self.climb[cell].max(self.start - area.max.y.min(near.max.y)))
+        });
+        climbs.reduce(f64::min)
+    }
+}
+
+/// A cell that the ship gets to, the least climb first.
+struct Reached {
+    climb: f64,
+    cell: usize,
+}
+
+impl Ord for Reached {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        other.climb.total_cmp(&self.climb).then(other.cell.cmp(&self.cell))
+    }
+}
+
+impl PartialOrd for Reached {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Reached {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Reached {}

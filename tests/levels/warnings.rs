@@ -1,0 +1,149 @@
+//! What a good level is warned about: what nobody can fly, push, press or earn. `tests/built_levels.rs` asks that what has been done is never
+//! called impossible.
+
+use crate::support::{Memory, written};
+use crate::{lines, package};
+use resultant::level;
+
+/// The warnings about the room with these files.
+fn warned(files: &[(&'static str, &str)]) -> String {
+    match level::read("room", &written::texts(files)) {
+        Ok(loaded) => lines(&loaded.warnings),
+        Err(problems) => panic!("refused: {}", lines(&problems)),
+    }
+}
+
+/// As [`warned`], with a file in place of the room's.
+fn warned_with(file: &str, text: &str, files: &[(&'static str, &str)]) -> String {
+    let Memory(mut all) = written::texts(files);
+    all.iter_mut().filter(|(name, _)| *name == file).for_each(|(_, old)| *old = text.to_owned());
+    match level::read("room", &Memory(all)) {
+        Ok(loaded) => lines(&loaded.warnings),
+        Err(problems) => panic!("refused: {}", lines(&problems)),
+    }
+}
+
+#[test]
+fn an_engine_below_the_weight_is_warned_about_where_nothing_else_lifts() {
+    let weak = "60,844.5,100,500,900\n";
+    let told = "player.csv:1: column \"thrust\": found 900 N, less than the ship's weight of 1000 N, expected more than that";
+    assert!(warned_with("player.csv", weak, &[]).starts_with(told), "{}", warned_with("player.csv", weak, &[]));
+    let lifts: [(&'static str, &str); 3] = [
+        ("hazards.csv", "600,850,60,20,0,-300,0,-500\n"),
+        ("movers.csv", "300,800,60,20,300 300,2\n"),
+        ("gravity.csv", "300,300,300,300,0,-12\n"),
+    ];
+    for lift in lifts {
+        assert!(!warned_with("player.csv", weak, &[lift]).contains("thrust"), "{lift:?}");
+    }
+    assert!(warned_with("player.csv", weak, &[("hazards.csv", "600,850,60,20,0,-300,0,500\n")]).contains("thrust"), "a wind that blows down");
+    assert_eq!(warned(&[]), "");
+}
+
+#[test]
+fn too_little_fuel_for_the_climb_or_the_distance_is_warned_about() {
+    // 28 m up: √(2·10·28) m/s, of which a second of burning gives 20.
+    let one = warned_with("player.csv", "60,844.5,100,1,2000\n", &[]);
+    let told = "player.csv:1: column \"fuel\": found 1 fuel units, expected at least 23.";
+    assert!(one.starts_with(told) && one.ends_with("no flight to line 1 of objectives.csv takes\n"), "{one}");
+    assert_eq!(warned_with("player.csv", "60,844.5,100,26,2000\n", &[]), "");
+    assert_eq!(warned_with("player.csv", "60,844.5,100,1,2000\n", &[("pods.csv", "300,800,30,30,25\n")]), "");
+    // Along the floor.
+    let along = |fuel: f64| {
+        let player = format!("60,844.5,100,{fuel},2000\n");
+        let Memory(mut all) = written::texts(&[]);
+        all[1].1 = player;
+        all[3].1 = "PLAYER,1100,860,60,10\n".to_owned();
+        lines(&level::read("room", &Memory(all)).unwrap().warnings)
+    };
+    assert!(along(1.0).contains("found 1 fuel units") && along(0.0).contains("found 0 fuel units"), "{} {}", along(1.0), along(0.0));
+    assert_eq!(along(20.0), "");
+}
+
+#[test]
+fn a_plate_that_nothing_presses_is_warned_about() {
+    let room = |weight: f64| warned(&[("doors.csv", "500,0,20,870,gate\n"), ("switches.csv", &format!("200,860,60,10,gate,{weight}\n"))]);
+    let told = "switches.csv:1: column \"weight\": found 5000 N, with 3000 N of weight, thrust and wind in all to press it";
+    assert!(room(5000.0).starts_with(told), "{}", room(5000.0));
+    assert!(room(3000.0).contains("weight") && room(2999.0).is_empty(), "{}", room(2999.0));
+    let crate_ = ("objects.csv", "400,850,box:40x40,250,1,FALSE,0\n");
+    let doors = ("doors.csv", "500,0,20,870,gate\n");
+    assert_eq!(warned(&[doors, crate_, ("switches.csv", "200,860,60,10,gate,5000\n")]), "", "the crate helps");
+    let wind = ("hazards.csv", "180,600,100,20,0,250,0,4000\n");
+    assert_eq!(warned(&[doors, wind, ("switches.csv", "200,860,60,10,gate,5000\n")]), "", "the wind helps");
+}
+
+#[test]
+fn a_switch_behind_its_own_door_and_a_pad_behind_doors_that_nothing_opens_are_warned_about() {
+    let doors = "500,0,20,870,gate\n800,0,20,870,hall\n";
+    let behind = warned(&[("doors.csv", doors), ("switches.csv", "600,700,60,60,gate\n200,700,60,60,hall\n")]);
+    let told = "switches.csv:1: column \"x\": found a switch behind its own door, line 1 of doors.csv, expected ";
+    assert!(behind.starts_with("objectives.csv:1:") || behind.starts_with(told), "{behind}");
+    assert!(behind.contains(told) && behind.contains("objectives.csv:1: column \"x\": found an objective behind a door"), "{behind}");
+    // One door after the other.
+    assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", "200,700,60,60,gate\n600,700,60,60,hall\n")]), "");
+    // Two rooms that wait for each other.
+    let crossed = "900,700,60,60,gate\n600,700,60,60,hall\n";
+    assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", crossed)]).lines().count(), 3);
+    // A door that is open until its switch is pressed, and a crate that presses what the ship does not get to.
+    assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", "600,700,60,60,!gate hall\n")]), "");
+    let crate_ = ("objects.csv", "600,850,box:40x40,50,1,FALSE,0\n");
+    assert_eq!(warned(&[("doors.csv", doors), crate_, ("switches.csv", "600,700,60,60,gate hall\n")]), "");
+}
+
+#[test]
+fn a_wall_of_red_before_a_pad_is_warned_about() {
+    let wall = warned(&[("obstacles.csv", "600,0,20,870\n")]);
+    let told = "objectives.csv:1: column \"x\": found an objective that the ship gets to through red alone, expected ";
+    assert!(wall.starts_with(told) && wall.lines().count() == 1, "{wall}");
+    assert_eq!(warned(&[("obstacles.csv", "600,0,20,810\n")]), "", "60 pixels for a ship of 51");
+    let switch = [("doors.csv", "900,0,20,870,gate\n"), ("obstacles.csv", "600,0,20,870\n"), ("switches.csv", "700,700,60,60,gate\n")];
+    assert!(warned(&switch).contains("switches.csv:1: column \"x\": found a switch that the ship gets to through red alone"));
+}
+
+#[test]
+fn a_key_below_a_step_is_warned_about_unless_something_lifts_it() {
+    let step = |height: f64, more: &[(&'static str, &str)]| {
+        let block = format!("700,{},500,{height}\n", 870.0 - height);
+        let goal = format!("PHYS,900,{},60,10\nOBJECT,400,850,box:40x40,75,120,220,190,0.2,0.5\n", 860.0 - height);
+        let files = [&[("world.csv", block.as_str()), ("objectives.csv", goal.as_str())], more].concat();
+        warned(&files)
+    };
+    let told = "objectives.csv:2: column \"y\": found an objective up a step that no key which fits can be pushed over, expected ";
+    assert!(step(160.0, &[]).starts_with(told), "{}", step(160.0, &[]));
+    assert_eq!(step(10.0, &[]), "", "a hit makes it hop so far");
+    assert_eq!(step(160.0, &[("movers.csv", "500,850,60,20,500 600,2\n")]), "");
+    assert_eq!(step(160.0, &[("world.csv", "300,870,5,5,Trampoline\n300,400,200,20\n")]).lines().count(), 1);
+    // From a ledge as high as the step the ship lifts it, or lets it fall there.
+    let ledge = ("objectives.csv", "OBJECT,100,400,box:40x40,75,120,220,190,0.2,0.5\n");
+    assert_eq!(step(160.0, &[("world.csv", "60,420,200,20\n"), ledge]), "");
+}
+
+#[test]
+fn medals_that_nobody_can_earn_are_warned_about() {
+    let with = |constants: &str| warned(&[("constants.csv", constants)]);
+    // 37 m aside and 27 up, with 30 m/s² at the most.
+    let gold = with("gold,0.1\n");
+    let told = "constants.csv:5: column \"value\": found 0.1 s for gold, expected at least 1.7";
+    assert!(gold.starts_with(told) && gold.ends_with("no flight to line 1 of objectives.csv takes\n"), "{gold}");
+    assert_eq!(with("silver,0.2\ngold,0.1\n").lines().count(), 2);
+    assert_eq!(with("gold,5\n"), "");
+    let fuel = with("mark_fuel,100\n");
+    assert!(fuel.starts_with("constants.csv:5: column \"value\": found 100 % of the fuel left, expected at most 95."), "{fuel}");
+    assert_eq!(with("mark_fuel,90\n"), "");
+    assert_eq!(with("mark_hits,0\n"), "");
+    let player = "60,844.5,100,500,2000,TRUE,8\n";
+    assert!(warned_with("player.csv", player, &[("constants.csv", "mark_speed,7\n")]).contains("7 m/s, with a start at 8.000 m/s"));
+    let key = ("objectives.csv", "PHYS,900,860,60,10\nOBJECT,400,850,box:40x40,75,120,220,190,0.2,0.5\n");
+    assert!(warned(&[key, ("constants.csv", "mark_pushes,0\n")]).contains("found 0 pushes, expected at least 1"));
+    assert_eq!(warned(&[key, ("constants.csv", "mark_pushes,1\n")]), "");
+}
+
+#[test]
+fn no_experiment_is_warned_about() {
+    let experiments = package().join("experiments");
+    for name in level::list(&experiments) {
+        let loaded = level::load(&experiments.join(&name), package()).unwrap_or_else(|problems| panic!("{name}: {}", lines(&problems)));
+        assert_eq!(lines(&loaded.warnings), "", "{name}");
+    }
+}
