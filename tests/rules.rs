@@ -308,7 +308,7 @@ fn score_and_medals_count_what_is_on_the_clock() {
         (game.result(), game.ticks() - u64::from(idle))
     };
     let (at_once, late) = (flown(0), flown(600));
-    assert_eq!((&at_once.0, at_once.1), (&late.0, late.1), "whoever looks at the level first loses nothing");
+    assert_eq!((&at_once.0, at_once.1), (&late.0, late.1), "a look at the level before the first key costs nothing");
 }
 
 #[test]

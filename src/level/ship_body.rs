@@ -6,7 +6,7 @@ use crate::physics::{Aabb, DVec2};
 /// them lie in the circle that touches the box from inside.
 pub const SHIP_BODY: [DVec2; 15] = [
     DVec2::new(0.0, -0.8245),
-    DVec2::new(0.1445, -0.7854),
+    DVec2::new(0.1445, -0.786),
     DVec2::new(0.3145, -0.6732),
     DVec2::new(0.4632, -0.5066),
     DVec2::new(0.5738, -0.3035),
@@ -19,7 +19,7 @@ pub const SHIP_BODY: [DVec2; 15] = [
     DVec2::new(-0.5738, -0.3035),
     DVec2::new(-0.4632, -0.5066),
     DVec2::new(-0.3145, -0.6732),
-    DVec2::new(-0.1445, -0.7854),
+    DVec2::new(-0.1445, -0.786),
 ];
 
 /// The corners of [`SHIP_BODY`] at an angle, degrees clockwise.
@@ -34,7 +34,7 @@ pub fn ship_body(angle: f64) -> [DVec2; SHIP_BODY.len()] {
 /// counts, and so does a gap of less than `slop`, m.
 pub fn sweep_touches(corners: &[DVec2], from: DVec2, to: DVec2, target: &Aabb, slop: f64) -> bool {
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    let mut meets = |outward: DVec2| {
+    let meets = |outward: DVec2| {
         let reach = corners.iter().map(|corner| outward.dot(*corner)).fold(f64::NEG_INFINITY, f64::max);
         let nearest = DVec2::select(outward.cmpge(DVec2::ZERO), target.min, target.max).dot(outward);
         // How deep the body's farthest corner is behind the target's nearest one at the start, and how much deeper it gets.
@@ -47,7 +47,7 @@ pub fn sweep_touches(corners: &[DVec2], from: DVec2, to: DVec2, target: &Aabb, s
         (deeper != 0.0 || deep >= 0.0) && enter <= leave
     };
     let sides = (0..corners.len()).map(|i| (corners[(i + 1) % corners.len()] - corners[i]).perp() * -1.0);
-    [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y].into_iter().chain(sides).all(|outward| meets(outward))
+    [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y].into_iter().chain(sides).all(meets)
 }
 
 /// The unit vector that points `angle` degrees clockwise from straight up. Whole quarter turns are taken out before the sine and

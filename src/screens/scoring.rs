@@ -216,8 +216,8 @@ impl Scoring {
         let limit = |limit: f64| whole_hundredths(limit) as f64 / 100.0;
         let medals = [("gold", awards.gold.map(limit)), ("silver", awards.silver.map(limit))];
         let none = medals.iter().all(|(_, time)| time.is_none());
-        let told = medals.into_iter().chain([("optimal", optimal.filter(|_| none)), ("best", self.best)]);
-        let words: Vec<String> = told.filter_map(|(name, time)| Some(format!("{name} {}", clock(time?)))).collect();
+        let times = medals.into_iter().chain([("optimal", optimal.filter(|_| none)), ("best", self.best)]);
+        let words: Vec<String> = times.filter_map(|(name, time)| Some(format!("{name} {}", clock(time?)))).collect();
         words.join(" · ")
     }
 

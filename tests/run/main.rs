@@ -63,6 +63,20 @@ fn prints_what_the_run_came_to() {
 }
 
 #[test]
+fn time_counts_from_the_first_input_and_the_telemetrys_from_the_start() {
+    let data = data();
+    let inputs = data.write("in.csv", &format!("{HEADER}\n60,0,0,0,0\n30,1,0,0,0\n30,0,0,0,0\n"));
+    let (telemetry, record) = (data.path("t.csv"), data.path("r.csv"));
+    let files = ["--telemetry", telemetry.to_str().unwrap(), "--record", record.to_str().unwrap()];
+    let ran = data.resultant(&[&["run", "flight", "--inputs", &inputs][..], &files].concat());
+    assert_eq!((ran.value("ticks"), ran.value("time")), ("120", "0.5"));
+    assert!(read(&data, "r.csv").contains("# time: 0.5\n"));
+    assert!(read(&data, "t.csv").lines().last().unwrap().starts_with("120,1,"));
+    assert_eq!(data.resultant(&["verify", record.to_str().unwrap()]).status, 0, "{}", ran.err);
+    assert_eq!(data.resultant(&["run", "flight", "--seconds", "0.5"]).value("time"), "0.5", "without inputs");
+}
+
+#[test]
 fn a_failed_run_is_done_with_nothing() {
     let ran = data().resultant(&["run", "death"]);
     assert_eq!((ran.status, ran.value("outcome"), ran.value("score"), ran.value("objectives")), (0, "failed", "0", "0/1"));

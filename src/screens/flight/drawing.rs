@@ -3,7 +3,7 @@
 use super::{Flight, News, PAUSE_LABELS, PAUSE_TOP};
 use crate::game::Outcome;
 use crate::view::canvas::{Canvas, Style};
-use crate::view::layout::{Area, DETAILS, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
+use crate::view::layout::{Area, DETAILS, HEADING, HudLayout, PADDING, TEXT, Vec2, WIDE_BUTTON};
 use crate::view::{theme, widgets};
 
 /// From the canvas' foot to what is told above the fuel bar.
@@ -14,8 +14,7 @@ impl Flight {
     fn draw_time(&self, canvas: &Canvas) {
         let kept = self.game.outcome() != Outcome::Running && self.instruments.stays() && !self.observer.frozen();
         let ended = kept.then(|| "The flight has ended: Enter leads on".to_owned());
-        let lost = self.lost().map(|death| format!("{death} · Enter: what the attempt came to"));
-        let Some(words) = ended.or_else(|| self.observer.words()).or(lost) else { return };
+        let Some(words) = ended.or_else(|| self.observer.words()) else { return };
         let style = Style::new(TEXT, theme::accent()).middle().centred();
         let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
         // A test flight has its words there.
@@ -23,6 +22,19 @@ impl Flight {
         let foot = self.instruments.room(canvas.frame()).size.y;
         let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, foot - above - size.y), size };
         widgets::panel(canvas, area);
+        canvas.text(&words, area.centre(), style);
+    }
+
+    /// What the attempt before was lost to, and the key that shows more of it: below the row of the timer, away from where ships start.
+    fn draw_lost(&self, canvas: &Canvas) {
+        let Some(death) = self.lost().filter(|_| self.news.is_none()) else { return };
+        let words = format!("{death} · Enter: what the attempt came to");
+        let style = Style::new(TEXT, theme::accent()).middle().centred();
+        let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
+        let top = HudLayout::new(canvas.frame()).status.max().y + PADDING;
+        let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, top), size };
+        canvas.end_layer();
+        widgets::panel_in(canvas, area, theme::faded(theme::panel(), 0.9), theme::panel_edge());
         canvas.text(&words, area.centre(), style);
     }
 
@@ -42,7 +54,10 @@ impl Flight {
             widgets::curtain(canvas, 1.0);
             return settings.draw(canvas);
         }
-        let Some(pause) = &self.pause else { return self.draw_time(canvas) };
+        let Some(pause) = &self.pause else {
+            self.draw_lost(canvas);
+            return self.draw_time(canvas);
+        };
         widgets::curtain(canvas, 0.45);
         let middle = canvas.size() / 2.0;
         let top = middle.y - PAUSE_TOP - HEADING - 2.5 * PADDING;

@@ -122,7 +122,7 @@ struct Lost {
     since: f64,
 }
 
-/// How long it is told that a level was read anew, or that the attempt before was lost, s.
+/// How long a notice stays, that a level was read again or that the attempt before was lost, s.
 const TOLD: f64 = 5.0;
 
 /// What became of a level's files while it is flown.
@@ -205,7 +205,7 @@ impl Flight {
         }
         let (input, wish) = self.measure(input);
         let input = &input;
-        if let Some(lost) = &mut self.lost {
+        if let Some(lost) = self.lost.as_mut().filter(|_| self.game.outcome() == Outcome::Running) {
             lost.since += input.frame_time;
             if (input.pressed.has(Key::Enter) || input.pressed.has(Key::PadSelect)) && !steers(input) {
                 return Some(Request::Score(self.attempt.clone(), lost.result.clone(), lost.flown.clone()));

@@ -46,7 +46,9 @@ fn main() -> ExitCode {
 /// Does what is asked for; whether all went well.
 fn run(arguments: Vec<String>) -> Result<bool, String> {
     let mut arguments = arguments.into_iter().peekable();
-    let task = arguments.next_if(|word| matches!(word.as_str(), "all" | "again" | "difficulty" | "adversary" | "speed")).unwrap_or_default();
+    let task = arguments
+        .next_if(|word| matches!(word.as_str(), "all" | "again" | "difficulty" | "adversary" | "speed"))
+        .unwrap_or_default();
     let (mut options, mut levels, mut minutes) = (Options::default(), Vec::new(), 30.0);
     while let Some(argument) = arguments.next() {
         let mut value = || arguments.next().ok_or(format!("{argument} wants a value"));

@@ -45,7 +45,10 @@ impl Options {
 
 /// Flies a level for each aim and records the flights; what went wrong with one keeps no other from being made.
 pub fn record(level: &Arc<Level>, options: &Options) -> Result<(), String> {
-    let made = Aim::ALL.into_iter().filter(|aim| options.wants(*aim)).map(|aim| make(level, aim, options).map_err(|problem| (aim, problem)));
+    let made = Aim::ALL
+        .into_iter()
+        .filter(|aim| options.wants(*aim))
+        .map(|aim| make(level, aim, options).map_err(|problem| (aim, problem)));
     let failed: Vec<String> =
         made.filter_map(Result::err).map(|(aim, problem)| format!("{}: not recorded: {problem}", aim.name())).collect();
     if failed.is_empty() { Ok(()) } else { Err(failed.join("\n")) }
@@ -108,14 +111,18 @@ pub fn fly_again(level: &Arc<Level>, options: &Options) -> Result<(), String> {
 fn changes(before: &Replay, after: &Replay) -> String {
     let outcome = |replay: &Replay| replay.outcome.map_or("unknown", Outcome::name);
     let time = |replay: &Replay| replay.time.map_or_else(|| "unknown".to_owned(), |time| format!("{time:.3} s"));
-    let told = [
+    let figures = [
         ("outcome", outcome(before).to_owned(), outcome(after).to_owned()),
         ("time", time(before), time(after)),
         ("score", before.score.to_string(), after.score.to_string()),
         ("hash", format!("{:016x}", before.hash), format!("{:016x}", after.hash)),
-        ("first second that differs", "none".to_owned(), departs(before, after).map_or_else(|| "none".to_owned(), |at| at.to_string())),
+        (
+            "first second that differs",
+            "none".to_owned(),
+            departs(before, after).map_or_else(|| "none".to_owned(), |at| at.to_string()),
+        ),
     ];
-    let changed = told.into_iter().filter(|(_, before, after)| before != after);
+    let changed = figures.into_iter().filter(|(_, before, after)| before != after);
     let words: Vec<String> = changed.map(|(what, before, after)| format!("{what} {before} is now {after}")).collect();
     if words.is_empty() { "as recorded".to_owned() } else { words.join(", ") }
 }
