@@ -41,7 +41,9 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
         let folder = levels.join(&name);
         match files::create_folder(&folder, |begun| fill(package, begun)) {
             Ok(()) => return Ok(Installed::New(folder)),
-            Err(error) if error.kind() != io::ErrorKind::AlreadyExists => return Err(refused(&error)),
+            Err(error) if error.kind() != io::ErrorKind::AlreadyExists || fs::symlink_metadata(&folder).is_err() => {
+                return Err(refused(&error));
+            }
             Err(_) if is_same(package, &folder) => return Ok(Installed::Already(folder)),
             Err(_) if free_name => {}
             Err(_) => {
