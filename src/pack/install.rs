@@ -44,7 +44,9 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
             Some(other) => levels.join(other),
             None => match files::create_folder(&folder, |begun| fill(package, begun)) {
                 Ok(()) => return Ok(Installed::New(folder)),
-                Err(error) if error.kind() != io::ErrorKind::AlreadyExists => return Err(refused(&error)),
+                Err(error) if error.kind() != io::ErrorKind::AlreadyExists || fs::symlink_metadata(&folder).is_err() => {
+                    return Err(refused(&error));
+                }
                 Err(_) => folder,
             },
         };
@@ -55,6 +57,7 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
         if !free_name {
             let found = format!("{}: there is another level of that name: {differs}", folder.display());
             return Err(vec![format!("{found}; nothing was written, --as NAME gives this one another name")]);
+        }
         }
     }
     Err(vec![format!("{}: there are too many levels named {:?}", levels.display(), package.name)])
