@@ -7,7 +7,7 @@ use crate::view::layout::{Area, DETAILS, Frame, GAP, LINE, MONO_ADVANCE, PADDING
 /// The game's own licence, word for word.
 const LICENCE: &str = include_str!("../../LICENSE");
 /// What was used besides: what it is, and under which licence it comes.
-const PARTS: [(&str, &str); 14] = [
+const PARTS: [(&str, &str); 15] = [
     ("Ubuntu Light, a typeface: Dalton Maag, Canonical", "Ubuntu Font Licence 1.0"),
     ("Hack, a typeface: C. Simpkins, DejaVu, Bitstream", "MIT; Bitstream Vera"),
     ("epaint_default_fonts, which brings both", "MIT or Apache 2.0"),
@@ -19,6 +19,7 @@ const PARTS: [(&str, &str); 14] = [
     ("rand and rand_pcg: random numbers", "MIT or Apache 2.0"),
     ("libm: sines and logarithms, the same everywhere", "MIT"),
     ("clap: the command line", "MIT or Apache 2.0"),
+    ("sha2: hashes; unicode-normalization: names", "MIT or Apache 2.0"),
     ("png: pictures", "MIT or Apache 2.0"),
     ("plotters: charts; zip: levels as one file", "MIT"),
     ("tempfile and cpu-time: files, clocks", "MIT or Apache 2.0"),

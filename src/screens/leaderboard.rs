@@ -297,7 +297,7 @@ mod drawing {
     const RADIUS: f32 = 12.0;
     /// Where the columns stand, from the panel's left edge: rank (its right end), name, time and score (their right ends), with which program
     /// and in which version of the level it was flown, and whether that is proven (its middle).
-    const COLUMNS: [f32; 6] = [80.0, 112.0, 484.0, 640.0, 672.0, 908.0];
+    const COLUMNS: [f32; 6] = [80.0, 112.0, 484.0, 624.0, 652.0, 912.0];
     /// The most digits of a score that stand in their column at the usual size.
     const DIGITS: usize = 11;
 
@@ -372,8 +372,12 @@ mod drawing {
                 if self.prover.is_none() {
                     continue;
                 }
-                let time = self.time(index).map_or("–".to_owned(), clock);
-                canvas.text(&time, column(2, y), style.right());
+                match (self.time(index), self.standing(index)) {
+                    (Some(time), _) => canvas.text(&clock(time), column(2, y), style.right()),
+                    // A score that no flight has may be as wide as both columns.
+                    (None, Some(Standing::Doubtful(_))) => {}
+                    (None, _) => canvas.text("–", column(2, y), quiet.right()),
+                }
                 canvas.text(&version(&self.board.origin(index)), column(4, y), Style { size: DETAILS, ..quiet }.mono());
                 match self.standing(index) {
                     Some(Standing::Proven) => widgets::tick(canvas, column(5, y), 8.0, theme::good()),
