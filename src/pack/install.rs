@@ -58,7 +58,6 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
             let found = format!("{}: there is another level of that name: {differs}", folder.display());
             return Err(vec![format!("{found}; nothing was written, --as NAME gives this one another name")]);
         }
-        }
     }
     Err(vec![format!("{}: there are too many levels named {:?}", levels.display(), package.name)])
 }

@@ -593,15 +593,15 @@ impl App {
             self.choose(name.clone(), true);
         }
         let fresh = Fresh { name, remark };
-        let prover = self.prover(&gain.board, &board);
-        let screen = Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.ways);
-        Ok(Screen::Leaderboard(screen.with_prover(prover)))
+        Ok(self.judged(&gain.board, Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.ways)))
     }
 
-    /// The judge of a level's board.
-    fn prover(&self, level: &str, board: &Board) -> Option<Prover> {
-        let level = self.library.load(level).ok()?;
-        Some(Prover::new(self.scores.clone(), level, board))
+    /// A board with a judge of its rows and the level's own flights, where the level loads.
+    fn judged(&self, name: &str, screen: Leaderboard) -> Screen {
+        let Ok(level) = self.library.load(name) else { return Screen::Leaderboard(screen) };
+        let rivals = footage::rivals(&self.library.folder(name), &level);
+        let prover = Prover::new(self.scores.clone(), level, screen.board());
+        Screen::Leaderboard(screen.with_prover(prover).with_rivals(rivals))
     }
 
     fn leaderboard(&mut self, name: &str) -> Screen {
@@ -632,9 +632,7 @@ impl App {
         match shown {
             Ok((Loaded { board, damage }, others)) => {
                 let damage = (!damage.is_empty()).then(|| damage_text(&damage));
-                let prover = self.prover(name, &board);
-                let screen = Leaderboard::new(subject, board, None, damage, ways).with_other_versions(others);
-                Screen::Leaderboard(screen.with_prover(prover))
+                self.judged(name, Leaderboard::new(subject, board, None, damage, ways).with_other_versions(others))
             }
             Err(error) => {
                 let mut screen = self.level_select(Purpose::Leaderboard);

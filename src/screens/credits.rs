@@ -12,7 +12,7 @@ const FONTS: [(&str, &str); 2] = [
     ("Hack, a typeface: C. Simpkins, DejaVu, Bitstream", "MIT; Bitstream Vera"),
 ];
 /// Crates, by their names before the colon, and their licences.
-const CRATES: [(&str, &str); 17] = [
+const CRATES: [(&str, &str); 18] = [
     ("epaint_default_fonts: both typefaces", "MIT or Apache 2.0"),
     ("macroquad and miniquad: window, keys, drawing", "MIT or Apache 2.0"),
     ("gilrs: gamepads", "MIT or Apache 2.0"),
@@ -24,6 +24,7 @@ const CRATES: [(&str, &str); 17] = [
     ("rand and rand_pcg: random numbers", "MIT or Apache 2.0"),
     ("libm: sines and logarithms, the same everywhere", "MIT"),
     ("clap: the command line", "MIT or Apache 2.0"),
+    ("sha2 and unicode-normalization: hashes, names", "MIT or Apache 2.0"),
     ("png: pictures", "MIT or Apache 2.0"),
     ("plotters: charts", "MIT"),
     ("zip: levels as one file", "MIT"),

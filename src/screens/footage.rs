@@ -1,17 +1,19 @@
 //! Recorded flights on disk, as the screens list them, read them and keep them.
 
 use super::flights::{Candidate, Source, Visit};
+use super::leaderboard::BoardRival;
 use super::new_file::NewFile;
-use crate::files::{INPUTS, read_text};
-use crate::game::{Fingerprint, Replay};
+use crate::files::{INPUTS, LEVEL_TABLE, read_text};
+use crate::game::{Fingerprint, Outcome, Replay};
 use crate::level::Level;
 use crate::scores::{Board, Name, Scores};
 use std::path::{Path, PathBuf};
 
 /// The folder in a level's with its own flights, and each of them: file, name, what it shows.
 const FLIGHTS: &str = "flights";
-const OWN: [(&str, &str, &str); 3] = [
+const OWN: [(&str, &str, &str); 4] = [
     ("gold", "Gold", "the level's own, for gold"),
+    ("silver", "Silver", "the level's own, for silver"),
     ("mark", "Mark", "the level's own, for its mark"),
     ("careful", "Careful", "the level's own, slow and safe"),
 ];
@@ -51,6 +53,17 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
         if yours { best = Some(candidate) } else { rows.push(candidate) }
     }
     flown.into_iter().chain(best).chain(own).chain(rows).collect()
+}
+
+/// The level's own flights as rivals on its board: those that were flown in this version of it. None is so long as to need more than a table.
+pub fn rivals(folder: &Path, level: &Level) -> Vec<BoardRival> {
+    let here = Fingerprint::of(level);
+    let rival = |(file, name, _): &(&str, &'static str, &str)| {
+        let text = read_text(&folder.join(FLIGHTS).join(format!("{file}{ENDING}")), LEVEL_TABLE).ok()?;
+        let replay = Replay::parse(file, &text).ok().filter(|replay| replay.level_hash.is_some_and(|hash| here.is(hash)))?;
+        (replay.outcome == Some(Outcome::Completed)).then_some(BoardRival { name, score: replay.score, time: replay.time })
+    };
+    OWN.iter().filter_map(rival).collect()
 }
 
 /// The record of one of them, which was flown in that level.

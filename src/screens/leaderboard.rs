@@ -42,11 +42,35 @@ pub struct Fresh {
     pub remark: Option<String>,
 }
 
+/// A flight of the level's own, which stands among the rows without a rank.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BoardRival {
+    /// Its name.
+    pub name: &'static str,
+    /// Points.
+    pub score: i64,
+    /// s, where its record says it.
+    pub time: Option<f64>,
+}
+
+/// A line of the screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoardLine {
+    /// A row of the board, by its index.
+    Row(usize),
+    /// A flight of the level's own, by its index.
+    Rival(usize),
+}
+
 /// The leaderboard screen.
 #[derive(Debug)]
 pub struct Leaderboard {
     subject: String,
     board: Board,
+    /// The level's own flights, the best first.
+    rivals: Vec<BoardRival>,
+    /// The rows, and the rivals where their scores are.
+    lines: Vec<BoardLine>,
     /// Judges the rows; the jumper's board has no judge.
     prover: Option<Prover>,
     /// Whose row was just saved.
@@ -67,7 +91,9 @@ impl Leaderboard {
         let (saved, remark) = fresh.map(|fresh| (fresh.name, fresh.remark)).unzip();
         let (scroll, buttons) = (Scroll::of_pages(), Buttons::default());
         let remark = remark.flatten();
-        let mut screen = Self { subject, board, prover: None, saved, damage, remark, scroll, ways, buttons };
+        let (rivals, lines) = (Vec::new(), Vec::new());
+        let mut screen = Self { subject, board, rivals, lines, prover: None, saved, damage, remark, scroll, ways, buttons };
+        screen.sort_in();
         screen.show_saved();
         screen
     }
@@ -75,9 +101,48 @@ impl Leaderboard {
     /// Scrolls to the row just saved.
     fn show_saved(&mut self) {
         self.place(&Frame::default());
-        if let Some(row) = self.saved() {
-            self.scroll.show(row);
+        if let Some(line) = self.saved().and_then(|row| self.lines.iter().position(|line| *line == BoardLine::Row(row))) {
+            self.scroll.show(line);
         }
+    }
+
+    /// The same with the level's own flights.
+    #[must_use]
+    pub fn with_rivals(mut self, mut rivals: Vec<BoardRival>) -> Self {
+        rivals.sort_by_key(|rival| std::cmp::Reverse(rival.score));
+        self.rivals = rivals;
+        self.sort_in();
+        self.show_saved();
+        self
+    }
+
+    /// Puts each rival behind the rows that may hold and are worth as much.
+    fn sort_in(&mut self) {
+        let rows = self.board.rows();
+        let fails = |row: usize| matches!(self.standing(row), Some(Standing::Doubtful(_)));
+        let holds = |row: usize| self.board.origin(row).flight.is_some() && !fails(row);
+        let mut lines: Vec<BoardLine> = (0..rows.len()).map(BoardLine::Row).collect();
+        for (number, rival) in self.rivals.iter().enumerate().rev() {
+            let ahead = (0..rows.len()).take_while(|&row| holds(row) && rows[row].score >= rival.score).count();
+            lines.insert(ahead, BoardLine::Rival(number));
+        }
+        self.lines = lines;
+    }
+
+    /// The lines, best first.
+    pub fn lines(&self) -> &[BoardLine] {
+        &self.lines
+    }
+
+    /// The level's own flights, by their lines.
+    pub fn rivals(&self) -> &[BoardRival] {
+        &self.rivals
+    }
+
+    /// The rows in view.
+    fn rows_in_view(&self) -> Vec<usize> {
+        let rows = self.lines.get(self.scroll.range()).unwrap_or_default().iter();
+        rows.filter_map(|line| if let BoardLine::Row(row) = line { Some(*row) } else { None }).collect()
     }
 
     /// The same with word of so many other versions of the level that have boards of their own.
@@ -92,11 +157,10 @@ impl Leaderboard {
 
     /// The same with a judge of the rows.
     #[must_use]
-    pub fn with_prover(mut self, prover: Option<Prover>) -> Self {
-        self.prover = prover;
-        if let Some(prover) = &mut self.prover {
-            prover.rank(&mut self.board);
-        }
+    pub fn with_prover(mut self, mut prover: Prover) -> Self {
+        prover.rank(&mut self.board);
+        self.prover = Some(prover);
+        self.sort_in();
         self.show_saved();
         self
     }
@@ -112,7 +176,7 @@ impl Leaderboard {
 
     /// What is wrong with the first row in view that does not hold.
     pub fn doubt(&self) -> Option<String> {
-        self.range().find_map(|row| match self.standing(row)? {
+        self.rows_in_view().into_iter().find_map(|row| match self.standing(row)? {
             Standing::Doubtful(doubt) => Some(format!("{} does not hold: {doubt}.", self.board.rows()[row].name)),
             Standing::Proven | Standing::Unproven => None,
         })
@@ -132,8 +196,9 @@ impl Leaderboard {
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
         self.place(&input.frame);
-        if let Some(prover) = &mut self.prover {
-            prover.update(&mut self.board, self.scroll.range(), input.worked());
+        let view = self.rows_in_view();
+        if self.prover.as_mut().is_some_and(|prover| prover.update(&mut self.board, view, input.worked())) {
+            self.sort_in();
         }
         // Where Enter and Esc are all that the buttons need, all arrows turn pages.
         let turns = self.ways.len() <= 2;
@@ -157,7 +222,7 @@ impl Leaderboard {
         &self.board
     }
 
-    /// The rows in view.
+    /// The lines in view.
     pub fn range(&self) -> std::ops::Range<usize> {
         self.scroll.range()
     }
@@ -195,7 +260,7 @@ impl Leaderboard {
     fn place(&mut self, frame: &Frame) {
         let panel = panel(frame);
         let rows = panel.min.y + HEAD;
-        self.scroll.place(self.board.rows().len(), PAGE, bar_beside(panel, rows, rows + PAGE as f32 * ROW));
+        self.scroll.place(self.lines.len(), PAGE, bar_beside(panel, rows, rows + PAGE as f32 * ROW));
         self.buttons.place(frame.row(self.ways.len(), panel.max().y + FOOT));
     }
 }
@@ -219,7 +284,7 @@ fn panel(frame: &Frame) -> Area {
 
 #[cfg(feature = "window")]
 mod drawing {
-    use super::{HEAD, Leaderboard, PAGE, ROW, panel};
+    use super::{BoardLine, HEAD, Leaderboard, PAGE, ROW, panel};
     use crate::level::Awards;
     use crate::number::clock;
     use crate::scores::{Origin, Standing};
@@ -232,7 +297,7 @@ mod drawing {
     const RADIUS: f32 = 12.0;
     /// Where the columns stand, from the panel's left edge: rank (its right end), name, time and score (their right ends), with which program
     /// and in which version of the level it was flown, and whether that is proven (its middle).
-    const COLUMNS: [f32; 6] = [80.0, 112.0, 484.0, 640.0, 672.0, 908.0];
+    const COLUMNS: [f32; 6] = [80.0, 112.0, 484.0, 624.0, 652.0, 912.0];
     /// The most digits of a score that stand in their column at the usual size.
     const DIGITS: usize = 11;
 
@@ -253,7 +318,7 @@ mod drawing {
             } else if let Some(remark) = &self.remark {
                 canvas.text(remark, message, quiet.centred());
             }
-            if self.board.rows().is_empty() {
+            if self.lines.is_empty() {
                 canvas.text("No scores yet. Be the first!", panel.centre(), quiet.centred());
             } else {
                 self.draw_rows(canvas, panel, quiet);
@@ -274,10 +339,22 @@ mod drawing {
                 canvas.text("Version", column(4, head), quiet);
                 canvas.text("Proven", column(5, head), quiet.centred());
             }
-            for (line, index) in self.scroll.range().enumerate() {
-                let row = &self.board.rows()[index];
-                let top = panel.min.y + HEAD + line as f32 * ROW;
+            for (at, line) in self.lines.get(self.scroll.range()).unwrap_or_default().iter().enumerate() {
+                let top = panel.min.y + HEAD + at as f32 * ROW;
                 let y = top + ROW / 2.0;
+                let index = match *line {
+                    BoardLine::Row(index) => index,
+                    BoardLine::Rival(number) => {
+                        let rival = &self.rivals[number];
+                        let number = quiet.mono();
+                        canvas.text(rival.name, column(1, y), quiet);
+                        canvas.text(&rival.time.map_or("–".to_owned(), clock), column(2, y), number.right());
+                        canvas.text(&rival.score.to_string(), column(3, y), number.right());
+                        canvas.text("level's own", column(5, y), quiet.centred());
+                        continue;
+                    }
+                };
+                let row = &self.board.rows()[index];
                 if self.saved() == Some(index) {
                     let area = Area::new(panel.min.x + 16.0, top + 2.0, panel.size.x - 48.0, ROW - 4.0);
                     canvas.rounded(area, 6.0, theme::panel_hover());
@@ -295,8 +372,12 @@ mod drawing {
                 if self.prover.is_none() {
                     continue;
                 }
-                let time = self.time(index).map_or("–".to_owned(), clock);
-                canvas.text(&time, column(2, y), style.right());
+                match (self.time(index), self.standing(index)) {
+                    (Some(time), _) => canvas.text(&clock(time), column(2, y), style.right()),
+                    // A score that no flight has may be as wide as both columns.
+                    (None, Some(Standing::Doubtful(_))) => {}
+                    (None, _) => canvas.text("–", column(2, y), quiet.right()),
+                }
                 canvas.text(&version(&self.board.origin(index)), column(4, y), Style { size: DETAILS, ..quiet }.mono());
                 match self.standing(index) {
                     Some(Standing::Proven) => widgets::tick(canvas, column(5, y), 8.0, theme::good()),
@@ -312,7 +393,7 @@ mod drawing {
             if let Some(bar) = self.scroll.bar() {
                 widgets::scroll_bar(canvas, bar.track, bar.handle, bar.held);
             }
-            let rows = self.board.rows().len();
+            let rows = self.lines.len();
             if rows > PAGE {
                 let range = self.scroll.range();
                 let text = format!("{}–{} of {rows}", range.start + 1, range.end);

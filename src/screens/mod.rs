@@ -64,7 +64,7 @@ pub use instruments::vary::{Entry as VaryEntry, From as VaryFrom, Line as VaryLi
 pub use instruments::{Instruments, Measures, Plot, PlotPlaces, Reading, Stage, Table as Figures, Tool as Instrument};
 pub use jumper::{Jumper, Press as JumperPress};
 pub use lab::{Experiment, Half, Lab, Line, PAGES, Page, Shown};
-pub use leaderboard::{Fresh, Leaderboard, Way};
+pub use leaderboard::{BoardLine, BoardRival, Fresh, Leaderboard, Way};
 pub use level_select::{Entry, LevelSelect, Purpose};
 pub use library::Library;
 pub use menu::{Facts, Menu};

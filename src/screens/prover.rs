@@ -3,7 +3,6 @@
 use crate::game::Medals;
 use crate::level::Level;
 use crate::scores::{Board, Judge, Name, Scores, Standing};
-use std::ops::Range;
 use std::sync::Arc;
 
 /// How many ticks are flown in a frame, and where the frame before took longer than that, s: some ms.
@@ -40,22 +39,24 @@ impl Prover {
         self.judge.medals(name)
     }
 
-    /// Ranks the rows by what is known of them.
-    pub fn rank(&mut self, board: &mut Board) {
-        if self.ranked.replace(self.judge.failed()) != Some(self.judge.failed()) {
+    /// Ranks the rows by what is known of them; whether more is known than when that was last done.
+    pub fn rank(&mut self, board: &mut Board) -> bool {
+        let news = self.ranked.replace(self.judge.failed()) != Some(self.judge.failed());
+        if news {
             board.rank_by(|name| self.judge.fails(name));
         }
+        news
     }
 
-    /// One frame, in which those rows are in view.
-    pub fn update(&mut self, board: &mut Board, view: Range<usize>, frame_time: f64) {
+    /// One frame, in which those rows are in view; whether the board is ranked otherwise now.
+    pub fn update(&mut self, board: &mut Board, view: impl IntoIterator<Item = usize>, frame_time: f64) -> bool {
         if frame_time <= 0.0 {
-            return;
+            return false;
         }
         // To read a file is enough for a frame.
         if self.judge.begin(board, view).is_none() {
             self.judge.fly(if frame_time > SLOW_FRAME { TICKS_A_SLOW_FRAME } else { TICKS_A_FRAME });
         }
-        self.rank(board);
+        self.rank(board)
     }
 }

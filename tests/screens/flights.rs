@@ -1,11 +1,11 @@
 //! Flights that were flown are watched, kept and raced, from the score, from the board and from the list of levels.
 
 use crate::sitting::{HERE, Sitting, level};
-use resultant::game::{Game, Outcome, Replay};
+use resultant::game::{Game, Medal, Outcome, Replay};
 use resultant::number::hundredths;
 use resultant::pack;
 use resultant::scores::Standing;
-use resultant::screens::{Gap, Input, Instrument, Key, MOST_RIVALS, Screen, Spectator, Split};
+use resultant::screens::{BoardLine, Gap, Input, Instrument, Key, MOST_RIVALS, Screen, Spectator, Split};
 use resultant::view::layout::Vec2;
 use resultant::view::quantity::scalar;
 use std::fs;
@@ -184,6 +184,41 @@ fn a_saved_score_has_its_flight_and_a_tick_on_the_board() {
     assert_eq!(sitting.leaderboard().standing(1), Some(&Standing::Unproven));
     assert_eq!(sitting.leaderboard().board().rows()[1].name.as_str(), "old", "it outranks no row that has a flight");
     assert!(sitting.leaderboard().doubt().unwrap().starts_with("ann does not hold: the row says 19999 points"));
+}
+
+#[test]
+fn the_levels_own_flights_stand_on_its_board_among_those_that_hold() {
+    let mut sitting = sitting();
+    save_as(&mut sitting, "ann", 0);
+    let file = sitting.scores_file("0.csv").lines().nth(1).unwrap().split(',').nth(2).unwrap().to_owned();
+    let ann = sitting.scores_file(&format!("flights/0/{file}"));
+    let score = Replay::parse("ann", &ann).unwrap().score;
+    let own = sitting.folder.path().join("levels/0/flights");
+    fs::create_dir_all(&own).unwrap();
+    for (name, points) in [("gold", score + 1), ("mark", score), ("careful", 1)] {
+        let text = ann.replace(&format!("# score: {score}"), &format!("# score: {points}"));
+        fs::write(own.join(format!("{name}.replay.csv")), text).unwrap();
+    }
+    // One of another version of the level is no rival.
+    let other = ann.lines().map(|line| if line.starts_with("# level_hash") { "# level_hash: 0123456789abcdef" } else { line });
+    fs::write(own.join("silver.replay.csv"), other.collect::<Vec<_>>().join("\n")).unwrap();
+    let board = sitting.scores_file("0.csv");
+    fs::write(sitting.folder.path().join("scores/0.csv"), board + "old,20900\nbad,20800,none.replay.csv,,\n").unwrap();
+    sitting.press(Key::Escape).choose(2).choose(0).wait(0.5);
+    let screen = sitting.leaderboard();
+    let shown: Vec<String> = (screen.lines().iter())
+        .map(|line| match *line {
+            BoardLine::Row(row) => screen.board().rows()[row].name.to_string(),
+            BoardLine::Rival(rival) => screen.rivals()[rival].name.to_owned(),
+        })
+        .collect();
+    assert_eq!(shown, ["Gold", "ann", "Mark", "Careful", "bad", "old"]);
+    assert_eq!((screen.range(), screen.medals(0).medal, screen.time(1)), (0..6, Some(Medal::Bronze), None));
+    // In the list of flights each says its time and score, once its record has been read.
+    sitting.choose(0).wait(0.3);
+    assert_eq!(sitting.at(), "flights");
+    let known = sitting.flights().candidates().iter().map(|flight| (flight.time.is_some(), flight.score.is_some()));
+    assert_eq!(known.collect::<Vec<_>>(), [(true, true), (true, true), (true, true), (true, true), (true, true), (false, true)]);
 }
 
 #[test]
