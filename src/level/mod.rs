@@ -36,7 +36,7 @@ mod words;
 mod world_def;
 
 pub use awards::{Awards, Mark};
-pub use folder::{list, load, title};
+pub use folder::{is_shipped, list, load, title};
 pub use image::read_picture;
 pub use name::{NameFault, judge_name};
 pub use names::FILES;

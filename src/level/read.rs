@@ -81,6 +81,19 @@ pub(super) struct Draft {
 /// # Errors
 /// Every problem in every file, in the order of files and lines.
 pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
+    read_as(name, files, true)
+}
+
+/// As much of a level as can be flown: for that a ship and a size are enough. Rows that cannot be read are left out, and whether it can be won
+/// is not asked.
+///
+/// # Errors
+/// Why it cannot be flown either.
+pub(super) fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
+    read_as(name, files, false)
+}
+
+fn read_as(name: &str, files: &dyn Files, finished: bool) -> Result<Loaded, Vec<Problem>> {
     let mut reader = Reader { files, scale: Scale { metre: 1.0 }, problems: Vec::new(), warnings: Vec::new() };
     reader.strays();
     let constants = reader.constants();
@@ -93,10 +106,14 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
         None => reader.plain_size(&constants),
     };
     let draft = reader.draft(size, [constants.gravity, constants.gravity_x]);
-    reader.problems.extend(names::check(&draft));
+    if finished {
+        reader.problems.extend(names::check(&draft));
+    } else if draft.player.is_some() && draft.size.is_some() {
+        reader.problems.clear();
+    }
     reader.problems.extend(strength::check(&draft));
     reader.problems.extend(placement::check(&draft));
-    if let (Some(player), Some(size), true) = (&draft.player, draft.size, reader.problems.is_empty()) {
+    if let (Some(player), Some(size), true) = (&draft.player, draft.size, finished && reader.problems.is_empty()) {
         reader.problems.extend(winnable::check(&draft, &player.item, size / draft.scale.metre));
     }
     let Reader { mut problems, mut warnings, .. } = reader;

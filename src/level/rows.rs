@@ -21,7 +21,7 @@ pub(super) const OBSTACLES: Layout = Layout { file: "obstacles.csv", columns: "x
 pub(super) const HAZARDS: Layout =
     Layout { file: "hazards.csv", columns: "x,y,width,height,stream_width,stream_height,force_x,force_y,[shaded],[name]" };
 pub(super) const FLUIDS: Layout = Layout { file: "fluids.csv", columns: "x,y,width,height,density,viscosity,[r],[g],[b]" };
-pub(super) const TEXTS: Layout = Layout { file: "texts.csv", columns: "x,y,size,text" };
+pub(super) const TEXTS: Layout = Layout { file: "texts.csv", columns: "x,y,size,text,[r],[g],[b]" };
 /// The rows PLAYER and PHYS of objectives.csv, and what all its rows begin with.
 pub(super) const BLOCKS: Layout = Layout { file: "objectives.csv", columns: "kind,x,y,width,height,[hold],[order],[r],[g],[b]" };
 /// The rows OBJECT of objectives.csv; restitution and drag stand the other way round than in objects.csv.
@@ -139,6 +139,9 @@ struct TextRow {
     y: CellText,
     size: CellText,
     text: CellText,
+    r: CellText,
+    g: CellText,
+    b: CellText,
 }
 
 /// The cells x, y, width and height of a row.
@@ -337,7 +340,10 @@ pub(super) fn text(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -
     let position = point(record, [cell!(row.x), cell!(row.y)], scale, problems);
     let size = record.number(cell!(row.size), scale.size(), problems);
     let text = record.words(cell!(row.text), problems);
-    Some(Text { position: position?, size: size? / scale.metre, text: text? })
+    let channels = [cell!(row.r), cell!(row.g), cell!(row.b)];
+    let given = channels.iter().any(|(_, text)| text.is_given());
+    let colour = if given { colour(record, channels, None, problems).map(Some) } else { Some(None) };
+    Some(Text { position: position?, size: size? / scale.metre, text: text?, colour: colour? })
 }
 
 /// A row that is a block and nothing more: where it is, in metres.

@@ -11,7 +11,7 @@ pub use archive::{read, write};
 pub use install::{Installed, install};
 
 use crate::game::Replay;
-use crate::level::{self, FILES, Files, Level, Loaded, Look};
+use crate::level::{self, FILES, Files, Loaded};
 use crate::{files, level::Problem};
 use std::collections::BTreeMap;
 use std::io;
@@ -78,22 +78,13 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
             None => left.push(path),
         }
     }
-    for picture in pictures(&level) {
+    for picture in level.pictures() {
         let own = picture.strip_prefix(folder).or_else(|_| picture.strip_prefix(project)).unwrap_or(picture);
         let parts: Vec<_> = own.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
         take(parts.join("/"), picture, files::PICTURE)?;
     }
     check(&package, project)?;
     Ok((package, left))
-}
-
-/// The pictures that a level's objects and decoration show.
-fn pictures(level: &Level) -> impl Iterator<Item = &Path> {
-    let objects = level.objects.iter().filter_map(|object| match &object.look {
-        Look::Image(path) => Some(path.as_path()),
-        Look::Box | Look::Ball => None,
-    });
-    objects.chain(level.decoration.iter().map(|picture| picture.image.as_path()))
 }
 
 fn listed(folder: &Path) -> Result<Vec<String>, Vec<String>> {

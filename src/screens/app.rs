@@ -5,9 +5,9 @@ use super::journal::{Journal, damage_text, rescue_text};
 use super::leaderboard::subject;
 use super::library::{Library, Refusal};
 use super::{
-    Attempt, Classic, Classics, Editor, Facts, Flight, FlightCandidate, Flights, Flown, FolderWatch, Fresh, Gain, Input, Jumper,
-    Key, Lab, Leaderboard, LevelSelect, Menu, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring, Screen, SettingsPanel,
-    Source, Spectator, TileRun, Visit, Watch, Way, footage, jumper,
+    Attempt, Classic, Classics, Clipboard, Editor, Facts, Flight, FlightCandidate, Flights, Flown, FolderWatch, Fresh, Gain, Input,
+    Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring, Screen,
+    SettingsPanel, Source, Spectator, TileRun, Visit, Watch, Way, footage, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Medals, Outcome, Reel, RunResult, TICK_RATE, level_hash};
@@ -65,6 +65,10 @@ pub struct App {
     pub(super) watch: Option<FolderWatch>,
     /// The editor, while what is edited is flown.
     pub(super) editing: Option<Box<Editor>>,
+    /// The flight that editing began from, and its level's folder.
+    pub(super) behind: Option<(Box<Flight>, PathBuf)>,
+    /// What is copied to be pasted.
+    pub(super) clipboard: Clipboard,
 }
 
 /// A score to be saved as soon as another program lets go of the board.
@@ -99,6 +103,8 @@ impl App {
             waiting: None,
             watch: None,
             editing: None,
+            behind: None,
+            clipboard: Clipboard::default(),
         }
     }
 
@@ -133,7 +139,7 @@ impl App {
         if input.pressed.has(Key::F11) || alt_enter {
             self.set(Settings { fullscreen: !self.settings.fullscreen, ..self.settings });
         }
-        let mut input = Input { settings: self.settings, ..input.clone() };
+        let mut input = Input { settings: self.settings, clipboard: self.clipboard.clone(), ..input.clone() };
         input.pressed = input.pressed.without(Key::F11);
         if alt_enter {
             input.pressed = input.pressed.without(Key::Enter);
@@ -191,7 +197,9 @@ impl App {
                 }
             }
             Request::Restart => return self.restart(spectator),
-            Request::Edit(name) => self.edit(&name),
+            Request::Edit(name) => self.edit_or_copy(&name),
+            Request::EditOriginal(name) => self.edit(&name),
+            Request::LeaveEditor => self.leave_editor(spectator),
             Request::Make(make) => match self.make(&make) {
                 Ok(screen) => screen,
                 Err(reason) => {
@@ -202,7 +210,7 @@ impl App {
                 }
             },
             Request::SaveVaried(variation, name) => return self.save_varied(&variation, &name),
-            Request::TestFly(level) => self.test_fly(level, spectator),
+            Request::TestFly(level, left) => self.test_fly(level, left, spectator),
             Request::BackToEditor(how) => self.back_to_editor(how),
             Request::Attempt(attempt) => self.flight(attempt, spectator),
             // Nothing comes of an experiment but what was seen.
@@ -313,7 +321,7 @@ impl App {
     pub(super) fn flight(&mut self, attempt: Attempt, spectator: &mut dyn Spectator) -> Screen {
         let name = attempt.level.name.clone();
         self.last_level = Some(name.clone());
-        self.ended = None;
+        (self.ended, self.behind) = (None, None);
         self.watch = Some(self.library.watch(&attempt.level));
         match Flight::new(attempt, spectator) {
             Ok(mut flight) => {

@@ -1,9 +1,9 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
-use super::editor::Sheets;
+use super::editor::{self, Sheets};
 use super::pad::Pads;
 use super::watch::above;
-use super::{Answer, App, Attempt, Flight, Input, Instruments, Key, Keys, Noise, Places, Request, Screen, Spectator, Watch};
+use super::{Answer, App, Attempt, Flight, Input, Instruments, Key, Keyed, Keys, Noise, Places, Request, Screen, Spectator, Watch};
 use crate::game::Game;
 use crate::level;
 use crate::physics::{BodyId, DVec2};
@@ -14,10 +14,11 @@ use crate::view::layout::{Area, DESIGN, Vec2};
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
 use macroquad::input::{
-    KeyCode, MouseButton, get_char_pressed, get_dropped_files, is_key_down, is_key_pressed, is_mouse_button_down,
-    is_mouse_button_pressed, mouse_position, mouse_wheel,
+    KeyCode, MouseButton, clear_input_queue, get_dropped_files, is_key_down, is_key_pressed, is_mouse_button_down,
+    is_mouse_button_pressed, mouse_position, mouse_wheel, utils,
 };
 use macroquad::miniquad::conf::Conf;
+use macroquad::miniquad::{EventHandler, KeyMods};
 use macroquad::time::{get_fps, get_frame_time, get_time};
 use macroquad::window::{next_frame, set_fullscreen};
 use std::cell::RefCell;
@@ -57,8 +58,8 @@ const MORE_KEYS: [(KeyCode, Key); 8] = [
 pub enum Start {
     /// An attempt at the level in that folder.
     Play(PathBuf, Attempt),
-    /// The editor of the level in that folder, which has that name.
-    Edit(PathBuf, String),
+    /// The editor of the level in that folder, which has that name; of itself, also where it comes with the game.
+    Edit(PathBuf, String, bool),
 }
 
 /// Opens the window, in a level where one is given, and returns when it is closed.
@@ -104,17 +105,22 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     let mut canvas = Canvas::new()?;
     let mut theatre = Theatre::new(Speaker::new());
     let mut app = App::new(places);
+    app.clipboard.of_system = true;
     match start {
         Some(Start::Play(folder, attempt)) => app.begin(&folder, Request::Attempt(attempt), &mut theatre),
-        Some(Start::Edit(folder, name)) => app.begin(&folder, Request::Edit(name), &mut theatre),
+        Some(Start::Edit(folder, name, false)) => app.begin(&folder, Request::Edit(name), &mut theatre),
+        Some(Start::Edit(folder, name, true)) => app.begin(&folder, Request::EditOriginal(name), &mut theatre),
         None => {}
     }
     let mut pads = Pads::new();
     let mut fullscreen = false;
+    let typist = utils::register_input_subscriber();
     loop {
         theme::wear(app.settings().palette);
-        canvas.begin(text_scale(&app))?;
-        let mut input = read_input(&canvas, pads.read());
+        canvas.begin(text_scale(&app, canvas.frame().pixel))?;
+        let mut typed = Typist::default();
+        utils::repeat_all_miniquad_input(&mut typed, typist);
+        let mut input = read_input(&canvas, pads.read(), typed);
         (input.pointed, input.place) = theatre.pointed(app.screen(), &input);
         if !app.update(&input, &mut theatre) {
             return Ok(());
@@ -130,14 +136,49 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     }
 }
 
-/// How large words are on this screen: those of a flight as the player wants them; the others stand in panels made for them.
-fn text_scale(app: &App) -> f32 {
+/// How large words are on this screen, with so many canvas units a pixel: those of a flight as the player wants them; the editor leaves a large
+/// window to the picture; the others stand in panels made for them.
+fn text_scale(app: &App, pixel: f32) -> f32 {
+    if let Screen::Editor(_) = app.screen() {
+        return editor::text_scale(pixel);
+    }
     let scale = f32::from(app.settings().scale) / 100.0;
     let flown = matches!(app.screen(), Screen::Flight(flight) if flight.pause().is_none());
     if flown || matches!(app.screen(), Screen::Watch(_)) { scale } else { 1.0 }
 }
 
-fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
+/// What was typed since the last frame, in order.
+#[derive(Default)]
+struct Typist {
+    typed: String,
+    keyed: Vec<Keyed>,
+}
+
+impl EventHandler for Typist {
+    fn update(&mut self) {}
+
+    fn draw(&mut self) {}
+
+    fn char_event(&mut self, character: char, held: KeyMods, _repeat: bool) {
+        // Ctrl with Alt types letters on some keyboards.
+        if !(held.ctrl && !held.alt || held.logo || character.is_control()) {
+            self.typed.push(character);
+        }
+    }
+
+    fn key_down_event(&mut self, code: KeyCode, mods: KeyMods, repeat: bool) {
+        let key = KEYS.iter().chain(&MORE_KEYS).find(|(known, _)| *known == code);
+        if let (Some((_, key)), false) = (key, repeat) {
+            let modifiers = [(mods.shift, Key::Shift), (mods.ctrl || mods.logo, Key::Control), (mods.alt, Key::Alt)];
+            let held = modifiers.into_iter().filter(|(held, _)| *held).map(|(_, key)| key).collect();
+            self.keyed.push(Keyed { key: *key, after: self.typed.chars().count(), held });
+        }
+    }
+}
+
+fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), Typist { typed, keyed }: Typist) -> Input {
+    // What was typed comes from the typist: macroquad's own list of it would grow without end.
+    clear_input_queue();
     let keys = |is: fn(KeyCode) -> bool| {
         KEYS.iter().chain(&MORE_KEYS).filter(|(code, _)| is(*code)).map(|(_, key)| *key).collect::<Keys>()
     };
@@ -153,7 +194,8 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
         wheel: mouse_wheel().1.clamp(-1.0, 1.0),
         pressed: keys(is_key_pressed) | pad_pressed,
         held: keys(is_key_down) | pad_held,
-        typed: std::iter::from_fn(get_char_pressed).collect(),
+        typed,
+        keyed,
         dropped: get_dropped_files().into_iter().filter_map(|file| file.path).collect(),
         ..Input::default()
     }
