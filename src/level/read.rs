@@ -84,8 +84,8 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     read_as(name, files, true)
 }
 
-/// As much of a level as can be flown: for that a ship and a size are enough. Rows that cannot be read are left out, and whether it can be won
-/// is not asked.
+/// As much of a level as can be flown: for that a ship and a size are enough. Rows that cannot be read are left out, so are objects and streams
+/// that cannot be where or as they are, and whether it can be won is not asked.
 ///
 /// # Errors
 /// Why it cannot be flown either.
@@ -105,11 +105,15 @@ fn read_as(name: &str, files: &dyn Files, finished: bool) -> Result<Loaded, Vec<
         }
         None => reader.plain_size(&constants),
     };
-    let draft = reader.draft(size, [constants.gravity, constants.gravity_x]);
+    let mut draft = reader.draft(size, [constants.gravity, constants.gravity_x]);
     if finished {
         reader.problems.extend(names::check(&draft));
     } else if draft.player.is_some() && draft.size.is_some() {
         reader.problems.clear();
+        let left: Vec<Problem> = strength::check(&draft).into_iter().chain(placement::check(&draft)).collect();
+        let fits = |file: &str, line: usize| !left.iter().any(|problem| problem.file == file && problem.line == line);
+        draft.objects.retain(|object| fits(object.file, object.line));
+        draft.streams.retain(|stream| fits(stream.file, stream.line));
     }
     reader.problems.extend(strength::check(&draft));
     reader.problems.extend(placement::check(&draft));

@@ -214,7 +214,7 @@ pub(super) fn objective(kind: ObjectiveKind, record: &Record, scale: Scale, prob
             problems.push(record.problem(column, quoted(text.as_str()?), "nothing: only key objects have a colour that can fit"));
             None
         }
-        Some(_) => colour(record, channels, None, problems).map(Some),
+        Some(_) => colour_if_given(record, channels, problems),
     };
     Some(Objective { kind, bounds: bounds?, hold: hold?, order: order?, colour: colour? })
 }
@@ -340,9 +340,10 @@ pub(super) fn text(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -
     let position = point(record, [cell!(row.x), cell!(row.y)], scale, problems);
     let size = record.number(cell!(row.size), scale.size(), problems);
     let text = record.words(cell!(row.text), problems);
-    let channels = [cell!(row.r), cell!(row.g), cell!(row.b)];
-    let given = channels.iter().any(|(_, text)| text.is_given());
-    let colour = if given { colour(record, channels, None, problems).map(Some) } else { Some(None) };
+    let before = problems.len();
+    let colour = colour_if_given(record, [cell!(row.r), cell!(row.g), cell!(row.b)], problems);
+    // More likely than a wrong colour.
+    problems[before..].iter_mut().for_each(|problem| problem.expected += " (words that hold a comma stand in quotes)");
     Some(Text { position: position?, size: size? / scale.metre, text: text?, colour: colour? })
 }
 
@@ -395,6 +396,23 @@ pub(super) fn material(record: &Record, cell: Given, problems: &mut Vec<Problem>
     })
 }
 
+/// The cells r, g and b, which may be left out together.
+fn colour_if_given(record: &Record, cells: [Given; 3], problems: &mut Vec<Problem>) -> Option<Option<[u8; 3]>> {
+    if cells.iter().all(|(_, text)| !text.is_given()) {
+        return Some(None);
+    }
+    let before = problems.len();
+    let colour = colour(record, cells, None, problems);
+    // A cell that is no colour says enough.
+    if let (Some((column, _)), true) = (cells.iter().find(|(_, text)| text.as_str().is_none()), problems.len() == before) {
+        problems.push(record.problem(column, "nothing", COLOURS));
+    }
+    colour.map(Some)
+}
+
+/// What is expected of a colour's channel.
+const COLOURS: &str = "a whole number from 0 to 255";
+
 /// The cells r, g and b; required where there is no default.
 fn colour(record: &Record, cells: [Given; 3], default: Option<[u8; 3]>, problems: &mut Vec<Problem>) -> Option<[u8; 3]> {
     let channels = [0, 1, 2].map(|i| match default {
@@ -402,7 +420,7 @@ fn colour(record: &Record, cells: [Given; 3], default: Option<[u8; 3]>, problems
         _ => record.parse(cells[i], problems, |text| match q::COLOUR.parse(text) {
             // In range and whole, so the conversion is exact.
             Ok(value) if value.fract() == 0.0 => Ok(value as u8),
-            _ => Err("a whole number from 0 to 255".into()),
+            _ => Err(COLOURS.into()),
         }),
     });
     let [r, g, b] = channels;

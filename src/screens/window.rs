@@ -14,7 +14,7 @@ use crate::view::layout::{Area, DESIGN, Vec2};
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
 use macroquad::input::{
-    KeyCode, MouseButton, clear_input_queue, get_dropped_files, is_key_down, is_key_pressed, is_mouse_button_down,
+    KeyCode, MouseButton, get_char_pressed, get_dropped_files, is_key_down, is_key_pressed, is_mouse_button_down,
     is_mouse_button_pressed, mouse_position, mouse_wheel, utils,
 };
 use macroquad::miniquad::conf::Conf;
@@ -178,7 +178,7 @@ impl EventHandler for Typist {
 
 fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), Typist { typed, keyed }: Typist) -> Input {
     // What was typed comes from the typist: macroquad's own list of it would grow without end.
-    clear_input_queue();
+    while get_char_pressed().is_some() {}
     let keys = |is: fn(KeyCode) -> bool| {
         KEYS.iter().chain(&MORE_KEYS).filter(|(code, _)| is(*code)).map(|(_, key)| *key).collect::<Keys>()
     };

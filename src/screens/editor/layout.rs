@@ -3,12 +3,12 @@
 
 use crate::view::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, TEXT, Vec2};
 
-/// Height of the row of commands, and width of one of them.
-const TOP: f32 = 48.0;
-const COMMAND: f32 = 72.0;
+/// A command: the height of its two lines in heights of their texts, and the width of its key, in letters.
+const TWO_LINES: f32 = 1.15;
+const COMMAND: f32 = 6.0;
 /// Width of the tools: their mark and the space around it, and their longest name in heights of text.
-const TOOL_MARK: f32 = 42.0;
-const TOOL_NAME: f32 = 6.2;
+const TOOL_MARK: f32 = 50.0;
+const TOOL_NAME: f32 = 5.7;
 /// The longest name of a column, and what a field shows of its text, in letters.
 const LABEL: f32 = 13.2;
 const CELL: f32 = 15.0;
@@ -54,7 +54,8 @@ impl Parts {
         let height_of_text = frame.text_height(DETAILS);
         let (line, letter, text) = (height_of_text * LINE, height_of_text * MONO_ADVANCE, frame.text);
         let Vec2 { x: width, y: height } = frame.size;
-        let (top, left) = (TOP * text, TOOL_MARK * text + TOOL_NAME * height_of_text);
+        let top = (height_of_text + frame.text_height(TEXT)) * TWO_LINES + 1.5 * INSIDE;
+        let left = TOOL_MARK + TOOL_NAME * height_of_text;
         let right = (LABEL + CELL) * letter + 5.0 * INSIDE;
         let bottom = (problems as f32 + 1.0) * line + 1.5 * INSIDE;
         let middle = Area::new(left, top, width - left - right, height - top - bottom);
@@ -75,7 +76,7 @@ impl Parts {
 
     /// A row of commands from the left, and as many from the right.
     pub fn commands(&self, left: usize, right: usize) -> Vec<Area> {
-        let size = Vec2::new(COMMAND * self.text, self.top.size.y - 2.0 * BETWEEN);
+        let size = Vec2::new(COMMAND * self.letter + 3.0 * INSIDE, self.top.size.y - 2.0 * BETWEEN);
         let from_left = (0..left).map(|i| INSIDE + i as f32 * (size.x + BETWEEN));
         let from_right = (0..right).map(|i| self.top.size.x - INSIDE - (right - i) as f32 * (size.x + BETWEEN) + BETWEEN);
         from_left.chain(from_right).map(|x| Area { min: Vec2::new(x, BETWEEN), size }).collect()

@@ -24,7 +24,7 @@ use super::{Buttons, Input, Keys, Request};
 use crate::level::document::{Document, Folder, Kind, Opened, Place, RowId, SetCell, Table};
 use crate::level::{Level, Problem};
 use crate::physics::DVec2;
-use crate::view::layout::{Area, Vec2};
+use crate::view::layout::{Area, Frame, Vec2};
 use ask::{Ask, Question};
 use hand::Drag;
 use layout::{OFFERS, PROBLEM_LINES, Parts};
@@ -96,8 +96,8 @@ pub struct Editor {
     ask: Option<Ask>,
     remark: Option<(String, f64)>,
     repeat: Repeat,
-    /// Whether all of the level has been brought into view once.
-    fitted: bool,
+    /// The view that shows all of the level, and the canvas in which it does, until another one is chosen.
+    fitted: Option<(View, Frame)>,
     /// Counts how often the pictures may have changed.
     pictures: u64,
     /// The pictures that are there, as cells name them.
@@ -140,7 +140,7 @@ impl Editor {
             level: None,
             checked: (None, 0.0),
             repeat: Repeat::default(),
-            fitted: false,
+            fitted: None,
             pictures: 0,
             pointer: Vec2::ZERO,
             figures: false,
@@ -153,6 +153,10 @@ impl Editor {
 
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
+        if self.checked.0.is_none() && self.fitted.is_none() {
+            // So that the room for what is wrong is known before the level is shown.
+            self.check();
+        }
         let lines = self.problems.len().min(PROBLEM_LINES);
         self.parts = Parts::new(&input.frame, lines);
         self.view.area = self.parts.middle;
@@ -161,9 +165,10 @@ impl Editor {
         self.tools.place(self.parts.tools(Kind::ADDED.len() + 1));
         let room = Area::new(self.parts.bottom.max().x - 14.0, self.parts.problem(0).min.y, 12.0, lines as f32 * self.parts.line);
         self.scroll.place(self.problems.len(), lines.max(1), room);
-        if !self.fitted {
+        let untouched = |(view, frame): &(View, Frame)| self.view.shows_as(view) && *frame != input.frame;
+        if self.fitted.as_ref().is_none_or(untouched) {
             self.show_all();
-            self.fitted = true;
+            self.fitted = Some((self.view, input.frame));
         }
         self.pass_time(input.frame_time);
         let request = if self.ask.is_some() { self.update_ask(input) } else { self.work(input) };

@@ -29,6 +29,11 @@ impl Default for View {
 }
 
 impl View {
+    /// Whether the same part of the picture is shown as large.
+    pub fn shows_as(&self, other: &Self) -> bool {
+        (self.origin, self.scale) == (other.origin, other.scale)
+    }
+
     /// Canvas units a pixel of the picture.
     pub const fn scale(&self) -> f64 {
         self.scale

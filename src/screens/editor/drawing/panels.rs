@@ -21,9 +21,9 @@ impl Editor {
                 _ => true,
             };
             let colour = if can { theme::text() } else { theme::quiet() };
-            let apart = area.size.y * 0.25;
-            canvas.text(label, middle - Vec2::new(0.0, apart), Style::new(TEXT, colour).centred().middle());
-            canvas.text(key, middle + Vec2::new(0.0, apart), Style::new(DETAILS, theme::quiet()).centred().middle().mono());
+            let line = |part: f32| middle + Vec2::new(0.0, part * area.size.y);
+            canvas.text(label, line(-0.19), Style::new(TEXT, colour).centred().middle());
+            canvas.text(key, line(0.27), Style::new(DETAILS, theme::quiet()).centred().middle().mono());
         }
         let (from, to) = (self.commands.areas()[AT_LEFT - 1].max().x, self.commands.areas()[AT_LEFT].min.x);
         let unsaved = self.is_unsaved();
@@ -53,10 +53,7 @@ impl Editor {
                 fill(mark, colour);
             }
             let at = Vec2::new(mark.max().x + INSIDE, area.centre().y);
-            let style = Style::new(TEXT, theme::text()).middle();
-            let style =
-                if canvas.width(label, style) > area.max().x - at.x - BETWEEN { Style { size: DETAILS, ..style } } else { style };
-            canvas.text(label, at, style);
+            canvas.text(label, at, Style::new(DETAILS, theme::text()).middle());
         }
     }
 

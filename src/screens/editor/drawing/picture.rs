@@ -109,7 +109,8 @@ impl Editor {
                     }
                 }
             }
-            Kind::Object | Kind::Key | Kind::Picture => self.draw_object(sheets, canvas, row, area),
+            Kind::Object | Kind::Key => self.draw_object(sheets, canvas, (row, area), colour(Kind::Object)),
+            Kind::Picture => self.draw_object(sheets, canvas, (row, area), theme::faded(theme::solid(), 0.6)),
             Kind::Ship => {
                 canvas.rounded(area, area.size.x * 0.25, theme::faded(own, 0.9));
                 let centre = area.centre();
@@ -140,9 +141,9 @@ impl Editor {
         Some(Color::from_rgba(r?, g?, b?, 255))
     }
 
-    fn draw_object(&self, sheets: &mut Sheets, canvas: &Canvas, row: RowId, area: Area) {
+    fn draw_object(&self, sheets: &mut Sheets, canvas: &Canvas, (row, area): (RowId, Area), plain: Color) {
         let image = self.document.cell(row, "image").unwrap_or_default();
-        let own = self.given_colour(row).unwrap_or(colour(Kind::Object));
+        let own = self.given_colour(row).unwrap_or(plain);
         let round = image.to_ascii_lowercase().starts_with("ball:")
             || self.document.cell(row, "circular").is_some_and(|cell| cell.eq_ignore_ascii_case("true"));
         if !image.contains(':')
