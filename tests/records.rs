@@ -16,7 +16,7 @@ fn full() -> Level {
         obstacles: vec![zone],
         streams: vec![Stream { source: zone, zone, force: DVec2::X, name: None }],
         fluids: vec![Fluid { zone, density: 900.0, viscosity: 1.0, colour: [1, 2, 3] }],
-        texts: vec![Text { position: DVec2::ZERO, size: 1.0, text: "Up!".into() }],
+        texts: vec![Text { position: DVec2::ZERO, size: 1.0, text: "Up!".into(), colour: None }],
         ..room()
     }
 }

@@ -3,8 +3,9 @@
 mod support;
 
 use resultant::game::{BURN_RATE, Controls, Game, Medal, Medals, Outcome, PROGRAM, Replay, SHIP, TICK_RATE};
-use resultant::level::{Level, ObjectiveKind, SHIP_HALF};
+use resultant::level::{self, Level, ObjectiveKind, SHIP_HALF};
 use resultant::physics::{Aabb, Body, DVec2, Guards, World};
+use std::path::Path;
 use std::sync::Arc;
 use support::adversary;
 use support::shipped::{flights, levels, load, project};
@@ -171,4 +172,18 @@ fn the_chamber_of_level_3_lets_no_ship_out_again() {
             assert_eq!(game.world().body(SHIP).position, start, "{angle} degrees, {controls:?}");
         }
     }
+}
+
+#[test]
+fn the_list_of_what_comes_with_the_game_names_every_level_and_experiment() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (folder, count) in [("levels", 15), ("experiments", 12)] {
+        let names = level::list(&root.join(folder));
+        assert!(names.iter().all(|name| level::is_shipped(&root.join(folder).join(name))), "{names:?}");
+        let list =
+            std::fs::read_to_string(root.join(folder).join(if folder == "levels" { "shipped.csv" } else { "experiments.csv" }));
+        let listed = list.unwrap().lines().filter(|line| !line.starts_with('#')).count() - 1;
+        assert_eq!((names.len(), listed), (count, count), "{folder}");
+    }
+    assert!(!level::is_shipped(&root.join("tests")) && !level::is_shipped(&root.join("levels/none")));
 }

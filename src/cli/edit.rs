@@ -9,21 +9,22 @@ use std::io::Write;
 pub struct Args {
     /// A name under levels/, or a level's folder
     pub level: OsString,
+    /// Edit a level that comes with the game itself, and not a copy of it
+    #[arg(long)]
+    pub original: bool,
 }
 
 /// Opens the editor and returns when the window is closed.
 ///
 /// # Errors
-/// No such level; folders that are missing; no display; a build without a window.
+/// No such level; no display; a build without a window.
 #[cfg(feature = "window")]
 pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
     use crate::screens::{Editor, Start};
-    super::play::show(project, || {
-        let folder = project.level_folder(&args.level)?;
-        // What cannot be opened is told before there is a window.
-        let editor = Editor::open(&folder, project.root()).map_err(Stop::Refused)?;
-        Ok(Some(Start::Edit(folder, editor.name().to_owned())))
-    })
+    let folder = project.level_folder(&args.level)?;
+    // What cannot be opened is told before there is a window.
+    let name = Editor::open(&folder, project.root()).map_err(Stop::Refused)?.name().to_owned();
+    super::play::show(project, Some(Start::Edit(folder, name, args.original)))
 }
 
 /// Opens nothing: this build has no window.

@@ -31,15 +31,6 @@ pub struct Args {
 /// A level or inputs that are refused; folders that are missing; no display; a build without a window.
 #[cfg(feature = "window")]
 pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
-    show(project, || args.level.as_deref().map(|level| start(level, args.inputs.as_deref(), project)).transpose())
-}
-
-/// Opens the window with what `start` makes, once the folders are known to be there, and returns when it is closed.
-///
-/// # Errors
-/// Folders that are missing; no display; those of `start`.
-#[cfg(feature = "window")]
-pub fn show(project: &Project, start: impl FnOnce() -> Result<Option<Start>, Stop>) -> Result<Status, Stop> {
     for (what, folder) in [("levels", project.levels()), ("assets", project.assets())] {
         if !folder.is_dir() {
             let missing = folder.display();
@@ -48,7 +39,15 @@ pub fn show(project: &Project, start: impl FnOnce() -> Result<Option<Start>, Sto
             )));
         }
     }
-    let start = start()?;
+    show(project, args.level.as_deref().map(|level| start(level, args.inputs.as_deref(), project)).transpose()?)
+}
+
+/// Opens the window with that, and returns when it is closed.
+///
+/// # Errors
+/// No display.
+#[cfg(feature = "window")]
+pub fn show(project: &Project, start: Option<Start>) -> Result<Status, Stop> {
     let places = Places { root: project.root().to_path_buf(), levels: project.levels(), scores: project.scores() };
     open(places, start).map_err(Stop::Refused)?;
     Ok(Status::Done)

@@ -2,11 +2,11 @@
 
 use super::blocks::one_of;
 use super::image::Images;
-use super::problem::{Problem, quoted};
+use super::problem::Problem;
 use super::quantity::{self as q, Scale};
 use super::rows::{bounds, place, point};
 use super::table::{CellText, Layout, Record, cell};
-use super::types::{Decoration, Field, Look, Pod};
+use super::types::{Decoration, Field, Pod};
 use crate::physics::{Aabb, DVec2};
 use serde::Deserialize;
 
@@ -44,23 +44,19 @@ pub(super) fn pod(record: &Record, scale: Scale, problems: &mut Vec<Problem>) ->
     Some(Pod { bounds: bounds?, fuel: fuel? })
 }
 
-/// A picture by its top left corner.
+/// A picture, or a plain shape, by its top left corner.
 pub(super) fn decoration(record: &Record, scale: Scale, images: &mut Images, problems: &mut Vec<Problem>) -> Option<Decoration> {
     let row: ExtraRow = record.row();
     let corner = point(record, [cell!(row.x), cell!(row.y)], scale, problems);
     let text = row.image.as_str()?;
     let shape = match images.look(text, scale) {
-        Ok((Look::Image(image), width, height)) => Some((image, scale.metres(width, height))),
-        Ok((Look::Box | Look::Ball, ..)) => {
-            problems.push(record.problem("image", quoted(text), "a picture: decoration is nothing that moves"));
-            None
-        }
+        Ok((look, width, height)) => Some((look, scale.metres(width, height))),
         Err((found, expected)) => {
             problems.push(record.problem("image", found, expected));
             None
         }
     };
     let in_front = one_of(record, cell!(row.layer), false, &[("behind", false), ("front", true)], problems);
-    let (corner, (image, size)) = (corner?, shape?);
-    Some(Decoration { bounds: Aabb::new(corner, corner + size), image, in_front: in_front? })
+    let (corner, (look, size)) = (corner?, shape?);
+    Some(Decoration { bounds: Aabb::new(corner, corner + size), look, in_front: in_front? })
 }

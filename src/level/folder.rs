@@ -50,12 +50,12 @@ pub(super) fn load_from(disk: &Disk, files: &dyn Files, read: Reading) -> Result
     loaded.warnings.extend(fault.map(|(_, problem)| problem));
     let level = &mut loaded.level;
     level.background = level.background.take().map(|path| folder.join(path));
-    let images = level.objects.iter_mut().filter_map(|object| match &mut object.look {
-        Look::Image(path) => Some(path),
-        Look::Box | Look::Ball => None,
-    });
-    for path in images.chain(level.decoration.iter_mut().map(|picture| &mut picture.image)) {
-        *path = disk.picture(path);
+    let looks =
+        level.objects.iter_mut().map(|object| &mut object.look).chain(level.decoration.iter_mut().map(|shown| &mut shown.look));
+    for look in looks {
+        if let Look::Image(path) = look {
+            *path = disk.picture(path);
+        }
     }
     Ok(loaded)
 }
@@ -110,6 +110,22 @@ pub fn title(folder: &Path) -> Option<String> {
     let settings = table.records.iter().map(Record::row::<rows::ConstantRow>);
     let is_title = |row: &rows::ConstantRow| row.name.as_str().is_some_and(|name| name.eq_ignore_ascii_case("title"));
     settings.into_iter().find(is_title).and_then(|row| row.value.as_str().map(str::to_owned)).filter(|title| !title.is_empty())
+}
+
+/// The lists of the levels that come with the game, each beside their folders.
+const SHIPPED: [&str; 2] = ["shipped.csv", "experiments.csv"];
+
+/// Whether that level comes with the game: a list beside its folder names it. It is edited as a copy.
+pub fn is_shipped(folder: &Path) -> bool {
+    let Ok(folder) = folder.canonicalize() else { return false };
+    let (Some(name), Some(beside)) = (folder.file_name().and_then(|name| name.to_str()), folder.parent()) else { return false };
+    let named = |list: &str| {
+        let text = files::read_text(&beside.join(list), files::LEVEL_TABLE).unwrap_or_default();
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).flexible(true).from_reader(text.as_bytes());
+        let column = reader.headers().ok().and_then(|header| header.iter().position(|column| column.trim() == "folder"));
+        column.is_some_and(|column| reader.records().flatten().any(|row| row.get(column).is_some_and(|cell| cell.trim() == name)))
+    };
+    SHIPPED.into_iter().any(named)
 }
 
 /// The names of the level folders in `levels`: those named by a number first and in numeric order (2 before 10), the others after,

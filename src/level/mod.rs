@@ -42,7 +42,7 @@ mod words;
 mod world_def;
 
 pub use awards::{Awards, Mark};
-pub use folder::{list, load, load_unfinished, title};
+pub use folder::{is_shipped, list, load, load_unfinished, title};
 pub use image::read_picture;
 pub use name::{NameFault, is_device, judge_name};
 pub use names::FILES;

@@ -21,7 +21,7 @@ pub(super) const OBSTACLES: Layout = Layout { file: "obstacles.csv", columns: "x
 pub(super) const HAZARDS: Layout =
     Layout { file: "hazards.csv", columns: "x,y,width,height,stream_width,stream_height,force_x,force_y,[shaded],[name]" };
 pub(super) const FLUIDS: Layout = Layout { file: "fluids.csv", columns: "x,y,width,height,density,viscosity,[r],[g],[b]" };
-pub(super) const TEXTS: Layout = Layout { file: "texts.csv", columns: "x,y,size,text" };
+pub(super) const TEXTS: Layout = Layout { file: "texts.csv", columns: "x,y,size,text,[r],[g],[b]" };
 /// The rows PLAYER and PHYS of objectives.csv, and what all its rows begin with.
 pub(super) const BLOCKS: Layout = Layout { file: "objectives.csv", columns: "kind,x,y,width,height,[hold],[order],[r],[g],[b]" };
 /// The rows OBJECT of objectives.csv; restitution and drag stand the other way round than in objects.csv.
@@ -139,6 +139,9 @@ struct TextRow {
     y: CellText,
     size: CellText,
     text: CellText,
+    r: CellText,
+    g: CellText,
+    b: CellText,
 }
 
 /// The cells x, y, width and height of a row.
@@ -211,7 +214,7 @@ pub(super) fn objective(kind: ObjectiveKind, record: &Record, scale: Scale, prob
             problems.push(record.problem(column, quoted(text.as_str()?), "nothing: only key objects have a colour that can fit"));
             None
         }
-        Some(_) => colour(record, channels, None, problems).map(Some),
+        Some(_) => colour_if_given(record, channels, problems),
     };
     Some(Objective { kind, bounds: bounds?, hold: hold?, order: order?, colour: colour? })
 }
@@ -337,7 +340,11 @@ pub(super) fn text(record: &Record, scale: Scale, problems: &mut Vec<Problem>) -
     let position = point(record, [cell!(row.x), cell!(row.y)], scale, problems);
     let size = record.number(cell!(row.size), scale.size(), problems);
     let text = record.words(cell!(row.text), problems);
-    Some(Text { position: position?, size: size? / scale.metre, text: text? })
+    let before = problems.len();
+    let colour = colour_if_given(record, [cell!(row.r), cell!(row.g), cell!(row.b)], problems);
+    // More likely than a wrong colour.
+    problems[before..].iter_mut().for_each(|problem| problem.expected += " (words that hold a comma stand in quotes)");
+    Some(Text { position: position?, size: size? / scale.metre, text: text?, colour: colour? })
 }
 
 /// A row that is a block and nothing more: where it is, in metres.
@@ -389,6 +396,23 @@ pub(super) fn material(record: &Record, cell: Given, problems: &mut Vec<Problem>
     })
 }
 
+/// The cells r, g and b, which may be left out together.
+fn colour_if_given(record: &Record, cells: [Given; 3], problems: &mut Vec<Problem>) -> Option<Option<[u8; 3]>> {
+    if cells.iter().all(|(_, text)| !text.is_given()) {
+        return Some(None);
+    }
+    let before = problems.len();
+    let colour = colour(record, cells, None, problems);
+    // A cell that is no colour says enough.
+    if let (Some((column, _)), true) = (cells.iter().find(|(_, text)| text.as_str().is_none()), problems.len() == before) {
+        problems.push(record.problem(column, "nothing", COLOURS));
+    }
+    colour.map(Some)
+}
+
+/// What is expected of a colour's channel.
+const COLOURS: &str = "a whole number from 0 to 255";
+
 /// The cells r, g and b; required where there is no default.
 fn colour(record: &Record, cells: [Given; 3], default: Option<[u8; 3]>, problems: &mut Vec<Problem>) -> Option<[u8; 3]> {
     let channels = [0, 1, 2].map(|i| match default {
@@ -396,7 +420,7 @@ fn colour(record: &Record, cells: [Given; 3], default: Option<[u8; 3]>, problems
         _ => record.parse(cells[i], problems, |text| match q::COLOUR.parse(text) {
             // In range and whole, so the conversion is exact.
             Ok(value) if value.fract() == 0.0 => Ok(value as u8),
-            _ => Err("a whole number from 0 to 255".into()),
+            _ => Err(COLOURS.into()),
         }),
     });
     let [r, g, b] = channels;

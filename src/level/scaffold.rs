@@ -75,8 +75,8 @@ pub const FILES: [(&str, &str); 14] = [
     ("pods.csv", "# Fuel to be picked up.\nx,y,width,height,fuel\n700,620,30,40,100\n"),
     (
         "texts.csv",
-        "# Words in the level: top left corner and size in pixels. Words with a comma stand in quotes.\n\
-         x,y,size,text\n100,480,24,\"Space: thrust, arrows: rotate\"\n",
+        "# Words in the level: top left corner and size in pixels, colour. Words with a comma stand in quotes.\n\
+         x,y,size,text,r,g,b\n100,480,24,\"Space: thrust, arrows: rotate\",230,235,242\n",
     ),
 ];
 
@@ -129,13 +129,13 @@ pub fn copy_edited(from: &Path, levels: &Path, name: &str, document: &Document) 
     })
 }
 
-/// A name for a level that is made of another one, which no level has.
-pub fn free_name(levels: &Path, of: &str) -> String {
+/// A name for a level that is made of another one, which no level has: that of the other with what it is behind it.
+pub fn free_name(levels: &Path, of: &str, what: &str) -> String {
     let names = |stem: String| (1_u32..).map(move |n| if n == 1 { stem.clone() } else { format!("{stem}-{n}") });
     let free = |name: &String| judge(levels, name).is_ok();
     // Where its name is no word, or as long as one can be, the new one is a plain word.
-    let of_its_own = names(format!("{of}-what-if")).take(MOST_NAMES).find(free);
-    of_its_own.or_else(|| names("what-if".to_owned()).find(free)).unwrap_or_default()
+    let of_its_own = names(format!("{of}-{what}")).take(MOST_NAMES).find(free);
+    of_its_own.or_else(|| names(what.to_owned()).find(free)).unwrap_or_default()
 }
 
 /// Gives a level's folder another name.

@@ -199,6 +199,17 @@ pub struct Switch {
     pub latch: Latch,
 }
 
+impl Level {
+    /// The pictures that objects and decoration show.
+    pub fn pictures(&self) -> impl Iterator<Item = &std::path::PathBuf> {
+        let looks = self.objects.iter().map(|object| &object.look).chain(self.decoration.iter().map(|shown| &shown.look));
+        looks.filter_map(|look| match look {
+            Look::Image(path) => Some(path),
+            Look::Box | Look::Ball => None,
+        })
+    }
+}
+
 /// How an object is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Look {
@@ -322,8 +333,8 @@ pub struct Pod {
 pub struct Decoration {
     /// Where it is.
     pub bounds: Aabb,
-    /// The picture's path.
-    pub image: std::path::PathBuf,
+    /// How it is drawn.
+    pub look: Look,
     /// Whether it covers what moves.
     pub in_front: bool,
 }
@@ -337,4 +348,6 @@ pub struct Text {
     pub size: f64,
     /// The words.
     pub text: String,
+    /// Red, green, blue; `None`: that of all words.
+    pub colour: Option<[u8; 3]>,
 }

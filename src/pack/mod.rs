@@ -13,7 +13,7 @@ pub use install::{Installed, install};
 
 use crate::files;
 use crate::game::Replay;
-use crate::level::{self, FILES, Files, Level, Loaded, Look, told};
+use crate::level::{self, FILES, Files, Loaded, told};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
@@ -85,7 +85,7 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
             None => left.push(path),
         }
     }
-    for picture in pictures(&level) {
+    for picture in level.pictures() {
         let root = if picture.starts_with(folder) { folder } else { project };
         let own = picture.strip_prefix(root).unwrap_or(picture);
         let parts: Vec<_> = own.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
@@ -98,15 +98,6 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
 /// The first link on the path from a folder down to something in it.
 fn link_below<'a>(root: &Path, path: &'a Path) -> Option<&'a Path> {
     path.ancestors().take_while(|part| *part != root && part.starts_with(root)).find(|part| part.is_symlink())
-}
-
-/// The pictures that a level's objects and decoration show.
-fn pictures(level: &Level) -> impl Iterator<Item = &Path> {
-    let objects = level.objects.iter().filter_map(|object| match &object.look {
-        Look::Image(path) => Some(path.as_path()),
-        Look::Box | Look::Ball => None,
-    });
-    objects.chain(level.decoration.iter().map(|picture| picture.image.as_path()))
 }
 
 fn listed(folder: &Path) -> Result<Vec<String>, Vec<String>> {

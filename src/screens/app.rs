@@ -6,8 +6,8 @@ use super::leaderboard::subject;
 use super::library::{Library, Refusal};
 use super::pace;
 use super::{
-    Attempt, Classic, Classics, Editor, Facts, Flight, FlightCandidate, Flights, Flown, FolderWatch, Fresh, Gain, Input, Jumper,
-    Key, Lab, Leaderboard, LevelSelect, Menu, Pace, Picture, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring, Screen,
+    Attempt, Classic, Classics, Clipboard, Editor, Facts, Flight, FlightCandidate, Flights, Flown, FolderWatch, Fresh, Gain, Input,
+    Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pace, Picture, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring, Screen,
     SettingsPanel, Source, Spectator, TileRun, Visit, Watch, Way, footage, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
@@ -70,6 +70,10 @@ pub struct App {
     pub(super) watch: Option<FolderWatch>,
     /// The editor, while what is edited is flown.
     pub(super) editing: Option<Box<Editor>>,
+    /// The flight that editing began from, and its level's folder.
+    pub(super) behind: Option<(Box<Flight>, PathBuf)>,
+    /// What is copied to be pasted.
+    pub(super) clipboard: Clipboard,
 }
 
 /// A score to be saved as soon as another program lets go of the board.
@@ -113,6 +117,8 @@ impl App {
             waiting: None,
             watch: None,
             editing: None,
+            behind: None,
+            clipboard: Clipboard::default(),
         }
     }
 
@@ -150,7 +156,7 @@ impl App {
             self.set(Settings { fullscreen: !self.settings.fullscreen, ..self.settings });
         }
         let frame_time = pace::passed(input.frame_time);
-        let mut input = Input { settings: self.settings, frame_time, ..input.clone() };
+        let mut input = Input { settings: self.settings, clipboard: self.clipboard.clone(), frame_time, ..input.clone() };
         input.idle = self.pace.note(&input);
         input.pressed = input.pressed.without(Key::F11);
         if alt_enter {
@@ -224,7 +230,9 @@ impl App {
                 }
             }
             Request::Restart => return self.restart(spectator),
-            Request::Edit(name) => self.edit(&name),
+            Request::Edit(name) => self.edit_or_copy(&name),
+            Request::EditOriginal(name) => self.edit(&name),
+            Request::LeaveEditor => self.leave_editor(spectator),
             Request::Make(make) => match self.make(&make) {
                 Ok(screen) => screen,
                 Err(reason) => {
@@ -235,7 +243,7 @@ impl App {
                 }
             },
             Request::SaveVaried(variation, name) => return self.save_varied(&variation, &name),
-            Request::TestFly(level) => self.test_fly(level, spectator),
+            Request::TestFly(level, left) => self.test_fly(level, left, spectator),
             Request::BackToEditor(how) => self.back_to_editor(how),
             Request::Attempt(attempt) => self.flight(attempt, spectator),
             // Nothing comes of an experiment but what was seen.
@@ -368,7 +376,7 @@ impl App {
     pub(super) fn flight(&mut self, attempt: Attempt, spectator: &mut dyn Spectator) -> Screen {
         let name = attempt.level.name.clone();
         self.last_level = Some(name.clone());
-        self.ended = None;
+        (self.ended, self.behind) = (None, None);
         self.watch = Some(self.library.watch(&attempt.level));
         match Flight::new(attempt, spectator) {
             Ok(mut flight) => {

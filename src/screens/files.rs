@@ -6,7 +6,7 @@ use super::{App, Attempt, Editor, Flight, LevelSelect, Make, Miniature, Purpose,
 use crate::game::{Outcome, level_hash};
 use crate::instruments::vary::Variation;
 use crate::level::document::{Folder, Opened};
-use crate::level::{Awards, Level, Problem, scaffold};
+use crate::level::{self, Awards, Level, Problem, scaffold};
 use crate::number::clock;
 use std::path::Path;
 use std::sync::Arc;
@@ -127,6 +127,33 @@ impl App {
         Entry { level, stamp, title, best, awards, medals, name: name.to_owned() }
     }
 
+    /// The editor of a level; of one that comes with the game, the list with the question what a copy of it is to be called. A flight waits.
+    pub(super) fn edit_or_copy(&mut self, name: &str) -> Screen {
+        let folder = self.library.folder(name);
+        let nothing = Screen::LevelSelect(LevelSelect::new(Purpose::Edit, Vec::new()));
+        match std::mem::replace(&mut self.screen, nothing) {
+            Screen::Flight(flight) => self.behind = Some((flight, folder.clone())),
+            other => self.screen = other,
+        }
+        if !level::is_shipped(&folder) {
+            return self.edit(name);
+        }
+        self.last_level = Some(name.to_owned());
+        let free = scaffold::free_name(self.library.levels(), name, "copy");
+        let mut screen = self.level_select(Purpose::Edit);
+        screen.ask_for_copy(name, folder, &free);
+        Screen::LevelSelect(screen)
+    }
+
+    /// Back to the flight that editing began from, in the level as it is saved now; else to the list.
+    pub(super) fn leave_editor(&mut self, spectator: &mut dyn Spectator) -> Screen {
+        let Some((flight, folder)) = self.behind.take() else { return Screen::LevelSelect(self.level_select(Purpose::Edit)) };
+        self.library.open(&folder);
+        self.last_level = Some(flight.game().level().name.clone());
+        spectator.begins(flight.game());
+        Screen::Flight(flight)
+    }
+
     /// The editor of a level, or the list with what is wrong.
     pub(super) fn edit(&mut self, name: &str) -> Screen {
         self.last_level = Some(name.to_owned());
@@ -148,6 +175,11 @@ impl App {
         let levels = self.library.levels().to_path_buf();
         let (Make::New(name) | Make::Copy(_, name) | Make::Rename(_, name)) = make;
         scaffold::judge(&levels, name)?;
+        if let Make::Rename(from, _) = make
+            && level::is_shipped(&levels.join(from))
+        {
+            return Err(format!("{from} comes with the game and keeps its name: make a copy."));
+        }
         let made = match make {
             Make::New(_) => scaffold::make(&levels, name, &scaffold::BARE),
             Make::Copy(from, _) => scaffold::copy(&levels.join(from), &levels, name),
@@ -179,7 +211,7 @@ impl App {
         let first = |problems: Vec<Problem>| problems.first().map_or_else(String::new, ToString::to_string);
         let wanted = variation.apply(&level).map_err(first)?;
         let levels = self.library.levels().to_path_buf();
-        let name = if name.is_empty() { scaffold::free_name(&levels, &level.name) } else { name.to_owned() };
+        let name = if name.is_empty() { scaffold::free_name(&levels, &level.name, "what-if") } else { name.to_owned() };
         scaffold::judge(&levels, &name)?;
         let from = self.library.folder(&level.name);
         let Opened { mut document, folder, .. } = Folder::open(&from, self.library.root())?;
@@ -195,9 +227,9 @@ impl App {
         Ok(saved)
     }
 
-    /// Flies what is edited; the editor waits.
-    pub(super) fn test_fly(&mut self, level: Arc<Level>, spectator: &mut dyn Spectator) -> Screen {
-        match Flight::test(level, spectator) {
+    /// Flies what is edited, and tells of the problems that are left; the editor waits.
+    pub(super) fn test_fly(&mut self, level: Arc<Level>, left: Vec<String>, spectator: &mut dyn Spectator) -> Screen {
+        match Flight::test(level, left, spectator) {
             Ok(mut flight) => {
                 flight.tell_of_settings(self.settings, &[]);
                 let before = std::mem::replace(&mut self.screen, Screen::LevelSelect(LevelSelect::new(Purpose::Edit, Vec::new())));

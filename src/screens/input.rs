@@ -3,7 +3,7 @@
 use crate::physics::{BodyId, DVec2};
 use crate::settings::{Action, Key, Keys, Settings};
 use crate::view::layout::{Frame, Vec2};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
 use std::rc::Rc;
 
@@ -14,6 +14,54 @@ pub enum Answer {
     Moved,
     /// A button was pressed.
     Pressed,
+}
+
+/// A key that went down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Keyed {
+    /// Which.
+    pub key: Key,
+    /// How many characters had been typed before it in that frame.
+    pub after: usize,
+    /// Which of Shift, Control and Alt were down then.
+    pub held: Keys,
+}
+
+/// What was done with the keyboard, one thing after the other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stroke {
+    /// A character was typed.
+    Letter(char),
+    /// A key went down, while these were down.
+    Key(Key, Keys),
+}
+
+/// What is copied to be pasted: in a window the system's, else one text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Clipboard {
+    own: Rc<RefCell<String>>,
+    #[cfg(feature = "window")]
+    pub(super) of_system: bool,
+}
+
+impl Clipboard {
+    /// What is on it.
+    pub fn text(&self) -> String {
+        #[cfg(feature = "window")]
+        if self.of_system {
+            return macroquad::miniquad::window::clipboard_get().unwrap_or_default();
+        }
+        self.own.borrow().clone()
+    }
+
+    /// Puts a text on it.
+    pub fn keep(&self, text: String) {
+        #[cfg(feature = "window")]
+        if self.of_system {
+            return macroquad::miniquad::window::clipboard_set(&text);
+        }
+        *self.own.borrow_mut() = text;
+    }
 }
 
 /// What the player did since the last frame, and what is held down now.
@@ -49,6 +97,10 @@ pub struct Input {
     pub dropped: Vec<PathBuf>,
     /// Characters that were typed, in order.
     pub typed: String,
+    /// Those of the keys that went down whose moment is known, in order: not those of a gamepad.
+    pub keyed: Vec<Keyed>,
+    /// What is copied to be pasted.
+    pub clipboard: Clipboard,
     /// The body of the game under the pointer, if there is one.
     pub pointed: Option<BodyId>,
     /// Where in the game's level the pointer is, m, where a game is shown.
@@ -86,6 +138,24 @@ impl Input {
         if self.frame_time > 0.0 { (self.frame_time - self.waited).max(f64::MIN_POSITIVE) } else { 0.0 }
     }
 
+    /// What was typed and which of `keys` went down, in order; of keys whose moment is not known it is at the end.
+    pub fn strokes(&self, keys: &[Key]) -> Vec<Stroke> {
+        // Systems type the letter of a command, too.
+        let command = self.keyed.is_empty() && self.held(Key::Control) && !self.held(Key::Alt);
+        let mut letters = self.typed.chars().filter(|_| !command).map(Stroke::Letter);
+        let (mut strokes, mut typed) = (Vec::new(), 0);
+        for Keyed { key, after, held } in self.keyed.iter().filter(|keyed| self.pressed.has(keyed.key) && keys.contains(&keyed.key))
+        {
+            strokes.extend(letters.by_ref().take(after.saturating_sub(typed)));
+            typed = typed.max(*after);
+            strokes.push(Stroke::Key(*key, *held));
+        }
+        strokes.extend(letters);
+        let known = |key: Key| self.keyed.iter().any(|keyed| keyed.key == key);
+        strokes.extend(keys.iter().filter(|key| self.pressed(**key) && !known(**key)).map(|key| Stroke::Key(*key, self.held)));
+        strokes
+    }
+
     /// The same moment once everything new in it has been taken: no time has passed and nothing was pressed, turned or typed.
     pub fn without_edges(&self) -> Self {
         Self {
@@ -97,6 +167,7 @@ impl Input {
             idle: self.idle,
             away: self.away,
             settings: self.settings,
+            clipboard: self.clipboard.clone(),
             ..Self::default()
         }
     }

@@ -1,13 +1,14 @@
 //! A page of cards, one a level, used three times: to choose what to play, whose leaderboard to see, and what to edit. Only the levels in
 //! view are loaded, and again when their files change; typing finds those with such a name or title.
 
-use super::input::Repeat;
+use super::input::{Repeat, Stroke};
 use super::library::Refusal;
 use super::prompt::{Prompt, Reply};
 use super::{Buttons, Input, Key, Make, Problems, Request, Visit};
 use crate::settings::Action;
 use crate::view::layout::{Area, Frame};
 use places::cards;
+use std::path::PathBuf;
 
 #[cfg(feature = "window")]
 mod drawing;
@@ -66,7 +67,9 @@ pub struct LevelSelect {
 #[derive(Clone, Debug)]
 enum Asked {
     New,
-    Copy(String),
+    Copy(PathBuf),
+    /// The same, of a level that comes with the game and was to be edited itself.
+    OwnCopy(PathBuf),
     Rename(String),
 }
 
@@ -119,6 +122,13 @@ impl LevelSelect {
     /// Shows a panel above the list.
     pub fn show(&mut self, heading: String, problems: Vec<String>) {
         self.problems = Some(Problems::new(heading, problems));
+    }
+
+    /// Asks what a copy of a level that comes with the game is called.
+    pub fn ask_for_copy(&mut self, name: &str, folder: PathBuf, free: &str) {
+        let prompt = Prompt::new(format!("What is your copy of {name} called?"), free)
+            .with_note(format!("{name} comes with the game and stays as it is."));
+        self.prompt = Some(Box::new((prompt, Asked::OwnCopy(folder))));
     }
 
     /// Says why a name will not do.
@@ -261,10 +271,15 @@ impl LevelSelect {
     /// Letters are what is to be found; whether there were any.
     fn type_in(&mut self, input: &Input) -> bool {
         let before = self.find.clone();
-        let room = MOST_LETTERS.saturating_sub(self.find.chars().count());
-        self.find.extend(input.typed.chars().filter(|letter| !letter.is_control()).take(room));
+        for stroke in input.strokes(&[Key::Backspace]) {
+            match stroke {
+                Stroke::Letter(letter) if letter.is_control() || self.find.chars().count() >= MOST_LETTERS => {}
+                Stroke::Letter(letter) => self.find.push(letter),
+                Stroke::Key(..) => drop(self.find.pop()),
+            }
+        }
         self.find = self.find.trim_start().to_owned();
-        if !self.repeat.strokes(input, &[Key::Backspace]).is_empty() {
+        if !self.repeat.strokes(input, &[Key::Backspace]).is_empty() && !input.pressed(Key::Backspace) {
             self.find.pop();
         }
         let changed = self.find != before;
@@ -288,12 +303,13 @@ impl LevelSelect {
         let (prompt, asked) = &mut **self.prompt.as_mut()?;
         match prompt.update(input)? {
             Reply::Cancel => {
+                let leaves = matches!(asked, Asked::OwnCopy(_));
                 self.prompt = None;
-                None
+                leaves.then_some(Request::LeaveEditor)
             }
             Reply::Text(name) => Some(Request::Make(match asked.clone() {
                 Asked::New => Make::New(name),
-                Asked::Copy(from) => Make::Copy(from, name),
+                Asked::Copy(from) | Asked::OwnCopy(from) => Make::Copy(from, name),
                 Asked::Rename(from) => Make::Rename(from, name),
             })),
         }
@@ -313,7 +329,7 @@ impl LevelSelect {
                 return match (self.purpose, self.pick.take()) {
                     (_, Some(Pick::Copy)) => {
                         let heading = format!("What is the copy of {name} called?");
-                        self.prompt = Some(Box::new((Prompt::new(heading, &format!("{name}-copy")), Asked::Copy(name))));
+                        self.prompt = Some(Box::new((Prompt::new(heading, &format!("{name}-copy")), Asked::Copy(name.into()))));
                         None
                     }
                     (_, Some(Pick::Rename)) => {

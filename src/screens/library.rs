@@ -6,7 +6,7 @@ use crate::classics::tile_run::{Command, InputError, Map};
 use crate::files::{self, CHART, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::lab::charts::Charts;
 use crate::lab::kept;
-use crate::level::{self, Level, Look};
+use crate::level::{self, Level};
 use crate::pack::{self, Installed};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -86,12 +86,7 @@ impl Library {
     /// What a level's folder and its pictures look like from the outside.
     pub fn watch(&self, level: &Level) -> FolderWatch {
         let folder = self.folder(&level.name);
-        let images = level.objects.iter().filter_map(|object| match &object.look {
-            Look::Image(path) => Some(path.clone()),
-            Look::Box | Look::Ball => None,
-        });
-        let pictures = images.chain(level.decoration.iter().map(|picture| picture.image.clone()));
-        FolderWatch::new(folder, pictures.collect())
+        FolderWatch::new(folder, level.pictures().cloned().collect())
     }
 
     /// Reads a level.

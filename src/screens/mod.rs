@@ -59,7 +59,7 @@ pub use editor::{Editor, Tool as EditorTool};
 pub use flight::{Attempt, Flight, Flown, News, Spectator};
 pub use flights::{Candidate as FlightCandidate, Flights, Source, Visit};
 pub use folder_watch::{FolderWatch, Stamp};
-pub use input::{Answer, Input};
+pub use input::{Answer, Clipboard, Input, Keyed};
 pub use instruments::vary::{Entry as VaryEntry, From as VaryFrom, Line as VaryLine, Varied, Vary};
 pub use instruments::{Instruments, Measures, Plot, PlotPlaces, Reading, Stage, Table as Figures, Tool as Instrument};
 pub use jumper::{Jumper, Press as JumperPress};
@@ -156,8 +156,8 @@ impl Screen {
 pub enum Make {
     /// A new level of that name.
     New(String),
-    /// A copy of the first, named like the second.
-    Copy(String, String),
+    /// A copy of the level in that folder, below that of the levels or anywhere, of that name.
+    Copy(PathBuf, String),
     /// The first, named like the second.
     Rename(String, String),
 }
@@ -173,14 +173,18 @@ pub enum Request {
     Play(String),
     /// The attempt on the screen, from its start, in the level as its files are now.
     Restart,
-    /// The level of that name, to be edited.
+    /// The level of that name, to be edited; one that comes with the game as a copy.
     Edit(String),
+    /// The level of that name itself, to be edited.
+    EditOriginal(String),
+    /// The end of editing: the flight that it began from, or the list of levels.
+    LeaveEditor,
     /// A level is to be made, and edited; or renamed.
     Make(Make),
     /// The level that is flown is to be saved as it is varied, under that name, or any where that is empty.
     SaveVaried(Variation, String),
-    /// The level that is edited is to be flown as it is in memory.
-    TestFly(Arc<Level>),
+    /// The level that is edited is to be flown as it is in memory, with the problems that it has left, a line each.
+    TestFly(Arc<Level>, Vec<String>),
     /// The editor again, with how the flight of what is edited ended, in words.
     BackToEditor(String),
     /// Another attempt at a level that is there.

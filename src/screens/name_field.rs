@@ -112,6 +112,9 @@ impl NameField {
         } else if input.pressed(Key::Up) || (input.click && self.area.contains(input.pointer)) {
             self.on_buttons = false;
         }
+        if before && !self.on_buttons {
+            self.field.select_all();
+        }
         self.on_buttons != before
     }
 }
@@ -129,7 +132,7 @@ fn field_area(frame: &Frame) -> Area {
 mod drawing {
     use super::NameField;
     use crate::view::canvas::{Canvas, Style};
-    use crate::view::layout::{Area, BUTTON_TEXT, PADDING, TEXT, Vec2};
+    use crate::view::layout::{BUTTON_TEXT, PADDING, TEXT, Vec2};
     use crate::view::{theme, widgets};
 
     impl NameField {
@@ -146,13 +149,7 @@ mod drawing {
             if !self.on_buttons {
                 widgets::focus_ring(canvas, area);
             }
-            let style = Style::new(BUTTON_TEXT, theme::text()).mono().middle();
-            let start = Vec2::new(area.min.x + PADDING, area.centre().y);
-            canvas.text(&self.field.text(), start, style);
-            if !self.on_buttons && time.fract() < 0.5 {
-                let x = start.x + canvas.width(&self.field.before_caret(), style);
-                canvas.rounded(Area::new(x, start.y - 16.0, 2.0, 32.0), 0.0, theme::accent());
-            }
+            self.field.draw(canvas, area, (BUTTON_TEXT, PADDING), (!self.on_buttons).then_some(time));
             if let Some(error) = &self.error {
                 let at = Vec2::new(middle, area.max().y + 36.0);
                 widgets::fitted(canvas, error, at, widest, &[TEXT], theme::bad());

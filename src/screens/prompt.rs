@@ -23,6 +23,7 @@ pub enum Reply {
 pub struct Prompt {
     heading: String,
     field: TextField,
+    note: Option<String>,
     error: Option<String>,
     panel: Area,
     buttons: Buttons,
@@ -34,12 +35,19 @@ impl Prompt {
         let mut prompt = Self {
             heading: heading.into(),
             field: TextField::new(text, MOST),
+            note: None,
             error: None,
             panel: Area::default(),
             buttons: Buttons::default(),
         };
         prompt.place(&Frame::default());
         prompt
+    }
+
+    /// The same with a line below its field.
+    #[must_use]
+    pub fn with_note(self, note: String) -> Self {
+        Self { note: Some(note), ..self }
     }
 
     fn place(&mut self, frame: &Frame) {
@@ -96,7 +104,7 @@ impl Prompt {
 #[cfg(feature = "window")]
 mod drawing {
     use super::Prompt;
-    use crate::view::canvas::{Canvas, Style};
+    use crate::view::canvas::Canvas;
     use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
     use crate::view::{theme, widgets};
 
@@ -107,23 +115,15 @@ mod drawing {
             let panel = self.panel;
             widgets::panel(canvas, panel);
             let middle = panel.centre().x;
-            canvas.text(
-                &self.heading,
-                Vec2::new(middle, panel.min.y + 36.0),
-                Style::new(BUTTON_TEXT, theme::text()).centred().middle(),
-            );
+            let at = Vec2::new(middle, panel.min.y + 36.0);
+            widgets::fitted(canvas, &self.heading, at, panel.size.x - 2.0 * PADDING, &[BUTTON_TEXT, TEXT, DETAILS], theme::text());
             let field = Area::new(panel.min.x + PADDING, panel.min.y + 72.0, panel.size.x - 2.0 * PADDING, 52.0);
             widgets::panel_in(canvas, field, theme::ground(), theme::accent());
-            let style = Style::new(BUTTON_TEXT, theme::text()).mono().middle();
-            let at = Vec2::new(field.min.x + PADDING, field.centre().y);
-            canvas.text(&self.field.text(), at, style);
-            if time.fract() < 0.5 {
-                let x = at.x + canvas.width(&self.field.before_caret(), style);
-                canvas.rounded(Area::new(x, at.y - 14.0, 2.0, 28.0), 0.0, theme::accent());
-            }
-            if let Some(error) = &self.error {
+            self.field.draw(canvas, field, (BUTTON_TEXT, PADDING), Some(time));
+            let below = [(&self.error, theme::bad()), (&self.note, theme::quiet())];
+            if let Some((words, colour)) = below.into_iter().find_map(|(words, colour)| Some((words.as_ref()?, colour))) {
                 let at = Vec2::new(middle, field.max().y + 28.0);
-                widgets::fitted(canvas, error, at, panel.size.x - 2.0 * PADDING, &[TEXT, DETAILS], theme::bad());
+                widgets::fitted(canvas, words, at, panel.size.x - 2.0 * PADDING, &[TEXT, DETAILS], colour);
             }
             for (i, (label, area)) in ["OK", "Cancel"].into_iter().zip(self.buttons.areas()).enumerate() {
                 widgets::button(canvas, *area, label, self.buttons.hover() == Some(i), i == 0);

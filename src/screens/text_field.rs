@@ -1,16 +1,20 @@
 //! One line of text that can be edited.
 
-use super::input::{Input, Repeat};
-use crate::settings::Key;
+use super::input::{Input, Repeat, Stroke};
+use crate::settings::{Key, Keys};
 
 /// What moves and deletes.
 const KEYS: [Key; 6] = [Key::Left, Key::Right, Key::Home, Key::End, Key::Backspace, Key::Delete];
+/// With Ctrl: all is selected, copied, cut, pasted.
+const COMMANDS: [Key; 4] = [Key::A, Key::C, Key::X, Key::V];
 
 /// The text and where the next character goes.
 #[derive(Clone, Debug, Default)]
 pub struct TextField {
     text: Vec<char>,
     caret: usize,
+    /// The other end of what is selected; at the caret where nothing is.
+    anchor: usize,
     limit: usize,
     repeat: Repeat,
 }
@@ -19,33 +23,97 @@ impl TextField {
     /// A field that takes at most `limit` characters and begins with `text`.
     pub fn new(text: &str, limit: usize) -> Self {
         let text: Vec<char> = text.chars().take(limit).collect();
-        Self { caret: text.len(), text, limit, repeat: Repeat::default() }
+        Self { caret: text.len(), anchor: text.len(), text, limit, repeat: Repeat::default() }
     }
 
-    /// Follows the keys; whether the text has changed.
+    /// The same with all of it selected: the first character takes its place.
+    pub fn selected(text: &str, limit: usize) -> Self {
+        Self { anchor: 0, ..Self::new(text, limit) }
+    }
+
+    /// Selects all of it.
+    pub fn select_all(&mut self) {
+        (self.anchor, self.caret) = (0, self.text.len());
+    }
+
+    /// Selects nothing; the next character goes to the end.
+    pub fn go_to_end(&mut self) {
+        self.go(self.text.len(), false);
+    }
+
+    /// Follows what was typed and pressed, in that order; whether the text has changed.
     pub fn update(&mut self, input: &Input) -> bool {
         let before = self.text.clone();
-        for character in input.typed.chars().filter(|character| !character.is_control()) {
-            if self.text.len() < self.limit {
-                self.text.insert(self.caret, character);
-                self.caret += 1;
+        let repeated = self.repeat.strokes(input, &KEYS);
+        let mut fresh = false;
+        for stroke in input.strokes(&[&KEYS[..], &COMMANDS].concat()) {
+            match stroke {
+                Stroke::Letter(letter) => self.put(&[letter]),
+                Stroke::Key(key, held) => {
+                    fresh |= KEYS.contains(&key);
+                    self.press(key, held, input);
+                }
             }
         }
-        for key in self.repeat.strokes(input, &KEYS) {
-            match key {
-                Key::Left => self.caret = self.caret.saturating_sub(1),
-                Key::Right => self.caret = (self.caret + 1).min(self.text.len()),
-                Key::Home => self.caret = 0,
-                Key::End => self.caret = self.text.len(),
-                Key::Backspace if self.caret > 0 => {
-                    self.caret -= 1;
-                    self.text.remove(self.caret);
-                }
-                Key::Delete if self.caret < self.text.len() => drop(self.text.remove(self.caret)),
-                _ => {}
-            }
+        for key in repeated.into_iter().filter(|_| !fresh) {
+            self.press(key, input.held, input);
         }
         self.text != before
+    }
+
+    fn press(&mut self, key: Key, held: Keys, input: &Input) {
+        let (more, control) = (held.has(Key::Shift), held.has(Key::Control));
+        let (from, to) = self.selection();
+        match key {
+            Key::Left if from < to && !more => self.go(from, false),
+            Key::Right if from < to && !more => self.go(to, false),
+            Key::Left => self.go(self.caret.saturating_sub(1), more),
+            Key::Right => self.go(self.caret + 1, more),
+            Key::Home => self.go(0, more),
+            Key::End => self.go(self.text.len(), more),
+            Key::Backspace | Key::Delete if from < to => self.put(&[]),
+            Key::Backspace if self.caret > 0 => {
+                self.go(self.caret - 1, true);
+                self.put(&[]);
+            }
+            Key::Delete => {
+                self.go(self.caret + 1, true);
+                self.put(&[]);
+            }
+            Key::A if control => self.select_all(),
+            Key::C | Key::X if control && from < to => {
+                input.clipboard.keep(self.text[from..to].iter().collect());
+                if key == Key::X {
+                    self.put(&[]);
+                }
+            }
+            Key::V if control => {
+                let pasted = input.clipboard.text();
+                self.put(&pasted.chars().collect::<Vec<_>>());
+            }
+            _ => {}
+        }
+    }
+
+    /// Puts the caret there; what was selected stays so with `more`, up to there.
+    fn go(&mut self, to: usize, more: bool) {
+        self.caret = to.min(self.text.len());
+        if !more {
+            self.anchor = self.caret;
+        }
+    }
+
+    /// Puts characters in the place of what is selected, as many as there is room for.
+    fn put(&mut self, characters: &[char]) {
+        let (from, to) = self.selection();
+        let room = self.limit.saturating_sub(self.text.len() - (to - from));
+        let fit: Vec<char> = characters.iter().copied().filter(|character| !character.is_control()).take(room).collect();
+        if fit.is_empty() && !characters.is_empty() {
+            return;
+        }
+        let end = from + fit.len();
+        self.text.splice(from..to, fit);
+        self.go(end, false);
     }
 
     /// The text.
@@ -53,16 +121,58 @@ impl TextField {
         self.text.iter().collect()
     }
 
+    /// From which character to which it is selected.
+    pub fn selection(&self) -> (usize, usize) {
+        (self.anchor.min(self.caret), self.anchor.max(self.caret))
+    }
+
     /// The text up to the caret.
-    #[cfg(any(test, feature = "window"))]
-    pub fn before_caret(&self) -> String {
+    #[cfg(test)]
+    fn before_caret(&self) -> String {
         self.text[..self.caret].iter().collect()
+    }
+}
+
+#[cfg(feature = "window")]
+mod drawing {
+    use super::TextField;
+    use crate::view::canvas::{Canvas, Style};
+    use crate::view::layout::{Area, Vec2};
+    use crate::view::theme;
+
+    /// Height of the caret and of what is selected, in heights of the text.
+    const CARET: f32 = 1.35;
+
+    impl TextField {
+        /// Draws the text into a box, so far from its sides. `time` (s) makes the caret blink; without it the keyboard is elsewhere. The caret
+        /// stays in view: of a text that is wider than the box the beginning is left out.
+        pub fn draw(&self, canvas: &Canvas, area: Area, (size, inside): (f32, f32), time: Option<f64>) {
+            let style = Style::new(size, theme::text()).mono().middle();
+            let width = |from: usize, to: usize| canvas.width(&self.text[from..to].iter().collect::<String>(), style);
+            let room = area.size.x - 2.0 * inside;
+            let first = (0..self.caret).find(|first| width(*first, self.caret) <= room).unwrap_or(self.caret);
+            let last = (first..=self.text.len()).take_while(|last| width(first, *last) <= room).last().unwrap_or(first);
+            let left = Vec2::new(area.min.x + inside, area.centre().y);
+            let height = canvas.frame().text_height(size) * CARET;
+            let bar = |from: f32, to: f32| Area::new(left.x + from, left.y - height / 2.0, to - from, height);
+            let (from, to) = self.selection();
+            let (from, to) = (from.clamp(first, last), to.clamp(first, last));
+            if time.is_some() && from < to {
+                canvas.rounded(bar(width(first, from), width(first, to)), 2.0, theme::solid());
+            }
+            canvas.text(&self.text[first..last].iter().collect::<String>(), left, style);
+            if time.is_some_and(|time| time.fract() < 0.5) {
+                let x = width(first, self.caret);
+                canvas.rounded(bar(x - 0.75, x + 0.75), 0.0, theme::accent());
+            }
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::screens::input::{Clipboard, Keyed};
 
     fn press(field: &mut TextField, keys: &[Key]) {
         for key in keys {
@@ -101,5 +211,58 @@ mod tests {
         let mut field = TextField::new("", 40);
         press(&mut field, &[Key::Backspace, Key::Delete, Key::Left, Key::Right]);
         assert_eq!(field.text(), "");
+    }
+
+    fn with_control(field: &mut TextField, key: Key, board: &Clipboard) {
+        let held = [Key::Control, key].into_iter().collect();
+        let pressed = [key].into_iter().collect();
+        // The system types the letter, too.
+        let typed = key.label().to_lowercase();
+        field.update(&Input { pressed, held, typed, clipboard: board.clone(), ..Input::default() });
+        field.update(&Input::default());
+    }
+
+    #[test]
+    fn what_is_selected_is_copied_cut_and_pasted_and_the_next_letter_takes_its_place() {
+        let (mut field, mut other) = (TextField::new("gate", 6), TextField::selected("old", 40));
+        let board = Clipboard::default();
+        with_control(&mut field, Key::A, &board);
+        with_control(&mut field, Key::C, &board);
+        with_control(&mut other, Key::V, &board);
+        assert_eq!((field.text().as_str(), other.text().as_str()), ("gate", "gate"));
+        press(&mut field, &[Key::End]);
+        with_control(&mut field, Key::V, &board);
+        assert_eq!(field.text(), "gatega", "as far as there is room");
+        with_control(&mut field, Key::A, &board);
+        with_control(&mut field, Key::X, &board);
+        assert_eq!(field.text(), "");
+        board.keep("two\nlines\t".to_owned());
+        with_control(&mut field, Key::V, &board);
+        assert_eq!(field.text(), "twolin");
+        // Shift selects; Left goes to its beginning.
+        let held: Keys = [Key::Shift].into_iter().collect();
+        for _ in 0..2 {
+            field.update(&Input { pressed: [Key::Left].into_iter().collect(), held, ..Input::default() });
+        }
+        assert_eq!(field.selection(), (4, 6));
+        assert!(type_in(&mut field, "x"));
+        assert_eq!(field.text(), "twolx");
+        field.select_all();
+        press(&mut field, &[Key::Left]);
+        assert_eq!((field.selection(), field.before_caret().as_str()), ((0, 0), ""));
+    }
+
+    #[test]
+    fn at_few_frames_a_second_letters_and_keys_act_in_the_order_in_which_they_came() {
+        let mut field = TextField::new("gates", 40);
+        let keyed = |key, after| Keyed { key, after, held: Keys::default() };
+        let input = Input {
+            typed: "xyz".into(),
+            pressed: [Key::Backspace, Key::Home].into_iter().collect(),
+            keyed: vec![keyed(Key::Backspace, 0), keyed(Key::Backspace, 1), keyed(Key::Backspace, 1), keyed(Key::Home, 2)],
+            ..Input::default()
+        };
+        field.update(&input);
+        assert_eq!((field.text().as_str(), field.before_caret().as_str()), ("zgaty", "z"));
     }
 }

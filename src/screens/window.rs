@@ -1,10 +1,11 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
-use super::editor::Sheets;
+use super::editor::{self, Sheets};
 use super::pad::Pads;
 use super::watch::above;
 use super::{
-    Answer, App, Attempt, Flight, Input, Instruments, Key, Keys, Noise, Picture, Places, Request, Screen, Spectator, Watch, pace,
+    Answer, App, Attempt, Flight, Input, Instruments, Key, Keyed, Keys, Noise, Picture, Places, Request, Screen, Spectator, Watch,
+    pace,
 };
 use crate::game::Game;
 use crate::level::{self, Level};
@@ -18,10 +19,11 @@ use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
 use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, get_dropped_files, is_key_down, is_key_pressed, is_mouse_button_down,
-    is_mouse_button_pressed, mouse_position, mouse_wheel,
+    is_mouse_button_pressed, mouse_position, mouse_wheel, utils,
 };
 use macroquad::miniquad::EventHandler;
 use macroquad::miniquad::conf::Conf;
+use macroquad::miniquad::KeyMods;
 use macroquad::window::{next_frame, set_fullscreen};
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
@@ -62,8 +64,8 @@ pub enum Start {
     Play(PathBuf, Attempt),
     /// The level in that folder, which is not finished, to try it out.
     Test(PathBuf, Arc<Level>),
-    /// The editor of the level in that folder, which has that name.
-    Edit(PathBuf, String),
+    /// The editor of the level in that folder, which has that name; of itself, also where it comes with the game.
+    Edit(PathBuf, String, bool),
 }
 
 /// Opens the window, in a level where one is given, and returns when it is closed.
@@ -109,20 +111,25 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     let mut canvas = Canvas::new()?;
     let mut theatre = Theatre::new(Speaker::new());
     let mut app = App::new(places);
+    app.clipboard.of_system = true;
     match start {
         Some(Start::Play(folder, attempt)) => app.begin(&folder, Request::Attempt(attempt), &mut theatre),
         Some(Start::Test(folder, level)) => app.begin(&folder, Request::TestFly(level), &mut theatre),
-        Some(Start::Edit(folder, name)) => app.begin(&folder, Request::Edit(name), &mut theatre),
+        Some(Start::Edit(folder, name, false)) => app.begin(&folder, Request::Edit(name), &mut theatre),
+        Some(Start::Edit(folder, name, true)) => app.begin(&folder, Request::EditOriginal(name), &mut theatre),
         None => {}
     }
     let mut pads = Pads::new();
     let mut focus = WindowFocus::new();
     let mut begun = Instant::now();
     let mut fullscreen = false;
+    let typist = utils::register_input_subscriber();
     loop {
         theme::wear(app.settings().palette);
-        canvas.begin(text_scale(&app))?;
-        let mut input = Input { away: focus.is_away(), ..read_input(&canvas, pads.read()) };
+        canvas.begin(text_scale(&app, canvas.frame().pixel))?;
+        let mut typed = Typist::default();
+        utils::repeat_all_miniquad_input(&mut typed, typist);
+        let mut input = Input { away: focus.is_away(), ..read_input(&canvas, pads.read(), typed) };
         // What is pressed meanwhile comes with the next frame, which waits for nothing.
         let worked = begun.elapsed();
         std::thread::sleep(Duration::from_secs_f64(app.interval(&input)).saturating_sub(worked));
@@ -153,14 +160,49 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     }
 }
 
-/// How large words are on this screen: those of a flight as the player wants them; the others stand in panels made for them.
-fn text_scale(app: &App) -> f32 {
+/// How large words are on this screen, with so many canvas units a pixel: those of a flight as the player wants them; the editor leaves a large
+/// window to the picture; the others stand in panels made for them.
+fn text_scale(app: &App, pixel: f32) -> f32 {
+    if let Screen::Editor(_) = app.screen() {
+        return editor::text_scale(pixel);
+    }
     let scale = f32::from(app.settings().scale) / 100.0;
     let flown = matches!(app.screen(), Screen::Flight(flight) if flight.pause().is_none());
     if flown || matches!(app.screen(), Screen::Watch(_)) { scale } else { 1.0 }
 }
 
-fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
+/// What was typed since the last frame, in order.
+#[derive(Default)]
+struct Typist {
+    typed: String,
+    keyed: Vec<Keyed>,
+}
+
+impl EventHandler for Typist {
+    fn update(&mut self) {}
+
+    fn draw(&mut self) {}
+
+    fn char_event(&mut self, character: char, held: KeyMods, _repeat: bool) {
+        // Ctrl with Alt types letters on some keyboards.
+        if !(held.ctrl && !held.alt || held.logo || character.is_control()) {
+            self.typed.push(character);
+        }
+    }
+
+    fn key_down_event(&mut self, code: KeyCode, mods: KeyMods, repeat: bool) {
+        let key = KEYS.iter().chain(&MORE_KEYS).find(|(known, _)| *known == code);
+        if let (Some((_, key)), false) = (key, repeat) {
+            let modifiers = [(mods.shift, Key::Shift), (mods.ctrl || mods.logo, Key::Control), (mods.alt, Key::Alt)];
+            let held = modifiers.into_iter().filter(|(held, _)| *held).map(|(_, key)| key).collect();
+            self.keyed.push(Keyed { key: *key, after: self.typed.chars().count(), held });
+        }
+    }
+}
+
+fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), Typist { typed, keyed }: Typist) -> Input {
+    // What was typed comes from the typist: macroquad's own list of it would grow without end.
+    while get_char_pressed().is_some() {}
     let keys = |is: fn(KeyCode) -> bool| {
         KEYS.iter().chain(&MORE_KEYS).filter(|(code, _)| is(*code)).map(|(_, key)| *key).collect::<Keys>()
     };
@@ -175,7 +217,8 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
         wheel: mouse_wheel().1.clamp(-1.0, 1.0),
         pressed: keys(is_key_pressed) | pad_pressed,
         held: keys(is_key_down) | pad_held,
-        typed: std::iter::from_fn(get_char_pressed).collect(),
+        typed,
+        keyed,
         dropped: get_dropped_files().into_iter().filter_map(|file| file.path).collect(),
         ..Input::default()
     }

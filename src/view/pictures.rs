@@ -1,6 +1,6 @@
 //! The pictures that a level brings along: its background and its objects' sprites. Their bytes are handed in.
 
-use crate::level::{Level, Look};
+use crate::level::Level;
 use macroquad::texture::{FilterMode, Image, Texture2D};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -16,12 +16,7 @@ impl Pictures {
     /// checked them all, and a file that vanished since is no reason to stop the game.
     pub fn new(level: &Level, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
         let mut textures = BTreeMap::new();
-        let sprites = level.objects.iter().filter_map(|object| match &object.look {
-            Look::Image(path) => Some(path),
-            Look::Box | Look::Ball => None,
-        });
-        let decoration = level.decoration.iter().map(|picture| &picture.image);
-        for path in sprites.chain(decoration).chain(&level.background) {
+        for path in level.pictures().chain(&level.background) {
             if !textures.contains_key(path)
                 && let Some(image) = read(path).and_then(|bytes| Image::from_file_with_format(&bytes, None).ok())
             {

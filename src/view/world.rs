@@ -58,7 +58,8 @@ fn paper_lines(view: &Viewport, canvas: &Canvas, heavy: bool, colour: Color) {
 pub fn draw_texts(level: &Level, view: &Viewport, canvas: &Canvas) {
     for text in &level.texts {
         let size = nearest_size(view.length(text.size));
-        canvas.text(&text.text, view.point(text.position), Style::new(size, theme::text()));
+        let colour = text.colour.map_or_else(theme::text, |[r, g, b]| Color::from_rgba(r, g, b, 255));
+        canvas.text(&text.text, view.point(text.position), Style::new(size, colour));
     }
 }
 

@@ -254,3 +254,60 @@ proptest! {
         }
     }
 }
+
+fn document(files: &[(&str, &[u8])]) -> Document {
+    Document::new(|table| files.iter().find(|(file, _)| *file == table.file()).map(|(_, bytes)| bytes.to_vec()))
+}
+
+#[test]
+fn a_file_that_cannot_be_read_blocks_itself_alone() {
+    let place = Place { min: DVec2::new(10.0, 10.0), size: DVec2::new(50.0, 20.0) };
+    for bad in [&b"# Treibstoff f\xfcr das Schiff\n1,2,30,40,100\n"[..], b"1,2,30,40,\"100\n"] {
+        let mut document = document(&[("pods.csv", bad)]);
+        for kind in Kind::ADDED.into_iter().filter(|kind| *kind != Kind::Pod) {
+            assert_eq!(document.put(kind, place).map(|row| row.is_some()), Ok(true), "{kind:?}");
+        }
+        let refused = document.put(Kind::Pod, place).unwrap_err();
+        assert!(refused.contains("pods.csv"), "{refused}");
+        assert_eq!(document.bytes(Table::Pods).unwrap(), bad);
+    }
+}
+
+#[test]
+fn a_name_takes_its_wires_along() {
+    let files: [(&str, &[u8]); 4] = [
+        ("doors.csv", b"1,2,3,4,gate\n9,2,3,4,gate\n"),
+        ("movers.csv", b"x,y,width,height,way_points,speed,name\n1,2,3,4,5 6,1,lift\n"),
+        ("hazards.csv", b"x,y,width,height,stream_width,stream_height,force_x,force_y,name\n1,2,3,4,0,9,0,5,fan\n"),
+        ("switches.csv", b"# a comment\n1,2,3,4,gate !fan\n5,2,3,4,  lift\n"),
+    ];
+    let mut document = document(&files);
+    let works = |document: &Document| {
+        document.rows(Table::Switches).map(|row| document.cell(row, "works").unwrap().to_owned()).collect::<Vec<_>>()
+    };
+    let name = |document: &mut Document, table, row, text: &str, gesture| {
+        let cell = SetCell { row: RowId { table, row }, column: "name", text: text.to_owned() };
+        document.set(&[cell], Some(gesture)).unwrap();
+    };
+    // Typed letter by letter, past the name of another thing: one operation.
+    for text in ["l", "li", "lif", "lift", "lifts", "lift s", ""] {
+        name(&mut document, Table::Hazards, 0, text, 1);
+    }
+    assert_eq!(works(&document), ["gate !fan", "lift"], "a thing without a name of one word has no wire yet");
+    name(&mut document, Table::Hazards, 0, "blow", 1);
+    assert_eq!(works(&document), ["gate !blow", "lift"]);
+    assert_eq!(document.history(), (1, 0));
+    assert!(document.undo() && document.bytes(Table::Switches).unwrap() == files[3].1);
+    assert!(document.redo());
+    // Of two things of one name only one is renamed: both are still worked.
+    name(&mut document, Table::Doors, 1, "hatch", 2);
+    name(&mut document, Table::Movers, 0, "raft", 3);
+    assert_eq!(works(&document), ["gate hatch !blow", "raft"]);
+    assert_eq!(document.wires().len(), 4);
+    for _ in 0..3 {
+        document.undo();
+    }
+    for (file, bytes) in files {
+        assert_eq!(document.bytes(Table::of_file(file).unwrap()).unwrap(), bytes, "{file}");
+    }
+}

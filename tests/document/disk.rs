@@ -2,7 +2,7 @@
 
 use super::{all_bytes, folders};
 use resultant::level;
-use resultant::level::document::{Folder, Kind, Place, SaveError, SetCell, Table};
+use resultant::level::document::{Folder, Kind, Place, SaveError, SetCell, Side, Table};
 use resultant::physics::DVec2;
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -41,7 +41,7 @@ fn what_is_opened_and_saved_is_the_same_to_the_byte() {
         // Something is done and undone, so that there is something to save or not.
         let _ = opened.document.put(Kind::Deadly, BLOCK);
         opened.document.undo();
-        opened.folder.save(&opened.document, false).unwrap();
+        opened.folder.save(&opened.document).unwrap();
         assert_eq!(names(copy.path()), names(&folder).into_iter().filter(|name| folder.join(name).is_file()).collect::<Vec<_>>());
         for name in names(copy.path()) {
             assert_eq!(fs::read(copy.path().join(&name)).unwrap(), fs::read(folder.join(&name)).unwrap(), "{name}");
@@ -66,7 +66,7 @@ fn a_saved_level_is_on_disk_and_loads() {
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     opened.document.put(Kind::Deadly, Place { min: DVec2::new(500.0, 600.0), ..BLOCK }).unwrap();
     assert!(opened.folder.is_unsaved(&opened.document));
-    opened.folder.save(&opened.document, false).unwrap();
+    opened.folder.save(&opened.document).unwrap();
     assert!(!opened.folder.is_unsaved(&opened.document));
     assert_eq!(fs::read_to_string(folder.path().join("world.csv")).unwrap(), "0,680,1280,40\n10,10,50,20\n");
     assert_eq!(names(folder.path()), ["constants.csv", "objectives.csv", "obstacles.csv", "player.csv", "world.csv"]);
@@ -74,7 +74,7 @@ fn a_saved_level_is_on_disk_and_loads() {
     assert_eq!((loaded.level.world.len(), loaded.level.obstacles.len()), (2, 1));
     // A file that was made here and is undone goes.
     opened.document.undo();
-    opened.folder.save(&opened.document, false).unwrap();
+    opened.folder.save(&opened.document).unwrap();
     assert!(!folder.path().join("obstacles.csv").exists());
 }
 
@@ -84,21 +84,64 @@ fn what_another_program_wrote_is_taken_over_or_told_but_never_written_over() {
     let path = |name: &str| folder.path().join(name);
     let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
     fs::write(path("player.csv"), "200,600,100,500,3000\n").unwrap();
-    assert_eq!(opened.folder.take_over(&mut opened.document, false), (true, vec![]));
+    assert_eq!(opened.folder.take_over(&mut opened.document), (true, vec![]));
     assert_eq!(opened.document.bytes(Table::Player).unwrap(), b"200,600,100,500,3000\n");
     assert!(!opened.folder.is_unsaved(&opened.document));
 
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     fs::write(path("world.csv"), "0,600,1280,120\n").unwrap();
-    assert_eq!(opened.folder.take_over(&mut opened.document, false), (false, vec![Table::World]));
-    let Err(SaveError::Changed(tables)) = opened.folder.save(&opened.document, false) else { panic!("saved") };
+    assert_eq!(opened.folder.take_over(&mut opened.document), (false, vec![Table::World]));
+    let Err(SaveError::Changed(tables)) = opened.folder.save(&opened.document) else { panic!("saved") };
     assert_eq!((tables, fs::read_to_string(path("world.csv")).unwrap().as_str()), (vec![Table::World], "0,600,1280,120\n"));
-    // Either of the two.
+    // Either of the two; the other one is beside it, and one undo away.
+    let (mine, theirs) = ("0,680,1280,40\n10,10,50,20\n", "0,600,1280,120\n");
     let mut other = (opened.document.clone(), opened.folder.clone());
-    assert_eq!(other.1.take_over(&mut other.0, true), (true, vec![]));
-    assert_eq!(other.0.bytes(Table::World).unwrap(), b"0,600,1280,120\n");
-    opened.folder.save(&opened.document, true).unwrap();
-    assert_eq!(fs::read_to_string(path("world.csv")).unwrap(), "0,680,1280,40\n10,10,50,20\n");
+    assert_eq!(other.1.settle(&mut other.0, Side::Theirs).unwrap(), ["world.csv.mine-1"]);
+    assert_eq!(other.0.bytes(Table::World).unwrap(), theirs.as_bytes());
+    assert!(other.0.undo() && other.0.bytes(Table::World).unwrap() == mine.as_bytes());
+    assert_eq!(fs::read_to_string(path("world.csv.mine-1")).unwrap(), mine);
+    fs::write(path("world.csv.theirs-1"), "not to be touched").unwrap();
+    assert_eq!(opened.folder.settle(&mut opened.document, Side::Mine).unwrap(), ["world.csv.theirs-2"]);
+    opened.folder.save(&opened.document).unwrap();
+    assert_eq!(fs::read_to_string(path("world.csv")).unwrap(), mine);
+    assert_eq!(fs::read_to_string(path("world.csv.theirs-2")).unwrap(), theirs);
+    assert_eq!(fs::read_to_string(path("world.csv.theirs-1")).unwrap(), "not to be touched");
+    assert!(opened.document.undo() && opened.document.bytes(Table::World).unwrap() == theirs.as_bytes());
+    assert_eq!(level::load(folder.path(), folder.path()).unwrap().warnings, vec![], "the copies are no files of the level");
+}
+
+#[test]
+fn two_editors_of_a_level_keep_their_edits_apart() {
+    let folder = level();
+    let mut first = Folder::open_to_edit(folder.path(), folder.path()).unwrap();
+    let mut second = Folder::open_to_edit(folder.path(), folder.path()).unwrap();
+    assert!(!first.folder.is_shared() && second.folder.is_shared());
+    first.document.put(Kind::Solid, BLOCK).unwrap();
+    second.document.put(Kind::Deadly, BLOCK).unwrap();
+    for opened in [&first, &second] {
+        opened.folder.keep(&opened.document).unwrap();
+    }
+    let wanted = all_bytes(&first.document);
+    // The second one throws its edits away; those of the first are still there when that one ends.
+    second.folder.forget();
+    drop((first, second));
+    assert_eq!(names(folder.path()), [".autosave", "constants.csv", "objectives.csv", "player.csv", "world.csv"]);
+    let mut again = Folder::open_to_edit(folder.path(), folder.path()).unwrap();
+    again.document.restore(again.kept.take().unwrap());
+    assert!(!again.folder.is_shared() && all_bytes(&again.document) == wanted);
+}
+
+#[cfg(unix)]
+#[test]
+fn what_cannot_even_be_kept_is_said_to_be_so() {
+    let folder = level();
+    let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
+    opened.document.put(Kind::Solid, BLOCK).unwrap();
+    // Nothing can be put in the place of a folder.
+    fs::create_dir_all(folder.path().join(".autosave/taken")).unwrap();
+    let error = opened.folder.save(&opened.document).unwrap_err();
+    assert!(matches!(error, SaveError::NotKept(_)), "{error:?}");
+    assert!(error.to_string().starts_with("Neither saved nor kept"), "{error}");
 }
 
 #[test]
@@ -136,14 +179,14 @@ fn a_file_keeps_its_mode_and_a_link_stays_one() {
     symlink(&target, &world).unwrap();
     let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
     opened.document.put(Kind::Solid, BLOCK).unwrap();
-    opened.folder.save(&opened.document, false).unwrap();
+    opened.folder.save(&opened.document).unwrap();
     assert!(fs::symlink_metadata(&world).unwrap().is_symlink());
     assert_eq!(fs::metadata(&target).unwrap().permissions().mode() & 0o777, 0o640);
     assert_eq!(fs::read_to_string(&target).unwrap().lines().count(), 2);
     // What is read-only is refused, and nothing is lost.
     fs::set_permissions(&target, fs::Permissions::from_mode(0o440)).unwrap();
     opened.document.put(Kind::Solid, BLOCK).unwrap();
-    assert!(matches!(opened.folder.save(&opened.document, false), Err(SaveError::File(file, _)) if file == "world.csv"));
+    assert!(matches!(opened.folder.save(&opened.document), Err(SaveError::File(file, _)) if file == "world.csv"));
     assert!(Folder::open(folder.path(), folder.path()).unwrap().kept.is_some());
 }
 
@@ -191,7 +234,7 @@ fn edits_without_end() {
         opened.document.set(&cells, None).unwrap();
         opened.folder.keep(&opened.document).unwrap();
         if number % 2 == 1 {
-            opened.folder.save(&opened.document, false).unwrap();
+            opened.folder.save(&opened.document).unwrap();
         }
         println!("{EDITED}{number}");
     }

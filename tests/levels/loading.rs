@@ -154,7 +154,7 @@ fn pictures_of_a_level_may_lie_in_its_own_folder() {
     assert_eq!(level.objects[0].look, Look::Image(own.join("own.png")));
     assert_eq!(level.objects[1].look, Look::Image(fixtures().join("assets/sprites/ball.png")));
     let [behind, front] = &level.decoration[..] else { panic!("{:?}", level.decoration) };
-    assert_eq!((&behind.image, behind.in_front, front.in_front), (&own.join("art/cube.png"), false, true));
+    assert_eq!((&behind.look, behind.in_front, front.in_front), (&Look::Image(own.join("art/cube.png")), false, true));
     assert_eq!(behind.bounds, rectangle(10.0, 10.0, 30.0, 20.0));
 }
 

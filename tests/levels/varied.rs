@@ -109,14 +109,14 @@ fn a_level_that_is_written_as_it_is_varied_loads_as_that() {
     let from = package().join("levels/8");
     let Opened { mut document, .. } = Folder::open(&from, package()).unwrap();
     document.vary(&varied, &variation.parameters(), None).unwrap();
-    let name = scaffold::free_name(levels.path(), "8");
+    let name = scaffold::free_name(levels.path(), "8", "what-if");
     scaffold::copy_edited(&from, levels.path(), &name, &document).unwrap();
     let read = level::load(&levels.path().join(&name), package()).expect("it loads").level;
     assert_eq!((name.as_str(), level_hash(&read)), ("8-what-if", level_hash(&varied)));
     // Nobody's level is written over.
     assert!(scaffold::copy_edited(&from, levels.path(), &name, &document).is_err());
-    assert_eq!(scaffold::free_name(levels.path(), "8"), "8-what-if-2");
-    assert_eq!(scaffold::free_name(levels.path(), "no word!"), "what-if");
+    assert_eq!(scaffold::free_name(levels.path(), "8", "what-if"), "8-what-if-2");
+    assert_eq!(scaffold::free_name(levels.path(), "no word!", "what-if"), "what-if");
     assert_eq!(level::list(levels.path()), [name], "and nothing half written is left");
 }
 

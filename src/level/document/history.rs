@@ -30,9 +30,25 @@ impl FileChange {
 impl Document {
     /// Takes over a file as another program has left it: an operation like any other.
     pub fn replace(&mut self, table: Table, bytes: Option<Vec<u8>>) {
-        let mut all: Vec<Option<Vec<u8>>> = Table::ALL.iter().map(|table| self.bytes(*table).map(<[u8]>::to_vec)).collect();
+        let mut all = self.all_bytes();
         all[table.index()] = bytes;
         self.replace_all(all);
+    }
+
+    /// What all files hold, by [`Table`].
+    pub(super) fn all_bytes(&self) -> Vec<Option<Vec<u8>>> {
+        Table::ALL.iter().map(|table| self.bytes(*table).map(<[u8]>::to_vec)).collect()
+    }
+
+    /// A file as it was before the gesture of that number began.
+    pub(super) fn before(&self, table: Table, gesture: Option<u64>) -> Sheet {
+        let sheet = self.sheet(table);
+        let same = |change: &&Change| gesture.is_some() && change.gesture == gesture;
+        let begun = self.undo.last().filter(same).and_then(|change| change.files.iter().find(|file| file.table == table));
+        let Some(FileChange { exists, splices, .. }) = begun else { return sheet.clone() };
+        let mut bytes = sheet.bytes.clone();
+        put_back(&mut bytes, splices);
+        Sheet::new(table, exists[0].then_some(bytes))
     }
 
     /// Makes all files hold these bytes, by [`Table`].

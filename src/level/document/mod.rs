@@ -12,7 +12,7 @@ mod places;
 mod sheet;
 mod wires;
 
-pub use disk::{Folder, Kept, Opened, SaveError};
+pub use disk::{Folder, Kept, Opened, SaveError, Side};
 pub use kinds::{Kind, SETTINGS, Table, choices, unit};
 pub use places::{Place, number, way_text};
 pub use wires::Wiring;
@@ -174,12 +174,14 @@ impl Document {
         self.sheet(row.table).lines(row.row).map(|(from, _)| from)
     }
 
-    /// Makes cells hold other texts. Operations of one gesture, whichever number it has, are undone together.
+    /// Makes cells hold other texts. Operations of one gesture, whichever number it has, are undone together. Where a name changes that
+    /// switches work, they work the new one.
     ///
     /// # Errors
     /// A file or row that cannot be read as a table, in words; nothing has changed then.
     pub fn set(&mut self, cells: &[SetCell], gesture: Option<u64>) -> Result<(), String> {
         let mut files = Vec::new();
+        let cells: Vec<SetCell> = cells.iter().cloned().chain(self.renamed(cells, gesture)).collect();
         for sheet in &self.sheets {
             let edits: Vec<CellEdit> = cells
                 .iter()
@@ -202,13 +204,14 @@ impl Document {
         let (mut files, mut added) = (Vec::new(), Vec::new());
         for sheet in &self.sheets {
             let of_sheet: Vec<&NewRow> = rows.iter().filter(|row| row.kind.table() == sheet.table).collect();
+            if of_sheet.is_empty() {
+                continue;
+            }
             let first = sheet.rows().len();
             let cells: Vec<Added> = of_sheet.iter().map(|row| (row.kind.columns(), row.cells.clone())).collect();
             let splices = sheet.append(&cells)?;
             added.extend((first..first + cells.len()).map(|row| RowId { table: sheet.table, row }));
-            if !splices.is_empty() {
-                files.push(FileChange::of(sheet, splices));
-            }
+            files.push(FileChange::of(sheet, splices));
         }
         self.apply(files, None);
         Ok(added)
@@ -221,12 +224,11 @@ impl Document {
     pub fn put(&mut self, kind: Kind, place: Place) -> Result<Option<RowId>, String> {
         let mut cells: Vec<(&'static str, String)> =
             kind.fresh().iter().map(|(column, text)| (*column, (*text).to_owned())).collect();
-        let at = if kind.by_centre() { place.centre() } else { place.min };
+        let at = if kind.by_centre() { place.centre().round() } else { place.min };
         let mut size = place.size.max(DVec2::ONE);
         cells.extend([("x", number(at.x)), ("y", number(at.y))]);
         match kind {
-            Kind::Object | Kind::Key => cells.push(("image", places::shape_text(false, size))),
-            Kind::Picture => cells.push(("image", "picture.png".to_owned())),
+            Kind::Object | Kind::Key | Kind::Picture => cells.push(("image", places::shape_text(false, size))),
             Kind::Text => cells.push(("size", number(size.y))),
             _ => {
                 if kind == Kind::Stream {

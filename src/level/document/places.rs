@@ -99,8 +99,8 @@ impl Document {
     /// Whether the row's thing can be given another size.
     pub fn is_sizable(&self, row: RowId) -> bool {
         match self.kind(row) {
-            None | Some(Kind::Ship | Kind::Setting | Kind::Picture) => false,
-            Some(Kind::Object | Kind::Key) => self.cell(row, "image").is_some_and(|image| shape(image).is_some()),
+            None | Some(Kind::Ship | Kind::Setting) => false,
+            Some(Kind::Object | Kind::Key | Kind::Picture) => self.cell(row, "image").is_some_and(|image| shape(image).is_some()),
             Some(_) => true,
         }
     }
@@ -122,7 +122,7 @@ impl Document {
         if resized && self.is_sizable(row) {
             match kind {
                 Kind::Text => set("size", to.size.y.max(1.0)),
-                Kind::Object | Kind::Key => {
+                Kind::Object | Kind::Key | Kind::Picture => {
                     let round = self.cell(row, "image").and_then(shape).is_some_and(|(round, _)| round);
                     let text = shape_text(round, to.size);
                     cells.push(SetCell { row, column: "image", text });

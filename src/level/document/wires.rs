@@ -1,6 +1,7 @@
 //! Which switch works which thing, and the names by which it does.
 
 use super::{Document, Kind, RowId, SetCell, Table};
+use std::collections::BTreeMap;
 
 /// The tables whose rows have a name that a switch can work.
 const WORKED: [Table; 4] = [Table::World, Table::Movers, Table::Doors, Table::Hazards];
@@ -66,6 +67,55 @@ impl Document {
         }
         cells.push(SetCell { row: switch, column: "works", text: words.join(" ") });
         cells
+    }
+
+    /// What the switches' cells hold when things are named anew. Names are typed letter by letter, past those of other things: so the wires
+    /// are looked up as they were before that gesture.
+    pub(super) fn renamed(&self, cells: &[SetCell], gesture: Option<u64>) -> Vec<SetCell> {
+        let is_name = |cell: &&SetCell| cell.column == "name" && self.can_be_worked(cell.row);
+        let named: BTreeMap<RowId, &str> = cells.iter().filter(is_name).map(|cell| (cell.row, cell.text.trim())).collect();
+        if named.is_empty() {
+            return Vec::new();
+        }
+        // The names that things had, each with those that stand in its place.
+        let mut new: BTreeMap<String, Vec<String>> = BTreeMap::new();
+        for table in WORKED {
+            let before = self.before(table, gesture);
+            for row in 0..before.rows().len() {
+                let Some(old) = before.cell(row, "name").filter(|name| !name.is_empty()) else { continue };
+                // Until there is a name of one word the switches keep the old one.
+                let one_word = |name: &&str| !name.is_empty() && !name.starts_with('!') && !name.contains(char::is_whitespace);
+                let name = named.get(&RowId { table, row }).copied().filter(one_word).unwrap_or(old);
+                let names = new.entry(old.to_owned()).or_default();
+                if !names.iter().any(|known| known == name) {
+                    names.push(name.to_owned());
+                }
+            }
+        }
+        let before = self.before(Table::Switches, gesture);
+        let mut rewired = Vec::new();
+        for (index, row) in before.rows().iter().enumerate() {
+            let Some(works) = before.cell(index, "works").filter(|_| row.cells.iter().all(|cell| cell.fault.is_none())) else {
+                continue;
+            };
+            let mut words: Vec<String> = Vec::new();
+            for word in works.split_whitespace() {
+                let (sign, name) = word.split_at(usize::from(word.starts_with('!')));
+                let kept = [name.to_owned()];
+                for name in new.get(name).map_or(&kept[..], Vec::as_slice) {
+                    let word = format!("{sign}{name}");
+                    if !words.contains(&word) {
+                        words.push(word);
+                    }
+                }
+            }
+            let text = if works.split_whitespace().eq(&words) { works.to_owned() } else { words.join(" ") };
+            let row = RowId { table: Table::Switches, row: index };
+            if self.cell(row, "works") != Some(text.as_str()) {
+                rewired.push(SetCell { row, column: "works", text });
+            }
+        }
+        rewired
     }
 
     fn names(&self) -> Vec<&str> {

@@ -4,7 +4,8 @@ use super::ask::{Ask, Question};
 use super::{Editor, Tool, snap};
 use crate::level::document::{Document, Kind, RowId, SaveError, Table};
 use crate::physics::DVec2;
-use crate::screens::{Input, Key, Purpose, Request};
+use crate::screens::{Input, Key, Request};
+use std::sync::Arc;
 
 impl Editor {
     /// Keys, where the keyboard is in no field; whether one of them was all that this frame is for, and what it asks for.
@@ -34,8 +35,9 @@ impl Editor {
             self.select(Vec::new());
         }
         if input.pressed(Key::Tab)
-            && let Some(first) = self.panel.fields.first().map(|field| field.name)
+            && let Some(first) = self.panel.fields.iter().find(|field| self.is_wrong(field.name)).or(self.panel.fields.first())
         {
+            let first = first.name;
             self.next_gesture();
             self.panel.focus(first, self.gesture);
             return Some((None,));
@@ -73,7 +75,7 @@ impl Editor {
         match command {
             "Back" if self.folder.is_unsaved(&self.document) => self.ask = Some(Ask::new(Question::Leave)),
             "Back" => return Some(self.leave()),
-            "Save" => drop(self.save(false)),
+            "Save" => drop(self.save()),
             "Undo" => self.turn_back(Document::undo),
             "Redo" => self.turn_back(Document::redo),
             "Copy" => {
@@ -111,15 +113,26 @@ impl Editor {
         }
     }
 
-    /// The level as it is in memory is flown, if it loads.
+    /// The level as it is in memory is flown, or as much of it as there is.
     fn fly(&mut self) -> Option<Request> {
         if self.checked.0 != Some(self.document.version()) {
             self.check();
         }
-        if self.level.is_none() {
-            self.say("It cannot be flown until these problems are mended:");
+        if let Some(level) = &self.level {
+            return Some(Request::TestFly(level.clone(), Vec::new()));
         }
-        self.level.clone().map(Request::TestFly)
+        match self.folder.unfinished(&self.document) {
+            Ok(loaded) => {
+                let refused = self.problems.iter().filter(|(_, refused)| *refused);
+                let left = refused.map(|(problem, _)| problem.to_string()).collect();
+                return Some(Request::TestFly(Arc::new(loaded.level), left));
+            }
+            Err(problems) => {
+                let first = problems.first().map(ToString::to_string).unwrap_or_default();
+                self.say(format!("It cannot be flown until this is mended: {first}"));
+            }
+        }
+        None
     }
 
     /// Says how a test flight ended.
@@ -129,12 +142,12 @@ impl Editor {
 
     pub(super) fn leave(&self) -> Request {
         self.folder.forget();
-        Request::LevelSelect(Purpose::Edit)
+        Request::LeaveEditor
     }
 
     /// Writes the files; whether that could be done.
-    pub(super) fn save(&mut self, over: bool) -> bool {
-        match self.folder.save(&self.document, over) {
+    pub(super) fn save(&mut self) -> bool {
+        match self.folder.save(&self.document) {
             Ok(()) => {
                 self.watch.take();
                 self.kept.0 = self.document.version();
@@ -146,7 +159,7 @@ impl Editor {
                 false
             }
             Err(error) => {
-                self.say(format!("Not saved, but kept: {error}"));
+                self.say(error.to_string());
                 false
             }
         }

@@ -11,6 +11,8 @@ use crate::view::layout::Vec2;
 const GRAB: f32 = 9.0;
 /// A drag shorter than this is a click, canvas units.
 const CLICK: f32 = 4.0;
+/// From the middle of a thing to its handles, at least, canvas units: on a small thing they stand outside, and its middle moves it.
+const CLEAR: f32 = 2.0 * GRAB;
 /// How near an edge has to be to be snapped to, canvas units.
 const SNAP_REACH: f64 = 7.0;
 
@@ -38,8 +40,9 @@ pub enum Drag {
     Frame(DVec2, Vec<RowId>),
     /// The selected things; where the first of them was, and where it was grabbed.
     Move { from: Place, grabbed: DVec2, begun: Vec2, moved: bool },
-    /// A handle of a thing, which lay there.
-    Handle { row: RowId, handle: Handle, from: Place },
+    /// A handle of a thing, which lay there: from the pointer to the point that the handle stands for, pixels; where the pointer was, and
+    /// whether it has left the reach of a click.
+    Handle { row: RowId, handle: Handle, from: Place, offset: DVec2, begun: Vec2, moved: bool },
     /// A new thing, from that point.
     Draw(Kind, DVec2),
 }
@@ -50,9 +53,10 @@ impl Editor {
         let [row] = self.selection[..] else { return Vec::new() };
         let Some(place) = self.document.place(row) else { return Vec::new() };
         let mut handles = Vec::new();
+        let clear = (place.size * 0.5).max(DVec2::splat(f64::from(CLEAR) / self.view.scale()));
         if self.document.is_sizable(row) {
             for side in SIDES {
-                handles.push((Handle::Size(side), place.centre() + side * place.size * 0.5));
+                handles.push((Handle::Size(side), place.centre() + side * clear));
             }
         }
         match self.document.kind(row) {
@@ -65,7 +69,7 @@ impl Editor {
             }
             Some(Kind::Stream) => handles.push((Handle::Reach, stream_end(&self.document, row, place))),
             Some(Kind::Switch) => {
-                handles.push((Handle::Wire, place.centre() - DVec2::new(0.0, place.size.y * 0.5 + 22.0 / self.view.scale())));
+                handles.push((Handle::Wire, place.centre() - DVec2::new(0.0, clear.y + 22.0 / self.view.scale())));
             }
             _ => {}
         }
@@ -122,10 +126,12 @@ impl Editor {
         }
         let near = |point: DVec2| self.view.point(point).distance(input.pointer) <= GRAB;
         let handle = self.handles().into_iter().rev().find(|(_, point)| near(*point));
-        if let (Some((handle, _)), [row]) = (handle, &self.selection[..])
+        if let (Some((handle, shown)), [row]) = (handle, &self.selection[..])
             && let Some(from) = self.document.place(*row)
         {
-            self.drag = Some(Drag::Handle { row: *row, handle, from });
+            // A handle of a small thing stands beside the edge that it moves.
+            let point = if let Handle::Size(side) = handle { from.centre() + side * from.size * 0.5 } else { shown };
+            self.drag = Some(Drag::Handle { row: *row, handle, from, offset: point - at, begun: input.pointer, moved: false });
             return;
         }
         let more = input.held(Key::Shift) || input.held(Key::Control);
@@ -173,20 +179,30 @@ impl Editor {
             Drag::Move { from, grabbed, begun, moved } => {
                 let moved = moved || input.pointer.distance(begun) > CLICK;
                 if moved {
-                    let to = self.snap(input, &self.selection).moved(Place { min: from.min + at - grabbed, ..from });
-                    let now = self.selection.first().and_then(|row| self.document.place(*row)).unwrap_or(from);
-                    self.shift_selection(to.min - now.min);
+                    let first = self.selection.first().copied();
+                    let by_centre = first.and_then(|row| self.document.kind(row)).is_some_and(Kind::by_centre);
+                    let to = Place { min: from.min + at - grabbed, ..from };
+                    let to = self.snap(input, &self.selection).moved(to, by_centre);
+                    let now = first.and_then(|row| self.document.place(row)).unwrap_or(from);
+                    let by = to.min - now.min;
+                    // Several move by whole pixels: what lay on a whole pixel still does.
+                    self.shift_selection(if self.selection.len() > 1 { by.round() } else { by });
                 }
                 self.drag = held.then_some(Drag::Move { from, grabbed, begun, moved });
             }
-            Drag::Handle { row, handle, from } => {
-                if handle == Handle::Wire {
-                    return self.drag_wire(row, from, input, at);
+            Drag::Handle { row, mut handle, from, offset, begun, moved } => {
+                let moved = moved || input.pointer.distance(begun) > CLICK;
+                if moved && handle == Handle::Wire {
+                    if !held {
+                        return self.end_wire(row, at);
+                    }
+                } else if moved {
+                    let at = self.snap(input, &[row]).point(at + offset);
+                    let (next, cells) = self.handle_moved(row, handle, from, at);
+                    self.set(&cells);
+                    handle = next;
                 }
-                let at = self.snap(input, &[row]).point(at);
-                let (handle, cells) = self.handle_moved(row, handle, from, at);
-                self.set(&cells);
-                self.drag = held.then_some(Drag::Handle { row, handle, from });
+                self.drag = held.then_some(Drag::Handle { row, handle, from, offset, begun, moved });
             }
             Drag::Draw(kind, from) => {
                 if held {
@@ -197,20 +213,17 @@ impl Editor {
                 let mut place = Place::between(from, to);
                 let drawn = place.size * self.view.scale();
                 if drawn.max_element() < f64::from(CLICK) * 2.0 {
-                    // Put down with a click.
-                    let (width, height) = kind.usual_size();
-                    place = Place { min: from, size: DVec2::new(width, height) };
+                    // Put down with a click: by the point that its cells name.
+                    let size = DVec2::from(kind.usual_size());
+                    place = Place { min: if kind.by_centre() { from - size * 0.5 } else { from }, size };
                 }
                 self.put(kind, place);
             }
         }
     }
 
-    fn drag_wire(&mut self, row: RowId, from: Place, input: &Input, at: DVec2) {
-        if input.holding {
-            self.drag = Some(Drag::Handle { row, handle: Handle::Wire, from });
-            return;
-        }
+    /// A switch's wire is let go of there.
+    fn end_wire(&mut self, row: RowId, at: DVec2) {
         let near = self.document.things().filter(|(thing, place)| self.document.can_be_worked(*thing) && place.contains(at));
         let thing =
             near.min_by(|(_, a), (_, b)| a.size.element_product().total_cmp(&b.size.element_product())).map(|(thing, _)| thing);
@@ -227,12 +240,20 @@ impl Editor {
     fn handle_moved(&self, row: RowId, handle: Handle, from: Place, at: DVec2) -> (Handle, Vec<SetCell>) {
         match handle {
             Handle::Size(side) => {
+                let by_centre = self.document.kind(row).is_some_and(Kind::by_centre);
                 let along = |axis: usize| {
                     let (near, far) = (from.min[axis], from.max()[axis]);
+                    let (fixed, away) = if side[axis] < 0.0 { (far, -1.0) } else { (near, 1.0) };
+                    let mut size = ((at[axis] - fixed) * away).max(1.0);
+                    if by_centre {
+                        // Its cells name its middle: that is to be a whole pixel.
+                        let half = ((fixed + 0.5 * size * away).round() - fixed) * away;
+                        size = 2.0 * if half < 0.5 { half + 1.0 } else { half };
+                    }
                     match side[axis] {
-                        side if side < 0.0 => (at[axis].min(far - 1.0), far),
-                        side if side > 0.0 => (near, at[axis].max(near + 1.0)),
-                        _ => (near, far),
+                        0.0 => (near, far),
+                        side if side < 0.0 => (far - size, far),
+                        _ => (near, near + size),
                     }
                 };
                 let ((left, right), (top, bottom)) = (along(0), along(1));

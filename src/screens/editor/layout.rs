@@ -1,20 +1,31 @@
-//! Where the editor's parts are: tools at the left, what is selected at the right, problems below, a row of commands above.
+//! Where the editor's parts are: tools at the left, what is selected at the right, problems below, a row of commands above. The picture has
+//! the rest. All of it is as wide as its words need.
 
-use crate::view::layout::{Area, DETAILS, Frame, LINE, TEXT, Vec2};
+use crate::view::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, TEXT, Vec2};
 
-/// Height of the row of commands.
-pub const TOP: f32 = 56.0;
-/// Width of the tools.
-const LEFT: f32 = 148.0;
-/// Width of the panel of what is selected.
-const RIGHT: f32 = 324.0;
-/// Width of the level in small.
-const MAP: f32 = 160.0;
+/// A command: the height of its two lines in heights of their texts, and the width of its key, in letters.
+const TWO_LINES: f32 = 1.15;
+const COMMAND: f32 = 6.0;
+/// Width of the tools: their mark and the space around it, and their longest name in heights of text.
+const TOOL_MARK: f32 = 50.0;
+const TOOL_NAME: f32 = 5.7;
+/// The longest name of a column, and what a field shows of its text, in letters.
+const LABEL: f32 = 13.2;
+const CELL: f32 = 15.0;
+/// The level in small.
+const MAP: Vec2 = Vec2::new(160.0, 96.0);
 /// From the edge of a part to what is in it, and between two buttons.
 pub const INSIDE: f32 = 8.0;
 pub const BETWEEN: f32 = 4.0;
-/// How many problems are in view.
+/// How many problems are in view at most.
 pub const PROBLEM_LINES: usize = 4;
+/// How many pictures are offered at most.
+pub const OFFERS: usize = 8;
+/// How large words are in a window with so many canvas units a pixel: in a large window they need not grow with it.
+#[cfg(any(test, feature = "window"))]
+pub fn text_scale(pixel: f32) -> f32 {
+    (1.25 * pixel).clamp(0.75, 1.0)
+}
 
 /// The parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -25,37 +36,47 @@ pub struct Parts {
     pub bottom: Area,
     /// The picture.
     pub middle: Area,
-    /// The level in small, beside the problems.
+    /// The level in small, above the picture's corner.
     pub map: Area,
     /// From one line of small text to the next.
     pub line: f32,
     /// From one field to the next.
     pub field: f32,
+    /// Width of a letter of small text.
+    pub letter: f32,
+    /// How large words are.
+    text: f32,
 }
 
 impl Parts {
-    /// The parts in that frame.
-    pub fn new(frame: &Frame) -> Self {
-        let line = frame.text_height(DETAILS) * LINE;
+    /// The parts in that frame, with so many problems in view.
+    pub fn new(frame: &Frame, problems: usize) -> Self {
+        let height_of_text = frame.text_height(DETAILS);
+        let (line, letter, text) = (height_of_text * LINE, height_of_text * MONO_ADVANCE, frame.text);
         let Vec2 { x: width, y: height } = frame.size;
-        let bottom = (PROBLEM_LINES as f32 + 1.0) * line + 2.5 * INSIDE;
-        let middle = Area::new(LEFT, TOP, width - LEFT - RIGHT, height - TOP - bottom);
-        let map = Vec2::new(MAP, bottom - 2.0 * INSIDE);
+        let top = (height_of_text + frame.text_height(TEXT)) * TWO_LINES + 1.5 * INSIDE;
+        let left = TOOL_MARK + TOOL_NAME * height_of_text;
+        let right = (LABEL + CELL) * letter + 5.0 * INSIDE;
+        let bottom = (problems as f32 + 1.0) * line + 1.5 * INSIDE;
+        let middle = Area::new(left, top, width - left - right, height - top - bottom);
+        let map = MAP * text;
         Self {
-            top: Area::new(0.0, 0.0, width, TOP),
-            left: Area::new(0.0, TOP, LEFT, height - TOP),
-            right: Area::new(width - RIGHT, TOP, RIGHT, height - TOP),
-            bottom: Area::new(LEFT, height - bottom, width - LEFT - RIGHT, bottom),
+            top: Area::new(0.0, 0.0, width, top),
+            left: Area::new(0.0, top, left, height - top),
+            right: Area::new(width - right, top, right, height - top),
+            bottom: Area::new(left, height - bottom, width - left - right, bottom),
             middle,
-            map: Area { min: Vec2::new(middle.max().x - INSIDE - MAP, height - bottom + INSIDE), size: map },
+            map: Area { min: middle.max() - Vec2::splat(1.5 * INSIDE) - map, size: map },
             line,
-            field: (frame.text_height(TEXT) * 1.5).max(28.0),
+            field: (frame.text_height(TEXT) * 1.5).max(28.0 * text),
+            letter,
+            text,
         }
     }
 
     /// A row of commands from the left, and as many from the right.
     pub fn commands(&self, left: usize, right: usize) -> Vec<Area> {
-        let size = Vec2::new(76.0, TOP - 2.0 * BETWEEN);
+        let size = Vec2::new(COMMAND * self.letter + 3.0 * INSIDE, self.top.size.y - 2.0 * BETWEEN);
         let from_left = (0..left).map(|i| INSIDE + i as f32 * (size.x + BETWEEN));
         let from_right = (0..right).map(|i| self.top.size.x - INSIDE - (right - i) as f32 * (size.x + BETWEEN) + BETWEEN);
         from_left.chain(from_right).map(|x| Area { min: Vec2::new(x, BETWEEN), size }).collect()
@@ -63,7 +84,7 @@ impl Parts {
 
     /// A column of tools.
     pub fn tools(&self, count: usize) -> Vec<Area> {
-        let pitch = ((self.left.size.y - INSIDE) / count as f32).min(44.0);
+        let pitch = ((self.left.size.y - INSIDE) / count as f32).min(44.0 * self.text);
         let size = Vec2::new(self.left.size.x - 2.0 * INSIDE, pitch - BETWEEN);
         (0..count).map(|i| Area { min: self.left.min + Vec2::new(INSIDE, INSIDE / 2.0 + i as f32 * pitch), size }).collect()
     }
@@ -71,13 +92,20 @@ impl Parts {
     /// The field of a column, counted from 0 below the panel's heading.
     pub fn field(&self, index: usize) -> Area {
         let top = self.right.min.y + 3.0 * INSIDE + 2.0 * self.line + index as f32 * self.field;
-        Area::new(self.right.min.x + 140.0, top, 124.0, self.field - BETWEEN)
+        let left = self.right.min.x + 2.0 * INSIDE + LABEL * self.letter;
+        Area::new(left, top, self.right.max().x - INSIDE - left, self.field - BETWEEN)
+    }
+
+    /// The line of a picture that is offered, counted from 0, below so many fields and a heading.
+    pub fn offer(&self, fields: usize, index: usize) -> Area {
+        let top = self.field(fields).min.y + (index + 1) as f32 * self.line;
+        Area::new(self.right.min.x + INSIDE, top, self.right.size.x - 2.0 * INSIDE, self.line)
     }
 
     /// The line of a problem, counted from 0.
     pub fn problem(&self, index: usize) -> Area {
-        let top = self.bottom.min.y + INSIDE + (index + 1) as f32 * self.line;
-        Area::new(self.bottom.min.x + INSIDE, top, self.bottom.size.x - 4.0 * INSIDE - MAP - 16.0, self.line)
+        let top = self.bottom.min.y + 0.75 * INSIDE + (index + 1) as f32 * self.line;
+        Area::new(self.bottom.min.x + INSIDE, top, self.bottom.size.x - 2.0 * INSIDE - 16.0, self.line)
     }
 }
 
@@ -89,13 +117,18 @@ mod tests {
     fn the_parts_fill_the_window_and_do_not_overlap() {
         for (width, height) in [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0), (800.0, 800.0)] {
             let frame = Frame::of_window(Vec2::new(width, height));
-            let parts = Parts::new(&frame);
+            let frame = frame.with_text(text_scale(frame.pixel));
+            let parts = Parts::new(&frame, PROBLEM_LINES);
             let sum: f32 = [parts.top, parts.left, parts.right, parts.bottom, parts.middle]
                 .iter()
                 .map(|part| part.size.element_product())
                 .sum();
             assert!((sum / frame.size.element_product() - 1.0).abs() < 1e-4, "{width} × {height}");
-            assert!(parts.field(13).max().y < frame.size.y, "fourteen columns: {width} × {height}");
+            let share = |problems: usize| Parts::new(&frame, problems).middle.size.element_product() / frame.size.element_product();
+            let least = if width < 1000.0 { 0.5 } else { 0.6 };
+            assert!(share(0) > least, "the picture has {} of {width} × {height}", share(0));
+            assert!(parts.offer(13, 3).max().y < frame.size.y, "thirteen columns: {width} × {height}");
+            assert!(parts.offer(16, 0).max().y < frame.size.y, "the settings: {width} × {height}");
             assert!(parts.tools(16).last().unwrap().max().y <= frame.size.y);
             assert!(parts.problem(PROBLEM_LINES - 1).max().y <= frame.size.y + 0.1);
             let commands = parts.commands(8, 3);

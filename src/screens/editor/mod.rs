@@ -14,6 +14,8 @@ mod view;
 
 #[cfg(feature = "window")]
 pub use drawing::Sheets;
+#[cfg(feature = "window")]
+pub use layout::text_scale;
 
 use super::folder_watch::FolderWatch;
 use super::input::Repeat;
@@ -22,10 +24,10 @@ use super::{Buttons, Input, Keys, Request};
 use crate::level::document::{Document, Folder, Kind, Opened, Place, RowId, SetCell, Table};
 use crate::level::{Level, Problem};
 use crate::physics::DVec2;
-use crate::view::layout::{Area, Vec2};
+use crate::view::layout::{Area, Frame, Vec2};
 use ask::{Ask, Question};
 use hand::Drag;
-use layout::{PROBLEM_LINES, Parts};
+use layout::{OFFERS, PROBLEM_LINES, Parts};
 use panel::{Panel, Write};
 use std::path::Path;
 use std::sync::Arc;
@@ -33,8 +35,9 @@ use view::View;
 
 /// From an edit to the look at what is wrong, s: short enough to be live, long enough not to be done for each letter.
 const CHECK_AFTER: f64 = 0.15;
-/// How long a remark is shown, s.
-const TOLD: f64 = 5.0;
+/// How long a remark is shown, and how much longer for each letter, s.
+const TOLD: f64 = 4.0;
+const READ: f64 = 0.05;
 /// From one time that unsaved edits are kept to the next while something is dragged, s.
 const KEEP_EVERY: f64 = 1.0;
 
@@ -93,10 +96,12 @@ pub struct Editor {
     ask: Option<Ask>,
     remark: Option<(String, f64)>,
     repeat: Repeat,
-    /// Whether all of the level has been brought into view once.
-    fitted: bool,
+    /// The view that shows all of the level, and the canvas in which it does, until another one is chosen.
+    fitted: Option<(View, Frame)>,
     /// Counts how often the pictures may have changed.
     pictures: u64,
+    /// The pictures that are there, as cells name them.
+    offered: Vec<String>,
     /// Where the pointer is, canvas units.
     pointer: Vec2,
     /// Whether frames a second are shown.
@@ -109,12 +114,14 @@ impl Editor {
     /// # Errors
     /// A file that cannot be read, in words.
     pub fn open(folder: &Path, root: &Path) -> Result<Self, String> {
-        let Opened { document, folder, kept } = Folder::open(folder, root)?;
-        Ok(Self {
+        let Opened { document, folder, kept } = Folder::open_to_edit(folder, root)?;
+        let mut editor = Self {
             name: folder.name(),
             watch: FolderWatch::new(folder.path().to_path_buf(), Vec::new()),
             kept: (document.version(), 0.0),
             ask: kept.map(|kept| Ask::new(Question::Restore(kept))),
+            remark: None,
+            offered: folder.pictures(),
             document,
             folder,
             view: View::default(),
@@ -132,28 +139,36 @@ impl Editor {
             scroll: Scroll::default(),
             level: None,
             checked: (None, 0.0),
-            remark: None,
             repeat: Repeat::default(),
-            fitted: false,
+            fitted: None,
             pictures: 0,
             pointer: Vec2::ZERO,
             figures: false,
-        })
+        };
+        if editor.folder.is_shared() {
+            editor.say("Another editor has this level open: what it saves is taken over here.");
+        }
+        Ok(editor)
     }
 
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
-        self.parts = Parts::new(&input.frame);
+        if self.checked.0.is_none() && self.fitted.is_none() {
+            // So that the room for what is wrong is known before the level is shown.
+            self.check();
+        }
+        let lines = self.problems.len().min(PROBLEM_LINES);
+        self.parts = Parts::new(&input.frame, lines);
         self.view.area = self.parts.middle;
         self.pointer = input.pointer;
         self.commands.place(self.parts.commands(AT_LEFT, COMMANDS.len() - AT_LEFT));
         self.tools.place(self.parts.tools(Kind::ADDED.len() + 1));
-        let room =
-            Area::new(self.parts.bottom.max().x - 14.0, self.parts.problem(0).min.y, 12.0, PROBLEM_LINES as f32 * self.parts.line);
-        self.scroll.place(self.problems.len(), PROBLEM_LINES, room);
-        if !self.fitted {
+        let room = Area::new(self.parts.bottom.max().x - 14.0, self.parts.problem(0).min.y, 12.0, lines as f32 * self.parts.line);
+        self.scroll.place(self.problems.len(), lines.max(1), room);
+        let untouched = |(view, frame): &(View, Frame)| self.view.shows_as(view) && *frame != input.frame;
+        if self.fitted.as_ref().is_none_or(untouched) {
             self.show_all();
-            self.fitted = true;
+            self.fitted = Some((self.view, input.frame));
         }
         self.pass_time(input.frame_time);
         let request = if self.ask.is_some() { self.update_ask(input) } else { self.work(input) };
@@ -164,7 +179,8 @@ impl Editor {
 
     /// What happens by itself: files are looked at, edits kept and checked.
     fn pass_time(&mut self, frame_time: f64) {
-        if let Some((_, left)) = &mut self.remark {
+        // What is pointed at is being read.
+        if let Some((_, left)) = self.remark.as_mut().filter(|_| !self.parts.bottom.contains(self.pointer)) {
             *left -= frame_time;
             self.remark = self.remark.take().filter(|(_, left)| *left > 0.0);
         }
@@ -189,8 +205,9 @@ impl Editor {
 
     /// Another program has written into the folder.
     fn meet_changes(&mut self) {
-        let (taken, both) = self.folder.take_over(&mut self.document, false);
+        let (taken, both) = self.folder.take_over(&mut self.document);
         self.folder.measure(&mut self.document);
+        self.offered = self.folder.pictures();
         (self.pictures, self.checked.0) = (self.pictures + 1, None);
         if !both.is_empty() {
             self.ask = Some(Ask::new(Question::Theirs(both)));
@@ -230,8 +247,13 @@ impl Editor {
                     return None;
                 }
             }
-            if self.parts.map.contains(input.pointer) && input.holding {
+            if self.map_is_shown() && self.parts.map.contains(input.pointer) && input.holding {
                 self.view.centre(self.on_map(input.pointer));
+                return None;
+            }
+            if let (Some(picture), true) = (self.offer_at(input.pointer), input.click) {
+                self.take_picture(&picture);
+                return None;
             }
         }
         let gesture = self.gesture + 1;
@@ -252,14 +274,14 @@ impl Editor {
 
     fn update_problems(&mut self, input: &Input) {
         self.scroll.update(&mouse_only(input));
-        let under = (0..PROBLEM_LINES).find(|line| self.parts.problem(*line).contains(input.pointer));
+        let under = (0..self.problems.len().min(PROBLEM_LINES)).find(|line| self.parts.problem(*line).contains(input.pointer));
         let index = under.map(|line| line + self.scroll.range().start);
         if let (true, Some((problem, _))) = (input.click, index.and_then(|index| self.problems.get(index))) {
             self.go_to(&problem.clone());
         }
     }
 
-    /// Selects what a problem is about, brings it into view and puts the keyboard into its column.
+    /// Selects what a problem is about and brings it into view, where it is not; another time it puts the keyboard into its column.
     fn go_to(&mut self, problem: &Problem) {
         let row = Table::of_file(&problem.file).and_then(|table| self.document.row_at(table, problem.line));
         match row.map(|row| (row, self.document.kind(row))) {
@@ -271,11 +293,15 @@ impl Editor {
                 self.panel.focus(&name, self.gesture);
             }
             Some((row, _)) => {
+                let again = self.selection == [row];
                 self.select(vec![row]);
                 self.next_gesture();
                 self.panel.show(&self.document, &self.selection);
-                self.panel.focus(&problem.column, self.gesture);
-                if let Some(place) = self.document.place(row) {
+                self.panel.typing = None;
+                if again {
+                    self.panel.focus(&problem.column, self.gesture);
+                }
+                if let Some(place) = self.document.place(row).filter(|place| !self.view.visible().meets(place)) {
                     self.view.centre(place.centre());
                 }
             }
@@ -284,6 +310,47 @@ impl Editor {
                 self.say(format!("{} has no such row.", problem.file));
             }
         }
+    }
+
+    /// The pictures that are offered for what is selected: none where it shows none.
+    fn offers(&self) -> &[String] {
+        let shows = self.panel.fields.iter().any(|field| field.name == "image");
+        &self.offered[..if shows { self.offered.len().min(OFFERS) } else { 0 }]
+    }
+
+    /// The picture whose line is there.
+    fn offer_at(&self, point: Vec2) -> Option<String> {
+        let fields = self.panel.fields.len();
+        let index = (0..self.offers().len()).find(|index| self.parts.offer(fields, *index).contains(point))?;
+        self.offers().get(index).cloned()
+    }
+
+    /// What is selected shows that picture.
+    fn take_picture(&mut self, picture: &str) {
+        self.next_gesture();
+        self.panel.typing = None;
+        let cell = |row: &RowId| SetCell { row: *row, column: "image", text: picture.to_owned() };
+        self.set(&self.selection.iter().map(cell).collect::<Vec<_>>());
+        self.folder.measure(&mut self.document);
+    }
+
+    /// Whether a problem is about what is selected, or about the level's settings where nothing is.
+    fn is_about(&self, problem: &Problem, row: Option<RowId>) -> bool {
+        if self.selection.is_empty() {
+            problem.file == "constants.csv"
+        } else {
+            row.is_some_and(|row| self.selection.contains(&row))
+        }
+    }
+
+    /// Whether something is wrong with a column of what is selected.
+    fn is_wrong(&self, column: &str) -> bool {
+        let named = |problem: &Problem, row: Option<RowId>| match (self.selection.is_empty(), row) {
+            (true, Some(row)) => self.document.cell(row, "name").is_some_and(|name| name.eq_ignore_ascii_case(column)),
+            _ => problem.column == column,
+        };
+        let mut all = self.problems.iter().zip(&self.about);
+        all.any(|((problem, _), row)| named(problem, *row) && self.is_about(problem, *row))
     }
 
     fn put(&mut self, kind: Kind, place: Place) {
@@ -320,7 +387,9 @@ impl Editor {
     }
 
     fn say(&mut self, words: impl Into<String>) {
-        self.remark = Some((words.into(), TOLD));
+        let words = words.into();
+        let told = TOLD + READ * words.chars().count() as f64;
+        self.remark = Some((words, told));
     }
 
     fn next_gesture(&mut self) {
@@ -340,6 +409,12 @@ impl Editor {
             if near.meets(&place) { Place::between(all.min.min(place.min), all.max().max(place.max())) } else { all }
         });
         self.view.fit(&all);
+    }
+
+    /// Whether the small map is shown: where not all of the level is in view.
+    fn map_is_shown(&self) -> bool {
+        let visible = self.view.visible();
+        !(visible.contains(DVec2::ZERO) && visible.contains(self.document.size()))
     }
 
     /// The level on the small map: canvas units a pixel, and where its corner is.
@@ -419,6 +494,17 @@ impl Editor {
     pub fn field(&self, name: &str) -> Option<Area> {
         let index = self.panel.fields.iter().position(|field| field.name == name)?;
         Some(self.parts.field(index))
+    }
+
+    /// Where the line of a picture is that is offered for what is selected, if it is.
+    pub fn offer(&self, picture: &str) -> Option<Area> {
+        let index = self.offers().iter().position(|offered| offered == picture)?;
+        Some(self.parts.offer(self.panel.fields.len(), index))
+    }
+
+    /// The field that has the keyboard, and its text.
+    pub fn typing(&self) -> Option<(&'static str, String)> {
+        self.panel.typing.as_ref().map(|typing| (typing.name, typing.field.text()))
     }
 
     /// Where the line of a problem is on the canvas, counted from the first in view.

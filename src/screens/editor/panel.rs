@@ -77,12 +77,12 @@ impl Panel {
         self.typing.is_some()
     }
 
-    /// Puts the keyboard into a field, if there is one of that name.
+    /// Puts the keyboard into a field, if there is one of that name: what is typed takes the place of what is there.
     pub fn focus(&mut self, name: &str, gesture: u64) {
         let field = self.fields.iter().find(|field| field.name == name);
         self.typing = field.map(|field| Typing {
             name: field.name,
-            field: TextField::new(field.text.as_deref().unwrap_or_default(), MOST),
+            field: TextField::selected(field.text.as_deref().unwrap_or_default(), MOST),
             gesture,
         });
     }
@@ -105,6 +105,8 @@ impl Panel {
                 }
             } else if under.is_none() {
                 self.typing = None;
+            } else if let Some(typing) = &mut self.typing {
+                typing.field.go_to_end();
             }
             return None;
         }

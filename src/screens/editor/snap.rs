@@ -22,8 +22,10 @@ impl Snap {
     pub fn new(on: bool, reach: f64, others: impl Iterator<Item = Place>) -> Self {
         let mut edges = [Vec::new(), Vec::new()];
         for place in others.take(if on { usize::MAX } else { 0 }) {
-            edges[0].extend([place.min.x, place.max().x]);
-            edges[1].extend([place.min.y, place.max().y]);
+            // On whole pixels, outside of the thing: what is snapped to it does not reach into it.
+            let (min, max) = (place.min.floor(), place.max().ceil());
+            edges[0].extend([min.x, max.x]);
+            edges[1].extend([min.y, max.y]);
         }
         Self { on, reach, edges }
     }
@@ -42,16 +44,22 @@ impl Snap {
         point + DVec2::new(self.offset(0, point.x), self.offset(1, point.y))
     }
 
-    /// Where a rectangle ends up that is moved as a whole: by whichever of its edges is nearest to one of the others', else by its corner.
-    pub fn moved(&self, place: Place) -> Place {
+    /// Where a rectangle ends up that is moved as a whole: by the one of its edges that is nearest to one of the others', else by its corner.
+    /// The point that its cells name, the corner or the middle, is a whole pixel then.
+    pub fn moved(&self, place: Place, by_centre: bool) -> Place {
         let along = |axis: usize| {
             let (near, far) = (place.min[axis], place.max()[axis]);
+            let named = if by_centre { 0.5 * (near + far) } else { near };
             if !self.on {
-                return near.round() - near;
+                return named.round() - named;
             }
-            let edges =
-                self.edges[axis].iter().flat_map(|edge| [edge - near, edge - far]).filter(|offset| offset.abs() <= self.reach);
-            edges.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or_else(|| (near / GRID).round() * GRID - near)
+            let meets = |edge: &f64| [(edge - near, 1.0), (edge - far, -1.0)];
+            let edges = self.edges[axis].iter().flat_map(meets).filter(|(offset, _)| offset.abs() <= self.reach);
+            match edges.min_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs())) {
+                // Rounded away from the other thing.
+                Some((offset, away)) => ((named + offset) * away).ceil() * away - named,
+                None => (named / GRID).round() * GRID - named,
+            }
         };
         Place { min: place.min + DVec2::new(along(0), along(1)), ..place }
     }
@@ -67,9 +75,23 @@ mod tests {
         let snap = Snap::new(true, 4.0, [other].into_iter());
         assert_eq!(snap.point(DVec2::new(105.4, 88.2)), DVec2::new(103.0, 90.0));
         // Its right edge meets the other's left one.
-        let moved = snap.moved(Place { min: DVec2::new(71.6, 46.0), size: DVec2::new(30.0, 10.0) });
+        let moved = snap.moved(Place { min: DVec2::new(71.6, 46.0), size: DVec2::new(30.0, 10.0) }, false);
         assert_eq!(moved.min, DVec2::new(73.0, 50.0));
         let off = Snap::new(false, 4.0, [other].into_iter());
         assert_eq!(off.point(DVec2::new(105.4, 88.2)), DVec2::new(105.0, 88.0));
+    }
+
+    #[test]
+    fn whole_pixels_come_of_it_also_beside_the_ship() {
+        let ship = Place { min: DVec2::new(124.5, 100.0), size: DVec2::splat(51.0) };
+        let snap = Snap::new(true, 4.0, [ship].into_iter());
+        assert_eq!(snap.point(DVec2::new(174.0, 43.0)), DVec2::new(176.0, 40.0), "its edge is at 175.5");
+        let block = snap.moved(Place { min: DVec2::new(94.0, 40.0), size: DVec2::new(30.0, 10.0) }, false);
+        assert_eq!(block.min, DVec2::new(94.0, 40.0));
+        // A ship is placed by its middle; its right edge meets the left one of the other.
+        let other = snap.moved(Place { min: DVec2::new(72.0, 40.0), ..ship }, true);
+        assert_eq!(other.centre().x, 98.0);
+        assert!(other.max().x <= 124.0);
+        assert_eq!(Snap::default().moved(Place { min: DVec2::new(72.0, 40.2), ..ship }, true).centre(), DVec2::new(98.0, 66.0));
     }
 }

@@ -9,7 +9,7 @@ const SCALES: (f64, f64) = (1e-5, 16.0);
 /// How much a notch of the wheel magnifies.
 const NOTCH: f64 = 1.15;
 /// How much room is left around what is brought into view, of the window's size.
-const ROOM: f64 = 0.06;
+const ROOM: f64 = 0.025;
 
 /// The part in view.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +29,11 @@ impl Default for View {
 }
 
 impl View {
+    /// Whether the same part of the picture is shown as large.
+    pub fn shows_as(&self, other: &Self) -> bool {
+        (self.origin, self.scale) == (other.origin, other.scale)
+    }
+
     /// Canvas units a pixel of the picture.
     pub const fn scale(&self) -> f64 {
         self.scale

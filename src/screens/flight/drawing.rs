@@ -83,6 +83,7 @@ fn draw_news(news: &News, canvas: &Canvas) {
     let (words, colour, problems): (&str, _, &[String]) = match news {
         News::Changed(_, true) => ("Read anew: you fly on in it, with help. R restarts it.", theme::good(), &[]),
         News::Changed(_, false) => ("Read anew, from its start.", theme::good(), &[]),
+        News::Unfinished(problems) => ("Flown as far as it goes. What is left:", theme::accent(), problems),
         News::Broken(problems) => ("The files do not load now: you fly on in what was there.", theme::bad(), problems),
     };
     let line = canvas.line_height(DETAILS);

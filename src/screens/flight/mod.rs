@@ -132,6 +132,8 @@ pub enum News {
     Changed(f64, bool),
     /// They do not load; a line a problem.
     Broken(Vec<String>),
+    /// They are edited, and flown as far as they go; a line a problem.
+    Unfinished(Vec<String>),
 }
 
 impl Flight {
@@ -171,8 +173,9 @@ impl Flight {
     ///
     /// # Errors
     /// As [`Flight::new`].
-    pub(super) fn test(level: Arc<Level>, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
-        Ok(Self { test: true, ..Self::new(Attempt::by_hand(level), spectator)? })
+    pub(super) fn test(level: Arc<Level>, left: Vec<String>, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
+        let news = (!left.is_empty()).then_some(News::Unfinished(left));
+        Ok(Self { test: true, news, ..Self::new(Attempt::by_hand(level), spectator)? })
     }
 
     /// Whether it is flown to try out what is edited.

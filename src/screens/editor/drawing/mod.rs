@@ -87,6 +87,23 @@ fn edge(area: Area, width: f32, colour: Color) {
     draw_rectangle_lines(area.min.x, area.min.y, area.size.x, area.size.y, 2.0 * width.max(pixel), colour);
 }
 
+/// What there was no room for, where it is pointed at: it is shown in whole.
+struct Tip {
+    pointer: Vec2,
+    whole: Option<String>,
+}
+
+impl Tip {
+    /// A line of text as far as there is room; where it is cut and pointed at, in that area, it is to be shown in whole.
+    fn cut(&mut self, canvas: &Canvas, text: &str, area: Area, room: f32, style: Style) -> String {
+        let shown = widgets::cut(canvas, text, room, style);
+        if shown != text && area.contains(self.pointer) {
+            self.whole = Some(text.to_owned());
+        }
+        shown
+    }
+}
+
 impl Editor {
     /// Draws all of it; `time` (s) makes the caret blink.
     pub fn draw(&self, sheets: &mut Sheets, canvas: &Canvas, time: f64) {
@@ -97,11 +114,15 @@ impl Editor {
         canvas.end_layer();
         self.draw_selection(canvas);
         canvas.end_layer();
-        self.draw_commands(canvas);
-        self.draw_tools(canvas);
-        self.draw_panel(canvas, time);
-        self.draw_problems(canvas);
         self.draw_map();
+        let mut tip = Tip { pointer: self.pointer, whole: None };
+        self.draw_commands(canvas, &mut tip);
+        self.draw_tools(canvas);
+        self.draw_panel(canvas, time, &mut tip);
+        self.draw_problems(canvas, &mut tip);
+        if let Some(words) = &tip.whole {
+            self.draw_banner(canvas, words);
+        }
         if let Some(ask) = &self.ask {
             panels::draw_ask(ask, canvas);
         }

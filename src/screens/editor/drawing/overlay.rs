@@ -35,7 +35,7 @@ impl Editor {
                 edge(area, 0.75, theme::accent());
             }
             Some(Drag::Draw(kind, from)) => {
-                let to = self.pointed();
+                let to = self.pointed().round();
                 let area = self.view.rect(&Place::between(*from, to));
                 fill(area, theme::faded(colour(*kind), 0.5));
                 edge(area, 1.0, colour(*kind));
@@ -54,6 +54,9 @@ impl Editor {
 
     /// The level in small, with the part in view.
     pub(super) fn draw_map(&self) {
+        if !self.map_is_shown() {
+            return;
+        }
         let (scale, corner) = self.map();
         let size = self.document.size().as_vec2() * scale;
         let paper = Area { min: corner, size };

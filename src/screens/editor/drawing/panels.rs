@@ -1,12 +1,11 @@
 //! The panels around the picture.
 
 use super::*;
-use crate::level::Problem;
 use crate::view::layout::wrapped;
 use macroquad::time::get_fps;
 
 impl Editor {
-    pub(super) fn draw_commands(&self, canvas: &Canvas) {
+    pub(super) fn draw_commands(&self, canvas: &Canvas, tip: &mut Tip) {
         fill(self.parts.top, theme::panel());
         for (i, (label, key)) in COMMANDS.iter().enumerate() {
             let area = self.commands.areas()[i];
@@ -22,15 +21,19 @@ impl Editor {
                 _ => true,
             };
             let colour = if can { theme::text() } else { theme::quiet() };
-            canvas.text(label, middle - Vec2::new(0.0, 10.0), Style::new(TEXT, colour).centred().middle());
-            canvas.text(key, middle + Vec2::new(0.0, 12.0), Style::new(DETAILS, theme::quiet()).centred().middle().mono());
+            let line = |part: f32| middle + Vec2::new(0.0, part * area.size.y);
+            canvas.text(label, line(-0.19), Style::new(TEXT, colour).centred().middle());
+            canvas.text(key, line(0.27), Style::new(DETAILS, theme::quiet()).centred().middle().mono());
         }
         let (from, to) = (self.commands.areas()[AT_LEFT - 1].max().x, self.commands.areas()[AT_LEFT].min.x);
         let unsaved = self.is_unsaved();
         let name = if unsaved { format!("{} · not saved", self.name) } else { self.name.clone() };
         let colour = if unsaved { theme::accent() } else { theme::text() };
         let middle = Vec2::new((from + to) / 2.0, self.parts.top.centre().y);
-        widgets::fitted(canvas, &name, middle, to - from - 2.0 * INSIDE, &[BUTTON_TEXT, TEXT, DETAILS], colour);
+        let room = to - from - 2.0 * INSIDE;
+        let area = Area::around(middle, Vec2::new(room, self.parts.top.size.y));
+        let name = tip.cut(canvas, &name, area, room, Style::new(DETAILS, colour));
+        widgets::fitted(canvas, &name, middle, room, &[BUTTON_TEXT, TEXT, DETAILS], colour);
     }
 
     pub(super) fn draw_tools(&self, canvas: &Canvas) {
@@ -50,14 +53,11 @@ impl Editor {
                 fill(mark, colour);
             }
             let at = Vec2::new(mark.max().x + INSIDE, area.centre().y);
-            let style = Style::new(TEXT, theme::text()).middle();
-            let style =
-                if canvas.width(label, style) > area.max().x - at.x - BETWEEN { Style { size: DETAILS, ..style } } else { style };
-            canvas.text(label, at, style);
+            canvas.text(label, at, Style::new(DETAILS, theme::text()).middle());
         }
     }
 
-    pub(super) fn draw_panel(&self, canvas: &Canvas, time: f64) {
+    pub(super) fn draw_panel(&self, canvas: &Canvas, time: f64, tip: &mut Tip) {
         let area = self.parts.right;
         fill(area, theme::panel());
         let left = area.min.x + INSIDE;
@@ -80,7 +80,6 @@ impl Editor {
             let bad = self.is_wrong(field.name);
             let label = Style::new(DETAILS, if field.required { theme::text() } else { theme::quiet() }).mono().middle();
             canvas.text(field.name, Vec2::new(left, at.centre().y), label);
-            canvas.text(unit(field.name), Vec2::new(at.max().x + 6.0, at.centre().y), small.middle());
             let border = if bad {
                 theme::bad()
             } else if typing.is_some() {
@@ -91,27 +90,9 @@ impl Editor {
             widgets::panel_in(canvas, at, theme::ground(), border);
             let style = Style::new(DETAILS, theme::text()).mono().middle();
             let start = Vec2::new(at.min.x + INSIDE, at.centre().y);
-            let room = at.size.x - 2.0 * INSIDE;
             match typing {
                 Some(typing) if choices(field.name).is_empty() => {
-                    // The caret stays in view: what is before it is cut off at the left.
-                    let before: Vec<char> = typing.field.before_caret().chars().collect();
-                    let skip = (0..=before.len())
-                        .find(|skip| canvas.width(&before[*skip..].iter().collect::<String>(), style) <= room)
-                        .unwrap_or(0);
-                    let text: String = typing.field.text().chars().skip(skip).collect();
-                    let mut shown = String::new();
-                    for letter in text.chars() {
-                        if canvas.width(&format!("{shown}{letter}"), style) > room {
-                            break;
-                        }
-                        shown.push(letter);
-                    }
-                    canvas.text(&shown, start, style);
-                    if time.fract() < 0.5 {
-                        let x = start.x + canvas.width(&before[skip..].iter().collect::<String>(), style);
-                        fill(Area::new(x, start.y - 9.0, 1.5, 18.0), theme::accent());
-                    }
+                    typing.field.draw(canvas, at, (DETAILS, INSIDE), Some(time));
                 }
                 _ => {
                     let (text, colour) = match field.text.as_deref() {
@@ -119,18 +100,49 @@ impl Editor {
                         Some("") => (field.usual, theme::quiet()),
                         Some(text) => (text, theme::text()),
                     };
-                    let style = Style { colour, ..style };
-                    canvas.text(&widgets::cut(canvas, text, room, style), start, style);
+                    let (style, unit) = (Style { colour, ..style }, unit(field.name));
+                    let whole = at.size.x - 2.0 * INSIDE;
+                    // The unit gives way to a long text.
+                    let beside = whole - canvas.width(unit, small) - INSIDE;
+                    let fits = canvas.width(text, style) <= beside;
+                    canvas.text(&tip.cut(canvas, text, at, if fits { beside } else { whole }, style), start, style);
+                    if fits {
+                        canvas.text(unit, Vec2::new(at.max().x - INSIDE, start.y), small.middle().right());
+                    }
                 }
             }
         }
-        self.draw_messages(canvas, left, widest);
+        let below = self.draw_offers(canvas, tip);
+        self.draw_messages(canvas, (left, below), widest);
+    }
+
+    /// The pictures that are there, where what is selected shows one; where they end.
+    fn draw_offers(&self, canvas: &Canvas, tip: &mut Tip) -> f32 {
+        let (fields, offers) = (self.panel.fields.len(), self.offers());
+        let top = self.parts.field(fields).min.y;
+        if offers.is_empty() {
+            return top;
+        }
+        let style = Style::new(DETAILS, theme::quiet()).mono();
+        let more = self.offered.len() - offers.len();
+        let words = if more > 0 { format!("Pictures, and {more} more to write:") } else { "Pictures to click:".to_owned() };
+        canvas.text(&words, self.parts.offer(fields, 0).min - Vec2::new(0.0, self.parts.line), style);
+        for (index, picture) in offers.iter().enumerate() {
+            let area = self.parts.offer(fields, index);
+            if area.contains(self.pointer) {
+                fill(area, theme::panel_hover());
+            }
+            let taken = self.selection.iter().all(|row| self.document.cell(*row, "image") == Some(picture));
+            let style = Style { colour: if taken { theme::accent() } else { theme::text() }, ..style };
+            canvas.text(&tip.cut(canvas, picture, area, area.size.x - INSIDE, style), area.min + Vec2::new(INSIDE, 0.0), style);
+        }
+        self.parts.offer(fields, offers.len()).min.y
     }
 
     /// What is wrong with what is selected, below its fields.
-    fn draw_messages(&self, canvas: &Canvas, left: f32, widest: f32) {
-        let mut y = self.parts.field(self.panel.fields.len()).min.y + BETWEEN;
-        let columns = (widest / canvas.width("0", Style::new(DETAILS, theme::text()).mono())) as usize;
+    fn draw_messages(&self, canvas: &Canvas, (left, top): (f32, f32), widest: f32) {
+        let mut y = top + BETWEEN;
+        let columns = (widest / self.parts.letter) as usize;
         let own = self.problems.iter().zip(&self.about).filter(|((problem, _), row)| self.is_about(problem, **row));
         for ((problem, refused), _) in own.take(4) {
             let words = format!("{}: found {}, expected {}", problem.column, problem.found, problem.expected);
@@ -145,26 +157,7 @@ impl Editor {
         }
     }
 
-    /// Whether a problem is about what is selected, or about the level's settings where nothing is.
-    fn is_about(&self, problem: &Problem, row: Option<RowId>) -> bool {
-        if self.selection.is_empty() {
-            problem.file == "constants.csv"
-        } else {
-            row.is_some_and(|row| self.selection.contains(&row))
-        }
-    }
-
-    /// Whether something is wrong with a column of what is selected.
-    fn is_wrong(&self, column: &str) -> bool {
-        let named = |problem: &Problem, row: Option<RowId>| match (self.selection.is_empty(), row) {
-            (true, Some(row)) => self.document.cell(row, "name").is_some_and(|name| name.eq_ignore_ascii_case(column)),
-            _ => problem.column == column,
-        };
-        let mut all = self.problems.iter().zip(&self.about);
-        all.any(|((problem, _), row)| named(problem, *row) && self.is_about(problem, *row))
-    }
-
-    pub(super) fn draw_problems(&self, canvas: &Canvas) {
+    pub(super) fn draw_problems(&self, canvas: &Canvas, tip: &mut Tip) {
         let area = self.parts.bottom;
         fill(area, theme::panel());
         let style = Style::new(DETAILS, theme::text()).mono();
@@ -173,7 +166,7 @@ impl Editor {
         let fps = if self.figures { format!("{} fps   ", get_fps().max(0)) } else { String::new() };
         let zoom = self.view.scale() * 100.0;
         let place = format!("{fps}{:.0}, {:.0} px   {:.2}, {:.2} m   {zoom:.0} %", at.x, at.y, at.x / metre, at.y / metre);
-        let head = area.min + Vec2::new(INSIDE, INSIDE / 2.0);
+        let head = area.min + Vec2::new(INSIDE, INSIDE * 0.75);
         let end = self.parts.problem(0).max().x;
         canvas.text(&place, Vec2::new(end, head.y), Style::new(DETAILS, theme::quiet()).mono().right());
         let refused = self.problems.iter().filter(|(_, refused)| *refused).count();
@@ -186,18 +179,39 @@ impl Editor {
             (None, _) => (format!("{refused} {}", if refused == 1 { "problem" } else { "problems" }), theme::bad()),
         };
         let room = end - head.x - 2.0 * INSIDE - canvas.width(&place, style);
-        canvas.text(&widgets::cut(canvas, &words, room, Style { colour, ..style }), head, Style { colour, ..style });
+        let shown = widgets::cut(canvas, &words, room, Style { colour, ..style });
+        if shown != words {
+            tip.whole = Some(words);
+        }
+        canvas.text(&shown, head, Style { colour, ..style });
         for (line, index) in self.scroll.range().enumerate().take(PROBLEM_LINES) {
-            let (problem, refused) = &self.problems[index];
+            let Some((problem, refused)) = self.problems.get(index) else { break };
             let at = self.parts.problem(line);
             if at.contains(self.pointer) {
                 fill(at, theme::panel_hover());
             }
             let style = Style { colour: if *refused { theme::text() } else { theme::quiet() }, ..style };
-            canvas.text(&widgets::cut(canvas, &problem.to_string(), at.size.x, style), at.min, style);
+            canvas.text(&tip.cut(canvas, &problem.to_string(), at, at.size.x, style), at.min, style);
         }
         if let Some(bar) = self.scroll.bar() {
             widgets::scroll_bar(canvas, bar.track, bar.handle, bar.held);
+        }
+    }
+
+    /// Words in whole, in as many lines as they need, above the picture's lower edge.
+    pub(super) fn draw_banner(&self, canvas: &Canvas, words: &str) {
+        let widest = self.parts.middle.size.x - 4.0 * INSIDE;
+        let lines = wrapped(words, (widest / self.parts.letter) as usize, 4);
+        let longest = lines.iter().map(|line| line.chars().count()).max().unwrap_or_default();
+        let size =
+            Vec2::new(longest as f32 * self.parts.letter + 2.0 * INSIDE, lines.len() as f32 * self.parts.line + 1.5 * INSIDE);
+        let middle = self.parts.middle;
+        let area = Area { min: Vec2::new(middle.min.x + INSIDE, middle.max().y - INSIDE - size.y), size };
+        canvas.end_layer();
+        widgets::panel_in(canvas, area, theme::panel(), theme::accent());
+        for (i, line) in lines.iter().enumerate() {
+            let at = area.min + Vec2::new(INSIDE, 0.75 * INSIDE + i as f32 * self.parts.line);
+            canvas.text(line, at, Style::new(DETAILS, theme::text()).mono());
         }
     }
 }
@@ -205,11 +219,12 @@ impl Editor {
 pub(super) fn draw_ask(ask: &Ask, canvas: &Canvas) {
     widgets::curtain(canvas, 0.6);
     widgets::panel(canvas, ask.panel);
-    let [first, second] = ask.words();
-    let (middle, top) = (ask.panel.centre().x, ask.panel.min.y);
-    let widest = ask.panel.size.x - 2.0 * PADDING;
-    widgets::fitted(canvas, &first, Vec2::new(middle, top + 36.0), widest, &[BUTTON_TEXT, TEXT, DETAILS], theme::text());
-    widgets::fitted(canvas, &second, Vec2::new(middle, top + 80.0), widest, &[TEXT, DETAILS], theme::quiet());
+    let middle = ask.panel.centre().x;
+    for (i, (line, first)) in ask.lines().iter().enumerate() {
+        let colour = if *first { theme::text() } else { theme::quiet() };
+        let at = Vec2::new(middle, ask.panel.min.y + 1.5 * PADDING + i as f32 * canvas.line_height(TEXT));
+        canvas.text(line, at, Style::new(TEXT, colour).centred());
+    }
     for (i, (label, area)) in ask.answers().iter().zip(ask.buttons().areas()).enumerate() {
         widgets::button(canvas, *area, label, ask.buttons().hover() == Some(i), ask.buttons().focus() == i);
     }

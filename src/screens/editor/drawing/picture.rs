@@ -96,11 +96,7 @@ impl Editor {
                 }
             }
             Kind::Fluid | Kind::Gravity => {
-                let given = ["r", "g", "b"].map(|channel| self.document.number(row, channel));
-                let own = match given {
-                    [Some(r), Some(g), Some(b)] if kind == Kind::Fluid => Color::from_rgba(r as u8, g as u8, b as u8, 255),
-                    _ => own,
-                };
+                let own = self.given_colour(row).unwrap_or(own);
                 fill(area, theme::faded(own, 0.3));
                 edge(area, 1.0, own);
                 if kind == Kind::Gravity {
@@ -113,7 +109,8 @@ impl Editor {
                     }
                 }
             }
-            Kind::Object | Kind::Key | Kind::Picture => self.draw_object(sheets, canvas, row, area),
+            Kind::Object | Kind::Key => self.draw_object(sheets, canvas, (row, area), colour(Kind::Object)),
+            Kind::Picture => self.draw_object(sheets, canvas, (row, area), theme::faded(theme::solid(), 0.6)),
             Kind::Ship => {
                 canvas.rounded(area, area.size.x * 0.25, theme::faded(own, 0.9));
                 let centre = area.centre();
@@ -123,6 +120,7 @@ impl Editor {
             }
             Kind::Text => {
                 let size = crate::view::layout::nearest_size(area.size.y);
+                let own = self.given_colour(row).unwrap_or(own);
                 if area.size.y > 10.0 {
                     canvas.text(cell("text"), area.min, Style::new(size, own));
                 } else {
@@ -137,13 +135,15 @@ impl Editor {
         }
     }
 
-    fn draw_object(&self, sheets: &mut Sheets, canvas: &Canvas, row: RowId, area: Area) {
+    /// The colour in a row's cells, where there is one.
+    fn given_colour(&self, row: RowId) -> Option<Color> {
+        let [r, g, b] = ["r", "g", "b"].map(|name| self.document.number(row, name).map(|value| value as u8));
+        Some(Color::from_rgba(r?, g?, b?, 255))
+    }
+
+    fn draw_object(&self, sheets: &mut Sheets, canvas: &Canvas, (row, area): (RowId, Area), plain: Color) {
         let image = self.document.cell(row, "image").unwrap_or_default();
-        let channel = |name: &str| self.document.number(row, name).map(|value| value as u8);
-        let own = match (channel("r"), channel("g"), channel("b")) {
-            (Some(r), Some(g), Some(b)) => Color::from_rgba(r, g, b, 255),
-            _ => colour(Kind::Object),
-        };
+        let own = self.given_colour(row).unwrap_or(plain);
         let round = image.to_ascii_lowercase().starts_with("ball:")
             || self.document.cell(row, "circular").is_some_and(|cell| cell.eq_ignore_ascii_case("true"));
         if !image.contains(':')

@@ -83,9 +83,7 @@ impl Vary {
 
         let number = inner(layout.number(index));
         match &self.entry {
-            Some((Entry::Number(parameter), field)) if *parameter == line.parameter => {
-                draw_field((field, self.fresh), number, canvas)
-            }
+            Some((Entry::Number(parameter), field)) if *parameter == line.parameter => draw_field(field, number, canvas),
             _ => {
                 let hover = line.open && number.contains(self.pointer);
                 widgets::panel_in(canvas, number, if hover { theme::panel_hover() } else { theme::ground() }, theme::panel_edge());
@@ -111,7 +109,7 @@ impl Vary {
         let say = |words: &str, colour| widgets::fitted(canvas, words, middle, widest, &[DETAILS], colour);
         match (&self.entry, &self.told, self.progress) {
             (Some((Entry::Name, text)), None, _) => {
-                draw_field((text, false), inner(field), canvas);
+                draw_field(text, inner(field), canvas);
                 if text.text().is_empty() {
                     let style = Style::new(DETAILS, theme::quiet()).middle().right();
                     canvas.text("its name, or Enter for any", Vec2::new(field.max().x - INSIDE, middle.y), style);
@@ -130,24 +128,8 @@ fn inner(cell: Area) -> Area {
     Area::new(cell.min.x, cell.min.y + APART, cell.size.x, cell.size.y - 2.0 * APART)
 }
 
-/// What is being written, with its caret; its end where it is longer than the field. What the first letter takes the place of is marked.
-fn draw_field((field, fresh): (&TextField, bool), area: Area, canvas: &Canvas) {
+/// What is being written.
+fn draw_field(field: &TextField, area: Area, canvas: &Canvas) {
     widgets::panel_in(canvas, area, theme::ground(), theme::accent());
-    let style = Style::new(DETAILS, theme::text()).mono().middle();
-    let room = area.size.x - 2.0 * INSIDE;
-    let (text, before) = (field.text(), field.before_caret());
-    let skipped = (0..before.chars().count())
-        .find(|skip| canvas.width(&before.chars().skip(*skip).collect::<String>(), style) <= room)
-        .unwrap_or_default();
-    let shown: String = text.chars().skip(skipped).collect();
-    let before: String = before.chars().skip(skipped).collect();
-    let at = Vec2::new(area.min.x + INSIDE, area.centre().y);
-    let shown = widgets::cut(canvas, &shown, room, style);
-    if fresh {
-        let marked = Area::new(at.x, area.min.y + 4.0, canvas.width(&shown, style), area.size.y - 8.0);
-        canvas.rounded(marked, 2.0, theme::solid());
-    }
-    canvas.text(&shown, at, style);
-    let x = at.x + canvas.width(&before, style);
-    canvas.line(Vec2::new(x, area.min.y + 4.0), Vec2::new(x, area.max().y - 4.0), 1.5, theme::accent());
+    field.draw(canvas, area, (DETAILS, INSIDE), Some(0.0));
 }

@@ -96,8 +96,6 @@ pub struct Vary {
     /// The number that was changed last, by steps or by its slider: further ones go on with it.
     last: Option<Parameter>,
     entry: Option<(Entry, TextField)>,
-    /// Whether nothing of it has been written yet: the first letter takes the place of all that is there.
-    fresh: bool,
     /// What was said last, and whether it is bad.
     told: Option<(String, bool)>,
     pointer: Vec2,
@@ -233,11 +231,6 @@ impl Vary {
     /// Keys while something is written: Enter takes it, Esc gives it up, up and down are fine steps.
     fn follow_keys(&mut self, input: &Input, level: &Level, variation: Option<&Variation>) {
         let Some((entry, field)) = &mut self.entry else { return };
-        let pressed = |keys: &[Key]| keys.iter().any(|key| input.pressed(*key));
-        if self.fresh && (!input.typed.is_empty() || pressed(&[Key::Backspace, Key::Delete])) {
-            (*field, self.fresh) = (TextField::new("", MOST), false);
-        }
-        self.fresh &= !pressed(&[Key::Left, Key::Right, Key::Home, Key::End]);
         // What was typed in the same frame as Enter is taken with it.
         if field.update(input) {
             self.told = None;
@@ -250,7 +243,7 @@ impl Vary {
         } else if let (Entry::Number(parameter), true) = (*entry, steps != 0.0) {
             let Some(line) = self.line(parameter) else { return };
             let value = self.step(line, steps, level, variation);
-            (self.entry, self.fresh) = (Some((Entry::Number(parameter), TextField::new(&value.to_string(), MOST))), true);
+            self.entry = Some((Entry::Number(parameter), TextField::selected(&value.to_string(), MOST)));
         }
     }
 
@@ -285,7 +278,7 @@ impl Vary {
                 Some(Button::Restore) if variation.is_some() => self.wish = Some(Wish::Restore),
                 Some(Button::Save) if self.is_varied => {
                     if written != Some(Entry::Name) {
-                        (self.entry, self.fresh, self.told) = (Some((Entry::Name, TextField::new("", MOST))), false, None);
+                        (self.entry, self.told) = (Some((Entry::Name, TextField::new("", MOST))), None);
                     }
                 }
                 Some(Button::Restore | Button::Save) | None => {}
@@ -317,8 +310,7 @@ impl Vary {
             self.ask(line, line.usual, level, (variation, false));
         } else if self.layout.number(index).contains(at) {
             if self.entry.as_ref().is_none_or(|(entry, _)| *entry != Entry::Number(line.parameter)) {
-                self.entry = Some((Entry::Number(line.parameter), TextField::new(&line.value.to_string(), MOST)));
-                self.fresh = true;
+                self.entry = Some((Entry::Number(line.parameter), TextField::selected(&line.value.to_string(), MOST)));
             }
         } else if self.layout.slider(index).contains(at) {
             self.held = Some(line.parameter);
