@@ -60,11 +60,12 @@ fn start(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Star
     let loaded = match level::load(&folder, project.root()) {
         Ok(loaded) => loaded,
         Err(problems) => {
-            let lines: String = level::told(&problems).iter().map(|problem| format!("{}/{problem}\n", shown(level.display()))).collect();
+            let problems = level::told(&problems);
+            let lines: String = problems.iter().map(|problem| format!("{}/{problem}\n", shown(level.display()))).collect();
             let unfinished = level::load_unfinished(&folder, project.root()).ok().filter(|_| inputs.is_none());
             let Some(unfinished) = unfinished else { return Err(Stop::Refused(lines)) };
             let _ = writeln!(std::io::stderr(), "{lines}{}: not finished yet, its flights count for nothing", shown(level.display()));
-            return Ok(Start::Test(folder, Arc::new(unfinished.level)));
+            return Ok(Start::Test(folder, Arc::new(unfinished.level), problems));
         }
     };
     let inputs = inputs.map(|file| Inputs::parse(&file.display().to_string(), &read_text(file, INPUTS)?).map_err(Stop::refused));

@@ -6,7 +6,7 @@ use super::telemetry::Telemetry;
 use super::{Project, Status, Stop, load_level};
 use crate::files::INPUTS;
 use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE, TICK_RATES};
-use crate::level::{FILES, Level, Look};
+use crate::level::{FILES, Level};
 use crate::number::Shortest;
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -109,12 +109,7 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
 
 /// What the level is made of: its tables and its background, also where there is none yet, and its pictures.
 fn level_files(folder: &Path, level: &Level) -> Vec<PathBuf> {
-    let pictures = level.objects.iter().filter_map(|object| match &object.look {
-        Look::Image(path) => Some(path.clone()),
-        Look::Box | Look::Ball => None,
-    });
-    let decoration = level.decoration.iter().map(|picture| picture.image.clone());
-    FILES.iter().map(|file| folder.join(file)).chain(pictures).chain(decoration).collect()
+    FILES.iter().map(|file| folder.join(file)).chain(level.pictures().cloned()).collect()
 }
 
 /// The tick after which the time is up.

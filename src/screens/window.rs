@@ -62,8 +62,8 @@ const MORE_KEYS: [(KeyCode, Key); 8] = [
 pub enum Start {
     /// An attempt at the level in that folder.
     Play(PathBuf, Attempt),
-    /// The level in that folder, which is not finished, to try it out.
-    Test(PathBuf, Arc<Level>),
+    /// The level in that folder, which is not finished, to try it out; a line a problem.
+    Test(PathBuf, Arc<Level>, Vec<String>),
     /// The editor of the level in that folder, which has that name; of itself, also where it comes with the game.
     Edit(PathBuf, String, bool),
 }
@@ -114,7 +114,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     app.clipboard.of_system = true;
     match start {
         Some(Start::Play(folder, attempt)) => app.begin(&folder, Request::Attempt(attempt), &mut theatre),
-        Some(Start::Test(folder, level)) => app.begin(&folder, Request::TestFly(level), &mut theatre),
+        Some(Start::Test(folder, level, problems)) => app.begin(&folder, Request::TestFly(level, problems), &mut theatre),
         Some(Start::Edit(folder, name, false)) => app.begin(&folder, Request::Edit(name), &mut theatre),
         Some(Start::Edit(folder, name, true)) => app.begin(&folder, Request::EditOriginal(name), &mut theatre),
         None => {}
