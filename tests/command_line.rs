@@ -68,3 +68,18 @@ fn without_a_window_playing_says_so() {
         assert!(ran.err.contains("no window"), "{args:?}: {}", ran.err);
     }
 }
+
+/// Elsewhere a window would open.
+#[cfg(all(target_os = "linux", feature = "window"))]
+#[test]
+fn the_editor_asks_for_no_folder_that_it_does_not_need() {
+    let data = Data::new();
+    data.level("way", "", &[("player.csv", "1500,1500,100,500,3000\n"), ("objectives.csv", "PLAYER,10,10,20,20\n")]);
+    for args in [&["edit", "way"][..], &["edit", "way", "--original"]] {
+        let ran = data.resultant(args);
+        assert!(ran.status == 2 && ran.err.contains("there is no display"), "{args:?}: {ran:?}");
+    }
+    assert!(data.resultant(&["edit", "none"]).err.contains("no level \"none\""));
+    let names: Vec<_> = std::fs::read_dir(data.path("levels/way")).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(names.len(), 3, "nothing is left behind: {names:?}");
+}

@@ -53,6 +53,7 @@ struct Desk {
     kept: PathBuf,
     /// Whether another editor has the level open.
     shared: bool,
+    /// Held until this editor ends.
     lock: Option<(File, PathBuf)>,
 }
 
@@ -62,26 +63,33 @@ impl Desk {
         Self { kept: folder.join(KEPT), shared: false, lock: None }
     }
 
-    /// The first that nobody has. Where no lock can be made, as in a folder that is read-only, nothing can be kept either.
+    /// The first that nobody has; one where something was left goes before the others.
     fn take(folder: &Path) -> Self {
-        for number in 1..=MOST_EDITORS {
-            let name = if number == 1 { KEPT.to_owned() } else { format!("{KEPT}-{number}") };
-            let (kept, path) = (folder.join(&name), folder.join(name + ".lock"));
-            // No link is followed, and no pipe opened.
-            let file = match File::create_new(&path) {
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                    let Ok((file, _)) = files::open(File::options().write(true), &path, Links::Never) else { continue };
-                    file
-                }
-                Ok(file) => file,
-                Err(_) => return Self { kept, shared: number > 1, lock: None },
-            };
-            // An editor that ends takes its lock file away: the lock of a file that has gone is none.
-            if file.try_lock().is_ok() && is_at(&file, &path) {
-                return Self { kept, shared: number > 1, lock: Some((file, path)) };
+        let left = (1..=MOST_EDITORS).filter(|number| fs::symlink_metadata(Self::name(folder, *number)).is_ok());
+        let mut desks = left.chain(1..=MOST_EDITORS).filter_map(|number| Some((number, Self::at(folder, number)?)));
+        let Some((number, mut desk)) = desks.next() else { return Self { kept: folder.join(KEPT), shared: true, lock: None } };
+        desk.shared = number != 1 && Self::at(folder, 1).is_none();
+        desk
+    }
+
+    /// That one; `None` where another editor has it. Where no lock can be made, as in a folder that is read-only, nothing can be kept either.
+    fn at(folder: &Path, number: u32) -> Option<Self> {
+        let kept = Self::name(folder, number);
+        let path = kept.with_extension("lock");
+        // No link is followed, and no pipe opened.
+        let file = match File::create_new(&path) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                files::open(File::options().write(true), &path, Links::Never).ok()?.0
             }
-        }
-        Self { kept: folder.join(KEPT), shared: true, lock: None }
+            Ok(file) => file,
+            Err(_) => return Some(Self { kept, shared: false, lock: None }),
+        };
+        // An editor that ends takes its lock file away: the lock of a file that has gone is none.
+        (file.try_lock().is_ok() && is_at(&file, &path)).then_some(Self { kept, shared: false, lock: Some((file, path)) })
+    }
+
+    fn name(folder: &Path, number: u32) -> PathBuf {
+        folder.join(if number == 1 { KEPT.to_owned() } else { format!("{KEPT}-{number}") })
     }
 }
 

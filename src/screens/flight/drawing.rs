@@ -3,7 +3,7 @@
 use super::{Flight, News, PAUSE_LABELS, PAUSE_TOP};
 use crate::game::Outcome;
 use crate::view::canvas::{Canvas, Style};
-use crate::view::layout::{Area, DETAILS, HEADING, HudLayout, PADDING, TEXT, Vec2, WIDE_BUTTON};
+use crate::view::layout::{Area, DETAILS, HEADING, HudLayout, MONO_ADVANCE, PADDING, TEXT, Vec2, WIDE_BUTTON, wrapped};
 use crate::view::{theme, widgets};
 
 /// From the canvas' foot to what is told above the fuel bar.
@@ -88,27 +88,24 @@ fn draw_news(news: &News, canvas: &Canvas) {
     };
     let line = canvas.line_height(DETAILS);
     let more = problems.len().saturating_sub(LISTED);
-    let lines = problems.len().min(LISTED) + usize::from(more > 0);
     // Beside the box with time and speed, which grows with the words.
     let left = 16.0 + BESIDE * canvas.frame().text.max(1.0);
     let room = canvas.size().x - left - PADDING;
     let width = if problems.is_empty() { room.min(560.0) } else { room };
-    let height = canvas.line_height(TEXT) + 1.5 * PADDING + lines as f32 * line;
+    let letter = canvas.frame().text_height(DETAILS) * MONO_ADVANCE;
+    let columns = ((width - 2.0 * PADDING) / letter) as usize;
+    let mut lines: Vec<String> = problems.iter().take(LISTED).flat_map(|problem| wrapped(problem, columns, 4)).collect();
+    if more > 0 {
+        lines.push(format!("and {more} more"));
+    }
+    let height = canvas.line_height(TEXT) + 1.5 * PADDING + lines.len() as f32 * line;
     let panel = Area::new(left, PADDING, width, height);
     widgets::curtain(canvas, 0.0);
     widgets::panel_in(canvas, panel, theme::faded(theme::panel(), 0.95), colour);
     let top = panel.min + Vec2::new(PADDING, 0.75 * PADDING);
     canvas.text(words, top, Style::new(TEXT, colour));
-    for (i, problem) in problems.iter().take(LISTED).enumerate() {
+    for (i, words) in lines.iter().enumerate() {
         let at = top + Vec2::new(0.0, canvas.line_height(TEXT) + i as f32 * line);
-        canvas.text(
-            &widgets::cut(canvas, problem, width - 2.0 * PADDING, Style::new(DETAILS, theme::text()).mono()),
-            at,
-            Style::new(DETAILS, theme::text()).mono(),
-        );
-    }
-    if more > 0 {
-        let at = top + Vec2::new(0.0, canvas.line_height(TEXT) + LISTED as f32 * line);
-        canvas.text(&format!("and {more} more"), at, Style::new(DETAILS, theme::quiet()).mono());
+        canvas.text(words, at, Style::new(DETAILS, theme::text()).mono());
     }
 }
