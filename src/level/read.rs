@@ -124,6 +124,7 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
             optimal_time: constants.optimal_time,
             rest_speed: constants.rest_speed,
             friction: constants.friction,
+            experiment: constants.experiment,
             awards: constants.awards,
             player: player.item.clone(),
             world: items(draft.world),

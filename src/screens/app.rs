@@ -206,7 +206,7 @@ impl App {
             Request::BackToEditor(how) => self.back_to_editor(how),
             Request::Attempt(attempt) => self.flight(attempt, spectator),
             // Nothing comes of an experiment but what was seen.
-            Request::Score(attempt, ..) if self.library.is_experiment(&attempt.level.name) => self.lab(Some(&attempt.level.name)),
+            Request::Score(attempt, ..) if attempt.level.experiment => self.lab(Some(&attempt.level.name)),
             Request::Score(attempt, result, flown) => self.scoring(attempt, result, flown),
             Request::Flights(visit) => self.flights(visit),
             Request::Watch(visit, candidate) => match self.watch(visit, &candidate, spectator) {
@@ -450,7 +450,7 @@ impl App {
     fn note_end(&mut self) {
         let Screen::Flight(flight) = &self.screen else { return };
         let game = flight.game();
-        if self.editing.is_some() || self.library.is_experiment(&game.level().name) {
+        if self.editing.is_some() || game.level().experiment {
             return;
         }
         if flight.variation().is_some() {
