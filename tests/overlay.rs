@@ -50,7 +50,7 @@ fn at_rest_every_tick_shows_a_resultant_of_exactly_zero_and_the_forces_that_canc
             assert_eq!(vector(&facts, "Velocity"), DVec2::ZERO, "tick {tick}");
             assert_eq!(vector(&facts, "Acceleration"), DVec2::ZERO, "tick {tick}");
             assert_eq!(vector(&facts, "Weight"), DVec2::new(0.0, weight), "tick {tick}");
-            assert_eq!(vector(&facts, "Reaction"), DVec2::new(0.0, -weight), "tick {tick}");
+            assert_eq!(vector(&facts, "Normal force"), DVec2::new(0.0, -weight), "tick {tick}");
         }
         game.step(Controls::default());
     }
@@ -88,7 +88,7 @@ fn in_flight_the_lines_add_up_to_the_resultant_and_are_the_worlds_own_numbers() 
             facts.rows.iter().filter(|row| matches!(row.shown, Some(Shown::Force(_)))).map(|row| vector(&facts, row.name)).sum();
         assert!((shown - forces.resultant()).length() < 1e-9 * (1.0 + shown.length()), "tick {tick}: {shown}");
         for kind in ForceKind::ALL.into_iter().filter(|kind| forces.total(*kind) != DVec2::ZERO) {
-            assert_eq!(vector(&facts, kind.name()), forces.total(kind), "tick {tick}");
+            assert_eq!(vector(&facts, kind.shown()), forces.total(kind), "tick {tick}");
         }
     }
 }
@@ -236,10 +236,10 @@ fn pointing_at_a_force_lights_its_partner() {
     let (game, mut details, all) = (stack(), Details::default(), Focus::default());
     arrange(&mut details, &game, &all, None);
     assert!(details.lit().is_empty() && details.tip().is_none());
-    let at = line(&details, 2, "Reaction by Box 1");
+    let at = line(&details, 2, "Normal force by Box 1");
     arrange(&mut details, &game, &all, Some(at));
     let up = DVec2::new(0.0, -150.0);
-    assert_eq!(lit(&details, &game), [(2, "Reaction by Box 1".to_owned(), up), (1, "Reaction by Box 2".to_owned(), -up)]);
+    assert_eq!(lit(&details, &game), [(2, "Normal force by Box 1".to_owned(), up), (1, "Normal force by Box 2".to_owned(), -up)]);
     let words = |details: &Details| details.tip().expect("it is told").lines.join(" ");
     assert_eq!(words(&details), "Third law: Box 2 presses on Box 1 with (0, −150) N");
     assert!(details.tip().is_some_and(|tip| tip.area.is_some()));
@@ -264,10 +264,10 @@ fn the_partner_of_who_is_followed_alone_is_seen() {
     focus.pick(Some(BodyId(2)), false);
     arrange(&mut details, &game, &focus, None);
     assert!(details.arrows().arrows.iter().all(|arrow| arrow.body == BodyId(2)));
-    let at = line(&details, 2, "Reaction by Box 1");
+    let at = line(&details, 2, "Normal force by Box 1");
     arrange(&mut details, &game, &focus, Some(at));
     let other: Vec<_> = details.arrows().arrows.iter().filter(|arrow| arrow.body == BodyId(1)).collect();
-    assert!(other.len() == 1 && other[0].name() == "Reaction" && other[0].to.y > other[0].from.y, "{other:?}");
+    assert!(other.len() == 1 && other[0].name() == "Normal force" && other[0].to.y > other[0].from.y, "{other:?}");
     assert!(details.lit().contains(&(BodyId(1), other[0].row)) && details.boxes().len() == 1);
 }
 
@@ -285,8 +285,8 @@ fn who_exerts_a_force_is_named() {
         told.map(|row| row.label()).collect()
     };
     assert_eq!(labels(0), ["Weight by Earth", "Drive by exhaust", "Air Resistance by air"]);
-    assert_eq!(labels(1), ["Weight by Earth", "Reaction by Box 3", "Reaction by floor"]);
-    assert_eq!(labels(3), ["Weight by Earth", "Reaction by 2 objects"]);
+    assert_eq!(labels(1), ["Weight by Earth", "Normal force by Box 3", "Normal force by floor"]);
+    assert_eq!(labels(3), ["Weight by Earth", "Normal force by 2 objects"]);
 }
 
 /// Arrows are as long as the scale says, as far as they are not marked, and none is nothing, however small its force.

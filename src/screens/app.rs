@@ -247,11 +247,7 @@ impl App {
             Request::Lab => self.lab(None),
             Request::Experiment(name) => {
                 let folder = self.library.experiment(&name);
-                let mut screen = self.open_folder(&folder, spectator);
-                if let Screen::Flight(flight) = &mut screen {
-                    flight.open_details();
-                }
-                screen
+                self.open_folder(&folder, spectator)
             }
             Request::Classic(classic) => self.classic(classic),
             Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),

@@ -286,7 +286,7 @@ impl Theatre {
 
 /// Who is looked at: nobody in particular while neither details nor instruments are open.
 fn looked_at(focus: &Focus, open: bool) -> Focus {
-    if open { *focus } else { Focus::default() }
+    if open { *focus } else { focus.on_nobody() }
 }
 
 /// What it is measured with, above the flight.

@@ -104,7 +104,7 @@ impl Details {
         let told = &subjects[..shown.len()];
 
         let never = self.never(game, looking, view, frame);
-        let panels: Vec<Area> = HudLayout::new(frame).areas().into_iter().chain(covered.iter().copied()).collect();
+        let panels: Vec<Area> = HudLayout::shown(frame, game).into_iter().chain(covered.iter().copied()).collect();
         let ground = Ground { window: frame.area(), never: &never, panels: &panels };
         let reaches = reaches(&subjects, &ground);
         let scale = self.scale.update(game, (looking.focus, &shown), view.scale(), [&reaches[0], &reaches[1]]);

@@ -13,7 +13,9 @@ use super::race::{Race, Rival};
 use super::{Buttons, Input, Key, Purpose, Request, SettingsPanel};
 use crate::game::{Clock, Controls, Game, GameError, History, Inputs, Latch, Outcome, Playback, Replay, RunResult, level_hash};
 use crate::level::Level;
+use crate::physics::{BodyId, DVec2};
 use crate::settings::{Action, Settings};
+use crate::view::focus::Focus;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -129,6 +131,11 @@ impl Flight {
     pub fn new(attempt: Attempt, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
         let game = Game::new(attempt.level.clone())?;
         spectator.begins(&game);
+        let mut observer = Observer::default();
+        let experiment = !game.level().ship_plays();
+        if experiment {
+            observer.look_at(Focus::fitted_on(first_mover(&game)));
+        }
         Ok(Self {
             history: History::new(&game),
             race: Race::new(&attempt.level, &attempt.rivals)?,
@@ -140,9 +147,9 @@ impl Flight {
             settings_problems: Vec::new(),
             assisted: false,
             ended: 0.0,
-            details: false,
+            details: experiment,
             hitboxes: false,
-            observer: Observer::default(),
+            observer,
             instruments: Instruments::default(),
             what_if: None,
             ahead: what_if::AT_FIRST,
@@ -209,7 +216,7 @@ impl Flight {
             return None;
         }
         let looked_at = self.details || self.instruments.is_open();
-        match self.observer.update(input, self.game.world().bodies().len(), looked_at) {
+        match self.observer.update(input, &self.game, looked_at) {
             0 => {}
             ticks => self.step(ticks, input, spectator),
         }
@@ -366,10 +373,6 @@ impl Flight {
         self.pause.as_ref()
     }
 
-    /// Shows the forces from the start.
-    pub(super) fn open_details(&mut self) {
-        self.details = true;
-    }
 
     /// Whether forces are shown.
     pub fn details(&self) -> bool {
@@ -519,6 +522,13 @@ impl Flight {
     pub fn news(&self) -> Option<&News> {
         self.news.as_ref()
     }
+}
+
+/// The first object that moves or is about to; else the first one.
+fn first_mover(game: &Game) -> BodyId {
+    let world = game.world();
+    let moves = |id: &BodyId| world.body(*id).velocity != DVec2::ZERO || world.forces(*id).resultant() != DVec2::ZERO;
+    (game.lead().0..world.bodies().len() as u32).map(BodyId).find(moves).unwrap_or(game.lead())
 }
 
 fn controls(is: impl Fn(Action) -> bool) -> Controls {

@@ -1,7 +1,7 @@
-//! The table of momentum, energy and work, for whoever is followed and compared, or the ship, and for all.
+//! The table of momentum, energy and work: of the object that is followed, of the one that it is compared with and of both; else of all.
 
 use super::Stage;
-use crate::game::{Game, History, SHIP, body_title};
+use crate::game::{Game, History, body_title};
 use crate::instruments::energy::State;
 use crate::instruments::ledger::{Account, Ledger, MOST_BODIES};
 use crate::instruments::stop_clock::seconds;
@@ -63,10 +63,10 @@ pub struct Figures {
     table: Table,
 }
 
-/// Who has a column besides all: whoever is followed and compared, or the ship.
-pub fn told(focus: &Focus, bodies: usize) -> Vec<BodyId> {
-    let there = |body: &BodyId| body.index() < bodies;
-    let followed = focus.followed().filter(there).unwrap_or(SHIP);
+/// Who is told of: whoever is followed and compared, or who is looked at while nobody is.
+pub fn told(focus: &Focus, game: &Game) -> Vec<BodyId> {
+    let there = |body: &BodyId| body.index() < game.world().bodies().len();
+    let followed = focus.followed().filter(there).unwrap_or(game.lead());
     std::iter::once(followed).chain(focus.compared().filter(there)).collect()
 }
 
@@ -104,10 +104,16 @@ impl Figures {
 
     fn tabulate(&self, stage: &Stage) -> Table {
         let (game, bodies) = (stage.game, stage.game.world().bodies().len());
-        let mut groups: Vec<Vec<BodyId>> = told(stage.focus, bodies).into_iter().map(|id| vec![id]).collect();
+        let told = told(stage.focus, game);
+        let mut groups: Vec<Vec<BodyId>> = told.iter().map(|id| vec![*id]).collect();
         let mut columns: Vec<String> = groups.iter().map(|group| body_title(game.level(), group[0])).collect();
-        if bodies > groups.len() {
-            groups.push((0..bodies as u32).map(BodyId).collect());
+        // Two that are compared are a system of their own: others would mix in.
+        let all: Vec<BodyId> = (game.lead().0..bodies as u32).map(BodyId).collect();
+        if told.len() == 2 {
+            groups.push(told);
+            columns.push("Both".to_owned());
+        } else if stage.focus.followed().is_none() && all.len() > 1 {
+            groups.push(all);
             columns.push("All".to_owned());
         }
         let state = |group: &Vec<BodyId>| group.iter().map(|id| State::of(game, *id)).fold(State::default(), std::ops::Add::add);
@@ -159,7 +165,7 @@ fn work_lines(works: &[Account]) -> Vec<Line> {
     };
     let done = |of: &dyn Fn(&Account) -> f64| works.iter().any(|work| told(of(work)) != 0.0);
     let forces = ForceKind::ALL.into_iter().filter(|kind| done(&|work| work.by(*kind)));
-    let mut lines: Vec<Line> = forces.map(|kind| line(kind.name(), Subject::Force(kind), &|work| work.by(kind))).collect();
+    let mut lines: Vec<Line> = forces.map(|kind| line(kind.shown(), Subject::Force(kind), &|work| work.by(kind))).collect();
     if done(&|work| work.by_impacts) {
         lines.push(line(Impulse::NAME, Subject::Impact, &|work| work.by_impacts));
     }

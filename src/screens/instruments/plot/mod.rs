@@ -12,7 +12,7 @@ mod readings;
 mod taken_along;
 
 use super::Stage;
-use crate::game::{History, SHIP, body_title};
+use crate::game::{History, body_title};
 use crate::instruments::chart::{Chart, Member, Window};
 use crate::instruments::curve::Curve;
 use crate::instruments::quantity::{Part, Quantity};
@@ -205,7 +205,7 @@ impl Plot {
     fn read(&mut self, frame_time: f64, stage: &Stage) {
         let game = stage.game;
         let there = |body: &BodyId| body.index() < game.world().bodies().len();
-        let focus = [Some(stage.focus.followed().unwrap_or(SHIP)), stage.focus.compared()];
+        let focus = [Some(stage.focus.followed().unwrap_or(game.lead())), stage.focus.compared()];
         let most = self.ahead.ticks(frame_time);
         for ((object, name), focus) in self.objects.iter_mut().zip(&mut self.names).zip(focus) {
             let body = object.kept.or(focus).filter(there);
