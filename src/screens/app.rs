@@ -245,6 +245,7 @@ impl App {
             Request::Leaderboard(level) => self.leaderboard(&level),
             Request::Classics(left) => Screen::Classics(Classics::new(left, None)),
             Request::Lab => self.lab(None),
+            Request::Experiments(left) => self.lab(Some(&left)),
             Request::Experiment(name) => {
                 let folder = self.library.experiment(&name);
                 self.open_folder(&folder, spectator)

@@ -1,6 +1,6 @@
 //! Draws what a flight tells above the game: how its time goes, what became of the level's files, the pause panel.
 
-use super::{Flight, News, PAUSE_LABELS, PAUSE_TOP};
+use super::{Flight, News, PAUSE_TOP};
 use crate::game::Outcome;
 use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, DETAILS, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
@@ -50,8 +50,9 @@ impl Flight {
         let panel = Area::new(middle.x - width / 2.0, top, width, bottom - top);
         widgets::panel(canvas, panel);
         widgets::heading(canvas, "Paused", panel.min.y + PADDING + HEADING * 0.8);
+        let labels = self.pause_labels();
         for (i, area) in pause.areas().iter().enumerate() {
-            widgets::button(canvas, *area, PAUSE_LABELS[i], pause.hover() == Some(i), pause.focus() == i);
+            widgets::button(canvas, *area, labels[i], pause.hover() == Some(i), pause.focus() == i);
         }
     }
 }

@@ -23,8 +23,9 @@ use what_if::WhatIf;
 
 /// From the end of an attempt to its score, s: long enough to see what happened.
 const END_PAUSE: f64 = 1.2;
-/// The words on the pause panel's buttons, from top to bottom.
+/// The words on the pause panel's buttons, from top to bottom; in an experiment the fourth leads elsewhere.
 pub const PAUSE_LABELS: [&str; 6] = ["Resume", "Restart", "Settings", "Level Select", "Main Menu", "Edit Level"];
+const BACK_TO_EXPERIMENTS: &str = "Back to experiments";
 
 /// From the middle of the window up to the first of them.
 const PAUSE_TOP: f32 = 152.0;
@@ -374,6 +375,15 @@ impl Flight {
     }
 
 
+    /// What stands on them.
+    pub fn pause_labels(&self) -> [&'static str; 6] {
+        let mut labels = PAUSE_LABELS;
+        if self.attempt.level.experiment {
+            labels[3] = BACK_TO_EXPERIMENTS;
+        }
+        labels
+    }
+
     /// Whether forces are shown.
     pub fn details(&self) -> bool {
         self.details
@@ -424,6 +434,7 @@ impl Flight {
             0 => self.pause = None,
             1 => return Some(Request::Restart),
             2 => self.settings = Some(Box::new(SettingsPanel::new(input.settings, self.settings_problems.clone()))),
+            3 if self.attempt.level.experiment => return Some(Request::Experiments(self.attempt.level.name.clone())),
             3 => return Some(Request::LevelSelect(Purpose::Play)),
             4 => return Some(Request::Menu),
             _ => return Some(Request::Edit(self.attempt.level.name.clone())),
