@@ -3,6 +3,7 @@
 
 use super::{Input, Key};
 use crate::game::Game;
+use crate::instruments::stop_clock::seconds;
 use crate::settings::Action;
 use crate::view::focus::Focus;
 
@@ -115,11 +116,11 @@ impl Observer {
     }
 
     /// What is said of the time, where it does not go as it does.
-    pub fn words(&self) -> Option<String> {
+    pub fn words(&self, ticks: u64, rate: f64) -> Option<String> {
         let pace = self.pace();
         let how = if pace < 1.0 { format!("1/{:.0}", 1.0 / pace) } else { format!("{pace} times") };
         match (self.frozen, pace == 1.0) {
-            (true, _) => Some("Frozen: B goes on, “.” a tick on, “,” a tick back".to_owned()),
+            (true, _) => Some(format!("Frozen at {} s: B goes on, “.” a tick on, “,” a tick back", seconds(ticks.cast_signed(), rate))),
             (false, false) => Some(format!("{how} as fast: [ slower, ] faster")),
             (false, true) => None,
         }

@@ -172,8 +172,13 @@ struct Move {
     stretch: i8,
 }
 
-/// How far along its line an arrow moves at most, in steps against its direction and with it.
+/// How far along its line an arrow moves at most, in steps against its direction and with it. Against it no arrow begins outside of its
+/// body: it would lie over the arrows of the other direction.
 const SLIDES: [i8; 2] = [13, 8];
+/// What a step costs: along the line, so that equal arrows begin side by side, and to another length, last of all.
+const SLIDE_COST: f32 = 6.0;
+const STRETCH_COST: f32 = 1.2;
+const OFF_SCALE: f32 = 100.0;
 
 /// All moves that are tried, the least first; no more than two sorts at once.
 static MOVES: LazyLock<Vec<Move>> = LazyLock::new(|| {
@@ -188,8 +193,9 @@ static MOVES: LazyLock<Vec<Move>> = LazyLock::new(|| {
         }
     }
     let cost = |by: &Move| {
-        let off_scale = if by.stretch == 0 { 0.0 } else { 8.0 };
-        f32::from(by.aside.abs()) + 1.2 * f32::from(by.slide.abs()) + 1.2 * f32::from(by.stretch.abs()) + off_scale
+        let off_scale = if by.stretch == 0 { 0.0 } else { OFF_SCALE };
+        let [aside, slide, stretch] = [by.aside, by.slide, by.stretch].map(|steps| f32::from(steps.abs()));
+        aside + SLIDE_COST * slide + STRETCH_COST * stretch + off_scale
     };
     moves.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
     moves
@@ -200,6 +206,8 @@ struct Wish {
     shown: Shown,
     from: Vec2,
     along: Vec2,
+    /// From its usual start to its body's edge against its direction.
+    back: f32,
     /// Its length by the scale, the least that can be seen, and what it is drawn with where nothing is in the way.
     length: f32,
     least: f32,
@@ -212,6 +220,7 @@ impl Wish {
     fn new(subject: &Subject, shown: Shown, (along, length): (Vec2, f32), ground: &Ground) -> Self {
         let from = ground.start(&subject.object);
         let exit = || subject.object.stretch(from, along, f32::MAX).map_or(0.0, |(_, leaves)| leaves);
+        let back = subject.object.stretch(from, -along, f32::MAX).map_or(0.0, |(_, leaves)| leaves);
         let outside = if subject.facts.body == SHIP { exit() + BEYOND } else { 0.0 };
         let least = outside.max(SHAFT) + head_length(shown).x;
         let (room, slides) = (ground.room(from, along), f32::from(SLIDES[0]) * SLIDE);
@@ -219,7 +228,7 @@ impl Wish {
         let base = if length > room + slides { room } else { length }.max(least);
         let far = Vec2::splat(slides + head_length(shown).x);
         let (min, max) = (from.min(from + along * base) - far, from.max(from + along * base) + far);
-        Self { shown, from, along, length, least, base, reach: Area { min, size: max - min } }
+        Self { shown, from, along, back, length, least, base, reach: Area { min, size: max - min } }
     }
 
     /// The first place that is free: the usual one, that of the frame before, any other. Which it is, the arrow's ends, and whether it is to scale.
@@ -235,7 +244,7 @@ impl Wish {
         let Move { aside, slide, stretch } = *MOVES.get(index)?;
         let stretch = f32::from(stretch);
         let length = if stretch > 0.0 { self.base + stretch * LENGTHEN } else { self.base * (1.0 + stretch * SHORTEN) };
-        if length < self.least {
+        if length < self.least || f32::from(slide) * SLIDE < -self.back {
             return None;
         }
         let from = self.from + self.along.perp() * (f32::from(aside) * ASIDE) + self.along * (f32::from(slide) * SLIDE);

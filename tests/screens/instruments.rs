@@ -46,18 +46,18 @@ fn measuring(tools: &[Instrument]) -> Sitting {
         assert!(sitting.flight().instruments().uses(*tool));
     }
     if !sitting.flight().observer().frozen() {
-        sitting.press(Key::F);
+        sitting.press(Key::B);
     }
     sitting
 }
 
 /// The world goes on for so many frames, and stops again.
 fn fly_for(sitting: &mut Sitting, frames: u32) {
-    sitting.press(Key::F);
+    sitting.press(Key::B);
     for _ in 0..frames {
         sitting.rest();
     }
-    sitting.press(Key::F).rest();
+    sitting.press(Key::B).rest();
 }
 
 fn ticks(sitting: &Sitting) -> u64 {
@@ -204,6 +204,6 @@ fn a_panel_is_dragged_out_of_the_way_and_stays_in_the_window() {
     drag(&mut sitting, Vec2::new(5000.0, -5000.0));
     let frame = Input::default().frame;
     assert!(area(&sitting).min.y >= 0.0 && area(&sitting).max().x <= frame.size.x);
-    sitting.press(Key::R).press(Key::F).rest();
+    sitting.press(Key::R).press(Key::B).rest();
     assert!(area(&sitting).min.x > docked.min.x, "it stays there when the level begins anew");
 }

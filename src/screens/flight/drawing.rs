@@ -3,26 +3,40 @@
 use super::{Flight, News, PAUSE_TOP};
 use crate::game::Outcome;
 use crate::view::canvas::{Canvas, Style};
-use crate::view::layout::{Area, DETAILS, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
+use crate::view::layout::{Area, DETAILS, Frame, GRID, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON, text_room};
 use crate::view::{theme, widgets};
 
 /// From the canvas' foot to what is told above the fuel bar.
 const ABOVE_FUEL: f32 = 52.0;
 
 impl Flight {
-    /// How the time goes, where it does not go as it does, and what leads on where it has ended and stays: above the fuel bar.
-    fn draw_time(&self, canvas: &Canvas) {
+    /// How the time goes, where it does not go as it does, and what leads on where it has ended and stays: at the flight's foot.
+    fn time_note(&self, frame: &Frame) -> Option<(String, Area)> {
         let kept = self.game.outcome() != Outcome::Running && self.instruments.stays() && !self.observer.frozen();
         let ended = kept.then(|| "The flight has ended: Enter leads on".to_owned());
-        let Some(words) = ended.or_else(|| self.observer.words()) else { return };
-        let style = Style::new(TEXT, theme::accent()).middle().centred();
-        let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
-        // A test flight has its words there.
-        let above = if self.test { 1.5 * ABOVE_FUEL } else { ABOVE_FUEL };
-        let foot = self.instruments.room(canvas.frame()).size.y;
-        let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, foot - above - size.y), size };
-        widgets::panel(canvas, area);
-        canvas.text(&words, area.centre(), style);
+        let words = ended.or_else(|| self.observer.words(self.game.ticks(), self.game.tick_rate()))?;
+        let size = text_room(&words, frame.text_height(TEXT)) + Vec2::new(2.0 * PADDING, PADDING);
+        let above = match (self.test, self.game.level().ship_plays()) {
+            // A test flight has its words there.
+            (true, _) => 1.5 * ABOVE_FUEL,
+            (false, true) => ABOVE_FUEL,
+            (false, false) => GRID,
+        };
+        let foot = self.instruments.room(frame).size.y;
+        Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, foot - above - size.y), size }))
+    }
+
+    /// Everything that covers the flight, besides the head-up display.
+    pub fn panels(&self, frame: &Frame) -> Vec<Area> {
+        let note = self.time_note(frame).map(|(_, area)| area);
+        self.instruments.areas(frame).into_iter().chain(note).collect()
+    }
+
+    fn draw_time(&self, canvas: &Canvas) {
+        if let Some((words, area)) = self.time_note(canvas.frame()) {
+            widgets::panel(canvas, area);
+            canvas.text(&words, area.centre(), Style::new(TEXT, theme::accent()).middle().centred());
+        }
     }
 
     /// Draws what is to be told of the level's files, and the pause panel where it is open, above the game.
