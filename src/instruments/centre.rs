@@ -4,17 +4,15 @@ use crate::physics::{Body, DVec2};
 
 /// Σ m·r / Σ m over bodies, m.
 pub fn centre_of_mass(bodies: &[Body]) -> DVec2 {
-    let (moment, mass) = bodies
-        .iter()
-        .fold((DVec2::ZERO, 0.0), |(moment, mass), body| (moment + body.mass * body.position, mass + body.mass));
+    let (moment, mass) =
+        bodies.iter().fold((DVec2::ZERO, 0.0), |(moment, mass), body| (moment + body.mass * body.position, mass + body.mass));
     moment / mass
 }
 
 /// Σ m·v / Σ m over bodies, m/s.
 pub fn velocity_of_centre(bodies: &[Body]) -> DVec2 {
-    let (momentum, mass) = bodies
-        .iter()
-        .fold((DVec2::ZERO, 0.0), |(momentum, mass), body| (momentum + body.mass * body.velocity, mass + body.mass));
+    let (momentum, mass) =
+        bodies.iter().fold((DVec2::ZERO, 0.0), |(momentum, mass), body| (momentum + body.mass * body.velocity, mass + body.mass));
     momentum / mass
 }
 

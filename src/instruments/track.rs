@@ -118,7 +118,8 @@ impl Track {
     /// ∫ up dt from one place to another, exactly, where a law has it, also across impacts: of v by the places, of p by m·Δr, of the resultant
     /// by m·Δv less what impacts passed on, of a by the same without m. Nothing of other quantities, and of the sizes of vectors.
     pub fn swept(&self, up: Quantity, from: usize, to: usize) -> Option<f64> {
-        let (Quantity::Velocity(part) | Quantity::Momentum(part) | Quantity::Resultant(part) | Quantity::Acceleration(part)) = up else {
+        let (Quantity::Velocity(part) | Quantity::Momentum(part) | Quantity::Resultant(part) | Quantity::Acceleration(part)) = up
+        else {
             return None;
         };
         let last = to.min(self.len().saturating_sub(1));

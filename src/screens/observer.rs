@@ -120,7 +120,9 @@ impl Observer {
         let pace = self.pace();
         let how = if pace < 1.0 { format!("1/{:.0}", 1.0 / pace) } else { format!("{pace} times") };
         match (self.frozen, pace == 1.0) {
-            (true, _) => Some(format!("Frozen at {} s: B goes on, “.” a tick on, “,” a tick back", seconds(ticks.cast_signed(), rate))),
+            (true, _) => {
+                Some(format!("Frozen at {} s: B goes on, “.” a tick on, “,” a tick back", seconds(ticks.cast_signed(), rate)))
+            }
             (false, false) => Some(format!("{how} as fast: [ slower, ] faster")),
             (false, true) => None,
         }

@@ -72,7 +72,8 @@ impl Camera {
     /// Turns to what is to be fitted into the window (m), or away from it where that is nothing, and zooms; at once in its first frame.
     pub fn turn(&mut self, fit: Option<Aabb>, zoom: f64, frame_time: f64) {
         let Some(before) = self.zoom else {
-            (self.fitted, self.fits, self.zoom) = (fit.map(|bounds| grown(&bounds, FIT_MARGIN)), f64::from(u8::from(fit.is_some())), Some(zoom));
+            (self.fitted, self.fits, self.zoom) =
+                (fit.map(|bounds| grown(&bounds, FIT_MARGIN)), f64::from(u8::from(fit.is_some())), Some(zoom));
             return;
         };
         let share = |time: f64| 1.0 - (-frame_time.max(0.0) / time).exp();

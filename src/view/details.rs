@@ -138,7 +138,8 @@ impl Details {
         }
         let Some(followed) = focus.followed().filter(|id| id.index() < game.world().bodies().len()) else { return };
         let causes = facts(game, followed).rows.into_iter().flat_map(|row| row.causes);
-        let bodies: Vec<BodyId> = causes.filter_map(|cause| if let Source::Body(body) = cause { Some(body) } else { None }).collect();
+        let bodies: Vec<BodyId> =
+            causes.filter_map(|cause| if let Source::Body(body) = cause { Some(body) } else { None }).collect();
         if !bodies.is_empty() {
             self.partners.1 = bodies;
         }

@@ -101,7 +101,9 @@ mod tests {
         let mut focus = Focus::default();
         let body = BodyId;
         assert!(focus.shows(body(0)) && focus.shows(body(7)));
-        for (first, order) in [(0, [Some(body(0)), Some(body(1)), Some(body(2)), None]), (1, [Some(body(1)), Some(body(2)), None, Some(body(1))])] {
+        for (first, order) in
+            [(0, [Some(body(0)), Some(body(1)), Some(body(2)), None]), (1, [Some(body(1)), Some(body(2)), None, Some(body(1))])]
+        {
             focus = focus.on_nobody();
             for followed in order {
                 focus.next(body(first), 3);

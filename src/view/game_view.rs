@@ -370,7 +370,8 @@ impl GameView {
 /// The box around everything that moves, or could, m: the ship where it plays a part, objects, movers.
 pub fn moving(game: &Game, alpha: f64) -> Aabb {
     let (level, world) = (game.level(), game.world());
-    let bodies = ids(game).skip(usize::from(game.lead() != SHIP)).map(|id| Aabb::around(centre(game, id, alpha), world.body(id).half));
+    let bodies =
+        ids(game).skip(usize::from(game.lead() != SHIP)).map(|id| Aabb::around(centre(game, id, alpha), world.body(id).half));
     let movers = (0..level.movers.len()).map(|mover| world.surfaces()[level.surface_index(SurfaceOf::Mover(mover))].bounds);
     bodies.chain(movers).reduce(|all, one| all.union(&one)).unwrap_or(world.body(SHIP).bounds())
 }

@@ -374,7 +374,6 @@ impl Flight {
         self.pause.as_ref()
     }
 
-
     /// What stands on them.
     pub fn pause_labels(&self) -> [&'static str; 6] {
         let mut labels = PAUSE_LABELS;
