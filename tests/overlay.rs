@@ -257,18 +257,54 @@ fn pointing_at_a_force_lights_its_partner() {
     assert!(details.lit().is_empty() && details.tip().is_none());
 }
 
-/// A partner of whom nothing else is told has its arrow all the same.
+/// Beside the one that is followed its partner is told of, and no other; pointing lights the partner's line.
 #[test]
-fn the_partner_of_who_is_followed_alone_is_seen() {
+fn the_partner_of_the_one_that_is_followed_keeps_its_box() {
     let (game, mut details, mut focus) = (stack(), Details::default(), Focus::default());
     focus.pick(Some(BodyId(2)), false);
     arrange(&mut details, &game, &focus, None);
-    assert!(details.arrows().arrows.iter().all(|arrow| arrow.body == BodyId(2)));
+    let told: Vec<u32> = details.boxes().iter().map(|placed| placed.text.body.0).collect();
+    assert_eq!(told, [2, 1], "the crate below, and not the ship");
     let at = line(&details, 2, "Normal force by Box 1");
     arrange(&mut details, &game, &focus, Some(at));
-    let other: Vec<_> = details.arrows().arrows.iter().filter(|arrow| arrow.body == BodyId(1)).collect();
-    assert!(other.len() == 1 && other[0].name() == "Normal force" && other[0].to.y > other[0].from.y, "{other:?}");
-    assert!(details.lit().contains(&(BodyId(1), other[0].row)) && details.boxes().len() == 1);
+    let up = DVec2::new(0.0, -150.0);
+    assert_eq!(lit(&details, &game), [(2, "Normal force by Box 1".to_owned(), up), (1, "Normal force by Box 2".to_owned(), -up)]);
+}
+
+/// After an impact the partner stays beside the one that is followed, also once the impact can no longer be read.
+#[test]
+fn who_was_hit_stays_beside_the_one_that_is_followed() {
+    let mut level = on_the_floor();
+    level.gravity = 0.0;
+    level.objects = [(60.0, 4.0), (63.0, 0.0)].map(|(x, speed)| crate_at(DVec2::new(x, 90.0), DVec2::new(speed, 0.0), None)).into();
+    let (mut game, mut details, mut focus) = (game(level), Details::default(), Focus::default());
+    focus.pick(Some(BodyId(1)), false);
+    let mut told = Vec::new();
+    for tick in 0..240 {
+        arrange(&mut details, &game, &focus, None);
+        let boxes: Vec<u32> = details.boxes().iter().map(|placed| placed.text.body.0).collect();
+        if told.last().is_none_or(|(_, last)| *last != boxes) {
+            told.push((tick, boxes));
+        }
+        game.step(Controls::default());
+    }
+    // 2 m at 4 m/s.
+    assert_eq!(told, [(0, vec![1]), (60, vec![1, 2])]);
+}
+
+/// A ship that plays no part is told of only where it is followed.
+#[test]
+fn an_idle_ship_has_no_box_and_no_arrows() {
+    let mut level = on_the_floor();
+    level.experiment = true;
+    let (game, mut details) = (game(level), Details::default());
+    arrange(&mut details, &game, &Focus::default(), None);
+    assert!(details.boxes().iter().all(|placed| placed.text.body != SHIP) && details.boxes().len() == 1);
+    assert!(details.arrows().arrows.iter().all(|arrow| arrow.body != SHIP && arrow.to_scale));
+    let mut focus = Focus::default();
+    focus.pick(Some(SHIP), false);
+    arrange(&mut details, &game, &focus, None);
+    assert_eq!(details.boxes()[0].text.body, SHIP);
 }
 
 /// What exerts a force is named; several are counted.

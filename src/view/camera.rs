@@ -131,6 +131,8 @@ pub struct Viewport {
     origin: DVec2,
     /// The level's size, m.
     level: DVec2,
+    /// How far outside of the level it may show, m: room for the arrows of what lies at an edge, where the view is fitted.
+    beyond: f64,
     window: Window,
 }
 
@@ -141,21 +143,23 @@ impl Viewport {
     /// `level` is the level's size (m), `metre` the canvas units a metre at the usual magnification.
     pub fn new(focus: DVec2, ship: DVec2, level: DVec2, metre: f64, window: Window) -> Self {
         let zoom = (window.size / (level * metre)).max_element().clamp(1.0, MAX_ZOOM);
-        Self::at(metre * zoom, focus, ship, level, window)
+        let usual = Self { scale: metre * zoom, origin: DVec2::ZERO, level, beyond: 0.0, window };
+        usual.at(usual.scale, focus, ship)
     }
 
     /// The same view magnified by `factor` around the ship (m), which stays where it is, but for the window's and the level's edges.
     pub fn closer(self, ship: DVec2, factor: f64) -> Self {
         let scale = self.scale * factor;
         let middle = (self.origin + self.window.size * 0.5) / self.scale;
-        Self::at(scale, ship + (middle - ship) / factor, ship, self.level, self.window)
+        self.at(scale, ship + (middle - ship) / factor, ship)
     }
 
-    /// The same view turned by a part of the way (0 … 1) to one that has a box (m) in it, no closer than usual.
+    /// The same view turned by a part (0 … 1) towards one that has a box (m) in it, no closer than usual.
     pub fn towards(self, bounds: &Aabb, part: f64) -> Self {
         let fitting = (self.window.size / bounds.size()).min_element().clamp(self.widest(), self.scale);
         let middle = ((self.origin + self.window.size * 0.5) / self.scale).lerp(bounds.centre(), part);
-        Self::at(self.scale * (fitting / self.scale).powf(part), middle, middle, self.level, self.window)
+        let view = Self { beyond: FIT_MARGIN * part, ..self };
+        view.at(self.scale * (fitting / self.scale).powf(part), middle, middle)
     }
 
     /// The same view with everything drawn `factor` times as large, but no smaller than with the whole level in view; a point (m) stays
@@ -171,22 +175,25 @@ impl Viewport {
     }
 
     /// The view of that scale with a point as near to its middle as the ship and the level's edges let it.
-    fn at(scale: f64, middle: DVec2, ship: DVec2, level: DVec2, window: Window) -> Self {
+    fn at(self, scale: f64, middle: DVec2, ship: DVec2) -> Self {
+        let Self { level, window, beyond, .. } = self;
         let half = window.size / scale * 0.5;
         let reach = (half - SHIP_MARGIN).max(DVec2::ZERO);
         let centre = middle.clamp(ship - reach, ship + reach);
-        let along =
-            |centre: f64, half: f64, level: f64| if 2.0 * half >= level { level * 0.5 } else { centre.clamp(half, level - half) };
+        let along = |centre: f64, half: f64, level: f64| {
+            let half = half - beyond;
+            if 2.0 * half >= level { level * 0.5 } else { centre.clamp(half, level - half) }
+        };
         let centre = DVec2::new(along(centre.x, half.x, level.x), along(centre.y, half.y, level.y));
-        let view = Self { scale, origin: DVec2::ZERO, level, window };
-        Self { origin: view.snap(centre * scale - window.size * 0.5), ..view }
+        Self { scale, origin: self.snap(centre * scale - window.size * 0.5), ..self }
     }
 
     /// The same view moved by `offset` canvas units. Where that would show something outside of the level it moves the other way.
     pub fn shaken(self, offset: DVec2) -> Self {
+        let beyond = self.beyond * self.scale;
         let along = |origin: f64, offset: f64, room: f64| {
-            let moved = origin + offset;
-            if room <= 0.0 || (0.0..=room).contains(&moved) { moved } else { (origin - offset).clamp(0.0, room) }
+            let (moved, least, most) = (origin + offset, -beyond, room + beyond);
+            if most <= least || (least..=most).contains(&moved) { moved } else { (origin - offset).clamp(least, most) }
         };
         let room = self.level * self.scale - self.window.size;
         let offset = self.snap(offset);

@@ -101,7 +101,7 @@ fn two_objects_are_compared_in_four_curves_and_no_more() {
         });
         sitting.wait(0.1);
     };
-    pick(&mut sitting, 1, false);
+    // The first ball is followed from the start.
     pick(&mut sitting, 3, true);
     assert_eq!(names(&sitting), ["Ball 1 y", "Ball 1 v_y", "Ball 3 y", "Ball 3 v_y"]);
     assert_eq!((value(&sitting, 1), button(&sitting, "+ Curve")), (value(&sitting, 3), None), "all fall alike");

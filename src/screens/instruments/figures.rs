@@ -125,14 +125,14 @@ impl Figures {
             unit,
         };
         let words = |words: String| Line { name: words, subject: Subject::Words, values: Vec::new() };
-        let mut numbers = vec![
+        let states_of_all = vec![
             line("Momentum x", Subject::Quantity, &|state| state.momentum.x, "N·s"),
             line("Momentum y", Subject::Quantity, &|state| -state.momentum.y, "N·s"),
             line("Kinetic energy", Subject::Quantity, &|state| state.kinetic, "J"),
             line("Potential energy", Subject::Quantity, &|state| state.potential, "J"),
             line("Sum of both", Subject::Sum, &|state| state.kinetic + state.potential, "J"),
         ];
-        let states = numbers.len();
+        let (mut lines, mut numbers) = (written(states_of_all), Vec::new());
         let heading = match (self.is_read, bodies > MOST_BODIES) {
             (true, _) => {
                 let works: Vec<Account> = groups.iter().map(|group| self.work(group)).collect();
@@ -142,8 +142,8 @@ impl Figures {
             (false, true) => "Work: too many objects".to_owned(),
             (false, false) => "Work: reading …".to_owned(),
         };
-        let mut lines = written(numbers);
-        lines.splice(states..states, [words(zero_level(game)), words(heading)]);
+        lines.extend([words(zero_level(game)), words(heading)]);
+        lines.extend(written(numbers));
         Table { columns, lines }
     }
 
@@ -161,7 +161,7 @@ struct Number {
     unit: &'static str,
 }
 
-/// The lines as they are written: each quantity in one unit, so that a column adds up.
+/// Lines that add up, as they are written: each quantity in one unit.
 fn written(numbers: Vec<Number>) -> Vec<Line> {
     let largest = |unit: &str| {
         let values = numbers.iter().filter(|line| line.unit == unit).flat_map(|line| &line.values);
