@@ -1,7 +1,13 @@
-//! The experiments: each level flown and held against its exact answer, and every figure of its sheet in `docs/lessons` with it.
+//! The experiments: each level flown and held against its exact answer, and every figure and every suggested change of its sheet in
+//! `docs/lessons` with it.
+
+#[path = "lessons/sheet.rs"]
+mod sheet;
+#[path = "lessons/variations.rs"]
+mod variations;
 
 use resultant::game::{Controls, Game, TICK_RATE};
-use resultant::level;
+use resultant::level::{self, Level};
 use resultant::physics::{Body, BodyId, DVec2, ForceKind, Impulse, Material};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -30,13 +36,23 @@ struct Run {
 
 impl Run {
     fn new(name: &str) -> Self {
-        let root = project();
-        let loaded =
-            level::load(&root.join("experiments").join(name), &root).unwrap_or_else(|problems| panic!("{name}: {problems:?}"));
-        assert!(loaded.warnings.is_empty(), "{name}: {:?}", loaded.warnings);
-        let game = Game::new(Arc::new(loaded.level)).unwrap();
+        Self::varied(name, "")
+    }
+
+    /// An experiment with a sheet's change.
+    fn varied(name: &str, change: &str) -> Self {
+        Self::of(Arc::new(sheet::level(name, change)))
+    }
+
+    fn of(level: Arc<Level>) -> Self {
+        let game = Game::new(level).unwrap();
         let start = game.world().bodies().to_vec();
         Self { game, start }
+    }
+
+    /// The same from its start.
+    fn again(&self) -> Self {
+        Self::of(Arc::new(self.game.level().clone()))
     }
 
     /// Goes on until so many seconds have passed since the start; nobody flies.
@@ -64,6 +80,25 @@ impl Run {
         self.game.world().forces(BodyId(object as u32)).total(kind)
     }
 
+    /// How high it comes, m above the floor, where it began so high above that and flies freely now.
+    fn height_reached(&self, object: usize, began: f64, gravity: f64) -> f64 {
+        let speed = self.body(object).velocity.y;
+        began - self.way(object).y + speed * speed / (2.0 * gravity)
+    }
+
+    /// What presses on an object along a direction, N: forces the other way do not count.
+    fn press(&self, object: usize, along: impl Fn(DVec2) -> f64) -> f64 {
+        let forces = self.game.world().forces(BodyId(object as u32));
+        let contact = |kind| matches!(kind, ForceKind::Reaction | ForceKind::Push);
+        forces.forces().iter().filter(|force| contact(force.kind)).map(|force| along(force.vector).max(0.0)).sum()
+    }
+
+    /// The push on a crate of the row from behind.
+    fn push(&self, crate_number: usize, exact: f64) -> Figure {
+        let found = self.press(crate_number, |force| force.x);
+        figure(format!("push on crate {crate_number} from behind"), "N", exact, found)
+    }
+
     /// All that has hit an object in the last tick, N·s.
     fn impulse(&self, object: usize) -> DVec2 {
         let on = |impulse: &Impulse| Some(impulse.on(BodyId(object as u32))?.0);
@@ -84,6 +119,11 @@ impl Run {
     }
 }
 
+/// The part of a force that points up.
+fn up(force: DVec2) -> f64 {
+    -force.y
+}
+
 fn figure(what: impl Into<String>, unit: &'static str, exact: f64, found: f64) -> Figure {
     Figure { what: what.into(), unit, exact, found, within: 1e-9 }
 }
@@ -93,7 +133,7 @@ fn free_fall() -> Vec<Figure> {
     let mut run = Run::new("free-fall");
     for (object, mass) in [(1, 1), (2, 10), (3, 100)] {
         run.until(1.0);
-        figures.push(figure(format!("{mass} kg, way after 1 s"), "m", 0.5 * G, run.way(object).y));
+        figures.push(figure(format!("{mass} kg, distance after 1 s"), "m", 0.5 * G, run.way(object).y));
         figures.push(figure(format!("{mass} kg, speed after 1 s"), "m/s", G, run.speed(object)));
     }
     let (hit, before) = run.until_hit(1, 3.0);
@@ -113,7 +153,7 @@ fn terminal_velocity() -> Vec<Figure> {
         let after = terminal * (G * 5.0 / terminal).tanh();
         let way = terminal * terminal / G * (G * 5.0 / terminal).cosh().ln();
         figures.push(figure(format!("{mass} kg, speed after 5 s"), "m/s", after, run.speed(object)));
-        figures.push(figure(format!("{mass} kg, way after 5 s"), "m", way, run.way(object).y));
+        figures.push(figure(format!("{mass} kg, distance after 5 s"), "m", way, run.way(object).y));
         // What the air does at this speed tells where it would end.
         let resistance = run.total(object, ForceKind::AirResistance).length();
         let found = run.speed(object) * (mass * G / resistance).sqrt();
@@ -130,7 +170,7 @@ fn force_mass_acceleration() -> Vec<Figure> {
         let exact = 20.0 / mass;
         figures.push(figure(format!("{mass} kg, acceleration"), "m/s²", exact, run.body(object).acceleration.x));
         figures.push(figure(format!("{mass} kg, speed after 3 s"), "m/s", exact * 3.0, run.speed(object)));
-        figures.push(figure(format!("{mass} kg, way after 3 s"), "m", exact * 4.5, run.way(object).x));
+        figures.push(figure(format!("{mass} kg, distance after 3 s"), "m", exact * 4.5, run.way(object).x));
     }
     figures
 }
@@ -150,7 +190,7 @@ fn slide(run: &Run, object: usize, (what, push): (&str, f64), floor: Material) -
         ),
         figure(format!("{what}, friction"), "N", friction, run.total(object, ForceKind::Friction).length()),
         figure(format!("{what}, acceleration"), "m/s²", pull, run.body(object).acceleration.x),
-        figure(format!("{what}, way after 3 s"), "m", pull * 4.5, run.way(object).x),
+        figure(format!("{what}, distance after 3 s"), "m", pull * 4.5, run.way(object).x),
     ]
 }
 
@@ -206,8 +246,7 @@ fn bounce() -> Vec<Figure> {
         let mut run = Run::new("bounce");
         run.until_hit(object, 3.0);
         // On its way up: what it has as motion and as height is what it reaches.
-        let body = run.body(object);
-        let found = height - run.way(object).y + body.velocity.y * body.velocity.y / (2.0 * G);
+        let found = run.height_reached(object, height, G);
         figures.push(figure(format!("e = {e}, height of the first bounce"), "m", height * e * e, found));
         figures.push(figure(format!("e = {e}, energy that is left"), "%", 100.0 * e * e, 100.0 * found / height));
     }
@@ -233,11 +272,7 @@ fn pushed_row() -> Vec<Figure> {
     // The mover waits for 3 s.
     run.until(5.0);
     let mut figures = vec![figure("all, acceleration", "m/s²", 2.0, run.body(1).acceleration.x)];
-    for object in 1..=5 {
-        let push = run.game.world().forces(BodyId(object as u32));
-        let from_behind = push.forces().iter().filter(|force| force.vector.x > 0.0).map(|force| force.vector.x).sum();
-        figures.push(figure(format!("push on crate {object} from behind"), "N", 20.0 * (6 - object) as f64, from_behind));
-    }
+    figures.extend((1..=5).map(|object| run.push(object, 20.0 * (6 - object) as f64)));
     figures
 }
 
@@ -246,7 +281,7 @@ fn lift() -> Vec<Figure> {
     let mut figures = Vec::new();
     for (time, what, pull) in [(1.0, "standing", 0.0), (4.0, "starting", 2.0), (6.5, "at 4 m/s", 0.0), (9.0, "stopping", -2.0)] {
         run.until(time);
-        figures.push(figure(what, "N", 50.0 * (G + pull), -run.total(1, ForceKind::Reaction).y));
+        figures.push(figure(what, "N", 40.0 * (G + pull), -run.total(1, ForceKind::Reaction).y));
     }
     figures
 }
@@ -257,8 +292,7 @@ fn projectile() -> Vec<Figure> {
         let mut run = Run::new("projectile");
         run.until(1.0);
         let (sine, speed) = (angle.to_radians().sin(), 20.0);
-        let body = run.body(object);
-        let top = -run.way(object).y + body.velocity.y * body.velocity.y / (2.0 * G);
+        let top = run.height_reached(object, 0.0, G);
         let (hit, before) = run.until_hit(object, 5.0);
         // What is left of the last tick: until it is as fast downwards as the floor stopped it.
         let down = -hit.y / before.mass;
@@ -313,9 +347,44 @@ fn every_figure_of_a_sheet_is_computed() {
     for (name, figures) in EXPERIMENTS {
         let rows: String = figures().iter().map(|f| format!("| {} | {} {} |\n", f.what, three(f.exact), f.unit)).collect();
         let table = format!("| quantity | exact answer |\n|---|---|\n{rows}");
-        let sheet = project().join("docs/lessons").join(format!("{name}.md"));
-        let text = std::fs::read_to_string(&sheet).unwrap_or_else(|error| panic!("{}: {error}", sheet.display()));
-        assert!(text.contains(&table), "{name}: the sheet's table should be\n{table}");
+        assert!(sheet::text(name).contains(&table), "{name}: the sheet's table should be\n{table}");
+    }
+}
+
+/// Every change that a sheet suggests is made in the experiment's files and flown, and comes to what the sheet says of it.
+#[test]
+fn every_suggested_change_does_what_its_sheet_says() {
+    let mut flown = 0;
+    for (name, _) in EXPERIMENTS {
+        let (suggested, outcomes) = (sheet::variations(name), variations::of(name));
+        assert_eq!(suggested.len(), outcomes.len(), "{name}: {suggested:#?}");
+        for (suggested, outcome) in suggested.iter().zip(outcomes) {
+            let change = &suggested.change;
+            let figures = outcome(&mut Run::varied(name, change));
+            let rows: Vec<[String; 2]> =
+                figures.iter().map(|f| [f.what.clone(), format!("{} {}", three(f.exact), f.unit)]).collect();
+            assert_eq!(suggested.rows, rows, "{name}, {change}");
+            for Figure { what, exact, found, within, .. } in figures {
+                assert!(
+                    (found - exact).abs() <= within * exact.abs().max(1.0),
+                    "{name}, {change}, {what}: {found}, exactly {exact}"
+                );
+            }
+            flown += 1;
+        }
+    }
+    assert!(flown >= 36, "{flown}");
+}
+
+#[test]
+fn every_sheet_says_where_its_experiment_is_and_names_its_keys() {
+    for (name, _) in EXPERIMENTS {
+        let (text, title) = (sheet::text(name), sheet::level(name, "").title);
+        assert!(text.contains(&format!("Menu → Lab → Experiments → {title};")), "{name}: {title}");
+        let keys = text.lines().find(|line| line.starts_with("**Keys.**")).unwrap_or_else(|| panic!("{name}: no keys"));
+        for key in ["Tab", "N", "B", "`.`", "`[`", "Wheel", "+", "−", "F:", "I:", "R:", "Esc"] {
+            assert!(keys.contains(key), "{name}: {key}");
+        }
     }
 }
 

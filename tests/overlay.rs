@@ -50,7 +50,7 @@ fn at_rest_every_tick_shows_a_resultant_of_exactly_zero_and_the_forces_that_canc
             assert_eq!(vector(&facts, "Velocity"), DVec2::ZERO, "tick {tick}");
             assert_eq!(vector(&facts, "Acceleration"), DVec2::ZERO, "tick {tick}");
             assert_eq!(vector(&facts, "Weight"), DVec2::new(0.0, weight), "tick {tick}");
-            assert_eq!(vector(&facts, "Reaction"), DVec2::new(0.0, -weight), "tick {tick}");
+            assert_eq!(vector(&facts, "Normal force"), DVec2::new(0.0, -weight), "tick {tick}");
         }
         game.step(Controls::default());
     }
@@ -90,14 +90,14 @@ fn in_flight_the_lines_add_up_to_the_resultant_and_are_the_worlds_own_numbers() 
             facts.rows.iter().filter(|row| matches!(row.shown, Some(Shown::Force(_)))).map(|row| vector(&facts, row.name)).sum();
         assert!((shown - forces.resultant()).length() < 1e-9 * (1.0 + shown.length()), "tick {tick}: {shown}");
         for kind in ForceKind::ALL.into_iter().filter(|kind| forces.total(*kind) != DVec2::ZERO) {
-            assert_eq!(vector(&facts, kind.name()), forces.total(kind), "tick {tick}");
+            assert_eq!(vector(&facts, kind.shown()), forces.total(kind), "tick {tick}");
         }
     }
 }
 
 /// What a line says, read off its text: a vector in brackets with y upwards, in a unit with a prefix; and half of its last digit.
 fn read(row: &Row) -> (DVec2, f64) {
-    let text = quantity(row, 9).replace('−', "-");
+    let text = quantity(row, &[], 9).replace('−', "-");
     let (numbers, unit) = text.trim_start_matches('(').split_once(')').expect("a bracket closes");
     let one = match unit.trim().strip_suffix(row.unit).expect("the row's unit") {
         "k" => 1e3,
@@ -178,7 +178,7 @@ fn an_impact_is_told_for_half_a_second() {
     let mut game = game(level);
     let lines = |game: &Game, body: u32| -> Vec<String> {
         let told = facts(game, BodyId(body)).rows.into_iter().skip_while(|row| row.shown != Some(Shown::Impact));
-        told.map(|row| format!("{} {}", row.label(), quantity(&row, 6))).collect()
+        told.map(|row| format!("{} {}", row.label(), quantity(&row, &[], 6))).collect()
     };
     while game.world().impulses().iter().all(|impulse| impulse.on(BodyId(1)).is_none()) {
         assert_eq!(lines(&game, 1), Vec::<String>::new());
@@ -238,10 +238,10 @@ fn pointing_at_a_force_lights_its_partner() {
     let (game, mut details, all) = (stack(), Details::default(), Focus::default());
     arrange(&mut details, &game, &all, None);
     assert!(details.lit().is_empty() && details.tip().is_none());
-    let at = line(&details, 2, "Reaction by Box 1");
+    let at = line(&details, 2, "Normal force by Box 1");
     arrange(&mut details, &game, &all, Some(at));
     let up = DVec2::new(0.0, -150.0);
-    assert_eq!(lit(&details, &game), [(2, "Reaction by Box 1".to_owned(), up), (1, "Reaction by Box 2".to_owned(), -up)]);
+    assert_eq!(lit(&details, &game), [(2, "Normal force by Box 1".to_owned(), up), (1, "Normal force by Box 2".to_owned(), -up)]);
     let words = |details: &Details| details.tip().expect("it is told").lines.join(" ");
     assert_eq!(words(&details), "Third law: Box 2 presses on Box 1 with (0, −150) N");
     assert!(details.tip().is_some_and(|tip| tip.area.is_some()));
@@ -259,18 +259,54 @@ fn pointing_at_a_force_lights_its_partner() {
     assert!(details.lit().is_empty() && details.tip().is_none());
 }
 
-/// A partner of whom nothing else is told has its arrow all the same.
+/// Beside the one that is followed its partner is told of, and no other; pointing lights the partner's line.
 #[test]
-fn the_partner_of_who_is_followed_alone_is_seen() {
+fn the_partner_of_the_one_that_is_followed_keeps_its_box() {
     let (game, mut details, mut focus) = (stack(), Details::default(), Focus::default());
     focus.pick(Some(BodyId(2)), false);
     arrange(&mut details, &game, &focus, None);
-    assert!(details.arrows().arrows.iter().all(|arrow| arrow.body == BodyId(2)));
-    let at = line(&details, 2, "Reaction by Box 1");
+    let told: Vec<u32> = details.boxes().iter().map(|placed| placed.text.body.0).collect();
+    assert_eq!(told, [2, 1], "the crate below, and not the ship");
+    let at = line(&details, 2, "Normal force by Box 1");
     arrange(&mut details, &game, &focus, Some(at));
-    let other: Vec<_> = details.arrows().arrows.iter().filter(|arrow| arrow.body == BodyId(1)).collect();
-    assert!(other.len() == 1 && other[0].name() == "Reaction" && other[0].to.y > other[0].from.y, "{other:?}");
-    assert!(details.lit().contains(&(BodyId(1), other[0].row)) && details.boxes().len() == 1);
+    let up = DVec2::new(0.0, -150.0);
+    assert_eq!(lit(&details, &game), [(2, "Normal force by Box 1".to_owned(), up), (1, "Normal force by Box 2".to_owned(), -up)]);
+}
+
+/// After an impact the partner stays beside the one that is followed, also once the impact can no longer be read.
+#[test]
+fn who_was_hit_stays_beside_the_one_that_is_followed() {
+    let mut level = on_the_floor();
+    level.gravity = 0.0;
+    level.objects = [(60.0, 4.0), (63.0, 0.0)].map(|(x, speed)| crate_at(DVec2::new(x, 90.0), DVec2::new(speed, 0.0), None)).into();
+    let (mut game, mut details, mut focus) = (game(level), Details::default(), Focus::default());
+    focus.pick(Some(BodyId(1)), false);
+    let mut told = Vec::new();
+    for tick in 0..240 {
+        arrange(&mut details, &game, &focus, None);
+        let boxes: Vec<u32> = details.boxes().iter().map(|placed| placed.text.body.0).collect();
+        if told.last().is_none_or(|(_, last)| *last != boxes) {
+            told.push((tick, boxes));
+        }
+        game.step(Controls::default());
+    }
+    // 2 m at 4 m/s.
+    assert_eq!(told, [(0, vec![1]), (60, vec![1, 2])]);
+}
+
+/// A ship that plays no part is told of only where it is followed.
+#[test]
+fn an_idle_ship_has_no_box_and_no_arrows() {
+    let mut level = on_the_floor();
+    level.experiment = true;
+    let (game, mut details) = (game(level), Details::default());
+    arrange(&mut details, &game, &Focus::default(), None);
+    assert!(details.boxes().iter().all(|placed| placed.text.body != SHIP) && details.boxes().len() == 1);
+    assert!(details.arrows().arrows.iter().all(|arrow| arrow.body != SHIP && arrow.to_scale));
+    let mut focus = Focus::default();
+    focus.pick(Some(SHIP), false);
+    arrange(&mut details, &game, &focus, None);
+    assert_eq!(details.boxes()[0].text.body, SHIP);
 }
 
 /// What exerts a force is named; several are counted.
@@ -287,8 +323,8 @@ fn who_exerts_a_force_is_named() {
         told.map(|row| row.label()).collect()
     };
     assert_eq!(labels(0), ["Weight by Earth", "Drive by exhaust", "Air Resistance by air"]);
-    assert_eq!(labels(1), ["Weight by Earth", "Reaction by Box 3", "Reaction by floor"]);
-    assert_eq!(labels(3), ["Weight by Earth", "Reaction by 2 objects"]);
+    assert_eq!(labels(1), ["Weight by Earth", "Normal force by Box 3", "Normal force by floor"]);
+    assert_eq!(labels(3), ["Weight by Earth", "Normal force by 2 objects"]);
 }
 
 /// Arrows are as long as the scale says, as far as they are not marked, and none is nothing, however small its force.

@@ -12,6 +12,7 @@ use resultant::view::details::{Details, Looking};
 use resultant::view::facts::facts;
 use resultant::view::focus::Focus;
 use resultant::view::free_body::{head_area, told};
+use resultant::view::game_view::moving;
 use resultant::view::layout::{Area, Frame, HudLayout, Vec2};
 use std::sync::Arc;
 use support::shipped::{experiment, experiments, flights, levels, load};
@@ -26,6 +27,9 @@ const WATCHED: f64 = 8.0;
 /// An arrow this short could be taken for nothing, canvas units.
 const LEAST: f32 = 12.0;
 
+/// The sizes of the forces in experiments that are pushed or carried, N.
+const USUAL: std::ops::RangeInclusive<f64> = 20.0..=75.0;
+
 /// Counts of all looks.
 #[derive(Debug, Default)]
 struct Seen {
@@ -37,6 +41,9 @@ struct Seen {
     boxes: usize,
     without_box: usize,
     without_legend: usize,
+    /// Arrows of the forces of experiments, and how many of them are not to scale.
+    usual: usize,
+    usual_off_scale: usize,
 }
 
 /// Somebody who looks at a game in a window.
@@ -51,17 +58,20 @@ impl Onlooker {
         frames.map(|frame| Self { frame, details: Details::default() }).collect()
     }
 
-    fn look(&mut self, game: &Game, camera: &Camera, seen: &mut Seen, what: &str) {
+    fn look(&mut self, game: &Game, (camera, focus): (&Camera, &Focus), seen: &mut Seen, what: &str) {
         let (world, frame) = (game.world(), self.frame);
         let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
-        let ship = world.body(SHIP).position;
-        let view = Viewport::new(camera.focus(), ship, game.level().size, game.level().metre, window);
+        let kept = world.body(focus.followed().unwrap_or(game.lead())).position;
+        let view = camera.viewport(kept, game.level().size, game.level().metre, window);
         let centres: Vec<DVec2> = world.bodies().iter().map(|body| body.position).collect();
-        let looking = Looking { centres: &centres, focus: &Focus::default(), pointer: None, model: false, velocity: true };
+        let looking = Looking { centres: &centres, focus, pointer: None, model: false, velocity: game.level().ship_plays() };
         self.details.arrange(game, &looking, &[], &view, &frame);
         let what = || format!("{what} in {} with words of {}", (frame.size / frame.pixel).round(), frame.text);
         self.check_areas(game, &view, &what);
-        self.check_arrows(game, &centres, &view, seen, &what);
+        self.check_arrows(game, &centres, (&view, focus), seen, &what);
+        if focus.fits() {
+            self.check_fit(game, &view, seen, &what);
+        }
         let details = &self.details;
         seen.looks += 1;
         seen.labels += details.labels().len();
@@ -88,7 +98,7 @@ impl Onlooker {
 
     fn check_areas(&self, game: &Game, view: &Viewport, what: &dyn Fn() -> String) {
         let laid = self.laid();
-        let hud = HudLayout::new(&self.frame).areas().map(|area| ("the head-up display", area));
+        let hud = HudLayout::shown(&self.frame, game).into_iter().map(|area| ("the head-up display", area));
         let kept: Vec<(&str, Area)> = kept_free(game, view).into_iter().chain(hud).collect();
         for (i, (name, area)) in laid.iter().enumerate() {
             let window = self.frame.area();
@@ -104,7 +114,14 @@ impl Onlooker {
     }
 
     /// Every force that is told has its arrow: inside the window, never nothing, by one scale or marked.
-    fn check_arrows(&self, game: &Game, centres: &[DVec2], view: &Viewport, seen: &mut Seen, what: &dyn Fn() -> String) {
+    fn check_arrows(
+        &self,
+        game: &Game,
+        centres: &[DVec2],
+        (view, focus): (&Viewport, &Focus),
+        seen: &mut Seen,
+        what: &dyn Fn() -> String,
+    ) {
         let arranged = self.details.arrows();
         let inside = |point: Vec2| self.frame.area().contains(point);
         let mut scales = [None; 2];
@@ -122,18 +139,44 @@ impl Onlooker {
                 assert!((scale / first - 1.0).abs() < within, "{}: {arrow:?} has {scale}, others {first} N a unit", what());
             }
         }
-        let visible = view.visible();
-        let in_view =
-            (0..centres.len()).filter(|&i| Aabb::around(centres[i], game.world().bodies()[i].half).touches(&visible, 0.0));
-        let forces: usize =
-            in_view.map(|i| facts(game, BodyId(i as u32)).rows.iter().filter(|row| told(row).is_some()).count()).sum();
-        assert_eq!(arranged.arrows.len() + arranged.left_out, forces, "{}", what());
+        if focus.followed().is_none() {
+            let visible = view.visible();
+            let in_view = (game.lead().index()..centres.len())
+                .filter(|&i| Aabb::around(centres[i], game.world().bodies()[i].half).touches(&visible, 0.0));
+            let forces: usize =
+                in_view.map(|i| facts(game, BodyId(i as u32)).rows.iter().filter(|row| told(row).is_some()).count()).sum();
+            assert_eq!(arranged.arrows.len() + arranged.left_out, forces, "{}", what());
+        }
         let off = arranged.arrows.iter().filter(|arrow| !arrow.to_scale).count();
         let marked = self.details.legend().lines.iter().any(|line| line.contains("not to scale"));
         assert_eq!(marked, off > 0, "{}", what());
         seen.arrows += arranged.arrows.len();
         seen.off_scale += off;
         seen.without_place += arranged.left_out;
+    }
+}
+
+impl Onlooker {
+    /// In a view that is fitted everything that moves is in the window, and the forces of an experiment's scale are to scale.
+    fn check_fit(&self, game: &Game, view: &Viewport, seen: &mut Seen, what: &dyn Fn() -> String) {
+        let slack = 1.0 / view.scale();
+        assert!(
+            view.visible().contains(&moving(game, 1.0), slack),
+            "{}: {:?} is not in {:?}",
+            what(),
+            moving(game, 1.0),
+            view.visible()
+        );
+        for arrow in self.details.arrows().arrows.iter().filter(|arrow| !arrow.shown.is_impact()) {
+            let facts = facts(game, arrow.body);
+            let (_, vector) = told(&facts.rows[arrow.row]).expect("an arrow is told");
+            let of_scale = USUAL.contains(&vector.length());
+            seen.usual += usize::from(of_scale);
+            seen.usual_off_scale += usize::from(of_scale && !arrow.to_scale);
+            if of_scale && !arrow.to_scale && std::env::var_os("SHOW").is_some() {
+                println!("{}: {} of {} {vector}", what(), arrow.name(), facts.title);
+            }
+        }
     }
 }
 
@@ -154,20 +197,26 @@ fn kept_free(game: &Game, view: &Viewport) -> Vec<(&'static str, Area)> {
 }
 
 /// Looks at a game every half second while it is played.
-fn watch(level: &Arc<Level>, inputs: impl Iterator<Item = Controls>, name: &str, seen: &mut Seen) {
+fn watch(level: &Arc<Level>, focus: &Focus, inputs: impl Iterator<Item = Controls>, name: &str, seen: &mut Seen) {
     let mut game = Game::new(Arc::clone(level)).unwrap();
-    let mut camera = Camera::new(game.world().body(SHIP).position);
+    let lead = focus.followed().unwrap_or(game.lead());
+    let mut camera = Camera::new(game.world().body(lead).position);
     let mut onlookers = Onlooker::all();
     let every = (EVERY * game.tick_rate()) as u64;
     let mut look = |game: &Game, camera: &Camera| {
         let what = format!("{name} after {:.1} s", game.elapsed());
-        onlookers.iter_mut().for_each(|onlooker| onlooker.look(game, camera, seen, &what));
+        onlookers.iter_mut().for_each(|onlooker| onlooker.look(game, (camera, focus), seen, &what));
     };
+    let turn = |camera: &mut Camera, game: &Game| {
+        camera.turn(focus.fits().then(|| moving(game, 1.0)), focus.zoom(), 1.0 / game.tick_rate());
+    };
+    turn(&mut camera, &game);
     look(&game, &camera);
     for controls in inputs {
         game.step(controls);
-        let ship = game.world().body(SHIP);
-        camera.follow(ship.position, ship.velocity, 1.0 / game.tick_rate());
+        let body = game.world().body(lead);
+        camera.follow(body.position, body.velocity, 1.0 / game.tick_rate());
+        turn(&mut camera, &game);
         if game.ticks().is_multiple_of(every) {
             look(&game, &camera);
         }
@@ -188,7 +237,7 @@ fn along_every_recorded_flight_nothing_is_covered() {
     for name in levels() {
         let level = load(&name);
         for (flight, replay) in flights(&name) {
-            watch(&level, replay.inputs.into_iter(), &format!("level {name}, {flight}"), &mut seen);
+            watch(&level, &Focus::default(), replay.inputs.into_iter(), &format!("level {name}, {flight}"), &mut seen);
         }
     }
     check(&seen);
@@ -199,8 +248,12 @@ fn through_every_experiment_nothing_is_covered() {
     let mut seen = Seen::default();
     for name in experiments() {
         let level = experiment(&name);
-        let nobody = (0..(WATCHED * TICK_RATE) as usize).map(|_| Controls::default());
-        watch(&level, nobody, &name, &mut seen);
+        // As it opens, and with all in view told of.
+        for focus in [Focus::fitted_on(BodyId(1)), Focus::fitted_on(BodyId(1)).on_nobody()] {
+            let nobody = (0..(WATCHED * TICK_RATE) as usize).map(|_| Controls::default());
+            watch(&level, &focus, nobody, &name, &mut seen);
+        }
     }
     check(&seen);
+    assert!(seen.usual > 5000 && seen.usual_off_scale == 0, "{seen:?}");
 }

@@ -147,7 +147,9 @@ impl Reader {
         let view = Viewport::new(middle, middle, level.size, level.metre, window);
         let looking = Looking { centres: &centres, focus: &self.focus, pointer: None, model: false, velocity: false };
         self.details.arrange(game, &looking, &[], &view, &frame);
-        let [placed] = self.details.boxes() else { panic!("{name}: {} boxes", self.details.boxes().len()) };
+        // Partners of the one that is followed have boxes, too.
+        let own = self.details.boxes().iter().find(|placed| placed.text.body == self.body);
+        let placed = own.unwrap_or_else(|| panic!("{name}: no box of {:?}", self.body));
         let told = Told::of(&placed.text);
         let what = format!("{name}, tick {}, {}", game.ticks(), placed.text.title);
         told.check_sum(&what);

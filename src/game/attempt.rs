@@ -266,6 +266,11 @@ impl Game {
         &self.level
     }
 
+    /// Who is looked at while nobody is picked out: the ship, or the first object where the ship plays no part.
+    pub fn lead(&self) -> BodyId {
+        if self.level.ship_plays() || self.level.objects.is_empty() { SHIP } else { BodyId(1) }
+    }
+
     /// The world; object i of the level is body i + 1.
     pub fn world(&self) -> &World {
         &self.world

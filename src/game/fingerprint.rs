@@ -117,6 +117,8 @@ impl Fingerprint {
             // What is earned is worked out from a result, whenever it is asked for.
             awards: _,
             decoration: _,
+            // What is shown and scored, not how it is flown.
+            experiment: _,
             size,
             gravity,
             gravity_x,

@@ -46,7 +46,7 @@ pub fn csv(curves: &[Exported]) -> String {
     let mut columns: Vec<(String, &[f64])> = Vec::new();
     for Exported { body, curve, .. } in curves {
         for (quantity, values) in curve.columns() {
-            let heading = format!("{body} {}", quantity.heading());
+            let heading = format!("{body} {}", quantity.column());
             if quantity != Quantity::Time && !columns.iter().any(|(other, _)| *other == heading) {
                 columns.push((heading, values));
             }
@@ -129,7 +129,7 @@ fn impacts(shown: &[&Exported], across: Quantity, window: Window) -> Vec<f64> {
 pub fn stem(level: &str, curves: &[Exported]) -> String {
     let plain =
         |text: &str| -> String { text.chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '-' }).take(NAME).collect() };
-    let mut symbols: Vec<String> = curves.iter().map(|exported| exported.curve.up().symbol().replace('|', "")).collect();
+    let mut symbols: Vec<String> = curves.iter().map(|exported| exported.curve.up().stem().replace('|', "")).collect();
     symbols.dedup();
     format!("{}-{}", plain(level), plain(&symbols.join("-")))
 }
@@ -180,7 +180,7 @@ mod tests {
         let exported: Vec<Exported> =
             curves.iter().enumerate().map(|(number, curve)| Exported { body: "Ship", curve, track: &track, number }).collect();
         let picture = svg("Up <and> down", (0.0, 25.0), &exported).unwrap();
-        for words in ["Up &lt;and&gt; down", "Ship v_y", "y (m)", "v_y (m/s)", "|Reaction| (N)", "t (s)"] {
+        for words in ["Up &lt;and&gt; down", "Ship v_y", "y (m)", "v_y (m/s)", "|Normal force| (N)", "t (s)"] {
             assert!(picture.contains(words), "{words}");
         }
         assert!(!picture.contains("NaN") && !picture.contains("inf") && picture.len() < 300_000, "{}", picture.len());

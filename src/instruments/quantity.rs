@@ -196,8 +196,16 @@ impl Quantity {
         }
     }
 
-    /// Its symbol: `t`, `v_y`, `|a|`, `Weight_y`.
+    /// Its symbol on the screen: `t`, `v_y`, `|a|`, `Weight_y`.
     pub fn symbol(self) -> String {
+        match self {
+            Self::Force(kind, part) => part.written(kind.shown()),
+            other => other.stem(),
+        }
+    }
+
+    /// The same in files, where forces bear the names that they have in all files.
+    pub fn stem(self) -> String {
         match self {
             Self::Time => "t".to_owned(),
             Self::X => "x".to_owned(),
@@ -213,7 +221,12 @@ impl Quantity {
         }
     }
 
-    /// Its symbol and its unit, as axes and tables are headed: `v_y (m/s)`.
+    /// How a column of a table is headed: `v_y (m/s)`.
+    pub fn column(self) -> String {
+        format!("{} ({})", self.stem(), self.unit().name())
+    }
+
+    /// Its symbol and its unit, as axes are headed: `v_y (m/s)`.
     pub fn heading(self) -> String {
         format!("{} ({})", self.symbol(), self.unit().name())
     }
@@ -226,7 +239,7 @@ impl Quantity {
             Self::Velocity(_) => "Velocity",
             Self::Acceleration(_) => "Acceleration",
             Self::Resultant(_) => "Resultant",
-            Self::Force(kind, _) => kind.name(),
+            Self::Force(kind, _) => kind.shown(),
             Self::Momentum(_) => "Momentum",
             Self::Kinetic | Self::Potential | Self::Mechanical => "Energy",
         }

@@ -7,6 +7,8 @@ use super::timeline::round_numbers;
 const PLAIN: std::ops::Range<f64> = 1e-4..1e6;
 /// What the numbers may take of the axis before it ends beyond them, in parts of their span.
 const MARGIN: f64 = 0.06;
+/// By how many more numbers than were asked for an axis is named at most, so that there are two.
+const FINER: usize = 8;
 /// A span of less than this part of its numbers is none: they are one number, and rounding.
 const SAME: f64 = 1e-9;
 
@@ -49,9 +51,12 @@ impl Linear {
         self.from + (self.to - self.from) * part
     }
 
-    /// About so many round numbers, each with how it is written: with as many decimals as they need to differ.
+    /// About so many round numbers, but two at least, each with how it is written: with as many decimals as they need to differ.
     pub fn named(&self, about: usize) -> Vec<(f64, String)> {
-        let numbers = round_numbers(self.from, self.to, about);
+        let numbers = (about.max(1)..about.max(1) + FINER)
+            .map(|about| round_numbers(self.from, self.to, about))
+            .find(|numbers| numbers.len() >= 2)
+            .unwrap_or_default();
         let apart = numbers.get(1).map_or(1.0, |second| second - numbers[0]);
         let plain = PLAIN.contains(&apart) && self.from.abs().max(self.to.abs()) < PLAIN.end;
         let decimals = (-(apart * 1.001).log10().floor()).max(0.0) as usize;
@@ -94,13 +99,21 @@ mod tests {
         assert!(none.from < 0.0 && none.to > 0.0);
     }
 
+    #[test]
+    fn an_axis_names_two_numbers_however_little_room_there_is() {
+        for (from, to) in [(-0.6, 10.4), (-20.8, 1.2), (-7.0, 7.0), (-981.0 * 1.06, 981.0 * 0.06), (0.013, 0.0141)] {
+            let names = names(from, to, 1);
+            assert!((2..=4).contains(&names.len()), "{from} to {to}: {names:?}");
+        }
+    }
+
     proptest! {
         #[test]
         fn all_numbers_lie_on_their_axis(a in -1e6..1e6_f64, span in prop_oneof![Just(0.0), 1e-12..1.0, 1.0..1e6_f64]) {
             let axis = Linear::around(a, a + span);
             prop_assert!(axis.part(a) >= 0.0 && axis.part(a + span) <= 1.0 && axis.to > axis.from);
             let names: Vec<String> = axis.named(5).into_iter().map(|(_, name)| name).collect();
-            prop_assert!(names.len() < 16);
+            prop_assert!((2..16).contains(&names.len()));
             let mut distinct = names.clone();
             distinct.dedup();
             prop_assert_eq!(names, distinct);

@@ -19,6 +19,7 @@ pub(super) struct Constants {
     pub friction: f64,
     /// The line of each constant that is given.
     pub lines: Vec<(&'static str, usize)>,
+    pub experiment: bool,
     pub awards: Awards,
     pub title: Option<String>,
     pub width: Option<f64>,
@@ -27,8 +28,19 @@ pub(super) struct Constants {
     pub sized: [bool; 2],
 }
 
-const CONSTANT_NAMES: [&str; 10] =
-    ["gravity", "gravity_x", "air_density", "optimal_time", "title", "metre", "rest_speed", "friction", "width", "height"];
+const CONSTANT_NAMES: [&str; 11] = [
+    "gravity",
+    "gravity_x",
+    "air_density",
+    "optimal_time",
+    "title",
+    "metre",
+    "rest_speed",
+    "friction",
+    "width",
+    "height",
+    "experiment",
+];
 
 /// All that constants.csv can name.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {
@@ -70,6 +82,7 @@ impl Reader<'_> {
             rest_speed: constant("rest_speed", q::REST_SPEED).unwrap_or(0.0),
             friction: constant("friction", q::FRICTION).unwrap_or(1.0),
             lines: given.iter().map(|(name, record)| (*name, record.line)).collect(),
+            experiment: constant("experiment", q::YES).is_some_and(|yes| yes == 1.0),
             awards,
             title: find("title").and_then(value).filter(|title| !title.is_empty()),
             width: constant("width", size),
@@ -82,7 +95,7 @@ impl Reader<'_> {
     fn constant(&mut self, record: Option<&Record>, name: &str, quantity: Quantity) -> Option<f64> {
         let record = record?;
         let text = value(record)?;
-        let optional = matches!(name, "metre" | "rest_speed" | "friction" | "gravity_x");
+        let optional = matches!(name, "metre" | "rest_speed" | "friction" | "gravity_x" | "experiment");
         if text.is_empty() && optional {
             return None;
         }

@@ -52,6 +52,8 @@ pub(super) const REST_SPEED: Quantity = Quantity::new(0.0, 1e6, "m/s");
 pub(super) const WIND: Quantity = Quantity::new(0.0, 1e3, "");
 /// A factor; with rubber it makes a coefficient of 11.5, beyond anything there is.
 pub(super) const FRICTION: Quantity = Quantity::new(0.0, 10.0, "");
+/// 0 or 1.
+pub(super) const YES: Quantity = Quantity { gap: 1.0, ..Quantity::new(0.0, 1.0, "") };
 
 impl Quantity {
     pub const fn new(low: f64, high: f64, unit: &'static str) -> Self {
@@ -84,7 +86,7 @@ impl Quantity {
             return Err(self.range(value));
         }
         if value > 0.0 && value < self.gap {
-            return Err(format!("0, or at least {} {}", short(self.gap), self.unit));
+            return Err(format!("0, or at least {} {}", short(self.gap), self.unit).trim_end().to_owned());
         }
         Ok(())
     }

@@ -177,6 +177,7 @@ fn level(name: &str, constants: &Constants, background: bool, draft: Draft, play
         optimal_time: constants.optimal_time,
         rest_speed: constants.rest_speed,
         friction: constants.friction,
+        experiment: constants.experiment,
         awards: constants.awards,
         player,
         world: items(draft.world),

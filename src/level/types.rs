@@ -39,6 +39,8 @@ pub struct Level {
     pub rest_speed: f64,
     /// What all coefficients of friction are multiplied by.
     pub friction: f64,
+    /// Whether it shows a law: the ship plays no part, and nothing is scored.
+    pub experiment: bool,
     /// What its medals ask for.
     pub awards: Awards,
     /// The ship.

@@ -14,6 +14,11 @@ impl Level {
         Aabb::new(DVec2::ZERO, self.size)
     }
 
+    /// Whether the ship plays a part: in an experiment it only lies there, and neither fuel nor time nor score matter.
+    pub const fn ship_plays(&self) -> bool {
+        !self.experiment
+    }
+
     /// How the level's world begins, with everything that a switch works as it is before the first one is pressed; but streams blow. Body 0
     /// is the ship, body i + 1 is object i; the surfaces are told apart by [`Level::surface`]; stream i and liquid i are the level's.
     pub fn world_def(&self) -> WorldDef {

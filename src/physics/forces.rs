@@ -3,7 +3,7 @@
 use super::BodyId;
 use glam::DVec2;
 
-/// The kinds of force, named as shown to the player.
+/// The kinds of force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ForceKind {
     /// m·g downwards.
@@ -40,7 +40,15 @@ impl ForceKind {
         Self::Push,
     ];
 
-    /// The name shown to the player.
+    /// The name on the screen: that of school, which calls the Reaction of a contact its normal force.
+    pub const fn shown(self) -> &'static str {
+        match self {
+            Self::Reaction => "Normal force",
+            other => other.name(),
+        }
+    }
+
+    /// The name in files.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Weight => "Weight",

@@ -247,7 +247,7 @@ impl App {
             Request::BackToEditor(how) => self.back_to_editor(how),
             Request::Attempt(attempt) => self.flight(attempt, spectator),
             // Nothing comes of an experiment but what was seen.
-            Request::Score(attempt, ..) if self.library.is_experiment(&attempt.level.name) => self.lab(Some(&attempt.level.name)),
+            Request::Score(attempt, ..) if attempt.level.experiment => self.lab(Some(&attempt.level.name)),
             Request::Score(attempt, result, flown) => self.scoring(attempt, result, flown),
             Request::Flights(visit) => self.flights(visit),
             Request::Watch(visit, candidate) => match self.watch(visit, &candidate, spectator) {
@@ -286,13 +286,10 @@ impl App {
             Request::Leaderboard(level) => self.leaderboard(&level),
             Request::Classics(left) => Screen::Classics(Classics::new(left, None)),
             Request::Lab => self.lab(None),
+            Request::Experiments(left) => self.lab(Some(&left)),
             Request::Experiment(name) => {
                 let folder = self.library.experiment(&name);
-                let mut screen = self.open_folder(&folder, spectator);
-                if let Screen::Flight(flight) = &mut screen {
-                    flight.open_details();
-                }
-                screen
+                self.open_folder(&folder, spectator)
             }
             Request::Classic(classic) => self.classic(classic),
             Request::Climbed(scene) => Screen::Jumper(Box::new(Jumper::ended(*scene))),
@@ -520,7 +517,7 @@ impl App {
     fn note_end(&mut self) {
         let Screen::Flight(flight) = &self.screen else { return };
         let game = flight.game();
-        if flight.is_test() || self.library.is_experiment(&game.level().name) {
+        if flight.is_test() || game.level().experiment {
             return;
         }
         if flight.variation().is_some() {

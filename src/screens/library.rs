@@ -136,13 +136,6 @@ impl Library {
         self.root.join(EXPERIMENTS).join(name)
     }
 
-    /// Whether the level of that name is an experiment now: its attempts are of no account.
-    pub fn is_experiment(&self, name: &str) -> bool {
-        let folder = self.folder(name);
-        let inside = self.root.join(EXPERIMENTS).canonicalize().is_ok_and(|experiments| folder.starts_with(experiments));
-        inside && self.outside.is_some()
-    }
-
     /// The map of the tile run and the commands to watch, from `assets/tile_run/`.
     ///
     /// # Errors

@@ -221,6 +221,8 @@ pub enum Request {
     Classics(Option<Classic>),
     /// Charts, stress tests, two methods side by side, experiments.
     Lab,
+    /// The list of experiments, at the one that was left.
+    Experiments(String),
     /// The experiment of that folder.
     Experiment(String),
     /// One of them, from its beginning.

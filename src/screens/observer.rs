@@ -2,6 +2,8 @@
 //! and picks out whom the details tell of.
 
 use super::{Input, Key};
+use crate::game::Game;
+use crate::instruments::stop_clock::seconds;
 use crate::settings::Action;
 use crate::view::focus::Focus;
 
@@ -15,18 +17,38 @@ pub(super) fn pressed(input: &Input, key: Key) -> bool {
     input.pressed(key) && !Action::ALL.iter().any(|action| input.settings.keys.of(*action).contains(&Some(key)))
 }
 
-/// Picks out one of so many bodies, or two, by N or by a click (with Shift or Ctrl: to compare), and makes arrows longer or shorter.
-pub(super) fn look(focus: &mut Focus, input: &Input, bodies: usize) {
+/// The keys for more and for less.
+const MORE: [Key; 2] = [Key::Equal, Key::KpAdd];
+const LESS: [Key; 2] = [Key::Minus, Key::KpSubtract];
+/// How much closer a key brings the view, where a notch of the wheel is one.
+const KEY_ZOOM: i8 = 2;
+
+/// One for more, minus one for less, 0 for neither.
+fn more_or_less(input: &Input) -> i8 {
+    let any = |keys: [Key; 2]| i8::from(keys.into_iter().any(|key| pressed(input, key)));
+    any(MORE) - any(LESS)
+}
+
+/// Brings the view closer or makes it wider by + and − or the wheel, and fits it to everything that moves, or follows again, by F.
+pub(super) fn zoom(focus: &mut Focus, input: &Input) {
+    if pressed(input, Key::F) {
+        focus.fit();
+    }
+    let by_keys = if input.held.has(Key::Control) { 0 } else { KEY_ZOOM * more_or_less(input) };
+    focus.zoom_by(by_keys + input.wheel.round() as i8);
+}
+
+/// Picks out one of a game's bodies, or two, by N or by a click (with Shift or Ctrl: to compare), and makes arrows longer or shorter by
+/// Ctrl with + and −.
+pub(super) fn look(focus: &mut Focus, input: &Input, game: &Game) {
     if pressed(input, Key::N) {
-        focus.next(bodies);
+        focus.next(game.lead(), game.world().bodies().len());
     }
     if input.click && (input.pointed.is_some() || focus.followed().is_some()) {
         focus.pick(input.pointed, input.held.has(Key::Shift) || input.held.has(Key::Control));
     }
-    for (keys, by) in [([Key::Equal, Key::KpAdd], 1), ([Key::Minus, Key::KpSubtract], -1)] {
-        if keys.into_iter().any(|key| pressed(input, key)) {
-            focus.lengthen(by);
-        }
+    if input.held.has(Key::Control) {
+        focus.lengthen(more_or_less(input));
     }
 }
 
@@ -45,11 +67,12 @@ impl Default for Observer {
 }
 
 impl Observer {
-    /// One frame of a world with so many bodies, whose details are open or not; how many ticks a world that stands still is to go on, or
-    /// back where negative. A key to which the player has given other work does that.
-    pub fn update(&mut self, input: &Input, bodies: usize, details: bool) -> i64 {
+    /// One frame of a game whose details are open or not; how many ticks a world that stands still is to go on, or back where negative. A
+    /// key to which the player has given other work does that.
+    pub fn update(&mut self, input: &Input, game: &Game, details: bool) -> i64 {
         let pressed = |key: Key| pressed(input, key);
-        self.frozen ^= pressed(Key::F);
+        zoom(&mut self.focus, input);
+        self.frozen ^= pressed(Key::B);
         if pressed(Key::LeftBracket) {
             self.pace = self.pace.saturating_sub(1);
         }
@@ -57,7 +80,7 @@ impl Observer {
             self.pace = (self.pace + 1).min(PACES.len() - 1);
         }
         if details {
-            look(&mut self.focus, input, bodies);
+            look(&mut self.focus, input, game);
         }
         if self.frozen { i64::from(pressed(Key::Period)) - i64::from(pressed(Key::Comma)) } else { 0 }
     }
@@ -82,17 +105,24 @@ impl Observer {
         if self.frozen { 0.0 } else { self.pace() }
     }
 
+    /// Looks at that from now on.
+    pub const fn look_at(&mut self, focus: Focus) {
+        self.focus = focus;
+    }
+
     /// Whom the details tell of.
     pub const fn focus(&self) -> &Focus {
         &self.focus
     }
 
     /// What is said of the time, where it does not go as it does.
-    pub fn words(&self) -> Option<String> {
+    pub fn words(&self, ticks: u64, rate: f64) -> Option<String> {
         let pace = self.pace();
         let how = if pace < 1.0 { format!("1/{:.0}", 1.0 / pace) } else { format!("{pace} times") };
         match (self.frozen, pace == 1.0) {
-            (true, _) => Some("Frozen: F goes on, “.” a tick on, “,” a tick back".to_owned()),
+            (true, _) => {
+                Some(format!("Frozen at {} s: B goes on, “.” a tick on, “,” a tick back", seconds(ticks.cast_signed(), rate)))
+            }
             (false, false) => Some(format!("{how} as fast: [ slower, ] faster")),
             (false, true) => None,
         }

@@ -108,9 +108,10 @@ impl Watch {
             Some(_) => self.details = !self.details,
             None => self.follow_keys(input, spectator),
         }
+        observer::zoom(&mut self.focus, input);
         // What is below the line of time is its own.
         if (self.details || self.instruments.is_open()) && row.is_none() && input.pointer.y < self.line.min.y {
-            observer::look(&mut self.focus, input, self.game.world().bodies().len());
+            observer::look(&mut self.focus, input, &self.game);
         }
         self.drag(input, spectator);
         self.play(input.frame_time, spectator);

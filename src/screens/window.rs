@@ -230,7 +230,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) 
         Screen::LevelSelect(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Editor(screen) => screen.draw(&mut theatre.sheets, canvas, app.shown_for()),
         Screen::Flight(screen) => {
-            theatre.set_panels(screen.instruments().areas(canvas.frame()));
+            theatre.set_panels(screen.panels(canvas.frame()));
             let whole = canvas.use_frame(screen.instruments().room(canvas.frame()));
             theatre.draw(screen, *app.settings(), frame_time, canvas);
             canvas.use_frame(whole);
@@ -387,7 +387,7 @@ impl Theatre {
 
 /// Who is looked at: nobody in particular while neither details nor instruments are open.
 fn looked_at(focus: &Focus, open: bool) -> Focus {
-    if open { *focus } else { Focus::default() }
+    if open { *focus } else { focus.on_nobody() }
 }
 
 /// What it is measured with, above the flight.

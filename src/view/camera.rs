@@ -21,6 +21,14 @@ const MAX_ZOOM: f64 = 1.5;
 /// When a level is done, the camera closes in on the ship: by how much at most, and the time in which it does to 1/e, s.
 const CLOSE: f64 = 1.35;
 const CLOSE_EASE: f64 = 0.45;
+/// Around what is fitted into the window, m: room for arrows.
+const FIT_MARGIN: f64 = 4.0;
+/// What moves stays so far inside of a view that is fitted to it, however fast it goes, m.
+const FIT_LEAST: f64 = 1.0;
+/// Times in which the view turns from following to fitting, in which it closes in on what is fitted, and in which it zooms, to 1/e, s.
+const FIT_EASE: f64 = 0.2;
+const FIT_CLOSES: f64 = 0.5;
+const ZOOM_EASE: f64 = 0.08;
 
 /// The point that the camera looks at: it eases after the ship, a little ahead of it, and knows nothing of the window or the level's
 /// edges.
@@ -32,12 +40,18 @@ pub struct Camera {
     ahead: DVec2,
     /// How much it magnifies beyond the usual.
     closeness: f64,
+    /// What is fitted into the window, eased, m; nothing while nothing ever was.
+    fitted: Option<Aabb>,
+    /// How far the view has turned from following (0) to fitting (1).
+    fits: f64,
+    /// How many times as large as usual everything is drawn; not known before the first frame.
+    zoom: Option<f64>,
 }
 
 impl Camera {
     /// A camera that looks at the ship's centre (m) at once.
     pub const fn new(ship: DVec2) -> Self {
-        Self { ship, ahead: DVec2::ZERO, closeness: 1.0 }
+        Self { ship, ahead: DVec2::ZERO, closeness: 1.0, fitted: None, fits: 0.0, zoom: None }
     }
 
     /// Stands back to the usual distance.
@@ -53,6 +67,34 @@ impl Camera {
         let ahead = velocity * (AHEAD_TIME * (1.0 - AHEAD_FROM / speed.max(AHEAD_FROM)));
         self.ahead += (ahead.clamp(-AHEAD_MOST, AHEAD_MOST) - self.ahead) * share(AHEAD_EASE);
         self.ship += (ship - self.ship) * share(EASE_TIME);
+    }
+
+    /// Turns to what is to be fitted into the window (m), or away from it where that is nothing, and zooms; at once in its first frame.
+    pub fn turn(&mut self, fit: Option<Aabb>, zoom: f64, frame_time: f64) {
+        let Some(before) = self.zoom else {
+            (self.fitted, self.fits, self.zoom) =
+                (fit.map(|bounds| grown(&bounds, FIT_MARGIN)), f64::from(u8::from(fit.is_some())), Some(zoom));
+            return;
+        };
+        let share = |time: f64| 1.0 - (-frame_time.max(0.0) / time).exp();
+        self.zoom = Some(before * (zoom / before).powf(share(ZOOM_EASE)));
+        self.fits += (f64::from(u8::from(fit.is_some())) - self.fits) * share(FIT_EASE);
+        if let Some(bounds) = fit {
+            let (wanted, part) = (grown(&bounds, FIT_MARGIN), share(FIT_CLOSES));
+            let now = self.fitted.unwrap_or(wanted);
+            let eased = Aabb::new(now.min.lerp(wanted.min, part), now.max.lerp(wanted.max, part));
+            self.fitted = Some(eased.union(&grown(&bounds, FIT_LEAST)));
+        }
+    }
+
+    /// The view of a level of that size (m) with `kept` (m) in it; `metre` is the canvas units a metre at the usual magnification.
+    pub fn viewport(&self, kept: DVec2, level: DVec2, metre: f64, window: Window) -> Viewport {
+        let usual = Viewport::new(self.focus(), kept, level, metre, window);
+        let (view, kept) = match &self.fitted {
+            Some(bounds) if self.fits > 1e-3 => (usual.towards(bounds, self.fits), kept.lerp(bounds.centre(), self.fits)),
+            _ => (usual, kept),
+        };
+        view.zoomed(kept, self.zoom.unwrap_or(1.0)).closer(kept, self.closeness)
     }
 
     /// Closes in on the ship, `frame_time` seconds of the moment that a success has.
@@ -89,6 +131,8 @@ pub struct Viewport {
     origin: DVec2,
     /// The level's size, m.
     level: DVec2,
+    /// How far outside of the level it may show, m: room for the arrows of what lies at an edge, where the view is fitted.
+    beyond: f64,
     window: Window,
 }
 
@@ -99,33 +143,57 @@ impl Viewport {
     /// `level` is the level's size (m), `metre` the canvas units a metre at the usual magnification.
     pub fn new(focus: DVec2, ship: DVec2, level: DVec2, metre: f64, window: Window) -> Self {
         let zoom = (window.size / (level * metre)).max_element().clamp(1.0, MAX_ZOOM);
-        Self::at(metre * zoom, focus, ship, level, window)
+        let usual = Self { scale: metre * zoom, origin: DVec2::ZERO, level, beyond: 0.0, window };
+        usual.at(usual.scale, focus, ship)
     }
 
-    /// The same view magnified by `factor` ≥ 1 around the ship (m), which stays where it is, but for the window's and the level's edges.
+    /// The same view magnified by `factor` around the ship (m), which stays where it is, but for the window's and the level's edges.
     pub fn closer(self, ship: DVec2, factor: f64) -> Self {
         let scale = self.scale * factor;
         let middle = (self.origin + self.window.size * 0.5) / self.scale;
-        Self::at(scale, ship + (middle - ship) / factor, ship, self.level, self.window)
+        self.at(scale, ship + (middle - ship) / factor, ship)
+    }
+
+    /// The same view turned by a part (0 … 1) towards one that has a box (m) in it, no closer than usual.
+    pub fn towards(self, bounds: &Aabb, part: f64) -> Self {
+        let fitting = (self.window.size / bounds.size()).min_element().clamp(self.widest(), self.scale);
+        let middle = ((self.origin + self.window.size * 0.5) / self.scale).lerp(bounds.centre(), part);
+        let view = Self { beyond: FIT_MARGIN * part, ..self };
+        view.at(self.scale * (fitting / self.scale).powf(part), middle, middle)
+    }
+
+    /// The same view with everything drawn `factor` times as large, but no smaller than with the whole level in view; a point (m) stays
+    /// where it is, but for the window's and the level's edges.
+    pub fn zoomed(self, kept: DVec2, factor: f64) -> Self {
+        let scale = (self.scale * factor).max(self.widest());
+        if scale == self.scale { self } else { self.closer(kept, scale / self.scale) }
+    }
+
+    /// The scale at which the whole level is in view, or the usual one where it is so already.
+    fn widest(&self) -> f64 {
+        (self.window.size / self.level).min_element().min(self.scale)
     }
 
     /// The view of that scale with a point as near to its middle as the ship and the level's edges let it.
-    fn at(scale: f64, middle: DVec2, ship: DVec2, level: DVec2, window: Window) -> Self {
+    fn at(self, scale: f64, middle: DVec2, ship: DVec2) -> Self {
+        let Self { level, window, beyond, .. } = self;
         let half = window.size / scale * 0.5;
         let reach = (half - SHIP_MARGIN).max(DVec2::ZERO);
         let centre = middle.clamp(ship - reach, ship + reach);
-        let along =
-            |centre: f64, half: f64, level: f64| if 2.0 * half >= level { level * 0.5 } else { centre.clamp(half, level - half) };
+        let along = |centre: f64, half: f64, level: f64| {
+            let half = half - beyond;
+            if 2.0 * half >= level { level * 0.5 } else { centre.clamp(half, level - half) }
+        };
         let centre = DVec2::new(along(centre.x, half.x, level.x), along(centre.y, half.y, level.y));
-        let view = Self { scale, origin: DVec2::ZERO, level, window };
-        Self { origin: view.snap(centre * scale - window.size * 0.5), ..view }
+        Self { scale, origin: self.snap(centre * scale - window.size * 0.5), ..self }
     }
 
     /// The same view moved by `offset` canvas units. Where that would show something outside of the level it moves the other way.
     pub fn shaken(self, offset: DVec2) -> Self {
+        let beyond = self.beyond * self.scale;
         let along = |origin: f64, offset: f64, room: f64| {
-            let moved = origin + offset;
-            if room <= 0.0 || (0.0..=room).contains(&moved) { moved } else { (origin - offset).clamp(0.0, room) }
+            let (moved, least, most) = (origin + offset, -beyond, room + beyond);
+            if most <= least || (least..=most).contains(&moved) { moved } else { (origin - offset).clamp(least, most) }
         };
         let room = self.level * self.scale - self.window.size;
         let offset = self.snap(offset);
@@ -177,4 +245,9 @@ impl Viewport {
     fn snap(&self, point: DVec2) -> DVec2 {
         (point / self.window.pixel).round() * self.window.pixel
     }
+}
+
+/// The box whose edges lie so far outside.
+fn grown(bounds: &Aabb, by: f64) -> Aabb {
+    Aabb::new(bounds.min - by, bounds.max + by)
 }

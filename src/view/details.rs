@@ -20,7 +20,7 @@ use super::partner::{answer, partner};
 use super::scale::Steady;
 use crate::game::{Game, SHIP};
 use crate::level::Text;
-use crate::physics::{Aabb, BodyId, DVec2};
+use crate::physics::{Aabb, BodyId, DVec2, Source};
 
 /// Inside a box's edge, canvas units: above and below less than in a panel, for there may be many.
 const PADDING: Vec2 = Vec2::new(1.5 * GRID, 0.75 * GRID);
@@ -88,12 +88,15 @@ pub struct Details {
     /// How many boxes were full ones.
     full: Option<usize>,
     scale: Steady,
+    /// Who is followed, and the bodies that exert something on that one, or did so last.
+    partners: (Option<BodyId>, Vec<BodyId>),
 }
 
 impl Details {
     /// Lays everything out anew. `covered` are the panels on the screen besides the head-up display.
     pub fn arrange(&mut self, game: &Game, looking: &Looking, covered: &[Area], view: &Viewport, frame: &Frame) {
         self.before.resize(looking.centres.len(), None);
+        self.remember_partners(game, looking.focus);
         let shown = self.shown(game, looking, view);
         let pointed = self.pointed(looking.pointer);
         let subject = |id: BodyId| Subject { facts: facts(game, id), object: on_canvas(&bounds(game, looking, id), view) };
@@ -104,7 +107,7 @@ impl Details {
         let told = &subjects[..shown.len()];
 
         let never = self.never(game, looking, view, frame);
-        let panels: Vec<Area> = HudLayout::new(frame).areas().into_iter().chain(covered.iter().copied()).collect();
+        let panels: Vec<Area> = HudLayout::shown(frame, game).into_iter().chain(covered.iter().copied()).collect();
         let ground = Ground { window: frame.area(), never: &never, panels: &panels };
         let reaches = reaches(&subjects, &ground);
         let scale = self.scale.update(game, (looking.focus, &shown), view.scale(), [&reaches[0], &reaches[1]]);
@@ -128,13 +131,33 @@ impl Details {
         self.place_tip(looking.pointer, frame, &taken);
     }
 
-    /// The bodies in view of whom is told: those near the ship choose first; the sort is stable, and the ship is nearest to itself.
+    /// Takes note of the bodies that exert a force or an impact on the one that is followed; the last ones stay until there are others.
+    fn remember_partners(&mut self, game: &Game, focus: &Focus) {
+        if self.partners.0 != focus.followed() {
+            self.partners = (focus.followed(), Vec::new());
+        }
+        let Some(followed) = focus.followed().filter(|id| id.index() < game.world().bodies().len()) else { return };
+        let causes = facts(game, followed).rows.into_iter().flat_map(|row| row.causes);
+        let bodies: Vec<BodyId> =
+            causes.filter_map(|cause| if let Source::Body(body) = cause { Some(body) } else { None }).collect();
+        if !bodies.is_empty() {
+            self.partners.1 = bodies;
+        }
+    }
+
+    /// The bodies in view of which is told, nearest to the one that is looked at first: they choose first; the sort is stable. Beside the one
+    /// that is followed its partners are told of; a ship that plays no part is not, unless it is followed.
     fn shown(&self, game: &Game, looking: &Looking, view: &Viewport) -> Vec<BodyId> {
-        let (centres, visible) = (looking.centres, view.visible());
-        let ids = (0..centres.len() as u32).map(BodyId).filter(|&id| looking.focus.shows(id));
+        let (centres, visible, focus) = (looking.centres, view.visible(), looking.focus);
+        let told = |id: &BodyId| match focus.followed() {
+            Some(_) => focus.shows(*id) || self.partners.1.contains(id),
+            None => *id != SHIP || game.level().ship_plays(),
+        };
+        let ids = (0..centres.len() as u32).map(BodyId).filter(told);
         let mut shown: Vec<BodyId> = ids.filter(|&id| bounds(game, looking, id).touches(&visible, 0.0)).collect();
-        let from_ship = |id: &BodyId| centres[id.index()].distance_squared(centres[SHIP.index()]);
-        shown.sort_by(|a, b| from_ship(a).total_cmp(&from_ship(b)));
+        let lead = centres[focus.followed().filter(|id| id.index() < centres.len()).unwrap_or(game.lead()).index()];
+        let from_lead = |id: &BodyId| centres[id.index()].distance_squared(lead);
+        shown.sort_by(|a, b| from_lead(a).total_cmp(&from_lead(b)));
         shown
     }
 

@@ -35,7 +35,7 @@ impl Shown {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Resultant => "Resultant",
-            Self::Force(kind) => kind.name(),
+            Self::Force(kind) => kind.shown(),
             Self::Impact => Impulse::NAME,
         }
     }
@@ -73,7 +73,7 @@ impl Row {
         Self { name, by: String::new(), value, unit, shown: None, causes: Vec::new() }
     }
 
-    /// What the line is called: "Reaction by floor".
+    /// What the line is called: "Normal force by floor".
     pub fn label(&self) -> String {
         if self.by.is_empty() { self.name.to_owned() } else { format!("{} by {}", self.name, self.by) }
     }

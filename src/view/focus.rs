@@ -1,9 +1,13 @@
-//! Whom the details tell of: all that are in view, one that is followed, or two that are compared; and how long arrows are drawn.
+//! Whom the details tell of: all that are in view, one that is followed, or two that are compared; how much of the level is in view; and
+//! how long arrows are drawn.
 
 use crate::physics::BodyId;
 
 /// How often arrows can be made longer or shorter: each time by √2.
 const MOST: i8 = 24;
+/// How often the view can be made closer and wider: each time by the fourth root of 2.
+const CLOSER: i8 = 8;
+const WIDER: i8 = 20;
 
 /// What is picked out of a game.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -11,9 +15,42 @@ pub struct Focus {
     followed: Option<BodyId>,
     compared: Option<BodyId>,
     longer: i8,
+    closer: i8,
+    fitted: bool,
 }
 
 impl Focus {
+    /// On that body, with everything that moves in view.
+    pub fn fitted_on(body: BodyId) -> Self {
+        Self { followed: Some(body), fitted: true, ..Self::default() }
+    }
+
+    /// The same view, with nobody picked out.
+    #[must_use]
+    pub const fn on_nobody(self) -> Self {
+        Self { followed: None, compared: None, ..self }
+    }
+
+    /// Fits the view to everything that moves, or follows again; as close as usual.
+    pub const fn fit(&mut self) {
+        (self.fitted, self.closer) = (!self.fitted, 0);
+    }
+
+    /// Whether everything that moves is in view.
+    pub const fn fits(&self) -> bool {
+        self.fitted
+    }
+
+    /// Brings the view closer by so many times the fourth root of 2, or makes it wider where negative.
+    pub fn zoom_by(&mut self, by: i8) {
+        self.closer = (self.closer + by).clamp(-WIDER, CLOSER);
+    }
+
+    /// How many times as large as usual everything is drawn.
+    pub fn zoom(&self) -> f64 {
+        2f64.powf(0.25 * f64::from(self.closer))
+    }
+
     /// Whether a body has its box and its arrows: all have where none is followed.
     pub fn shows(&self, body: BodyId) -> bool {
         self.followed.is_none() || self.followed == Some(body) || self.compared == Some(body)
@@ -29,9 +66,9 @@ impl Focus {
         self.compared
     }
 
-    /// Goes on from one of so many bodies to the next: from all to the ship, through the others, and back to all.
-    pub fn next(&mut self, bodies: usize) {
-        let next = self.followed.map_or(0, |body| body.index() + 1);
+    /// Goes on from one of so many bodies to the next: from all to the first, through the others, and back to all.
+    pub fn next(&mut self, first: BodyId, bodies: usize) {
+        let next = self.followed.map_or(first.index(), |body| body.index() + 1);
         *self = Self { followed: u32::try_from(next).ok().filter(|_| next < bodies).map(BodyId), compared: None, ..*self };
     }
 
@@ -64,12 +101,16 @@ mod tests {
         let mut focus = Focus::default();
         let body = BodyId;
         assert!(focus.shows(body(0)) && focus.shows(body(7)));
-        let mut met = Vec::new();
-        for _ in 0..4 {
-            focus.next(3);
-            met.push(focus.followed());
+        for (first, order) in
+            [(0, [Some(body(0)), Some(body(1)), Some(body(2)), None]), (1, [Some(body(1)), Some(body(2)), None, Some(body(1))])]
+        {
+            focus = focus.on_nobody();
+            for followed in order {
+                focus.next(body(first), 3);
+                assert_eq!(focus.followed(), followed);
+            }
         }
-        assert_eq!(met, [Some(body(0)), Some(body(1)), Some(body(2)), None]);
+        focus = focus.on_nobody();
         focus.pick(Some(body(1)), true);
         assert_eq!((focus.followed(), focus.compared()), (Some(body(1)), None), "with nobody to compare it is followed");
         focus.pick(Some(body(2)), true);
@@ -78,6 +119,17 @@ mod tests {
         assert_eq!((focus.followed(), focus.compared()), (Some(body(2)), None));
         focus.pick(Some(body(2)), false);
         assert_eq!(focus, Focus::default());
+    }
+
+    #[test]
+    fn the_view_is_zoomed_within_bounds_and_fitting_it_undoes_that() {
+        let mut focus = Focus::fitted_on(BodyId(1));
+        focus.zoom_by(4);
+        assert!((focus.zoom() - 2.0).abs() < 1e-12 && focus.fits());
+        (0..100).for_each(|_| focus.zoom_by(-1));
+        assert!((focus.zoom() - 1.0 / 32.0).abs() < 1e-12);
+        focus.fit();
+        assert_eq!((focus.zoom(), focus.fits(), focus.followed()), (1.0, false, Some(BodyId(1))));
     }
 
     #[test]

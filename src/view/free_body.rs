@@ -26,6 +26,8 @@ const ASIDE: f32 = 9.0;
 const SLIDE: f32 = 14.0;
 const LENGTHEN: f32 = 14.0;
 const SHORTEN: f32 = 0.15;
+/// By how many steps an arrow is lengthened at most.
+const LENGTHENED: f32 = 10.0;
 /// An arrow this near to its length by the scale is to scale, canvas units.
 const TO_SCALE: f32 = 0.5;
 
@@ -68,11 +70,6 @@ impl Ground<'_> {
         self.panels.iter().filter_map(meets).map(|enters| enters - EDGE).fold(inner, f32::min)
     }
 
-    /// Half of what the window shows of a line through a point: what an arrow there may take up, for it can move along its line.
-    fn half(&self, at: Vec2, along: Vec2) -> f32 {
-        0.5 * (self.room(at, along) + self.room(at, -along))
-    }
-
     fn crosses_panel(&self, from: Vec2, along: Vec2, length: f32) -> bool {
         self.panels.iter().any(|panel| panel.stretch(from, along, length).is_some_and(|(enters, _)| enters > 0.0))
     }
@@ -94,7 +91,7 @@ pub fn reaches(subjects: &[Subject], ground: &Ground) -> [Vec<Reach>; 2] {
     for subject in subjects {
         let from = ground.start(&subject.object);
         for (shown, vector) in subject.facts.rows.iter().filter_map(told) {
-            let room = ground.half(from, vector.normalize_or_zero().as_vec2());
+            let room = ground.room(from, vector.normalize_or_zero().as_vec2());
             found[usize::from(shown.is_impact())].push((vector.length(), room));
         }
     }
@@ -174,13 +171,20 @@ struct Move {
 
 /// How far along its line an arrow moves at most, in steps against its direction and with it.
 const SLIDES: [i8; 2] = [13, 8];
+/// What a step costs: along the line, so that equal arrows begin side by side, and to another length, last of all.
+const SLIDE_COST: f32 = 6.0;
+const STRETCH_COST: f32 = 1.2;
+const OFF_SCALE: f32 = 100.0;
+/// An arrow that begins outside of its body, against its direction, stands at least so many steps aside: it would lie over the arrows of the
+/// other direction.
+const OUTSIDE_ASIDE: i8 = 2;
 
 /// All moves that are tried, the least first; no more than two sorts at once.
 static MOVES: LazyLock<Vec<Move>> = LazyLock::new(|| {
     let mut moves = Vec::new();
     for aside in -6..=6_i8 {
         for slide in -SLIDES[0]..=SLIDES[1] {
-            for stretch in -4..=10_i8 {
+            for stretch in -4..=LENGTHENED as i8 {
                 if aside == 0 || slide == 0 || stretch == 0 {
                     moves.push(Move { aside, slide, stretch });
                 }
@@ -188,8 +192,9 @@ static MOVES: LazyLock<Vec<Move>> = LazyLock::new(|| {
         }
     }
     let cost = |by: &Move| {
-        let off_scale = if by.stretch == 0 { 0.0 } else { 8.0 };
-        f32::from(by.aside.abs()) + 1.2 * f32::from(by.slide.abs()) + 1.2 * f32::from(by.stretch.abs()) + off_scale
+        let off_scale = if by.stretch == 0 { 0.0 } else { OFF_SCALE };
+        let [aside, slide, stretch] = [by.aside, by.slide, by.stretch].map(|steps| f32::from(steps.abs()));
+        aside + SLIDE_COST * slide + STRETCH_COST * stretch + off_scale
     };
     moves.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
     moves
@@ -200,6 +205,8 @@ struct Wish {
     shown: Shown,
     from: Vec2,
     along: Vec2,
+    /// From its usual start to its body's edge against its direction.
+    back: f32,
     /// Its length by the scale, the least that can be seen, and what it is drawn with where nothing is in the way.
     length: f32,
     least: f32,
@@ -212,30 +219,41 @@ impl Wish {
     fn new(subject: &Subject, shown: Shown, (along, length): (Vec2, f32), ground: &Ground) -> Self {
         let from = ground.start(&subject.object);
         let exit = || subject.object.stretch(from, along, f32::MAX).map_or(0.0, |(_, leaves)| leaves);
+        let back = subject.object.stretch(from, -along, f32::MAX).map_or(0.0, |(_, leaves)| leaves);
         let outside = if subject.facts.body == SHIP { exit() + BEYOND } else { 0.0 };
         let least = outside.max(SHAFT) + head_length(shown).x;
         let (room, slides) = (ground.room(from, along), f32::from(SLIDES[0]) * SLIDE);
         // What is longer than it can be moved along its line is cut.
         let base = if length > room + slides { room } else { length }.max(least);
-        let far = Vec2::splat(slides + head_length(shown).x);
+        let far = Vec2::splat(slides + LENGTHENED * LENGTHEN + head_length(shown).x);
         let (min, max) = (from.min(from + along * base) - far, from.max(from + along * base) + far);
-        Self { shown, from, along, length, least, base, reach: Area { min, size: max - min } }
+        Self { shown, from, along, back, length, least, base, reach: Area { min, size: max - min } }
     }
 
-    /// The first place that is free: the usual one, that of the frame before, any other. Which it is, the arrow's ends, and whether it is to scale.
+    /// The first place that is free: the usual one, that of the frame before, any other at the body, one outside of it, and at last one off the
+    /// scale. Which it is, the arrow's ends, and whether it is to scale.
     fn place(&self, before: Option<usize>, near: &[Area], ground: &Ground) -> Option<(usize, Vec2, Vec2, bool)> {
         let usual_clearance = if before.is_some_and(|index| index > 0) { RETURNS } else { APART };
         let tried = |index: usize, apart: f32| self.tried(index, apart, near, ground);
+        let at_body = |index: &usize| MOVES.get(*index).is_some_and(|by| by.stretch == 0 && !self.begins_outside(*by));
         tried(0, usual_clearance)
+            .or_else(|| tried(before.filter(at_body)?, APART))
+            .or_else(|| (0..MOVES.len()).filter(at_body).find_map(|index| tried(index, APART)))
             .or_else(|| tried(before?, APART))
             .or_else(|| (0..MOVES.len()).find_map(|index| tried(index, APART)))
     }
 
+    /// Whether an arrow that is moved so begins outside of its body, against its direction.
+    fn begins_outside(&self, by: Move) -> bool {
+        f32::from(by.slide) * SLIDE < -self.back
+    }
+
     fn tried(&self, index: usize, apart: f32, near: &[Area], ground: &Ground) -> Option<(usize, Vec2, Vec2, bool)> {
-        let Move { aside, slide, stretch } = *MOVES.get(index)?;
+        let by = *MOVES.get(index)?;
+        let Move { aside, slide, stretch } = by;
         let stretch = f32::from(stretch);
         let length = if stretch > 0.0 { self.base + stretch * LENGTHEN } else { self.base * (1.0 + stretch * SHORTEN) };
-        if length < self.least {
+        if length < self.least || self.begins_outside(by) && aside.abs() < OUTSIDE_ASIDE {
             return None;
         }
         let from = self.from + self.along.perp() * (f32::from(aside) * ASIDE) + self.along * (f32::from(slide) * SLIDE);

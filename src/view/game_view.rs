@@ -17,7 +17,7 @@ use super::touchdown::{GENTLE, Touchdown};
 use super::wreck::Wreck;
 use super::{decoration, hitboxes, hud, mechanisms, theme, things, world, zones};
 use crate::game::{Game, GameEvent, Outcome, Pose, SHIP};
-use crate::level::SHIP_HALF;
+use crate::level::{SHIP_HALF, SurfaceOf};
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::Settings;
 use macroquad::color::Color;
@@ -92,8 +92,8 @@ pub struct Overlays {
 
 impl Overlays {
     /// Whom the camera follows.
-    fn followed(&self) -> BodyId {
-        self.focus.followed().unwrap_or(SHIP)
+    fn followed(&self, game: &Game) -> BodyId {
+        self.focus.followed().unwrap_or(game.lead())
     }
 }
 
@@ -111,8 +111,8 @@ impl GameView {
             art,
             pictures,
             terrain,
-            camera: Camera::new(game.world().body(SHIP).position),
-            followed: SHIP,
+            camera: Camera::new(game.world().body(game.lead()).position),
+            followed: game.lead(),
             particles: Particles::new(),
             emitters: Emitters::new(level),
             feedback: Feedback::default(),
@@ -178,9 +178,10 @@ impl GameView {
     pub fn update(&mut self, game: &Game, alpha: f64, frame_time: f64, overlays: Overlays, frame: &Frame) {
         let ship = centre(game, SHIP, alpha);
         self.time += frame_time;
-        let followed = overlays.followed();
+        let followed = overlays.followed(game);
         self.followed = followed;
         self.camera.follow(centre(game, followed, alpha), game.world().body(followed).velocity, frame_time);
+        self.camera.turn(overlays.focus.fits().then(|| moving(game, alpha)), overlays.focus.zoom(), frame_time);
         if game.outcome() == Outcome::Completed {
             self.camera.close_in(frame_time);
         }
@@ -230,8 +231,9 @@ impl GameView {
 
     /// Lets the camera, and nothing else, follow a ship for `frame_time` seconds: what stands still may have been moved by hand.
     pub fn follow_jumps(&mut self, game: &Game, overlays: &Overlays, frame_time: f64) {
-        let body = game.world().body(overlays.followed());
+        let body = game.world().body(overlays.followed(game));
         self.camera.follow(body.position, body.velocity, frame_time);
+        self.camera.turn(overlays.focus.fits().then(|| moving(game, 1.0)), overlays.focus.zoom(), frame_time);
         if game.outcome() != Outcome::Completed {
             self.camera.open_up();
         }
@@ -269,13 +271,16 @@ impl GameView {
         if overlays.details {
             self.details.draw(canvas);
         }
-        if overlays.settings.velocity && self.wreck.is_none() {
+        let plays = game.level().ship_plays();
+        if plays && overlays.settings.velocity && self.wreck.is_none() {
             hud::draw_velocity(game.world().body(SHIP).velocity, centre(game, SHIP, alpha), &view, canvas);
         }
         if overlays.settings.flash {
             self.feedback.draw_flash(canvas);
         }
-        hud::draw(game, &overlays.settings, !overlays.watched, canvas);
+        if plays {
+            hud::draw(game, &overlays.settings, !overlays.watched, canvas);
+        }
         canvas.end_layer();
     }
 
@@ -358,8 +363,17 @@ impl GameView {
         let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let level = game.level();
         let kept = centre(game, self.followed, alpha);
-        Viewport::new(self.camera.focus(), kept, level.size, level.metre, window).closer(kept, self.camera.closeness())
+        self.camera.viewport(kept, level.size, level.metre, window)
     }
+}
+
+/// The box around everything that moves, or could, m: the ship where it plays a part, objects, movers.
+pub fn moving(game: &Game, alpha: f64) -> Aabb {
+    let (level, world) = (game.level(), game.world());
+    let bodies =
+        ids(game).skip(usize::from(game.lead() != SHIP)).map(|id| Aabb::around(centre(game, id, alpha), world.body(id).half));
+    let movers = (0..level.movers.len()).map(|mover| world.surfaces()[level.surface_index(SurfaceOf::Mover(mover))].bounds);
+    bodies.chain(movers).reduce(|all, one| all.union(&one)).unwrap_or(world.body(SHIP).bounds())
 }
 
 fn ids(game: &Game) -> impl Iterator<Item = BodyId> {

@@ -1,6 +1,7 @@
 //! Where things go: sizes and boxes on the virtual canvas. Plain arithmetic, so that the screens are laid out and tested without a
 //! window.
 
+use crate::game::Game;
 pub use glam::Vec2;
 
 /// The canvas on which every screen is designed; a window of another shape gets more of it along one axis, never less.
@@ -233,6 +234,11 @@ impl HudLayout {
             ),
             fuel: Area::new(left, frame.size.y - bar.y - 2.0 * GRID, bar.x, bar.y),
         }
+    }
+
+    /// Its parts where it is shown: in a game in which the ship plays a part.
+    pub fn shown(frame: &Frame, game: &Game) -> Vec<Area> {
+        if game.level().ship_plays() { Self::new(frame).areas().to_vec() } else { Vec::new() }
     }
 
     /// Where a race stands: a strip beside the timer, with a column for each of so many ghosts.

@@ -23,7 +23,7 @@ pub fn partner(game: &Game, facts: &Facts, row: &Row) -> Option<Partner> {
     let back = Row::plain("", Value::Vector(-vector), row.unit);
     let words = [
         format!("Third law: {} {} {}", facts.title, does(shown), by_whom(game, &row.causes)),
-        format!("with {}", quantity(&back, 0)),
+        format!("with {}", quantity(&back, &[], 0)),
     ];
     let bodies = row.causes.iter().filter_map(|cause| match cause {
         Source::Body(body) => Some(*body),

@@ -35,13 +35,15 @@ impl Scale {
         let (one, name) = if size < NOTHING { (1.0, scales[3].1) } else { *scales.iter().find(fits).unwrap_or(&smallest) };
         let unit = if unit == "kg" { name.to_owned() } else { format!("{name}{unit}") };
         let parts = size / one;
-        let decimals = match parts {
-            _ if parts >= 100.0 * ROUNDS_UP => 0,
-            _ if parts >= 10.0 * ROUNDS_UP => 1,
-            _ if parts >= ROUNDS_UP => 2,
-            _ => 3,
-        };
+        let decimals = decimals(parts).min(3);
         if parts < 1000.0 * ROUNDS_UP { Self { one: Some(one), decimals, unit } } else { Self { one: None, decimals, unit } }
+    }
+
+    /// The same unit for numbers of which this is the largest: three digits of their own, as far as two more places show them.
+    #[must_use]
+    pub fn finer(&self, largest: f64) -> Self {
+        let own = self.one.filter(|_| largest.abs() >= NOTHING).map_or(self.decimals, |one| decimals(largest.abs() / one));
+        Self { decimals: own.clamp(self.decimals, self.decimals + 2), ..self.clone() }
     }
 
     /// A number of that quantity, without its unit.
@@ -64,6 +66,15 @@ impl Scale {
     }
 }
 
+/// Decimal places that show three digits of so many units.
+fn decimals(parts: f64) -> usize {
+    let (mut places, mut least) = (0, 100.0 * ROUNDS_UP);
+    while parts < least && places < 9 {
+        (places, least) = (places + 1, least / 10.0);
+    }
+    places
+}
+
 /// A single quantity with its unit: "1.50 kN".
 pub fn scalar(value: f64, unit: &str) -> String {
     let scale = Scale::of(value, unit);
@@ -81,21 +92,31 @@ pub fn round_up(value: f64) -> f64 {
     [1.0, 2.0, 5.0].into_iter().map(|step| step * decade).find(|step| *step >= value).unwrap_or(10.0 * decade)
 }
 
-/// The numbers of a row as they are written, y upwards.
+/// The largest number of a row.
 #[cfg(feature = "window")]
-fn numbers(row: &Row) -> (Vec<String>, Scale) {
-    let (values, largest) = match row.value {
-        Value::Scalar(value) => (vec![value], value.abs()),
-        Value::Vector(v) => (vec![v.x, -v.y], v.abs().max_element()),
+fn largest(row: &Row) -> f64 {
+    match row.value {
+        Value::Scalar(value) => value.abs(),
+        Value::Vector(v) => v.abs().max_element(),
+    }
+}
+
+/// The numbers of a row as they are written beside those of other rows, y upwards: each quantity in one unit, so that a column adds up.
+#[cfg(feature = "window")]
+fn numbers(row: &Row, beside: &[Row]) -> (Vec<String>, Scale) {
+    let values = match row.value {
+        Value::Scalar(value) => vec![value],
+        Value::Vector(v) => vec![v.x, -v.y],
     };
-    let scale = Scale::of(largest, row.unit);
+    let of_all = beside.iter().filter(|other| other.unit == row.unit).map(largest).fold(largest(row), f64::max);
+    let scale = Scale::of(of_all, row.unit).finer(largest(row));
     (values.into_iter().map(|value| scale.number(value)).collect(), scale)
 }
 
-/// The numbers of a row, each in a field of `width` characters, and the unit.
+/// The numbers of a row beside others, each in a field of `width` characters, and the unit.
 #[cfg(feature = "window")]
-pub fn quantity(row: &Row, width: usize) -> String {
-    let (numbers, scale) = numbers(row);
+pub fn quantity(row: &Row, beside: &[Row], width: usize) -> String {
+    let (numbers, scale) = numbers(row, beside);
     match &numbers[..] {
         [x, y] => format!("({x:>width$}, {y:>width$}) {}", scale.unit()),
         numbers => format!(" {:>width$}  {:width$}  {}", numbers.concat(), "", scale.unit()),
@@ -105,7 +126,7 @@ pub fn quantity(row: &Row, width: usize) -> String {
 /// The width of the longest number in the rows, but at least `least`, characters.
 #[cfg(feature = "window")]
 pub fn number_width(rows: &[Row], least: usize) -> usize {
-    rows.iter().flat_map(|row| numbers(row).0).map(|number| number.chars().count()).fold(least, usize::max)
+    rows.iter().flat_map(|row| numbers(row, rows).0).map(|number| number.chars().count()).fold(least, usize::max)
 }
 
 #[cfg(test)]
@@ -157,8 +178,19 @@ mod tests {
             (row(Value::Scalar(100.0), "kg"), "    100          kg"),
         ];
         for (row, text) in &texts {
-            assert_eq!(quantity(row, 6).trim_end(), *text);
+            assert_eq!(quantity(row, &[], 6).trim_end(), *text);
         }
-        assert_eq!(number_width(&texts.map(|(row, _)| row), 3), 5);
+        let all = texts.map(|(row, _)| row);
+        assert_eq!(number_width(&all[..1], 3), 5);
+    }
+
+    #[cfg(feature = "window")]
+    #[test]
+    fn forces_beside_each_other_share_a_unit_so_that_they_add_up() {
+        use crate::physics::DVec2;
+        let row = |x: f64, unit| Row::plain("", Value::Vector(DVec2::new(x, 0.0)), unit);
+        let rows = [row(1520.0, "N"), row(20.0, "N"), row(-0.004, "N"), row(0.05, "m/s"), row(0.0, "N")];
+        let texts = rows.each_ref().map(|row| quantity(row, &rows, 0));
+        assert_eq!(texts, ["(1.52, 0) kN", "(0.0200, 0) kN", "(0.0000, 0) kN", "(50.0, 0) mm/s", "(0, 0) kN"]);
     }
 }

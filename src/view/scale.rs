@@ -1,5 +1,6 @@
 //! How long arrows are drawn: a round number of newtons a square that suits whom the details tell of, so that the longest arrow fits. It
-//! changes at once when an arrow would no longer fit, and back only after a while: arrows that breathe cannot be compared.
+//! changes at once when an arrow would no longer fit or the view is zoomed, and back only after a while: arrows that breathe cannot be
+//! compared.
 
 use super::focus::Focus;
 use super::quantity::round_up;
@@ -14,6 +15,8 @@ const USUAL_LEAST: f64 = 60.0;
 const LEAST_ROOM: f32 = 120.0;
 /// N/kg. What the weight of a body is taken for where there is no gravity.
 const STANDARD: f64 = 9.81;
+/// By what factor the view is zoomed before arrows get another scale at once.
+const ZOOMED: f64 = 1.25;
 /// For how long longer arrows must have fitted before they are drawn longer, s of the game.
 const PATIENCE: f64 = 2.0;
 
@@ -34,7 +37,8 @@ pub type Reach = (f64, f32);
 pub struct Steady {
     newtons: Step,
     newton_seconds: Step,
-    asked: Option<Focus>,
+    /// For which focus, and for how many canvas units a metre, it was begun.
+    asked: Option<(Focus, f64)>,
 }
 
 impl Steady {
@@ -46,9 +50,10 @@ impl Steady {
         metre: f64,
         [forces, impulses]: [&[Reach]; 2],
     ) -> Scale {
-        // Whoever asks for other arrows gets them at once.
-        if self.asked != Some(*focus) {
-            *self = Self { asked: Some(*focus), ..Self::default() };
+        // Who asks for other arrows or another view gets them at once.
+        let as_asked = |(asked, at): (Focus, f64)| asked == *focus && (at / ZOOMED..=at * ZOOMED).contains(&metre);
+        if !self.asked.is_some_and(as_asked) {
+            *self = Self { asked: Some((*focus, metre)), ..Self::default() };
         }
         let patience = (PATIENCE * game.tick_rate()) as u64;
         let wanted = |usual: f64, reaches: &[Reach]| {
@@ -64,17 +69,30 @@ impl Steady {
     }
 }
 
-/// The force and the impulse that are usual, N and N·s: for those who are followed; where nobody is, for the ship or, where that is not shown
-/// either, for the heaviest who is.
+/// The force and the impulse that are usual, N and N·s: for the bodies that are followed; where none is, for a ship that plays a part or,
+/// where it is out of view, for the heaviest body in view. A body without weight feels nothing usual: what it feels now counts.
 fn usual(game: &Game, focus: &Focus, shown: &[BodyId]) -> [f64; 2] {
     let level = game.level();
     let gravity = if level.gravity == 0.0 { STANDARD } else { level.gravity.abs() };
     let one = |id: &BodyId| {
-        let mass = game.world().body(*id).mass;
-        let force = if *id == SHIP { (mass * level.gravity.abs()).max(0.5 * level.player.thrust) } else { mass * gravity };
+        let body = game.world().body(*id);
+        let mass = body.mass;
+        let largest = || game.world().forces(*id).forces().iter().map(|force| force.vector.length()).fold(0.0, f64::max);
+        let force = match *id {
+            SHIP => (mass * level.gravity.abs()).max(0.5 * level.player.thrust),
+            _ if body.weightless && largest() > 0.0 => largest(),
+            _ => mass * gravity,
+        };
         [force, mass * DAMAGING_SPEED]
     };
-    let whose = if focus.followed().is_none() && shown.contains(&SHIP) { &[SHIP] } else { shown };
+    let picked: Vec<BodyId> = focus.followed().into_iter().chain(focus.compared()).filter(|id| shown.contains(id)).collect();
+    let whose = if !picked.is_empty() {
+        &picked
+    } else if shown.contains(&SHIP) {
+        &[SHIP][..]
+    } else {
+        shown
+    };
     let [force, impulse] = whose.iter().map(one).fold([0.0_f64; 2], |most, one| [most[0].max(one[0]), most[1].max(one[1])]);
     // Nobody is shown: any scale will do.
     if whose.is_empty() { [1.0; 2] } else { [force, impulse] }

@@ -1,6 +1,6 @@
 //! The instruments beside a flight: the rail, and whose clicks are whose.
 
-use crate::sitting::Sitting;
+use crate::sitting::{Sitting, says};
 use resultant::physics::DVec2;
 use resultant::screens::{Input, Instrument, Key};
 use resultant::view::layout::Vec2;
@@ -46,18 +46,18 @@ fn measuring(tools: &[Instrument]) -> Sitting {
         assert!(sitting.flight().instruments().uses(*tool));
     }
     if !sitting.flight().observer().frozen() {
-        sitting.press(Key::F);
+        sitting.press(Key::B);
     }
     sitting
 }
 
 /// The world goes on for so many frames, and stops again.
 fn fly_for(sitting: &mut Sitting, frames: u32) {
-    sitting.press(Key::F);
+    sitting.press(Key::B);
     for _ in 0..frames {
         sitting.rest();
     }
-    sitting.press(Key::F).rest();
+    sitting.press(Key::B).rest();
 }
 
 fn ticks(sitting: &Sitting) -> u64 {
@@ -152,12 +152,22 @@ fn the_table_obeys_the_law_of_work_and_energy_as_it_is_written() {
     let (start, ship) =
         (sitting.flight().history().start().world().bodies()[0].position, sitting.flight().game().world().bodies()[0].clone());
     let fallen = ship.position.y - start.y;
-    let joules = |joules: f64| vec![resultant::view::quantity::scalar(joules, "J")];
-    assert_eq!(text(&sitting, "Weight"), joules(1000.0 * fallen));
-    assert_eq!(text(&sitting, "Kinetic energy"), joules(1000.0 * fallen));
-    assert_eq!(text(&sitting, "= kinetic gained"), joules(1000.0 * fallen));
-    assert_eq!(text(&sitting, "Potential energy"), joules(1000.0 * (100.0 - ship.position.y)));
-    assert_eq!(text(&sitting, "Momentum y"), [resultant::view::quantity::scalar(-100.0 * ship.velocity.y, "N·s")], "y counts up");
+    let told = |sitting: &Sitting, name: &str, value: f64, unit: &str| {
+        let [written] = &text(sitting, name)[..] else { panic!("{name}: one column") };
+        assert!(says(written, value, unit), "{name}: {written} for {value} {unit}");
+        written.split_once(' ').unwrap().1.to_owned()
+    };
+    told(&sitting, "Weight", 1000.0 * fallen, "J");
+    told(&sitting, "= kinetic gained", 1000.0 * fallen, "J");
+    let units = [
+        ("Kinetic energy", 1000.0 * fallen),
+        ("Potential energy", 1000.0 * (100.0 - ship.position.y)),
+        ("Sum of both", 1000.0 * (100.0 - start.y)),
+    ]
+    .map(|(name, joules)| told(&sitting, name, joules, "J"));
+    assert!(units.iter().all(|unit| *unit == units[0]), "what adds up has one unit: {units:?}");
+    // y counts up.
+    told(&sitting, "Momentum y", -100.0 * ship.velocity.y, "N·s");
     assert_eq!(sitting.flight().instruments().measures().table().columns, ["Ship"], "alone it is all");
     // From now on.
     let button = |sitting: &mut Sitting, button: usize| {
@@ -168,9 +178,9 @@ fn the_table_obeys_the_law_of_work_and_energy_as_it_is_written() {
     assert_eq!(text(&sitting, "= kinetic gained"), ["0 J"]);
     sitting.press(Key::Comma);
     let back = ship.position.y - sitting.flight().game().world().bodies()[0].position.y;
-    assert_eq!(text(&sitting, "Weight"), joules(-1000.0 * back), "a tick before then");
+    told(&sitting, "Weight", -1000.0 * back, "J");
     button(&mut sitting, 1);
-    assert_eq!(text(&sitting, "Weight"), joules(1000.0 * (fallen - back)));
+    told(&sitting, "Weight", 1000.0 * (fallen - back), "J");
 }
 
 #[test]
@@ -204,6 +214,6 @@ fn a_panel_is_dragged_out_of_the_way_and_stays_in_the_window() {
     drag(&mut sitting, Vec2::new(5000.0, -5000.0));
     let frame = Input::default().frame;
     assert!(area(&sitting).min.y >= 0.0 && area(&sitting).max().x <= frame.size.x);
-    sitting.press(Key::R).press(Key::F).rest();
+    sitting.press(Key::R).press(Key::B).rest();
     assert!(area(&sitting).min.x > docked.min.x, "it stays there when the level begins anew");
 }

@@ -92,14 +92,40 @@ fn taken_along(sitting: &mut Sitting) -> Vec<Vec<f64>> {
     columns(&written(sitting), &["tick", "t (s)", "Ball 1 v_y (m/s)"])
 }
 
+/// An experiment opens on what moves first, with its details and everything in view; N passes over the ship, which plays no part; and pause
+/// leads back to the list.
+#[test]
+fn an_experiment_opens_on_what_moves_and_leads_back_to_the_list() {
+    let mut sitting = free_fall();
+    let followed = |sitting: &Sitting| sitting.flight().observer().focus().followed().map(|body| body.0);
+    let flight = sitting.flight();
+    assert!(flight.details() && flight.observer().focus().fits() && !flight.game().level().ship_plays());
+    let picked: Vec<Option<u32>> = (0..5)
+        .map(|_| {
+            let now = followed(&sitting);
+            sitting.press(Key::N);
+            now
+        })
+        .collect();
+    assert_eq!(picked, [Some(1), Some(2), Some(3), None, Some(1)]);
+    sitting.press(Key::R);
+    assert!(sitting.flight().details() && sitting.flight().observer().focus().fits(), "also from its beginning again");
+    sitting.press(Key::Escape);
+    assert_eq!((sitting.at(), sitting.flight().pause_labels()[3]), ("pause", "Back to experiments"));
+    sitting.click(3);
+    let Screen::Lab(lab) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+    assert_eq!(lab.page(), Page::Experiments);
+    assert_eq!(lab.experiments().chosen().map(|chosen| chosen.folder.as_str()), Some("free-fall"));
+}
+
 /// Freeze, step, select, plot, vary the mass, take it along: a ball fifty times as heavy falls as the one before.
 #[test]
 fn with_another_mass_the_slope_in_the_file_is_still_g() {
     let mut sitting = free_fall();
-    sitting.wait(0.5).press(Key::F).press_all(&[Key::Period; 20]);
+    sitting.wait(0.5).press(Key::B).press_all(&[Key::Period; 20]);
     let now = sitting.flight().game().ticks();
     open_plot(&mut sitting);
-    sitting.press_all(&[Key::N, Key::N]).wait(0.1);
+    sitting.wait(0.1);
     let light = taken_along(&mut sitting);
     let rail = sitting.flight().instruments().areas(&sitting.frame);
     sitting.click_at(rail[Instrument::Vary as usize].centre());
@@ -121,15 +147,17 @@ fn with_another_mass_the_slope_in_the_file_is_still_g() {
 fn a_played_lesson_ends_with_g_in_a_file() {
     let mut sitting = free_fall();
     // Stop time in the fall, and take it on by single ticks.
-    sitting.wait(0.5).press(Key::F).press_all(&[Key::Period; 20]);
+    sitting.wait(0.5).press(Key::B).press_all(&[Key::Period; 20]);
     let now = sitting.flight().game().ticks();
     assert!(now > 70);
     open_plot(&mut sitting);
-    // The masses are those of the three balls; the ship comes first.
-    sitting.press(Key::N);
+    // The masses are those of the three balls; the first one is followed from the start.
     let mut slopes = Vec::new();
     for ball in 1..=3 {
-        sitting.press(Key::N).wait(0.1);
+        if ball > 1 {
+            sitting.press(Key::N);
+        }
+        sitting.wait(0.1);
         let readings = sitting.flight().instruments().plot().readings();
         let name = format!("Ball {ball}");
         assert_eq!(

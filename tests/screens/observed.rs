@@ -3,7 +3,7 @@
 use crate::sitting::{Sitting, level};
 use resultant::game::TICK_RATE;
 use resultant::physics::BodyId;
-use resultant::screens::{Input, Key, OBSERVED_PACES, Screen};
+use resultant::screens::{Input, Key, OBSERVED_PACES};
 
 /// In a level with two crates, flying.
 fn flying() -> Sitting {
@@ -24,7 +24,7 @@ fn ticks(sitting: &Sitting) -> u64 {
 #[test]
 fn a_frozen_world_stands_and_goes_on_and_back_by_single_ticks_bit_for_bit() {
     let mut sitting = flying();
-    sitting.wait(0.5).press(Key::F);
+    sitting.wait(0.5).press(Key::B);
     let (frozen, hash) = (ticks(&sitting), sitting.flight().game().hash());
     assert!(frozen > 0 && sitting.flight().observer().frozen() && !sitting.flight().is_assisted());
     sitting.wait(1.0);
@@ -47,10 +47,10 @@ fn a_frozen_world_stands_and_goes_on_and_back_by_single_ticks_bit_for_bit() {
 #[test]
 fn who_goes_on_from_an_earlier_moment_has_not_flown_what_came_after() {
     let mut sitting = flying();
-    sitting.wait(0.5).press(Key::F).press_all(&[Key::Comma; 20]);
+    sitting.wait(0.5).press(Key::B).press_all(&[Key::Comma; 20]);
     let earlier = ticks(&sitting);
     assert_eq!(sitting.flight().history().ticks(), earlier + 20);
-    sitting.press(Key::F);
+    sitting.press(Key::B);
     let history = sitting.flight().history();
     assert!(history.ticks() < earlier + 20 && history.ticks() == ticks(&sitting));
     assert_eq!(history.at(history.ticks()).hash(), sitting.flight().game().hash());
@@ -69,7 +69,10 @@ fn time_is_slowed_down_to_a_hundredth_and_hurried_up_to_eight_times() {
     sitting.press_all(&[Key::LeftBracket; 20]);
     assert_eq!(sitting.flight().observer().pace(), 0.01);
     assert!(in_a_second(&mut sitting).abs_diff(1) <= 1);
-    assert!(sitting.flight().is_assisted() && sitting.flight().observer().words().is_some_and(|words| words.starts_with("1/100")));
+    assert!(
+        sitting.flight().is_assisted()
+            && sitting.flight().observer().words(0, TICK_RATE).is_some_and(|words| words.starts_with("1/100"))
+    );
     sitting.press_all(&[Key::RightBracket; 7]);
     assert_eq!(sitting.flight().observer().pace(), 2.0);
     assert!(in_a_second(&mut sitting).abs_diff(2 * TICK_RATE as u64) <= 2);
@@ -89,9 +92,52 @@ fn bodies_are_picked_out_by_key_and_by_click_while_the_details_are_open() {
     assert_eq!(focus(&sitting), (Some(BodyId(1)), Some(BodyId(2))));
     sitting.give(Input { click: true, ..Input::default() });
     assert_eq!(focus(&sitting), (None, None), "a click beside them tells of all again");
-    // A key to which the player has given work does that work.
-    let Screen::Flight(_) = sitting.app.screen() else { panic!("it flies") };
-    let length = |sitting: &Sitting| sitting.flight().observer().focus().length();
-    sitting.press_all(&[Key::Equal, Key::Equal]);
-    assert!((length(&sitting) - 2.0).abs() < 1e-12);
+    // Arrows grow by Ctrl and +, and the view stays as it is.
+    let (length, zoom) = (
+        |sitting: &Sitting| sitting.flight().observer().focus().length(),
+        |sitting: &Sitting| sitting.flight().observer().focus().zoom(),
+    );
+    for _ in 0..2 {
+        let held = [Key::Control, Key::Equal].into_iter().collect();
+        sitting.give(Input { pressed: [Key::Equal].into_iter().collect(), held, ..Input::default() });
+    }
+    assert!((length(&sitting) - 2.0).abs() < 1e-12 && zoom(&sitting) == 1.0);
+}
+
+/// In every flight, with or without details, + and − and the wheel zoom, Shift or not, for + is Shift and = on many keyboards; F fits the view to
+/// what moves, and follows again.
+#[test]
+fn the_view_is_zoomed_and_fitted_in_any_flight() {
+    let mut sitting = flying();
+    let view = |sitting: &Sitting| (sitting.flight().observer().focus().zoom(), sitting.flight().observer().focus().fits());
+    sitting.press_all(&[Key::Equal, Key::KpAdd]);
+    assert!((view(&sitting).0 - 2.0).abs() < 1e-12, "{:?}", view(&sitting));
+    let plus = Input {
+        pressed: [Key::Equal].into_iter().collect(),
+        held: [Key::Shift, Key::Equal].into_iter().collect(),
+        ..Input::default()
+    };
+    sitting.give(plus);
+    assert!((view(&sitting).0 - 8f64.sqrt()).abs() < 1e-12);
+    sitting.give(Input { wheel: -1.0, ..Input::default() }).give(Input { wheel: -1.0, ..Input::default() });
+    assert!((view(&sitting).0 - 2.0).abs() < 1e-12);
+    sitting.press_all(&[Key::Minus, Key::KpSubtract, Key::Minus]);
+    assert!((view(&sitting).0 - 0.5f64.sqrt()).abs() < 1e-12);
+    sitting.press(Key::F);
+    assert_eq!(view(&sitting), (1.0, true));
+    sitting.press(Key::Equal).press(Key::F);
+    assert_eq!(view(&sitting), (1.0, false), "F follows again, as close as usual");
+    assert!(!sitting.flight().is_assisted() && sitting.flight().observer().focus().length() == 1.0);
+}
+
+/// Over a panel the wheel is the panel's.
+#[test]
+fn the_wheel_over_the_rail_does_not_zoom() {
+    let mut sitting = flying();
+    sitting.press(Key::I);
+    let pointer = sitting.flight().instruments().areas(&sitting.frame)[0].centre();
+    sitting.give(Input { pointer, wheel: 1.0, ..Input::default() });
+    assert_eq!(sitting.flight().observer().focus().zoom(), 1.0);
+    sitting.give(Input { pointer: sitting.frame.size / 2.0, wheel: 1.0, ..Input::default() });
+    assert!(sitting.flight().observer().focus().zoom() > 1.0);
 }

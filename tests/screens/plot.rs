@@ -29,9 +29,9 @@ fn value(sitting: &Sitting, number: usize) -> Option<f64> {
 /// A fall that stands still after a second, with the plot of its first ball.
 fn falling() -> Sitting {
     let mut sitting = free_fall();
-    sitting.wait(1.0).press(Key::F);
+    sitting.wait(1.0).press(Key::B);
     open_plot(&mut sitting);
-    sitting.press_all(&[Key::N; 2]).wait(0.1);
+    sitting.wait(0.1);
     sitting
 }
 
@@ -59,14 +59,13 @@ fn a_click_in_the_plot_leads_to_its_moment_where_the_world_stands_still() {
     let mut sitting = free_fall();
     sitting.wait(0.5);
     open_plot(&mut sitting);
-    sitting.press_all(&[Key::N; 2]);
     let followed = sitting.flight().observer().focus().followed();
     assert_eq!(followed, Some(BodyId(1)), "objects are picked out for the plot");
     let at = |sitting: &Sitting, tick| plot(sitting).at(&sitting.frame, 0, tick).unwrap();
     let place = at(&sitting, 20);
     sitting.click_at(place);
     assert!(ticks(&sitting) > 60, "what runs goes on");
-    sitting.press(Key::F).wait(0.1);
+    sitting.press(Key::B).wait(0.1);
     let end = sitting.flight().history().ticks();
     for tick in [41, 3, end, 20] {
         let place = at(&sitting, tick);
@@ -78,7 +77,7 @@ fn a_click_in_the_plot_leads_to_its_moment_where_the_world_stands_still() {
     assert_eq!(sitting.flight().observer().focus().followed(), followed, "the clicks were the plot's");
     assert!(sitting.flight().is_assisted() && sitting.flight().history().ticks() == end);
     // From there it is flown anew, and that is the curve.
-    sitting.press(Key::F).wait(0.1).press(Key::F).wait(0.1);
+    sitting.press(Key::B).wait(0.1).press(Key::B).wait(0.1);
     let tick = ticks(&sitting);
     assert!(tick < end && sitting.flight().history().ticks() == tick);
     press_button(&mut sitting, "CSV");
@@ -89,7 +88,7 @@ fn a_click_in_the_plot_leads_to_its_moment_where_the_world_stands_still() {
 #[test]
 fn two_objects_are_compared_in_four_curves_and_no_more() {
     let mut sitting = free_fall();
-    sitting.wait(0.3).press(Key::F);
+    sitting.wait(0.3).press(Key::B);
     open_plot(&mut sitting);
     let pick = |sitting: &mut Sitting, body, shift: bool| {
         let held = if shift { [Key::Shift].into_iter().collect() } else { Default::default() };
@@ -102,7 +101,7 @@ fn two_objects_are_compared_in_four_curves_and_no_more() {
         });
         sitting.wait(0.1);
     };
-    pick(&mut sitting, 1, false);
+    // The first ball is followed from the start.
     pick(&mut sitting, 3, true);
     assert_eq!(names(&sitting), ["Ball 1 y", "Ball 1 v_y", "Ball 3 y", "Ball 3 v_y"]);
     assert_eq!((value(&sitting, 1), button(&sitting, "+ Curve")), (value(&sitting, 3), None), "all fall alike");

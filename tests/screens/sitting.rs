@@ -18,6 +18,20 @@ pub const PLAYER: &str = "x,y,mass,fuel,thrust\n400,300,100,500,3000\n";
 pub const HERE: &str = "PLAYER,380,280,40,40,0.001\n";
 pub const FAR_AWAY: &str = "PLAYER,10,10,20,20\n";
 
+/// Whether words such as "0.123 kJ" say that number of that unit, within half of their last digit.
+pub fn says(words: &str, value: f64, unit: &str) -> bool {
+    let (number, with_prefix) = words.split_once(' ').unwrap();
+    let one = match with_prefix.strip_suffix(unit) {
+        Some("k") => 1e3,
+        Some("") => 1.0,
+        Some("m") => 1e-3,
+        other => panic!("{words}: {other:?}"),
+    };
+    let decimals = number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let read: f64 = number.replace('−', "-").parse().unwrap();
+    (read * one - value).abs() <= 0.501 * one * 0.1f64.powi(decimals as i32)
+}
+
 impl Sitting {
     pub fn new() -> Self {
         Self::with(|_| {})

@@ -65,7 +65,7 @@ fn a_typed_number_is_flown_at_once_by_the_same_keys_beside_the_run_before() {
     for _ in 0..20 {
         sitting.give(Input { held: [Key::Space, Key::Right].into_iter().collect(), ..Input::default() });
     }
-    sitting.press(Key::F);
+    sitting.press(Key::B);
     let before = sitting.flight().game().clone();
     let tape = sitting.flight().history().tape();
     type_in(&mut sitting, Parameter::Gravity, "3.5");
@@ -90,13 +90,13 @@ fn a_typed_number_is_flown_at_once_by_the_same_keys_beside_the_run_before() {
         (flight.game().ticks(), flight.game_before().unwrap().ticks(), flight.before().unwrap().ticks()),
         (ticks, ticks, ticks)
     );
-    sitting.press(Key::F).wait(0.5);
+    sitting.press(Key::B).wait(0.5);
     let flight = sitting.flight();
     assert_eq!(flight.game_before().unwrap().ticks(), flight.game().ticks());
     assert_eq!(flight.game_before().unwrap().level().gravity, 15.0);
     // Who goes back and on from there leaves in the ghost's way what was flown beyond its end.
     let end = flight.game().ticks();
-    sitting.press(Key::F).press_all(&[Key::Comma; 10]).press(Key::F).wait(0.05);
+    sitting.press(Key::B).press_all(&[Key::Comma; 10]).press(Key::B).wait(0.05);
     assert!(sitting.flight().before().unwrap().ticks() < end);
     assert_eq!(sitting.flight().game_before().unwrap().ticks(), sitting.flight().game().ticks());
 }
@@ -108,7 +108,7 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
     sitting.click_at(number);
     assert_eq!(sitting.flight().instruments().vary().entry(), Some((VaryEntry::Number(Parameter::Mass(0)), "100".into())));
     let (fuel, angle) = (sitting.flight().game().ship().fuel, sitting.flight().game().ship().angle);
-    for key in [Key::Space, Key::Left, Key::F, Key::I, Key::Tab, Key::F3] {
+    for key in [Key::Space, Key::Left, Key::B, Key::I, Key::Tab, Key::F3] {
         sitting.press(key);
     }
     sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
@@ -159,7 +159,7 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
 #[test]
 fn a_slider_is_dragged_against_one_run_before_and_steps_are_fine() {
     let mut sitting = varying();
-    sitting.wait(0.5).press(Key::F);
+    sitting.wait(0.5).press(Key::B);
     let flown = sitting.flight().game().hash();
     let [slider, ..] = sitting.flight().instruments().vary().parts(Parameter::Gravity).unwrap();
     let at = |part: f32| Vec2::new(slider.min.x + slider.size.x * part, slider.centre().y);
@@ -208,21 +208,21 @@ fn of_an_object_that_is_followed_its_own_numbers_are_varied() {
 #[test]
 fn from_now_it_goes_on_where_it_is_and_start_velocities_wait_for_a_start() {
     let mut sitting = varying();
-    sitting.wait(0.5).press(Key::F);
+    sitting.wait(0.5).press(Key::B);
     button(&mut sitting, 1);
     assert_eq!(sitting.flight().instruments().vary().from(), VaryFrom::Now);
     let (place, ticks) = (ship(&sitting), sitting.flight().game().ticks());
     type_in(&mut sitting, Parameter::Gravity, "0");
     assert_eq!((ship(&sitting), sitting.flight().game().ticks(), value(&sitting, Parameter::Gravity)), (place, ticks, 0.0));
     let falls = sitting.flight().game().world().body(SHIP).velocity.y;
-    sitting.press(Key::F).wait(0.25);
+    sitting.press(Key::B).wait(0.25);
     let flight = sitting.flight();
     let now = flight.game().world().body(SHIP).velocity.y;
     assert!(now > 0.5 * falls && now <= falls, "without weight it only brakes: {falls}, {now}");
     assert!(flight.game_before().unwrap().world().body(SHIP).velocity.y > falls, "the run before falls on");
     assert_eq!(flight.game_before().unwrap().ticks(), flight.game().ticks());
     // It can be gone back over the change.
-    sitting.press(Key::F);
+    sitting.press(Key::B);
     let back = (sitting.flight().game().ticks() - ticks) as usize + 5;
     sitting.press_all(&vec![Key::Comma; back]);
     assert_eq!((sitting.flight().game().ticks(), value(&sitting, Parameter::Gravity)), (ticks - 5, 15.0));
@@ -378,7 +378,7 @@ fn a_run_that_ends_early_keeps_the_moment_for_the_next_change() {
         fs::write(root.join("levels/2/constants.csv"), "width,800\nheight,600\noptimal_time,10\ngravity,1\n").unwrap();
     });
     open(sitting.fly(1));
-    sitting.wait(1.5).press(Key::F);
+    sitting.wait(1.5).press(Key::B);
     let ticks = sitting.flight().game().ticks();
     type_in(&mut sitting, Parameter::Gravity, "50");
     assert_eq!(sitting.flight().game().outcome(), Outcome::Failed);
@@ -392,7 +392,7 @@ fn a_long_flight_is_flown_again_over_several_frames() {
     let mut sitting = varying();
     sitting.give(Input { pressed: [Key::RightBracket].into_iter().collect(), ..Input::default() });
     sitting.press_all(&[Key::RightBracket; 3]);
-    sitting.wait(40.0).press(Key::F);
+    sitting.wait(40.0).press(Key::B);
     let ticks = sitting.flight().game().ticks();
     assert!(ticks > 2000, "{ticks}");
     type_in(&mut sitting, Parameter::Gravity, "3");

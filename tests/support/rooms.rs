@@ -18,6 +18,7 @@ pub fn room() -> Level {
         optimal_time: 60.0,
         rest_speed: 1.0,
         friction: 1.0,
+        experiment: false,
         awards: Awards::default(),
         player: Player {
             position: DVec2::splat(50.0),

@@ -254,7 +254,7 @@ pub fn unit(column: &str) -> &'static str {
         "field_x" | "field_y" | "gravity" | "gravity_x" => "N/kg",
         "density" | "air_density" => "kg/m³",
         "viscosity" => "Pa·s",
-        "restitution" => "0–1",
+        "restitution" | "experiment" => "0–1",
         "r" | "g" | "b" => "0–255",
         "metre" => "px/m",
         "mark_fuel" => "%",
@@ -278,7 +278,7 @@ pub fn choices(column: &str) -> &'static [&'static str] {
 }
 
 /// The settings that constants.csv can hold, with what holds where it says nothing.
-pub const SETTINGS: [(&str, &str); 16] = [
+pub const SETTINGS: [(&str, &str); 17] = [
     ("title", "the name"),
     ("width", ""),
     ("height", ""),
@@ -289,6 +289,7 @@ pub const SETTINGS: [(&str, &str); 16] = [
     ("metre", "30"),
     ("rest_speed", "0"),
     ("friction", "1"),
+    ("experiment", "0"),
     ("silver", ""),
     ("gold", ""),
     ("mark_hits", ""),

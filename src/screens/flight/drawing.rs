@@ -1,28 +1,44 @@
 //! Draws what a flight tells above the game: how its time goes, what became of the level's files, the pause panel.
 
-use super::{Flight, News, PAUSE_LABELS, PAUSE_TOP};
+use super::{Flight, News, PAUSE_TOP};
 use crate::game::Outcome;
 use crate::view::canvas::{Canvas, Style};
-use crate::view::layout::{Area, DETAILS, HEADING, HudLayout, MONO_ADVANCE, PADDING, TEXT, Vec2, WIDE_BUTTON, wrapped};
+use crate::view::layout::{
+    Area, DETAILS, Frame, GRID, HEADING, HudLayout, MONO_ADVANCE, PADDING, TEXT, Vec2, WIDE_BUTTON, text_room, wrapped,
+};
 use crate::view::{theme, widgets};
 
 /// From the canvas' foot to what is told above the fuel bar.
 const ABOVE_FUEL: f32 = 52.0;
 
 impl Flight {
-    /// How the time goes, where it does not go as it does, and what leads on where it has ended and stays: above the fuel bar.
-    fn draw_time(&self, canvas: &Canvas) {
+    /// How the time goes, where it does not go as it does, and what leads on where it has ended and stays: at the flight's foot.
+    fn time_note(&self, frame: &Frame) -> Option<(String, Area)> {
         let kept = self.game.outcome() != Outcome::Running && self.instruments.stays() && !self.observer.frozen();
         let ended = kept.then(|| "The flight has ended: Enter leads on".to_owned());
-        let Some(words) = ended.or_else(|| self.observer.words()) else { return };
-        let style = Style::new(TEXT, theme::accent()).middle().centred();
-        let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
-        // A test flight has its words there.
-        let above = if self.test { 1.5 * ABOVE_FUEL } else { ABOVE_FUEL };
-        let foot = self.instruments.room(canvas.frame()).size.y;
-        let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, foot - above - size.y), size };
-        widgets::panel(canvas, area);
-        canvas.text(&words, area.centre(), style);
+        let words = ended.or_else(|| self.observer.words(self.game.ticks(), self.game.tick_rate()))?;
+        let size = text_room(&words, frame.text_height(TEXT)) + Vec2::new(2.0 * PADDING, PADDING);
+        let above = match (self.test, self.game.level().ship_plays()) {
+            // A test flight has its words there.
+            (true, _) => 1.5 * ABOVE_FUEL,
+            (false, true) => ABOVE_FUEL,
+            (false, false) => GRID,
+        };
+        let foot = self.instruments.room(frame).size.y;
+        Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, foot - above - size.y), size }))
+    }
+
+    /// Everything that covers the flight, besides the head-up display.
+    pub fn panels(&self, frame: &Frame) -> Vec<Area> {
+        let note = self.time_note(frame).map(|(_, area)| area);
+        self.instruments.areas(frame).into_iter().chain(note).collect()
+    }
+
+    fn draw_time(&self, canvas: &Canvas) {
+        if let Some((words, area)) = self.time_note(canvas.frame()) {
+            widgets::panel(canvas, area);
+            canvas.text(&words, area.centre(), Style::new(TEXT, theme::accent()).middle().centred());
+        }
     }
 
     /// What the attempt before was lost to, and the key that shows more of it: below the row of the timer, away from where ships start.
@@ -66,8 +82,9 @@ impl Flight {
         let panel = Area::new(middle.x - width / 2.0, top, width, bottom - top);
         widgets::panel(canvas, panel);
         widgets::heading(canvas, "Paused", panel.min.y + PADDING + HEADING * 0.8);
+        let labels = self.pause_labels();
         for (i, area) in pause.areas().iter().enumerate() {
-            widgets::button(canvas, *area, PAUSE_LABELS[i], pause.hover() == Some(i), pause.focus() == i);
+            widgets::button(canvas, *area, labels[i], pause.hover() == Some(i), pause.focus() == i);
         }
     }
 }

@@ -13,7 +13,9 @@ use super::race::{Race, Rival};
 use super::{Buttons, Input, Key, Purpose, Request, SettingsPanel};
 use crate::game::{Clock, Controls, Game, GameError, History, Inputs, Latch, Outcome, Playback, Replay, RunResult, level_hash};
 use crate::level::Level;
+use crate::physics::{BodyId, DVec2};
 use crate::settings::{Action, Settings};
+use crate::view::focus::Focus;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -23,8 +25,9 @@ use what_if::WhatIf;
 const END_PAUSE: f64 = 1.2;
 /// From the loss of the ship to the next attempt, s: long enough to see it burst, and short enough that the level flies within half a second.
 const LOSS_PAUSE: f64 = 0.35;
-/// The words on the pause panel's buttons, from top to bottom.
+/// The words on the pause panel's buttons, from top to bottom; in an experiment the fourth leads elsewhere.
 pub const PAUSE_LABELS: [&str; 6] = ["Resume", "Restart", "Settings", "Level Select", "Main Menu", "Edit Level"];
+const BACK_TO_EXPERIMENTS: &str = "Back to experiments";
 
 /// From the middle of the window up to the first of them.
 const PAUSE_TOP: f32 = 152.0;
@@ -144,6 +147,11 @@ impl Flight {
     pub fn new(attempt: Attempt, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
         let game = Game::new(attempt.level.clone())?;
         spectator.begins(&game);
+        let mut observer = Observer::default();
+        let experiment = !game.level().ship_plays();
+        if experiment {
+            observer.look_at(Focus::fitted_on(first_mover(&game)));
+        }
         Ok(Self {
             history: History::new(&game),
             race: Race::new(&attempt.level, &attempt.rivals)?,
@@ -155,9 +163,9 @@ impl Flight {
             settings_problems: Vec::new(),
             assisted: false,
             ended: 0.0,
-            details: false,
+            details: experiment,
             hitboxes: false,
-            observer: Observer::default(),
+            observer,
             instruments: Instruments::default(),
             what_if: None,
             ahead: what_if::AT_FIRST,
@@ -235,7 +243,7 @@ impl Flight {
             return None;
         }
         let looked_at = self.details || self.instruments.is_open();
-        match self.observer.update(input, self.game.world().bodies().len(), looked_at) {
+        match self.observer.update(input, &self.game, looked_at) {
             0 => {}
             ticks => self.step(ticks, input, spectator),
         }
@@ -392,9 +400,13 @@ impl Flight {
         self.pause.as_ref()
     }
 
-    /// Shows the forces from the start.
-    pub(super) fn open_details(&mut self) {
-        self.details = true;
+    /// What stands on them.
+    pub fn pause_labels(&self) -> [&'static str; 6] {
+        let mut labels = PAUSE_LABELS;
+        if self.attempt.level.experiment {
+            labels[3] = BACK_TO_EXPERIMENTS;
+        }
+        labels
     }
 
     /// Whether forces are shown.
@@ -447,6 +459,7 @@ impl Flight {
             0 => self.pause = None,
             1 => return Some(Request::Restart),
             2 => self.settings = Some(Box::new(SettingsPanel::new(input.settings, self.settings_problems.clone()))),
+            3 if self.attempt.level.experiment => return Some(Request::Experiments(self.attempt.level.name.clone())),
             3 => return Some(Request::LevelSelect(Purpose::Play)),
             4 => return Some(Request::Menu),
             _ => return Some(Request::Edit(self.attempt.level.name.clone())),
@@ -572,6 +585,13 @@ impl Flight {
 /// Whether a key went down that steers.
 fn steers(input: &Input) -> bool {
     controls(|action| input.acts(action)) != Controls::default()
+}
+
+/// The first object that moves or is about to; else the first one.
+fn first_mover(game: &Game) -> BodyId {
+    let world = game.world();
+    let moves = |id: &BodyId| world.body(*id).velocity != DVec2::ZERO || world.forces(*id).resultant() != DVec2::ZERO;
+    (game.lead().0..world.bodies().len() as u32).map(BodyId).find(moves).unwrap_or(game.lead())
 }
 
 fn controls(is: impl Fn(Action) -> bool) -> Controls {

@@ -51,7 +51,9 @@ impl Instruments {
 
 /// A disc in quarters, as it is marked in books, and how fast it goes.
 fn draw_centre((game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) {
-    let (centre, velocity) = (centre_of_mass(game.world()), velocity_of_centre(game.world()));
+    // An idle ship is none of the system.
+    let bodies = &game.world().bodies()[game.lead().index()..];
+    let (centre, velocity) = (centre_of_mass(bodies), velocity_of_centre(bodies));
     // Drawn between the last two ticks, as all else is.
     let at = view.point(centre - velocity * ((1.0 - alpha) / game.tick_rate()));
     if !canvas.frame().area().contains(at) {

@@ -1,13 +1,13 @@
-//! The table of momentum, energy and work, for whoever is followed and compared, or the ship, and for all.
+//! The table of momentum, energy and work: of the object that is followed, of the one that it is compared with and of both; else of all.
 
 use super::Stage;
-use crate::game::{Game, History, SHIP, body_title};
+use crate::game::{Game, History, body_title};
 use crate::instruments::energy::State;
 use crate::instruments::ledger::{Account, Ledger, MOST_BODIES};
 use crate::instruments::stop_clock::seconds;
 use crate::physics::{BodyId, ForceKind, Impulse};
 use crate::view::focus::Focus;
-use crate::view::quantity::scalar;
+use crate::view::quantity::Scale;
 
 /// How many ticks are read in a frame at most, where the table is opened late in a flight.
 const AHEAD: u64 = 600;
@@ -63,10 +63,10 @@ pub struct Figures {
     table: Table,
 }
 
-/// Who has a column besides all: whoever is followed and compared, or the ship.
-pub fn told(focus: &Focus, bodies: usize) -> Vec<BodyId> {
-    let there = |body: &BodyId| body.index() < bodies;
-    let followed = focus.followed().filter(there).unwrap_or(SHIP);
+/// Who is told of: whoever is followed and compared, or who is looked at while nobody is.
+pub fn told(focus: &Focus, game: &Game) -> Vec<BodyId> {
+    let there = |body: &BodyId| body.index() < game.world().bodies().len();
+    let followed = focus.followed().filter(there).unwrap_or(game.lead());
     std::iter::once(followed).chain(focus.compared().filter(there)).collect()
 }
 
@@ -104,39 +104,46 @@ impl Figures {
 
     fn tabulate(&self, stage: &Stage) -> Table {
         let (game, bodies) = (stage.game, stage.game.world().bodies().len());
-        let mut groups: Vec<Vec<BodyId>> = told(stage.focus, bodies).into_iter().map(|id| vec![id]).collect();
+        let told = told(stage.focus, game);
+        let mut groups: Vec<Vec<BodyId>> = told.iter().map(|id| vec![*id]).collect();
         let mut columns: Vec<String> = groups.iter().map(|group| body_title(game.level(), group[0])).collect();
-        if bodies > groups.len() {
-            groups.push((0..bodies as u32).map(BodyId).collect());
+        // Two that are compared are a system of their own: others would mix in.
+        let all: Vec<BodyId> = (game.lead().0..bodies as u32).map(BodyId).collect();
+        if told.len() == 2 {
+            groups.push(told);
+            columns.push("Both".to_owned());
+        } else if stage.focus.followed().is_none() && all.len() > 1 {
+            groups.push(all);
             columns.push("All".to_owned());
         }
         let state = |group: &Vec<BodyId>| group.iter().map(|id| State::of(game, *id)).fold(State::default(), std::ops::Add::add);
         let states: Vec<State> = groups.iter().map(state).collect();
-        let line = |name: &str, subject, of: &dyn Fn(&State) -> f64, unit: &str| Line {
-            name: name.to_owned(),
+        let line = |name: &'static str, subject, of: &dyn Fn(&State) -> f64, unit| Number {
+            name,
             subject,
-            values: states.iter().map(|state| scalar(of(state), unit)).collect(),
+            values: states.iter().map(of).collect(),
+            unit,
         };
         let words = |words: String| Line { name: words, subject: Subject::Words, values: Vec::new() };
-        let mut lines = vec![
+        let states_of_all = vec![
             line("Momentum x", Subject::Quantity, &|state| state.momentum.x, "N·s"),
             line("Momentum y", Subject::Quantity, &|state| -state.momentum.y, "N·s"),
             line("Kinetic energy", Subject::Quantity, &|state| state.kinetic, "J"),
             line("Potential energy", Subject::Quantity, &|state| state.potential, "J"),
             line("Sum of both", Subject::Sum, &|state| state.kinetic + state.potential, "J"),
-            words(zero_level(game)),
         ];
-        if !self.is_read {
-            lines.push(words(if bodies > MOST_BODIES {
-                "Work: too many objects".to_owned()
-            } else {
-                "Work: reading …".to_owned()
-            }));
-            return Table { columns, lines };
-        }
-        lines.push(words(format!("Work from {} s on", self.from(stage.history, game))));
-        let works: Vec<Account> = groups.iter().map(|group| self.work(group)).collect();
-        lines.extend(work_lines(&works));
+        let (mut lines, mut numbers) = (written(states_of_all), Vec::new());
+        let heading = match (self.is_read, bodies > MOST_BODIES) {
+            (true, _) => {
+                let works: Vec<Account> = groups.iter().map(|group| self.work(group)).collect();
+                numbers.extend(work_lines(&works));
+                format!("Work from {} s on", self.from(stage.history, game))
+            }
+            (false, true) => "Work: too many objects".to_owned(),
+            (false, false) => "Work: reading …".to_owned(),
+        };
+        lines.extend([words(zero_level(game)), words(heading)]);
+        lines.extend(written(numbers));
         Table { columns, lines }
     }
 
@@ -146,20 +153,44 @@ impl Figures {
     }
 }
 
+/// A line before its numbers are written.
+struct Number {
+    name: &'static str,
+    subject: Subject,
+    values: Vec<f64>,
+    unit: &'static str,
+}
+
+/// Lines that add up, as they are written: each quantity in one unit.
+fn written(numbers: Vec<Number>) -> Vec<Line> {
+    let largest = |unit: &str| {
+        let values = numbers.iter().filter(|line| line.unit == unit).flat_map(|line| &line.values);
+        values.fold(0.0, |most: f64, value| most.max(value.abs()))
+    };
+    let scales: Vec<Scale> = numbers.iter().map(|line| Scale::of(largest(line.unit), line.unit)).collect();
+    let line = |(line, scale): (&Number, &Scale)| Line {
+        name: line.name.to_owned(),
+        subject: line.subject,
+        values: line.values.iter().map(|value| format!("{} {}", scale.finer(*value).number(*value), scale.unit())).collect(),
+    };
+    numbers.iter().zip(&scales).map(line).collect()
+}
+
 /// A line for each force that has done any work, for the impacts, and for the sum.
-fn work_lines(works: &[Account]) -> Vec<Line> {
+fn work_lines(works: &[Account]) -> Vec<Number> {
     let largest =
         works.iter().flat_map(|work| work.by_force.into_iter().chain([work.by_impacts])).fold(0.0, |a: f64, b| a.max(b.abs()));
     // What is less than rounding in the largest reads as nothing.
     let told = |work: f64| if work.abs() <= ROUNDING * largest { 0.0 } else { work };
-    let line = |name: &str, subject, of: &dyn Fn(&Account) -> f64| Line {
-        name: name.to_owned(),
+    let line = |name: &'static str, subject, of: &dyn Fn(&Account) -> f64| Number {
+        name,
         subject,
-        values: works.iter().map(|work| scalar(told(of(work)), "J")).collect(),
+        values: works.iter().map(|work| told(of(work))).collect(),
+        unit: "J",
     };
     let done = |of: &dyn Fn(&Account) -> f64| works.iter().any(|work| told(of(work)) != 0.0);
     let forces = ForceKind::ALL.into_iter().filter(|kind| done(&|work| work.by(*kind)));
-    let mut lines: Vec<Line> = forces.map(|kind| line(kind.name(), Subject::Force(kind), &|work| work.by(kind))).collect();
+    let mut lines: Vec<Number> = forces.map(|kind| line(kind.shown(), Subject::Force(kind), &|work| work.by(kind))).collect();
     if done(&|work| work.by_impacts) {
         lines.push(line(Impulse::NAME, Subject::Impact, &|work| work.by_impacts));
     }

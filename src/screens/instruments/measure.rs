@@ -6,6 +6,7 @@ use super::figures::{Figures, Table, told};
 use super::ruler::{Click, Ruler};
 use super::vectors::Scales;
 use super::{Stage, Tool};
+use crate::game::Game;
 use crate::instruments::stop_clock::{MOST_LAPS, StopClock};
 use crate::instruments::trail::Trail;
 use crate::physics::BodyId;
@@ -52,7 +53,7 @@ impl Measures {
         let (now, world) = (stage.game.ticks(), stage.game.world());
         if uses(Tool::Vectors) {
             let most = LONGEST * f64::from(input.frame.size.y) / stage.game.level().metre;
-            let bodies = told(stage.focus, world.bodies().len());
+            let bodies = told(stage.focus, stage.game);
             self.scales.update(input.frame_time, world, &bodies, (most, stage.focus.length()));
         }
         self.frame = input.frame;
@@ -74,7 +75,7 @@ impl Measures {
     pub fn read(&mut self, stage: &Stage, uses: impl Fn(Tool) -> bool) {
         self.focus = *stage.focus;
         if uses(Tool::Trails) {
-            self.trail.go(stage.history, stage.game.ticks(), AHEAD, &with_trails(&self.focus, stage.game.world().bodies().len()));
+            self.trail.go(stage.history, stage.game.ticks(), AHEAD, &with_trails(&self.focus, stage.game));
         }
         if uses(Tool::Figures) {
             self.figures.update(stage);
@@ -226,9 +227,9 @@ impl Measures {
 }
 
 /// Whose trails are drawn: of whoever is followed and compared, or of all.
-fn with_trails(focus: &Focus, bodies: usize) -> Vec<BodyId> {
+fn with_trails(focus: &Focus, game: &Game) -> Vec<BodyId> {
     match focus.followed() {
-        Some(_) => told(focus, bodies),
-        None => (0..bodies as u32).map(BodyId).collect(),
+        Some(_) => told(focus, game),
+        None => (0..game.world().bodies().len() as u32).map(BodyId).collect(),
     }
 }

@@ -107,7 +107,7 @@ impl Measures {
     /// What a metre stands for in arrows that begin at those bodies, so that all their tips are in the window if they can be.
     pub(super) fn fitting(&self, vector: Vector, (game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) -> f64 {
         let window = canvas.frame().area().inset(MARGIN);
-        let bodies = told(&self.focus, game.world().bodies().len());
+        let bodies = told(&self.focus, game);
         let mut a_metre = self.scales.a_metre(vector, self.focus.length());
         for _ in 0..SHORTENED {
             let inside = |id: &BodyId| {
@@ -128,7 +128,7 @@ impl Measures {
         let mut labels = Vec::new();
         for vector in Vector::ALL {
             let a_metre = self.fitting(vector, (game, alpha), view, canvas);
-            for id in told(&self.focus, game.world().bodies().len()) {
+            for id in told(&self.focus, game) {
                 let (centre, value) = (drawn(game, alpha, id), vector.of(game.world(), id));
                 let from = view.point(centre);
                 let to = view.point(centre + value / a_metre);
@@ -141,7 +141,7 @@ impl Measures {
             }
         }
         let mut taken: Vec<Area> =
-            self.areas().chain(self.rail.iter().copied()).chain(HudLayout::new(canvas.frame()).areas()).collect();
+            self.areas().chain(self.rail.iter().copied()).chain(HudLayout::shown(canvas.frame(), game)).collect();
         for (from, to, words, colour) in labels {
             let style = Style::new(DETAILS, colour).mono();
             let size = Vec2::new(canvas.width(&words, style) + GRID, canvas.line_height(DETAILS));

@@ -121,7 +121,9 @@ impl Instruments {
         let used = self.used;
         let covered = self.areas(&whole).iter().any(|area| area.contains(input.pointer));
         let mut rest = self.measures.update(&input, stage, (&places.rail, covered), |tool| used[tool as usize]);
-        rest.click &= !self.areas(&whole).iter().any(|area| area.contains(input.pointer));
+        if self.areas(&whole).iter().any(|area| area.contains(input.pointer)) {
+            (rest.click, rest.wheel) = (false, 0.0);
+        }
         Input { frame: whole, ..rest }
     }
 

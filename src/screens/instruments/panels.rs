@@ -28,7 +28,7 @@ impl Measures {
             [Tool::Vectors, Tool::StopClock, Tool::Figures].into_iter().filter_map(|tool| Some((tool, self.area(tool)?)))
         {
             let (game, alpha) = scene;
-            let over = told(&self.focus, game.world().bodies().len()).into_iter().chain([SHIP]).any(|id| {
+            let over = told(&self.focus, game).into_iter().chain([SHIP]).any(|id| {
                 let (centre, half) = (drawn(game, alpha, id), game.world().body(id).half);
                 let [min, max] = [centre - half, centre + half].map(|corner| view.point(corner));
                 max.cmpgt(area.min).all() && min.cmplt(area.max()).all()

@@ -43,7 +43,7 @@ impl BoxText {
         let width = number_width(&facts.rows, NUMBER_WIDTH);
         let line = |(row, told): (usize, &Row)| Line {
             label: told.label(),
-            value: quantity(told, width),
+            value: quantity(told, &facts.rows, width),
             shown: told.shown,
             nothing: told.value == Value::Vector(DVec2::ZERO),
             row,

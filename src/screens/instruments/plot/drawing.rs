@@ -30,7 +30,7 @@ const PALE: f32 = 0.45;
 const SHADE: f32 = 0.22;
 /// Said while there is nothing else to be said.
 const HINT: &str =
-    "While it stands still (F) a click leads to that moment. Shift and drag: an area. Wheel: zoom. N: whom to follow.";
+    "While it stands still (B) a click leads to that moment. Shift and drag: an area. Wheel: zoom. N: whom to follow.";
 
 /// Where numbers lie in a lane.
 #[derive(Clone, Copy)]

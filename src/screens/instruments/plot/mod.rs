@@ -12,12 +12,12 @@ mod readings;
 mod taken_along;
 
 use super::Stage;
-use crate::game::{History, SHIP, body_title};
+use crate::game::{History, body_title};
 use crate::instruments::chart::{Chart, Member, Window};
 use crate::instruments::curve::Curve;
 use crate::instruments::quantity::{Part, Quantity};
 use crate::instruments::track::Track;
-use crate::physics::BodyId;
+use crate::physics::{BodyId, DVec2};
 use crate::screens::ahead::Ahead;
 use crate::screens::{Buttons, Input, Keys, NewFile};
 use crate::view::layout::{Area, Frame, Vec2};
@@ -33,9 +33,13 @@ use std::path::PathBuf;
 const SHORTEST: f64 = 0.1;
 /// What is drawn of a flight that has just begun, s.
 const AT_LEAST: f64 = 1.0;
-/// What a further curve is of, the first of these that there is not yet.
-const NEXT: [Quantity; MOST_LINES] =
-    [Quantity::Y, Quantity::Velocity(Part::Y), Quantity::Acceleration(Part::Y), Quantity::Resultant(Part::Y)];
+/// An object that has come this far from its start has shown along which axis it moves, m.
+const MOVED: f64 = 0.05;
+/// What curves along an axis are of; a further one is of the first of these that there is not yet.
+const fn along(axis: Part) -> [Quantity; MOST_LINES] {
+    let place = if matches!(axis, Part::X) { Quantity::X } else { Quantity::Y };
+    [place, Quantity::Velocity(axis), Quantity::Acceleration(axis), Quantity::Resultant(axis)]
+}
 
 /// A curve that is wanted.
 #[derive(Clone, Debug)]
@@ -60,6 +64,9 @@ impl Line {
 pub struct Plot {
     lines: Vec<Line>,
     across: Quantity,
+    /// Along which axis the plot opens: that of the object's motion, until it is known or something is chosen.
+    axis: Part,
+    settled: bool,
     objects: [Object; 2],
     names: [Option<String>; 2],
     compared: bool,
@@ -90,8 +97,10 @@ impl Default for Plot {
     fn default() -> Self {
         let line = |up: &Quantity| Line::new(0, Quantity::Time, *up);
         Self {
-            lines: NEXT[..2].iter().map(line).collect(),
+            lines: along(Part::Y)[..2].iter().map(line).collect(),
             across: Quantity::Time,
+            axis: Part::Y,
+            settled: false,
             objects: Default::default(),
             names: Default::default(),
             compared: false,
@@ -205,7 +214,7 @@ impl Plot {
     fn read(&mut self, frame_time: f64, stage: &Stage) {
         let game = stage.game;
         let there = |body: &BodyId| body.index() < game.world().bodies().len();
-        let focus = [Some(stage.focus.followed().unwrap_or(SHIP)), stage.focus.compared()];
+        let focus = [Some(stage.focus.followed().unwrap_or(game.lead())), stage.focus.compared()];
         let most = self.ahead.ticks(frame_time);
         for ((object, name), focus) in self.objects.iter_mut().zip(&mut self.names).zip(focus) {
             let body = object.kept.or(focus).filter(there);
@@ -214,6 +223,7 @@ impl Plot {
         }
         (self.now, self.tick_rate) = (game.ticks(), game.tick_rate());
         self.level.clone_from(&game.level().name);
+        self.settle();
         let compared = self.names[1].is_some();
         if compared && !self.compared && 2 * self.lines.len() <= MOST_LINES && self.lines.iter().all(|line| line.whose == 0) {
             // Who is compared is so in what is plotted already.
@@ -226,6 +236,21 @@ impl Plot {
             self.waiting = None;
             self.make_file(format, game);
         }
+    }
+
+    /// Plots along the axis in which the object moves, or is about to, until it has moved.
+    fn settle(&mut self) {
+        let Some(track) = self.objects[0].track().filter(|_| !self.settled) else { return };
+        let (first, last) = (track.moment(0), track.moment(track.len() - 1));
+        let way = last.position - first.position;
+        self.settled = way.length() > MOVED;
+        let motion = if self.settled { [way; 3] } else { [last.velocity, last.acceleration, way] };
+        let Some(motion) = motion.into_iter().find(|motion| *motion != DVec2::ZERO) else { return };
+        let axis = if motion.x.abs() > motion.y.abs() { Part::X } else { Part::Y };
+        for (before, now) in along(self.axis).into_iter().zip(along(axis)) {
+            self.lines.iter_mut().filter(|line| line.up == before).for_each(|line| line.up = now);
+        }
+        self.axis = axis;
     }
 
     /// Lets the curves follow what has been read; anew where they are of another flight.

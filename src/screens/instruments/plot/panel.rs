@@ -3,7 +3,7 @@
 use super::choices::{self, choices};
 use super::object::Object;
 use super::places::{MOST_LINES, PlotPlaces};
-use super::{Line, NEXT, Plot};
+use super::{Line, Plot, along};
 use crate::instruments::quantity::Quantity;
 use crate::instruments::track::Track;
 use crate::view::layout::Area;
@@ -114,10 +114,12 @@ impl Plot {
 
     pub(super) fn act(&mut self, action: Action) {
         let pick = self.pick.take();
+        // Whoever has chosen something keeps it.
+        self.settled |= matches!(action, Action::Add | Action::Choose(_) | Action::Remove(_));
         match action {
             Action::Add => {
                 let new = |up: &Quantity| self.lines.iter().all(|line| line.up != *up);
-                let up = NEXT.into_iter().find(new).unwrap_or(Quantity::Kinetic);
+                let up = along(self.axis).into_iter().find(new).unwrap_or(Quantity::Kinetic);
                 self.lines.push(Line::new(0, self.across, up));
                 self.pick = Some(Pick::Line(self.lines.len() - 1));
             }

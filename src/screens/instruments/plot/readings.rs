@@ -23,7 +23,7 @@ impl Plot {
             let place = track.map(|track| track.place(self.now)).filter(|place| *place < line.now.len());
             let value = place.and_then(|place| line.now.point(place)).map(|(_, y)| y);
             let slope = track.zip(place).and_then(|(track, place)| line.now.slope(track, place));
-            let area = track.map(|track| self.stretch(track)).map(|(from, to)| line.now.area(from, to));
+            let area = track.map(|track| (track, self.stretch(track))).map(|(track, (from, to))| line.now.area(track, from, to));
             let unit = line.up.unit();
             Reading {
                 name: format!("{} {}", self.name(line.whose), line.up.symbol()),

@@ -1,0 +1,112 @@
+//! The sheets in `docs/lessons` as a test reads them: what each suggests to vary, and a level with that change.
+
+use resultant::level::{self, Files, Level};
+use std::collections::BTreeMap;
+use std::io;
+use std::path::{Path, PathBuf};
+
+fn project() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The text of an experiment's sheet.
+pub fn text(name: &str) -> String {
+    let path = project().join("docs/lessons").join(format!("{name}.md"));
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// A suggestion: what to change, and the rows of what comes of it, each with its answer.
+#[derive(Debug, Default)]
+pub struct Variation {
+    pub change: String,
+    pub rows: Vec<[String; 2]>,
+}
+
+/// All suggestions of a sheet: a table with a row a figure, where an empty first cell means the change above.
+pub fn variations(name: &str) -> Vec<Variation> {
+    let text = text(name);
+    let section = text.split("\n## ").find(|section| section.starts_with("Vary\n")).unwrap_or_else(|| panic!("{name}: no Vary"));
+    let table: Vec<&str> = section.lines().filter(|line| line.starts_with('|')).collect();
+    assert_eq!(table[..2], ["| change | what then | exact answer |", "|---|---|---|"], "{name}");
+    assert!(!section.lines().any(|line| line.starts_with("- ")), "{name}: a suggestion outside of the table");
+    let mut found: Vec<Variation> = Vec::new();
+    for row in &table[2..] {
+        let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
+        let [change, what, answer] = cells[..] else { panic!("{name}: {row}") };
+        if !change.is_empty() {
+            found.push(Variation { change: change.to_owned(), rows: Vec::new() });
+        }
+        let last = found.last_mut().unwrap_or_else(|| panic!("{name}: the first row has no change"));
+        last.rows.push([what.to_owned(), answer.to_owned()]);
+    }
+    found
+}
+
+/// A level's tables in memory.
+struct Tables(BTreeMap<String, String>);
+
+impl Files for Tables {
+    fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
+        self.0.get(name).map(|text| text.clone().into_bytes()).ok_or_else(|| io::ErrorKind::NotFound.into())
+    }
+
+    fn project_file(&self, _: &str) -> io::Result<Vec<u8>> {
+        Err(io::ErrorKind::NotFound.into())
+    }
+}
+
+/// An experiment with a sheet's change; without one where that is empty.
+pub fn level(name: &str, change: &str) -> Level {
+    let folder = project().join("experiments").join(name);
+    let files = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let read = |path: PathBuf| {
+        let file = path.file_name().unwrap().to_str().unwrap().to_owned();
+        (file, std::fs::read_to_string(&path).unwrap())
+    };
+    let mut tables = Tables(files.map(|entry| read(entry.unwrap().path())).collect());
+    for part in change.split("; ").filter(|part| !part.is_empty()) {
+        tables.edit(part).unwrap_or_else(|| panic!("{name}: {part:?} says no change of a table"));
+    }
+    let loaded = level::read(name, &tables).unwrap_or_else(|problems| panic!("{name}, {change}: {problems:?}"));
+    assert!(loaded.warnings.is_empty(), "{name}, {change}: {:?}", loaded.warnings);
+    loaded.level
+}
+
+impl Tables {
+    /// Makes a change that reads `COLUMN` VALUE (REMARK) in row N of `FILE`, … in every row of `FILE`, … in `constants.csv`, or
+    /// another row in `FILE`: `ROW`.
+    fn edit(&mut self, part: &str) -> Option<()> {
+        if let Some(added) = part.strip_prefix("another row in ") {
+            let (file, row) = added.split_once(": ")?;
+            let text = self.0.get_mut(file.trim_matches('`'))?;
+            text.push_str(&format!("{}\n", row.trim_matches('`')));
+            return Some(());
+        }
+        let (what, place) = part.rsplit_once(" in ")?;
+        let (column, value) = what.strip_prefix('`')?.split_once("` ")?;
+        let value = value.split_once(" (").map_or(value, |(value, _)| value);
+        let (row, file) = place.split_once(" of ").unwrap_or(("", place));
+        let text = self.0.get_mut(file.trim_matches('`'))?;
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        let mut rows = (0..lines.len()).filter(|i| !lines[*i].starts_with('#') && !lines[*i].is_empty());
+        let head: Vec<String> = lines[rows.next()?].split(',').map(str::to_owned).collect();
+        let rows: Vec<usize> = rows.collect();
+        if head == ["name", "value"] {
+            let there = rows.into_iter().find(|i| lines[*i].split(',').next() == Some(column));
+            lines[there?] = format!("{column},{value}");
+        } else {
+            let at = head.iter().position(|name| name == column)?;
+            let wanted = match row {
+                "every row" => rows,
+                row => vec![*rows.get(row.strip_prefix("row ")?.parse::<usize>().ok()?.checked_sub(1)?)?],
+            };
+            for i in wanted {
+                let mut cells: Vec<&str> = lines[i].split(',').collect();
+                *cells.get_mut(at)? = value;
+                lines[i] = cells.join(",");
+            }
+        }
+        *text = lines.join("\n") + "\n";
+        Some(())
+    }
+}
