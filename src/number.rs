@@ -1,4 +1,4 @@
-//! How results and exports print numbers.
+//! How results, exports and the screen print numbers.
 
 use crate::physics::DVec2;
 use serde::{Serialize, Serializer};
@@ -24,6 +24,16 @@ impl Serialize for Shortest {
     }
 }
 
+/// A number as players read it: so many decimals, a true minus sign, and no sign on one that rounds to zero.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    let plain = format!("{value:.decimals$}");
+    match plain.strip_prefix('-') {
+        Some(size) if size.bytes().all(|digit| digit == b'0' || digit == b'.') => size.to_owned(),
+        Some(size) => format!("−{size}"),
+        None => plain,
+    }
+}
+
 /// Two cells of a row: a vector's x and y.
 pub type Pair = (Shortest, Shortest);
 
@@ -34,9 +44,25 @@ pub const fn pair(vector: DVec2) -> Pair {
 
 #[cfg(test)]
 mod tests {
-    use super::Shortest;
+    use super::{Shortest, fixed};
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
+
+    #[test]
+    fn shown_numbers_have_a_true_minus_and_zero_has_no_sign() {
+        for (value, decimals, text) in [
+            (1500.0, 1, "1500.0"),
+            (-731.25, 1, "−731.2"),
+            (-0.04, 1, "0.0"),
+            (-0.0, 1, "0.0"),
+            (-0.06, 1, "−0.1"),
+            (-0.4, 0, "0"),
+            (-1.0, 0, "−1"),
+            (f64::NEG_INFINITY, 1, "−inf"),
+        ] {
+            assert_eq!(fixed(value, decimals), text);
+        }
+    }
 
     #[test]
     fn numbers_are_short() {

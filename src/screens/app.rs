@@ -249,7 +249,7 @@ impl App {
                 let folder = self.library.experiment(&name);
                 let mut screen = self.open_folder(&folder, spectator);
                 if let Screen::Flight(flight) = &mut screen {
-                    flight.open_details();
+                    flight.become_experiment();
                 }
                 screen
             }

@@ -105,6 +105,8 @@ pub struct Flight {
     ahead: u64,
     /// Whether it is flown to try out what is edited: nothing comes of it.
     test: bool,
+    /// Whether it is an experiment, in which the ship plays no part.
+    experiment: bool,
     /// What became of the level's files since they were read, while that is shown.
     news: Option<News>,
 }
@@ -147,6 +149,7 @@ impl Flight {
             what_if: None,
             ahead: what_if::AT_FIRST,
             test: false,
+            experiment: false,
             news: None,
             attempt,
             game,
@@ -366,9 +369,14 @@ impl Flight {
         self.pause.as_ref()
     }
 
-    /// Shows the forces from the start.
-    pub(super) fn open_details(&mut self) {
-        self.details = true;
+    /// Makes it an experiment: it shows the forces from the start, and nothing of what a ship is flown by.
+    pub(super) fn become_experiment(&mut self) {
+        (self.details, self.experiment) = (true, true);
+    }
+
+    /// Whether it is an experiment, in which the ship plays no part.
+    pub const fn is_experiment(&self) -> bool {
+        self.experiment
     }
 
     /// Whether forces are shown.
@@ -466,6 +474,7 @@ impl Flight {
             observer: self.observer,
             instruments: std::mem::take(&mut self.instruments).of_another_flight(),
             test: self.test,
+            experiment: self.experiment,
             settings_problems: std::mem::take(&mut self.settings_problems),
             ..fresh
         };

@@ -107,6 +107,11 @@ impl Terrain {
         self.draw_edges(view);
     }
 
+    /// The rectangles of solid ground that overlap a box, none over another.
+    pub fn pieces(&self, within: &Aabb) -> impl Iterator<Item = Aabb> {
+        self.mass.pieces().map(|(bounds, _)| bounds).filter(move |bounds| bounds.overlaps(within, 0.0))
+    }
+
     /// Draws the light of the lamp of that index in the order in which they were given.
     pub fn draw_lamp(&self, index: usize, colour: Color, view: &Viewport) {
         if let Some(lit) = self.lit.get(index) {
