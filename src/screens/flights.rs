@@ -20,6 +20,8 @@ const WIDTH: f32 = 880.0;
 const HEAD: f32 = 48.0;
 const TOP: f32 = 120.0;
 const FOOT: f32 = 44.0;
+/// From a row's ends to the panel's sides: room for the scroll bar, on both sides, so that rows stand in the middle.
+const ROW_INSET: f32 = 24.0;
 /// Width of a row's end where it is chosen for a race.
 const BOX: f32 = 120.0;
 /// The words on its buttons.
@@ -158,7 +160,7 @@ impl Flights {
     /// Where a row in view is, counted from the first in view.
     pub fn row(&self, line: usize) -> Area {
         let top = self.panel.min.y + HEAD + line as f32 * ROW;
-        Area::new(self.panel.min.x + 16.0, top + 2.0, WIDTH - 56.0, ROW - 4.0)
+        Area::new(self.panel.min.x + ROW_INSET, top + 2.0, WIDTH - 2.0 * ROW_INSET, ROW - 4.0)
     }
 
     /// Chooses and marks flights by keys and pointer.

@@ -12,6 +12,8 @@ pub const PAGE: usize = 7;
 const ROW: Vec2 = Vec2::new(560.0, 48.0);
 /// From a row to the next.
 const PITCH: f32 = ROW.y + 8.0;
+/// Room for the scroll bar, on both sides, so that rows stand in the middle.
+const BAR: f32 = 24.0;
 /// From the canvas' top to the list, in a window of the design's height.
 const TOP: f32 = 144.0;
 
@@ -138,14 +140,14 @@ impl Players {
         let list = list(frame);
         self.scroll.place(self.candidates.len(), PAGE, bar_beside(list, list.min.y + PADDING, list.max().y - PADDING));
         let rows = (0..self.scroll.range().len())
-            .map(|row| Area { min: list.min + PADDING + Vec2::new(0.0, row as f32 * PITCH), size: ROW });
+            .map(|row| Area { min: list.min + Vec2::new(PADDING + BAR, PADDING + row as f32 * PITCH), size: ROW });
         self.buttons.place(rows.chain(frame.row(2, list.max().y + 2.0 * GAP)).collect());
     }
 }
 
 /// The panel with the list.
 fn list(frame: &Frame) -> Area {
-    let size = Vec2::new(ROW.x + 2.0 * PADDING + 24.0, PAGE as f32 * PITCH - 8.0 + 2.0 * PADDING);
+    let size = Vec2::new(ROW.x + 2.0 * (PADDING + BAR), PAGE as f32 * PITCH - 8.0 + 2.0 * PADDING);
     let top = TOP + (frame.size.y - 720.0) / 2.0;
     debug_assert!(top + size.y + 2.0 * GAP + ROW_BUTTON.y <= frame.size.y);
     Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }

@@ -75,7 +75,8 @@ impl Hud {
     pub fn update(&mut self, scene: &Scene, frame_time: f64) {
         let Scene { game, view, frame, .. } = *scene;
         let (ship, others) = kept_free(scene);
-        self.aside.update(scene.shown, ship, &others, frame, frame_time);
+        let speed = view.length(game.world().body(SHIP).velocity.length());
+        self.aside.update(scene.shown, (ship, speed), &others, frame, frame_time);
         self.stranded = (scene.shown.fuel && game.is_stranded()).then(|| stranded(scene, ship, &others));
         self.pointers.clear();
         if scene.shown.status {
@@ -86,7 +87,8 @@ impl Hud {
                 let height = frame.text_height(super::layout::nearest_size(view.length(text.size)));
                 Area { min: view.point(text.position), size: text_room(&text.text, height) }
             });
-            let clear: Vec<Area> = others.into_iter().chain(words).filter(|area| area.gap(&frame.area()) < 0.0).collect();
+            let objects = (1..scene.centres.len()).map(|index| on_canvas(&body(scene, index), view));
+            let clear: Vec<Area> = others.into_iter().chain(words).chain(objects).filter(|area| area.gap(&frame.area()) < 0.0).collect();
             self.pointers = pointers::place(game, scene.centres, &taken, &clear, view, frame);
         }
     }
@@ -130,13 +132,17 @@ impl Hud {
 
 /// What the display may not hide: the ship; and hazards, goals and keys.
 fn kept_free(scene: &Scene) -> (Area, Vec<Area>) {
-    let (game, level) = (scene.game, scene.game.level());
-    let body = |index: usize| Aabb::around(scene.centres[index], game.world().body(BodyId(index as u32)).half);
+    let level = scene.game.level();
     let goals = level.objectives.iter().map(|objective| objective.bounds);
     let sources = level.streams.iter().map(|stream| stream.source);
-    let keys = (0..level.objects.len()).filter(|&index| level.objects[index].key.is_some()).map(|index| body(index + 1));
+    let keys = (0..level.objects.len()).filter(|&index| level.objects[index].key.is_some()).map(|index| body(scene, index + 1));
     let others = goals.chain(level.obstacles.iter().copied()).chain(sources).chain(keys);
-    (on_canvas(&body(SHIP.index()), scene.view), others.map(|bounds| on_canvas(&bounds, scene.view)).collect())
+    (on_canvas(&body(scene, SHIP.index()), scene.view), others.map(|bounds| on_canvas(&bounds, scene.view)).collect())
+}
+
+/// The box of a body where it is drawn, m.
+fn body(scene: &Scene, index: usize) -> Aabb {
+    Aabb::around(scene.centres[index], scene.game.world().body(BodyId(index as u32)).half)
 }
 
 /// What to do without fuel: above the fuel bar, or below the status where something is that may not be hidden.

@@ -152,7 +152,7 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, art
 }
 
 /// A ghost is pale and blue, and a ring goes round it: enough to follow it, too little to be taken for the ship.
-const PALE: Color = Color::new(0.72, 0.84, 1.0, 0.6);
+const PALE: Color = Color::new(0.72, 0.84, 1.0, 0.7);
 /// How much of its ring, its outline and its name is seen.
 const GHOST_EDGE: f32 = 0.75;
 /// From its centre to the ring, in halves of the ship.
@@ -173,7 +173,7 @@ pub fn draw_ghost(name: Option<&str>, pose: Pose, Brushes { art, view, canvas, .
 pub fn draw_ghost_object(name: Option<&str>, (object, centre): (&Object, DVec2), Brushes { view, canvas, .. }: Brushes<'_>) {
     const SIDES: usize = 32;
     let area = exact(&Aabb::around(centre, object.size * 0.5), view);
-    let (fill, edge) = (faded(PALE, 0.30), faded(PALE, 1.0 / 0.6));
+    let (fill, edge) = (faded(PALE, 0.30), Color::new(PALE.r, PALE.g, PALE.b, 1.0));
     let corners: Vec<Vec2> = if object.circular || object.look == Look::Ball {
         let turn = |i: usize| Vec2::from_angle(std::f32::consts::TAU * i as f32 / SIDES as f32);
         (0..SIDES).map(|i| area.center() + turn(i) * area.size() / 2.0).collect()

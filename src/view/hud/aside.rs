@@ -30,8 +30,7 @@ pub struct Shown {
     pub rivals: usize,
 }
 
-/// A part steps aside for the ship this early, and for everything else, canvas units.
-const SHIP_NEAR: f32 = 7.0 * GRID;
+/// A part steps aside for what is nearer than this, canvas units.
 const NEAR: f32 = GRID;
 /// Time in which a part steps aside, s.
 const TIME: f32 = 0.16;
@@ -47,15 +46,16 @@ pub struct Aside {
 }
 
 impl Aside {
-    /// Goes on by `frame_time` seconds, with the ship and everything else that may not be hidden where they are drawn.
-    pub fn update(&mut self, shown: Shown, ship: Area, others: &[Area], frame: &Frame, frame_time: f64) {
+    /// Goes on by `frame_time` seconds, with the ship, which moves by so many canvas units a second, and everything else that may not be
+    /// hidden where they are drawn.
+    pub fn update(&mut self, shown: Shown, (ship, speed): (Area, f32), others: &[Area], frame: &Frame, frame_time: f64) {
         let layout = HudLayout::new(frame);
         let race = (shown.rivals > 0).then(|| layout.race(frame, shown.rivals));
         self.homes = [shown.status.then_some(layout.status), shown.fuel.then_some(layout.fuel), race];
         let step = frame_time as f32 / TIME;
         for (home, aside) in self.homes.iter().zip(&mut self.parts) {
             let Some(home) = home else { continue };
-            let gap = others.iter().map(|other| home.gap(other) - NEAR).fold(home.gap(&ship) - SHIP_NEAR, f32::min);
+            let gap = others.iter().map(|other| home.gap(other) - NEAR).fold(home.gap(&ship) - NEAR - speed * TIME, f32::min);
             *aside = if gap < 0.0 { *aside + step } else { *aside - step }.clamp(0.0, 1.0);
             // A view that jumps or a very fast ship waits for no fading.
             if home.gap(&ship) < 0.0 || others.iter().any(|other| home.gap(other) < 0.0) {
@@ -99,19 +99,21 @@ mod tests {
     fn a_part_fades_for_the_ship_that_comes_near_and_comes_back() {
         let (mut aside, frame) = (Aside::default(), Frame::default());
         let far = Area::around(frame.size / 2.0, Vec2::splat(51.0));
-        aside.update(SHOWN, far, &[], &frame, 1.0);
+        aside.update(SHOWN, (far, 0.0), &[], &frame, 1.0);
         assert_eq!(Part::ALL.map(|part| aside.of(part)), [0.0; 3]);
         let bar = aside.home(Part::Fuel).expect("it is shown");
         let above = Area::around(bar.centre() - Vec2::new(0.0, 70.0), Vec2::splat(51.0));
-        aside.update(SHOWN, above, &[], &frame, 0.05);
+        aside.update(SHOWN, (above, 0.0), &[], &frame, 0.05);
+        assert_eq!(aside.of(Part::Fuel), 0.0, "a ship at rest above it is in nobody's way");
+        aside.update(SHOWN, (above, 300.0), &[], &frame, 0.05);
         assert!(aside.of(Part::Fuel) > 0.0 && aside.of(Part::Fuel) < 1.0 && aside.of(Part::Status) == 0.0);
         for _ in 0..4 {
-            aside.update(SHOWN, above, &[], &frame, 0.05);
+            aside.update(SHOWN, (above, 300.0), &[], &frame, 0.05);
         }
         assert_eq!(aside.of(Part::Fuel), 1.0);
         assert!(aside.fuel_bar(&frame).expect("it is shown").min.y > bar.max().y, "it is a line below where it was");
         for _ in 0..4 {
-            aside.update(SHOWN, far, &[], &frame, 0.05);
+            aside.update(SHOWN, (far, 0.0), &[], &frame, 0.05);
         }
         assert_eq!((aside.of(Part::Fuel), aside.fuel_bar(&frame)), (0.0, Some(bar)));
     }
@@ -121,7 +123,7 @@ mod tests {
         let (mut aside, frame) = (Aside::default(), Frame::default());
         let far = Area::around(frame.size / 2.0, Vec2::splat(51.0));
         let goal = Area::new(100.0, 20.0, 200.0, 30.0);
-        aside.update(SHOWN, far, &[goal], &frame, 0.0);
+        aside.update(SHOWN, (far, 0.0), &[goal], &frame, 0.0);
         assert_eq!(Part::ALL.map(|part| aside.of(part)), [1.0, 0.0, 1.0]);
     }
 
@@ -129,7 +131,7 @@ mod tests {
     fn a_part_that_plays_none_is_not_there() {
         let (mut aside, frame) = (Aside::default(), Frame::default());
         let far = Area::around(frame.size / 2.0, Vec2::splat(51.0));
-        aside.update(Shown { fuel: false, rivals: 0, ..SHOWN }, far, &[], &frame, 0.0);
+        aside.update(Shown { fuel: false, rivals: 0, ..SHOWN }, (far, 0.0), &[], &frame, 0.0);
         assert_eq!(aside.homes().count(), 1);
         assert_eq!(aside.fuel_bar(&frame), None);
     }
