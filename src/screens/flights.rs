@@ -282,3 +282,18 @@ mod drawing {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_stand_in_the_middle_of_their_panel() {
+        let visit = Visit { level: "1".to_owned(), flown: None, back: Box::new(Request::Menu) };
+        let mut flights = Flights::new(visit, "level 1".to_owned(), Vec::new());
+        for window in [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0)] {
+            flights.update(&Input { frame: Frame::of_window(window.into()), ..Input::default() });
+            assert!((flights.row(0).centre().x - flights.panel.centre().x).abs() < 1e-3, "{:?}", flights.row(0));
+        }
+    }
+}

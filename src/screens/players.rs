@@ -205,3 +205,22 @@ mod drawing {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scores::Players as Known;
+
+    #[test]
+    fn rows_stand_in_the_middle_of_their_panel() {
+        let name = Name::new("ann").expect("a name");
+        let mut players = Players::new(&Known::default(), &name, None);
+        players.candidates = vec![Candidate { name, done: 0 }];
+        for window in [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0)] {
+            let frame = Frame::of_window(window.into());
+            players.place(&frame);
+            let row = players.buttons.areas()[0];
+            assert!((row.centre().x - list(&frame).centre().x).abs() < 1e-3, "{row:?}");
+        }
+    }
+}

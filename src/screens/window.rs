@@ -166,7 +166,7 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) 
         Screen::LevelSelect(screen) => screen.draw(canvas, app.shown_for()),
         Screen::Editor(screen) => screen.draw(&mut theatre.sheets, canvas, app.shown_for()),
         Screen::Flight(screen) => {
-            theatre.set_panels(screen.instruments().areas(canvas.frame()));
+            theatre.set_panels(screen.panels(canvas.frame()));
             let whole = canvas.use_frame(screen.instruments().room(canvas.frame()));
             theatre.draw(screen, *app.settings(), frame_time, canvas);
             canvas.use_frame(whole);

@@ -5,7 +5,6 @@ use super::camera::Viewport;
 use super::pictures::Pictures;
 use super::terrain::Terrain;
 use crate::level::Level;
-use crate::physics::Aabb;
 use macroquad::color::WHITE;
 use macroquad::math::Rect;
 use macroquad::texture::{DrawTextureParams, draw_texture_ex};
@@ -27,8 +26,7 @@ pub fn draw_on_rock(level: &Level, terrain: &Terrain, pictures: &Pictures, view:
     let visible = view.visible();
     for picture in level.decoration.iter().filter(|picture| !picture.in_front && picture.bounds.touches(&visible, 0.0)) {
         let Some(texture) = pictures.get(&picture.image) else { continue };
-        for rock in terrain.pieces(&picture.bounds) {
-            let part = Aabb::new(rock.min.max(picture.bounds.min), rock.max.min(picture.bounds.max));
+        for part in terrain.parts(&picture.bounds) {
             // Where whole pixels of the window begin and end, so that the parts meet as the rock's do.
             let (area, all) = (view.rect(&part), view.rect(&picture.bounds));
             let scale = texture.size() / all.size();
