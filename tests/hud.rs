@@ -173,7 +173,8 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
         let open = (0..level.objectives.len()).any(|i| level.objectives[i].kind == ObjectiveKind::Physics && !game.met()[i]);
         for index in (0..level.objects.len()).filter(|&index| open && level.objects[index].key.is_some()) {
             let (key, colour) = (key_box(game, index), level.objects[index].key.unwrap());
-            let done = |i: usize| game.met()[i] && level.objectives[i].fits(colour) && key.touches(&level.objectives[i].bounds, 0.0);
+            let done =
+                |i: usize| game.met()[i] && level.objectives[i].fits(colour) && key.touches(&level.objectives[i].bounds, 0.0);
             let physics = (0..level.objectives.len()).filter(|&i| level.objectives[i].kind == ObjectiveKind::Physics);
             if !physics.into_iter().any(done) {
                 ask(Target::Key(index), key);

@@ -105,7 +105,9 @@ mod tests {
             let stop = deck.stop(DVec2::from(from), DVec2::from(to)).expect("it meets the deck");
             assert!(stop.axis == 1 && (stop.at.y - 2.0).abs() < 2.0 * CLEAR && stop.at.y < 2.0, "{stop:?}");
         }
-        for (from, to) in [((5.0, 1.0), (5.0, 1.9)), ((1.0, 1.0), (1.0, 9.0)), ((5.0, 2.1), (5.0, 9.0)), ((5.0, 1.999), (9.0, 1.999))] {
+        for (from, to) in
+            [((5.0, 1.0), (5.0, 1.9)), ((1.0, 1.0), (1.0, 9.0)), ((5.0, 2.1), (5.0, 9.0)), ((5.0, 1.999), (9.0, 1.999))]
+        {
             assert_eq!(deck.stop(DVec2::from(from), DVec2::from(to)), None);
         }
         let room = deck.room(DVec2::new(5.0, 1.15), DVec2::Y, 2.0);

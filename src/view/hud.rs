@@ -88,7 +88,8 @@ impl Hud {
                 Area { min: view.point(text.position), size: text_room(&text.text, height) }
             });
             let objects = (1..scene.centres.len()).map(|index| on_canvas(&body(scene, index), view));
-            let clear: Vec<Area> = others.into_iter().chain(words).chain(objects).filter(|area| area.gap(&frame.area()) < 0.0).collect();
+            let clear: Vec<Area> =
+                others.into_iter().chain(words).chain(objects).filter(|area| area.gap(&frame.area()) < 0.0).collect();
             self.pointers = pointers::place(game, scene.centres, &taken, &clear, view, frame);
         }
     }

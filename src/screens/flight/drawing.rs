@@ -70,7 +70,7 @@ impl Flight {
         let width = WIDE_BUTTON.x + 4.0 * PADDING;
         let panel = Area::new(middle.x - width / 2.0, top, width, bottom - top);
         widgets::panel(canvas, panel);
-        widgets::heading(canvas, "Paused", panel.min.y + PADDING + HEADING * 0.8);
+        widgets::heading(canvas, "Paused", panel.min.y + PADDING + HEADING * 0.65);
         for (i, area) in pause.areas().iter().enumerate() {
             widgets::button(canvas, *area, PAUSE_LABELS[i], pause.hover() == Some(i), pause.focus() == i);
         }

@@ -63,7 +63,8 @@ pub fn targets(game: &Game, centres: &[DVec2]) -> Vec<(Target, Aabb)> {
         let (body, fits) = (BodyId(index as u32 + 1), |goal: &usize| level.objectives[*goal].fits(key));
         let touches = |goal: usize| game.world().body(body).bounds().touches(&level.objectives[goal].bounds, 0.0);
         let wanted = physics().filter(fits).any(|goal| !game.met()[goal]);
-        let at_work = physics().filter(fits).any(|goal| game.met()[goal] && level.objectives[goal].order.is_none() && touches(goal));
+        let at_work =
+            physics().filter(fits).any(|goal| game.met()[goal] && level.objectives[goal].order.is_none() && touches(goal));
         (wanted && !at_work).then(|| (Target::Key(index), Aabb::around(centres[body.index()], object.size * 0.5)))
     });
     goals.chain(keys).collect()
