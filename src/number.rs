@@ -1,4 +1,4 @@
-//! How results and exports print numbers, and how every screen prints a time of a flight.
+//! How results, exports and the screen print numbers and the times of flights.
 
 use crate::physics::DVec2;
 use serde::{Serialize, Serializer};
@@ -21,6 +21,16 @@ impl fmt::Display for Shortest {
 impl Serialize for Shortest {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         to.collect_str(self)
+    }
+}
+
+/// A number as players read it: so many decimals, a true minus sign, and no sign on one that rounds to zero.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    let plain = format!("{value:.decimals$}");
+    match plain.strip_prefix('-') {
+        Some(size) if size.bytes().all(|digit| digit == b'0' || digit == b'.') => size.to_owned(),
+        Some(size) => format!("−{size}"),
+        None => plain,
     }
 }
 
@@ -54,9 +64,25 @@ pub fn clock(seconds: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Shortest, clock};
+    use super::{Shortest, clock, fixed};
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
+
+    #[test]
+    fn shown_numbers_have_a_true_minus_and_zero_has_no_sign() {
+        for (value, decimals, text) in [
+            (1500.0, 1, "1500.0"),
+            (-731.25, 1, "−731.2"),
+            (-0.04, 1, "0.0"),
+            (-0.0, 1, "0.0"),
+            (-0.06, 1, "−0.1"),
+            (-0.4, 0, "0"),
+            (-1.0, 0, "−1"),
+            (f64::NEG_INFINITY, 1, "−inf"),
+        ] {
+            assert_eq!(fixed(value, decimals), text);
+        }
+    }
 
     #[test]
     fn numbers_are_short() {

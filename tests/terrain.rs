@@ -8,7 +8,7 @@ use resultant::physics::{Aabb, DVec2};
 use resultant::view::terrain::drafting::{Dimension, crosses, dimensions, grains, hatching};
 use resultant::view::terrain::light::cast;
 use resultant::view::terrain::silhouette::{Corner, Silhouette};
-use resultant::view::terrain::{ROCK, kind, mass};
+use resultant::view::terrain::{ROCK, kind, mass, parts};
 use std::path::Path;
 
 /// A box by its top left corner and its size, m.
@@ -148,6 +148,25 @@ proptest! {
             prop_assert!(nearest < reach + 0.5);
         }
     }
+}
+
+/// The sails of the windmill of level 15 turn before its cap: what is behind lies on the rock as well.
+#[test]
+fn a_picture_behind_lies_once_on_all_of_the_rock_that_it_covers() {
+    let level = support::shipped::load("15");
+    let (mass, picture) = (mass(&level), level.decoration[0].bounds);
+    assert!(!level.decoration[0].in_front);
+    let (mut on_rock, step) = (0, picture.size() / 61.0);
+    for i in 0..60 * 60 {
+        // Off the sides of all blocks.
+        let at = picture.min + step * (DVec2::new(f64::from(i % 60), f64::from(i / 60)) + 0.37);
+        let holds = |bounds: &Aabb| bounds.contains(&Aabb::around(at, DVec2::ZERO), 0.0);
+        let rock = level.world.iter().any(|solid| solid.is_rock() && holds(&solid.bounds));
+        assert_eq!(parts(&mass, &picture).filter(holds).count(), usize::from(rock), "at {at}");
+        on_rock += usize::from(rock);
+    }
+    assert!((100..3500).contains(&on_rock), "the sails hang in the air and on rock: {on_rock}");
+    assert!(parts(&mass, &picture).all(|part| picture.contains(&part, 1e-9)));
 }
 
 #[test]

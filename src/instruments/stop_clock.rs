@@ -1,5 +1,7 @@
 //! A stop clock that runs in the time of the game: it stands while that stands, slows down with it, and goes back where it goes back.
 
+use crate::number::fixed;
+
 /// The most laps that are kept; a further one takes the place of the oldest.
 pub const MOST_LAPS: usize = 4;
 
@@ -60,8 +62,7 @@ impl StopClock {
 
 /// So many ticks in seconds, to the millisecond: "1.350".
 pub fn seconds(ticks: i64, rate: f64) -> String {
-    let text = format!("{:.3}", ticks as f64 / rate);
-    text.strip_prefix('-').map_or_else(|| text.clone(), |size| format!("−{size}"))
+    fixed(ticks as f64 / rate, 3)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::axes::number;
 use super::timeline::round_numbers;
+use crate::number::fixed;
 
 /// Beyond these sizes numbers are written with powers of ten, each for itself.
 const PLAIN: std::ops::Range<f64> = 1e-4..1e6;
@@ -62,7 +63,7 @@ impl Linear {
         let decimals = (-(apart * 1.001).log10().floor()).max(0.0) as usize;
         let written = |value: f64| match plain {
             _ if value.abs() < 1e-6 * apart => "0".to_owned(),
-            true => format!("{value:.decimals$}").replace('-', "−"),
+            true => fixed(value, decimals),
             false => number(value),
         };
         numbers.into_iter().map(|value| (value, written(value))).collect()

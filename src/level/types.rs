@@ -100,6 +100,13 @@ pub struct Player {
     pub restitution: f64,
 }
 
+impl Player {
+    /// Whether its engine can burn: there is thrust, and fuel in the tank.
+    pub fn has_engine(&self) -> bool {
+        self.thrust > 0.0 && self.fuel > 0.0
+    }
+}
+
 /// A solid rectangle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {

@@ -278,6 +278,11 @@ impl Surface {
         self.velocity + outward.perp() * self.belt
     }
 
+    /// From which sides it is solid.
+    pub const fn sides(&self) -> Sides {
+        self.def.sides
+    }
+
     /// Where its centre is (in place of the offset) `t` seconds from now.
     pub(super) fn at(&self, t: f64) -> PathPoint {
         let centre = self.def.bounds.centre();

@@ -627,7 +627,9 @@ impl App {
         let flights =
             Way { label: "Flights", to: Request::Flights(Visit { level: name.to_owned(), flown: None, back: Box::new(back) }) };
         let back = Way { label: "Back", to: Request::LevelSelect(Purpose::Leaderboard) };
-        let ways = level.iter().map(|_| flights.clone()).chain([back]).collect();
+        let is_empty = shown.as_ref().is_ok_and(|(loaded, _)| loaded.board.rows().is_empty());
+        let play = (is_empty && level.is_some()).then(|| Way { label: "Play", to: Request::Play(name.to_owned()) });
+        let ways = play.into_iter().chain(level.iter().map(|_| flights.clone())).chain([back]).collect();
         self.board(subject(name, title), name, shown, ways)
     }
 

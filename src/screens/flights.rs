@@ -21,6 +21,8 @@ const WIDTH: f32 = 920.0;
 const HEAD: f32 = 48.0;
 const TOP: f32 = 120.0;
 const FOOT: f32 = 44.0;
+/// From a row's ends to the panel's sides: room for the scroll bar, on both sides, so that rows stand in the middle.
+const ROW_INSET: f32 = 24.0;
 /// Width of a row's end where it is chosen for a race.
 const BOX: f32 = 120.0;
 /// The words on its buttons.
@@ -175,7 +177,7 @@ impl Flights {
     /// Where a row in view is, counted from the first in view.
     pub fn row(&self, line: usize) -> Area {
         let top = self.panel.min.y + HEAD + line as f32 * ROW;
-        Area::new(self.panel.min.x + 16.0, top + 2.0, WIDTH - 56.0, ROW - 4.0)
+        Area::new(self.panel.min.x + ROW_INSET, top + 2.0, WIDTH - 2.0 * ROW_INSET, ROW - 4.0)
     }
 
     /// Chooses and marks flights by keys and pointer.
@@ -297,6 +299,21 @@ mod drawing {
             for (i, area) in self.buttons.areas().iter().enumerate() {
                 widgets::button(canvas, *area, LABELS[i], self.buttons.hover() == Some(i), self.buttons.focus() == i);
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_stand_in_the_middle_of_their_panel() {
+        let visit = Visit { level: "1".to_owned(), flown: None, back: Box::new(Request::Menu) };
+        let mut flights = Flights::new(visit, "level 1".to_owned(), Vec::new());
+        for window in [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0)] {
+            flights.update(&Input { frame: Frame::of_window(window.into()), ..Input::default() });
+            assert!((flights.row(0).centre().x - flights.panel.centre().x).abs() < 1e-3, "{:?}", flights.row(0));
         }
     }
 }

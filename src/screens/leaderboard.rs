@@ -285,6 +285,7 @@ fn panel(frame: &Frame) -> Area {
 #[cfg(feature = "window")]
 mod drawing {
     use super::{BoardLine, HEAD, Leaderboard, PAGE, ROW, panel};
+    use crate::game::{Medal, Prize};
     use crate::level::Awards;
     use crate::number::clock;
     use crate::scores::{Origin, Standing};
@@ -319,7 +320,7 @@ mod drawing {
                 canvas.text(remark, message, quiet.centred());
             }
             if self.lines.is_empty() {
-                canvas.text("No scores yet. Be the first!", panel.centre(), quiet.centred());
+                draw_empty(canvas, panel);
             } else {
                 self.draw_rows(canvas, panel, quiet);
             }
@@ -356,7 +357,7 @@ mod drawing {
                 };
                 let row = &self.board.rows()[index];
                 if self.saved() == Some(index) {
-                    let area = Area::new(panel.min.x + 16.0, top + 2.0, panel.size.x - 48.0, ROW - 4.0);
+                    let area = Area::new(panel.min.x + 24.0, top + 2.0, panel.size.x - 48.0, ROW - 4.0);
                     canvas.rounded(area, 6.0, theme::panel_hover());
                     canvas.rounded_edge(area, 6.0, 2.0, theme::accent());
                 }
@@ -400,6 +401,23 @@ mod drawing {
                 canvas.text(&text, Vec2::new(panel.max().x - 16.0, panel.max().y + 24.0), quiet.right());
             }
         }
+    }
+
+    /// What stands on a board without rows: what can be won, and how.
+    fn draw_empty(canvas: &Canvas, panel: Area) {
+        const STEP: Vec2 = Vec2::new(88.0, 22.0);
+        const LARGE: f32 = 34.0;
+        let middle = panel.centre();
+        let podium = [(Medal::Silver, -1.0, 1.0), (Medal::Gold, 0.0, 0.0), (Medal::Bronze, 1.0, 1.6)];
+        for (medal, aside, down) in podium {
+            let at = middle + Vec2::new(aside, down) * STEP - Vec2::new(0.0, 96.0);
+            medals::draw(canvas, Prize::Medal(medal), true, at, LARGE);
+        }
+        let line = |words: &str, below: f32, size: f32, colour| {
+            canvas.text(words, middle + Vec2::new(0.0, below), Style::new(size, colour).centred().middle());
+        };
+        line("No scores yet", 32.0, HEADING, theme::text());
+        line("Fly it and save your score: the first row is yours.", 84.0, TEXT, theme::quiet());
     }
 
     /// With which program a row was flown, and the first digits of the level's hash.

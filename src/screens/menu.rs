@@ -196,7 +196,7 @@ mod drawing {
             let metre = f64::from(METRE);
             let view = Viewport::new(DVec2::ZERO, DVec2::ZERO, window.size / metre, metre, window);
             things::draw_ship(
-                &things::ShipPose { centre, angle, squash: 0.0, light: macroquad::color::WHITE },
+                &things::ShipPose { centre, angle, squash: 0.0, light: macroquad::color::WHITE, room: f64::INFINITY },
                 (burning, 1.0),
                 0.5,
                 art,

@@ -74,6 +74,7 @@ mod drawing {
     use crate::physics::DVec2;
     use crate::view::canvas::Canvas;
     use crate::view::layout::{Area, Vec2};
+    use crate::view::terrain::Tint;
     use crate::view::theme::{self, faded};
     use macroquad::color::Color;
     use macroquad::shapes::draw_rectangle;
@@ -82,32 +83,33 @@ mod drawing {
     const LEAST: f32 = 4.0;
 
     impl Miniature {
-        /// Draws the level as large as it fits, in the middle of the area.
-        pub fn draw(&self, canvas: &Canvas, area: Area) {
+        /// Draws the level in its tint as large as it fits, in the middle of the area.
+        pub fn draw(&self, tint: &Tint, canvas: &Canvas, area: Area) {
             let scale = (f64::from(area.size.x) / self.size.x).min(f64::from(area.size.y) / self.size.y);
             let paper = Area::around(area.centre(), (self.size * scale).as_vec2());
             canvas.rounded(paper, 2.0, theme::ground());
+            canvas.rounded_edge(paper.inset(-1.0), 2.0, 1.0, tint.heavy);
             let point = |metres: DVec2| paper.min + (metres * scale).as_vec2().clamp(Vec2::ZERO, paper.size);
             for (bounds, part) in &self.shapes {
                 let (a, b) = (point(bounds.min), point(bounds.max));
                 let least = if matches!(part, Part::Solid | Part::Liquid(_) | Part::Stream) { canvas.frame().pixel } else { LEAST };
                 let size = (b - a).max(Vec2::splat(least).min(paper.size));
                 let min = ((a + b - size) / 2.0).clamp(paper.min, paper.max() - size);
-                draw_rectangle(min.x, min.y, size.x, size.y, colour(*part));
+                draw_rectangle(min.x, min.y, size.x, size.y, colour(*part, tint));
             }
         }
     }
 
-    fn colour(part: Part) -> Color {
+    fn colour(part: Part, tint: &Tint) -> Color {
         let own = |[r, g, b]: [u8; 3]| Color::from_rgba(r, g, b, 255);
         match part {
-            Part::Solid => theme::solid(),
+            Part::Solid => tint.map,
             Part::Liquid(colour) => faded(own(colour), 0.55),
-            Part::Stream => faded(theme::text(), 0.10),
+            Part::Stream => faded(theme::text(), 0.16),
             Part::Deadly => theme::bad(),
             Part::PlayerObjective => theme::player_objective(),
             Part::PhysicsObjective => theme::physics_objective(),
-            Part::Object => theme::quiet(),
+            Part::Object => theme::text(),
             Part::Key(colour) => own(colour),
             Part::Ship => theme::text(),
         }

@@ -12,6 +12,8 @@ pub const PAGE: usize = 7;
 const ROW: Vec2 = Vec2::new(560.0, 48.0);
 /// From a row to the next.
 const PITCH: f32 = ROW.y + 8.0;
+/// Room for the scroll bar, on both sides, so that rows stand in the middle.
+const BAR: f32 = 24.0;
 /// From the canvas' top to the list, in a window of the design's height.
 const TOP: f32 = 144.0;
 
@@ -138,14 +140,14 @@ impl Players {
         let list = list(frame);
         self.scroll.place(self.candidates.len(), PAGE, bar_beside(list, list.min.y + PADDING, list.max().y - PADDING));
         let rows = (0..self.scroll.range().len())
-            .map(|row| Area { min: list.min + PADDING + Vec2::new(0.0, row as f32 * PITCH), size: ROW });
+            .map(|row| Area { min: list.min + Vec2::new(PADDING + BAR, PADDING + row as f32 * PITCH), size: ROW });
         self.buttons.place(rows.chain(frame.row(2, list.max().y + 2.0 * GAP)).collect());
     }
 }
 
 /// The panel with the list.
 fn list(frame: &Frame) -> Area {
-    let size = Vec2::new(ROW.x + 2.0 * PADDING + 24.0, PAGE as f32 * PITCH - 8.0 + 2.0 * PADDING);
+    let size = Vec2::new(ROW.x + 2.0 * (PADDING + BAR), PAGE as f32 * PITCH - 8.0 + 2.0 * PADDING);
     let top = TOP + (frame.size.y - 720.0) / 2.0;
     debug_assert!(top + size.y + 2.0 * GAP + ROW_BUTTON.y <= frame.size.y);
     Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }
@@ -200,6 +202,25 @@ mod drawing {
                 many => format!("{many} levels done"),
             };
             canvas.text(&done, Vec2::new(area.max().x - PADDING, y), Style::new(TEXT, theme::quiet()).right().middle());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scores::Players as Known;
+
+    #[test]
+    fn rows_stand_in_the_middle_of_their_panel() {
+        let name = Name::new("ann").expect("a name");
+        let mut players = Players::new(&Known::default(), &name, None);
+        players.candidates = vec![Candidate { name, done: 0 }];
+        for window in [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0)] {
+            let frame = Frame::of_window(window.into());
+            players.place(&frame);
+            let row = players.buttons.areas()[0];
+            assert!((row.centre().x - list(&frame).centre().x).abs() < 1e-3, "{row:?}");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::game::{Game, GameError, GameEvent, Inputs, Outcome, Pose, Track};
 use crate::level::Level;
-use crate::number::hundredths;
+use crate::number::{fixed, hundredths};
 use std::sync::Arc;
 
 /// The most ghosts at a time: more would hide the level, and each is flown once.
@@ -135,8 +135,10 @@ impl Gap {
     /// In seconds with a sign; what is earlier than the ghost has a true minus.
     pub fn words(self) -> String {
         match self {
-            Self::Seconds(seconds) if seconds < 0.0 => format!("−{:.2} s", -seconds),
-            Self::Seconds(seconds) => format!("+{seconds:.2} s"),
+            Self::Seconds(seconds) => {
+                let sign = if seconds < 0.0 { "" } else { "+" };
+                format!("{sign}{} s", fixed(seconds, 2))
+            }
             Self::Never => "not met".to_owned(),
             Self::Unknown => "…".to_owned(),
         }
@@ -148,7 +150,9 @@ mod drawing {
     use super::{Gap, Race};
     use crate::game::Game;
     use crate::view::canvas::{Canvas, Style};
-    use crate::view::layout::{DETAILS, GRID, HudLayout, TEXT, Vec2};
+    use crate::view::hud::{self, Aside, Part};
+    use crate::view::layout::{DETAILS, GRID, TEXT, Vec2};
+    use crate::view::theme::faded;
     use crate::view::{Ghost, theme, widgets};
 
     impl Race {
@@ -160,14 +164,15 @@ mod drawing {
         }
 
         /// Draws how the ship stands to each ghost at the objective that it met last, in a strip beside the timer.
-        pub fn draw(&self, canvas: &Canvas) {
-            let area = HudLayout::new(canvas.frame()).race(canvas.frame(), self.all().len());
-            widgets::panel_in(canvas, area, theme::faded(theme::panel(), 0.5), theme::panel_edge());
+        pub fn draw(&self, aside: &Aside, canvas: &Canvas) {
+            let Some(area) = aside.home(Part::Race) else { return };
+            let (ground, strong) = hud::left(aside.of(Part::Race));
+            widgets::panel_in(canvas, area, faded(theme::panel(), 0.7 * ground), faded(theme::panel_edge(), ground));
             let column = area.size.x / self.all().len() as f32;
             for (i, ghost) in self.all().iter().enumerate() {
                 let middle = area.min.x + column * (i as f32 + 0.5);
                 let at = |part: f32| Vec2::new(middle, area.min.y + area.size.y * part);
-                widgets::fitted(canvas, &ghost.name, at(0.3), column - GRID, &[TEXT, DETAILS], theme::quiet());
+                widgets::fitted(canvas, &ghost.name, at(0.3), column - GRID, &[TEXT, DETAILS], faded(theme::quiet(), strong));
                 let gap = self.splits().last().map(|split| self.gap(ghost, *split));
                 let colour = match gap {
                     Some(Gap::Seconds(seconds)) if seconds > 0.0 => theme::bad(),
@@ -175,7 +180,7 @@ mod drawing {
                     Some(Gap::Unknown) | None => theme::quiet(),
                 };
                 let told = gap.map_or_else(|| "–".to_owned(), Gap::words);
-                canvas.text(&told, at(0.72), Style::new(TEXT, colour).mono().centred().middle());
+                canvas.text(&told, at(0.72), Style::new(TEXT, faded(colour, strong)).mono().centred().middle());
             }
         }
     }

@@ -162,6 +162,7 @@ impl TileRun {
 mod drawing {
     use super::TileRun;
     use crate::classics::tile_run::Command;
+    use crate::number::fixed;
     use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, TEXT, Vec2};
     use crate::view::{theme, widgets};
@@ -255,7 +256,7 @@ mod drawing {
             };
             canvas.text(&hint, Vec2::new(middle, 80.0), style.centred());
 
-            let signed = |number: f64| format!("{number:>8.3}").replace('-', "−");
+            let signed = |number: f64| format!("{:>8}", fixed(number, 3));
             let runner = &self.runner;
             let figures = format!(
                 "frame {:>5}   x {}   y {}   vx {}   vy {}   {:<7}  {:<11}",

@@ -41,19 +41,14 @@ fn places(frame: &Frame, count: usize) -> Vec<Area> {
 #[cfg(feature = "window")]
 mod drawing {
     use super::Toolbar;
-    use crate::view::canvas::{Canvas, Style};
-    use crate::view::layout::{PADDING, TEXT, Vec2};
-    use crate::view::{theme, widgets};
+    use crate::view::canvas::Canvas;
+    use crate::view::widgets;
 
     impl Toolbar {
         /// Draws the row: on each button what it does, and its key.
         pub fn draw(&self, canvas: &Canvas, labels: &[(&str, &str)]) {
-            for ((i, area), (label, key)) in self.buttons.areas().iter().enumerate().zip(labels) {
-                widgets::button_box(canvas, *area, self.buttons.hover() == Some(i), false);
-                let style = |colour| Style::new(TEXT, colour).middle();
-                let y = area.centre().y;
-                canvas.text(label, Vec2::new(area.min.x + PADDING, y), style(theme::text()));
-                canvas.text(key, Vec2::new(area.max().x - PADDING, y), style(theme::accent()).mono().right());
+            for ((i, area), (label, key)) in self.buttons.areas().iter().enumerate().zip(labels.iter().copied()) {
+                widgets::keyed_button(canvas, *area, (label, key), (self.buttons.hover() == Some(i), false));
             }
         }
     }

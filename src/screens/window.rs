@@ -13,6 +13,7 @@ use crate::physics::{BodyId, DVec2};
 use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
 use crate::view::focus::Focus;
+use crate::view::hud::Shown;
 use crate::view::layout::{Area, DESIGN, Vec2};
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
@@ -351,7 +352,10 @@ impl Theatre {
         let Some(view) = &mut self.view else { return };
         let (details, hitboxes) = (flight.details(), flight.hitboxes());
         let focus = looked_at(flight.observer().focus(), details || flight.instruments().is_open());
-        let overlays = Overlays { settings, details, focus, hitboxes, watched: false };
+        let plays = flight.game().level().ship_plays();
+        let fuel = plays && flight.game().level().player.has_engine();
+        let shown = Shown { status: plays, fuel, rivals: flight.race().map_or(0, |race| race.all().len()) };
+        let overlays = Overlays { settings, details, shown, focus, hitboxes, watched: false };
         let paused = flight.pause().is_some();
         let passed = if paused { 0.0 } else { frame_time * flight.observer().speed().min(1.0) };
         view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
@@ -363,7 +367,7 @@ impl Theatre {
         view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
         draw_instruments(flight.instruments(), view, (flight.game(), flight.alpha()), canvas);
         if let Some(race) = flight.race() {
-            race.draw(canvas);
+            race.draw(view.hud().aside(), canvas);
         }
     }
 
@@ -373,7 +377,9 @@ impl Theatre {
         let Some(view) = &mut self.view else { return };
         let (details, hitboxes) = (watch.details(), watch.hitboxes());
         let focus = looked_at(watch.focus(), details || watch.instruments().is_open());
-        let overlays = Overlays { settings, details, focus, hitboxes, watched: true };
+        let plays = watch.game().level().ship_plays();
+        let shown = Shown { status: plays, fuel: plays && watch.game().level().player.has_engine(), rivals: 0 };
+        let overlays = Overlays { settings, details, shown, focus, hitboxes, watched: true };
         let passed = if watch.paused() { 0.0 } else { frame_time * watch.pace().min(1.0) };
         view.update(watch.game(), watch.alpha(), passed, overlays, canvas.frame());
         view.follow_jumps(watch.game(), &overlays, frame_time - passed);

@@ -323,7 +323,7 @@ fn words_area(text: &Text, view: &Viewport) -> Area {
     Area { min: view.point(text.position), size: Vec2::new(letters * WORDS_ADVANCE, 1.0) * view.length(text.size) }
 }
 
-fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
+pub(super) fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
     let min = view.point(bounds.min);
     Area { min, size: view.point(bounds.max) - min }
 }

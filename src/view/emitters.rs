@@ -125,14 +125,15 @@ impl Emitters {
             let along = particles.between(0.0, 0.25);
             let speed = PLUME_SPEED * particles.between(0.75, 1.15);
             let life = particles.between(0.5, 1.5) as f32;
-            particles.add(Particle {
+            let puff = Particle {
                 position: ship + out * (SHIP_HALF.y + along) + across * (spread * 0.16),
                 velocity: moving + out * speed + across * (spread * 1.3),
                 age: 0.0,
                 life,
                 look: Look::Plume,
                 colour: theme::accent(),
-            });
+            };
+            particles.launch(ship, puff);
         }
     }
 }

@@ -212,28 +212,9 @@ fn same_way(a: DVec2, b: DVec2) -> bool {
     a.length().min(b.length()) < SMALLEST_FORCE || a.dot(b) > 0.0 && a.perp_dot(b).abs() <= SAME_DIRECTION * lengths
 }
 
-/// A figure for authors, to one decimal place with a true minus sign; what rounds to zero has no sign.
-pub fn number(value: f64) -> String {
-    let plain = format!("{value:.1}");
-    match plain.strip_prefix('-') {
-        Some("0.0") => "0.0".to_owned(),
-        Some(size) => format!("−{size}"),
-        None => plain,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_have_one_decimal_and_a_true_minus_sign() {
-        assert_eq!(number(1500.0), "1500.0");
-        assert_eq!(number(-731.25), "−731.2");
-        assert_eq!(number(-0.04), "0.0");
-        assert_eq!(number(-0.0), "0.0");
-        assert_eq!(number(-0.06), "−0.1");
-    }
 
     #[test]
     fn only_forces_that_point_the_same_way_are_one() {

@@ -1,12 +1,14 @@
 //! The game's picture, put together: what lies below is drawn first, words after the shapes of their layer.
 
 use super::art::Art;
+use super::barriers::Barriers;
 use super::camera::{Camera, Viewport, Window};
 use super::canvas::Canvas;
 use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
 use super::focus::Focus;
+use super::hud::{Hud, Scene, Shown};
 use super::layout::{Area, Frame, Vec2};
 use super::particles::Particles;
 use super::pictures::Pictures;
@@ -18,6 +20,7 @@ use super::wreck::Wreck;
 use super::{decoration, hitboxes, hud, mechanisms, theme, things, world, zones};
 use crate::game::{Game, GameEvent, Outcome, Pose, SHIP};
 use crate::level::{SHIP_HALF, SurfaceOf};
+use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::Settings;
 use macroquad::color::Color;
@@ -36,6 +39,11 @@ const OBSTACLE_LIGHT: f32 = 0.6;
 const KEY_REACH: f64 = 3.0;
 const KEY_LIGHT: f32 = 0.6;
 
+/// How far beyond the view solids stop particles, m.
+const BARRIERS: f64 = 2.0;
+/// How far the engine's flame can reach from the ship's centre, m.
+const FLAME_REACH: f64 = 3.0;
+
 /// A ghost nearer than this to the ship or to another ghost bears no name, m.
 const NAMED_APART: f64 = 2.5;
 
@@ -51,6 +59,7 @@ pub struct GameView {
     emitters: Emitters,
     feedback: Feedback,
     details: Details,
+    hud: Hud,
     /// Where the pointer is, canvas units.
     pointer: Option<Vec2>,
     touchdown: Touchdown,
@@ -82,6 +91,8 @@ pub struct Overlays {
     pub settings: Settings,
     /// Details boxes and free-body arrows (Tab).
     pub details: bool,
+    /// Which parts of the head-up display are shown.
+    pub shown: Shown,
     /// Who is looked at, by the details, the instruments and the camera.
     pub focus: Focus,
     /// Hitboxes and figures (F3).
@@ -117,6 +128,7 @@ impl GameView {
             emitters: Emitters::new(level),
             feedback: Feedback::default(),
             details: Details::default(),
+            hud: Hud::default(),
             pointer: None,
             touchdown: Touchdown::default(),
             wreck: None,
@@ -169,7 +181,7 @@ impl GameView {
             }
         }
         if let Some(landing) = self.touchdown.after_tick(game).filter(|landing| landing.speed < GENTLE) {
-            self.feedback.float(landing.point, format!("Gentle landing: {:.1} m/s", landing.speed), theme::good());
+            self.feedback.float(landing.point, format!("Gentle landing: {} m/s", fixed(landing.speed, 1)), theme::good());
         }
     }
 
@@ -186,6 +198,8 @@ impl GameView {
             self.camera.close_in(frame_time);
         }
         let view = self.viewport(game, alpha, frame);
+        let visible = view.visible();
+        self.particles.set_barriers(Barriers::new(game.world(), &Aabb::new(visible.min - BARRIERS, visible.max + BARRIERS)));
         self.particles.advance(frame_time);
         self.particles.keep(overlays.settings.particles);
         self.touchdown.advance(frame_time);
@@ -194,10 +208,14 @@ impl GameView {
         }
         self.emitters.emit(game, ship, angle(game, alpha), &view.visible(), frame_time, &mut self.particles);
         self.feedback.advance(frame_time);
+        let centres: Vec<DVec2> = ids(game).map(|id| centre(game, id, alpha)).collect();
+        let figures = overlays.hitboxes.then(|| hitboxes::figures_area(game, frame));
+        let mut covered: Vec<Area> = self.panels.iter().copied().chain(figures).collect();
+        let (shown, settings) = (overlays.shown, &overlays.settings);
+        let scene = Scene { game, centres: &centres, view: &view, frame, panels: &covered, shown, settings };
+        self.hud.update(&scene, frame_time);
         if overlays.details {
-            let centres: Vec<DVec2> = ids(game).map(|id| centre(game, id, alpha)).collect();
-            let figures = overlays.hitboxes.then(|| hitboxes::figures_area(game, frame));
-            let covered: Vec<Area> = self.panels.iter().copied().chain(figures).collect();
+            covered.extend(self.hud.pointers().iter().map(|pointer| pointer.area).chain(self.hud.stranded()));
             let looking = Looking {
                 centres: &centres,
                 focus: &overlays.focus,
@@ -254,6 +272,11 @@ impl GameView {
         self.ghosts = ghosts;
     }
 
+    /// The head-up display.
+    pub const fn hud(&self) -> &Hud {
+        &self.hud
+    }
+
     /// How far the engine's plume has grown, 0 … 1.
     pub const fn burning(&self) -> f64 {
         self.emitters.plume().0
@@ -278,9 +301,7 @@ impl GameView {
         if overlays.settings.flash {
             self.feedback.draw_flash(canvas);
         }
-        if plays {
-            hud::draw(game, &overlays.settings, !overlays.watched, canvas);
-        }
+        self.hud.draw(game, &overlays.settings, !overlays.watched, &self.art, canvas);
         canvas.end_layer();
     }
 
@@ -299,10 +320,14 @@ impl GameView {
         // Smoke and dust vanish behind what is solid.
         self.particles.draw(art, view);
         self.terrain.draw(art, view, canvas);
+        decoration::draw_on_rock(level, &self.terrain, &self.pictures, view);
         self.draw_lights(game, alpha, flicker, view);
         zones::draw_sources(level, view, canvas);
         mechanisms::draw(game, alpha, art, view, canvas, time);
         zones::draw_obstacles(level, art, view, time);
+        world::draw_texts(level, view, canvas);
+        // What moves hides the words on walls, pads and plates.
+        canvas.end_layer();
         let brushes = Brushes { art, pictures: &self.pictures, view, canvas };
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
             let at = centre(game, id, alpha);
@@ -324,14 +349,15 @@ impl GameView {
             Some(wreck) if !wreck.is_whole() => wreck.draw(view),
             _ => {
                 let light = zones::in_liquid(&level.fluids, &Aabb::around(ship.0, SHIP_HALF));
-                let pose = things::ShipPose { centre: ship.0, angle: ship.1, squash: self.touchdown.squash(), light };
+                let (sin, cos) = ship.1.to_radians().sin_cos();
+                let room = self.particles.barriers().room(ship.0, DVec2::new(-sin, cos) * plume.1, FLAME_REACH);
+                let pose = things::ShipPose { centre: ship.0, angle: ship.1, squash: self.touchdown.squash(), light, room };
                 things::draw_ship(&pose, plume, flicker, art, view);
             }
         }
         zones::draw_holds(game, ship.0, view, canvas);
         decoration::draw(level, true, &self.pictures, view);
         self.feedback.draw_in_level(view, canvas);
-        world::draw_texts(level, view, canvas);
     }
 
     /// The light of objectives, death boxes, key objects and the engine on the rock near them.

@@ -3,11 +3,11 @@
 
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
-use super::facts::number;
 use super::layout::{Area, DETAILS, Frame, GRID, HudLayout, LINE, MONO_ADVANCE, Vec2};
 use super::theme::{self, faded, rgb};
 use crate::game::{Game, SHIP};
 use crate::level::ship_body;
+use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind, Source};
 use macroquad::color::Color;
 use macroquad::shapes::draw_rectangle_lines;
@@ -101,8 +101,8 @@ fn counts(game: &Game) -> Vec<String> {
 fn draw_figures(game: &Game, figures: &str, canvas: &Canvas) {
     let ship = game.world().body(SHIP);
     let DVec2 { x, y } = ship.position;
-    let angle = number(game.ship().angle);
-    let place = format!("tick {}  ship {x:.3}, {y:.3} m  {angle}°", game.ticks());
+    let angle = fixed(game.ship().angle, 1);
+    let place = format!("tick {}  ship {}, {} m  {angle}°", game.ticks(), fixed(x, 3), fixed(y, 3));
     let (line, area) = (canvas.line_height(DETAILS), figures_area(game, canvas.frame()));
     canvas.rounded(area, GRID, faded(theme::ground(), 0.8));
     for (i, text) in [figures.to_owned(), place].into_iter().chain(counts(game)).enumerate() {

@@ -1,19 +1,34 @@
-//! The head-up display: time, objectives met, speed, fuel; and the arrow of the ship's velocity.
+//! The head-up display: time, objectives met, speed, fuel, arrows to what is outside of the view; and the arrow of the ship's velocity.
 
+mod aside;
+mod pointers;
+
+pub use aside::{Aside, Part, Shown};
+pub use pointers::{Pointer, Target, in_view, targets};
+
+use super::art::{Art, Tile};
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
-use super::layout::{Area, DETAILS, GRID, HudLayout, TEXT, Vec2};
+use super::details::on_canvas;
+use super::emitters::objective_colour;
+use super::layout::{Area, DETAILS, Frame, GRID, HudLayout, TEXT, Vec2, text_room};
 use super::theme::{self, faded, rgb};
 use super::widgets::panel_in;
+use super::zones::diamond;
 use crate::game::{DAMAGING_SPEED, Game, SHIP};
-use crate::number::clock;
-use crate::physics::DVec2;
+use crate::level::ObjectiveKind;
+use crate::number::{clock, fixed};
+use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::{Action, Settings};
-use macroquad::color::Color;
+use macroquad::color::{Color, WHITE};
+use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
 
 /// The fuel bar's colour when full; it runs to [`FUEL_EMPTY`].
 const FUEL_FULL: Color = rgb(0xFFB01C);
 const FUEL_EMPTY: Color = rgb(0xF2302F);
+/// How much of the level a part hides at home; and how much of its words is left where it has stepped aside.
+const HIDES: f32 = 0.9;
+const WORDS_ASIDE: f32 = 0.3;
 /// The gauge of speed ends here, m/s.
 const GAUGE_END: f64 = 2.0 * DAMAGING_SPEED;
 /// Length of the arrow of velocity, m of the level a m/s, and where it begins and ends, m from the ship's centre.
@@ -27,23 +42,164 @@ const VELOCITY_LEAST: f64 = 0.5;
 /// For how long the keys are told at the start of the first level, s.
 const HINT_TIME: f64 = 12.0;
 
-/// Draws all of it; whether the keys of the flight are `told` at the start of the first level.
-pub fn draw(game: &Game, settings: &Settings, told: bool, canvas: &Canvas) {
-    let layout = HudLayout::new(canvas.frame());
-    draw_status(game, settings, layout.status, canvas);
-    if game.is_stranded() {
-        let hint = format!("Out of fuel – {} flies again", settings.keys.label(Action::Restart));
-        let at = Vec2::new(canvas.size().x / 2.0, layout.fuel.min.y - 2.0 * GRID - canvas.line_height(TEXT) / 2.0);
-        let style = Style::new(TEXT, theme::text()).centred().middle();
-        let size = Vec2::new(canvas.width(&hint, style) + 4.0 * GRID, canvas.line_height(TEXT) + GRID);
-        panel_in(canvas, Area::around(at, size), faded(theme::panel(), 0.9), theme::panel_edge());
-        canvas.text(&hint, at, style);
+/// What the display is laid out for in a frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<'a> {
+    /// The game.
+    pub game: &'a Game,
+    /// Where each body is drawn, m.
+    pub centres: &'a [DVec2],
+    /// The part of the level that is shown.
+    pub view: &'a Viewport,
+    /// The canvas.
+    pub frame: &'a Frame,
+    /// The panels on the screen besides the display.
+    pub panels: &'a [Area],
+    /// Which parts of it are shown.
+    pub shown: Shown,
+    /// What the player has set.
+    pub settings: &'a Settings,
+}
+
+/// The display as it is laid out for one frame.
+#[derive(Default)]
+pub struct Hud {
+    aside: Aside,
+    pointers: Vec<Pointer>,
+    /// What to do without fuel, and where that stands.
+    stranded: Option<(String, Area)>,
+}
+
+impl Hud {
+    /// Lays everything out, `frame_time` seconds after the frame before.
+    pub fn update(&mut self, scene: &Scene, frame_time: f64) {
+        let Scene { game, view, frame, .. } = *scene;
+        let (ship, others) = kept_free(scene);
+        let speed = view.length(game.world().body(SHIP).velocity.length());
+        self.aside.update(scene.shown, (ship, speed), &others, frame, frame_time);
+        self.stranded = (scene.shown.fuel && game.is_stranded()).then(|| stranded(scene, ship, &others));
+        self.pointers.clear();
+        if scene.shown.status {
+            let mut taken: Vec<Area> = self.aside.homes().chain(scene.panels.iter().copied()).collect();
+            taken.extend(self.stranded.iter().map(|(_, area)| *area));
+            taken.push(ship);
+            let words = game.level().texts.iter().map(|text| {
+                let height = frame.text_height(super::layout::nearest_size(view.length(text.size)));
+                Area { min: view.point(text.position), size: text_room(&text.text, height) }
+            });
+            let objects = (1..scene.centres.len()).map(|index| on_canvas(&body(scene, index), view));
+            let clear: Vec<Area> =
+                others.into_iter().chain(words).chain(objects).filter(|area| area.gap(&frame.area()) < 0.0).collect();
+            self.pointers = pointers::place(game, scene.centres, &taken, &clear, view, frame);
+        }
     }
-    let level = &game.level().player;
-    let share = if level.fuel > 0.0 { (game.ship().fuel / level.fuel).clamp(0.0, 1.0) } else { 0.0 };
-    let fuel = format!("Fuel {:.0} units", game.ship().fuel);
-    let words = hint(game, settings).filter(|_| told).map_or(fuel.clone(), |hint| format!("{fuel}    {hint}"));
-    draw_fuel(share as f32, &words, layout.fuel, canvas);
+
+    /// How far its parts have stepped aside.
+    pub const fn aside(&self) -> &Aside {
+        &self.aside
+    }
+
+    /// The arrows at the window's edge.
+    pub fn pointers(&self) -> &[Pointer] {
+        &self.pointers
+    }
+
+    /// Where the panel with what to do without fuel stands, while it does.
+    pub fn stranded(&self) -> Option<Area> {
+        self.stranded.as_ref().map(|(_, area)| *area)
+    }
+
+    /// Draws all of it but the strip of a race; whether the keys of the flight are `told` at the start of the first level.
+    pub fn draw(&self, game: &Game, settings: &Settings, told: bool, art: &Art, canvas: &Canvas) {
+        for pointer in &self.pointers {
+            draw_pointer(pointer, game, art, canvas);
+        }
+        if let Some(area) = self.aside.home(Part::Status) {
+            draw_status(game, settings, area, self.aside.of(Part::Status), canvas);
+        }
+        if let Some((words, area)) = &self.stranded {
+            panel_in(canvas, *area, faded(theme::panel(), HIDES), theme::panel_edge());
+            canvas.text(words, area.centre(), Style::new(TEXT, theme::text()).centred().middle());
+        }
+        if let Some(bar) = self.aside.fuel_bar(canvas.frame()) {
+            let level = &game.level().player;
+            let share = if level.fuel > 0.0 { (game.ship().fuel / level.fuel).clamp(0.0, 1.0) } else { 0.0 };
+            let fuel = format!("Fuel {} units", fixed(game.ship().fuel, 0));
+            let words = hint(game, settings).filter(|_| told).map_or(fuel.clone(), |hint| format!("{fuel}    {hint}"));
+            draw_fuel(share as f32, &words, bar, self.aside.of(Part::Fuel), canvas);
+        }
+    }
+}
+
+/// What the display may not hide: the ship; and hazards, goals and keys.
+fn kept_free(scene: &Scene) -> (Area, Vec<Area>) {
+    let level = scene.game.level();
+    let goals = level.objectives.iter().map(|objective| objective.bounds);
+    let sources = level.streams.iter().map(|stream| stream.source);
+    let keys = (0..level.objects.len()).filter(|&index| level.objects[index].key.is_some()).map(|index| body(scene, index + 1));
+    let others = goals.chain(level.obstacles.iter().copied()).chain(sources).chain(keys);
+    (on_canvas(&body(scene, SHIP.index()), scene.view), others.map(|bounds| on_canvas(&bounds, scene.view)).collect())
+}
+
+/// The box of a body where it is drawn, m.
+fn body(scene: &Scene, index: usize) -> Aabb {
+    Aabb::around(scene.centres[index], scene.game.world().body(BodyId(index as u32)).half)
+}
+
+/// What to do without fuel: above the fuel bar, or below the status where something is that may not be hidden.
+fn stranded(scene: &Scene, ship: Area, others: &[Area]) -> (String, Area) {
+    let words = format!("Out of fuel – {} flies again", scene.settings.keys.label(Action::Restart));
+    let layout = HudLayout::new(scene.frame);
+    let size = text_room(&words, scene.frame.text_height(TEXT)) + Vec2::new(2.0, 1.0) * GRID;
+    let at = |y: f32| Area::around(Vec2::new(scene.frame.size.x / 2.0, y), size);
+    let places = [at(layout.fuel.min.y - GRID - size.y / 2.0), at(layout.status.max().y + GRID + size.y / 2.0)];
+    let free = |area: &&Area| area.gap(&ship) >= GRID && area.covers_none(others);
+    let area = places.iter().find(free).or_else(|| places.iter().find(|area| area.gap(&ship) >= GRID)).unwrap_or(&places[0]);
+    (words, *area)
+}
+
+/// An arrow at the window's edge: its head towards the target, the target's sign and the distance. A goal's sign is a box, with the ship's
+/// picture or a diamond in it; a key's is the key with its diamond.
+fn draw_pointer(pointer: &Pointer, game: &Game, art: &Art, canvas: &Canvas) {
+    let level = game.level();
+    let panel = pointer.panel();
+    let sign = Area::around(Vec2::new(panel.min.x + GRID + pointers::SIGN / 2.0, panel.centre().y), Vec2::splat(pointers::SIGN));
+    let middle = sign.centre();
+    let colour = match pointer.target {
+        Target::Objective(index) => objective_colour(game, index),
+        Target::Key(index) => key_colour(level.objects[index].key),
+    };
+    // The head stands on the box's edge, where the line from the middle to the target leaves it.
+    let reach = panel.stretch(panel.centre(), pointer.along, panel.size.length()).map_or(0.0, |(_, leaves)| leaves);
+    let (tip, across) = (panel.centre() + pointer.along * (reach + pointers::HEAD), pointer.along.perp() * (0.7 * pointers::HEAD));
+    let root = tip - pointer.along * (1.3 * pointers::HEAD);
+    canvas.convex(&[tip, root + across, root - across], colour);
+    panel_in(canvas, panel, faded(theme::panel(), HIDES), colour);
+    match pointer.target {
+        Target::Objective(index) => {
+            draw_rectangle(sign.min.x, sign.min.y, sign.size.x, sign.size.y, faded(colour, 0.30));
+            draw_rectangle_lines(sign.min.x, sign.min.y, sign.size.x, sign.size.y, 3.0, colour);
+            match level.objectives[index].kind {
+                ObjectiveKind::Player => art.draw(Tile::Ship, middle, sign.size * 0.8, 0.0, WHITE),
+                ObjectiveKind::Physics => diamond(canvas, middle, 5.0, key_colour(level.objectives[index].colour)),
+            }
+        }
+        Target::Key(index) => {
+            if level.objects[index].circular {
+                canvas.disc(middle, sign.size.x / 2.0, colour);
+            } else {
+                draw_rectangle(sign.min.x, sign.min.y, sign.size.x, sign.size.y, colour);
+            }
+            diamond(canvas, middle, 5.0, WHITE);
+        }
+    }
+    let words = Style::new(DETAILS, theme::text()).mono().middle().right();
+    canvas.text(&pointer.words, Vec2::new(panel.max().x - GRID, middle.y), words);
+}
+
+/// The colour of a key, or of what takes any.
+fn key_colour(key: Option<[u8; 3]>) -> Color {
+    key.map_or(theme::physics_objective(), |[r, g, b]| Color::from_rgba(r, g, b, 255))
 }
 
 /// What the keys do, as the first level tells at its start: in the fuel bar, where it hides nothing.
@@ -56,42 +212,47 @@ fn hint(game: &Game, settings: &Settings) -> Option<String> {
     })
 }
 
-fn draw_status(game: &Game, settings: &Settings, area: Area, canvas: &Canvas) {
-    panel_in(canvas, area, faded(theme::panel(), 0.9), theme::panel_edge());
+/// How much of a part's ground and edge, and of its words, is left where it has stepped `aside` so far.
+pub const fn left(aside: f32) -> (f32, f32) {
+    (1.0 - aside, 1.0 - (1.0 - WORDS_ASIDE) * aside)
+}
+
+fn draw_status(game: &Game, settings: &Settings, area: Area, aside: f32, canvas: &Canvas) {
+    let (ground, words) = left(aside);
+    panel_in(canvas, area, faded(theme::panel(), HIDES * ground), faded(theme::panel_edge(), ground));
     let middle = area.min.y + area.size.y * 0.29;
-    let number = Style::new(TEXT, theme::text()).mono().middle();
+    let number = Style::new(TEXT, faded(theme::text(), words)).mono().middle();
     let left = area.min.x + 2.0 * GRID;
     if settings.timer {
         canvas.text(&clock(if game.is_idle() { 0.0 } else { game.time() }), Vec2::new(left, middle), number);
     }
-    draw_speed(game, area, canvas);
+    draw_speed(game, area, words, canvas);
     let (met, all) = (game.met().iter().filter(|met| **met).count(), game.met().len());
     let colour = if met == all { theme::good() } else { theme::text() };
     let right = area.max().x - 2.0 * GRID;
     let count = format!("{met}/{all}");
-    let style = Style::new(TEXT, colour).mono().middle().right();
+    let style = Style::new(TEXT, faded(colour, words)).mono().middle().right();
     canvas.text(&count, Vec2::new(right, middle), style);
-    let words = Vec2::new(right - canvas.width(&count, style) - GRID, middle);
-    canvas.text("Objectives", words, Style::new(TEXT, theme::quiet()).middle().right());
+    let name = Vec2::new(right - canvas.width(&count, style) - GRID, middle);
+    canvas.text("Objectives", name, Style::new(TEXT, faded(theme::quiet(), words)).middle().right());
 }
 
-/// The ship's speed as a number and as a bar with a mark where it damages.
-fn draw_speed(game: &Game, area: Area, canvas: &Canvas) {
-    use macroquad::shapes::draw_rectangle;
+/// The ship's speed as a number and as a bar with a mark where it damages, so `strong` (0 … 1).
+fn draw_speed(game: &Game, area: Area, strong: f32, canvas: &Canvas) {
     let speed = game.world().body(SHIP).velocity.length();
-    let colour = speed_colour(speed);
+    let colour = faded(speed_colour(speed), strong);
     let y = area.min.y + area.size.y * 0.72;
     let left = area.min.x + 2.0 * GRID;
-    let words = format!("{speed:>5.1} m/s");
+    let words = format!("{:>5} m/s", fixed(speed, 1));
     let style = Style::new(TEXT, colour).mono().middle();
     canvas.text(&words, Vec2::new(left, y), style);
     let start = left + canvas.width(&words, style) + 1.5 * GRID;
     let (length, height) = (area.max().x - 2.0 * GRID - start, GRID);
     let share = (speed / GAUGE_END).min(1.0) as f32;
-    draw_rectangle(start, y - height / 2.0, length, height, theme::ground());
+    draw_rectangle(start, y - height / 2.0, length, height, faded(theme::ground(), strong));
     draw_rectangle(start, y - height / 2.0, length * share, height, colour);
     let mark = start + length * (DAMAGING_SPEED / GAUGE_END) as f32;
-    draw_rectangle(mark - 1.0, y - height, 2.0, 2.0 * height, theme::bad());
+    draw_rectangle(mark - 1.0, y - height, 2.0, 2.0 * height, faded(theme::bad(), strong));
 }
 
 /// Red where a hit would damage.
@@ -124,23 +285,28 @@ pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &C
     canvas.convex(&[to, to - way * head + way.perp() * head * 0.5, to - way * head - way.perp() * head * 0.5], colour);
 }
 
-fn draw_fuel(share: f32, words: &str, area: Area, canvas: &Canvas) {
-    use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
+/// The bar at `area`; where it has stepped `aside` it is a line without words.
+fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
     let (at, size) = (area.min, area.size);
-    draw_rectangle(at.x, at.y, size.x, size.y, faded(theme::panel(), 0.9));
+    draw_rectangle(at.x, at.y, size.x, size.y, faded(theme::panel(), HIDES));
     draw_rectangle(at.x, at.y, size.x * share, size.y, fuel_colour(share));
-    // Quarters, so that the length can be read.
-    for quarter in 1..4_u8 {
-        let x = at.x + size.x * f32::from(quarter) / 4.0;
-        draw_rectangle(x - 1.0, at.y + size.y * 0.65, 2.0, size.y * 0.35, faded(theme::ground(), 0.6));
-    }
-    draw_rectangle_lines(at.x, at.y, size.x, size.y, 4.0, theme::panel_edge());
     // Dark words on the bright bar; where the bar has gone, light ones.
     let style = Style::new(DETAILS, theme::ground()).mono().middle();
-    let covered = size.x * share > canvas.width(words, style) + 2.0 * GRID;
+    let width = canvas.width(words, style);
+    let covered = size.x * share > width + 2.0 * GRID;
     let colour = if covered { theme::ground() } else { theme::text() };
     let x = if covered { at.x + GRID } else { at.x + size.x * share + GRID };
-    canvas.text(words, Vec2::new(x, area.centre().y), Style { colour, ..style });
+    let named = x - GRID..x + width + GRID;
+    // Quarters, so that the length can be read: all across the bar, or they would look like commas, and none through the words.
+    for quarter in 1..4_u8 {
+        let x = at.x + size.x * f32::from(quarter) / 4.0;
+        if !named.contains(&x) {
+            draw_rectangle(x - 1.0, at.y, 2.0, size.y, faded(theme::ground(), 0.6));
+        }
+    }
+    draw_rectangle_lines(at.x, at.y, size.x, size.y, 4.0 * (1.0 - aside), faded(theme::panel_edge(), 1.0 - aside));
+    let style = Style { colour: faded(colour, (1.0 - 2.0 * aside).max(0.0)), ..style };
+    canvas.text(words, Vec2::new(x, area.centre().y), style);
 }
 
 /// From yellow-orange when full to red when empty.

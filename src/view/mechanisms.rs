@@ -5,13 +5,14 @@
 use super::art::{Art, Tile};
 use super::camera::Viewport;
 use super::canvas::{Canvas, Style};
-use super::layout::{DETAILS, Vec2};
+use super::layout::{Area, DETAILS, Vec2};
 use super::particles::{Look, Particle, Particles};
 use super::terrain::material_edge;
 use super::theme::{self, faded, rgb};
 use super::things::exact;
 use crate::game::Game;
 use crate::level::{Level, Mover, Route, Solid, SurfaceOf, Worked};
+use crate::number::fixed;
 use crate::physics::{Aabb, DVec2, ForceKind, Material, Sides};
 use macroquad::color::Color;
 use macroquad::math::Rect;
@@ -81,7 +82,7 @@ pub fn draw_areas(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
 fn draw_pod(area: &Rect, canvas: &Canvas, time: f64) {
     let pulse = 0.5 + 0.5 * (time * 3.1).sin() as f32;
     let round = (area.w.min(area.h) * 0.3).min(10.0);
-    let all = super::layout::Area { min: area.point(), size: area.size() };
+    let all = Area { min: area.point(), size: area.size() };
     canvas.rounded(all, round, faded(theme::accent(), 0.25 + 0.15 * pulse));
     canvas.rounded_edge(all, round, 2.5, theme::accent());
     let (middle, size) = (area.center(), area.w.min(area.h) * 0.24);
@@ -126,8 +127,12 @@ pub fn draw(game: &Game, alpha: f64, art: &Art, view: &Viewport, canvas: &Canvas
         if let Some(weight) = switch.weight {
             let area = view.rect(&switch.bounds);
             draw_plate(&area, lamp_colour(game, index), game.mechanisms().is_pressed(index), canvas);
-            let style = Style::new(DETAILS, theme::quiet()).mono().centred().middle();
-            canvas.text(&format!("> {weight:.0} N"), Vec2::new(area.center().x, area.bottom() + 12.0), style);
+            let style = Style::new(DETAILS, theme::text()).mono().centred().middle();
+            let (words, at) = (format!("> {} N", fixed(weight, 0)), Vec2::new(area.center().x, area.bottom() + 13.0));
+            // On a ground of its own: edges and hatching of the rock lie behind it.
+            let sign = Area::around(at, Vec2::new(canvas.width(&words, style) + 8.0, canvas.line_height(DETAILS)));
+            canvas.rounded(sign, 3.0, faded(theme::ground(), 0.8));
+            canvas.text(&words, at, style);
         }
     }
 }

@@ -10,6 +10,7 @@ pub mod terrain;
 pub mod arrows;
 #[cfg(feature = "window")]
 pub mod art;
+pub mod barriers;
 #[cfg(feature = "window")]
 pub mod boxes;
 #[cfg(feature = "window")]

@@ -1,6 +1,7 @@
 //! Particles: a pool of short-lived dots and streaks. They are for show: their chance is their own and nothing reads them back.
 
 use super::art::{Art, Tile};
+use super::barriers::Barriers;
 use super::camera::Viewport;
 use super::theme::faded;
 use crate::physics::DVec2;
@@ -12,6 +13,8 @@ use std::f32::consts::FRAC_PI_2;
 
 /// Never more particles than this: more cost frames and hide the game.
 const MOST: usize = 1500;
+/// How much of the speed with which exhaust, dust or a spark hits a solid turns aside along it.
+const SPLAY: f64 = 0.6;
 
 /// What a particle looks like during its life.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +60,23 @@ impl Particle {
         }
     }
 
+    /// Whether solids stop it; wind blows through them.
+    fn stops(&self) -> bool {
+        self.look != Look::Streak
+    }
+
+    /// Moves it in a straight line to a point, or to the first solid before that, along which it goes on.
+    fn go(&mut self, to: DVec2, barriers: &Barriers) {
+        let Some(stop) = barriers.stop(self.position, to).filter(|_| self.stops()) else {
+            self.position = to;
+            return;
+        };
+        let (axis, along) = (stop.axis, 1 - stop.axis);
+        self.position = stop.at;
+        self.velocity[along] += SPLAY * self.velocity[axis].abs() * self.velocity[along].signum();
+        self.velocity[axis] = 0.0;
+    }
+
     /// How fast it is slowed down, 1/s.
     const fn drag(&self) -> f64 {
         match self.look {
@@ -72,13 +92,15 @@ impl Particle {
 pub struct Particles {
     all: Vec<Particle>,
     most: usize,
+    /// What stops them, as it stands now.
+    barriers: Barriers,
     random: Pcg32,
 }
 
 impl Particles {
     /// An empty pool.
     pub fn new() -> Self {
-        Self { all: Vec::with_capacity(MOST), most: MOST, random: Pcg32::seed_from_u64(0x5245_5355) }
+        Self { all: Vec::with_capacity(MOST), most: MOST, barriers: Barriers::default(), random: Pcg32::seed_from_u64(0x5245_5355) }
     }
 
     /// Adds a particle, unless the pool is full.
@@ -86,6 +108,24 @@ impl Particles {
         if self.all.len() < self.most {
             self.all.push(particle);
         }
+    }
+
+    /// Says what stops them from now on.
+    pub fn set_barriers(&mut self, barriers: Barriers) {
+        self.barriers = barriers;
+    }
+
+    /// What stops them.
+    pub const fn barriers(&self) -> &Barriers {
+        &self.barriers
+    }
+
+    /// Adds a particle that has come from a point, unless the pool is full: before the first solid on its path from there.
+    pub fn launch(&mut self, from: DVec2, particle: Particle) {
+        let to = particle.position;
+        let mut particle = Particle { position: from, ..particle };
+        particle.go(to, &self.barriers);
+        self.add(particle);
     }
 
     /// A number between two, all equally likely.
@@ -97,7 +137,7 @@ impl Particles {
     pub fn advance(&mut self, frame_time: f64) {
         for particle in &mut self.all {
             particle.age += frame_time as f32;
-            particle.position += particle.velocity * frame_time;
+            particle.go(particle.position + particle.velocity * frame_time, &self.barriers);
             particle.velocity *= (-particle.drag() * frame_time).exp();
         }
         self.all.retain(|particle| particle.age < particle.life);
@@ -142,6 +182,7 @@ impl Default for Particles {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::{Aabb, Material, SurfaceDef, World, WorldDef};
     use macroquad::color::WHITE;
 
     fn particle(look: Look, life: f32) -> Particle {
@@ -154,6 +195,28 @@ mod tests {
         assert_eq!((radius, (colour.r, colour.g, colour.b)), (2.0, (1.0, 174.0 / 255.0, 0.0)));
         let (radius, colour) = Particle { age: 1.0, ..particle(Look::Plume, 1.0) }.appearance();
         assert_eq!((radius, (colour.r, colour.g, colour.b), colour.a), (5.0, (1.0, 1.0, 1.0), 0.0));
+    }
+
+    #[test]
+    fn exhaust_spreads_on_a_deck_and_wind_blows_through_it() {
+        let bounds = Aabb::new(DVec2::new(-5.0, 2.0), DVec2::new(5.0, 2.2));
+        let surfaces = vec![SurfaceDef::fixed(bounds, Material::STEEL)];
+        let world = World::new(WorldDef { surfaces, ..WorldDef::default() }).expect("a valid world");
+        let mut pool = Particles::new();
+        pool.set_barriers(Barriers::new(&world, &Aabb::around(DVec2::ZERO, DVec2::splat(8.0))));
+        let velocity = DVec2::new(0.5, 7.0);
+        for look in [Look::Plume, Look::Dust, Look::Spark, Look::Streak] {
+            pool.launch(DVec2::ZERO, Particle { velocity, position: DVec2::new(0.0, 3.0), ..particle(look, 2.0) });
+            pool.add(Particle { velocity, ..particle(look, 2.0) });
+        }
+        for _ in 0..60 {
+            pool.advance(1.0 / 60.0);
+        }
+        assert_eq!(pool.all().len(), 8);
+        for particle in pool.all() {
+            assert_eq!(particle.position.y < 2.0, particle.stops(), "{particle:?}");
+            assert!(!particle.stops() || particle.position.x > 0.6, "it goes on along the deck: {particle:?}");
+        }
     }
 
     #[test]

@@ -4,6 +4,7 @@
 #[cfg(feature = "window")]
 use super::facts::{Row, Value};
 use crate::lab::axes;
+use crate::number::fixed;
 
 /// The prefixes of units, from the largest.
 const PREFIXES: [(f64, &str); 6] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ")];
@@ -52,12 +53,7 @@ impl Scale {
             return "0".to_owned();
         }
         let Some(one) = self.one else { return axes::number(value / PREFIXES[0].0) };
-        let plain = format!("{:.*}", self.decimals, value / one);
-        match plain.strip_prefix('-') {
-            Some(size) if size.bytes().all(|digit| digit == b'0' || digit == b'.') => size.to_owned(),
-            Some(size) => format!("−{size}"),
-            None => plain,
-        }
+        fixed(value / one, self.decimals)
     }
 
     /// The unit with its prefix.

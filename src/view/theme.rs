@@ -10,6 +10,7 @@ use std::sync::atomic::{AtomicU8, Ordering};
 struct Colours {
     ground: Color,
     panel: Color,
+    button: Color,
     panel_hover: Color,
     panel_edge: Color,
     grid_fine: Color,
@@ -29,7 +30,8 @@ struct Colours {
 const STANDARD: Colours = Colours {
     ground: rgb(0x10141B),
     panel: rgb(0x1B2230),
-    panel_hover: rgb(0x28324A),
+    button: rgb(0x212B3D),
+    panel_hover: rgb(0x2F3C57),
     panel_edge: rgb(0x2C3648),
     grid_fine: rgb(0x1A2130),
     grid_heavy: rgb(0x232C3D),
@@ -59,6 +61,7 @@ const SAFE: Colours = Colours {
 const HIGH_CONTRAST: Colours = Colours {
     ground: rgb(0x000000),
     panel: rgb(0x000000),
+    button: rgb(0x000000),
     panel_hover: rgb(0x20304A),
     panel_edge: rgb(0xC8D2E0),
     grid_fine: rgb(0x10141B),
@@ -91,12 +94,17 @@ pub fn ground() -> Color {
     colours().ground
 }
 
-/// Panels and buttons.
+/// Panels.
 pub fn panel() -> Color {
     colours().panel
 }
 
-/// A button under the pointer.
+/// Buttons: they stand out from the ground and from panels.
+pub fn button() -> Color {
+    colours().button
+}
+
+/// A button under the pointer, and a row that is picked out.
 pub fn panel_hover() -> Color {
     colours().panel_hover
 }

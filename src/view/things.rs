@@ -19,6 +19,9 @@ use macroquad::texture::{DrawTextureParams, draw_texture_ex};
 const PLAIN: Color = rgb(0xB9C6DA);
 /// Length of the fully grown flame, m.
 const FLAME: f64 = 1.25;
+/// What is left of a flame close to a deck, m, and how many times as wide it spreads there at most.
+const FLAME_LEAST: f64 = 0.12;
+const FLAME_SPREAD: f64 = 1.7;
 /// Where on the nose the two flames of reverse thrust leave, m from the centre (to the side, forwards).
 const RETRO: (f64, f64) = (0.36, 0.50);
 
@@ -115,6 +118,8 @@ pub struct ShipPose {
     pub squash: f64,
     /// What its colours are multiplied by.
     pub light: Color,
+    /// From its centre to the first solid in the way of its flame, m.
+    pub room: f64,
 }
 
 /// The ship, its plume grown to `strength`, out of the tail (`way` 1) or of the nose (−1); `flicker` (0 … 1) varies the flame.
@@ -126,12 +131,15 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, art
         if way > 0.0 { &[(0.0, 0.80, 1.0)] } else { &[(-RETRO.0, RETRO.1, 0.55), (RETRO.0, RETRO.1, 0.55)] };
     if strength > 0.0 {
         for &(side, out, size) in flames {
-            let length = FLAME * size * strength * (0.85 + 0.15 * flicker);
+            let whole = FLAME * size * strength * (0.85 + 0.15 * flicker);
+            // A deck cuts the flame off, and it spreads.
+            let length = whole.min((ship.room - out).max(FLAME_LEAST));
+            let spread = (whole / length).sqrt().min(FLAME_SPREAD);
             let root = centre + right * side - nose * (out * way);
             let middle = root - nose * (way * length * 0.5);
             art.draw(Tile::Glow, view.point(middle), Vec2::splat(view.length(2.2 * length)), 0.0, faded(rgb(0xFF9F1C), 0.35));
             let turn = if way > 0.0 { rotation } else { rotation + std::f64::consts::PI };
-            let size = Vec2::new(view.length(0.75 * size), view.length(length));
+            let size = Vec2::new(view.length(0.75 * size * spread), view.length(length));
             art.draw(Tile::Flame, view.point(middle), size, turn as f32, WHITE);
         }
     }
@@ -143,16 +151,21 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, art
     art.draw(Tile::Ship, view.point(standing), size, rotation as f32, ship.light);
 }
 
-/// How much of a ghost is seen: enough to follow it, too little to be taken for a thing.
-const PALE: f32 = 0.32;
+/// A ghost is pale and blue, and a ring goes round it: enough to follow it, too little to be taken for the ship.
+const PALE: Color = Color::new(0.72, 0.84, 1.0, 0.7);
+/// How much of its ring, its outline and its name is seen.
+const GHOST_EDGE: f32 = 0.75;
+/// From its centre to the ring, in halves of the ship.
+const GHOST_RING: f64 = 1.2;
 
 /// A ship of another time: pale, without light or flame, and its name below it where that is given.
 pub fn draw_ghost(name: Option<&str>, pose: Pose, Brushes { art, view, canvas, .. }: Brushes<'_>) {
     let size = Vec2::splat(view.length(2.0 * SHIP_HALF.y));
-    art.draw(Tile::Ship, view.point(pose.centre), size, pose.angle.to_radians() as f32, faded(WHITE, PALE));
+    art.draw(Tile::Ship, view.point(pose.centre), size, pose.angle.to_radians() as f32, PALE);
+    canvas.ring(view.point(pose.centre), view.length(SHIP_HALF.y * GHOST_RING), 1.5, faded(PALE, GHOST_EDGE));
     if let Some(name) = name {
-        let below = view.point(pose.centre + DVec2::new(0.0, SHIP_HALF.y + 0.45));
-        canvas.text(name, below, Style::new(DETAILS, faded(theme::text(), 0.6)).centred().middle());
+        let below = view.point(pose.centre + DVec2::new(0.0, SHIP_HALF.y * GHOST_RING + 0.4));
+        canvas.text(name, below, Style::new(DETAILS, faded(theme::text(), 0.85)).centred().middle());
     }
 }
 
@@ -160,7 +173,7 @@ pub fn draw_ghost(name: Option<&str>, pose: Pose, Brushes { art, view, canvas, .
 pub fn draw_ghost_object(name: Option<&str>, (object, centre): (&Object, DVec2), Brushes { view, canvas, .. }: Brushes<'_>) {
     const SIDES: usize = 32;
     let area = exact(&Aabb::around(centre, object.size * 0.5), view);
-    let (fill, edge) = (faded(theme::text(), 0.10), faded(theme::text(), 0.55));
+    let (fill, edge) = (faded(PALE, 0.30), Color::new(PALE.r, PALE.g, PALE.b, 1.0));
     let corners: Vec<Vec2> = if object.circular || object.look == Look::Ball {
         let turn = |i: usize| Vec2::from_angle(std::f32::consts::TAU * i as f32 / SIDES as f32);
         (0..SIDES).map(|i| area.center() + turn(i) * area.size() / 2.0).collect()
@@ -172,7 +185,7 @@ pub fn draw_ghost_object(name: Option<&str>, (object, centre): (&Object, DVec2),
     canvas.convex_edge(&corners, 1.5, edge);
     if let Some(name) = name {
         let below = view.point(centre + DVec2::new(0.0, object.size.y / 2.0)) + Vec2::new(0.0, canvas.line_height(DETAILS) * 0.6);
-        canvas.text(name, below, Style::new(DETAILS, faded(theme::text(), 0.7)).centred().middle());
+        canvas.text(name, below, Style::new(DETAILS, faded(theme::text(), 0.85)).centred().middle());
     }
 }
 

@@ -1,7 +1,7 @@
 //! What the screens are made of: panels, buttons, headings.
 
 use super::canvas::{Canvas, Style};
-use super::layout::{Area, BUTTON_TEXT, CORNER, EDGE, GRID, HEADING, Vec2};
+use super::layout::{Area, BUTTON_TEXT, CORNER, DETAILS, EDGE, GRID, HEADING, TEXT, Vec2};
 use super::theme;
 use macroquad::color::Color;
 use macroquad::shapes::draw_rectangle;
@@ -22,7 +22,7 @@ pub fn panel_in(canvas: &Canvas, area: Area, fill: Color, edge: Color) {
 
 /// A button's box: hover lightens it, keyboard focus rings it.
 pub fn button_box(canvas: &Canvas, area: Area, hover: bool, focus: bool) {
-    panel_in(canvas, area, if hover { theme::panel_hover() } else { theme::panel() }, theme::panel_edge());
+    panel_in(canvas, area, if hover { theme::panel_hover() } else { theme::button() }, theme::panel_edge());
     if focus {
         focus_ring(canvas, area);
     }
@@ -30,8 +30,23 @@ pub fn button_box(canvas: &Canvas, area: Area, hover: bool, focus: bool) {
 
 /// A button with its words in the middle.
 pub fn button(canvas: &Canvas, area: Area, label: &str, hover: bool, focus: bool) {
+    keyed_button(canvas, area, (label, ""), (hover, focus));
+}
+
+/// A button with its words in the middle and, beside them, the key that presses it.
+pub fn keyed_button(canvas: &Canvas, area: Area, (label, key): (&str, &str), (hover, focus): (bool, bool)) {
     button_box(canvas, area, hover, focus);
-    canvas.text(label, area.centre(), Style::new(BUTTON_TEXT, theme::text()).centred().middle());
+    let key_style = Style::new(TEXT, theme::accent()).mono().middle();
+    let beside = if key.is_empty() { 0.0 } else { canvas.width(key, key_style) + 1.5 * GRID };
+    let room = area.size.x - 2.0 * GRID - beside;
+    let fits = |size: &f32| canvas.width(label, Style::new(*size, theme::text())) <= room;
+    let size = [BUTTON_TEXT, TEXT, DETAILS].into_iter().find(fits).unwrap_or(DETAILS);
+    let style = Style::new(size, theme::text()).middle();
+    let words = cut(canvas, label, room, style);
+    let (width, middle) = (canvas.width(&words, style), area.centre());
+    let left = middle.x - (width + beside) / 2.0;
+    canvas.text(&words, Vec2::new(left, middle.y), style);
+    canvas.text(key, Vec2::new(left + width + beside, middle.y), key_style.right());
 }
 
 /// The ring around what has the keyboard.

@@ -8,7 +8,7 @@ use super::layout::{DETAILS, Vec2};
 use super::terrain::Batch;
 use super::theme::{self, faded, rgb};
 use crate::game::Game;
-use crate::level::{Fluid, Level, ObjectiveKind};
+use crate::level::{Fluid, Level, ObjectiveKind, Solid};
 use crate::physics::{Aabb, DVec2};
 use macroquad::color::{Color, WHITE};
 use macroquad::math::Rect;
@@ -26,6 +26,8 @@ const WAVE_HEIGHT: f32 = 5.0;
 const SHALLOW: f32 = 0.36;
 const DEEP: f32 = 0.58;
 const STAIN: f32 = 0.5;
+/// What is nearer to a liquid's surface than this lies on it, m.
+const ON_IT: f64 = 1e-6;
 /// Between two of a stream's chevrons, m, and how fast they wander, m/s.
 const CHEVRON_STEP: f64 = 2.0;
 const CHEVRON_SPEED: f64 = 2.5;
@@ -201,7 +203,7 @@ pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
 /// by [`in_liquid`].
 pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     let visible = view.visible();
-    for fluid in level.fluids.iter().filter(|fluid| fluid.zone.touches(&visible, 0.5)) {
+    for (index, fluid) in level.fluids.iter().enumerate().filter(|(_, fluid)| fluid.zone.touches(&visible, 0.5)) {
         let colour = liquid_colour(fluid);
         let shown = Aabb::new(fluid.zone.min.max(visible.min - 1.0), fluid.zone.max.min(visible.max + 1.0));
         let all = view.rect(&fluid.zone);
@@ -211,8 +213,24 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
         let (a, b) = (Vec2::new(area.x, top), Vec2::new(area.right(), area.bottom()));
         let mut batch = Batch::default();
         batch.quad([a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)], [thick(a.y), thick(a.y), thick(b.y), thick(b.y)]);
+        // Where something lies on it, it is filled to its edge; elsewhere it has waves.
+        let open = open_surface(&level.fluids, &level.world, index);
+        let ends = [fluid.zone.min.x].into_iter().chain(open.iter().map(|span| span.1));
+        let starts = open.iter().map(|span| span.0).chain([fluid.zone.max.x]);
+        for (from, to) in ends.zip(starts).filter(|(from, to)| from < to) {
+            let lid = view.rect(&Aabb::new(DVec2::new(from, fluid.zone.min.y), DVec2::new(to, fluid.zone.max.y)));
+            let (a, b) = (Vec2::new(lid.x.max(area.x), all.y), Vec2::new(lid.right().min(area.right()), all.y + WAVE_HEIGHT));
+            if a.x < b.x {
+                batch.quad([a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)], [thick(a.y); 4]);
+                batch.stroke([a, Vec2::new(b.x, a.y)], 1.5, [faded(mixed(colour), 0.5); 2]);
+            }
+        }
         batch.draw();
-        surface(canvas, &area, all.y, colour, time);
+        for (from, to) in open {
+            let span = view.rect(&Aabb::new(DVec2::new(from, fluid.zone.min.y), DVec2::new(to, fluid.zone.max.y)));
+            let shown = (span.x.max(area.x), span.right().min(area.right()));
+            surface(canvas, shown, &all, colour, time);
+        }
         // Two faint bands of light that drift below the surface.
         for band in 0..2_u8 {
             let depth = 18.0 + 26.0 * f32::from(band);
@@ -222,6 +240,26 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
             }
         }
     }
+}
+
+/// The parts of a liquid's surface, m from left to right, on which nothing lies: no other liquid and no rock.
+fn open_surface(fluids: &[Fluid], world: &[Solid], index: usize) -> Vec<(f64, f64)> {
+    let zone = &fluids[index].zone;
+    let others = fluids.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, fluid)| fluid.zone);
+    let rock = world.iter().filter(|solid| solid.is_rock()).map(|solid| solid.bounds);
+    let mut lids: Vec<Aabb> = others.chain(rock).filter(|lid| lid.min.y < zone.min.y && lid.touches(zone, ON_IT)).collect();
+    lids.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
+    let (mut open, mut from) = (Vec::new(), zone.min.x);
+    for lid in lids {
+        if lid.min.x.min(zone.max.x) > from {
+            open.push((from, lid.min.x.min(zone.max.x)));
+        }
+        from = from.max(lid.max.x);
+    }
+    if from < zone.max.x {
+        open.push((from, zone.max.x));
+    }
+    open
 }
 
 /// The colour by which a picture is multiplied where it is drawn: white in the air, some of a liquid's colour in it, by the share of
@@ -243,19 +281,20 @@ fn liquid_colour(fluid: &Fluid) -> Color {
 }
 
 /// The top of a liquid: columns under a wave, and the bright line along it.
-fn surface(canvas: &Canvas, area: &Rect, level: f32, colour: Color, time: f64) {
+fn surface(canvas: &Canvas, (left, right): (f32, f32), all: &Rect, colour: Color, time: f64) {
     const STEP: f32 = 8.0;
+    let level = all.y;
     let bottom = level + WAVE_HEIGHT;
     let height = |x: f32| {
         let wave = (f64::from(x / WAVE_LENGTH) * std::f64::consts::TAU + time * 2.2).sin() * 0.7
             + (f64::from(x / WAVE_LENGTH) * 3.9 - time * 1.3).sin() * 0.3;
         level + WAVE_HEIGHT * 0.5 * (1.0 + wave as f32)
     };
-    // The wave is fixed to the level: it begins at a multiple of the step from the zone's left edge.
-    let mut x = area.x;
-    while x < area.right() {
-        let next = (x + STEP).min(area.right());
-        let (a, b) = (Vec2::new(x, height(x - area.x)), Vec2::new(next, height(next - area.x)));
+    // The wave is fixed to the level, wherever the part of it in view begins.
+    let mut x = left;
+    while x < right {
+        let next = (x + STEP - (x - all.x).rem_euclid(STEP)).min(right);
+        let (a, b) = (Vec2::new(x, height(x - all.x)), Vec2::new(next, height(next - all.x)));
         draw_triangle(a, b, Vec2::new(x, bottom), faded(colour, SHALLOW));
         draw_triangle(b, Vec2::new(next, bottom), Vec2::new(x, bottom), faded(colour, SHALLOW));
         canvas.line(a, b, 2.0, faded(mixed(colour), 0.85));
@@ -271,6 +310,21 @@ fn mixed(colour: Color) -> Color {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::Material;
+
+    #[test]
+    fn a_liquid_has_waves_only_where_nothing_lies_on_it() {
+        let zone = |left: f64, top: f64, right: f64, bottom: f64| Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom));
+        let fluid = |zone| Fluid { zone, density: 1.0, viscosity: 1.0, colour: [0, 0, 255] };
+        let mut fluids = [fluid(zone(0.0, 5.0, 10.0, 9.0)), fluid(zone(2.0, 1.0, 4.0, 5.0))];
+        assert_eq!(open_surface(&fluids, &[], 0), [(0.0, 2.0), (4.0, 10.0)]);
+        assert_eq!(open_surface(&fluids, &[], 1), [(2.0, 4.0)]);
+        let solid = |bounds| Solid::new(bounds, Material::ASPHALT);
+        let world = [solid(zone(-1.0, 4.0, 3.0, 6.0)), solid(zone(4.0, 8.0, 6.0, 9.0))];
+        assert_eq!(open_surface(&fluids, &world, 0), [(4.0, 10.0)], "a stone on the ground covers no surface");
+        fluids[1].zone = zone(-5.0, 1.0, 15.0, 5.0);
+        assert!(open_surface(&fluids, &[], 0).is_empty());
+    }
 
     #[test]
     fn what_is_in_a_liquid_takes_on_some_of_its_colour_by_the_share_that_is_in_it() {

@@ -102,6 +102,16 @@ fn a_name_is_judged_on_submit_and_its_error_stays_until_it_is_mended() {
 }
 
 #[test]
+fn an_empty_board_invites_to_fly() {
+    let mut sitting = Sitting::new();
+    sitting.choose(2).choose(0);
+    assert_eq!(sitting.at(), "leaderboard");
+    assert!(sitting.leaderboard().board().rows().is_empty());
+    assert_eq!(sitting.leaderboard().labels().collect::<Vec<_>>(), ["Play", "Flights", "Back"]);
+    assert_eq!(sitting.press(Key::Enter).flight().game().level().name, "1");
+}
+
+#[test]
 fn the_field_takes_forty_characters() {
     let mut sitting = Sitting::new();
     sitting.reach_save_score().write(&"a".repeat(50));

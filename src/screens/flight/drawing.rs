@@ -4,20 +4,29 @@ use super::{Flight, News, PAUSE_TOP};
 use crate::game::Outcome;
 use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{
-    Area, DETAILS, Frame, GRID, HEADING, HudLayout, MONO_ADVANCE, PADDING, TEXT, Vec2, WIDE_BUTTON, text_room, wrapped,
+    Area, DETAILS, Frame, GRID, HEADING, HudLayout, LINE, MONO_ADVANCE, PADDING, TEXT, Vec2, WIDE_BUTTON, text_room, wrapped,
 };
 use crate::view::{theme, widgets};
 
 /// From the canvas' foot to what is told above the fuel bar.
 const ABOVE_FUEL: f32 = 52.0;
+/// What a test flight says.
+const TEST: &str = "A test flight: Esc or F5 leads back to the editor";
 
 impl Flight {
     /// How the time goes, where it does not go as it does, and what leads on where it has ended and stays: at the flight's foot.
-    fn time_note(&self, frame: &Frame) -> Option<(String, Area)> {
+    fn draw_time(&self, canvas: &Canvas) {
+        let Some((words, area)) = self.time_sign(canvas.frame()) else { return };
+        widgets::panel(canvas, area);
+        canvas.text(&words, area.centre(), Style::new(TEXT, theme::accent()).middle().centred());
+    }
+
+    /// Its words and its place.
+    fn time_sign(&self, frame: &Frame) -> Option<(String, Area)> {
         let kept = self.game.outcome() != Outcome::Running && self.instruments.stays() && !self.observer.frozen();
         let ended = kept.then(|| "The flight has ended: Enter leads on".to_owned());
         let words = ended.or_else(|| self.observer.words(self.game.ticks(), self.game.tick_rate()))?;
-        let size = text_room(&words, frame.text_height(TEXT)) + Vec2::new(2.0 * PADDING, PADDING);
+        let size = text_room(&words, frame.text_height(TEXT)) + Vec2::new(2.0, 1.0) * PADDING;
         let above = match (self.test, self.game.level().ship_plays()) {
             // A test flight has its words there.
             (true, _) => 1.5 * ABOVE_FUEL,
@@ -28,39 +37,45 @@ impl Flight {
         Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, foot - above - size.y), size }))
     }
 
-    /// Everything that covers the flight, besides the head-up display.
-    pub fn panels(&self, frame: &Frame) -> Vec<Area> {
-        let note = self.time_note(frame).map(|(_, area)| area);
-        self.instruments.areas(frame).into_iter().chain(note).collect()
+    /// The place of the words on a test flight.
+    fn test_sign(&self, frame: &Frame) -> Option<Area> {
+        let at = Vec2::new(frame.size.x / 2.0, self.instruments.room(frame).size.y - ABOVE_FUEL);
+        self.test.then(|| Area::around(at, text_room(TEST, frame.text_height(TEXT))))
     }
 
-    fn draw_time(&self, canvas: &Canvas) {
-        if let Some((words, area)) = self.time_note(canvas.frame()) {
-            widgets::panel(canvas, area);
-            canvas.text(&words, area.centre(), Style::new(TEXT, theme::accent()).middle().centred());
-        }
+    /// What stands above the level besides the head-up display.
+    pub fn panels(&self, frame: &Frame) -> Vec<Area> {
+        let signs = self.time_sign(frame).map(|(_, area)| area).into_iter().chain(self.test_sign(frame));
+        let news = self.news.as_ref().map(|news| news_panel(news, frame).0);
+        let lost = self.lost_sign(frame).map(|(_, area)| area);
+        // What is varied is told beside the status, in as many lines as it takes.
+        let status = HudLayout::new(frame).status;
+        let width = frame.size.x - status.max().x;
+        let varied = self.variation().map(|_| Area::new(status.max().x, status.min.y, width, status.size.y));
+        signs.chain(news).chain(lost).chain(varied).chain(self.instruments.areas(frame)).collect()
     }
 
     /// What the attempt before was lost to, and the key that shows more of it: below the row of the timer, away from where ships start.
-    fn draw_lost(&self, canvas: &Canvas) {
-        let Some(death) = self.lost().filter(|_| self.news.is_none()) else { return };
+    fn lost_sign(&self, frame: &Frame) -> Option<(String, Area)> {
+        let death = self.lost().filter(|_| self.news.is_none())?;
         let words = format!("{death} · Enter: what the attempt came to");
-        let style = Style::new(TEXT, theme::accent()).middle().centred();
-        let size = Vec2::new(canvas.width(&words, style) + 2.0 * PADDING, canvas.line_height(TEXT) + PADDING);
-        let top = HudLayout::new(canvas.frame()).status.max().y + PADDING;
-        let area = Area { min: Vec2::new((canvas.size().x - size.x) / 2.0, top), size };
+        let size = text_room(&words, frame.text_height(TEXT)) + Vec2::new(2.0, 1.0) * PADDING;
+        let top = HudLayout::new(frame).status.max().y + PADDING;
+        Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }))
+    }
+
+    fn draw_lost(&self, canvas: &Canvas) {
+        let Some((words, area)) = self.lost_sign(canvas.frame()) else { return };
         canvas.end_layer();
         widgets::panel_in(canvas, area, theme::faded(theme::panel(), 0.9), theme::panel_edge());
-        canvas.text(&words, area.centre(), style);
+        canvas.text(&words, area.centre(), Style::new(TEXT, theme::accent()).middle().centred());
     }
 
     /// Draws what is to be told of the level's files, and the pause panel where it is open, above the game.
     pub fn draw_over(&self, canvas: &Canvas) {
-        if self.test {
-            let at = Vec2::new(canvas.size().x / 2.0, self.instruments.room(canvas.frame()).size.y - ABOVE_FUEL);
-            let style = Style::new(TEXT, theme::accent()).centred().middle();
+        if let Some(area) = self.test_sign(canvas.frame()) {
             canvas.end_layer();
-            canvas.text("A test flight: Esc or F5 leads back to the editor", at, style);
+            canvas.text(TEST, area.centre(), Style::new(TEXT, theme::accent()).centred().middle());
         }
         self.draw_what_if(canvas);
         if let (Some(news), None) = (&self.news, &self.settings) {
@@ -81,7 +96,7 @@ impl Flight {
         let width = WIDE_BUTTON.x + 4.0 * PADDING;
         let panel = Area::new(middle.x - width / 2.0, top, width, bottom - top);
         widgets::panel(canvas, panel);
-        widgets::heading(canvas, "Paused", panel.min.y + PADDING + HEADING * 0.8);
+        widgets::heading(canvas, "Paused", panel.min.y + PADDING + HEADING * 0.65);
         let labels = self.pause_labels();
         for (i, area) in pause.areas().iter().enumerate() {
             widgets::button(canvas, *area, labels[i], pause.hover() == Some(i), pause.focus() == i);
@@ -95,34 +110,41 @@ const LISTED: usize = 6;
 /// How far the box with time and speed reaches.
 const BESIDE: f32 = 290.0;
 
-/// What became of the level's files, at the window's top.
-fn draw_news(news: &News, canvas: &Canvas) {
-    let (words, colour, problems): (&str, _, &[String]) = match news {
-        News::Changed(_, true) => ("Read anew: you fly on in it, with help. R restarts it.", theme::good(), &[]),
-        News::Changed(_, false) => ("Read anew, from its start.", theme::good(), &[]),
-        News::Unfinished(problems) => ("Flown as far as it goes. What is left:", theme::accent(), problems),
-        News::Broken(problems) => ("The files do not load now: you fly on in what was there.", theme::bad(), problems),
+/// The panel with what became of the level's files, and the lines of its problems.
+fn news_panel(news: &News, frame: &Frame) -> (Area, Vec<String>) {
+    let problems: &[String] = match news {
+        News::Changed(..) => &[],
+        News::Unfinished(problems) | News::Broken(problems) => problems,
     };
-    let line = canvas.line_height(DETAILS);
-    let more = problems.len().saturating_sub(LISTED);
     // Beside the box with time and speed, which grows with the words.
-    let left = 16.0 + BESIDE * canvas.frame().text.max(1.0);
-    let room = canvas.size().x - left - PADDING;
+    let left = 16.0 + BESIDE * frame.text.max(1.0);
+    let room = frame.size.x - left - PADDING;
     let width = if problems.is_empty() { room.min(560.0) } else { room };
-    let letter = canvas.frame().text_height(DETAILS) * MONO_ADVANCE;
-    let columns = ((width - 2.0 * PADDING) / letter) as usize;
+    let columns = ((width - 2.0 * PADDING) / (frame.text_height(DETAILS) * MONO_ADVANCE)) as usize;
     let mut lines: Vec<String> = problems.iter().take(LISTED).flat_map(|problem| wrapped(problem, columns, 4)).collect();
+    let more = problems.len().saturating_sub(LISTED);
     if more > 0 {
         lines.push(format!("and {more} more"));
     }
-    let height = canvas.line_height(TEXT) + 1.5 * PADDING + lines.len() as f32 * line;
-    let panel = Area::new(left, PADDING, width, height);
+    let [text, line] = [TEXT, DETAILS].map(|size| frame.text_height(size) * LINE);
+    (Area::new(left, PADDING, width, text + 1.5 * PADDING + lines.len() as f32 * line), lines)
+}
+
+/// What became of the level's files, at the window's top.
+fn draw_news(news: &News, canvas: &Canvas) {
+    let (words, colour) = match news {
+        News::Changed(_, true) => ("Read again: you fly on in it, with help. R restarts it.", theme::good()),
+        News::Changed(_, false) => ("Read again, from its start.", theme::good()),
+        News::Unfinished(_) => ("Flown as far as it goes. What is left:", theme::accent()),
+        News::Broken(_) => ("The files do not load now: you fly on in what was there.", theme::bad()),
+    };
+    let (panel, lines) = news_panel(news, canvas.frame());
     widgets::curtain(canvas, 0.0);
     widgets::panel_in(canvas, panel, theme::faded(theme::panel(), 0.95), colour);
     let top = panel.min + Vec2::new(PADDING, 0.75 * PADDING);
     canvas.text(words, top, Style::new(TEXT, colour));
     for (i, words) in lines.iter().enumerate() {
-        let at = top + Vec2::new(0.0, canvas.line_height(TEXT) + i as f32 * line);
+        let at = top + Vec2::new(0.0, canvas.line_height(TEXT) + i as f32 * canvas.line_height(DETAILS));
         canvas.text(words, at, Style::new(DETAILS, theme::text()).mono());
     }
 }

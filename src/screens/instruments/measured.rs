@@ -7,6 +7,7 @@ use super::ruler::{End, Reading};
 use super::vectors::Vector;
 use crate::game::{Game, SHIP};
 use crate::instruments::trail::{DOTS_A_SECOND, LASTS};
+use crate::number::fixed;
 use crate::physics::{BodyId, DVec2};
 use crate::view::camera::Viewport;
 use crate::view::canvas::{Canvas, Style};
@@ -229,7 +230,7 @@ pub(super) const fn colour(vector: Vector) -> Color {
 
 fn reading_lines(reading: &Reading) -> Vec<String> {
     let Reading { length, parts, angle } = *reading;
-    let angle = format!("{angle:.1}°").replace('-', "−");
+    let angle = format!("{}°", fixed(angle, 1));
     vec![
         format!("{}  {angle}", scalar(length, "m")),
         format!("Δx {}", scalar(parts.x, "m")),

@@ -11,7 +11,7 @@ use crate::instruments::stop_clock::seconds;
 use crate::screens::Buttons;
 use crate::view::camera::Viewport;
 use crate::view::canvas::{Canvas, Style};
-use crate::view::layout::{Area, CORNER, DETAILS, GRID, TEXT, Vec2};
+use crate::view::layout::{Area, DETAILS, GRID, TEXT, Vec2};
 use crate::view::quantity::scalar;
 use crate::view::theme::{self, faded};
 use crate::view::widgets;
@@ -101,9 +101,7 @@ fn line_colour(line: &Line) -> Color {
 
 fn draw_buttons(buttons: &Buttons, words: &[&str], canvas: &Canvas) {
     for (i, (area, words)) in buttons.areas().iter().zip(words).enumerate() {
-        let hover = buttons.hover() == Some(i);
-        canvas.rounded(*area, CORNER, if hover { theme::panel_hover() } else { theme::ground() });
-        canvas.rounded_edge(*area, CORNER, 1.5, theme::panel_edge());
+        widgets::button_box(canvas, *area, buttons.hover() == Some(i), false);
         canvas.text(words, area.centre(), Style::new(DETAILS, theme::text()).centred().middle());
     }
 }

@@ -5,6 +5,7 @@ use super::{Entry, LevelSelect, Pick, Press, Purpose};
 use crate::number::clock;
 use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, ROW_BUTTON, TEXT, Vec2};
+use crate::view::terrain::Tint;
 use crate::view::{medals, theme, widgets};
 
 /// From a card's edge to what is on it.
@@ -79,7 +80,7 @@ fn card(canvas: &Canvas, area: Area, entry: &Entry, hover: bool, focus: bool) {
     match &entry.level {
         None => {}
         Some(Ok((title, miniature))) => {
-            miniature.draw(canvas, picture);
+            miniature.draw(&Tint::of(&entry.name), canvas, picture);
             let named = if *title == entry.name { title.clone() } else { format!("{} · {title}", entry.name) };
             let sizes: &[f32] = if area.size.x > 400.0 { &[BUTTON_TEXT, TEXT, DETAILS] } else { &[TEXT, DETAILS] };
             fitted(&named, 0.9, sizes, theme::text());

@@ -54,3 +54,9 @@ pub fn mass(level: &Level) -> Silhouette {
     mass.keep_edges(&all);
     mass
 }
+
+/// The parts of a box in which there is mass, none over another.
+pub fn parts(mass: &Silhouette, within: &Aabb) -> impl Iterator<Item = Aabb> {
+    let pieces = mass.pieces().map(|(piece, _)| piece).filter(move |piece| piece.overlaps(within, 0.0));
+    pieces.map(move |piece| Aabb::new(piece.min.max(within.min), piece.max.min(within.max)))
+}

@@ -3,7 +3,7 @@
 use super::drafting::{self, Dimension, Grain, Stroke};
 use super::light::{Lit, cast};
 use super::silhouette::{Corner, Edge, Silhouette};
-use super::{Batch, ROCK, Tint, kind, mass};
+use super::{Batch, ROCK, Tint, kind, mass, parts};
 use crate::level::Level;
 use crate::physics::{Aabb, DVec2, Material};
 use crate::view::art::{Art, Tile};
@@ -105,6 +105,11 @@ impl Terrain {
         self.draw_dimensions(view, canvas, &mut batch);
         batch.draw();
         self.draw_edges(view);
+    }
+
+    /// The parts of a box that are solid ground.
+    pub fn parts(&self, within: &Aabb) -> impl Iterator<Item = Aabb> {
+        parts(&self.mass, within)
     }
 
     /// Draws the light of the lamp of that index in the order in which they were given.

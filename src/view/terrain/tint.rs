@@ -12,6 +12,8 @@ const INKS: [Color; 8] =
 pub struct Tint {
     /// The rock.
     pub rock: Color,
+    /// The rock on a map of the level, which has no edges.
+    pub map: Color,
     /// Its edge, where it catches the light.
     pub edge: Color,
     /// Hatching and dimension lines.
@@ -34,6 +36,7 @@ impl Tint {
     fn from_ink(ink: Color) -> Self {
         Self {
             rock: mixed(theme::ground(), ink, 0.17),
+            map: mixed(theme::ground(), ink, 0.5),
             edge: mixed(ink, WHITE, 0.12),
             ink,
             fine: mixed(theme::ground(), ink, 0.065),
@@ -77,6 +80,7 @@ mod tests {
         for ink in INKS {
             let tint = Tint::from_ink(ink);
             assert!(contrast(theme::text(), tint.rock) > 7.0);
+            assert!(contrast(tint.map, theme::ground()) > 3.0, "a card");
             assert!(contrast(tint.edge, theme::ground()) > 4.5 && contrast(tint.edge, tint.rock) > 3.0);
         }
     }

@@ -60,9 +60,9 @@ close_game
 room=$data/levels/room
 mkdir "$room"
 printf 'width,1280\nheight,720\n' >"$room/constants.csv"
-printf '200,654.5,100,500,2000\n' >"$room/player.csv"
+printf '200,614.5,100,500,2000\n' >"$room/player.csv"
 printf 'PLAYER,1200,20,40,40\n' >"$room/objectives.csv"
-printf '0,680,1280,40,Asphalt\n' >"$room/world.csv"
+printf '0,640,1280,80,Asphalt\n' >"$room/world.csv"
 open_game play room
 expect reload-before hud
 printf '500,200,300,300,Ice\n' >>"$room/world.csv"

@@ -3,7 +3,9 @@
 # The level is done by thrusting from where the ship stands.
 mkdir "$data/levels/0"
 printf 'width,800\nheight,600\noptimal_time,10\n' >"$data/levels/0/constants.csv"
-printf 'x,y,mass,fuel,thrust\n400,574,100,500,2500\n' >"$data/levels/0/player.csv"
+# A floor keeps the ship above the fuel bar, which would step aside for it.
+printf '0,540,800,60,Asphalt\n' >"$data/levels/0/world.csv"
+printf 'x,y,mass,fuel,thrust\n400,514,100,500,2500\n' >"$data/levels/0/player.csv"
 printf 'PLAYER,350,60,100,40\n' >"$data/levels/0/objectives.csv"
 
 open_game play 0
