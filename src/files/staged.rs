@@ -229,7 +229,7 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
 pub fn target(path: &Path, links: Links) -> io::Result<(PathBuf, Option<Metadata>)> {
     let target = if links == Links::Followed { behind_links(path)? } else { path.to_path_buf() };
     let found = match fs::symlink_metadata(&target) {
-        // A pipe or a link that is in the way is replaced, too: a rename does not open it.
+        // A pipe or a link that lies there is replaced, too: a rename does not open it.
         Ok(found) if links == Links::Never && !found.is_file() => None,
         Ok(found) => Some(found),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
@@ -306,7 +306,7 @@ fn keep_owner(file: &File, old: &Metadata) {
     use std::os::unix::fs::{MetadataExt, fchown};
     let same = |own: Metadata| (own.uid(), own.gid()) == (old.uid(), old.gid());
     if !file.metadata().is_ok_and(same) && fchown(file, Some(old.uid()), Some(old.gid())).is_err() {
-        // The folder may be shared in another way than by a group.
+        // A folder may be shared by other means than a group.
         let _ = fchown(file, None, Some(old.gid()));
     }
 }

@@ -328,15 +328,15 @@ mod tests {
 
     /// Frames are counted here: no time passes.
     #[test]
-    fn a_lock_that_is_held_holds_up_no_frame_and_is_told_after_two_seconds() {
+    fn a_lock_that_is_held_holds_up_no_frame_and_is_reported_after_two_seconds() {
         let folder = tempfile::tempdir().unwrap();
         let mut file = SettingsFile::new(folder.path().join("settings.csv"));
         assert_eq!(file.update(0.0), None, "nothing waits");
         let held = Lock::wait(&folder.path().join(".settings.csv.lock"), Duration::ZERO).unwrap();
         file.set("", &Settings { music: 1, ..Settings::default() });
-        let told: Vec<_> = (0..5).map(|_| file.update(0.5)).collect();
-        assert_eq!(told[..4], [const { None }; 4]);
-        let problems = told[4].clone().unwrap();
+        let said: Vec<_> = (0..5).map(|_| file.update(0.5)).collect();
+        assert_eq!(said[..4], [const { None }; 4]);
+        let problems = said[4].clone().unwrap();
         assert!(
             problems[0].ends_with(
                 "settings.csv: another program is writing there and does not come to an end; the settings are not saved"
