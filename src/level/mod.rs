@@ -46,8 +46,8 @@ pub use names::FILES;
 pub use problem::{Problem, told};
 pub use read::{Files, Loaded, read, read_unfinished};
 pub use types::{
-    BURN_RATE, Decoration, Field, Fluid, Latch, Level, Look, Mover, Object, Objective, ObjectiveKind, Player, Pod, Presser, Route, SHIP_DRAG,
-    SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Switch, TICK_RATE, Text, Work,
+    BURN_RATE, Decoration, Field, Fluid, Latch, Level, Look, Mover, Object, Objective, ObjectiveKind, Player, Pod, Presser, Route,
+    SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Switch, TICK_RATE, Text, Work,
 };
 pub use varied::{Parameter, varied};
 pub use wiring::{SurfaceOf, Wire, Worked};

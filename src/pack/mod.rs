@@ -4,11 +4,13 @@
 //! What a level's files mean is [`crate::level`]'s.
 
 mod archive;
+mod flights;
 mod install;
 mod path;
 
 pub use archive::{read, write};
-pub use install::{Installed, install};
+pub use flights::stale;
+pub use install::{Installed, install, install_file};
 
 use crate::files;
 use crate::game::Replay;
