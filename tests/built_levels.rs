@@ -143,7 +143,11 @@ fn what_has_been_done_is_never_called_impossible() {
         }
         let red = format!("{},{},20,20\n", random.between(100.0, 1150.0).round(), random.between(0.0, 400.0).round());
         files.push(("obstacles.csv", red));
-        let key = format!("OBJECT,{},{},box:30x30,20,1,2,3,0.2,1\n", random.between(90.0, 120.0).round(), random.pick(&[100.0, 500.0, 855.0]));
+        let key = format!(
+            "OBJECT,{},{},box:30x30,20,1,2,3,0.2,1\n",
+            random.between(90.0, 120.0).round(),
+            random.pick(&[100.0, 500.0, 855.0])
+        );
         let set = |memory: &mut support::Memory, name: &'static str, text: String| {
             memory.0.retain(|(file, _)| *file != name);
             memory.0.push((name, text));

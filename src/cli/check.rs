@@ -2,10 +2,12 @@
 
 use super::{Project, Readers, Status, Stop, shown};
 use crate::level::{self, Level, Loaded, ObjectiveKind};
+use crate::pack;
 use crate::physics::World;
 use std::ffi::{OsStr, OsString};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// What to check.
 #[derive(clap::Args, Debug, Default)]
@@ -43,7 +45,11 @@ fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Writ
                 }
             });
         match made {
-            Ok((loaded, world)) => describe(&name, &loaded, &world, out, err)?,
+            Ok((mut loaded, world)) => {
+                let level = Arc::new(loaded.level.clone());
+                loaded.warnings.extend(pack::stale(&folder, &level));
+                describe(&name, &loaded, &world, out, err)?;
+            }
             Err((problems, lines)) => {
                 (status, refused) = (Status::Wrong, refused + 1);
                 writeln!(err, "{name}: refused, {}", count(problems, "problem", "problems"))?;

@@ -2,10 +2,12 @@
 
 use super::{Project, Status, Stop, shown};
 use crate::files;
+use crate::level;
 use crate::pack::{self, Installed, Package};
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// How many files are named in a line.
 const MOST_NAMED: usize = 5;
@@ -50,6 +52,11 @@ pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<S
         };
         Stop::Refused(format!("{}: {why}", shown(path.display())))
     })?;
+    let loaded = pack::check(&package, project.root()).map_err(refused)?;
+    let stale = pack::stale(&folder, &Arc::new(loaded.level));
+    for warning in level::told(&loaded.warnings).into_iter().chain(level::told(&stale)) {
+        let _ = writeln!(io::stderr(), "warning: {}", shown(warning));
+    }
     for file in left {
         let _ = writeln!(io::stderr(), "{}: left out: it belongs to no level", shown(file));
     }
@@ -66,7 +73,7 @@ pub fn unpack(args: &UnpackArgs, project: &Project, out: &mut dyn Write) -> Resu
     let named = shown(args.archive.display());
     let mut package = open(&args.archive).map_err(|problem| Stop::Refused(format!("{named}: {problem}")))?;
     if let Some(name) = &args.name {
-        if let Err(fault) = crate::level::judge_name(name) {
+        if let Err(fault) = level::judge_name(name) {
             return Err(Stop::Refused(format!("a level cannot be named {name:?}: expected {}", fault.expected())));
         }
         package.name.clone_from(name);

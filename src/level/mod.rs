@@ -50,8 +50,8 @@ pub use problem::{Problem, told};
 pub use read::{BACKGROUND, Files, Loaded, read, read_unfinished};
 pub use ship_body::{SHIP_BODY, nose, ship_body, sweep_touches};
 pub use types::{
-    BURN_RATE, Decoration, Field, Fluid, Latch, Level, Look, Mover, Object, Objective, ObjectiveKind, Player, Pod, Presser, Route, SHIP_DRAG,
-    SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Switch, TICK_RATE, Text, Work,
+    BURN_RATE, Decoration, Field, Fluid, Latch, Level, Look, Mover, Object, Objective, ObjectiveKind, Player, Pod, Presser, Route,
+    SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Switch, TICK_RATE, Text, Work,
 };
 pub use varied::{Parameter, varied};
 pub use wiring::{SurfaceOf, Wire, Worked};

@@ -4,7 +4,7 @@ use super::nearest::{meant, nearest};
 use super::problem::{Problem, quoted};
 use super::read::Draft;
 use super::table::MOST_PROBLEMS;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The files of a level, in the order in which problems are listed.
 pub const FILES: [&str; 16] = [
@@ -53,6 +53,9 @@ fn meant_file(file: &str) -> Option<&'static str> {
 /// How many names a message lists and compares with one that is unknown: nobody reads more, and a table can hold thousands.
 const MOST_NAMES: usize = 100;
 
+/// The most wires of a level: the game looks at each in every tick.
+const MOST_WIRES: usize = 100_000;
+
 /// All names that something is called by that can be worked.
 fn worked(draft: &Draft) -> BTreeSet<&str> {
     let belts = draft.world.iter().filter(|solid| solid.item.belt != 0.0).map(|solid| &solid.item.name);
@@ -62,8 +65,26 @@ fn worked(draft: &Draft) -> BTreeSet<&str> {
     belts.chain(movers).chain(doors).chain(streams).filter_map(|name| name.as_deref()).collect()
 }
 
+/// How many wires lead from switches to things: each switch to all things of each name that it works.
+fn wires(draft: &Draft) -> usize {
+    let mut things: BTreeMap<&str, usize> = BTreeMap::new();
+    let solids = draft.world.iter().filter(|solid| solid.item.belt != 0.0).chain(&draft.doors).map(|solid| &solid.item.name);
+    let movers = draft.movers.iter().map(|mover| &mover.item.solid.name);
+    let streams = draft.streams.iter().map(|stream| &stream.item.name);
+    for name in solids.chain(movers).chain(streams).flatten() {
+        *things.entry(name).or_default() += 1;
+    }
+    let works = draft.switches.iter().flat_map(|switch| &switch.item.works);
+    works.map(|work| things.get(work.name.as_str()).copied().unwrap_or(0)).sum()
+}
+
 /// Switches that work what is not there.
 pub(super) fn check(draft: &Draft) -> Vec<Problem> {
+    let wires = wires(draft);
+    if let Some(switch) = draft.switches.first().filter(|_| wires > MOST_WIRES) {
+        let found = format!("{wires} wires from switches to what they work, counted in all rows");
+        return vec![switch.problem("works", found, format!("at most {MOST_WIRES} in a level"))];
+    }
     let known = worked(draft);
     let mut all = known.iter().copied().take(MOST_NAMES).collect::<Vec<_>>().join(", ");
     if known.len() > MOST_NAMES {

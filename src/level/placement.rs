@@ -1,7 +1,7 @@
 //! Where things start: inside the level, in free space, within reach.
 
 use super::problem::Problem;
-use super::reach::Space;
+use super::reach::{Space, Work};
 use super::read::Draft;
 use super::rows::Placed;
 use super::table::MOST_PROBLEMS;
@@ -18,7 +18,7 @@ const OVERLAP: f64 = 1e-6;
 type Named = (&'static str, Placed<Aabb>);
 
 /// The ship and every object that start outside the level or inside something solid: one problem a body.
-pub(super) fn check(draft: &Draft) -> Vec<Problem> {
+pub(super) fn check(draft: &Draft, work: &Work) -> Vec<Problem> {
     let mut solids: Vec<Named> = Vec::new();
     solids.extend(
         draft
@@ -49,6 +49,7 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
         let mut first = solids.len() + i;
         tree.search(&body.item, -0.5 * OVERLAP, |index| {
             let index = index as usize;
+            work.count(1);
             if index < first && all[index].1.item.overlaps(&body.item, OVERLAP) {
                 first = index;
             }
@@ -117,8 +118,8 @@ pub(super) fn warn(draft: &Draft, player: &Player, space: &Space) -> Vec<Problem
 }
 
 /// Where things can be that fly, in a level of that size in metres: wherever there is no rock.
-pub(super) fn space(draft: &Draft, size: DVec2) -> Space {
+pub(super) fn space(draft: &Draft, size: DVec2, work: Rc<Work>) -> Space {
     let rock = draft.world.iter().filter(|solid| solid.item.is_rock()).map(|solid| solid.item.bounds);
     let solids = rock.chain(draft.streams.iter().map(|stream| stream.item.source)).collect();
-    Space::new(Aabb::new(DVec2::ZERO, size), solids, OVERLAP, Rc::default())
+    Space::new(Aabb::new(DVec2::ZERO, size), solids, OVERLAP, work)
 }

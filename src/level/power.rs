@@ -20,11 +20,17 @@ use std::rc::Rc;
 const BOUNCES: f64 = 10.0;
 /// No more ticks of burning are reckoned with: 97 days.
 const MOST_TICKS: f64 = 1e9;
+/// How often bodies, blocks and objectives are compared; larger levels are not warned about.
+const MOST_LOOKS: usize = 20_000_000;
 /// m. What is nearer than this is there.
 const NEAR: f64 = 1e-6;
 
 /// Everything that is odd about what the ship can do.
 pub(super) fn warn(draft: &Draft, player: &Placed<Player>, constants: &Constants, space: &Space) -> Vec<Problem> {
+    let bodies = draft.objects.len() + 1;
+    if bodies * (draft.world.len() + draft.objectives.len()) * (draft.objectives.len() + 1) > MOST_LOOKS {
+        return Vec::new();
+    }
     let power = Power { draft, ship: &player.item, constants, gravity: constants.gravity };
     let mut warnings = Vec::new();
     let weight = player.item.mass * constants.gravity;
@@ -161,7 +167,9 @@ impl Power<'_> {
                 warn(name, format!("{time} s for {name}"), expected);
             }
         }
-        let still = self.falls().filter(|_| self.draft.objectives.iter().any(|placed| self.gap(&placed.item).is_some_and(|gap| gap.0 > NEAR)));
+        let still = self
+            .falls()
+            .filter(|_| self.draft.objectives.iter().any(|placed| self.gap(&placed.item).is_some_and(|gap| gap.0 > NEAR)));
         match awards.mark {
             Some(Mark::Fuel(percent)) if self.draft.pods.is_empty() && self.ship.fuel > 0.0 && still.is_some() => {
                 let burnt = burnt.max(BURN_RATE / TICK_RATE);
@@ -207,15 +215,19 @@ impl Power<'_> {
             power += force * force / mass;
         }
         let (begun, grows) = ((2.0 * energy).sqrt(), power.sqrt());
-        let movers = self.draft.movers.iter().flat_map(|mover| &mover.item.path.legs).map(|leg| {
-            leg.velocity.length() + leg.acceleration.length() * leg.duration
-        });
+        let movers = self
+            .draft
+            .movers
+            .iter()
+            .flat_map(|mover| &mover.item.path.legs)
+            .map(|leg| leg.velocity.length() + leg.acceleration.length() * leg.duration);
         let driven = 2.0 * BOUNCES * movers.fold(0.0, f64::max) + self.belt();
         let mut longest: Option<(f64, usize)> = None;
         for placed in &self.draft.objectives {
             let (gap, mass) = self.gap(&placed.item)?;
             let (speed, pull) = (begun / mass.sqrt() + driven, grows / mass.sqrt());
-            let time = placed.item.hold + if gap > NEAR { 2.0 * gap / (speed + (speed * speed + 2.0 * pull * gap).sqrt()) } else { 0.0 };
+            let time =
+                placed.item.hold + if gap > NEAR { 2.0 * gap / (speed + (speed * speed + 2.0 * pull * gap).sqrt()) } else { 0.0 };
             if longest.is_none_or(|(known, _)| known < time) {
                 longest = Some((time, placed.line));
             }
@@ -268,9 +280,8 @@ impl Power<'_> {
         let drives: Vec<Aabb> = zones.chain(belts).chain(swept).collect();
         let bodies = std::iter::once((self.ship.position, SHIP_HALF));
         let bodies = bodies.chain(draft.objects.iter().map(|object| (object.item.position, object.item.size * 0.5)));
-        let columns: Vec<(Aabb, f64)> = bodies
-            .map(|(centre, half)| (self.column(centre, half), self.fall(&Aabb::around(centre, half))))
-            .collect();
+        let columns: Vec<(Aabb, f64)> =
+            bodies.map(|(centre, half)| (self.column(centre, half), self.fall(&Aabb::around(centre, half)))).collect();
         let driven = columns.iter().any(|(column, _)| drives.iter().any(|drive| drive.touches(column, NEAR)));
         (!driven).then(|| columns.into_iter().map(|(_, fall)| fall).collect())
     }

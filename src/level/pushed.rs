@@ -14,6 +14,9 @@ use crate::physics::{Aabb, DVec2};
 /// m/s. The fastest hit that a hop is reckoned from: a faster one costs the ship points.
 const HIT: f64 = 10.0;
 
+/// Levels with more objects are not warned about.
+const MOST_OBJECTS: usize = 500;
+
 /// The objectives for keys to which no key gets that fits.
 pub(super) fn warn(draft: &Draft, player: &Player, constants: &Constants, space: &Space) -> Vec<Problem> {
     let wanted: Vec<_> = draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Physics).collect();
@@ -21,7 +24,8 @@ pub(super) fn warn(draft: &Draft, player: &Player, constants: &Constants, space:
     let belts = draft.world.iter().any(|solid| solid.item.belt != 0.0);
     let sideways = constants.gravity <= 0.0 || constants.gravity_x != 0.0;
     let own = draft.objects.iter().any(|object| object.item.weightless || object.item.velocity != DVec2::ZERO);
-    if wanted.is_empty() || lifts || belts || sideways || own {
+    let large = draft.objects.len() > MOST_OBJECTS;
+    if wanted.is_empty() || lifts || belts || sideways || own || large {
         return Vec::new();
     }
     let lifted = draft.objects.iter().any(|object| {

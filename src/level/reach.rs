@@ -17,7 +17,7 @@ const MOST_CELLS: usize = 4_000_000;
 /// No more sizes of objects than this are searched.
 const MOST_SIZES: usize = 16;
 /// How many cells all searches of a level may look at together.
-const MOST_WORK: u64 = 40_000_000;
+pub(super) const MOST_WORK: u64 = 40_000_000;
 
 /// What the searches of a level have cost so far, in cells looked at.
 #[derive(Debug, Default)]
@@ -32,6 +32,11 @@ impl Work {
             self.0.set(spent);
         }
         allowed
+    }
+
+    /// Counts what is bounded by itself.
+    pub fn count(&self, looks: usize) {
+        self.0.set(self.0.get().saturating_add(looks as u64));
     }
 
     #[cfg(test)]
@@ -272,8 +277,7 @@ impl Grid {
 
     /// Where the centres in a cell are; infinite at the outermost, which are blocked.
     pub fn area(&self, cell: usize) -> Aabb {
-        let (x, y) =
-            (Self::interval(&self.x, cell % self.columns()), Self::interval(&self.y, cell / self.columns()));
+        let (x, y) = (Self::interval(&self.x, cell % self.columns()), Self::interval(&self.y, cell / self.columns()));
         Aabb { min: DVec2::new(x.0, y.0), max: DVec2::new(x.1, y.1) }
     }
 
@@ -383,7 +387,9 @@ mod tests {
         // Nothing is searched beyond what all may cost.
         let mut spent = 0;
         for i in 0..40 {
-            space.with([Aabb::new(DVec2::ZERO, DVec2::splat(f64::from(i + 1)))]).gets_to(body(80.0, 50.0, 1.0), &Aabb::around(DVec2::ONE, DVec2::ONE));
+            space
+                .with([Aabb::new(DVec2::ZERO, DVec2::splat(f64::from(i + 1)))])
+                .gets_to(body(80.0, 50.0, 1.0), &Aabb::around(DVec2::ONE, DVec2::ONE));
             spent = space.work().spent();
         }
         assert!(spent <= MOST_WORK && spent + 4 * cells > MOST_WORK, "{spent}");

@@ -5,6 +5,7 @@ use super::image::{Images, png_size};
 use super::placement;
 use super::problem::Problem;
 use super::quantity::Scale;
+use super::reach::Work;
 use super::rows::{self, Placed};
 use super::shade;
 use super::strength;
@@ -19,6 +20,10 @@ use crate::physics::{Aabb, DVec2};
 use std::collections::BTreeSet;
 use std::io;
 use std::path::PathBuf;
+use std::rc::Rc;
+
+/// How many pairs of a shaded stream and a solid are looked at: some 10 ms.
+const MOST_PAIRS: usize = 4_000_000;
 
 /// The picture behind a level, in its folder.
 pub const BACKGROUND: &str = "background.png";
@@ -82,15 +87,20 @@ pub(super) struct Draft {
 /// # Errors
 /// Every problem in every file, in the order of files and lines.
 pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
+    read_counting(name, files, &Rc::default())
+}
+
+/// As [`read()`]; what its searches cost is counted.
+fn read_counting(name: &str, files: &dyn Files, work: &Rc<Work>) -> Result<Loaded, Vec<Problem>> {
     let Gathered { constants, background, draft, mut problems, mut warnings } = gather(files, false);
     problems.extend(names::check(&draft));
     problems.extend(strength::check(&draft));
-    problems.extend(placement::check(&draft));
+    problems.extend(placement::check(&draft, work));
     // A level without a readable player or size has a problem already.
     let (Some(player), Some(size), true) = (&draft.player, draft.size, problems.is_empty()) else {
         return Err(in_order(problems));
     };
-    let space = placement::space(&draft, size / draft.scale.metre);
+    let space = placement::space(&draft, size / draft.scale.metre, work.clone());
     let problems = winnable::check(&draft, &player.item, &space);
     if !problems.is_empty() {
         return Err(in_order(problems));
@@ -114,7 +124,7 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
 pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     let Gathered { constants, background, mut draft, mut problems, mut warnings } = gather(files, true);
     problems.extend(names::check(&draft));
-    let misplaced: Vec<Problem> = strength::check(&draft).into_iter().chain(placement::check(&draft)).collect();
+    let misplaced: Vec<Problem> = strength::check(&draft).into_iter().chain(placement::check(&draft, &Work::default())).collect();
     draft.leave_out(&misplaced);
     problems.extend(misplaced);
     let (Some(player), Some(size)) = (&draft.player, draft.size) else { return Err(in_order(problems)) };
@@ -341,8 +351,19 @@ impl Reader<'_> {
     /// The streams; those that are shaded end at the first solid in their way.
     fn streams(&mut self, world: &[Placed<Solid>]) -> Vec<Placed<Stream>> {
         let mut streams = Vec::new();
+        let mut pairs = 0;
         for placed in self.things(rows::HAZARDS, rows::stream) {
             let (mut stream, shaded) = placed.item.clone();
+            pairs += if shaded { world.len() } else { 0 };
+            if pairs > MOST_PAIRS {
+                let found = format!("one more shaded stream beside {} solids", world.len());
+                let expected = format!(
+                    "at most {} in this level: shaded streams times solids are at most {MOST_PAIRS}",
+                    MOST_PAIRS / world.len()
+                );
+                self.problems.push(placed.problem("shaded", found, expected));
+                break;
+            }
             if shaded {
                 let solids = world.iter().map(|solid| solid.item.bounds);
                 match shade::shaded(&stream, solids) {
@@ -430,4 +451,95 @@ fn items<T>(placed: Vec<Placed<T>>) -> Vec<T> {
 /// Problems are listed file by file, in the order in which levels.md names the files.
 fn file_order(file: &str) -> usize {
     names::FILES.iter().position(|known| *known == file).unwrap_or(names::FILES.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Files in memory.
+    struct Held(Vec<(&'static str, String)>);
+
+    impl Files for Held {
+        fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
+            let file = self.0.iter().find(|(file, _)| *file == name);
+            file.map(|(_, text)| text.clone().into_bytes()).ok_or_else(|| io::ErrorKind::NotFound.into())
+        }
+
+        fn project_file(&self, _: &str) -> io::Result<Vec<u8>> {
+            Err(io::ErrorKind::NotFound.into())
+        }
+    }
+
+    /// Rows until a file is as large as one may be.
+    fn full(row: impl Fn(usize) -> String) -> String {
+        let mut text = String::new();
+        for i in 0.. {
+            let row = row(i);
+            if (text.len() + row.len()) as u64 > crate::files::LEVEL_TABLE {
+                break;
+            }
+            text += &row;
+        }
+        text
+    }
+
+    fn level(files: &[(&'static str, String)]) -> (Result<Loaded, Vec<Problem>>, u64) {
+        let own = [
+            ("constants.csv", "width,100000\nheight,100000\n".to_owned()),
+            ("player.csv", "50000,99900,100,500,3000\n".to_owned()),
+            ("objectives.csv", "PLAYER,99000,99000,10,10\n".to_owned()),
+        ];
+        let work = Rc::new(Work::default());
+        let given = files.iter().cloned().chain(own.into_iter().filter(|(own, _)| files.iter().all(|(file, _)| file != own)));
+        (read_counting("l", &Held(given.collect()), &work), work.spent())
+    }
+
+    /// Tables as large as they may be, of things that lie apart, in rows, all in one place, and across each other.
+    #[test]
+    fn tables_at_their_limit_are_checked_in_bounded_work() {
+        let spread = |i: usize| (i % 150 * 600, i / 150 * 600);
+        let worlds: [fn(usize) -> String; 3] = [
+            |i| format!("{},{},9,9\n", i % 150 * 600 + 300, i / 150 * 600),
+            |i| format!("{},0,1,90000\n", 3 * i),
+            |_| "5,5,9,9\n".to_owned(),
+        ];
+        for world in worlds {
+            let objects = full(|i| format!("{},{},box:40x40,1,1,FALSE,0\n", spread(i).0 + 30, spread(i).1 + 30));
+            let keys = full(|i| {
+                format!("OBJECT,{},{},box:40x40,1,1,1,1,0,1\nPHYS,{},5,9,9\n", spread(i).0 + 90, spread(i).1 + 30, 20 * i)
+            });
+            let (_, work) = level(&[("world.csv", full(world)), ("objects.csv", objects), ("objectives.csv", keys)]);
+            assert!(work <= 2 * super::super::reach::MOST_WORK, "{work}");
+        }
+        // All in one place: as many problems as are told, and no more is looked at.
+        let heap = full(|_| "500,500,box:40x40,1,1,FALSE,0\n".to_owned());
+        let rows = heap.lines().count() as u64;
+        let (heaped, work) = level(&[("objects.csv", heap)]);
+        assert!(heaped.is_err_and(|problems| problems.len() <= table::MOST_PROBLEMS + 1));
+        assert!(work <= (rows + 1) * (table::MOST_PROBLEMS as u64 + 5), "{work} for {rows} rows");
+        // Side by side: a few looks a row.
+        let rows = |i: usize| format!("{},{},box:40x40,1,1,FALSE,0\n", i % 2400 * 40 + 20, i / 2400 * 40 + 20);
+        let objects = full(rows);
+        let count = objects.lines().count() as u64;
+        let (side_by_side, _) = level(&[("objects.csv", objects)]);
+        assert!(side_by_side.is_ok(), "{count} rows");
+    }
+
+    #[test]
+    fn what_would_take_too_long_is_refused_in_words() {
+        let floors = full(|i| format!("{},99990,1,1\n", i % 90000));
+        let streams = full(|i| format!("{},5,9,9,0,90,0,1,TRUE\n", 20 * i));
+        let (shaded, _) = level(&[("world.csv", floors), ("hazards.csv", streams)]);
+        let told = shaded.unwrap_err().iter().map(ToString::to_string).collect::<String>();
+        assert!(told.contains("one more shaded stream beside ") && told.contains("are at most 4000000"), "{told}");
+        let doors = full(|i| format!("{},5,9,9,gate\n", 20 * i));
+        let switches = full(|i| format!("{},55,9,9,gate\n", 20 * i));
+        let (wired, _) = level(&[("doors.csv", doors), ("switches.csv", switches)]);
+        let told = wired.unwrap_err().iter().map(ToString::to_string).collect::<String>();
+        assert!(
+            told.starts_with("switches.csv:1: column \"works\": found ") && told.ends_with("at most 100000 in a level"),
+            "{told}"
+        );
+    }
 }

@@ -1,6 +1,6 @@
 //! Writing a package into the folder of levels.
 
-use super::{MOST_FILES, Package, check, listed, path};
+use super::{LARGEST, MOST_FILES, Package, check, listed, path, read};
 use crate::files;
 use crate::level::{BACKGROUND, FILES, scaffold};
 use std::fs;
@@ -26,6 +26,20 @@ impl Installed {
             Self::New(folder) | Self::Already(folder, _) => folder,
         }
     }
+}
+
+/// Installs the level of an archive on disk among the others: under a name of its own, where its name is another level's.
+///
+/// # Errors
+/// All that is wrong with it, a line each; nothing was written then.
+pub fn install_file(archive: &Path, levels: &Path, project: &Path) -> Result<Installed, Vec<String>> {
+    let named = |problem: String| vec![format!("{}: {problem}", archive.display())];
+    if archive.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("zip")) {
+        return Err(named("expected a level as one file, a .zip that `resultant pack` made".to_owned()));
+    }
+    let bytes = files::read(archive, LARGEST).map_err(|error| named(error.to_string()))?;
+    let package = read(&bytes, &archive.file_stem().unwrap_or_default().to_string_lossy()).map_err(named)?;
+    install(&package, levels, project, true)
 }
 
 /// Writes a package into `levels` after all of it is checked: under its own name, or under another one where `free_name` allows and its own

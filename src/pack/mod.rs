@@ -5,11 +5,13 @@
 
 mod archive;
 mod cost;
+mod flights;
 mod install;
 mod path;
 
 pub use archive::{read, write};
-pub use install::{Installed, install};
+pub use flights::stale;
+pub use install::{Installed, install, install_file};
 
 use crate::files;
 use crate::game::Replay;

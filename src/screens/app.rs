@@ -4,7 +4,9 @@
 use super::journal::{Journal, damage_text, rescue_text};
 use super::leaderboard::subject;
 use super::library::{Library, Refusal};
+use super::loading::Loading;
 use super::pace;
+use super::worker::{Ticket, Worker};
 use super::{
     Attempt, Classic, Classics, Clipboard, Editor, Facts, Flight, FlightCandidate, Flights, Flown, FolderWatch, Fresh, Gain, Input,
     Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pace, Picture, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring, Screen,
@@ -13,10 +15,11 @@ use super::{
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Fingerprint, Outcome, Reel, RunResult, TICK_RATE};
 use crate::level::Level;
-use crate::pack::Installed;
+use crate::pack::{self, Installed};
 use crate::scores::{Board, Loaded, Name, PATIENCE, Placement, Saved, Score, Scores, ScoresError};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -74,6 +77,17 @@ pub struct App {
     pub(super) behind: Option<(Box<Flight>, PathBuf)>,
     /// What is copied to be pasted.
     pub(super) clipboard: Clipboard,
+    /// What reads levels.
+    pub(super) worker: Worker,
+    /// The request that waits for it.
+    pub(super) loading: Option<Loading>,
+    /// The level that is flown, while it is read again.
+    pub(super) reading: Option<Ticket>,
+    /// The cards and the list that it is asked for, by the levels' names; the list has none.
+    pub(super) asked: BTreeMap<String, Ticket>,
+    /// What it has brought for the screen that is to open.
+    pub(super) opened: Option<Result<Box<Editor>, String>>,
+    pub(super) installed: Option<Result<Installed, Refusal>>,
 }
 
 /// A score to be saved as soon as another program lets go of the board.
@@ -93,18 +107,23 @@ impl Drop for App {
 }
 
 impl App {
-    /// A sitting that begins with the menu, of whoever played here last.
+    /// A sitting that begins with the menu, of whoever played here last; levels are read at once, on the screen's thread.
     pub fn new(places: Places) -> Self {
+        Self::with_worker(places, Worker::here())
+    }
+
+    /// The same; that worker reads the levels.
+    pub fn with_worker(places: Places, worker: Worker) -> Self {
         let scores = Scores::new(&places.scores);
         let settings_file = SettingsFile::new(places.root.join("settings.csv"));
         let (library, journal) = (Library::new(&places.root, &places.levels), Journal::new(scores.clone()));
         let (settings, settings_problems) = settings_file.load(whose(journal.current()));
-        Self {
+        let mut app = Self {
             places,
             settings,
             settings_file,
             settings_problems,
-            screen: menu(&library, &journal, 0),
+            screen: menu(&journal, 0),
             library,
             journal,
             scores,
@@ -119,14 +138,25 @@ impl App {
             editing: None,
             behind: None,
             clipboard: Clipboard::default(),
-        }
+            worker,
+            loading: None,
+            reading: None,
+            asked: BTreeMap::new(),
+            opened: None,
+            installed: None,
+        };
+        app.ask_for_next();
+        app
     }
 
     /// One frame; `false` when the player has chosen to quit.
     pub fn update(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
         let input = &self.with_settings(input);
-        self.look_at_files(input.frame_time, spectator);
+        self.look_at_files(input.frame_time);
+        self.take_what_is_brought(spectator);
         self.refresh_view(input.frame_time);
+        let waiting = self.wait_for_loading(input);
+        let input = waiting.as_ref().unwrap_or(input);
         self.shown_for += input.frame_time;
         self.journal.update(input.frame_time);
         self.save_settings(input.frame_time);
@@ -142,6 +172,7 @@ impl App {
             None => self.save_what_waits(input.frame_time),
         }
         self.fill_in_view();
+        self.take_what_is_brought(spectator);
         // Whatever has just opened knows its places, and what is under the pointer, before it is drawn.
         let nothing_more = self.update_screen(&input.without_edges(), spectator);
         debug_assert!(nothing_more.is_none(), "{nothing_more:?} was asked for by no one");
@@ -217,8 +248,8 @@ impl App {
         self.pace.picture()
     }
 
-    /// Goes to the screen that is asked for, or to one that says why it cannot be had.
-    pub fn grant(&mut self, request: Request, spectator: &mut dyn Spectator) {
+    /// Goes to the screen that is asked for, or to one that says why it cannot be had, with what the worker has brought for it.
+    pub(super) fn enter(&mut self, request: Request, spectator: &mut dyn Spectator) {
         let next = match request {
             Request::Menu => self.menu(),
             Request::LevelSelect(purpose) => Screen::LevelSelect(self.level_select(purpose)),
@@ -234,7 +265,7 @@ impl App {
             Request::EditOriginal(name) => self.edit(&name),
             Request::LeaveEditor => self.leave_editor(spectator),
             Request::Make(make) => match self.make(&make) {
-                Ok(screen) => screen,
+                Ok(()) => return self.after_making(&make, spectator),
                 Err(reason) => {
                     if let Screen::LevelSelect(screen) = &mut self.screen {
                         screen.refuse(reason);
@@ -298,8 +329,14 @@ impl App {
             Request::Open(path) => self.open(&path, spectator),
             Request::Quit => return,
         };
-        self.screen = next;
-        self.shown_for = 0.0;
+        self.show(next);
+    }
+
+    /// Another screen; what its predecessor asked for nobody waits for any more.
+    pub(super) fn show(&mut self, next: Screen) {
+        self.asked.values().for_each(|ticket| self.worker.forget(*ticket));
+        self.asked.clear();
+        (self.screen, self.shown_for) = (next, 0.0);
     }
 
     /// Takes new settings over, keeps them, and says where that failed.
@@ -334,7 +371,8 @@ impl App {
 
     fn menu(&mut self) -> Screen {
         self.menus += 1;
-        menu(&self.library, &self.journal, self.menus)
+        self.ask_for_next();
+        menu(&self.journal, self.menus)
     }
 
     /// Somebody plays from now on, with the settings of theirs.
@@ -413,18 +451,20 @@ impl App {
         if is_of_level(path) {
             return self.open_folder(path, spectator);
         }
-        let (heading, lines) = match self.library.install(path) {
-            Ok(Installed::New(folder)) => {
-                self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
-                (format!("Installed: {}", self.last_level.as_deref().unwrap_or_default()), vec![folder.display().to_string()])
-            }
-            Ok(Installed::Already(folder, more)) => {
-                self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
-                let beside = more.into_iter().map(|file| format!("also in its folder: {file}"));
-                ("This level is there already".to_owned(), [folder.display().to_string()].into_iter().chain(beside).collect())
-            }
-            Err(problems) => ("This file cannot be opened".to_owned(), problems),
-        };
+        let installed = self.installed.take();
+        let (heading, lines) =
+            match installed.unwrap_or_else(|| pack::install_file(path, self.library.levels(), self.library.root())) {
+                Ok(Installed::New(folder)) => {
+                    self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
+                    (format!("Installed: {}", self.last_level.as_deref().unwrap_or_default()), vec![folder.display().to_string()])
+                }
+                Ok(Installed::Already(folder, more)) => {
+                    self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
+                    let beside = more.into_iter().map(|file| format!("also in its folder: {file}"));
+                    ("This level is there already".to_owned(), [folder.display().to_string()].into_iter().chain(beside).collect())
+                }
+                Err(problems) => ("This file cannot be opened".to_owned(), problems),
+            };
         let mut screen = self.level_select(Purpose::Play);
         screen.show(heading, lines);
         Screen::LevelSelect(screen)
@@ -651,7 +691,7 @@ impl App {
 }
 
 /// Whether that is a folder, or a file as levels have them.
-fn is_of_level(path: &Path) -> bool {
+pub(super) fn is_of_level(path: &Path) -> bool {
     path.is_dir() || path.extension().is_some_and(|ending| ["csv", "png"].iter().any(|own| ending.eq_ignore_ascii_case(own)))
 }
 
@@ -660,12 +700,8 @@ fn whose(player: &Name) -> &str {
     if player.is_guest() { "" } else { player.as_str() }
 }
 
-/// The menu for whoever plays; Play opens the first level that can be played and that they have not done.
-fn menu(library: &Library, journal: &Journal, seed: u64) -> Screen {
-    let names = library.names();
-    let playable = |name: &String| Some((name.clone(), library.load(name).ok()?.title.clone()));
-    let open = names.iter().filter(|name| journal.medals(name).medal.is_none()).find_map(playable);
-    let next = open.or_else(|| names.iter().find_map(playable));
+/// The menu for whoever plays; which level Play opens is told it later.
+fn menu(journal: &Journal, seed: u64) -> Screen {
     let (player, trouble) = (journal.current().clone(), journal.trouble().map(str::to_owned));
-    Screen::Menu(Box::new(Menu::new(Facts { next, player, trouble }, seed)))
+    Screen::Menu(Box::new(Menu::new(Facts { next: None, player, trouble }, seed)))
 }

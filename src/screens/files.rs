@@ -2,12 +2,15 @@
 //! names and edits levels.
 
 use super::level_select::Entry;
-use super::{App, Attempt, Editor, Flight, LevelSelect, Make, Miniature, Purpose, Request, Screen, Spectator, Stamp, footage};
+use super::library::Refusal;
+use super::worker::{Card, Errand, Ticket};
+use super::{App, Attempt, Editor, Flight, LevelSelect, Make, Purpose, Request, Screen, Spectator, Stamp, footage};
 use crate::game::{Outcome, level_hash};
 use crate::instruments::vary::Variation;
 use crate::level::document::{Folder, Opened};
 use crate::level::{self, Awards, Level, Problem, scaffold};
 use crate::number::clock;
+use std::collections::btree_map::Entry as Slot;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -18,14 +21,24 @@ impl App {
         self.grant(request, spectator);
     }
 
-    /// Reads the level that is flown anew when its files have changed. What is flown from the editor is not on disk.
-    pub(super) fn look_at_files(&mut self, frame_time: f64, spectator: &mut dyn Spectator) {
-        let (Screen::Flight(flight), Some(watch), None) = (&mut self.screen, &mut self.watch, &self.editing) else { return };
+    /// Has the level that is flown read again when its files have changed. What is flown from the editor is not on disk.
+    pub(super) fn look_at_files(&mut self, frame_time: f64) {
+        let (Screen::Flight(flight), Some(watch), None) = (&self.screen, &mut self.watch, &self.editing) else { return };
         if !watch.update(frame_time) || !watch.folder().is_dir() {
             return;
         }
+        let folder = self.library.folder(&flight.attempt().level.name);
+        self.reading = Some(self.worker.ask(Errand::Level(folder, self.library.root().to_path_buf())));
+    }
+
+    /// Goes on in the level that is flown as it was read again.
+    pub(super) fn take_over(&mut self, folder: &Path, level: Result<Arc<Level>, Refusal>, spectator: &mut dyn Spectator) {
+        let (Screen::Flight(flight), None) = (&mut self.screen, &self.editing) else { return };
         let flown = flight.attempt().level.clone();
-        match self.library.load(&flown.name) {
+        if self.library.folder(&flown.name) != folder {
+            return;
+        }
+        match level {
             Ok(level) => {
                 self.watch = Some(self.library.watch(&level));
                 if *level == *flown {
@@ -40,11 +53,16 @@ impl App {
         }
     }
 
+    /// Whether a level is read again before it is flown once more: what is edited is flown as it is in memory.
+    pub(super) fn reads_again(&self, name: &str) -> bool {
+        self.editing.is_none() && self.library.folder(name).is_dir()
+    }
+
     /// The attempt on the screen from its start, in the level as its files are now; where those do not load, as it was.
     pub(super) fn restart(&mut self, spectator: &mut dyn Spectator) {
-        let Screen::Flight(flight) = &mut self.screen else { return };
+        let Screen::Flight(flight) = &self.screen else { return };
         let Attempt { level: flown, .. } = flight.attempt().clone();
-        let on_disk = self.editing.is_none() && self.library.folder(&flown.name).is_dir();
+        let on_disk = self.reads_again(&flown.name);
         let (level, problems) = match on_disk.then(|| self.library.load(&flown.name)) {
             Some(Ok(level)) => (level, None),
             Some(Err(problems)) => (flown, Some(problems)),
@@ -53,6 +71,7 @@ impl App {
         if on_disk {
             self.watch = Some(self.library.watch(&level));
         }
+        let Screen::Flight(flight) = &mut self.screen else { return };
         if let Err(error) = flight.restart(level, spectator) {
             return flight.tell_of_problems(vec![error.to_string()]);
         }
@@ -78,7 +97,7 @@ impl App {
         }
     }
 
-    /// Tells the list of levels what is new in view, and the list of flights how long one of them took.
+    /// Asks for what the list of levels shows and does not know yet, and looks up how long one of the listed flights took.
     pub(super) fn fill_in_view(&mut self) {
         if let Screen::Flights(screen) = &mut self.screen {
             // One file is enough for a frame.
@@ -86,45 +105,53 @@ impl App {
         }
         let Screen::LevelSelect(screen) = &mut self.screen else { return };
         screen.learn_titles(|name| self.library.title(name));
-        let unknown = |index: &usize| screen.entries()[*index].level.is_none();
-        let new: Vec<(usize, String)> =
-            screen.in_view().into_iter().filter(unknown).map(|index| (index, screen.entries()[index].name.clone())).collect();
-        for (index, name) in new {
-            let entry = self.entry(&name);
-            self.tell(index, entry);
-        }
+        let in_view = screen.in_view().into_iter().map(|index| &screen.entries()[index]);
+        let new: Vec<String> = in_view.filter(|entry| entry.level.is_none()).map(|entry| entry.name.clone()).collect();
+        new.iter().for_each(|name| self.ask_for_card(name));
     }
 
-    /// Looks whether the levels in view have changed on disk.
+    /// Looks whether the levels in view have changed on disk, and whether there are others.
     pub(super) fn refresh_view(&mut self, frame_time: f64) {
         let Screen::LevelSelect(screen) = &mut self.screen else { return };
         if !screen.looks(frame_time) {
             return;
         }
-        let entries = screen.in_view().into_iter().map(|index| (index, screen.entries()[index].clone()));
-        let changed = entries.filter(|(_, entry)| entry.stamp != Stamp::of(&self.library.folder(&entry.name), &[]));
-        for (index, entry) in changed.collect::<Vec<_>>() {
-            let entry = self.entry(&entry.name);
-            self.tell(index, entry);
+        let in_view = screen.in_view().into_iter().map(|index| &screen.entries()[index]);
+        let changed = in_view.filter(|entry| entry.stamp != Stamp::of(&self.library.folder(&entry.name), &[]));
+        let changed: Vec<String> = changed.map(|entry| entry.name.clone()).collect();
+        changed.iter().for_each(|name| self.ask_for_card(name));
+        if let Slot::Vacant(slot) = self.asked.entry(String::new()) {
+            slot.insert(self.worker.ask(Errand::List(self.library.levels().to_path_buf())));
         }
     }
 
-    fn tell(&mut self, index: usize, entry: Entry) {
+    fn ask_for_card(&mut self, name: &str) {
+        if let Slot::Vacant(slot) = self.asked.entry(name.to_owned()) {
+            slot.insert(self.worker.ask(Errand::Card(self.library.folder(name), self.library.root().to_path_buf())));
+        }
+    }
+
+    /// Shows on the list what the worker has found out of a level.
+    pub(super) fn take_card(&mut self, ticket: Ticket, card: Card) {
+        self.asked.retain(|_, asked| *asked != ticket);
+        let Screen::LevelSelect(screen) = &mut self.screen else { return };
+        let Card { folder, stamp, level } = card;
+        let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let Some(index) = screen.entries().iter().position(|entry| entry.name == name) else { return };
+        let best = self.journal.best(&name);
+        let awards = level.as_ref().map_or_else(|_| Awards::default(), |(_, awards, _)| *awards);
+        let medals = self.journal.medals(&name).with_best(&awards, best);
+        let title = level.as_ref().ok().map(|(title, ..)| title.clone());
+        let level = Some(level.map(|(title, _, miniature)| (title, miniature)));
+        screen.tell(index, Entry { level, stamp, title, best, awards, medals, name });
+    }
+
+    /// Shows the levels that there are now.
+    pub(super) fn take_list(&mut self, names: Vec<String>) {
+        self.asked.remove("");
         if let Screen::LevelSelect(screen) = &mut self.screen {
-            screen.tell(index, entry);
+            screen.renew(names);
         }
-    }
-
-    /// What is known of a level now.
-    fn entry(&self, name: &str) -> Entry {
-        // Looked at before it is read: what is written in between is seen the next time.
-        let stamp = Stamp::of(&self.library.folder(name), &[]);
-        let (level, best) = (self.library.load(name), self.journal.best(name));
-        let awards = level.as_ref().map_or_else(|_| Awards::default(), |level| level.awards);
-        let medals = self.journal.medals(name).with_best(&awards, best);
-        let title = level.as_ref().ok().map(|level| level.title.clone());
-        let level = Some(level.map(|level| (level.title.clone(), Miniature::of(&level))));
-        Entry { level, stamp, title, best, awards, medals, name: name.to_owned() }
     }
 
     /// The editor of a level; of one that comes with the game, the list with the question what a copy of it is to be called. A flight waits.
@@ -157,8 +184,9 @@ impl App {
     /// The editor of a level, or the list with what is wrong.
     pub(super) fn edit(&mut self, name: &str) -> Screen {
         self.last_level = Some(name.to_owned());
-        match Editor::open(&self.library.folder(name), self.library.root()) {
-            Ok(editor) => Screen::Editor(Box::new(editor)),
+        let opened = self.opened.take();
+        match opened.unwrap_or_else(|| Editor::open(&self.library.folder(name), self.library.root()).map(Box::new)) {
+            Ok(editor) => Screen::Editor(editor),
             Err(problem) => {
                 let mut screen = self.level_select(Purpose::Edit);
                 screen.show(format!("Level {name} cannot be edited"), vec![problem]);
@@ -167,11 +195,11 @@ impl App {
         }
     }
 
-    /// Makes or names a level's folder; the screen to go on with.
+    /// Makes or names a level's folder.
     ///
     /// # Errors
     /// Why that cannot be, in words.
-    pub(super) fn make(&mut self, make: &Make) -> Result<Screen, String> {
+    pub(super) fn make(&mut self, make: &Make) -> Result<(), String> {
         let levels = self.library.levels().to_path_buf();
         let (Make::New(name) | Make::Copy(_, name) | Make::Rename(_, name)) = make;
         scaffold::judge(&levels, name)?;
@@ -187,10 +215,7 @@ impl App {
         };
         made.map_err(|error| error.to_string())?;
         self.last_level = Some(name.clone());
-        Ok(match make {
-            Make::Rename(..) => Screen::LevelSelect(self.level_select(Purpose::Edit)),
-            Make::New(_) | Make::Copy(..) => self.edit(name),
-        })
+        Ok(())
     }
 
     /// Saves the level that is flown as it is varied, and says on the panel what became of that.

@@ -9,6 +9,7 @@ use crate::settings::Action;
 use crate::view::layout::{Area, Frame};
 use places::cards;
 use std::path::PathBuf;
+use std::collections::BTreeMap;
 
 #[cfg(feature = "window")]
 mod drawing;
@@ -156,6 +157,20 @@ impl LevelSelect {
     /// Takes over what is known of a level now.
     pub fn tell(&mut self, index: usize, entry: Entry) {
         self.entries[index] = entry;
+    }
+
+    /// Shows those levels instead; what is known of a level stays, and so does the keyboard on its card.
+    pub fn renew(&mut self, names: Vec<String>) {
+        if names.iter().eq(self.entries.iter().map(|entry| &entry.name)) {
+            return;
+        }
+        let focused = self.in_view().get(self.buttons.focus()).map(|index| self.entries[*index].name.clone());
+        let mut known: BTreeMap<String, Entry> = self.entries.drain(..).map(|entry| (entry.name.clone(), entry)).collect();
+        self.entries = names.into_iter().map(|name| known.remove(&name).unwrap_or_else(|| Entry::new(name))).collect();
+        self.search(false);
+        if let Some(name) = focused {
+            self.turn_to_level(&name);
+        }
     }
 
     /// Looks for some of the titles that are not known yet, while something is to be found.

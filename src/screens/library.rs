@@ -7,7 +7,6 @@ use crate::files::{self, CHART, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::lab::charts::Charts;
 use crate::lab::kept;
 use crate::level::{self, Level};
-use crate::pack::{self, Installed};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -30,12 +29,14 @@ pub struct Library {
     levels: PathBuf,
     /// A level's folder that is not one of `levels`, while that level is played or edited.
     outside: Option<PathBuf>,
+    /// The level of a folder as the worker has read it, for the screen that opens.
+    prepared: Option<(PathBuf, Result<Arc<Level>, Refusal>)>,
 }
 
 impl Library {
     /// The levels in `levels`, with images under `root`.
     pub fn new(root: impl Into<PathBuf>, levels: impl Into<PathBuf>) -> Self {
-        Self { root: root.into(), levels: levels.into(), outside: None }
+        Self { root: root.into(), levels: levels.into(), outside: None, prepared: None }
     }
 
     /// The names of all levels, those named by a number first and in numeric order. A folder that cannot be read holds none.
@@ -89,29 +90,29 @@ impl Library {
         FolderWatch::new(folder, level.pictures().cloned().collect())
     }
 
+    /// Holds the level of a folder ready, so that [`Library::load`] reads no file.
+    pub(super) fn prepare(&mut self, folder: PathBuf, level: Result<Arc<Level>, Refusal>) {
+        self.prepared = Some((folder, level));
+    }
+
+    /// Every level is read again.
+    pub(super) fn forget_prepared(&mut self) {
+        self.prepared = None;
+    }
+
     /// Reads a level.
     ///
     /// # Errors
     /// All its problems, a line each.
     pub fn load(&self, name: &str) -> Result<Arc<Level>, Refusal> {
-        match level::load(&self.folder(name), &self.root) {
+        let folder = self.folder(name);
+        if let Some((_, level)) = self.prepared.as_ref().filter(|(known, _)| *known == folder) {
+            return level.clone();
+        }
+        match level::load(&folder, &self.root) {
             Ok(loaded) => Ok(Arc::new(loaded.level)),
             Err(problems) => Err(level::told(&problems)),
         }
-    }
-
-    /// Installs the level of an archive among the others: under a name of its own, where its name is another level's.
-    ///
-    /// # Errors
-    /// All that is wrong with it, a line each; nothing was written then.
-    pub fn install(&self, path: &Path) -> Result<Installed, Refusal> {
-        let named = |problem: String| vec![format!("{}: {problem}", path.display())];
-        if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("zip")) {
-            return Err(named("expected a level as one file, a .zip that `resultant pack` made".to_owned()));
-        }
-        let bytes = files::read(path, pack::LARGEST).map_err(|error| named(error.to_string()))?;
-        let package = pack::read(&bytes, &path.file_stem().unwrap_or_default().to_string_lossy()).map_err(named)?;
-        pack::install(&package, &self.levels, &self.root, true)
     }
 
     /// The experiments, as `experiments/experiments.csv` lists them.

@@ -22,7 +22,7 @@ const PLAYER_BUTTON: Vec2 = Vec2::new(288.0, 48.0);
 /// What the menu says.
 #[derive(Clone, Debug)]
 pub struct Facts {
-    /// The level that Play opens, by name and title: the first one that whoever plays has not done.
+    /// The level that Play opens, by name and title: the first one that whoever plays has not done; `None` until it is found.
     pub next: Option<(String, String)>,
     /// Who plays.
     pub player: Name,
@@ -68,6 +68,11 @@ impl Menu {
             7 => Request::Players,
             _ => Request::Credits,
         })
+    }
+
+    /// Takes over which level Play opens.
+    pub fn tell_next(&mut self, next: Option<(String, String)>) {
+        self.facts.next = next;
     }
 
     /// Its buttons: Play, Level Select, Leaderboards, Classics, Lab, Settings, Quit; who plays; Credits.

@@ -24,6 +24,7 @@ mod lab;
 mod leaderboard;
 mod level_select;
 mod library;
+mod loading;
 mod menu;
 mod miniature;
 mod name_field;
@@ -49,6 +50,7 @@ mod toolbar;
 mod watch;
 #[cfg(feature = "window")]
 mod window;
+mod worker;
 
 pub use crate::settings::{Key, Keys};
 pub use app::{App, Places};
@@ -89,6 +91,7 @@ pub use toolbar::Toolbar;
 pub use watch::{PACES, Watch, above as watch_room};
 #[cfg(feature = "window")]
 pub use window::{Start, open};
+pub use worker::{Errand, Worker};
 
 use crate::classics::jumper::scene::Scene;
 use crate::game::RunResult;

@@ -5,7 +5,7 @@ use super::pad::Pads;
 use super::watch::above;
 use super::{
     Answer, App, Attempt, Flight, Input, Instruments, Key, Keyed, Keys, Noise, Picture, Places, Request, Screen, Spectator, Watch,
-    pace,
+    Worker, pace,
 };
 use crate::game::Game;
 use crate::level::{self, Level};
@@ -14,7 +14,7 @@ use crate::settings::{Settings, plain_keys};
 use crate::view::canvas::Canvas;
 use crate::view::focus::Focus;
 use crate::view::hud::Shown;
-use crate::view::layout::{Area, DESIGN, Vec2};
+use crate::view::layout::{Area, BUTTON_TEXT, DESIGN, TEXT, Vec2};
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
 use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
@@ -111,7 +111,7 @@ pub fn open(places: Places, start: Option<Start>) -> Result<(), String> {
 async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     let mut canvas = Canvas::new()?;
     let mut theatre = Theatre::new(Speaker::new());
-    let mut app = App::new(places);
+    let mut app = App::with_worker(places, Worker::beside());
     app.clipboard.of_system = true;
     match start {
         Some(Start::Play(folder, attempt)) => app.begin(&folder, Request::Attempt(attempt), &mut theatre),
@@ -261,11 +261,24 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) 
         Screen::Settings(screen) => screen.draw(canvas),
         Screen::Pi(screen) => screen.draw(canvas),
     }
+    if let Some(what) = app.loading() {
+        draw_loading(what, canvas);
+    }
     let veil = app.veil();
     if veil > 0.0 {
         widgets::curtain(canvas, veil as f32);
     }
     canvas.end_layer();
+}
+
+/// What is loading, above the screen that waits for it.
+fn draw_loading(what: &str, canvas: &Canvas) {
+    widgets::curtain(canvas, 0.6);
+    let (middle, size) = (canvas.size() / 2.0, Vec2::new(560.0, 120.0));
+    widgets::panel(canvas, Area::around(middle, size));
+    let words = format!("Loading {what} …");
+    widgets::fitted(canvas, &words, middle - Vec2::new(0.0, 18.0), size.x - 48.0, &[BUTTON_TEXT, TEXT], theme::text());
+    widgets::fitted(canvas, "Esc: not now", middle + Vec2::new(0.0, 26.0), size.x - 48.0, &[TEXT], theme::quiet());
 }
 
 /// What watches the attempt that is on the screen: its view, its sounds, and how long its ticks take.

@@ -107,6 +107,42 @@ fn check_of_a_place_is_of_the_folder_that_it_is() {
     assert_eq!((code, out.as_str()), (1, ""), "no level lies there: {err}");
 }
 
+/// The flights in a level's folder are flown by `check` and by `pack`, and what no longer holds is named with the second.
+#[test]
+fn flights_that_no_longer_hold_are_warned_about() {
+    let project = tempfile::tempdir().unwrap();
+    let levels = project.path().join("levels");
+    let folder = levels.join("1");
+    std::fs::create_dir_all(folder.join("flights")).unwrap();
+    for from in ["levels/1", "levels/1/flights"] {
+        for entry in std::fs::read_dir(crate::package().join(from)).unwrap().flatten().filter(|entry| entry.path().is_file()) {
+            std::fs::copy(entry.path(), project.path().join(from).join(entry.file_name())).unwrap();
+        }
+    }
+    let (code, _, err) = texts(&resultant(project.path(), &["check", "1"]));
+    assert_eq!((code, err.as_str()), (0, ""));
+    let edit = |file: &str, from: &str, to: &str| {
+        let text = std::fs::read_to_string(folder.join(file)).unwrap();
+        assert!(text.contains(from), "{text}");
+        std::fs::write(folder.join(file), text.replace(from, to)).unwrap();
+    };
+    edit("constants.csv", "gold,5.5", "gold,5");
+    let (code, _, err) = texts(&resultant(project.path(), &["check", "1"]));
+    assert_eq!((code, err.lines().count()), (0, 1), "{err}");
+    let told = "1: warning: flights/gold.replay.csv: found a flight that does not earn what it is named by (within 5 s): ";
+    assert!(err.starts_with(told) && err.contains("s too slow"), "{err}");
+    edit("constants.csv", "gravity,10", "gravity,10.01");
+    let packed = project.path().join("1.zip");
+    for arguments in [&["check", "1"][..], &["pack", "1", "--out", packed.to_str().unwrap()]] {
+        let (code, _, err) = texts(&resultant(project.path(), arguments));
+        assert_eq!(code, 0, "{err}");
+        for flight in ["careful", "gold", "mark"] {
+            let told = format!("warning: flights/{flight}.replay.csv: found a flight that no longer holds: departs in second 1: ");
+            assert!(err.contains(&told), "{err}");
+        }
+    }
+}
+
 #[test]
 fn a_thousand_equal_problems_are_summed_up() {
     let project = tempfile::tempdir().unwrap();

@@ -36,7 +36,10 @@ fn an_engine_below_the_weight_is_warned_about_where_nothing_else_lifts() {
     for lift in lifts {
         assert!(!warned_with("player.csv", weak, &[lift]).contains("thrust"), "{lift:?}");
     }
-    assert!(warned_with("player.csv", weak, &[("hazards.csv", "600,850,60,20,0,-300,0,500\n")]).contains("thrust"), "a wind that blows down");
+    assert!(
+        warned_with("player.csv", weak, &[("hazards.csv", "600,850,60,20,0,-300,0,500\n")]).contains("thrust"),
+        "a wind that blows down"
+    );
     assert_eq!(warned(&[]), "");
 }
 
@@ -56,13 +59,19 @@ fn too_little_fuel_for_the_climb_or_the_distance_is_warned_about() {
         all[3].1 = "PLAYER,1100,860,60,10\n".to_owned();
         lines(&level::read("room", &Memory(all)).unwrap().warnings)
     };
-    assert!(along(1.0).contains("found 1 fuel units") && along(0.0).contains("found 0 fuel units"), "{} {}", along(1.0), along(0.0));
+    assert!(
+        along(1.0).contains("found 1 fuel units") && along(0.0).contains("found 0 fuel units"),
+        "{} {}",
+        along(1.0),
+        along(0.0)
+    );
     assert_eq!(along(20.0), "");
 }
 
 #[test]
 fn a_plate_that_nothing_presses_is_warned_about() {
-    let room = |weight: f64| warned(&[("doors.csv", "500,0,20,870,gate\n"), ("switches.csv", &format!("200,860,60,10,gate,{weight}\n"))]);
+    let room =
+        |weight: f64| warned(&[("doors.csv", "500,0,20,870,gate\n"), ("switches.csv", &format!("200,860,60,10,gate,{weight}\n"))]);
     let told = "switches.csv:1: column \"weight\": found 5000 N, with 3000 N of weight, thrust and wind in all to press it";
     assert!(room(5000.0).starts_with(told), "{}", room(5000.0));
     assert!(room(3000.0).contains("weight") && room(2999.0).is_empty(), "{}", room(2999.0));
@@ -79,7 +88,10 @@ fn a_switch_behind_its_own_door_and_a_pad_behind_doors_that_nothing_opens_are_wa
     let behind = warned(&[("doors.csv", doors), ("switches.csv", "600,700,60,60,gate\n200,700,60,60,hall\n")]);
     let told = "switches.csv:1: column \"x\": found a switch behind its own door, line 1 of doors.csv, expected ";
     assert!(behind.starts_with("objectives.csv:1:") || behind.starts_with(told), "{behind}");
-    assert!(behind.contains(told) && behind.contains("objectives.csv:1: column \"x\": found an objective behind a door"), "{behind}");
+    assert!(
+        behind.contains(told) && behind.contains("objectives.csv:1: column \"x\": found an objective behind a door"),
+        "{behind}"
+    );
     // One door after the other.
     assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", "200,700,60,60,gate\n600,700,60,60,hall\n")]), "");
     // Two rooms that wait for each other.
@@ -97,7 +109,8 @@ fn a_wall_of_red_before_a_pad_is_warned_about() {
     let told = "objectives.csv:1: column \"x\": found an objective that the ship gets to through red alone, expected ";
     assert!(wall.starts_with(told) && wall.lines().count() == 1, "{wall}");
     assert_eq!(warned(&[("obstacles.csv", "600,0,20,810\n")]), "", "60 pixels for a ship of 51");
-    let switch = [("doors.csv", "900,0,20,870,gate\n"), ("obstacles.csv", "600,0,20,870\n"), ("switches.csv", "700,700,60,60,gate\n")];
+    let switch =
+        [("doors.csv", "900,0,20,870,gate\n"), ("obstacles.csv", "600,0,20,870\n"), ("switches.csv", "700,700,60,60,gate\n")];
     assert!(warned(&switch).contains("switches.csv:1: column \"x\": found a switch that the ship gets to through red alone"));
 }
 
@@ -143,7 +156,8 @@ fn medals_that_nobody_can_earn_are_warned_about() {
 fn no_experiment_is_warned_about() {
     let experiments = package().join("experiments");
     for name in level::list(&experiments) {
-        let loaded = level::load(&experiments.join(&name), package()).unwrap_or_else(|problems| panic!("{name}: {}", lines(&problems)));
+        let loaded =
+            level::load(&experiments.join(&name), package()).unwrap_or_else(|problems| panic!("{name}: {}", lines(&problems)));
         assert_eq!(lines(&loaded.warnings), "", "{name}");
     }
 }

@@ -6,6 +6,7 @@ mod flights;
 mod instruments;
 mod lesson;
 mod levels;
+mod loading;
 mod menu;
 mod observed;
 mod pace;

@@ -1,6 +1,6 @@
 //! A sitting: the app without a window, and fingers on keys and mouse.
 
-use resultant::screens::{App, Buttons, Input, Key, LevelSelect, Places, Press, Purpose, Screen, Spectator};
+use resultant::screens::{App, Buttons, Input, Key, LevelSelect, Places, Press, Purpose, Screen, Spectator, Worker};
 use resultant::view::layout::{Frame, Vec2};
 use std::fs;
 use std::path::Path;
@@ -48,6 +48,18 @@ impl Sitting {
         let mut sitting = Self { app: App::new(places(&folder)), frame: Frame::default(), folder, open: true };
         sitting.rest();
         sitting
+    }
+
+    /// One in which levels are read when the test says so.
+    pub fn by_hand(mut self) -> Self {
+        self.app = App::with_worker(places(&self.folder), Worker::by_hand());
+        self.rest();
+        self
+    }
+
+    /// Lets the worker do so many errands, a frame each; how many there were.
+    pub fn work(&mut self, errands: usize) -> usize {
+        (0..errands).take_while(|_| self.app.worker().step().then(|| self.rest()).is_some()).count()
     }
 
     /// The game is closed and opened again.

@@ -78,7 +78,17 @@ fn card(canvas: &Canvas, area: Area, entry: &Entry, hover: bool, focus: bool) {
         widgets::fitted(canvas, text, middle(lines), inner.size.x, sizes, colour);
     };
     match &entry.level {
-        None => {}
+        None => {
+            widgets::fitted(
+                canvas,
+                &entry.name,
+                picture.centre(),
+                picture.size.x,
+                &[HEADING, BUTTON_TEXT, TEXT, DETAILS],
+                theme::quiet(),
+            );
+            fitted("loading …", 0.9, &[TEXT, DETAILS], theme::quiet());
+        }
         Some(Ok((title, miniature))) => {
             miniature.draw(&Tint::of(&entry.name), canvas, picture);
             let named = if *title == entry.name { title.clone() } else { format!("{} · {title}", entry.name) };

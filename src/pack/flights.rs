@@ -1,0 +1,64 @@
+//! Whether the flights in a level's folder still hold: each is flown again in the level as it is.
+
+use super::{FLIGHT, FLIGHTS, listed};
+use crate::files::{self, read_text};
+use crate::game::{Game, Medal, Prize, Replay, RunResult, goals, level_hash};
+use crate::level::{Level, Problem};
+use std::path::Path;
+use std::sync::Arc;
+
+/// How many ticks all flights of a level may take together: two hours' worth. What is longer is not flown.
+const MOST_TICKS: u64 = 1_000_000;
+/// The flights that prove a level's medals, by their files' names.
+const PROVE: [(&str, Prize); 3] =
+    [("careful", Prize::Medal(Medal::Bronze)), ("gold", Prize::Medal(Medal::Gold)), ("mark", Prize::Mark)];
+
+/// The flights in the folder of that level that do not lead where they say, or do not earn what they are named by.
+pub fn stale(folder: &Path, level: &Arc<Level>) -> Vec<Problem> {
+    let names = listed(&folder.join(FLIGHTS)).unwrap_or_default();
+    let mut left = MOST_TICKS;
+    let problem = |name: &str, (found, expected): (String, &str)| Problem {
+        file: format!("{FLIGHTS}{name}"),
+        line: 0,
+        column: String::new(),
+        found,
+        expected: expected.to_owned(),
+    };
+    let stale = |name: &String| fly(&folder.join(FLIGHTS), name, level, &mut left).err().map(|fault| problem(name, fault));
+    names.iter().filter(|name| name.ends_with(FLIGHT)).filter_map(stale).collect()
+}
+
+/// Flies one of them.
+fn fly(folder: &Path, name: &str, level: &Arc<Level>, left: &mut u64) -> Result<(), (String, &'static str)> {
+    let readable = "a flight that can be read";
+    let text = read_text(&folder.join(name), files::INPUTS).map_err(|error| (error.to_string(), readable))?;
+    let replay = Replay::parse(name, &text).map_err(|bad| (bad.0.into_iter().next().unwrap_or_default(), readable))?;
+    let ticks = replay.inputs.ticks();
+    *left = left.checked_sub(ticks).ok_or_else(|| {
+        (format!("{ticks} ticks, too many to be flown here"), "flights of two hours together, or `resultant verify`")
+    })?;
+    let recorded = replay.level_hash;
+    // Flown in the level as it is, whichever version it is of: the second tells more than the hash.
+    let flown = Replay { level_hash: None, ..replay };
+    let mut last: Option<RunResult> = None;
+    let note = |game: &Game| last = Some(game.result());
+    let again = "a flight recorded in the level as it is";
+    match flown.verify(level.clone(), note).map_err(|error| (error.to_string(), again))? {
+        Err(mismatch) => return Err((format!("a flight that no longer holds: {mismatch}"), again)),
+        Ok(()) if recorded.is_some_and(|recorded| recorded != level_hash(level)) => {
+            return Err(("a flight of another version of the level, though it leads where it did".to_owned(), again));
+        }
+        Ok(()) => {}
+    }
+    let stem = name.trim_end_matches(FLIGHT);
+    let proves = PROVE.iter().find(|(file, _)| *file == stem).map(|(_, prize)| *prize);
+    let goals = last.map(|result| goals(&level.awards, &result)).unwrap_or_default();
+    let missed =
+        goals.into_iter().find(|goal| Some(goal.prize) == proves).and_then(|goal| goal.missing.map(|lacks| (goal.asks, lacks)));
+    match missed {
+        Some((asks, lacks)) => {
+            Err((format!("a flight that does not earn what it is named by ({asks}): {lacks}"), "a flight that does"))
+        }
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,126 @@
+//! Levels that are read beside the screens: no frame waits for one.
+
+use crate::sitting::{FAR_AWAY, Sitting, level};
+use resultant::screens::{Input, Key, Purpose, Request};
+use std::fs;
+
+fn by_hand() -> Sitting {
+    Sitting::new().by_hand()
+}
+
+#[test]
+fn a_level_opens_once_it_is_read_and_the_frames_until_then_go_on() {
+    let mut sitting = by_hand();
+    sitting.app.grant(Request::Play("2".into()), &mut ());
+    for _ in 0..100 {
+        assert_eq!(sitting.rest().at(), "menu", "nothing is read by the frames themselves");
+    }
+    assert_eq!(sitting.app.loading(), Some("level 2"));
+    // What is pressed meanwhile is for nobody.
+    sitting.press_all(&[Key::Down, Key::Enter]);
+    assert_eq!((sitting.at(), sitting.app.is_loading()), ("menu", true));
+    assert_eq!((sitting.work(1), sitting.at()), (1, "flight"), "before all that nobody waits for");
+    assert_eq!(sitting.app.loading(), None);
+}
+
+#[test]
+fn nothing_is_told_of_what_loads_within_a_moment() {
+    let mut sitting = by_hand();
+    sitting.app.grant(Request::Play("2".into()), &mut ());
+    sitting.wait(0.2);
+    assert!(sitting.app.is_loading() && sitting.app.loading().is_none());
+    assert!(sitting.wait(0.2).app.loading().is_some());
+}
+
+#[test]
+fn esc_takes_back_what_loads_and_nothing_of_it_comes_later() {
+    let mut sitting = by_hand();
+    sitting.app.grant(Request::Play("2".into()), &mut ());
+    sitting.rest().press(Key::Escape);
+    assert!(!sitting.app.is_loading());
+    sitting.work(10);
+    assert_eq!(sitting.at(), "menu");
+    // Another request takes the place of one that waits.
+    sitting.app.grant(Request::Play("2".into()), &mut ());
+    sitting.app.grant(Request::Play("10".into()), &mut ());
+    sitting.work(10);
+    assert_eq!(sitting.flight().game().level().name, "10");
+}
+
+#[test]
+fn cards_appear_one_after_the_other_and_a_level_that_is_chosen_goes_before_them() {
+    let mut sitting = by_hand();
+    sitting.work(10);
+    sitting.app.grant(Request::LevelSelect(Purpose::Play), &mut ());
+    let known = |sitting: &Sitting| sitting.level_select().entries().iter().filter(|entry| entry.level.is_some()).count();
+    sitting.rest();
+    for count in 0..3 {
+        assert_eq!(known(sitting.rest()), count);
+        sitting.work(1);
+    }
+    sitting.choose(3);
+    assert_eq!((sitting.work(1), sitting.at()), (1, "flight"));
+    assert_eq!(sitting.flight().game().level().name, "10");
+    assert_eq!(sitting.work(10), 0, "the other cards are not read for nobody");
+}
+
+#[test]
+fn play_opens_the_first_level_that_loads_once_it_is_found() {
+    let mut sitting = Sitting::with(|root| {
+        fs::remove_dir_all(root.join("levels/1")).unwrap();
+        level(root, "1", FAR_AWAY, "nonsense\n");
+    })
+    .by_hand();
+    assert_eq!(sitting.choose(0).at(), "level select", "not known yet");
+    sitting.press(Key::Escape).work(20);
+    sitting.choose(0);
+    sitting.work(1);
+    assert_eq!((sitting.at(), sitting.flight().game().level().name.as_str()), ("flight", "2"));
+}
+
+#[test]
+fn every_screen_that_needs_a_level_waits_for_it() {
+    let mut sitting = by_hand();
+    let visit = resultant::screens::Visit { level: "2".into(), flown: None, back: Box::new(Request::Menu) };
+    for (request, at) in [
+        (Request::Edit("2".into()), "editor"),
+        (Request::Leaderboard("2".into()), "leaderboard"),
+        (Request::Flights(visit), "flights"),
+        (Request::Play("broken".into()), "problems"),
+    ] {
+        sitting.work(20);
+        let before = sitting.at();
+        sitting.app.grant(request, &mut ());
+        assert_eq!((sitting.rest().at(), sitting.app.is_loading()), (before, true), "{at}");
+        sitting.work(1);
+        assert_eq!((sitting.at(), sitting.app.is_loading()), (at, false));
+    }
+    // Again, and the files of a flight, too.
+    sitting.press(Key::Escape);
+    sitting.app.grant(Request::Play("2".into()), &mut ());
+    sitting.work(20);
+    let flown = |sitting: &Sitting| sitting.flight().game().ticks();
+    sitting.wait(0.3);
+    fs::write(sitting.folder.path().join("levels/2/world.csv"), "0,580,800,20\n").unwrap();
+    sitting.wait(0.5);
+    assert!(sitting.flight().game().level().world.is_empty() && flown(&sitting) > 80, "it flies on meanwhile");
+    assert_eq!((sitting.work(1), sitting.flight().game().level().world.len()), (1, 1));
+    let ticks = flown(&sitting);
+    assert!(flown(sitting.press(Key::R)) >= ticks && sitting.app.is_loading());
+    sitting.work(1);
+    assert!(flown(&sitting) < 5);
+}
+
+#[test]
+fn levels_that_come_and_go_while_the_list_is_open_are_listed() {
+    let mut sitting = Sitting::new();
+    sitting.choose(1).press(Key::Right).rest();
+    let names = |sitting: &Sitting| sitting.level_select().entries().iter().map(|entry| entry.name.clone()).collect::<Vec<_>>();
+    level(sitting.folder.path(), "0", FAR_AWAY, "");
+    fs::remove_dir_all(sitting.folder.path().join("levels/3")).unwrap();
+    sitting.wait(0.6);
+    assert_eq!(names(&sitting), ["0", "1", "2", "10", "broken"]);
+    assert!(sitting.level_select().entries()[0].level.as_ref().is_some_and(Result::is_ok));
+    assert_eq!(sitting.press(Key::Enter).flight().game().level().name, "2", "the keyboard stays on its level");
+    sitting.give(Input::default());
+}
