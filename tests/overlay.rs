@@ -290,8 +290,8 @@ fn who_was_hit_stays_beside_the_one_that_is_followed() {
         }
         game.step(Controls::default());
     }
-    // 2 m at 4 m/s.
-    assert_eq!(told, [(0, vec![1]), (60, vec![1, 2])]);
+    // 2 m at 4 m/s, and the tick in which they meet.
+    assert_eq!(told, [(0, vec![1]), (61, vec![1, 2])]);
 }
 
 /// A ship that plays no part is told of only where it is followed.

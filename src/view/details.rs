@@ -19,7 +19,7 @@ use super::names;
 use super::partner::{answer, partner};
 use super::scale::Steady;
 use crate::game::{Game, SHIP};
-use crate::level::Text;
+use crate::level::{SurfaceOf, Text};
 use crate::physics::{Aabb, BodyId, DVec2, Source};
 
 /// Inside a box's edge, canvas units: above and below less than in a panel, for there may be many.
@@ -117,7 +117,7 @@ impl Details {
         taken.extend(&never);
         taken.extend(self.arranged.arrows.iter().map(|arrow| head_area(arrow.from, arrow.to, arrow.shown)));
         let words = game.level().texts.iter().map(|text| words_area(text, view));
-        let objects = told.iter().map(|told| told.object);
+        let objects = Self::moving(game, looking, view);
         let kept_clear: Vec<Area> = objects.chain(self.arranged.arrows.iter().map(|arrow| arrow.area())).chain(words).collect();
         self.place_legend(game, (&scale, looking), frame, (&taken, &kept_clear));
         taken.extend(self.legend.area);
@@ -159,6 +159,15 @@ impl Details {
         let from_lead = |id: &BodyId| centres[id.index()].distance_squared(lead);
         shown.sort_by(|a, b| from_lead(a).total_cmp(&from_lead(b)));
         shown
+    }
+
+    /// What moves, or could, in view: bodies and movers.
+    fn moving<'a>(game: &'a Game, looking: &'a Looking, view: &'a Viewport) -> impl Iterator<Item = Area> + 'a {
+        let level = game.level();
+        let bodies = (0..looking.centres.len() as u32).map(|id| bounds(game, looking, BodyId(id)));
+        let mover = |index: usize| game.world().surfaces()[level.surface_index(SurfaceOf::Mover(index))].bounds;
+        let all = bodies.chain((0..level.movers.len()).map(mover));
+        all.filter(|bounds| bounds.touches(&view.visible(), 0.0)).map(|bounds| on_canvas(&bounds, view))
     }
 
     /// What nothing may cover: the ship, hazards and goals in view, and the tip of the ship's velocity.
