@@ -178,6 +178,7 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys)) -> Input {
 }
 
 fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) {
+    canvas.clear();
     match app.screen() {
         Screen::Menu(screen) => screen.draw(&theatre.art, canvas),
         Screen::LevelSelect(screen) => screen.draw(canvas, app.shown_for()),

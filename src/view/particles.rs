@@ -13,6 +13,10 @@ use std::f32::consts::FRAC_PI_2;
 /// Never more particles than this: more cost frames and hide the game.
 const MOST: usize = 1500;
 
+/// How fast sparks and dust fall faster, m/s²: less than a stone, for air carries what is so light, and alike in every level.
+const SPARK_WEIGHT: f64 = 3.0;
+const DUST_WEIGHT: f64 = 1.5;
+
 /// What a particle looks like during its life.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Look {
@@ -66,6 +70,15 @@ impl Particle {
             Look::Streak => 0.0,
         }
     }
+
+    /// How fast it falls faster, m/s²: its warmth carries smoke, and a streak shows the stream.
+    const fn weight(&self) -> f64 {
+        match self.look {
+            Look::Spark => SPARK_WEIGHT,
+            Look::Dust => DUST_WEIGHT,
+            Look::Plume | Look::Streak => 0.0,
+        }
+    }
 }
 
 /// The pool of all particles and the chance that scatters them.
@@ -97,8 +110,9 @@ impl Particles {
     pub fn advance(&mut self, frame_time: f64) {
         for particle in &mut self.all {
             particle.age += frame_time as f32;
-            particle.position += particle.velocity * frame_time;
-            particle.velocity *= (-particle.drag() * frame_time).exp();
+            let (drag, weight) = (particle.drag(), DVec2::new(0.0, particle.weight()));
+            particle.position += (particle.velocity + 0.5 * frame_time * weight) * frame_time;
+            particle.velocity = (particle.velocity + frame_time * weight) * (-drag * frame_time).exp();
         }
         self.all.retain(|particle| particle.age < particle.life);
     }
@@ -154,6 +168,21 @@ mod tests {
         assert_eq!((radius, (colour.r, colour.g, colour.b)), (2.0, (1.0, 174.0 / 255.0, 0.0)));
         let (radius, colour) = Particle { age: 1.0, ..particle(Look::Plume, 1.0) }.appearance();
         assert_eq!((radius, (colour.r, colour.g, colour.b), colour.a), (5.0, (1.0, 1.0, 1.0), 0.0));
+    }
+
+    #[test]
+    fn sparks_and_dust_fall_and_smoke_and_streaks_do_not() {
+        for (look, least, most) in
+            [(Look::Spark, 1.0, 1.5), (Look::Dust, 0.2, 0.5), (Look::Plume, 0.0, 0.0), (Look::Streak, 0.0, 0.0)]
+        {
+            for frames in [15, 60, 240] {
+                let mut pool = Particles::new();
+                pool.add(particle(look, 2.0));
+                (0..frames).for_each(|_| pool.advance(1.0 / f64::from(frames)));
+                let fallen = pool.all()[0].position.y;
+                assert!((least..=most).contains(&fallen), "{look:?} at {frames} frames a second: {fallen} m in a second");
+            }
+        }
     }
 
     #[test]
