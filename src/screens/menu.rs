@@ -4,14 +4,19 @@ use super::balls::Balls;
 use super::level_select::Purpose;
 use super::{Buttons, Input, Key, Request, pace};
 use crate::scores::Name;
-use crate::view::layout::{Area, Frame, GRID, ROW_BUTTON, TITLE, Vec2};
+use crate::view::layout::{Area, Frame, GRID, PADDING, ROW_BUTTON, TEXT, TITLE, Vec2, words_box, words_width};
 
 /// The words on the buttons of the column, from top to bottom.
 pub const LABELS: [&str; 7] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Settings", "Quit"];
 /// From the canvas' top to the middle of the title's capitals, of the canvas' height.
 const TITLE_AT: f32 = 0.115;
-/// The title's letters, in heights of its text: what balls bounce off.
-const TITLE_BOX: Vec2 = Vec2::new(4.3, 0.74);
+/// What the title says, and the height of its letters, which reach below no line, in heights of its text.
+pub const NAME: &str = "Resultant";
+const TITLE_HEIGHT: f32 = 0.74;
+/// What the foot says where nothing is wrong, the middle of its line from the canvas' foot, and its room beside the buttons there.
+pub const HINT: &str = "Right click to drop a ball";
+const FOOT: f32 = 32.0;
+const BESIDE_FOOT: f32 = 640.0;
 /// From the canvas' top to the first button, of the canvas' height.
 const BUTTONS_AT: f32 = 0.3;
 /// From the canvas' edges to the buttons in its lower corners.
@@ -35,22 +40,34 @@ pub struct Facts {
 pub struct Menu {
     facts: Facts,
     buttons: Buttons,
+    /// What is written beside the buttons.
+    lines: Vec<(Line, Area)>,
     balls: Balls,
+}
+
+/// A line of words that is no button's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Line {
+    /// Of the level that Play opens.
+    Next,
+    /// The hint, or what is wrong.
+    Foot,
+    /// The game's name.
+    Title,
 }
 
 impl Menu {
     /// The menu. How balls fly follows from `seed` and from when they are dropped.
     pub fn new(facts: Facts, seed: u64) -> Self {
-        Self { facts, buttons: Buttons::default(), balls: Balls::new(seed) }
+        Self { facts, buttons: Buttons::default(), lines: Vec::new(), balls: Balls::new(seed) }
     }
 
     /// One frame.
     pub fn update(&mut self, input: &Input) -> Option<Request> {
         self.buttons.place(places(&input.frame));
-        let mut obstacles = self.buttons.areas().to_vec();
-        obstacles.push(title_area(&input.frame));
+        self.lines = self.lines_in(&input.frame);
         let frame_time = if self.rests(input) { 0.0 } else { input.frame_time };
-        self.balls.update(&Input { frame_time, ..input.clone() }, &obstacles);
+        self.balls.update(&Input { frame_time, ..input.clone() }, &self.drawn());
         if input.pressed(Key::Escape) {
             return None; // Quit is a button, so that no one leaves by one key too many.
         }
@@ -85,6 +102,32 @@ impl Menu {
         input.away || input.idle >= pace::REST
     }
 
+    /// The lines of words that are drawn beside the buttons, each with its box; the title is the last one.
+    pub fn lines(&self) -> &[(Line, Area)] {
+        &self.lines
+    }
+
+    /// The boxes of all that is drawn: what balls bounce off and the ship flies around.
+    fn drawn(&self) -> Vec<Area> {
+        self.buttons.areas().iter().copied().chain(self.lines.iter().map(|(_, area)| *area)).collect()
+    }
+
+    fn lines_in(&self, frame: &Frame) -> Vec<(Line, Area)> {
+        let height = frame.text_height(TEXT);
+        let mut lines = Vec::new();
+        if let (Some(play), Some((_, title))) = (self.buttons.areas().first(), &self.facts.next) {
+            let from = Vec2::new(play.max().x + 2.0 * PADDING, play.centre().y);
+            lines.push((Line::Next, words_box(title, height, from)));
+        }
+        let foot = self.facts.trouble.as_deref().unwrap_or(HINT);
+        let mut area = words_box(foot, height, Vec2::new(0.0, frame.size.y - FOOT));
+        area.size.x = area.size.x.min(frame.size.x - BESIDE_FOOT);
+        area.min.x = (frame.size.x - area.size.x) / 2.0;
+        lines.push((Line::Foot, area));
+        lines.push((Line::Title, title_area(frame)));
+        lines
+    }
+
     /// What it says.
     pub fn facts(&self) -> &Facts {
         &self.facts
@@ -104,7 +147,8 @@ impl Menu {
 
 /// The box of the title's letters.
 fn title_area(frame: &Frame) -> Area {
-    Area::around(Vec2::new(frame.size.x / 2.0, (frame.size.y * TITLE_AT).round()), TITLE_BOX * TITLE)
+    let size = Vec2::new(words_width(NAME, TITLE), TITLE_HEIGHT * TITLE);
+    Area::around(Vec2::new(frame.size.x / 2.0, (frame.size.y * TITLE_AT).round()), size)
 }
 
 /// The column, and a button in each lower corner.
@@ -118,7 +162,7 @@ fn places(frame: &Frame) -> Vec<Area> {
 
 #[cfg(feature = "window")]
 mod drawing {
-    use super::{LABELS, Menu, title_area};
+    use super::{BESIDE_FOOT, FOOT, HINT, LABELS, Line, Menu, NAME};
     use crate::physics::{DVec2, ForceKind};
     use crate::screens::balls::METRE;
     use crate::view::art::Art;
@@ -127,8 +171,6 @@ mod drawing {
     use crate::view::layout::{Area, BUTTON_TEXT, PADDING, TEXT, TITLE, Vec2};
     use crate::view::{arrows, theme, things, widgets};
 
-    /// What the title says.
-    const NAME: &str = "Resultant";
     /// The arrows around the title, whose sum is the one beneath it: what each is, and how far it leads on, of the title's width and of its
     /// height (upwards).
     const ADDENDS: [(ForceKind, Vec2); 5] = [
@@ -143,7 +185,6 @@ mod drawing {
         /// Draws the menu.
         pub fn draw(&self, art: &Art, canvas: &Canvas) {
             widgets::graph_paper(canvas);
-            self.draw_title(canvas);
             for (i, area) in self.buttons.areas().iter().enumerate() {
                 let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
                 match LABELS.get(i) {
@@ -152,16 +193,11 @@ mod drawing {
                     None => widgets::button(canvas, *area, "Credits", hover, focus),
                 }
             }
-            if let (Some(play), Some((_, title))) = (self.buttons.areas().first(), &self.facts.next) {
-                let (from, y) = (play.max().x + 2.0 * PADDING, play.centre().y);
-                canvas.text(title, Vec2::new(from, y), Style::new(TEXT, theme::quiet()).middle());
-            }
-            let foot = Vec2::new(canvas.size().x / 2.0, canvas.size().y - 32.0);
-            match &self.facts.trouble {
-                Some(trouble) => widgets::fitted(canvas, trouble, foot, canvas.size().x - 640.0, &[TEXT], theme::bad()),
-                None => {
-                    let quiet = Style::new(TEXT, theme::quiet()).centred().middle();
-                    canvas.text("Right click to drop a ball", foot, quiet);
+            for (line, area) in &self.lines {
+                match line {
+                    Line::Title => self.draw_title(canvas, *area),
+                    Line::Next => self.draw_next(canvas, *area),
+                    Line::Foot => self.draw_foot(canvas, *area),
                 }
             }
             self.balls.draw(canvas);
@@ -169,8 +205,7 @@ mod drawing {
         }
 
         /// The name, and the arrows that add up to the one beneath it.
-        fn draw_title(&self, canvas: &Canvas) {
-            let area = title_area(canvas.frame());
+        fn draw_title(&self, canvas: &Canvas, area: Area) {
             let size = area.size + Vec2::new(2.0 * PADDING, 0.0);
             let start = Vec2::new(area.min.x - PADDING, area.max().y + 6.0);
             let end = start + Vec2::new(size.x, 0.0);
@@ -184,6 +219,21 @@ mod drawing {
             arrows::draw_one(canvas, (start, end), arrows::Shown::Resultant, 1.0);
             canvas.text(NAME, area.centre(), Style::new(TITLE, theme::accent()).centred().middle());
             canvas.end_layer();
+        }
+
+        fn draw_next(&self, canvas: &Canvas, area: Area) {
+            let Some((play, (_, title))) = self.buttons.areas().first().zip(self.facts.next.as_ref()) else { return };
+            let from = Vec2::new(area.min.x, play.centre().y);
+            canvas.text(title, from, Style::new(TEXT, theme::quiet()).middle());
+        }
+
+        fn draw_foot(&self, canvas: &Canvas, area: Area) {
+            let (middle, widest) = (Vec2::new(area.centre().x, canvas.size().y - FOOT), canvas.size().x - BESIDE_FOOT);
+            let (words, colour) = match &self.facts.trouble {
+                Some(trouble) => (trouble.as_str(), theme::bad()),
+                None => (HINT, theme::quiet()),
+            };
+            widgets::fitted(canvas, words, middle, widest, &[TEXT], colour);
         }
 
         fn draw_player(&self, canvas: &Canvas, area: Area, (hover, focus): (bool, bool)) {

@@ -69,7 +69,7 @@ pub use lab::{Experiment, Half, Lab, Line, PAGES, Page, Shown};
 pub use leaderboard::{BoardLine, BoardRival, Fresh, Leaderboard, Way};
 pub use level_select::{Entry, LevelSelect, Purpose};
 pub use library::Library;
-pub use menu::{Facts, Menu};
+pub use menu::{Facts, Line as MenuLine, Menu};
 pub use miniature::{Miniature, Part as MiniaturePart};
 pub use name_field::{Entry as NameEntry, NameField};
 pub use new_file::NewFile;

@@ -226,6 +226,7 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), Typist { t
 }
 
 fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) {
+    canvas.clear();
     match app.screen() {
         Screen::Menu(screen) => screen.draw(&theatre.art, canvas),
         Screen::LevelSelect(screen) => screen.draw(canvas, app.shown_for()),

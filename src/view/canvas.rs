@@ -114,7 +114,7 @@ impl Canvas {
         std::mem::replace(&mut self.frame, frame)
     }
 
-    /// Clears the window and lays the canvas out anew, after whatever size the window has now, with words `text` times as large as usual.
+    /// Lays the canvas out anew, after whatever size the window has now, with words `text` times as large as usual.
     ///
     /// # Errors
     /// A typeface that cannot be read, in words.
@@ -124,9 +124,13 @@ impl Canvas {
         self.window = self.frame.size;
         self.fonts.prepare(&self.frame, self.dpi)?;
         self.lines.get_mut().clear();
-        clear_background(theme::ground());
         self.use_canvas_units();
         Ok(())
+    }
+
+    /// Clears the window: what follows is drawn afresh.
+    pub fn clear(&self) {
+        clear_background(theme::ground());
     }
 
     /// Draws the text kept so far. What is drawn afterwards lies above it: a panel over a screen, for example.

@@ -29,6 +29,29 @@ pub const MONO_ADVANCE: f32 = 0.602;
 /// Width of the widest usual line of words, in heights of the text and for each character: a bound that needs no typeface.
 const WIDE_ADVANCE: f32 = 0.62;
 
+/// Widths of the words' face from the space to the tilde, in thousandths of the height of the text.
+const ADVANCES: [u16; 95] = [
+    228, 274, 392, 653, 564, 831, 648, 240, 310, 310, 472, 564, 246, 282, 246, 359, 564, 564, 564, 564, 564, 564, 564, 564, 564,
+    564, 246, 246, 564, 564, 564, 380, 940, 641, 630, 609, 702, 555, 520, 658, 692, 248, 487, 599, 502, 865, 709, 774, 592, 774,
+    618, 517, 548, 680, 624, 921, 608, 569, 560, 310, 359, 310, 564, 490, 376, 509, 583, 460, 583, 548, 376, 573, 569, 237, 237,
+    495, 255, 863, 569, 582, 583, 583, 374, 428, 387, 569, 480, 775, 499, 474, 455, 319, 262, 319, 564,
+];
+/// A line of words reaches from here above the middle of its capitals to there below it, in heights of the text.
+const LINE_REACH: (f32, f32) = (0.37, 0.57);
+
+/// The width of a line of words in the unit of `height`, the height of its letters; of signs beyond ASCII a bound.
+pub fn words_width(words: &str, height: f32) -> f32 {
+    let advance =
+        |sign: char| (sign as usize).checked_sub(32).and_then(|i| ADVANCES.get(i)).map_or(WIDE_ADVANCE, |a| f32::from(*a) / 1000.0);
+    words.chars().map(advance).sum::<f32>() * height
+}
+
+/// The box of a line of words, from the left end of the middle of its capitals.
+pub fn words_box(words: &str, height: f32, from: Vec2) -> Area {
+    let (above, below) = LINE_REACH;
+    Area { min: from - Vec2::new(0.0, above * height), size: Vec2::new(words_width(words, height), (above + below) * height) }
+}
+
 /// The size of type next to one that is wanted.
 pub fn nearest_size(wanted: f32) -> f32 {
     TEXT_SIZES.into_iter().min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(wanted)

@@ -16,6 +16,10 @@ const MOST: usize = 1500;
 /// How much of the speed with which exhaust, dust or a spark hits a solid turns aside along it.
 const SPLAY: f64 = 0.6;
 
+/// How fast sparks and dust fall faster, m/s²: less than a stone, for air carries what is so light, and alike in every level.
+const SPARK_WEIGHT: f64 = 3.0;
+const DUST_WEIGHT: f64 = 1.5;
+
 /// What a particle looks like during its life.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Look {
@@ -86,6 +90,15 @@ impl Particle {
             Look::Streak => 0.0,
         }
     }
+
+    /// How fast it falls faster, m/s²: its warmth carries smoke, and a streak shows the stream.
+    const fn weight(&self) -> f64 {
+        match self.look {
+            Look::Spark => SPARK_WEIGHT,
+            Look::Dust => DUST_WEIGHT,
+            Look::Plume | Look::Streak => 0.0,
+        }
+    }
 }
 
 /// The pool of all particles and the chance that scatters them.
@@ -137,8 +150,9 @@ impl Particles {
     pub fn advance(&mut self, frame_time: f64) {
         for particle in &mut self.all {
             particle.age += frame_time as f32;
-            particle.go(particle.position + particle.velocity * frame_time, &self.barriers);
-            particle.velocity *= (-particle.drag() * frame_time).exp();
+            let (drag, weight) = (particle.drag(), DVec2::new(0.0, particle.weight()));
+            particle.go(particle.position + (particle.velocity + 0.5 * frame_time * weight) * frame_time, &self.barriers);
+            particle.velocity = (particle.velocity + frame_time * weight) * (-drag * frame_time).exp();
         }
         self.all.retain(|particle| particle.age < particle.life);
     }
@@ -216,6 +230,21 @@ mod tests {
         for particle in pool.all() {
             assert_eq!(particle.position.y < 2.0, particle.stops(), "{particle:?}");
             assert!(!particle.stops() || particle.position.x > 0.6, "it goes on along the deck: {particle:?}");
+        }
+    }
+
+    #[test]
+    fn sparks_and_dust_fall_and_smoke_and_streaks_do_not() {
+        for (look, least, most) in
+            [(Look::Spark, 1.0, 1.5), (Look::Dust, 0.2, 0.5), (Look::Plume, 0.0, 0.0), (Look::Streak, 0.0, 0.0)]
+        {
+            for frames in [15, 60, 240] {
+                let mut pool = Particles::new();
+                pool.add(particle(look, 2.0));
+                (0..frames).for_each(|_| pool.advance(1.0 / f64::from(frames)));
+                let fallen = pool.all()[0].position.y;
+                assert!((least..=most).contains(&fallen), "{look:?} at {frames} frames a second: {fallen} m in a second");
+            }
         }
     }
 

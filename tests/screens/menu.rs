@@ -1,8 +1,8 @@
 //! The menu: its buttons, its balls, and what Play opens.
 
 use crate::sitting::{Sitting, board, enter};
-use resultant::screens::{Input, Key, Screen};
-use resultant::view::layout::{Frame, Vec2};
+use resultant::screens::{Input, Key, MenuLine, Screen};
+use resultant::view::layout::{Area, Frame, Vec2};
 use std::fs;
 use std::path::Path;
 
@@ -83,7 +83,9 @@ fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
         sitting.wait(1.0);
         let (areas, frame) = (sitting.buttons().areas().to_vec(), sitting.frame);
         let Screen::Menu(menu) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
-        let balls = menu.balls();
+        let (balls, lines) = (menu.balls(), menu.lines().to_vec());
+        let areas: Vec<Area> = areas.into_iter().chain(lines.iter().map(|(_, area)| *area)).collect();
+        assert_eq!(lines.iter().map(|(line, _)| *line).collect::<Vec<_>>(), [MenuLine::Next, MenuLine::Foot, MenuLine::Title]);
         assert!(balls.len() > 10, "{} balls", balls.len());
         for (i, ball) in balls.iter().enumerate() {
             let inside = ball.min.cmpge(Vec2::splat(-0.1)).all() && ball.max().cmple(frame.size + 0.1).all();
@@ -92,6 +94,36 @@ fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
                 let overlap = ball.max().min(other.max()) - ball.min.max(other.min);
                 assert!(overlap.min_element() < 0.1, "{ball:?} lies in {other:?}");
             }
+        }
+    }
+}
+
+/// Balls that are dropped on it, above it and beside it never lie in it.
+#[test]
+fn balls_bounce_off_every_word_and_every_button() {
+    for size in [Vec2::new(1280.0, 720.0), Vec2::new(900.0, 500.0), Vec2::new(1920.0, 1080.0)] {
+        let mut sitting = Sitting::new();
+        sitting.frame = Frame::of_window(size);
+        sitting.rest();
+        let drawn: Vec<Area> =
+            sitting.buttons().areas().iter().copied().chain(sitting.menu().lines().iter().map(|(_, area)| *area)).collect();
+        assert_eq!(drawn.len(), 9 + 3, "buttons; the level's title, the hint and the game's");
+        for area in drawn {
+            let (above, beside) = (Vec2::new(area.centre().x, area.min.y - 16.0), Vec2::new(area.min.x - 16.0, area.centre().y));
+            let mut dropped = 0;
+            for pointer in [area.centre(), above, beside] {
+                let mut sitting = Sitting::new();
+                sitting.frame = Frame::of_window(size);
+                sitting.rest().give(Input { pointer, right_click: true, ..Input::default() });
+                // Where there is no room none is dropped.
+                dropped += sitting.menu().balls().len();
+                for _ in 0..240 {
+                    for ball in sitting.rest().menu().balls() {
+                        assert!(ball.gap(&area) > -0.1, "{ball:?} lies in {area:?} of {size}");
+                    }
+                }
+            }
+            assert!(dropped > 0, "{area:?} of {size}");
         }
     }
 }

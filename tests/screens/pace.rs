@@ -55,7 +55,10 @@ fn flights_have_every_frame_and_menus_thirty_a_second_at_most() {
 fn a_paused_flight_and_a_menu_of_buttons_are_drawn_when_something_changes() {
     let mut sitting = Sitting::new();
     sitting.fly(1).press(Key::Escape);
-    let settings = |sitting: &mut Sitting| drop(sitting.press(Key::Escape).press(Key::Escape).choose(5));
+    let settings = |sitting: &mut Sitting| {
+        // The pause ends, the flight is given up for the menu's settings.
+        sitting.press(Key::Escape).press(Key::Escape).choose(4).choose(5);
+    };
     for open in [|_: &mut Sitting| {}, settings] {
         open(&mut sitting);
         assert_eq!(drawn(&mut sitting, 30), 30, "{}: what has begun comes to its end", sitting.at());

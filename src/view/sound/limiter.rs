@@ -120,8 +120,8 @@ mod tests {
         let most = heard.as_flattened().iter().fold(0.0_f32, |most, sample| most.max(sample.abs()));
         assert!(most <= CEILING * 1.000_01, "{most}");
         // And it does not turn down more than it must: what is quiet for long is as it was.
-        let quiet = limited((0..48_000).map(|i| if i < 4800 { [9.0; 2] } else { [0.1; 2] }));
-        assert_eq!(quiet[47_000], [0.1; 2]);
+        let quiet = limited((0..96_000).map(|i| if i < 4800 { [9.0; 2] } else { [0.1; 2] }));
+        assert_eq!(quiet[95_000], [0.1; 2]);
     }
 
     #[test]
