@@ -85,7 +85,8 @@ impl Desk {
             Err(_) => return Some(Self { kept, shared: false, lock: None }),
         };
         // An editor that ends takes its lock file away: the lock of a file that has gone is none.
-        (file.try_lock().is_ok() && is_at(&file, &path)).then_some(Self { kept, shared: false, lock: Some((file, path)) })
+        let own = file.try_lock().is_ok() && is_at(&file, &path);
+        own.then(|| Self { kept, shared: false, lock: Some((file, path)) })
     }
 
     fn name(folder: &Path, number: u32) -> PathBuf {
