@@ -229,7 +229,7 @@ mod tests {
         assert_eq!(pool.all().len(), 8);
         for particle in pool.all() {
             assert_eq!(particle.position.y < 2.0, particle.stops(), "{particle:?}");
-            assert!(!particle.stops() || particle.position.x > 0.6, "it goes on along the deck: {particle:?}");
+            assert!(!particle.stops() || particle.position.x > 0.5, "it goes on along the deck: {particle:?}");
         }
     }
 

@@ -36,7 +36,7 @@ impl Tint {
     fn from_ink(ink: Color) -> Self {
         Self {
             rock: mixed(theme::ground(), ink, 0.17),
-            map: mixed(theme::ground(), ink, 0.5),
+            map: mixed(theme::ground(), ink, 0.64),
             edge: mixed(ink, WHITE, 0.12),
             ink,
             fine: mixed(theme::ground(), ink, 0.065),
