@@ -443,7 +443,7 @@ fn saving_process() {
     let scores = Scores::new(folder);
     for number in 1..=saves {
         let user = format!("{prefix}-{number}");
-        let score = Score { name: &name(&user), points: i64::from(number), flight: None };
+        let score = Score { name: &name(&user), points: i64::from(number), flight: None, version: None };
         scores.save_within(UNTIL_ITS_TURN, "1", score).unwrap();
         let mut out = std::io::stdout().lock();
         writeln!(out, "\n{SAVED}{user}").unwrap();

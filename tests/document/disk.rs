@@ -209,7 +209,7 @@ fn neither_a_link_nor_a_pipe_in_a_strangers_folder_does_harm() {
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     opened.folder.keep(&opened.document).unwrap();
     assert!(!path(".autosave").is_symlink() && Folder::open(folder.path(), folder.path()).unwrap().kept.is_some());
-    opened.folder.save(&opened.document, false).unwrap();
+    opened.folder.save(&opened.document).unwrap();
     assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
     assert_eq!(fs::read_to_string(path("world.csv")).unwrap().lines().count(), 2);
 
@@ -217,7 +217,7 @@ fn neither_a_link_nor_a_pipe_in_a_strangers_folder_does_harm() {
     let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
     assert!(opened.kept.is_none());
     opened.document.put(Kind::Solid, BLOCK).unwrap();
-    opened.folder.save(&opened.document, false).unwrap();
+    opened.folder.save(&opened.document).unwrap();
     assert!(!path(".autosave").exists());
     std::os::unix::fs::symlink("/dev/zero", path(".autosave")).unwrap();
     assert!(Folder::open(folder.path(), folder.path()).unwrap().kept.is_none());
