@@ -194,3 +194,68 @@ fn a_bump_does_not_throw_it_about() {
         assert!(camera.focus().length() < 1.5);
     }
 }
+
+/// A camera that has turned to what is to be fitted, for so many frames.
+fn turned(fit: Option<Aabb>, zoom: f64, frames: u32) -> Camera {
+    let mut camera = Camera::new(DVec2::new(60.0, 45.0));
+    (0..frames).for_each(|_| camera.turn(fit, zoom, 1.0 / 60.0));
+    camera
+}
+
+#[test]
+fn a_fitted_view_holds_what_moves_and_is_no_closer_than_usual() {
+    let level = DVec2::new(120.0, 90.0);
+    for window in WINDOWS {
+        let usual = view(level * 0.5, level * 0.5, level, window).scale();
+        for (min, max) in
+            [((1.0, 1.0), (2.0, 2.0)), ((5.0, 5.0), (70.0, 20.0)), ((80.0, 1.0), (119.0, 89.0)), ((0.0, 0.0), (120.0, 90.0))]
+        {
+            let bounds = Aabb::new(DVec2::from(min), DVec2::from(max));
+            let fitted = turned(Some(bounds), 1.0, 1).viewport(DVec2::splat(60.0), level, METRE, window);
+            assert!(fitted.visible().contains(&bounds, window.pixel / fitted.scale()), "{bounds:?} in {:?}", fitted.visible());
+            assert!(fitted.scale() <= usual && fitted.visible().size().min_element() > 0.0);
+        }
+    }
+}
+
+/// However fast it goes, what is fitted stays in view; the view opens at once and closes slowly.
+#[test]
+fn what_is_fitted_never_leaves_the_view() {
+    let (level, window) = (DVec2::new(400.0, 200.0), WINDOWS[0]);
+    let bounds = |x: f64| Aabb::new(DVec2::new(10.0, 90.0), DVec2::new(x + 1.0, 91.0));
+    let mut camera = turned(Some(bounds(10.0)), 1.0, 1);
+    let wide = |camera: &Camera| camera.viewport(DVec2::splat(50.0), level, METRE, window).visible();
+    for step in 0..60 {
+        // 300 m/s.
+        let now = bounds(10.0 + 5.0 * f64::from(step));
+        camera.turn(Some(now), 1.0, 1.0 / 60.0);
+        assert!(wide(&camera).contains(&now, 0.1), "{now:?} in {:?}", wide(&camera));
+    }
+    let opened = wide(&camera).size().x;
+    camera.turn(Some(bounds(10.0)), 1.0, 1.0 / 60.0);
+    assert!(wide(&camera).size().x > 0.9 * opened, "it does not jump");
+    (0..600).for_each(|_| camera.turn(Some(bounds(10.0)), 1.0, 1.0 / 60.0));
+    assert!(wide(&camera).size().x < 0.5 * opened);
+}
+
+#[test]
+fn zooming_draws_larger_and_smaller_as_far_as_the_whole_level() {
+    let (level, ship) = (DVec2::new(200.0, 150.0), DVec2::new(90.0, 60.0));
+    for window in WINDOWS {
+        let at = |zoom: f64| {
+            let mut camera = Camera::new(ship);
+            camera.turn(None, zoom, 1.0 / 60.0);
+            camera.viewport(ship, level, METRE, window)
+        };
+        let usual = at(1.0);
+        assert_eq!((at(2.0).scale(), at(0.5).scale()), (2.0 * usual.scale(), 0.5 * usual.scale()));
+        assert!(at(2.0).visible().contains(&Aabb::around(ship, HALF_SHIP), 0.0));
+        assert!(at(1e-3).visible().contains(&Aabb::new(DVec2::ZERO, level), window.pixel / at(1e-3).scale()));
+        assert_eq!(at(1e-3).scale(), at(1e-6).scale(), "no further than the whole level");
+    }
+    // It turns to another zoom by and by.
+    let mut camera = turned(None, 1.0, 1);
+    camera.turn(None, 2.0, 1.0 / 60.0);
+    let after = camera.viewport(ship, level, METRE, WINDOWS[0]).scale();
+    assert!(after > METRE && after < 1.5 * METRE, "{after}");
+}

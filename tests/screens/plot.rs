@@ -1,6 +1,6 @@
 //! The plot beside a flight: what it shows, where it leads, and what it writes.
 
-use crate::lesson::{button, columns, free_fall, open_plot, press_button, written};
+use crate::lesson::{button, columns, experiment, free_fall, open_plot, press_button, written};
 use crate::sitting::{HERE, Sitting, level};
 use proptest::prelude::*;
 use resultant::game::{Controls, Game, History};
@@ -83,6 +83,41 @@ fn a_click_in_the_plot_leads_to_its_moment_where_the_world_stands_still() {
     press_button(&mut sitting, "CSV");
     sitting.rest();
     assert_eq!(columns(&written(&sitting), &["tick"])[0].len() as u64, tick + 1);
+}
+
+/// Where things move sideways it plots that; and the area under v is the way, also across an impact.
+#[test]
+fn it_opens_along_the_motion_and_the_area_under_v_is_the_way() {
+    let mut sitting = experiment("third-law");
+    sitting.wait(0.1);
+    open_plot(&mut sitting);
+    assert_eq!(names(&sitting), ["Box 1 x", "Box 1 v_x"]);
+    sitting.wait(3.5).press(Key::B).wait(0.1);
+    let history = sitting.flight().history();
+    let place = |game: &Game| game.world().body(BodyId(1)).position.x;
+    let moved = place(sitting.flight().game()) - place(&history.at(0));
+    assert!(sitting.flight().game().world().body(BodyId(1)).velocity.x == 0.0 && moved > 12.0, "it was stopped: {moved}");
+    let area = plot(&sitting).readings()[1].numbers[2].0.unwrap();
+    assert!((area - moved).abs() <= 1e-12 * moved, "{area} m for {moved} m");
+}
+
+/// Two that are compared are told of together; all are only where nobody is followed, and the idle ship is none of them.
+#[test]
+fn the_table_does_not_mix_pairs() {
+    let mut sitting = experiment("momentum");
+    sitting.wait(0.1).press(Key::I);
+    let rail = sitting.flight().instruments().areas(&sitting.frame);
+    sitting.click_at(rail[Instrument::Figures as usize].centre());
+    let table = |sitting: &Sitting| sitting.flight().instruments().measures().table().clone();
+    let momentum = |sitting: &Sitting| table(sitting).lines[0].values.clone();
+    assert_eq!((table(&sitting).columns, momentum(&sitting)), (vec!["Box 1".to_owned()], vec!["12.0 N·s".to_owned()]));
+    let held = [Key::Shift].into_iter().collect();
+    sitting.give(Input { click: true, pointed: Some(BodyId(2)), held, pointer: Vec2::new(640.0, 700.0), ..Input::default() });
+    sitting.wait(0.1);
+    assert_eq!(table(&sitting).columns, ["Box 1", "Box 2", "Both"]);
+    assert_eq!(momentum(&sitting), ["12.0 N·s", "0 N·s", "12.0 N·s"]);
+    sitting.give(Input { click: true, pointer: Vec2::new(640.0, 700.0), ..Input::default() }).wait(0.1);
+    assert_eq!((table(&sitting).columns[1].as_str(), momentum(&sitting)[1].as_str()), ("All", "36.0 N·s"));
 }
 
 #[test]
