@@ -1,7 +1,7 @@
 //! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. Behind the loader nothing knows pixels
 //! but drawing; drawing, rules and physics do not live here.
 //!
-//! The way of a level: `cells` cuts a file's bytes into cells that know their line; `table` finds out which cell belongs to which
+//! How a level is read: `cells` cuts a file's bytes into cells that know their line; `table` finds out which cell belongs to which
 //! column; `quantity` says which numbers are accepted, `varied` which of them can be varied while a level is flown; `rows`, `blocks` and `extras` turn each file's records into typed rows; `read`
 //! puts the rows together, `names`, `strength`, `placement`, `reach` and `winnable` look at the whole; `gates`, `pushed` and `power` warn of
 //! what nobody gets to, pushes or flies; `ship_body` is the shape of the ship that red kills. All of that is pure: [`read()`] asks [`Files`]

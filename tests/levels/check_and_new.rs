@@ -126,10 +126,10 @@ fn flights_that_no_longer_hold_are_warned_about() {
         assert!(text.contains(from), "{text}");
         std::fs::write(folder.join(file), text.replace(from, to)).unwrap();
     };
-    edit("constants.csv", "gold,5.5", "gold,5");
+    edit("constants.csv", "gold,5.5", "gold,4.5");
     let (code, _, err) = texts(&resultant(project.path(), &["check", "1"]));
     assert_eq!((code, err.lines().count()), (0, 1), "{err}");
-    let told = "1: warning: flights/gold.replay.csv: found a flight that does not earn what it is named by (within 5 s): ";
+    let told = "1: warning: flights/gold.replay.csv: found a flight that does not earn what it is named by (within 4.5 s): ";
     assert!(err.starts_with(told) && err.contains("s too slow"), "{err}");
     edit("constants.csv", "gravity,10", "gravity,10.01");
     let packed = project.path().join("1.zip");
