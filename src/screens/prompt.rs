@@ -95,6 +95,11 @@ impl Prompt {
         self.field.text()
     }
 
+    /// The line below its field, where there is one.
+    pub fn note(&self) -> Option<&str> {
+        self.note.as_deref()
+    }
+
     /// Why the text will not do, while that is shown.
     pub fn error(&self) -> Option<&str> {
         self.error.as_deref()

@@ -341,7 +341,8 @@ fn what_comes_with_the_game_is_edited_as_a_copy() {
     let before = fs::read(file(&sitting, "player.csv")).unwrap();
     sitting.choose(1).choose(6).choose(1).rest();
     assert_eq!(sitting.at(), "levels to edit");
-    assert_eq!(sitting.level_select().prompt().unwrap().text(), "2-copy");
+    let prompt = sitting.level_select().prompt().unwrap();
+    assert_eq!((prompt.text().as_str(), prompt.note()), ("2-copy", Some("2 comes with the game and stays as it is.")));
     // Esc: the list, and nothing was made.
     sitting.press(Key::Escape);
     assert!(sitting.at() == "levels to edit" && sitting.level_select().prompt().is_none());
