@@ -18,7 +18,7 @@ pub const FILES: [(&str, &str); 14] = [
         "constants.csv",
         "# All settings; width and height (pixels) are not needed once there is a background.png. silver and gold (s) and one mark\n\
          # (mark_hits, mark_fuel, mark_pushes or mark_speed) are what the level's medals ask for.\n\
-         name,value\ntitle,{name}\ngravity,15\ngravity_x,0\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nfriction,1\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
+         name,value\ntitle,{name}\ngravity,15\ngravity_x,0\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nfriction,1\nexperiment,0\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
     ),
     (
         "player.csv",

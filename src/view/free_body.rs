@@ -20,8 +20,8 @@ const APART: f32 = 1.0;
 const RETURNS: f32 = 6.0;
 /// The shaft that is seen at least, canvas units; the ship's heads stand so far outside of it.
 const SHAFT: f32 = 9.0;
-/// An arrow with so much of a shaft by the scale is not drawn longer, canvas units.
-const SHORT_SHAFT: f32 = 2.0;
+/// An arrow that is as long as its head by the scale, and at least as long as this, is not drawn longer, canvas units.
+const SHORTEST: f32 = 13.0;
 const BEYOND: f32 = 3.0;
 /// How far a step moves an arrow aside and along its line, and how much it lengthens it, canvas units; by what share it shortens it.
 const ASIDE: f32 = 9.0;
@@ -223,8 +223,8 @@ impl Wish {
         let exit = || subject.object.stretch(from, along, f32::MAX).map_or(0.0, |(_, leaves)| leaves);
         let back = subject.object.stretch(from, -along, f32::MAX).map_or(0.0, |(_, leaves)| leaves);
         let outside = if subject.facts.body == SHIP { exit() + BEYOND } else { 0.0 };
-        let [least, by_scale] = [SHAFT, SHORT_SHAFT].map(|shaft| outside.max(shaft) + head_length(shown).x);
-        let least = if length >= by_scale { least.min(length) } else { least };
+        let [least, by_scale] = [SHAFT, 0.0].map(|shaft| outside.max(shaft) + head_length(shown).x);
+        let least = if length >= by_scale.max(SHORTEST) { least.min(length) } else { least };
         let (room, slides) = (ground.room(from, along), f32::from(SLIDES[0]) * SLIDE);
         // What is longer than it can be moved along its line is cut.
         let base = if length > room + slides { room } else { length }.max(least);
