@@ -64,7 +64,8 @@ fn start(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Star
             let lines: String = problems.iter().map(|problem| format!("{}/{problem}\n", shown(level.display()))).collect();
             let unfinished = level::load_unfinished(&folder, project.root()).ok().filter(|_| inputs.is_none());
             let Some(unfinished) = unfinished else { return Err(Stop::Refused(lines)) };
-            let _ = writeln!(std::io::stderr(), "{lines}{}: not finished yet, its flights count for nothing", shown(level.display()));
+            let _ =
+                writeln!(std::io::stderr(), "{lines}{}: not finished yet, its flights count for nothing", shown(level.display()));
             return Ok(Start::Test(folder, Arc::new(unfinished.level), problems));
         }
     };

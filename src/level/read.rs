@@ -144,7 +144,8 @@ struct Gathered {
 }
 
 fn gather(files: &dyn Files, unfinished: bool) -> Gathered {
-    let mut reader = Reader { files, unfinished, scale: Scale { metre: 1.0 }, pixels: 0, problems: Vec::new(), warnings: Vec::new() };
+    let mut reader =
+        Reader { files, unfinished, scale: Scale { metre: 1.0 }, pixels: 0, problems: Vec::new(), warnings: Vec::new() };
     reader.strays();
     let constants = reader.constants();
     let background = reader.background();

@@ -9,8 +9,8 @@ use super::pace;
 use super::worker::{Ticket, Worker};
 use super::{
     Attempt, Classic, Classics, Clipboard, Editor, Facts, Flight, FlightCandidate, Flights, Flown, FolderWatch, Fresh, Gain, Input,
-    Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pace, Picture, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring, Screen,
-    SettingsPanel, Source, Spectator, TileRun, Visit, Watch, Way, footage, jumper,
+    Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pace, Picture, Players, Prover, Purpose, Request, Rival, SaveScore, Scoring,
+    Screen, SettingsPanel, Source, Spectator, TileRun, Visit, Watch, Way, footage, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Fingerprint, Outcome, Reel, RunResult, TICK_RATE};

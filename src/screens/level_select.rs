@@ -8,8 +8,8 @@ use super::{Buttons, Input, Key, Make, Problems, Request, Visit};
 use crate::settings::Action;
 use crate::view::layout::{Area, Frame};
 use places::cards;
-use std::path::PathBuf;
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 #[cfg(feature = "window")]
 mod drawing;

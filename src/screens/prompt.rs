@@ -130,8 +130,8 @@ mod drawing {
             let field = Area::new(panel.min.x + PADDING, panel.min.y + 72.0, panel.size.x - 2.0 * PADDING, 52.0);
             widgets::panel_in(canvas, field, theme::ground(), theme::accent());
             self.field.draw(canvas, field, (BUTTON_TEXT, PADDING), Some(time));
-            let below = [(&self.error, theme::bad()), (&self.note, theme::quiet())];
-            if let Some((words, colour)) = below.into_iter().find_map(|(words, colour)| Some((words.as_ref()?, colour))) {
+            let below = [(self.error.as_deref(), theme::bad()), (self.note(), theme::quiet())];
+            if let Some((words, colour)) = below.into_iter().find_map(|(words, colour)| Some((words?, colour))) {
                 let at = Vec2::new(middle, field.max().y + 28.0);
                 widgets::fitted(canvas, words, at, panel.size.x - 2.0 * PADDING, &[TEXT, DETAILS], colour);
             }

@@ -23,8 +23,8 @@ use macroquad::input::{
     is_mouse_button_pressed, mouse_position, mouse_wheel, utils,
 };
 use macroquad::miniquad::EventHandler;
-use macroquad::miniquad::conf::Conf;
 use macroquad::miniquad::KeyMods;
+use macroquad::miniquad::conf::Conf;
 use macroquad::window::{next_frame, set_fullscreen};
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
