@@ -50,11 +50,6 @@ impl Prompt {
         Self { note: Some(note), ..self }
     }
 
-    /// The line below its field.
-    pub fn note(&self) -> Option<&str> {
-        self.note.as_deref()
-    }
-
     fn place(&mut self, frame: &Frame) {
         self.panel = Area::around(frame.size / 2.0, PANEL);
         let (centre, y) = (self.panel.centre().x, self.panel.max().y - PADDING - ROW_BUTTON.y);
