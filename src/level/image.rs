@@ -11,10 +11,11 @@ use std::path::{Path, PathBuf};
 
 /// The longest side of a picture, pixels: what graphics cards draw.
 const MOST_SIDE: u32 = 16_384;
-/// The most pixels of a picture: 64 MiB when it is unpacked. A PNG of a few kilobytes can unfold to gigabytes.
-const MOST_PIXELS: u64 = 1 << 24;
-/// The most pixels of all the pictures of a level together, its background with them: 128 MiB.
-const MOST_PIXELS_IN_ALL: u64 = 1 << 25;
+/// The most pixels of a picture: 32 MiB when it is unpacked. A PNG of a few kilobytes can unfold to gigabytes.
+const MOST_PIXELS: u64 = 1 << 23;
+/// The most pixels of all the pictures of a level together, its background with them: 48 MiB, several times as much with the
+/// copies of a graphics driver.
+const MOST_PIXELS_IN_ALL: u64 = 12 << 20;
 
 /// What was found and what is expected.
 pub(super) type Refusal = (String, String);

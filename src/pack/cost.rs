@@ -9,8 +9,9 @@ use crate::level::FILES;
 const TABLE: u64 = 32;
 /// Bytes of memory for a byte of a flight while it is read, with some room: one flight after the other is.
 const FLIGHT: u64 = 6;
-/// Bytes of a pixel on the screen, and of one of 16 bits a channel while it is unfolded.
-const PIXEL: u64 = 4;
+/// Bytes of a pixel that is shown: unpacked, as a texture, and the copy of a graphics driver without a card, of 4 bytes each; and of one of 16
+/// bits a channel while it is unfolded.
+const PIXEL: u64 = 12;
 const DEEP_PIXEL: u64 = 8;
 /// A PNG's first bytes; behind them the length and the name of its head, then width and height.
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";

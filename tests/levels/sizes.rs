@@ -33,7 +33,7 @@ fn a_picture_is_judged_by_what_it_unfolds_to() {
     assert_eq!(object(&png_of(20, 20)), Ok(()));
     for (width, height) in [(30_000, 20_000), (16_385, 1), (4096, 4097), (u32::MAX >> 1, u32::MAX >> 1)] {
         let refused = object(&png_of(width, height)).unwrap_err();
-        let found = format!("found \"a.png\" of {width} × {height} pixels, expected a PNG image of at most 16777216 pixels");
+        let found = format!("found \"a.png\" of {width} × {height} pixels, expected a PNG image of at most 8388608 pixels");
         assert!(refused.contains(&found), "{refused}");
     }
     let bomb = png_of(23_170, 23_170);
@@ -43,8 +43,8 @@ fn a_picture_is_judged_by_what_it_unfolds_to() {
     std::fs::remove_file(folder.join("background.png")).unwrap();
 
     // Each is small enough, and all of them are not.
-    let each = png_of(16_384, 1024);
-    let rows = (0..3).map(|i| {
+    let each = png_of(16_384, 512);
+    let rows = (0..2).map(|i| {
         std::fs::write(project.path().join(format!("{i}.png")), &each).unwrap();
         format!("600,300,{i}.png,50,1,FALSE,0\n")
     });
@@ -52,14 +52,14 @@ fn a_picture_is_judged_by_what_it_unfolds_to() {
     std::fs::write(folder.join("constants.csv"), "width,30000\nheight,30000\n").unwrap();
     let refused = lines(&level::load(&folder, project.path()).unwrap_err());
     assert!(
-        refused.contains("objects.csv:3: column \"image\": found \"2.png\", with which the level's pictures have 50331648 pixels")
+        refused.contains("objects.csv:2: column \"image\": found \"1.png\", with which the level's pictures have 16777216 pixels")
     );
     // The background is one of them.
-    std::fs::write(folder.join("background.png"), png_of(16_384, 1024)).unwrap();
+    std::fs::write(folder.join("background.png"), png_of(16_384, 512)).unwrap();
     std::fs::write(folder.join("constants.csv"), "").unwrap();
     let refused = lines(&level::load(&folder, project.path()).unwrap_err());
     assert!(
-        refused.contains("objects.csv:2: column \"image\": found \"1.png\", with which the level's pictures have 50331648"),
+        refused.contains("objects.csv:1: column \"image\": found \"0.png\", with which the level's pictures have 16777216"),
         "{refused}"
     );
 }
