@@ -17,7 +17,7 @@ const MOST_CELLS: usize = 4_000_000;
 /// No more sizes of objects than this are searched.
 const MOST_SIZES: usize = 16;
 /// How many cells all searches of a level may look at together.
-pub(super) const MOST_WORK: u64 = 40_000_000;
+pub(super) const MOST_WORK: u64 = 20_000_000;
 
 /// What the searches of a level have cost so far, in cells looked at.
 #[derive(Debug, Default)]
