@@ -36,7 +36,7 @@ pub enum Stroke {
     Key(Key, Keys),
 }
 
-/// What is copied to be pasted: in a window the system's, else one text.
+/// What is copied to be pasted: in a window the system's, where that says anything, else the text that was copied here.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Clipboard {
     own: Rc<RefCell<String>>,
@@ -48,8 +48,10 @@ impl Clipboard {
     /// What is on it.
     pub fn text(&self) -> String {
         #[cfg(feature = "window")]
-        if self.of_system {
-            return macroquad::miniquad::window::clipboard_get().unwrap_or_default();
+        if self.of_system
+            && let Some(text) = macroquad::miniquad::window::clipboard_get().filter(|text| !text.is_empty())
+        {
+            return text;
         }
         self.own.borrow().clone()
     }
@@ -58,7 +60,7 @@ impl Clipboard {
     pub fn keep(&self, text: String) {
         #[cfg(feature = "window")]
         if self.of_system {
-            return macroquad::miniquad::window::clipboard_set(&text);
+            macroquad::miniquad::window::clipboard_set(&text);
         }
         *self.own.borrow_mut() = text;
     }

@@ -88,8 +88,11 @@ impl TextField {
                 }
             }
             Key::V if control => {
-                let pasted = input.clipboard.text();
-                self.put(&pasted.chars().collect::<Vec<_>>());
+                let pasted: Vec<char> = input.clipboard.text().chars().collect();
+                // Where there is nothing to paste, what is selected stays.
+                if !pasted.is_empty() {
+                    self.put(&pasted);
+                }
             }
             _ => {}
         }
@@ -227,6 +230,8 @@ mod tests {
         let (mut field, mut other) = (TextField::new("gate", 6), TextField::selected("old", 40));
         let board = Clipboard::default();
         with_control(&mut field, Key::A, &board);
+        with_control(&mut field, Key::V, &board);
+        assert_eq!(field.text(), "gate", "there is nothing to paste yet");
         with_control(&mut field, Key::C, &board);
         with_control(&mut other, Key::V, &board);
         assert_eq!((field.text().as_str(), other.text().as_str()), ("gate", "gate"));
