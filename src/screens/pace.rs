@@ -15,8 +15,9 @@ pub const LEFT: f64 = 10.0;
 /// So long after the last input, and after the screen has changed, every frame is drawn, s: highlights, scrolling and fades come to
 /// their end within it.
 pub const LINGER: f64 = 1.0;
-/// A screen that rests is drawn this often all the same, s: a cursor blinks, a file has changed, another window has covered this one.
-pub const BEAT: f64 = 0.5;
+/// A screen that rests is drawn this often all the same, s: a cursor blinks, a file has changed, another window has covered this one;
+/// and this often where the player has left.
+pub const BEATS: [f64; 2] = [0.5, 2.0];
 /// A menu that nobody touches comes to rest after this, s.
 pub const REST: f64 = 60.0;
 /// A new screen fades in over this, s.
@@ -106,9 +107,10 @@ impl Pace {
     /// What becomes of the frame of a screen that has been there so long, s.
     pub fn decide(&mut self, motion: Motion, frame_time: f64, shown_for: f64) -> Picture {
         self.undrawn += frame_time;
+        let beat = BEATS[usize::from(self.idle >= LEFT)];
         self.picture = if motion != Motion::Still || self.idle.min(shown_for) < LINGER {
             Picture::Drawn
-        } else if self.undrawn >= BEAT || self.picture == Picture::Drawn {
+        } else if self.undrawn >= beat || self.picture == Picture::Drawn {
             Picture::Kept
         } else {
             Picture::Again
@@ -166,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn what_moves_is_always_drawn_and_what_rests_twice_a_second() {
+    fn what_moves_is_always_drawn_and_what_rests_now_and_then() {
         for motion in [Motion::Full, Motion::Easy] {
             assert_eq!(drawn(&mut Pace::default(), motion, 300), 300, "{motion:?}");
         }
@@ -174,7 +176,9 @@ mod tests {
         let lingers = drawn(&mut pace, Motion::Still, 31);
         assert_eq!(lingers, 31, "what the last input has set going comes to its end");
         let beats = drawn(&mut pace, Motion::Still, 300);
-        assert!((17..=21).contains(&beats), "{beats} in ten seconds");
+        assert!((15..=21).contains(&beats), "{beats} in ten seconds");
+        let beats = drawn(&mut pace, Motion::Still, 300);
+        assert!((4..=6).contains(&beats), "{beats} in ten seconds when the player has left");
         // The first frame of a rest is kept, and only what is kept is shown again.
         let mut pace = Pace::default();
         let mut before = Picture::Drawn;
