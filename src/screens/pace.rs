@@ -38,7 +38,7 @@ pub fn veil(shown_for: f64) -> f64 {
 pub enum Motion {
     /// As fast as frames come.
     Full,
-    /// A little: [`EASY`] will do.
+    /// A little: a frame every `EASY` seconds will do.
     Easy,
     /// Not at all.
     Still,
