@@ -3,7 +3,7 @@
 
 # level_point X Y: where a point of a level of 1280 × 720 pixels is in the editor, in a window of 1280 × 720, when all of it is in view:
 # as src/screens/editor/layout.rs lays it out.
-level_point() { awk "BEGIN { s = 808 * 0.88 / 1280; printf \"%.3f %.3f\", (552 + ($1 - 640) * s) / 12.8, (334.1 + ($2 - 360) * s) / 7.2 }"; }
+level_point() { awk "BEGIN { s = 895.3 * 0.95 / 1280; printf \"%.3f %.3f\", (571.75 + ($1 - 640) * s) / 12.8, (360.3 + ($2 - 360) * s) / 7.2 }"; }
 
 # draw TOOL X Y TO_X TO_Y: a new thing between two points of the level; tools are counted from the top, Select is 0.
 draw() {
