@@ -147,9 +147,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
             set_fullscreen(fullscreen);
         }
         theatre.frame_cost += (input.frame_time - theatre.frame_cost) * FRAME_WEIGHT;
-        if app.picture() == Picture::Again {
-            canvas.show_kept();
-        } else {
+        if app.picture() != Picture::Again || !canvas.show_kept() {
             draw(&app, &mut theatre, input.frame_time, &mut canvas);
             if app.picture() == Picture::Kept {
                 canvas.keep();

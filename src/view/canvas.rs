@@ -5,8 +5,10 @@ use super::fonts::{Face, Fonts, font_size, glyph_size, runs};
 use super::layout::{Area, Frame, LINE, Vec2};
 use super::theme;
 use macroquad::camera::{Camera2D, set_camera, set_default_camera};
-use macroquad::color::Color;
+use macroquad::color::{Color, WHITE};
+use macroquad::material::{Material, MaterialParams, gl_use_default_material, gl_use_material, load_material};
 use macroquad::math::Rect;
+use macroquad::miniquad::ShaderSource;
 use macroquad::text::{TextParams, draw_text_ex, measure_text};
 use macroquad::texture::{DrawTextureParams, FilterMode, Image, Texture2D, draw_texture_ex};
 use macroquad::window::{clear_background, screen_dpi_scale, screen_height, screen_width};
@@ -91,6 +93,8 @@ pub struct Canvas {
     lines: RefCell<Vec<Line>>,
     /// The picture that is shown again while nothing changes.
     kept: Option<Texture2D>,
+    /// Draws it without its opacity, which is that of what was drawn last; `None` where there can be none.
+    copying: Option<Material>,
 }
 
 impl Canvas {
@@ -106,6 +110,7 @@ impl Canvas {
             dpi: 1.0,
             lines: RefCell::new(Vec::new()),
             kept: None,
+            copying: copying(),
         })
     }
 
@@ -150,6 +155,9 @@ impl Canvas {
 
     /// Keeps what has been drawn in this frame, to be shown again.
     pub fn keep(&mut self) {
+        if self.copying.is_none() {
+            return;
+        }
         let size = (Vec2::new(screen_width(), screen_height()) * self.dpi).round();
         let kept = self.kept.take().filter(|kept| kept.size() == size).unwrap_or_else(|| {
             let kept = Texture2D::from_image(&Image::gen_image_color(size.x as u16, size.y as u16, theme::ground()));
@@ -163,11 +171,14 @@ impl Canvas {
         self.show_kept();
     }
 
-    /// Shows what was kept, in a window of the same size.
-    pub fn show_kept(&self) {
-        let Some(kept) = &self.kept else { return };
+    /// Shows what was kept, in a window of the same size; whether there is such a picture.
+    pub fn show_kept(&self) -> bool {
+        let Some((kept, copying)) = self.kept.as_ref().zip(self.copying.as_ref()) else { return false };
         let params = DrawTextureParams { dest_size: Some(self.window), flip_y: true, ..DrawTextureParams::default() };
-        draw_texture_ex(kept, 0.0, 0.0, macroquad::color::WHITE, params);
+        gl_use_material(copying);
+        draw_texture_ex(kept, 0.0, 0.0, WHITE, params);
+        gl_use_default_material();
+        true
     }
 
     /// Width and height of the canvas, and its scale.
@@ -226,6 +237,26 @@ impl Canvas {
         let size = self.window;
         set_camera(&Camera2D { target: size / 2.0, zoom: Vec2::new(2.0, 2.0) / size, ..Camera2D::default() });
     }
+}
+
+/// Copies a texture's colours as they are.
+fn copying() -> Option<Material> {
+    const VERTEX: &str = "#version 100
+        attribute vec3 position;
+        attribute vec2 texcoord;
+        varying highp vec2 at;
+        uniform mat4 Model;
+        uniform mat4 Projection;
+        void main() {
+            gl_Position = Projection * Model * vec4(position, 1.0);
+            at = texcoord;
+        }";
+    const FRAGMENT: &str = "#version 100
+        precision mediump float;
+        varying highp vec2 at;
+        uniform sampler2D Texture;
+        void main() { gl_FragColor = vec4(texture2D(Texture, at).rgb, 1.0); }";
+    load_material(ShaderSource::Glsl { vertex: VERTEX, fragment: FRAGMENT }, MaterialParams::default()).ok()
 }
 
 impl From<Area> for Rect {
