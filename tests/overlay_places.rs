@@ -9,7 +9,7 @@ use resultant::level::Level;
 use resultant::physics::{Aabb, BodyId, DVec2};
 use resultant::view::camera::{Camera, Viewport, Window};
 use resultant::view::details::{Details, Looking};
-use resultant::view::facts::facts;
+use resultant::view::facts::{Row, facts};
 use resultant::view::focus::Focus;
 use resultant::view::free_body::{head_area, told};
 use resultant::view::game_view::moving;
@@ -128,7 +128,8 @@ impl Onlooker {
         for arrow in &arranged.arrows {
             assert!(inside(arrow.from) && inside(arrow.to), "{}: {arrow:?} leaves the window", what());
             assert!(arrow.length() >= LEAST, "{}: {arrow:?} is nearly nothing", what());
-            let (_, vector) = told(&facts(game, arrow.body).rows[arrow.row]).expect("an arrow is told");
+            let rows = facts(game, arrow.body).rows;
+            let (_, vector) = told(&rows[arrow.row], &rows).expect("an arrow is told");
             let ways = (arrow.to - arrow.from).normalize().dot(vector.normalize().as_vec2());
             assert!(ways > 0.999, "{}: {arrow:?} does not point along {vector}", what());
             if arrow.to_scale {
@@ -143,8 +144,8 @@ impl Onlooker {
             let visible = view.visible();
             let in_view = (game.lead().index()..centres.len())
                 .filter(|&i| Aabb::around(centres[i], game.world().bodies()[i].half).touches(&visible, 0.0));
-            let forces: usize =
-                in_view.map(|i| facts(game, BodyId(i as u32)).rows.iter().filter(|row| told(row).is_some()).count()).sum();
+            let told_of = |rows: &[Row]| rows.iter().filter(|row| told(row, rows).is_some()).count();
+            let forces: usize = in_view.map(|i| told_of(&facts(game, BodyId(i as u32)).rows)).sum();
             assert_eq!(arranged.arrows.len() + arranged.left_out, forces, "{}", what());
         }
         let off = arranged.arrows.iter().filter(|arrow| !arrow.to_scale).count();
@@ -171,7 +172,7 @@ impl Onlooker {
         let usual = game.level().fluids.is_empty();
         for arrow in self.details.arrows().arrows.iter().filter(|arrow| usual && !arrow.shown.is_impact()) {
             let facts = facts(game, arrow.body);
-            let (_, vector) = told(&facts.rows[arrow.row]).expect("an arrow is told");
+            let (_, vector) = told(&facts.rows[arrow.row], &facts.rows).expect("an arrow is told");
             let of_scale = USUAL.contains(&vector.length());
             seen.usual += usize::from(of_scale);
             seen.usual_off_scale += usize::from(of_scale && !arrow.to_scale);

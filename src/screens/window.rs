@@ -205,6 +205,8 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), Typist { t
     let keys = |is: fn(KeyCode) -> bool| {
         KEYS.iter().chain(&MORE_KEYS).filter(|(code, _)| is(*code)).map(|(_, key)| *key).collect::<Keys>()
     };
+    // Ctrl and S count where both were released before the frame.
+    let modifiers = keyed.iter().fold(Keys::default(), |all, keyed| all | keyed.held);
     Input {
         frame: *canvas.frame(),
         pointer: canvas.to_canvas(Vec2::from(mouse_position())),
@@ -215,7 +217,7 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), Typist { t
         // Systems disagree by a factor of 120 on what a notch is; they agree on its sign.
         wheel: mouse_wheel().1.clamp(-1.0, 1.0),
         pressed: keys(is_key_pressed) | pad_pressed,
-        held: keys(is_key_down) | pad_held,
+        held: keys(is_key_down) | modifiers | pad_held,
         typed,
         keyed,
         dropped: get_dropped_files().into_iter().filter_map(|file| file.path).collect(),

@@ -31,9 +31,9 @@ impl Focus {
         Self { followed: None, compared: None, ..self }
     }
 
-    /// Fits the view to everything that moves, or follows again; as close as usual.
+    /// Fits the view to everything that moves; follows again where it is fitted and as close as usual.
     pub const fn fit(&mut self) {
-        (self.fitted, self.closer) = (!self.fitted, 0);
+        (self.fitted, self.closer) = (!self.fitted || self.closer != 0, 0);
     }
 
     /// Whether everything that moves is in view.
@@ -128,6 +128,8 @@ mod tests {
         assert!((focus.zoom() - 2.0).abs() < 1e-12 && focus.fits());
         (0..100).for_each(|_| focus.zoom_by(-1));
         assert!((focus.zoom() - 1.0 / 32.0).abs() < 1e-12);
+        focus.fit();
+        assert_eq!((focus.zoom(), focus.fits()), (1.0, true), "a zoomed view is fitted again");
         focus.fit();
         assert_eq!((focus.zoom(), focus.fits(), focus.followed()), (1.0, false, Some(BodyId(1))));
     }

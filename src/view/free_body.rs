@@ -5,7 +5,7 @@
 use super::arrows::{Arrow, HEAD_SPREAD, head_length};
 use super::facts::{Facts, Row, Shown, Value};
 use super::layout::{Area, Vec2};
-use super::quantity::NOTHING;
+use super::quantity::reads_as_nothing;
 use super::scale::{Reach, Scale};
 use crate::game::SHIP;
 use crate::physics::{BodyId, DVec2};
@@ -20,7 +20,7 @@ const APART: f32 = 1.0;
 const RETURNS: f32 = 6.0;
 /// The shaft that is seen at least, canvas units; the ship's heads stand so far outside of it.
 const SHAFT: f32 = 9.0;
-/// An arrow that is as long as its head by the scale, and at least as long as this, is not drawn longer, canvas units.
+/// An arrow that is at least this long by the scale is not drawn longer, canvas units: its head shrinks with it.
 const SHORTEST: f32 = 13.0;
 const BEYOND: f32 = 3.0;
 /// How far a step moves an arrow aside and along its line, and how much it lengthens it, canvas units; by what share it shortens it.
@@ -77,14 +77,14 @@ impl Ground<'_> {
     }
 }
 
-/// The line of a box that has an arrow: what it stands for, and its vector. What is written as nothing has none.
-pub fn told(row: &Row) -> Option<(Shown, DVec2)> {
+/// The line of a box that has an arrow: what it stands for, and its vector. What is written as nothing beside the other lines has none.
+pub fn told(row: &Row, beside: &[Row]) -> Option<(Shown, DVec2)> {
     let exerted = row.exerted();
     match (row.shown, row.value) {
         (Some(Shown::Resultant), Value::Vector(vector)) => Some((Shown::Resultant, vector)),
         _ => exerted,
     }
-    .filter(|(_, vector)| vector.length() >= NOTHING)
+    .filter(|_| !reads_as_nothing(row, beside))
 }
 
 /// The sizes of the forces and of the impulses of some bodies, with the room that their arrows have.
@@ -92,7 +92,7 @@ pub fn reaches(subjects: &[Subject], ground: &Ground) -> [Vec<Reach>; 2] {
     let mut found = [Vec::new(), Vec::new()];
     for subject in subjects {
         let from = ground.start(&subject.object);
-        for (shown, vector) in subject.facts.rows.iter().filter_map(told) {
+        for (shown, vector) in subject.facts.rows.iter().filter_map(|row| told(row, &subject.facts.rows)) {
             let room = ground.room(from, vector.normalize_or_zero().as_vec2());
             found[usize::from(shown.is_impact())].push((vector.length(), room));
         }
@@ -149,7 +149,7 @@ impl Arranged {
 /// The lines of a body that have arrows, and these in metres of the level.
 fn told_rows(facts: &Facts, scale: &Scale) -> Vec<(usize, Shown, DVec2)> {
     let one = |shown: Shown| if shown.is_impact() { scale.newton_seconds } else { scale.newtons };
-    let rows = facts.rows.iter().enumerate().filter_map(|(row, told_of)| Some((row, told(told_of)?)));
+    let rows = facts.rows.iter().enumerate().filter_map(|(row, told_of)| Some((row, told(told_of, &facts.rows)?)));
     rows.map(|(row, (shown, vector))| (row, shown, vector / one(shown))).collect()
 }
 
@@ -223,7 +223,10 @@ impl Wish {
         let exit = || subject.object.stretch(from, along, f32::MAX).map_or(0.0, |(_, leaves)| leaves);
         let back = subject.object.stretch(from, -along, f32::MAX).map_or(0.0, |(_, leaves)| leaves);
         let outside = if subject.facts.body == SHIP { exit() + BEYOND } else { 0.0 };
-        let [least, by_scale] = [SHAFT, 0.0].map(|shaft| outside.max(shaft) + head_length(shown).x);
+        let head = head_length(shown);
+        let least = outside.max(SHAFT) + head.x;
+        // A single head shrinks with its arrow; the ship would hide it.
+        let by_scale = if outside > 0.0 || head.x > head.y { outside + head.x } else { SHORTEST };
         let least = if length >= by_scale.max(SHORTEST) { least.min(length) } else { least };
         let (room, slides) = (ground.room(from, along), f32::from(SLIDES[0]) * SLIDE);
         // What is longer than it can be moved along its line is cut.

@@ -51,7 +51,7 @@ const fn does(shown: Shown) -> &'static str {
         ForceKind::Reaction | ForceKind::Buoyancy => "presses on",
         ForceKind::Friction => "rubs on",
         ForceKind::AirResistance | ForceKind::ViscousDrag => "drags",
-        ForceKind::Wind => "holds up",
+        ForceKind::Wind => "holds back",
     }
 }
 

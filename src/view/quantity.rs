@@ -104,9 +104,23 @@ fn numbers(row: &Row, beside: &[Row]) -> (Vec<String>, Scale) {
         Value::Scalar(value) => vec![value],
         Value::Vector(v) => vec![v.x, -v.y],
     };
-    let of_all = beside.iter().filter(|other| other.unit == row.unit).map(largest).fold(largest(row), f64::max);
-    let scale = Scale::of(of_all, row.unit).finer(largest(row));
+    let scale = scale(row, beside);
     (values.into_iter().map(|value| scale.number(value)).collect(), scale)
+}
+
+/// How a row is written beside others.
+#[cfg(feature = "window")]
+fn scale(row: &Row, beside: &[Row]) -> Scale {
+    let of_all = beside.iter().filter(|other| other.unit == row.unit).map(largest).fold(largest(row), f64::max);
+    Scale::of(of_all, row.unit).finer(largest(row))
+}
+
+/// Whether all numbers of a row are written as zeros beside those of other rows.
+#[cfg(feature = "window")]
+pub fn reads_as_nothing(row: &Row, beside: &[Row]) -> bool {
+    let scale = scale(row, beside);
+    let least = scale.one.map_or(0.0, |one| 0.5 * one / 10f64.powi(scale.decimals as i32));
+    largest(row) < least.max(NOTHING)
 }
 
 /// The numbers of a row beside others, each in a field of `width` characters, and the unit.
@@ -188,5 +202,6 @@ mod tests {
         let rows = [row(1520.0, "N"), row(20.0, "N"), row(-0.004, "N"), row(0.05, "m/s"), row(0.0, "N")];
         let texts = rows.each_ref().map(|row| quantity(row, &rows, 0));
         assert_eq!(texts, ["(1.52, 0) kN", "(0.0200, 0) kN", "(0.0000, 0) kN", "(50.0, 0) mm/s", "(0, 0) kN"]);
+        assert_eq!(rows.each_ref().map(|row| reads_as_nothing(row, &rows)), [false, false, true, false, true]);
     }
 }

@@ -126,6 +126,8 @@ fn the_view_is_zoomed_and_fitted_in_any_flight() {
     sitting.press(Key::F);
     assert_eq!(view(&sitting), (1.0, true));
     sitting.press(Key::Equal).press(Key::F);
+    assert_eq!(view(&sitting), (1.0, true), "F fits a view that was zoomed");
+    sitting.press(Key::F);
     assert_eq!(view(&sitting), (1.0, false), "F follows again, as close as usual");
     assert!(!sitting.flight().is_assisted() && sitting.flight().observer().focus().length() == 1.0);
 }

@@ -212,7 +212,7 @@ impl Editor {
         if !both.is_empty() {
             self.ask = Some(Ask::new(Question::Theirs(both)));
         } else if taken {
-            self.say("Read anew: another program has changed the files.");
+            self.say("Another program has changed the files: they were read again.");
         }
     }
 
