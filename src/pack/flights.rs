@@ -4,6 +4,7 @@ use super::{FLIGHT, FLIGHTS, listed};
 use crate::files::{self, read_text};
 use crate::game::{Game, Medal, Prize, Replay, RunResult, goals, level_hash};
 use crate::level::{Level, Problem};
+use std::fmt::Display;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -28,11 +29,15 @@ pub fn stale(folder: &Path, level: &Arc<Level>) -> Vec<Problem> {
     names.iter().filter(|name| name.ends_with(FLIGHT)).filter_map(stale).collect()
 }
 
+fn unreadable(why: &dyn Display) -> String {
+    format!("a file that cannot be read ({why})")
+}
+
 /// Flies one of them.
 fn fly(folder: &Path, name: &str, level: &Arc<Level>, left: &mut u64) -> Result<(), (String, &'static str)> {
     let readable = "a flight that can be read";
-    let text = read_text(&folder.join(name), files::INPUTS).map_err(|error| (error.to_string(), readable))?;
-    let replay = Replay::parse(name, &text).map_err(|bad| (bad.0.into_iter().next().unwrap_or_default(), readable))?;
+    let text = read_text(&folder.join(name), files::INPUTS).map_err(|error| (unreadable(&error), readable))?;
+    let replay = Replay::parse(name, &text).map_err(|bad| (unreadable(&bad.0.into_iter().next().unwrap_or_default()), readable))?;
     let ticks = replay.inputs.ticks();
     *left = left.checked_sub(ticks).ok_or_else(|| {
         (format!("{ticks} ticks, too many to be flown here"), "flights of two hours together, or `resultant verify`")
