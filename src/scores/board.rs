@@ -90,10 +90,10 @@ impl Board {
         Origin::of(cell)
     }
 
-    /// Ranks the rows: those with a flight that may hold, then those whose flight does not, then those without any; in each group the highest
-    /// score first. Of equal ones the older stays ahead.
+    /// Ranks the rows: those with a flight that may hold, then those whose flight does not, then those without any, and last those without
+    /// any that fail at sight; in each group the highest score first. Of equal ones the older stays ahead.
     pub fn rank_by(&mut self, fails: impl Fn(&Name) -> bool) {
-        let group = |index: usize| if self.origin(index).flight.is_none() { 2 } else { u8::from(fails(&self.rows[index].name)) };
+        let group = |index: usize| 2 * u8::from(self.origin(index).flight.is_none()) + u8::from(fails(&self.rows[index].name));
         let groups: Vec<u8> = (0..self.rows.len()).map(group).collect();
         let mut rows: Vec<(u8, Row)> = groups.into_iter().zip(std::mem::take(&mut self.rows)).collect();
         rows.sort_by_key(|(group, row)| (*group, Reverse(row.score)));

@@ -169,10 +169,10 @@ fn draw_pointer(pointer: &Pointer, game: &Game, art: &Art, canvas: &Canvas) {
         Target::Objective(index) => objective_colour(game, index),
         Target::Key(index) => key_colour(level.objects[index].key),
     };
-    // The head stands on the box's edge, where the line from the middle to the target leaves it.
+    // The head stands on the box's edge, where the line from the middle to the target leaves it: slim, so that its tip is no corner.
     let reach = panel.stretch(panel.centre(), pointer.along, panel.size.length()).map_or(0.0, |(_, leaves)| leaves);
-    let (tip, across) = (panel.centre() + pointer.along * (reach + pointers::HEAD), pointer.along.perp() * (0.7 * pointers::HEAD));
-    let root = tip - pointer.along * (1.3 * pointers::HEAD);
+    let (tip, across) = (panel.centre() + pointer.along * (reach + pointers::HEAD), pointer.along.perp() * (0.4 * pointers::HEAD));
+    let root = tip - pointer.along * (1.5 * pointers::HEAD);
     canvas.convex(&[tip, root + across, root - across], colour);
     panel_in(canvas, panel, faded(theme::panel(), HIDES), colour);
     match pointer.target {

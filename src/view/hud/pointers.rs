@@ -10,7 +10,7 @@ use crate::physics::{Aabb, BodyId, DVec2};
 /// A goal or a key of which less than this is in the window is outside, canvas units; of a smaller one half of it.
 const LEAST_SEEN: f32 = 16.0;
 /// Length of an arrow's head, and the side of the sign, canvas units.
-pub const HEAD: f32 = 12.0;
+pub const HEAD: f32 = 16.0;
 pub const SIGN: f32 = 18.0;
 /// From the window's edge to an arrow, canvas units.
 const MARGIN: f32 = GRID;

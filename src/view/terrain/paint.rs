@@ -218,6 +218,9 @@ impl Terrain {
             let across = way.perp();
             let middle = (from + to) / 2.0;
             let gap = if way.x > 0.5 { canvas.width(words, style) / 2.0 + 8.0 } else { canvas.line_height(DETAILS) * 0.5 + 2.0 };
+            if (to - from).length() < 2.0 * (gap + arrow) {
+                continue; // In a far view the words have no room between the arrows.
+            }
             batch.stroke([from, middle - way * gap], reach, [colour; 2]);
             batch.stroke([middle + way * gap, to], reach, [colour; 2]);
             for (tip, way) in [(from, way), (to, -way)] {
