@@ -95,20 +95,25 @@ impl Power<'_> {
         let begun = 0.5 * self.ship.velocity.length_squared() + others / self.ship.mass;
         let depth = climbs.depth;
         let speed = |height: f64| (2.0 * self.gravity * (depth + height).max(0.0)).sqrt();
-        let mut most: Option<(f64, usize)> = None;
+        let first = (2.0 * (begun + self.gravity * depth)).sqrt();
+        // Where nothing bounces, a body that nothing pushes moves no way but down.
+        let plain = others == 0.0 && self.ship.restitution.max(self.ship.material.restitution) == 0.0;
+        let along = |gap: f64| if plain { self.seconds_along(gap, first) } else { 0.0 };
+        let ship = Aabb::around(self.ship.position, SHIP_HALF);
+        let aside = |bounds: &Aabb| bounds.gap(&ship).x;
+        let mut needed = Vec::new();
         for pad in pads {
-            let climb = climbs.to(&pad.item.bounds)?;
-            let missing = speed(climb) - (2.0 * (begun + self.gravity * depth)).sqrt();
+            let missing = speed(climbs.to(&pad.item.bounds)?) - first;
             // The last tick with fuel burns to its end.
-            let mut seconds = (missing * self.ship.mass / self.ship.thrust - 1.0 / TICK_RATE).max(0.0);
-            let still = begun == 0.0 && depth < NEAR && self.ship.restitution.max(self.ship.material.restitution) == 0.0;
-            if still && climb < NEAR {
-                seconds = seconds.max(self.seconds_along(&pad.item.bounds));
-            }
-            if most.is_none_or(|(known, _)| known < seconds) {
-                most = Some((seconds, pad.line));
-            }
+            let seconds = (missing * self.ship.mass / self.ship.thrust - 1.0 / TICK_RATE).max(0.0);
+            needed.push((seconds.max(along(aside(&pad.item.bounds))), pad.line));
         }
+        // A key that has to be moved is moved by the ship, or by an object that the ship has moved.
+        let bodies = self.draft.objects.iter().map(|object| Aabb::around(object.item.position, object.item.size * 0.5));
+        if let Some(nearest) = bodies.map(|body| aside(&body)).reduce(f64::min).filter(|_| self.falls().is_some()) {
+            needed.extend(self.keys_to_move().map(|placed| (along(nearest), placed.line)));
+        }
+        let most = needed.into_iter().reduce(|most, next| if most.0 < next.0 { next } else { most });
         most.map(|(seconds, line)| (seconds * BURN_RATE, line))
     }
 
@@ -119,23 +124,25 @@ impl Power<'_> {
         object.mass * (0.5 * object.velocity.length_squared() + self.gravity * fall)
     }
 
-    /// Seconds of burning without which nothing that stands on the lowest floor comes so far aside: after each tick of it the ship flies as
-    /// far as its speed carries it, and slides out.
-    fn seconds_along(&self, pad: &Aabb) -> f64 {
-        let gap = pad.gap(&Aabb::around(self.ship.position, SHIP_HALF)).x;
+    /// Seconds of burning without which the ship comes no further aside than `gap`, m: at the start, and after each tick of burning, it
+    /// flies as far as its energy carries it, and slides out. `first` is √(2e) at the start, m/s.
+    fn seconds_along(&self, gap: f64, first: f64) -> f64 {
         let floors = self.draft.world.iter().map(|solid| solid.item.material);
+        let floors = floors.chain(self.draft.doors.iter().map(|door| door.item.material));
         let floors = floors.chain(self.draft.objects.iter().map(|object| object.item.material));
+        let floors = floors.chain([self.ship.material]);
         let friction = floors.map(|material| material.kinetic_friction).fold(Material::ASPHALT.kinetic_friction, f64::min);
         let friction = friction * self.constants.friction;
         if gap <= 0.0 || friction <= 0.0 {
             return 0.0;
         }
         let pull = self.ship.thrust / self.ship.mass;
+        let steps = self.draft.world.len() + self.draft.doors.len() + self.draft.objects.len() + 1;
+        // In n falls from step to step it is in the air √n times as long as in one.
+        let falls = 2.0 + (steps as f64).sqrt();
         let far = |ticks: f64| {
-            let (seconds, speed) = (ticks / TICK_RATE, pull * ticks / TICK_RATE);
-            // In n falls from step to step it is in the air √n times as long as in one.
-            let falls = 2.0 + (self.draft.world.len() as f64).sqrt();
-            speed * seconds + ticks * speed * speed / self.gravity * (falls + 0.5 / friction)
+            let (seconds, speed) = (ticks / TICK_RATE, first + pull * ticks / TICK_RATE);
+            speed * seconds + (ticks + 1.0) * speed * speed / self.gravity * (falls + 0.5 / friction)
         };
         let mut most = 1.0;
         while far(most) < gap && most < MOST_TICKS {
@@ -183,7 +190,7 @@ impl Power<'_> {
                 let found = format!("{speed} m/s, with a start at {:.3} m/s", self.ship.velocity.length());
                 warn("mark_speed", found, "at least the speed at the start".to_owned());
             }
-            Some(Mark::Pushes(0)) if still.is_some() && !self.is_helped() && self.a_key_has_to_move() => {
+            Some(Mark::Pushes(0)) if still.is_some() && !self.is_helped() && self.keys_to_move().next().is_some() => {
                 let expected = "at least 1: a key has to be moved, and nothing but the ship moves it";
                 warn("mark_pushes", "0 pushes".to_owned(), expected.to_owned());
             }
@@ -192,9 +199,10 @@ impl Power<'_> {
         warnings
     }
 
-    fn a_key_has_to_move(&self) -> bool {
+    /// The objectives that no key gets to by falling.
+    fn keys_to_move(&self) -> impl Iterator<Item = &Placed<Objective>> {
         let physics = self.draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Physics);
-        physics.into_iter().any(|placed| self.gap(&placed.item).is_some_and(|(gap, _)| gap > NEAR))
+        physics.filter(|placed| self.gap(&placed.item).is_some_and(|(gap, _)| gap > NEAR))
     }
 
     /// The shortest time to the end, s, and the line of the objective that takes it; `None` where nothing is known. The clock begins with the

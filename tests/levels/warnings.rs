@@ -66,6 +66,20 @@ fn too_little_fuel_for_the_climb_or_the_distance_is_warned_about() {
         along(0.0)
     );
     assert_eq!(along(20.0), "");
+    // A little above the floor, and to a key that nothing else moves.
+    let with = |fuel: f64, goal: &str| {
+        let Memory(mut all) = written::texts(&[]);
+        all[1].1 = format!("60,844,100,{fuel},2000\n");
+        all[3].1 = goal.to_owned();
+        lines(&level::read("room", &Memory(all)).unwrap().warnings)
+    };
+    let key = "PHYS,1100,860,60,10\nOBJECT,600,850,box:40x40,75,120,220,190,0,0.5\n";
+    for goal in ["PLAYER,1100,860,60,10\n", key] {
+        for fuel in [0.0, 1.0] {
+            assert!(with(fuel, goal).contains(&format!("found {fuel} fuel units")), "{fuel}: {}", with(fuel, goal));
+        }
+        assert_eq!(with(20.0, goal), "");
+    }
 }
 
 #[test]
