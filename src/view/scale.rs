@@ -8,7 +8,7 @@ use crate::game::{DAMAGING_SPEED, Game, SHIP};
 use crate::physics::BodyId;
 
 /// How long what a body usually feels is drawn, canvas units: its weight, half of the ship's thrust, what stops it at damaging speed.
-const USUAL: f64 = 200.0;
+const USUAL: f64 = 225.0;
 /// The least that this may shrink to where others feel far more than the ship, canvas units: theirs are cut then.
 const USUAL_LEAST: f64 = 60.0;
 /// An arrow with less room in the window, as in its corner, is cut instead of making all of them shorter, canvas units.
