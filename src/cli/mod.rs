@@ -36,7 +36,7 @@ use std::sync::Arc;
 #[derive(Parser, Debug)]
 #[command(version, about, after_help = "Without a command the game opens.")]
 #[command(after_long_help = "Without a command the game opens.\n\nExit status: 0 done; 1 a check or verification found something \
-    wrong; 2 the input was refused, or its results could not be written: no file has changed.")]
+    wrong; 2 the input was refused, or its results could not be written: each file is the old one or the new one, whole.")]
 struct Cli {
     /// The folder that holds assets/, levels/ and scores/
     #[arg(long, global = true, value_name = "DIR")]
@@ -81,7 +81,7 @@ pub enum Status {
     Done = 0,
     /// A check or verification found something wrong, also when nobody reads what.
     Wrong = 1,
-    /// The input was refused, or the results could not be written: no file has changed.
+    /// The input was refused, or the results could not be written: each file is the old one or the new one, whole.
     Refused = 2,
 }
 
