@@ -24,7 +24,7 @@ impl Serialize for Shortest {
     }
 }
 
-/// A number as players read it: so many decimals, a true minus sign, and no sign on one that rounds to zero.
+/// A number as players read it: `decimals` decimals, a true minus sign, and no sign on one that rounds to zero.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let plain = format!("{value:.decimals$}");
     match plain.strip_prefix('-') {

@@ -31,7 +31,7 @@ pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
             status = Status::Wrong;
         }
     }
-    // A file that cannot be read is told where it is used: no row of it is a row of a board.
+    // The screens that use the file report one that cannot be read: no row of it is a row of a board.
     let players = scores.players().map(|(players, _)| players).unwrap_or_default();
     let claims: usize = players.all().iter().map(crate::scores::Player::done).sum();
     if claims > 0 {

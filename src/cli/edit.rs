@@ -22,7 +22,7 @@ pub struct Args {
 pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
     use crate::screens::{Editor, Start};
     let folder = project.level_folder(&args.level)?;
-    // What cannot be opened is told before there is a window.
+    // A level that cannot be opened is refused before a window opens.
     let name = Editor::open(&folder, project.root()).map_err(Stop::Refused)?.name().to_owned();
     super::play::show(project, Some(Start::Edit(folder, name, args.original)))
 }

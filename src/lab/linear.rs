@@ -52,7 +52,7 @@ impl Linear {
         self.from + (self.to - self.from) * part
     }
 
-    /// About so many round numbers, but two at least, each with how it is written: with as many decimals as they need to differ.
+    /// Round numbers, about the number asked for and two at least, each as text with the decimals that they need to differ.
     pub fn named(&self, about: usize) -> Vec<(f64, String)> {
         let numbers = (about.max(1)..about.max(1) + FINER)
             .map(|about| round_numbers(self.from, self.to, about))

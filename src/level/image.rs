@@ -37,7 +37,7 @@ pub(super) struct Images<'a> {
 const STAND_IN: f64 = 40.0;
 
 impl<'a> Images<'a> {
-    /// None yet, beside a background of so many pixels. With `stand_ins` a box stands in for every image that is missing.
+    /// None yet, beside a background of `pixels` pixels. With `stand_ins` a box stands in for every image that is missing.
     pub fn new(files: &'a dyn Files, pixels: u64, stand_ins: bool) -> Self {
         Self { files, known: BTreeMap::new(), pixels, stand_in: stand_ins.then_some((Look::Box, STAND_IN, STAND_IN)) }
     }

@@ -24,7 +24,7 @@ pub(super) const MOST_WORK: u64 = 20_000_000;
 pub(super) struct Work(Cell<u64>);
 
 impl Work {
-    /// Whether so many cells may still be looked at; they count as looked at then.
+    /// Whether the budget allows `cells` more cells; takes them from it then.
     pub fn spend(&self, cells: usize) -> bool {
         let spent = self.0.get().saturating_add(cells as u64);
         let allowed = spent <= MOST_WORK;

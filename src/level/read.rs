@@ -513,7 +513,7 @@ mod tests {
             let (_, work) = level(&[("world.csv", full(world)), ("objects.csv", objects), ("objectives.csv", keys)]);
             assert!(work <= 2 * super::super::reach::MOST_WORK, "{work}");
         }
-        // All in one place: as many problems as are told, and no more is looked at.
+        // All in one place: the check stops at the most problems that are listed.
         let heap = full(|_| "500,500,box:40x40,1,1,FALSE,0\n".to_owned());
         let rows = heap.lines().count() as u64;
         let (heaped, work) = level(&[("objects.csv", heap)]);

@@ -68,7 +68,7 @@ fn cost(archive: &mut ZipArchive<Cursor<&[u8]>>, packed: u64) -> Result<u64, Str
         let entry = archive.by_index(index).map_err(|error| format!("found an entry that cannot be read: {error}"))?;
         let (name, size) = (String::from_utf8_lossy(entry.name_raw()).into_owned(), entry.size());
         let mut head = Vec::new();
-        // A head that is damaged is told when the file is read.
+        // The reader of the file reports a damaged head.
         let _ = entry.take(Cost::HEAD).read_to_end(&mut head);
         cost.add(&name, size, &head);
     }

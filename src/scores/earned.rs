@@ -1,5 +1,5 @@
 //! Whether a row of a leaderboard is earned: its flight is flown again in the level as it is, tick by tick, and has to come to the row's
-//! score. As much as can be told without flying is told first.
+//! score. Checks that need no flight come first.
 
 use super::{Name, Origin, Row};
 use crate::game::{Fingerprint, LevelHash, MOST_SECONDS, Medals, Mismatch, Outcome, PROGRAM, Proof, Replay, ScoreParts, TICK_RATE};
@@ -46,7 +46,7 @@ pub enum Doubt {
     Rate(f64),
     /// The flight is longer than any that is judged, ticks.
     TooLong(u64),
-    /// The record has the hashes of so many seconds, and should have those of so many.
+    /// The number of hashes in the record, one a whole second, and the number expected.
     Seconds(usize, usize),
     /// It was flown again and led elsewhere, or the level is another one; with the program that recorded it, where that is not this one.
     Flown(Mismatch, Option<String>),

@@ -113,7 +113,7 @@ impl Judge {
         Some(index)
     }
 
-    /// Flies so many ticks in all, the flights in the air in turn.
+    /// Flies `ticks` ticks in all, the flights in the air in turn.
     pub fn fly(&mut self, mut ticks: u64) {
         while ticks > 0 {
             let Some((name, mut claim)) = self.air.pop_front() else { return };

@@ -107,7 +107,7 @@ impl Drop for App {
 }
 
 impl App {
-    /// A sitting that begins with the menu, of whoever played here last; levels are read at once, on the screen's thread.
+    /// A sitting that begins with the menu, of the last player; levels are read at once, on the screen's thread.
     pub fn new(places: Places) -> Self {
         Self::with_worker(places, Worker::here())
     }
@@ -700,7 +700,7 @@ fn whose(player: &Name) -> &str {
     if player.is_guest() { "" } else { player.as_str() }
 }
 
-/// The menu for whoever plays; which level Play opens is told it later.
+/// The menu for the present player; the worker brings the level that Play opens.
 fn menu(journal: &Journal, seed: u64) -> Screen {
     let (player, trouble) = (journal.current().clone(), journal.trouble().map(str::to_owned));
     Screen::Menu(Box::new(Menu::new(Facts { next: None, player, trouble }, seed)))

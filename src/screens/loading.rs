@@ -5,12 +5,12 @@ use super::{App, Input, Key, Make, Purpose, Request, Screen, Source, Spectator};
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::level;
 
-/// A level as it is told of.
+/// A level in words.
 fn named(name: &str) -> String {
     format!("level {name}")
 }
 
-/// From when it is told that something loads, s: what is there sooner opens without a word.
+/// The panel that names the level appears after this time, s: a level that loads sooner opens without it.
 const TOLD_AFTER: f64 = 0.25;
 
 /// A request that waits for what it needs.
@@ -146,7 +146,7 @@ impl App {
         &mut self.worker
     }
 
-    /// Asks which level Play opens: the first that loads and that whoever plays has not done, else the first that loads.
+    /// Asks which level Play opens: the first that loads and that the player has not done, else the first that loads.
     pub(super) fn ask_for_next(&mut self) {
         let names = self.library.names();
         let (open, done): (Vec<&String>, Vec<&String>) = names.iter().partition(|name| self.journal.medals(name).medal.is_none());

@@ -27,7 +27,7 @@ const PLAYER_BUTTON: Vec2 = Vec2::new(288.0, 48.0);
 /// What the menu says.
 #[derive(Clone, Debug)]
 pub struct Facts {
-    /// The level that Play opens, by name and title: the first one that whoever plays has not done; `None` until it is found.
+    /// The level that Play opens, by name and title: the first one that the player has not done; `None` until it is found.
     pub next: Option<(String, String)>,
     /// Who plays.
     pub player: Name,

@@ -159,7 +159,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     }
 }
 
-/// How large words are on this screen, with so many canvas units a pixel: those of a flight as the player wants them; the editor leaves a large
+/// How large words are on this screen, with `pixel` canvas units a pixel: those of a flight as the player wants them; the editor leaves a large
 /// window to the picture; the others stand in panels made for them.
 fn text_scale(app: &App, pixel: f32) -> f32 {
     if let Screen::Editor(_) = app.screen() {

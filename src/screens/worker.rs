@@ -112,7 +112,7 @@ pub struct Worker {
 /// Where errands are done.
 #[derive(Debug)]
 enum At {
-    /// On the screen's thread, so many more; without a number all, when they are asked for.
+    /// On the screen's thread: the given number of errands, or without a number each as it is asked for.
     Here(VecDeque<(Ticket, Errand)>, Option<usize>),
     /// On a thread of their own.
     Beside(Arc<Desk>, Receiver<(Ticket, Brought)>),

@@ -119,7 +119,7 @@ impl Canvas {
         std::mem::replace(&mut self.frame, frame)
     }
 
-    /// Lays the canvas out anew, after whatever size the window has now, with words `text` times as large as usual.
+    /// Lays the canvas out for the window's present size, with words `text` times as large as usual.
     ///
     /// # Errors
     /// A typeface that cannot be read, in words.

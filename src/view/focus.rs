@@ -41,7 +41,7 @@ impl Focus {
         self.fitted
     }
 
-    /// Brings the view closer by so many times the fourth root of 2, or makes it wider where negative.
+    /// Brings the view closer by `by` factors of the fourth root of 2, or makes it wider where negative.
     pub fn zoom_by(&mut self, by: i8) {
         self.closer = (self.closer + by).clamp(-WIDER, CLOSER);
     }
@@ -66,7 +66,7 @@ impl Focus {
         self.compared
     }
 
-    /// Goes on from one of so many bodies to the next: from all to the first, through the others, and back to all.
+    /// Goes on from one of `bodies` bodies to the next: from all to the first, through the others, and back to all.
     pub fn next(&mut self, first: BodyId, bodies: usize) {
         let next = self.followed.map_or(first.index(), |body| body.index() + 1);
         *self = Self { followed: u32::try_from(next).ok().filter(|_| next < bodies).map(BodyId), compared: None, ..*self };

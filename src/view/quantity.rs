@@ -62,7 +62,7 @@ impl Scale {
     }
 }
 
-/// Decimal places that show three digits of so many units.
+/// Decimal places that show three digits of a number of units.
 fn decimals(parts: f64) -> usize {
     let (mut places, mut least) = (0, 100.0 * ROUNDS_UP);
     while parts < least && places < 9 {

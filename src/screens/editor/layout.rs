@@ -21,7 +21,7 @@ pub const BETWEEN: f32 = 4.0;
 pub const PROBLEM_LINES: usize = 4;
 /// How many pictures are offered at most.
 pub const OFFERS: usize = 8;
-/// How large words are in a window with so many canvas units a pixel: in a large window they need not grow with it.
+/// How large words are in a window with `pixel` canvas units a pixel: in a large window they need not grow with it.
 #[cfg(any(test, feature = "window"))]
 pub fn text_scale(pixel: f32) -> f32 {
     (1.25 * pixel).clamp(0.75, 1.0)
@@ -49,7 +49,7 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// The parts in that frame, with so many problems in view.
+    /// The parts in that frame, with `problems` lines of problems.
     pub fn new(frame: &Frame, problems: usize) -> Self {
         let height_of_text = frame.text_height(DETAILS);
         let (line, letter, text) = (height_of_text * LINE, height_of_text * MONO_ADVANCE, frame.text);
@@ -96,7 +96,7 @@ impl Parts {
         Area::new(left, top, self.right.max().x - INSIDE - left, self.field - BETWEEN)
     }
 
-    /// The line of a picture that is offered, counted from 0, below so many fields and a heading.
+    /// The line of a picture that is offered, counted from 0, below `fields` fields and a heading.
     pub fn offer(&self, fields: usize, index: usize) -> Area {
         let top = self.field(fields).min.y + (index + 1) as f32 * self.line;
         Area::new(self.right.min.x + INSIDE, top, self.right.size.x - 2.0 * INSIDE, self.line)

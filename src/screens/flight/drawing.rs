@@ -48,7 +48,7 @@ impl Flight {
         let signs = self.time_sign(frame).map(|(_, area)| area).into_iter().chain(self.test_sign(frame));
         let news = self.news.as_ref().map(|news| news_panel(news, frame).0);
         let lost = self.lost_sign(frame).map(|(_, area)| area);
-        // What is varied is told beside the status, in as many lines as it takes.
+        // The variation stands beside the status, in the lines that it needs.
         let status = HudLayout::new(frame).status;
         let width = frame.size.x - status.max().x;
         let varied = self.variation().map(|_| Area::new(status.max().x, status.min.y, width, status.size.y));

@@ -46,7 +46,7 @@ pub struct Aside {
 }
 
 impl Aside {
-    /// Goes on by `frame_time` seconds, with the ship, which moves by so many canvas units a second, and everything else that may not be
+    /// Goes on by `frame_time` seconds, with the ship and its speed, canvas units a second, and everything else that may not be
     /// hidden where they are drawn.
     pub fn update(&mut self, shown: Shown, (ship, speed): (Area, f32), others: &[Area], frame: &Frame, frame_time: f64) {
         let layout = HudLayout::new(frame);
