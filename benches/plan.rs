@@ -13,12 +13,10 @@ const TICKS: usize = TICK_RATE as usize;
 
 /// A part of the model: its name, and how to switch it on.
 type Part = (&'static str, fn(&mut Plan));
-const PARTS: [Part; 6] = [
+const PARTS: [Part; 4] = [
     ("air", |plan| plan.air = true),
     ("streams", |plan| plan.streams = true),
     ("liquids", |plan| plan.liquids = true),
-    ("pairs", |plan| plan.pairs = true),
-    ("contacts", |plan| plan.contacts = true),
     ("restitution", |plan| plan.bounces = true),
 ];
 

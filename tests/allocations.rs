@@ -3,8 +3,8 @@
 mod support;
 
 use glam::DVec2;
-use resultant::physics::pile::{Pile, PileBody, PileDef, PileSurface};
 use resultant::physics::{Aabb, BodyDef, BodyId, FluidDef, Material, StreamDef, SurfaceDef, World, WorldDef};
+use support::dense::{empty, restless, surface};
 use support::memory::allocations;
 
 #[global_allocator]
@@ -19,22 +19,17 @@ fn a_warm_step_allocates_nothing() {
 }
 
 fn rain(restitution: f64) {
-    let surface = |left, top, right, bottom| PileSurface {
-        bounds: Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom)),
-        static_friction: 0.9,
-        kinetic_friction: 0.65,
-    };
     let bodies = (0..400)
-        .map(|i| PileBody {
+        .map(|i| BodyDef {
             position: DVec2::new(0.5 + f64::from(i % 20), -1.0 - 1.1 * f64::from(i / 20)),
             half: DVec2::splat(0.3 + 0.01 * f64::from(i % 13)),
             velocity: DVec2::new(f64::from(i % 5) - 2.0, 0.0),
             restitution: restitution * f64::from(i % 4) / 3.0,
-            ..PileBody::default()
+            ..BodyDef::default()
         })
         .collect();
     let surfaces = vec![surface(-5.0, 0.0, 25.0, 1.0), surface(-1.0, -99.0, 0.0, 0.0), surface(20.0, -99.0, 21.0, 0.0)];
-    let mut pile = Pile::new(PileDef { bodies, surfaces, sleep: false, ..PileDef::default() }).unwrap();
+    let mut pile = restless(WorldDef { bodies, surfaces, ..empty() });
     (0..120).for_each(|_| pile.step(1.0 / 60.0));
     let before = allocations();
     (0..300).for_each(|_| pile.step(1.0 / 60.0));

@@ -165,8 +165,7 @@ fn the_cradle_hands_all_motion_to_the_last() {
     }
 }
 
-/// Equal elastic boxes in a row exchange their velocities: less their widths they are points that pass through each other. Of 12 event by event, of
-/// 24 as a gas.
+/// Equal elastic boxes in a row exchange their velocities: less their widths they are points that pass through each other.
 #[test]
 fn a_row_of_equal_elastic_boxes_passes_through_itself() {
     const WIDTH: f64 = 0.5;
@@ -195,9 +194,8 @@ fn a_row_of_equal_elastic_boxes_passes_through_itself() {
             }
         }
         assert!(farthest < 1e-9, "{count} boxes: {farthest} m");
-        assert_eq!(in_one_step > 0, count == 24, "{count} boxes: {in_one_step}");
-        let given_up = Guards { dense_ticks: 0, islands_grown: 0, ..*world.guards() };
-        assert_eq!(given_up, Guards { steps_grown: given_up.steps_grown, ..Guards::default() });
+        assert_eq!(in_one_step, 0, "{count} boxes");
+        assert_eq!(Guards { islands_grown: 0, ..*world.guards() }, Guards::default());
     }
 }
 

@@ -92,6 +92,32 @@ fn story(def: WorldDef, count: usize, drive: DVec2) -> Vec<(Vec<u64>, Vec<Event>
     (0..TICKS).map(&mut tick).collect()
 }
 
+fn far_away_changes_nothing(seed: u64, count: usize, drive: DVec2, extras: Extras) -> Result<(), TestCaseError> {
+    let def = busy_room(seed, 0.0, count, extras);
+    let alone = story(def.clone(), count, drive);
+    let everything = Extras { media: true, movers: true, dull: false };
+    let others = [
+        far_bodies(1),
+        far_bodies(10),
+        busy_room(!seed, FAR, 20, Extras::default()),
+        busy_room(!seed, FAR, 12, everything),
+        with(busy_room(!seed, -FAR, 30, Extras { movers: true, ..extras }), far_bodies(10)),
+    ];
+    for (i, other) in others.into_iter().enumerate() {
+        let beside = story(with(def.clone(), other), count, drive);
+        let first = alone.iter().zip(&beside).position(|(a, b)| a != b);
+        prop_assert_eq!(first, None, "tick at which it first differs, beside scene {}", i);
+    }
+    Ok(())
+}
+
+/// A room that proptest once found.
+#[test]
+fn what_is_far_away_from_a_room_of_nine_changes_not_one_bit() {
+    let extras = Extras { media: true, movers: false, dull: false };
+    far_away_changes_nothing(2_257_815_625_286_119_833, 9, DVec2::new(-2_729.458975538596, -643.8956326611807), extras).unwrap();
+}
+
 proptest! {
     #![proptest_config(cases(12))]
 
@@ -100,21 +126,7 @@ proptest! {
         seed in any::<u64>(), count in 1..20_usize, fx in -3000.0..3000.0f64, fy in -3000.0..0.0f64,
         extras in (any::<bool>(), any::<bool>(), any::<bool>()).prop_map(|(media, movers, dull)| Extras { media, movers, dull }),
     ) {
-        let (def, drive) = (busy_room(seed, 0.0, count, extras), DVec2::new(fx, fy));
-        let alone = story(def.clone(), count, drive);
-        let everything = Extras { media: true, movers: true, dull: false };
-        let others = [
-            far_bodies(1),
-            far_bodies(10),
-            busy_room(!seed, FAR, 20, Extras::default()),
-            busy_room(!seed, FAR, 12, everything),
-            with(busy_room(!seed, -FAR, 30, Extras { movers: true, ..extras }), far_bodies(10)),
-        ];
-        for (i, other) in others.into_iter().enumerate() {
-            let beside = story(with(def.clone(), other), count, drive);
-            let first = alone.iter().zip(&beside).position(|(a, b)| a != b);
-            prop_assert_eq!(first, None, "tick at which it first differs, beside scene {}", i);
-        }
+        far_away_changes_nothing(seed, count, DVec2::new(fx, fy), extras)?;
     }
 }
 

@@ -110,66 +110,93 @@ fn fastest(world: &World) -> f64 {
 /// Relative to all impulses: what rides follows its surface exactly at the end of a tick, and is given its roundings for nothing.
 const MOMENTUM: f64 = 1e-9;
 
+fn keeps_every_law(def: WorldDef, rate: f64, far: usize) -> Result<(), TestCaseError> {
+    let sides: Vec<Sides> = def.surfaces.iter().map(|surface| surface.sides).collect();
+    let count = def.bodies.len();
+    let mut crowded = def.clone();
+    crowded.bodies.extend((0..far).map(|i| BodyDef { position: DVec2::new(1e5 + 2.0 * i as f64, 0.0), ..BodyDef::default() }));
+    let mut world = World::new(def.clone()).unwrap();
+    let mut twin = World::new(def).unwrap();
+    let mut crowded = World::new(crowded).unwrap();
+    let mut before = fastest(&world);
+    for tick in 0..(SECONDS * rate) as u32 {
+        world.step(1.0 / rate);
+        twin.step(1.0 / rate);
+        crowded.step(1.0 / rate);
+        prop_assert!(world.bodies().iter().all(|b| b.position.is_finite() && b.velocity.is_finite() && b.acceleration.is_finite()));
+        let now = fastest(&world);
+        let bar = EXACT * (1.0 + before.max(now) / rate);
+        let (depth, what) = overlap(&world, &sides);
+        prop_assert!(depth <= bar, "tick {}: {} overlap by {} m", tick, what, depth);
+        prop_assert!(world.bodies().iter().all(|b| ROOM.contains(&b.bounds(), bar)), "tick {}", tick);
+        for (i, (a, b)) in world.bodies().iter().zip(&crowded.bodies()[..count]).enumerate() {
+            prop_assert!(a == b, "tick {}: bodies far away change body {}: {:?}, {:?}", tick, i, a, b);
+        }
+        before = now;
+    }
+    prop_assert_eq!(bits(&world), bits(&twin));
+    Ok(())
+}
+
+fn momentum_comes_from_impulses(def: WorldDef, rate: f64) -> Result<(), TestCaseError> {
+    let mut world = World::new(def).unwrap();
+    for tick in 0..(SECONDS * rate) as u32 {
+        let before: Vec<DVec2> = world.bodies().iter().map(|body| body.velocity * body.mass).collect();
+        world.step(1.0 / rate);
+        for (i, (body, before)) in world.bodies().iter().zip(before).enumerate() {
+            let mut listed = DVec2::ZERO;
+            let mut scale = before.length() + 1.0;
+            for impulse in world.impulses() {
+                let sign = if impulse.a.index() == i {
+                    1.0
+                } else if impulse.b == Obstacle::Body(resultant::physics::BodyId(i as u32)) {
+                    -1.0
+                } else {
+                    continue;
+                };
+                listed += impulse.vector * sign;
+                scale += impulse.vector.length();
+            }
+            // Where the budget was used up what lasts is told as a force.
+            if world.methods().in_one_step > 0 {
+                continue;
+            }
+            let error = (body.velocity * body.mass - before - listed).length();
+            prop_assert!(error <= MOMENTUM * scale, "tick {}: body {} is off by {} N·s of {}", tick, i, error, scale);
+        }
+        let told =
+            world.events().iter().all(|event| !matches!(event, Event::Crushed { force, .. } if *force <= 0.0 || force.is_nan()));
+        prop_assert!(told, "tick {}: {:?}", tick, world.events());
+    }
+    Ok(())
+}
+
+/// Rooms that proptest once found.
+#[test]
+fn rooms_that_once_broke_a_law_keep_it() {
+    let rooms = [
+        include!("fixtures/found/surfaces_random_1.rs"),
+        include!("fixtures/found/surfaces_random_2.rs"),
+        include!("fixtures/found/surfaces_random_4.rs"),
+        include!("fixtures/found/surfaces_random_5.rs"),
+    ];
+    for (i, (def, rate, far)) in rooms.into_iter().enumerate() {
+        keeps_every_law(def, rate, far).unwrap_or_else(|fault| panic!("room {i}: {fault}"));
+    }
+    let (def, rate) = include!("fixtures/found/surfaces_random_3.rs");
+    momentum_comes_from_impulses(def, rate).unwrap();
+}
+
 proptest! {
     #![proptest_config(cases(200))]
 
     #[test]
     fn a_room_of_movers_keeps_every_law(def in room(15.0, 8.0), rate in rates(), far in prop_oneof![Just(1usize), Just(10)]) {
-        let sides: Vec<Sides> = def.surfaces.iter().map(|surface| surface.sides).collect();
-        let count = def.bodies.len();
-        let mut crowded = def.clone();
-        crowded.bodies.extend((0..far).map(|i| BodyDef { position: DVec2::new(1e5 + 2.0 * i as f64, 0.0), ..BodyDef::default() }));
-        let mut world = World::new(def.clone()).unwrap();
-        let mut twin = World::new(def).unwrap();
-        let mut crowded = World::new(crowded).unwrap();
-        let mut before = fastest(&world);
-        for tick in 0..(SECONDS * rate) as u32 {
-            world.step(1.0 / rate);
-            twin.step(1.0 / rate);
-            crowded.step(1.0 / rate);
-            prop_assert!(world.bodies().iter().all(|b| b.position.is_finite() && b.velocity.is_finite() && b.acceleration.is_finite()));
-            let now = fastest(&world);
-            let bar = EXACT * (1.0 + before.max(now) / rate);
-            let (depth, what) = overlap(&world, &sides);
-            prop_assert!(depth <= bar, "tick {}: {} overlap by {} m", tick, what, depth);
-            prop_assert!(world.bodies().iter().all(|b| ROOM.contains(&b.bounds(), bar)), "tick {}", tick);
-            for (i, (a, b)) in world.bodies().iter().zip(&crowded.bodies()[..count]).enumerate() {
-                prop_assert!(a == b, "tick {}: bodies far away change body {}: {:?}, {:?}", tick, i, a, b);
-            }
-            before = now;
-        }
-        prop_assert_eq!(bits(&world), bits(&twin));
+        keeps_every_law(def, rate, far)?;
     }
 
     #[test]
     fn without_gravity_momentum_comes_from_impulses_alone(def in room(0.0, 0.0), rate in rates()) {
-        let mut world = World::new(def).unwrap();
-        for tick in 0..(SECONDS * rate) as u32 {
-            let before: Vec<DVec2> = world.bodies().iter().map(|body| body.velocity * body.mass).collect();
-            world.step(1.0 / rate);
-            for (i, (body, before)) in world.bodies().iter().zip(before).enumerate() {
-                let mut listed = DVec2::ZERO;
-                let mut scale = before.length() + 1.0;
-                for impulse in world.impulses() {
-                    let sign = if impulse.a.index() == i {
-                        1.0
-                    } else if impulse.b == Obstacle::Body(resultant::physics::BodyId(i as u32)) {
-                        -1.0
-                    } else {
-                        continue;
-                    };
-                    listed += impulse.vector * sign;
-                    scale += impulse.vector.length();
-                }
-                // Where the budget was used up what lasts is told as a force.
-                if world.methods().in_one_step > 0 {
-                    continue;
-                }
-                let error = (body.velocity * body.mass - before - listed).length();
-                prop_assert!(error <= MOMENTUM * scale, "tick {}: body {} is off by {} N·s of {}", tick, i, error, scale);
-            }
-            let told = world.events().iter().all(|event| !matches!(event, Event::Crushed { force, .. } if *force <= 0.0 || force.is_nan()));
-            prop_assert!(told, "tick {}: {:?}", tick, world.events());
-        }
+        momentum_comes_from_impulses(def, rate)?;
     }
 }

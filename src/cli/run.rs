@@ -5,15 +5,18 @@ use super::forces::Forces;
 use super::telemetry::Telemetry;
 use super::{Project, Status, Stop, load_level};
 use crate::files::INPUTS;
-use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE, TICK_RATES};
+use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE};
 use crate::level::{FILES, Level};
 use crate::number::Shortest;
 use std::ffi::OsString;
 use std::io::{self, Write};
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 /// How long a run without inputs takes, s.
 const DEFAULT_SECONDS: f64 = 10.0;
+/// The tick rates that the command line takes, Hz.
+const RATES: RangeInclusive<f64> = 30.0..=480.0;
 /// A time this close above a whole number of ticks is that number of them, ticks: 0.1 s is no binary number. Larger, and a run
 /// could end visibly early.
 const WHOLE_TICK: f64 = 1e-6;
@@ -64,8 +67,8 @@ fn parse_seconds(text: &str) -> Result<f64, String> {
 }
 
 fn parse_tick_rate(text: &str) -> Result<f64, String> {
-    let rate = text.parse().ok().filter(|rate| TICK_RATES.contains(rate));
-    rate.ok_or_else(|| format!("expected {} to {} ticks a second", TICK_RATES.start(), TICK_RATES.end()))
+    let rate = text.parse().ok().filter(|rate| RATES.contains(rate));
+    rate.ok_or_else(|| format!("expected {} to {} ticks a second", RATES.start(), RATES.end()))
 }
 
 /// Plays the level until it is completed or failed, or the time is up, and prints what that came to.

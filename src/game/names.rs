@@ -22,6 +22,7 @@ pub fn source_name(level: &Level, source: Source) -> String {
         Source::Fluid(index) => format!("fluid {}", index + 1),
         Source::Surface(index) => surface_name(level, index as usize),
         Source::Body(body) => format!("object {}", body.0),
+        Source::Link(index) => format!("link {}", index + 1),
     }
 }
 
@@ -46,7 +47,7 @@ pub fn told_name(level: &Level, source: Source) -> String {
             SurfaceOf::Edge(index) => WALLS[index].to_owned(),
             SurfaceOf::Mover(_) | SurfaceOf::Door(_) | SurfaceOf::Plate(_) => surface_name(level, index as usize),
         },
-        Source::Air | Source::Field(_) | Source::Body(_) => source_name(level, source),
+        Source::Air | Source::Field(_) | Source::Body(_) | Source::Link(_) => source_name(level, source),
     }
 }
 

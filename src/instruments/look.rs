@@ -22,6 +22,7 @@ pub const fn force(kind: ForceKind) -> u32 {
         ForceKind::Buoyancy => 0x009E73,
         ForceKind::ViscousDrag => 0xA3A847,
         ForceKind::Push => 0xF0E442,
+        ForceKind::Spring => 0xCC79A7,
     }
 }
 

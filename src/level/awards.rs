@@ -38,7 +38,7 @@ pub(super) const SETTINGS: [(&str, Quantity); 6] = [
     ("mark_hits", COUNT),
     ("mark_fuel", Quantity::new(0.0, 100.0, "% of the fuel left")),
     ("mark_pushes", COUNT),
-    ("mark_speed", Quantity::new(1e-3, 1e6, "m/s")),
+    ("mark_speed", Quantity::new(1e-3, 1e4, "m/s")),
 ];
 const TIME: Quantity = Quantity::new(1e-3, 1e9, "s");
 const COUNT: Quantity = Quantity::new(0.0, MOST, "");

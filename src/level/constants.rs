@@ -77,7 +77,7 @@ impl Reader<'_> {
         Constants {
             gravity: constant("gravity", q::GRAVITY).unwrap_or(15.0),
             gravity_x: constant("gravity_x", q::GRAVITY).unwrap_or(0.0),
-            air_density: constant("air_density", q::DENSITY).unwrap_or(1.2041),
+            air_density: constant("air_density", q::AIR_DENSITY).unwrap_or(1.2041),
             optimal_time: constant("optimal_time", q::OPTIMAL_TIME).unwrap_or(60.0),
             rest_speed: constant("rest_speed", q::REST_SPEED).unwrap_or(0.0),
             friction: constant("friction", q::FRICTION).unwrap_or(1.0),

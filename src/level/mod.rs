@@ -10,6 +10,7 @@
 
 mod awards;
 mod blocks;
+mod box_tree;
 mod cells;
 mod constants;
 pub mod document;

@@ -1,12 +1,13 @@
 //! Where things start: inside the level, in free space, within reach.
 
+use super::box_tree::BoxTree;
 use super::problem::Problem;
 use super::reach::{Space, Work};
 use super::read::Draft;
 use super::rows::Placed;
 use super::table::MOST_PROBLEMS;
-use super::types::{Player, SHIP_HALF, Solid};
-use crate::physics::zone_tree::ZoneTree;
+use super::types::{Fluid, Player, SHIP_HALF, Solid};
+use crate::physics::most::{LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS};
 use crate::physics::{Aabb, DVec2, Sides};
 use std::rc::Rc;
 
@@ -16,6 +17,33 @@ const OVERLAP: f64 = 1e-6;
 
 /// What a message calls a thing, and where it is.
 type Named = (&'static str, Placed<Aabb>);
+
+/// More streams, fields and liquids than a level may have, and liquids that overlap: one problem a row.
+pub(super) fn check_zones(draft: &Draft) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    let sideways = usize::from(draft.gravity[1] != 0.0);
+    too_many(&draft.streams, "air streams", MOST_STREAMS, &mut problems);
+    too_many(&draft.fields, "gravity zones", MOST_FIELDS - sideways, &mut problems);
+    too_many(&draft.fluids, "liquids", MOST_LIQUIDS, &mut problems);
+    for (i, fluid) in draft.fluids.iter().take(MOST_LIQUIDS).enumerate() {
+        let inside = |other: &&Placed<Fluid>| other.item.zone.overlaps(&fluid.item.zone, LIQUIDS_OVERLAP);
+        if let Some(other) = draft.fluids[..i].iter().find(inside) {
+            let (column, deep, side) = depth(&fluid.item.zone, &other.item.zone, draft.scale.metre);
+            let found = format!("a liquid {deep} pixels inside that of line {}", other.line);
+            problems.push(fluid.problem(
+                column,
+                found,
+                format!("liquids that at most touch, such as {deep} pixels further {side}"),
+            ));
+        }
+    }
+    problems
+}
+
+fn too_many<T>(rows: &[Placed<T>], what: &str, most: usize, problems: &mut Vec<Problem>) {
+    let beyond = rows.iter().skip(most).take(MOST_PROBLEMS);
+    problems.extend(beyond.map(|row| row.problem("x", format!("{} {what}", rows.len()), format!("at most {most} in a level"))));
+}
 
 /// The ship and every object that start outside the level or inside something solid: one problem a body.
 pub(super) fn check(draft: &Draft, work: &Work) -> Vec<Problem> {
@@ -40,7 +68,7 @@ pub(super) fn check(draft: &Draft, work: &Work) -> Vec<Problem> {
     bodies.extend(draft.objects.iter().map(|body| ("the object", body.map(|body| Aabb::around(body.position, body.size * 0.5)))));
     let mut problems = Vec::new();
     let all: Vec<&Named> = solids.iter().chain(&bodies).collect();
-    let tree = ZoneTree::of(all.iter().map(|(_, thing)| thing.item));
+    let tree = BoxTree::of(all.iter().map(|(_, thing)| thing.item));
     for (i, (name, body)) in bodies.iter().enumerate() {
         if problems.len() > MOST_PROBLEMS {
             return problems;

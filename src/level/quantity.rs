@@ -1,9 +1,9 @@
 //! Which numbers a level may hold, and the scale from pixels to metres.
 //!
-//! The limits are far outside anything playable, and within what the physics can carry: nothing that is accepted becomes infinite or
-//! NaN, leaves the level or is lost in a rounding. What depends on two cells together is in `strength`.
+//! Physical ranges are those of the engine's domain. What depends on two cells together is in `strength`.
 
 use super::route::SHORTEST;
+use crate::physics::domain::{self, Range};
 use crate::physics::{Aabb, DVec2};
 
 /// Farthest that anything may lie from the level's top left corner, and the largest size, m. Above it f64 resolves positions
@@ -22,20 +22,19 @@ pub(super) struct Quantity {
     gap: f64,
 }
 
-/// Their ratio stays a thousand times below what counts as no force when reactions are shared out (1e-12 of the largest): the weight of
-/// the lightest beside that of the heaviest is no rounding.
-pub(super) const MASS: Quantity = Quantity::new(1e-3, 1e6, "kg");
-pub(super) const FORCE: Quantity = Quantity::new(-1e7, 1e7, "N");
-pub(super) const THRUST: Quantity = Quantity::new(0.0, 1e7, "N");
+pub(super) const MASS: Quantity = Quantity::of(domain::MASS);
+pub(super) const FORCE: Quantity = Quantity::of(domain::FORCE);
+pub(super) const THRUST: Quantity = Quantity { low: 0.0, ..Quantity::of(domain::FORCE) };
 pub(super) const FUEL: Quantity = Quantity::new(0.0, 1e12, "fuel units");
-pub(super) const VELOCITY: Quantity = Quantity::new(-1e6, 1e6, "m/s");
+pub(super) const VELOCITY: Quantity = Quantity::of(domain::SPEED);
 pub(super) const ANGLE: Quantity = Quantity::new(-1e6, 1e6, "degrees");
 pub(super) const DRAG: Quantity = Quantity::new(0.0, 1e3, "");
 pub(super) const RESTITUTION: Quantity = Quantity::new(0.0, 1.0, "");
-pub(super) const DENSITY: Quantity = Quantity::new(0.0, 1e5, "kg/m³");
-pub(super) const VISCOSITY: Quantity = Quantity::new(0.0, 1e6, "Pa·s");
+pub(super) const DENSITY: Quantity = Quantity::of(domain::DENSITY);
+pub(super) const AIR_DENSITY: Quantity = Quantity::of(domain::AIR_DENSITY);
+pub(super) const VISCOSITY: Quantity = Quantity::of(domain::VISCOSITY);
 pub(super) const COLOUR: Quantity = Quantity::new(0.0, 255.0, "");
-pub(super) const GRAVITY: Quantity = Quantity::new(-1e4, 1e4, "N/kg");
+pub(super) const GRAVITY: Quantity = Quantity::of(domain::FIELD);
 pub(super) const OPTIMAL_TIME: Quantity = Quantity::new(1e-3, 1e9, "s");
 pub(super) const HOLD: Quantity = Quantity::new(0.0, 1e6, "s");
 /// Faster than anything that one could ride on or see.
@@ -47,7 +46,7 @@ pub(super) const PAUSE: Quantity = Quantity { gap: SHORTEST, ..Quantity::new(0.0
 pub(super) const IMPULSE: Quantity = Quantity::new(1e-3, 1e9, "N·s");
 pub(super) const LOAD: Quantity = Quantity::new(1e-3, 1e9, "N");
 pub(super) const METRE: Quantity = Quantity::new(1e-3, 1e6, "pixels a metre");
-pub(super) const REST_SPEED: Quantity = Quantity::new(0.0, 1e6, "m/s");
+pub(super) const REST_SPEED: Quantity = Quantity { low: 0.0, ..Quantity::of(domain::SPEED) };
 /// What all winds are multiplied by.
 pub(super) const WIND: Quantity = Quantity::new(0.0, 1e3, "");
 /// A factor; with rubber it makes a coefficient of 11.5, beyond anything there is.
@@ -58,6 +57,10 @@ pub(super) const YES: Quantity = Quantity { gap: 1.0, ..Quantity::new(0.0, 1.0, 
 impl Quantity {
     pub const fn new(low: f64, high: f64, unit: &'static str) -> Self {
         Self { low, high, unit, gap: 0.0 }
+    }
+
+    pub const fn of(Range { low, high, unit }: Range) -> Self {
+        Self::new(low, high, unit)
     }
 
     /// The number that a cell holds.
@@ -175,7 +178,7 @@ mod tests {
     #[test]
     fn ranges_say_what_they_want() {
         assert_eq!(MASS.parse("0"), Err("a number above 0 kg".into()));
-        assert_eq!(MASS.parse("1e-10"), Err("a number from 0.001 to 1e6 kg".into()));
+        assert_eq!(MASS.parse("1e-10"), Err("a number from 0.001 to 100000 kg".into()));
         assert_eq!(DRAG.parse("-1"), Err("a number of 0 or more".into()));
         assert_eq!(RESTITUTION.parse("1.01"), Err("a number from 0 to 1".into()));
         assert_eq!(RESTITUTION.parse("1"), Ok(1.0));

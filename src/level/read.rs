@@ -95,6 +95,7 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<Work>) -> Result<Loade
     let Gathered { constants, background, draft, mut problems, mut warnings } = gather(files, false);
     problems.extend(names::check(&draft));
     problems.extend(strength::check(&draft));
+    problems.extend(placement::check_zones(&draft));
     problems.extend(placement::check(&draft, work));
     // A level without a readable player or size has a problem already.
     let (Some(player), Some(size), true) = (&draft.player, draft.size, problems.is_empty()) else {
@@ -124,7 +125,9 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<Work>) -> Result<Loade
 pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     let Gathered { constants, background, mut draft, mut problems, mut warnings } = gather(files, true);
     problems.extend(names::check(&draft));
-    let misplaced: Vec<Problem> = strength::check(&draft).into_iter().chain(placement::check(&draft, &Work::default())).collect();
+    let mut misplaced = strength::check(&draft);
+    misplaced.extend(placement::check_zones(&draft));
+    misplaced.extend(placement::check(&draft, &Work::default()));
     draft.leave_out(&misplaced);
     problems.extend(misplaced);
     let (Some(player), Some(size)) = (&draft.player, draft.size) else { return Err(in_order(problems)) };
@@ -220,6 +223,7 @@ impl Draft {
         keep(&mut self.movers, &rows);
         keep(&mut self.streams, &rows);
         keep(&mut self.fluids, &rows);
+        keep(&mut self.fields, &rows);
     }
 }
 

@@ -2,14 +2,12 @@
 
 use super::problem::Problem;
 use super::read::Draft;
-
-/// The most that thrust or a stream may accelerate anything, m/s²: 8 km/s and 35 m in a tick. Where more is asked for, one tick leads
-/// through a whole level, and what the result is depends on roundings.
-const MOST: f64 = 1e6;
+use crate::physics::domain::MOST_ACCELERATION;
 
 /// What is expected where a force is more than anything of that mass may feel; `None` where it is not.
 pub(super) fn judge(force: f64, mass: f64) -> Option<String> {
-    (force.abs() > MOST * mass).then(|| format!("at most {} N, which is {MOST:e} m/s²", MOST * mass))
+    (force.abs() > MOST_ACCELERATION * mass)
+        .then(|| format!("at most {} N, which is {MOST_ACCELERATION} m/s²", MOST_ACCELERATION * mass))
 }
 
 /// The ship, where its thrust is too strong for it, and every stream that is too strong for what is lightest.

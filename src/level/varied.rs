@@ -100,7 +100,7 @@ impl Parameter {
             Self::VelocityX(_) | Self::VelocityY(_) => q::VELOCITY,
             Self::Thrust => q::THRUST,
             Self::Gravity => q::GRAVITY,
-            Self::Air => q::DENSITY,
+            Self::Air => q::AIR_DENSITY,
             Self::Friction => q::FRICTION,
             Self::Wind => q::WIND,
         }

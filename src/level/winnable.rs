@@ -1,13 +1,13 @@
 //! Whether a level can be won at all, and has not been won or lost before it begins. What might be possible counts as possible: doors are
 //! open, nothing is too heavy, and movers are anywhere.
 
+use super::box_tree::BoxTree;
 use super::problem::{Problem, quoted};
 use super::reach::{Body, Space};
 use super::read::Draft;
 use super::rows::Placed;
 use super::ship_body::{ship_body, sweep_touches};
 use super::types::{Objective, ObjectiveKind, Player, SHIP_HALF};
-use crate::physics::zone_tree::ZoneTree;
 use crate::physics::{Aabb, DVec2};
 use std::collections::BTreeMap;
 
@@ -123,7 +123,7 @@ fn too_few_keys(draft: &Draft, space: &Space) -> Option<Problem> {
     halves.dedup();
     let shared = |half: &DVec2| {
         let rooms: Vec<Aabb> = wanted.iter().map(|objective| grown(&objective.item.bounds, *half)).collect();
-        let tree = ZoneTree::of(rooms.iter().copied());
+        let tree = BoxTree::of(rooms.iter().copied());
         let alone = |(i, room): (usize, &Aabb)| tree.search(room, TOUCH, |other| other as usize == i);
         // Where that would take too long, what might be possible counts as possible.
         !space.work().spend(rooms.len()) || !rooms.iter().enumerate().all(alone)

@@ -1,16 +1,16 @@
 //! What acts on each body as a tick begins, as the store is told: a constant force, or, near liquids and the borders of streams, where the
 //! body gets by the end of the tick if it touches nothing. What comes near nothing else has then ended its tick.
 
-use super::ahead::Ahead;
-use super::events::{BUDGET_OF_A_FLIGHT, BUDGET_OF_A_FLOW, Scene};
-use super::flow::{Course, Pose, flow_through};
-use super::media::Media;
-use super::pile::Pile;
-use super::scratch::Scratch;
-use super::tuning::SLOP;
-use super::world::{State, World};
-use super::zones::Around;
-use super::{Aabb, Body};
+use crate::physics::data::aabb::Aabb;
+use crate::physics::data::body::Body;
+use crate::physics::data::tuning::SLOP;
+use crate::physics::exact::Scene;
+use crate::physics::flight::flow::{Course, Pose, flow_through};
+use crate::physics::forces::media::Media;
+use crate::physics::forces::zones::{Around, feel};
+use crate::physics::scratch::Scratch;
+use crate::physics::space::Space;
+use crate::physics::world::{State, World};
 use glam::DVec2;
 
 /// How many times as far around a body as it may get within a tick its streams are sought. Farther: more of them are looked at in each tick;
@@ -19,13 +19,12 @@ const WIDER: f64 = 1.5;
 
 impl World {
     /// Tells the store what acts on each body besides its weight and the air, and where it gets where no constant force says that.
-    pub(super) fn say_what_acts(&mut self, dt: f64) {
-        let Self { state, plan, scratch, pile, .. } = self;
-        let mut ahead = std::mem::take(&mut state.ahead);
-        if plan.liquids {
-            ahead.resize_with(state.bodies.len(), Ahead::default);
+    pub(crate) fn say_what_acts(&mut self, dt: f64) {
+        if !self.plan.media() {
+            // Each change of a constant push is handed to the store as it happens.
+            return;
         }
-        let scene = Scene::of(state, plan, dt);
+        let Self { state, plan, scratch, pile, .. } = self;
         let mut awake = std::mem::take(&mut scratch.awake);
         awake.clear();
         awake.extend(pile.looked_at().iter().filter(|body| !pile.is_sleeping(**body as usize)));
@@ -34,40 +33,44 @@ impl World {
         }
         for &i in &awake {
             let i = i as usize;
-            let body = &state.bodies[i];
-            let mut force = state.drives[i];
-            let mut at_a_border = false;
-            if plan.streams {
-                (force, at_a_border) = streams_on(state, scratch, i, dt);
+            if scratch.linked(i as u32).is_some() {
+                continue;
             }
-            pile.set_force(i, force);
+            let at_a_border = plan.streams && streams_on(state, scratch, i, dt);
+            let (body, force) = (&state.bodies[i], state.forces[i].push());
+            if plan.streams {
+                pile.set_force(i, force);
+            }
             if body.velocity == DVec2::ZERO && body.acceleration == DVec2::ZERO {
-                if plan.media() {
-                    let free = hold(&state.media, pile, i, (body, force), dt);
-                    scratch.floats[i] = free && (plan.liquids || plan.streams);
-                }
+                let free = hold(&state.media, pile, i, (body, force), dt);
+                scratch.floats[i] = free && (plan.liquids || plan.streams);
             } else if plan.liquids || at_a_border {
-                let course = match ahead.get_mut(i).filter(|_| !at_a_border) {
-                    Some(ahead) => {
-                        let Found { course, roughly } = swim(&state.media, ahead, (body, force), scratch.touches[i], dt);
-                        scratch.roughly[i] = roughly;
-                        course
-                    }
-                    None => {
-                        state.media.allow(BUDGET_OF_A_FLIGHT);
-                        Some(flow_through(&state.media, body, &state.media.law(body, force, dt), dt))
-                    }
-                };
-                let Some(Course { mut end, pull, .. }) = course else { continue };
+                let law = state.media.law(body, force, dt);
+                if !at_a_border && !law.is_near_liquid() {
+                    continue;
+                }
+                // A body that touches something is in an island, which finds out where it gets: whom it may meet is all that is asked for.
+                scratch.roughly[i] = !at_a_border && scratch.touches[i];
+                state.media.ask_roughly(scratch.roughly[i]);
+                let Course { mut end, pull, .. } = flow_through(&state.media, body, &law, dt);
                 scratch.pulls[i] = pull.filter(|_| !at_a_border);
                 if at_a_border && scratch.around[i].crosses(&state.media, body, end, dt) {
-                    end = fly(state, scratch, &scene, i);
+                    end = fly(state, scratch, &Scene::of(state, plan, dt), i);
                 }
                 pile.guide(i, end.0, end.1);
             }
         }
         scratch.awake = awake;
-        state.ahead = ahead;
+    }
+}
+
+impl World {
+    /// Lets streams and fields enter and leave the force managers of all bodies where they are.
+    pub(crate) fn feel_zones(&mut self) {
+        let State { bodies, forces, media, .. } = &mut self.state;
+        if self.plan.streams {
+            bodies.iter().zip(forces).for_each(|(body, forces)| feel(media, None, body, forces));
+        }
     }
 }
 
@@ -80,48 +83,22 @@ fn note_touched(state: &State, touches: &mut Vec<bool>) {
     }
 }
 
-/// Where a body gets near a liquid, if there is one, and whether that is known roughly only.
-struct Found {
-    course: Option<Course>,
-    roughly: bool,
-}
-
-/// Where a body under a `force` (N) gets in a tick of `t` seconds near a liquid. What touches something is in an island, which finds out where it
-/// gets: all that is asked for is about whom it may meet. So it is with what was in one before; if it is alone now, that is found out then
-/// (`islands`).
-fn swim(media: &Media, ahead: &mut Ahead, (body, force): (&Body, DVec2), touches: bool, t: f64) -> Found {
-    if !touches && let Some(course) = ahead.follow(media, body, force, t) {
-        return Found { course: Some(course), roughly: false };
-    }
-    media.renew(&mut ahead.law, body, force, t);
-    if !ahead.law.is_near_liquid() {
-        return Found { course: None, roughly: false };
-    }
-    if touches || !ahead.alone {
-        media.allow_roughly(BUDGET_OF_A_FLOW);
-        return Found { course: Some(ahead.flow(media, body, t)), roughly: true };
-    }
-    media.allow(BUDGET_OF_A_FLIGHT);
-    let course = ahead.begin(media, body, force, t).unwrap_or_else(|| ahead.flow(media, body, t));
-    Found { course: Some(course), roughly: false }
-}
-
-/// Notes the streams around a body in `scratch`. Returns the force on it (N), and whether it may cross the border of one within the tick.
-fn streams_on(state: &State, scratch: &mut Scratch, i: usize, dt: f64) -> (DVec2, bool) {
-    let (body, media, near) = (&state.bodies[i], &state.media, reach(state, i, dt));
+/// Notes the streams around a body in `scratch`. Returns whether it may cross the border of one within the tick.
+fn streams_on(state: &mut State, scratch: &mut Scratch, i: usize, dt: f64) -> bool {
+    let near = reach(state, i, dt);
     let around = scratch.around(i);
     if !around.knows(&near) {
-        *around = Around::of(media, Aabb::around(near.centre(), near.size() * (0.5 * WIDER)));
+        *around = Around::of(&state.media, Aabb::around(near.centre(), near.size() * (0.5 * WIDER)));
     }
+    feel(&state.media, Some(around), &state.bodies[i], &mut state.forces[i]);
     let borders = |zone: &Aabb| zone.touches(&near, SLOP) && !zone.contains(&near, 0.0);
-    let at_a_border = around.streams(media).any(|stream| borders(&stream.zone));
-    (around.force_on(media, body, state.drives[i]), at_a_border)
+    around.streams(&state.media).any(|stream| borders(&stream.zone))
 }
 
 /// Where a body may get within the tick.
 fn reach(state: &State, i: usize, dt: f64) -> Aabb {
     let body = &state.bodies[i];
-    let pull = body.acceleration.abs() + state.drives[i].abs() / body.mass + state.media.gravity.abs();
+    let pull = body.acceleration.abs() + state.forces[i].push_of_no_zone().abs() / body.mass + state.media.gravity.abs();
     Aabb::around(body.position, body.half * 1.5 + (body.velocity.abs() + pull * dt) * dt)
 }
 
@@ -136,7 +113,7 @@ fn fly(state: &State, scratch: &mut Scratch, scene: &Scene, i: usize) -> Pose {
 }
 
 /// What is held meets no drag on a way that it does not go: its contacts have to bear all that pulls at it. Returns whether nothing does.
-fn hold(media: &Media, pile: &mut Pile, i: usize, (body, force): (&Body, DVec2), dt: f64) -> bool {
+fn hold(media: &Media, pile: &mut Space, i: usize, (body, force): (&Body, DVec2), dt: f64) -> bool {
     // It stands still.
     let a = media.acceleration_under(body, force);
     pile.guide(i, body.position + a * (0.5 * dt * dt), a * dt);

@@ -1,19 +1,31 @@
 //! What can be changed in a world between ticks: engines, what switches work, and for a "what if" the numbers that all of it hangs on. Whatever
 //! it concerns is looked at anew.
 
-use super::surface::Surface;
-use super::world::{State, World, pile_of};
-use super::{Body, BodyId, DefError, WorldDef};
+use crate::physics::data::body::{Body, BodyId};
+use crate::physics::data::def::{DefError, WorldDef};
+use crate::physics::data::surface::Surface;
+use crate::physics::forces::kind::{ForceKind, Source};
+use crate::physics::world::{State, World, space_of};
 use glam::DVec2;
 
 impl World {
     /// Sets the force of a body's engine (N) from the next tick on. A force that is not finite is none.
     pub fn set_drive(&mut self, body: BodyId, force: DVec2) {
-        let force = if force.is_finite() { force } else { DVec2::ZERO };
-        if self.state.drives[body.index()] != force {
-            self.state.drives[body.index()] = force;
-            self.look_again(body.0);
+        self.add_force(body, Source::Engine, ForceKind::Drive, force);
+    }
+
+    /// Adds a constant push (N) to the force manager of a body, from the next tick on: [`crate::physics::ForceManager::add`].
+    pub fn add_force(&mut self, body: BodyId, source: Source, kind: ForceKind, vector: DVec2) {
+        let i = body.index();
+        if self.state.forces[i].add(source, kind, vector) {
+            self.pile.set_force(i, self.state.forces[i].push());
+            self.disturb(body.0);
         }
+    }
+
+    /// Removes one.
+    pub fn remove_force(&mut self, body: BodyId, source: Source, kind: ForceKind) {
+        self.add_force(body, source, kind, DVec2::ZERO);
     }
 
     /// Lets a surface go on along its path, or wait where it is.
@@ -37,7 +49,7 @@ impl World {
         }
     }
 
-    /// Sets how fast the belt of a surface runs, m/s: see [`super::SurfaceDef::belt`].
+    /// Sets how fast the belt of a surface runs, m/s: see [`crate::physics::data::surface::SurfaceDef::belt`].
     pub fn set_belt(&mut self, surface: usize, speed: f64) {
         let speed = if speed.is_finite() { speed } else { 0.0 };
         if self.state.surfaces[surface].belt != speed {
@@ -53,6 +65,7 @@ impl World {
             self.state.media.streams[stream].blows = blows;
             let zone = self.state.media.streams[stream].zone;
             self.disturb_in(&zone);
+            self.feel_zones();
         }
     }
 
@@ -67,7 +80,7 @@ impl World {
         if counts(&next) != counts(self) {
             return Err(DefError("a world goes on with as many bodies, surfaces and zones as it has".to_owned()));
         }
-        let State { bodies, drives, surfaces, media, pauses, ticks, .. } = &self.state;
+        let State { bodies, forces, surfaces, media, ticks, .. } = &self.state;
         for (body, now) in next.state.bodies.iter_mut().zip(bodies) {
             *body = Body { position: now.position, velocity: now.velocity, ..body.clone() };
         }
@@ -77,8 +90,11 @@ impl World {
         for (stream, now) in next.state.media.streams.iter_mut().zip(&media.streams) {
             stream.blows = now.blows;
         }
-        (next.state.drives, next.state.pauses, next.state.ticks) = (drives.clone(), pauses.clone(), *ticks);
-        *next.pile = pile_of(&next.state, next.plan.direct)?;
+        (next.state.forces, next.state.ticks) = (forces.clone(), *ticks);
+        next.state.links = self.state.links.clone();
+        next.feel_zones();
+        *next.pile = space_of(&next.state, &next.plan);
+        next.pile.keep_previous(&self.pile);
         next.state.contacts.clear();
         next.records = self.records.clone();
         next.awaited.clone_from(&self.awaited);

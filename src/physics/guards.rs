@@ -16,7 +16,7 @@ macro_rules! guards {
             }
 
             /// Adds what another count holds.
-            pub(super) fn add(&mut self, other: &Self) {
+            pub(crate) fn add(&mut self, other: &Self) {
                 $(self.$name += other.$name;)*
             }
         }
@@ -26,7 +26,7 @@ macro_rules! guards {
 guards! {
     /// Ticks of islands that were taken in one step of the dense method from the start.
     dense_ticks,
-    /// Ticks of islands whose rest was, because their budget was used up.
+    /// Ticks of islands whose rest was, because too many events fell into them.
     budgets_used_up,
     /// Searches for neighbours that were repeated, because a body went further than foreseen.
     islands_grown,
@@ -43,7 +43,7 @@ guards! {
     /// Groups of contacts whose friction on floors and on walls, each of which decides about the other, did not settle within its rounds:
     /// some rub less than they could.
     friction_unsettled,
-    /// Flows through liquids whose last part was one implicit step, because they had used up what they may take.
+    /// Flows through liquids whose last part was one implicit step, because they had taken all their steps.
     flows_ended_early,
     /// Flights of one body through so many streams that the rest of a tick went with the force that it had come to.
     flights_cut_short,

@@ -2,49 +2,54 @@
 //!
 //! Each part of the state is taken apart field by field, so that one that is added is either written here or left out on purpose.
 
-use super::ahead::Ahead;
-use super::contact::Contact;
-use super::islands::Pause;
-use super::surface::Surface;
-use super::world::{State, World};
-use super::{Body, DVec2};
+use crate::physics::DVec2;
+use crate::physics::data::body::Body;
+use crate::physics::data::contact::Contact;
+use crate::physics::data::surface::Surface;
+use crate::physics::forces::kind::{ForceKind, Source};
+use crate::physics::forces::link::{LinkDef, LinkEnd};
+use crate::physics::forces::manager::{Force, ForceManager};
+use crate::physics::world::{State, World};
 
 impl World {
     /// Feeds every bit of what decides about the future to `write`, for the state's hash. What rests, and whether contacts are known already,
     /// is left out: it saves work and changes no bit of what comes (the tests of the plan hold it to that). So is what never changes:
     /// liquids, zones, gravity, the paths of surfaces; and of streams and belts what is as it was at the start.
     pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
-        let State { bodies, drives, surfaces, media, rest_speed: _, contacts, known: _, held: _, pauses, ahead, ticks } =
-            &self.state;
+        let State { bodies, forces, links, surfaces, media, rest_speed: _, contacts, known: _, ticks: _ } = &self.state;
         bodies.iter().for_each(|body| hash_body(body, write));
-        drives.iter().for_each(|drive| hash_vector(*drive, write));
+        forces.iter().for_each(|forces| hash_vector(forces.total(ForceKind::Drive), write));
+        forces.iter().for_each(|forces| hash_forces(forces, write));
+        links.all.iter().for_each(|link| hash_link(link, write));
         surfaces.iter().for_each(|surface| hash_surface(surface, write));
         (0..).zip(&media.streams).filter(|(_, stream)| !stream.blows).for_each(|(s, _)| write(s));
         self.pile.hash_surfaces(write);
         contacts.iter().for_each(|contact| hash_contact(contact, write));
-        for Pause { until, length, hits } in pauses {
-            write(until.saturating_sub(*ticks));
-            write(u64::from(*length) << 32 | u64::from(*hits));
-        }
-        for ahead in ahead.iter().filter(|ahead| ahead.goes_on || ahead.alone || ahead.pause > 0 || ahead.law.first != 0.0) {
-            hash_ahead(ahead, write);
-        }
-    }
-}
-
-/// What else is known of the law around it, and where the last tick left it, follow from what is written.
-fn hash_ahead(ahead: &Ahead, write: &mut impl FnMut(u64)) {
-    let Ahead { series, gone, goes_on, alone, pause, last_pause, law, .. } = ahead;
-    write(law.first.to_bits());
-    write(u64::from(*goes_on) | u64::from(*alone) << 1 | u64::from(*pause) << 8 | u64::from(*last_pause) << 16);
-    if *goes_on {
-        series.terms.iter().for_each(|term| hash_vector(*term, write));
-        [gone, &series.lasts].into_iter().for_each(|value| write(value.to_bits()));
     }
 }
 
 fn hash_vector(vector: DVec2, write: &mut impl FnMut(u64)) {
     vector.to_array().into_iter().for_each(|value| write(value.to_bits()));
+}
+
+/// Streams and fields follow from where the body is; the drive is written for all bodies.
+fn hash_forces(forces: &ForceManager, write: &mut impl FnMut(u64)) {
+    let is_drive = |force: &Force| (force.source, force.kind) == (Source::Engine, ForceKind::Drive);
+    for force in forces.forces().iter().filter(|force| !force.source.is_zone() && !is_drive(force)) {
+        write(force.kind as u64);
+        write(force.source.number());
+        hash_vector(force.vector, write);
+    }
+}
+
+fn hash_link(link: &LinkDef, write: &mut impl FnMut(u64)) {
+    let LinkDef { body, to, law } = link;
+    write(u64::from(body.0) << 32 | law.kind() as u64);
+    match to {
+        LinkEnd::Body(other) => write(u64::from(other.0)),
+        LinkEnd::Place(place) => hash_vector(*place, write),
+    }
+    law.numbers().into_iter().for_each(|number| write(number.to_bits()));
 }
 
 fn hash_body(body: &Body, write: &mut impl FnMut(u64)) {
@@ -75,8 +80,8 @@ fn hash_contact(contact: &Contact, write: &mut impl FnMut(u64)) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Aabb, BodyDef, BodyId, Material, Path, Plan, SurfaceDef, WorldDef};
     use super::*;
+    use crate::physics::{Aabb, BodyDef, BodyId, Material, Path, Plan, SurfaceDef, WorldDef};
 
     /// A lift with two crates on it, one driven, after a while.
     fn world() -> World {
@@ -100,7 +105,7 @@ mod tests {
     #[test]
     fn every_field_of_the_state_is_in_its_hash() {
         type Change = (&'static str, fn(&mut State));
-        let changes: [Change; 37] = [
+        let changes: [Change; 32] = [
             ("position", |state| state.bodies[1].position.y = 0.3),
             ("velocity", |state| state.bodies[1].velocity.x = 0.3),
             ("acceleration", |state| state.bodies[1].acceleration.x = 0.3),
@@ -113,7 +118,8 @@ mod tests {
             ("kinetic friction", |state| state.bodies[1].material.kinetic_friction = 0.33),
             ("weightless", |state| state.bodies[1].weightless ^= true),
             ("feels air", |state| state.bodies[1].feels_air ^= true),
-            ("drive", |state| state.drives[1].y = 0.3),
+            ("drive", |state| _ = state.forces[1].add(Source::Engine, ForceKind::Drive, DVec2::new(0.0, 0.3))),
+            ("push", |state| _ = state.forces[1].add(Source::Body(BodyId(0)), ForceKind::Push, DVec2::new(0.0, 0.3))),
             ("place of a surface", |state| state.surfaces[0].bounds.min.y = -0.3),
             ("other end of a surface", |state| state.surfaces[0].bounds.max.x = 9.5),
             ("velocity of a surface", |state| state.surfaces[0].velocity.y = 0.3),
@@ -132,12 +138,6 @@ mod tests {
             ("force of a contact", |state| state.contacts[0].normal += 0.5),
             ("friction of a contact", |state| state.contacts[0].friction += 0.5),
             ("number of contacts", |state| state.contacts.truncate(1)),
-            ("pause", |state| state.pauses[1].until = state.ticks + 7),
-            ("length of a pause", |state| state.pauses[1].length = 7),
-            ("impacts before a pause", |state| state.pauses[1].hits = 7),
-            ("flight foreseen", |state| state.ahead.push(Ahead { goes_on: true, ..Ahead::default() })),
-            ("flight of one alone", |state| state.ahead.push(Ahead { alone: true, ..Ahead::default() })),
-            ("flight not foreseen", |state| state.ahead.push(Ahead { pause: 1, ..Ahead::default() })),
         ];
         let before = words(&world());
         assert_eq!(before, words(&world()));

@@ -1,12 +1,15 @@
 //! Contacts from tick to tick: those that a tick has found take the place of those known before, in one order.
 
-use super::contact::Contact;
-use super::world::World;
+use crate::physics::data::contact::Contact;
+use crate::physics::world::World;
 
 impl World {
     /// Puts the contacts that this tick has found in place of those known before of the same bodies. Of what sleeps they stay.
-    pub(super) fn take_contacts(&mut self) {
+    pub(crate) fn take_contacts(&mut self) {
         let Self { state, scratch, pile, .. } = self;
+        if state.contacts.is_empty() && scratch.fresh.is_empty() {
+            return;
+        }
         put_in_order(&mut scratch.fresh);
         scratch.index(state);
         let over = |body: u32| !pile.is_sleeping(body as usize) || scratch.after[body as usize].members > 0;
@@ -25,8 +28,11 @@ impl World {
             return;
         }
         state.contacts.retain(|contact| !over(contact.ends().0));
+        let sorted = state.contacts.is_empty();
         state.contacts.extend_from_slice(&scratch.fresh);
-        put_in_order(&mut state.contacts);
+        if !sorted {
+            put_in_order(&mut state.contacts);
+        }
         scratch.starts.clear();
     }
 }

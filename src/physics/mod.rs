@@ -7,17 +7,17 @@
 //! # How a tick goes
 //!
 //! The world tells the store what acts on each body (`step`); all fly freely, and what could meet within the tick is an **island**
-//! ([`pile`]). Each island is advanced by the least method that is right for it (`islands` has the choice and what each costs): rest,
-//! flight in closed form, from event to event within a budget (`events`), or, for large islands and where the budget is used up, in one
-//! step of the dense method ([`pile`]) for what is left of the tick. From event to event it goes so:
+//! (`crowd`). Each island is advanced by the least method that is right for it (`islands` has the choice and what each costs): rest,
+//! flight in closed form, from event to event within a budget (`exact`), or, for large islands and where the budget is used up, in one
+//! step of the dense method (`crowd`) for what is left of the tick. From event to event it goes so:
 //!
 //! 1. **Laws** (`media`): what acts on each body without touching it: weight, drive, wind, air, liquids.
-//! 2. **Impacts** (`events::impacts`): whatever touches and approaches is given its impulses, the fastest first; what only has to stop,
+//! 2. **Impacts** (`exact::impacts`): whatever touches and approaches is given its impulses, the fastest first; what only has to stop,
 //!    stops all at once.
-//! 3. **Contacts and accelerations** (`events::motions`, `reactions`, `face`, `network`): Reaction, Push and Friction follow from the free
+//! 3. **Contacts and accelerations** (`exact::motions`, `reactions`, `face`, `network`): Reaction, Push and Friction follow from the free
 //!    accelerations, on ground that may move (`surface`).
 //! 4. **Motion** (`flow`): a parabola, a flow through `air` or `liquid`, a slide, or rest.
-//! 5. **What happens next** (`events::predict`, `impact_time`): an impact, the end of a slide, an edge, a zone's border. Only what it
+//! 5. **What happens next** (`exact::predict`, `impact_time`): an impact, the end of a slide, an edge, a zone's border. Only what it
 //!    concerns is brought there, and looked at anew.
 //!
 //! `docs/physics.md` tells the whole with formulas, sources, and how to add to it.
@@ -49,57 +49,38 @@
 //!
 //! Tolerances that several files share stand in `tuning`, the others beside what they serve, each with what breaks when it changes.
 
-mod aabb;
-mod acting;
-mod ahead;
-mod air;
-mod bath;
-mod body;
-mod changes;
-mod contact;
-mod def;
-mod displaced;
-mod events;
-mod expansion;
-mod face;
-mod flow;
-mod forces;
-mod glide;
-mod guards;
-mod hash;
-mod held;
-mod impact_time;
-mod implicit;
-mod impulse;
-mod islands;
-mod known_contacts;
-mod liquid;
-mod material;
-mod media;
-mod network;
-pub mod pile;
-mod plan;
-mod reactions;
-mod scratch;
-mod series;
-mod spring;
-mod step;
-mod steps;
-mod surface;
-mod tuning;
-mod validate;
-mod world;
-pub(crate) mod zone_tree;
-mod zones;
+pub(crate) mod acting;
+pub(crate) mod changes;
+pub(crate) mod contact;
+pub(crate) mod crowd;
+pub(crate) mod data;
+pub(crate) mod exact;
+pub(crate) mod flight;
+pub(crate) mod forces;
+pub(crate) mod guards;
+pub(crate) mod hash;
+pub(crate) mod islands;
+pub(crate) mod known_contacts;
+pub(crate) mod links;
+pub(crate) mod scratch;
+pub(crate) mod space;
+pub(crate) mod step;
+pub(crate) mod store;
+pub(crate) mod validate;
+pub(crate) mod world;
 
-pub use aabb::Aabb;
-pub use body::{Body, BodyDef, BodyId};
-pub use def::{DefError, FieldDef, FluidDef, StreamDef, WorldDef};
-pub use forces::{Force, ForceKind, ForceManager, Source};
+pub use data::aabb::Aabb;
+pub use data::body::{Body, BodyDef, BodyId};
+pub(crate) use data::def as most;
+pub use data::def::{DefError, FieldDef, FluidDef, StreamDef, WorldDef};
+pub(crate) use data::domain;
+pub use data::impulse::Impulse;
+pub use data::material::Material;
+pub use data::plan::Plan;
+pub use data::surface::{Leg, Path, PathPoint, Sides, Surface, SurfaceDef};
+pub use forces::kind::{ForceKind, Source};
+pub use forces::link::*;
+pub use forces::manager::{Force, ForceManager};
 pub use glam::DVec2;
 pub use guards::Guards;
-pub use impulse::Impulse;
-pub use material::Material;
-pub use plan::Plan;
-pub use surface::{Leg, Path, PathPoint, Sides, Surface, SurfaceDef};
 pub use world::{Event, Methods, Obstacle, World};

@@ -1,23 +1,26 @@
 //! The buffers of a tick, and how islands pass through them: gathered for the event-driven method, and taken over from it into what the
 //! world keeps.
 
-use super::contact::Contact;
-use super::events::{Events, Item, Scene};
-use super::impulse::Impulse;
-use super::media::Media;
+use crate::physics::data::aabb::Aabb;
+use crate::physics::data::body::BodyId;
+use crate::physics::data::contact::Contact;
+use crate::physics::data::impulse::Impulse;
+use crate::physics::data::tuning::SLOP;
+use crate::physics::exact::item::Item;
+use crate::physics::exact::{Events, Scene};
+use crate::physics::flight::linked::Member;
+use crate::physics::forces::zones::Around;
 #[cfg(all(feature = "validate", debug_assertions))]
-use super::validate::Checks;
-use super::world::{Obstacle, State};
-use super::zones::{self, Around};
-use super::{Aabb, Body, BodyId};
+use crate::physics::validate::Checks;
+use crate::physics::world::{Obstacle, State};
 use glam::DVec2;
 
 /// The leader of no island.
-pub(super) const NOBODY: u32 = u32::MAX;
+pub(crate) const NOBODY: u32 = u32::MAX;
 
 /// A surface that stops within a tick.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stop {
+pub(crate) struct Stop {
     /// The smallest body of the island.
     pub leader: u32,
     pub surface: u32,
@@ -25,43 +28,31 @@ pub(super) struct Stop {
     pub at: f64,
 }
 
-/// Islands have come to different answers about when a surface stops.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Dispute {
-    pub surface: u32,
-    /// How often they had to be advanced anew for it.
-    pub rounds: u32,
-    /// Whether they have to now.
-    pub open: bool,
-}
-
 /// When a surface stops, s from the tick's start; infinite where it goes on.
-pub(super) fn first_stop(stops: &[Stop], surface: u32) -> f64 {
+pub(crate) fn first_stop(stops: &[Stop], surface: u32) -> f64 {
     stops.iter().filter(|stop| stop.surface == surface).map(|stop| stop.at).fold(f64::INFINITY, f64::min)
 }
 
 /// How a body ends a tick that its island was advanced in.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct After {
+pub(crate) struct After {
     pub acceleration: DVec2,
     /// Whether contacts and acceleration are those of the end of the tick.
     pub known: bool,
     /// Whether the dense method took it, or the rest of its tick.
     pub dense: bool,
-    /// Whether the budget of its island was used up.
-    pub busy: bool,
-    /// What else pulls at it, m/s², if its contacts were solved for rest.
-    pub held: Option<DVec2>,
+    /// Whether it flew with others to which it is linked.
+    pub flown: bool,
     /// How many bodies its island had, and the smallest of them; 0 where it flew or rested by itself.
     pub members: u32,
     pub leader: u32,
-    /// Of a leader: how many impacts its island had.
-    pub hits: u32,
+    /// Whether it is in `Scratch::touched`.
+    pub noted: bool,
 }
 
 /// Something for the records, with the smallest body of its island.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Happened {
+pub(crate) struct Happened {
     pub island: u32,
     pub order: u32,
     pub impulse: Impulse,
@@ -74,12 +65,16 @@ pub(super) struct Happened {
 
 /// The buffers of a tick. Nothing in them outlives it.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
+pub(crate) struct Scratch {
     pub events: Events,
     #[cfg(all(feature = "validate", debug_assertions))]
     pub checks: Checks,
     /// How each body ends the tick.
     pub after: Vec<After>,
+    /// The bodies of all islands that were advanced in this tick.
+    pub touched: Vec<u32>,
+    /// The bodies of the islands of the tick before, and those of which something has changed since.
+    pub changed: Vec<u32>,
     /// What the islands found out, with the smallest body of the island that it came from.
     pub contacts: Vec<(u32, Contact)>,
     pub happened: Vec<Happened>,
@@ -89,7 +84,8 @@ pub(super) struct Scratch {
     pub stops: Vec<Stop>,
     /// Which moving surfaces each island has met, and when these stopped for it.
     pub met: Vec<Stop>,
-    pub disputes: Vec<Dispute>,
+    /// How often islands were advanced again because they did not agree when a surface stops.
+    pub rounds: u32,
     /// All that contacts of the dense method exert on each body, N.
     pub pressed: Vec<f64>,
     /// Of each body and each surface behind them: its number in the present island.
@@ -107,38 +103,40 @@ pub(super) struct Scratch {
     pub surfaces: Vec<u32>,
     /// What streams there are around each body, once one has been near.
     pub around: Vec<Around>,
-    /// What the islands of each body have used up since the tick was begun, or begun anew for all: however often they are advanced in between,
-    /// they share one budget.
-    pub used: Vec<u64>,
     /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`. Emptied where they change.
     pub starts: Vec<u32>,
     /// Contacts that the tick has found.
     pub fresh: Vec<Contact>,
     /// Whom the tick has to look at.
     pub awake: Vec<u32>,
+    /// Bodies that are linked and awake, ascending; pairs that join them; and those of an island that touch nothing.
+    pub linked: Vec<Member>,
+    pub pairs: Vec<(u32, u32)>,
+    pub flown: Vec<u32>,
 }
 
 impl Scratch {
     /// Before the first tick.
     pub fn begin(&mut self, bodies: usize) {
         self.after.clear();
-        self.begin_tick(bodies, &[]);
+        self.begin_tick(bodies);
         self.starts.clear();
     }
 
-    /// For a tick of so many bodies: what the last one has left of those that it looked at is forgotten.
-    pub fn begin_tick(&mut self, bodies: usize, looked_at: &[u32]) {
+    /// Forgets what the last tick of this many bodies has left.
+    pub fn begin_tick(&mut self, bodies: usize) {
         if self.after.len() == bodies {
-            for &i in looked_at {
+            for i in self.touched.drain(..) {
+                self.after[i as usize] = After::default();
+                self.changed.push(i);
+            }
+            for i in self.awake.drain(..) {
                 let i = i as usize;
-                (self.after[i], self.used[i], self.pulls[i]) = (After::default(), 0, None);
-                (self.floats[i], self.roughly[i]) = (false, false);
+                (self.pulls[i], self.floats[i], self.roughly[i]) = (None, false, false);
             }
         } else {
             self.after.clear();
             self.after.resize(bodies, After::default());
-            self.used.clear();
-            self.used.resize(bodies, 0);
             for flags in [&mut self.floats, &mut self.roughly] {
                 flags.clear();
                 flags.resize(bodies, false);
@@ -146,6 +144,10 @@ impl Scratch {
             self.around.clear();
             self.pulls.clear();
             self.pulls.resize(bodies, None);
+            self.awake.clear();
+            self.touched.clear();
+            self.changed.clear();
+            self.changed.extend(0..bodies as u32);
         }
         self.contacts.clear();
         self.happened.clear();
@@ -154,7 +156,18 @@ impl Scratch {
         self.met.clear();
         self.members.clear();
         self.surfaces.clear();
-        self.disputes.clear();
+        self.rounds = 0;
+    }
+
+    /// Notes how a body ends the tick.
+    pub fn note(&mut self, body: u32, ends: After) {
+        note(&mut self.after, &mut self.touched, body, ends);
+    }
+
+    /// Puts the smallest member first: it names the island.
+    pub fn lead_by_smallest(&mut self) {
+        let smallest = (0..self.members.len()).min_by_key(|k| self.members[*k]).unwrap_or(0);
+        self.members.swap(0, smallest);
     }
 
     /// What streams there are around a body, whether or not that is still known.
@@ -163,14 +176,6 @@ impl Scratch {
             self.around.resize(self.after.len(), Around::unknown());
         }
         &mut self.around[body]
-    }
-
-    /// The force of a body's engine, and of all streams that it feels, N.
-    pub fn force_on(&self, media: &Media, i: usize, body: &Body, drive: DVec2) -> DVec2 {
-        match self.around.get(i) {
-            Some(around) => around.force_on(media, body, drive),
-            None => zones::force_on(media, body, drive),
-        }
     }
 
     /// When a surface stops, s from the tick's start; infinite where it goes on.
@@ -199,7 +204,7 @@ impl Scratch {
     pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
         let n = state.bodies.len();
         self.index(state);
-        let Self { events, local, members, surfaces, stops, starts, around, .. } = self;
+        let Self { events, local, members, surfaces, stops, starts, around, linked, .. } = self;
         events.clear();
         members.sort_unstable();
         surfaces.sort_unstable();
@@ -211,9 +216,21 @@ impl Scratch {
             local[i] = events.items.len() as u32;
             let searched = searched(body);
             everything = everything.union(&searched);
-            events.items.push(Item::body(body, &state.bodies[i], state.drives[i], searched, state.known[i]));
+            events.items.push(Item::body(body, &state.bodies[i], state.forces[i].push_of_no_zone(), searched, state.known[i]));
         }
         events.movable = members.len();
+        for link in state.links.all.iter().filter(|_| !linked.is_empty()) {
+            let inside = |id: u32| members.binary_search(&id).is_ok();
+            if inside(link.body.0) || link.other().is_some_and(|other| inside(other.0)) {
+                events.links.push(*link);
+            }
+        }
+        for member in &*linked {
+            match members.binary_search(&member.id) {
+                Ok(at) => (events.items[at].link, events.items[at].known) = (member.mean, false),
+                Err(_) => events.ends.push((member.id, member.pose)),
+            }
+        }
         for &s in &*surfaces {
             let surface = &state.surfaces[s as usize];
             if !surface.present {
@@ -225,7 +242,7 @@ impl Scratch {
             scene.set_on_path(&mut item, 0.0);
             events.items.push(item);
         }
-        state.media.streams_near(&everything, &mut events.streams);
+        events.streams.extend(state.media.streams_at(&everything, SLOP).iter());
         if !events.streams.is_empty() {
             let of = |body: &u32| around.get(*body as usize).cloned();
             events.around.extend(members.iter().map(|body| of(body).unwrap_or_else(Around::unknown)));
@@ -254,17 +271,15 @@ impl Scratch {
         contacts.extend(events.contacts.iter().map(|contact| (members[0], global(contact))));
     }
 
-    /// Takes over what the island came to; `known` unless its budget was used up.
-    pub fn scatter(&mut self, state: &State, known: bool) {
-        if known {
-            self.take_contacts(state);
-        }
-        let Self { events, after, happened, stops, met, crushed, members, .. } = self;
+    /// Takes over what the island came to.
+    pub fn scatter(&mut self, state: &State) {
+        self.take_contacts(state);
+        let Self { events, after, touched, happened, stops, met, crushed, members, .. } = self;
         let (leader, count) = (members[0], members.len() as u32);
         let Events { items, movable, .. } = events;
         for item in &items[..*movable] {
-            let (acceleration, known) = (item.solved + DVec2::ZERO, known && item.known);
-            after[item.id as usize] = After { acceleration, known, held: item.held, members: count, leader, ..After::default() };
+            let (acceleration, known) = (item.solved + DVec2::ZERO, item.known);
+            note(after, touched, item.id, After { acceleration, known, members: count, leader, ..After::default() });
         }
         for hit in &events.hits {
             let (a, b, sign) = if hit.lo < hit.hi { (hit.lo, hit.hi, -1.0) } else { (hit.hi, hit.lo, 1.0) };
@@ -291,11 +306,20 @@ impl Scratch {
         }
     }
 
-    /// Notes that the dense method takes the island, or what is left of its tick.
+    /// Notes that the crowd step takes the island, or what is left of its tick.
     pub fn leave(&mut self) {
-        let (leader, members) = (self.members[0], self.members.len() as u32);
-        for &body in &self.members {
-            self.after[body as usize] = After { dense: true, members, leader, ..After::default() };
+        let Self { after, touched, members, .. } = self;
+        let (leader, count) = (members[0], members.len() as u32);
+        for &body in &*members {
+            note(after, touched, body, After { dense: true, members: count, leader, ..After::default() });
         }
+    }
+}
+
+/// Notes how a body ends the tick.
+fn note(after: &mut [After], touched: &mut Vec<u32>, body: u32, ends: After) {
+    let before = std::mem::replace(&mut after[body as usize], After { noted: true, ..ends });
+    if !before.noted {
+        touched.push(body);
     }
 }

@@ -1,17 +1,21 @@
 //! How a tick goes, phase by phase.
 //!
-//! The store of all bodies, with its broad phase, flight and islands, is that of [`super::pile`]; the world tells it what acts on each body,
+//! The store of all bodies, with its broad phase, flight and islands, is that of [`crate::physics::crowd`]; the world tells it what acts on each body,
 //! and takes over where it has come. In between, each island is advanced by the least method that is right for it (`islands`).
 
-use super::contact::Contact;
-use super::events::{Item, Scene};
-use super::impulse::Impulse;
-use super::islands::{Choice, Tick};
-use super::pile::{Axis, Other};
-use super::scratch::{Happened, Scratch};
-use super::tuning::{REPORT_SPEED, SLOP};
-use super::world::{Event, Methods, Obstacle, State, World};
-use super::{Body, BodyId};
+use crate::physics::crowd::Other;
+use crate::physics::crowd::impacts::Axis;
+use crate::physics::data::body::{Body, BodyId};
+use crate::physics::data::contact::Contact;
+use crate::physics::data::impulse::Impulse;
+use crate::physics::data::material::Coefficients;
+use crate::physics::data::tuning::{REPORT_SPEED, SLOP};
+use crate::physics::exact::Scene;
+use crate::physics::exact::item::Item;
+use crate::physics::forces::zones::feel;
+use crate::physics::islands::{Choice, Tick};
+use crate::physics::scratch::Happened;
+use crate::physics::world::{Event, Methods, Obstacle, State, World};
 use glam::DVec2;
 
 /// Relative to all that contacts exert on a body: what rounding leaves of their balance with what acts on it besides.
@@ -23,31 +27,36 @@ const MARGIN: f64 = 1e-3;
 impl World {
     /// Advances the world by exactly one tick of `dt` seconds.
     pub fn step(&mut self, dt: f64) {
-        let worked = self.worked();
-        self.scratch.begin_tick(self.state.bodies.len(), self.pile.looked_at());
+        let before = self.scratch.events.total;
+        self.scratch.begin_tick(self.state.bodies.len());
         self.clear_records();
+        (self.records.dt, self.records.flows_ended_early) = (dt, self.records.guards.flows_ended_early);
         self.bring_back_surfaces();
         self.move_surfaces(dt);
-        self.say_what_acts(dt);
-        let Self { state, records, plan, scratch, pile, .. } = self;
-        let lists = self.asked.replace(false);
-        let guards = &mut records.guards;
-        let scene = Scene::of(state, plan, dt);
-        pile.step_with(dt, &mut Tick { state, scene, guards, scratch, lists });
-        records.guards.add(&pile.take_guards());
-        records.guards.flows_ended_early += state.media.take_ended_early();
-        self.commit(dt);
+        self.fly_linked(dt);
+        if self.pile.is_stirred() {
+            self.say_what_acts(dt);
+            self.advance_islands(dt);
+            self.commit(dt);
+        }
+        self.state.ticks += 1;
+        self.count_methods();
         self.record();
         self.go_on_paths(dt);
-        self.records.work = self.worked() - worked;
+        self.records.followed = self.scratch.events.total - before;
         #[cfg(all(feature = "validate", debug_assertions))]
         self.assert_valid();
     }
 
-    /// What has been counted from the beginning, in units of work.
-    fn worked(&self) -> u64 {
-        let events = &self.scratch.events;
-        self.state.media.spent() + events.solving() + events.total
+    fn advance_islands(&mut self, dt: f64) {
+        let Self { state, records, plan, scratch, pile, .. } = self;
+        let lists = self.asked.replace(false);
+        let guards = &mut records.guards;
+        let scene = Scene::of(state, plan, dt);
+        let bare = !plan.media() && scratch.linked.is_empty();
+        pile.step_with(dt, &mut Tick { state, scene, guards, scratch, lists, bare });
+        records.guards.add(&pile.take_guards());
+        records.guards.flows_ended_early += state.media.take_ended_early();
     }
 
     /// For tests: it is in no other build.
@@ -66,7 +75,7 @@ impl World {
     /// The forces before the first tick, of worlds that are not too large to be looked at as one island.
     ///
     /// All touch all for this once, which takes time with the square of their number.
-    pub(super) fn begin(&mut self) {
+    pub(crate) fn begin(&mut self) {
         let Self { state, plan, scratch, .. } = self;
         let n = state.bodies.len();
         if n == 0 || n > Choice::MOST_AT_FIRST {
@@ -76,7 +85,7 @@ impl World {
         scratch.begin(n);
         scratch.members.extend(0..n as u32);
         scratch.surfaces.extend(0..state.surfaces.len() as u32);
-        scratch.gather(state, &scene, |_| super::Aabb::around(DVec2::ZERO, DVec2::splat(f64::MAX)));
+        scratch.gather(state, &scene, |_| crate::physics::data::aabb::Aabb::around(DVec2::ZERO, DVec2::splat(f64::MAX)));
         scratch.events.begin_world(&scene);
         scratch.take_contacts(state);
         state.contacts.extend(scratch.contacts.drain(..).map(|(_, contact)| contact));
@@ -90,35 +99,24 @@ impl World {
         self.records.events.clear();
         self.records.impulses.clear();
         self.records.corners.clear();
-        for &i in self.pile.looked_at() {
-            if !self.pile.is_sleeping(i as usize) {
-                self.records.previous[i as usize] = self.state.bodies[i as usize].position;
-            }
-        }
     }
 
     /// Something about a body, or what it touches, has changed: it has to be looked at.
-    pub(super) fn disturb(&mut self, body: u32) {
-        self.state.held[body as usize] = None;
-        self.look_again(body);
-    }
-
-    /// What pulls at a body may have changed: it has to be looked at.
-    pub(super) fn look_again(&mut self, body: u32) {
+    pub(crate) fn disturb(&mut self, body: u32) {
         let i = body as usize;
         self.state.known[i] = false;
         self.pile.wake(i);
-        self.records.previous[i] = self.state.bodies[i].position;
+        self.scratch.changed.push(body);
     }
 
     /// Something about a surface has changed: whatever touches it has to be looked at.
-    pub(super) fn disturb_around(&mut self, surface: usize) {
+    pub(crate) fn disturb_around(&mut self, surface: usize) {
         let bounds = self.state.surfaces[surface].bounds;
         self.disturb_in(&bounds);
     }
 
     /// Something about a place has changed: whatever touches it has to be looked at.
-    pub(super) fn disturb_in(&mut self, bounds: &super::Aabb) {
+    pub(crate) fn disturb_in(&mut self, bounds: &crate::physics::data::aabb::Aabb) {
         for i in 0..self.state.bodies.len() {
             if self.state.bodies[i].bounds().touches(bounds, MARGIN) {
                 self.disturb(i as u32);
@@ -155,7 +153,7 @@ impl World {
             }
             let swept = surface.swept(dt);
             if surface.moves_within(dt) {
-                self.pile.lead_surface(s, surface.at(dt).offset, Some(surface.arrives(dt)));
+                self.pile.lead_surface(s, surface.at(dt).offset, surface.arrives(dt));
                 self.pile.sweep_surface(s, &swept);
             }
             for i in 0..self.state.bodies.len() {
@@ -177,73 +175,69 @@ impl World {
         }
     }
 
-    /// Counts the impacts of each island, with the smallest of its bodies.
-    fn count_hits(&mut self) {
-        let Self { scratch, pile, .. } = self;
-        let Scratch { after, happened, .. } = &mut **scratch;
-        happened.iter().for_each(|happened| after[happened.island as usize].hits += 1);
-        for hit in pile.impacts() {
-            let of = after[hit.a];
-            if of.dense {
-                after[of.leader as usize].hits += 1;
-            }
-        }
-    }
-
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
-        self.count_hits();
         let Self { state, scratch, pile, .. } = self;
-        let State { bodies, known, held, media, drives, pauses, ahead, ticks, .. } = state;
         for &i in pile.looked_at() {
             let i = i as usize;
-            let after = &scratch.after[i];
-            let body = &mut bodies[i];
-            let moves = body.velocity != DVec2::ZERO || pile.velocity(i) != DVec2::ZERO;
-            pauses[i].go_on(after, moves, scratch.after[after.leader as usize].hits, *ticks);
-            if after.members == 0 && pile.is_sleeping(i) {
-                continue;
-            }
-            if let Some(ahead) = ahead.get_mut(i) {
-                ahead.alone = after.members == 0 && ahead.law.wet;
-            }
-            (body.position, body.velocity) = (pile.position(i), pile.velocity(i));
-            (known[i], held[i]) = (after.known, after.held);
-            if after.members == 0 {
-                // It flew by itself.
-                let pull = scratch.pulls[i];
-                body.acceleration =
-                    pull.unwrap_or_else(|| media.acceleration_under(body, scratch.force_on(media, i, body, drives[i])));
-                known[i] = true;
-            } else if after.dense {
-                // What contacts add is known when they are listed.
-                body.acceleration = media.acceleration_under(body, scratch.force_on(media, i, body, drives[i]));
-            } else {
-                body.acceleration = after.acceleration;
+            (state.bodies[i].position, state.bodies[i].velocity) = (pile.position(i), pile.velocity(i));
+        }
+        let mut changed = std::mem::take(&mut scratch.changed);
+        pile.take_woken(&mut changed);
+        if self.plan.media() {
+            changed.clear();
+            changed.extend_from_slice(pile.looked_at());
+        } else {
+            changed.extend_from_slice(&scratch.touched);
+        }
+        changed.iter().for_each(|i| self.accelerate(*i as usize));
+        changed.clear();
+        self.scratch.changed = changed;
+        let Self { state, scratch, .. } = self;
+        for member in &scratch.linked {
+            let (i, after) = (member.id as usize, &scratch.after[member.id as usize]);
+            if after.members == 0 || after.dense || after.flown {
+                let force = state.forces[i].push() + state.links_on(member.id);
+                state.bodies[i].acceleration = state.media.acceleration_under(&state.bodies[i], force);
             }
         }
-        *ticks += 1;
         self.scratch.fresh.clear();
         self.scratch.fresh.extend(self.scratch.contacts.iter().map(|&(_, contact)| contact));
         self.commit_dense(dt);
-        self.count_methods();
         self.take_contacts();
+    }
+
+    /// The acceleration of a body as the tick ends; what contacts of the crowd step add is known when they are listed.
+    fn accelerate(&mut self, i: usize) {
+        let Self { state, plan, scratch, pile, .. } = self;
+        let State { bodies, known, media, forces, .. } = state;
+        let (after, body) = (&scratch.after[i], &mut bodies[i]);
+        let flew = after.members == 0;
+        if flew && pile.is_sleeping(i) {
+            return;
+        }
+        if plan.streams {
+            feel(media, scratch.around.get(i), body, &mut forces[i]);
+        }
+        known[i] = flew || after.known;
+        body.acceleration = match scratch.pulls[i].filter(|_| flew) {
+            Some(pull) => pull,
+            None if flew || after.dense => media.acceleration_under(body, forces[i].push()),
+            None => after.acceleration,
+        };
     }
 
     /// Counts by which method how many bodies were advanced.
     fn count_methods(&mut self) {
-        let aside = self.state.bodies.len() - self.pile.looked_at().len();
-        let mut methods = Methods { asleep: aside as u32, ..Methods::default() };
-        for &i in self.pile.looked_at() {
-            let (i, after) = (i as usize, &self.scratch.after[i as usize]);
-            let count = match (after.members, after.dense) {
-                (0, _) if self.pile.is_sleeping(i) => &mut methods.asleep,
-                (0, _) => &mut methods.free,
-                (_, false) => &mut methods.by_events,
-                (_, true) => &mut methods.in_one_step,
-            };
-            *count += 1;
+        let mut methods = Methods { asleep: self.pile.sleepers() as u32, ..Methods::default() };
+        for &i in &self.scratch.touched {
+            let after = &self.scratch.after[i as usize];
+            if after.members > 0 {
+                methods.asleep -= u32::from(self.pile.is_sleeping(i as usize));
+                *(if after.dense { &mut methods.in_one_step } else { &mut methods.by_events }) += 1;
+            }
         }
+        methods.free = self.state.bodies.len() as u32 - methods.asleep - methods.by_events - methods.in_one_step;
         self.records.methods = methods;
     }
 
@@ -253,7 +247,7 @@ impl World {
         let Self { state, scratch, pile, records, .. } = self;
         let n = state.bodies.len();
         scratch.pressed.resize(n, 0.0);
-        pile.looked_at().iter().for_each(|i| scratch.pressed[*i as usize] = 0.0);
+        scratch.touched.iter().for_each(|i| scratch.pressed[*i as usize] = 0.0);
         for contact in pile.listed() {
             let a = contact.a;
             if scratch.after[a].members == 0 || !scratch.after[a].dense {
@@ -279,7 +273,7 @@ impl World {
                 let sign = if contact.normal < 0.0 { -1.0 } else { 1.0 };
                 let mut lasting = Contact { lasts: true, ..Contact::between(lo, hi, axis) };
                 (lasting.normal, lasting.friction) = (contact.normal.abs() / dt, sign * contact.friction / dt);
-                (lasting.static_friction, lasting.kinetic_friction) = state.friction_of(a, contact.b);
+                lasting.rub_with(state.coefficients(a, contact.b));
                 scratch.fresh.push(lasting);
                 let mut felt = DVec2::ZERO;
                 (felt[axis], felt[1 - axis]) = (contact.normal / dt, contact.friction / dt);
@@ -292,10 +286,10 @@ impl World {
             }
         }
         // What rests, rests exactly; unless part of what held it was an impact, which is no force.
-        for &i in pile.looked_at().iter().filter(|i| scratch.after[**i as usize].dense) {
+        for &i in scratch.touched.iter().filter(|i| scratch.after[**i as usize].dense) {
             let i = i as usize;
             let body = &mut state.bodies[i];
-            let rests = body.velocity == DVec2::ZERO && body.position == records.previous[i];
+            let rests = body.velocity == DVec2::ZERO && body.position == pile.previous(i);
             if rests && (body.mass * body.acceleration).length() <= BALANCED * scratch.pressed[i] {
                 body.acceleration = DVec2::ZERO;
             }
@@ -343,22 +337,19 @@ impl World {
 }
 
 impl State {
-    /// The coefficients with which a pair slides, static and kinetic: a surface gives its own, two bodies the smaller of theirs.
-    fn friction_of(&self, a: usize, b: Other) -> (f64, f64) {
-        let mine = self.bodies[a].material;
+    /// The coefficients of a pair.
+    fn coefficients(&self, a: usize, b: Other) -> Coefficients {
+        let mine = self.bodies[a].coefficients();
         match b {
-            Other::Surface(s) => (self.surfaces[s].material.static_friction, self.surfaces[s].material.kinetic_friction),
-            Other::Body(b) => {
-                let other = self.bodies[b].material;
-                (mine.static_friction.min(other.static_friction), mine.kinetic_friction.min(other.kinetic_friction))
-            }
+            Other::Surface(s) => mine.with(self.surfaces[s].material.coefficients(), true),
+            Other::Body(b) => mine.with(self.bodies[b].coefficients(), false),
         }
     }
 }
 
 impl Item {
     /// Whether nothing moved it in this tick.
-    pub(super) fn rests(&self, before: DVec2) -> bool {
+    pub(crate) fn rests(&self, before: DVec2) -> bool {
         self.is_still() && self.body.position == before
     }
 }

@@ -1,18 +1,21 @@
 //! The world: what is in it, and what can be asked of it. How a tick goes is in `step`.
 
-use super::ahead::Ahead;
-use super::contact::Contact;
-use super::guards::Guards;
-use super::impulse::Impulse;
-use super::islands::Pause;
-use super::media::Media;
-use super::pile::{Pile, PileBody, PileDef, PileSurface};
-use super::scratch::Scratch;
-use super::surface::Surface;
-use super::tuning::EDGE_THICKNESS;
-use super::{
-    Aabb, Body, BodyDef, BodyId, DefError, Force, ForceKind, ForceManager, Material, Plan, Source, SurfaceDef, WorldDef, zones,
-};
+use crate::physics::data::aabb::Aabb;
+use crate::physics::data::body::{Body, BodyDef, BodyId};
+use crate::physics::data::contact::Contact;
+use crate::physics::data::def::{DefError, WorldDef};
+use crate::physics::data::impulse::Impulse;
+use crate::physics::data::material::Material;
+use crate::physics::data::plan::Plan;
+use crate::physics::data::surface::{Surface, SurfaceDef};
+use crate::physics::data::tuning::EDGE_THICKNESS;
+use crate::physics::forces::kind::{ForceKind, Source};
+use crate::physics::forces::manager::{Force, ForceManager};
+use crate::physics::forces::media::Media;
+use crate::physics::guards::Guards;
+use crate::physics::links::Links;
+use crate::physics::scratch::Scratch;
+use crate::physics::space::{Setting, Space};
 use glam::DVec2;
 use std::cell::Cell;
 
@@ -78,27 +81,28 @@ impl Methods {
 #[derive(Clone, Debug)]
 pub struct World {
     /// This and nothing else decides what happens next.
-    pub(super) state: State,
+    pub(crate) state: State,
     /// What the last tick leaves to be read.
-    pub(super) records: Records,
+    pub(crate) records: Records,
     /// The bodies once more, as separate arrays, with what finds who may meet whom, and the dense method.
-    pub(super) pile: Box<Pile>,
+    pub(crate) pile: Box<Space>,
     /// Buffers, kept so that a tick allocates nothing once warm.
-    pub(super) scratch: Box<Scratch>,
-    pub(super) plan: Plan,
+    pub(crate) scratch: Box<Scratch>,
+    pub(crate) plan: Plan,
     /// Surfaces that have paths, and those that come back as soon as nothing is in their way.
-    pub(super) on_paths: Vec<u32>,
-    pub(super) awaited: Vec<u32>,
+    pub(crate) on_paths: Vec<u32>,
+    pub(crate) awaited: Vec<u32>,
     /// Whether somebody has asked for forces since the last tick.
-    pub(super) asked: Cell<bool>,
+    pub(crate) asked: Cell<bool>,
 }
 
 /// The state of a world.
 #[derive(Clone, Debug)]
-pub(super) struct State {
+pub(crate) struct State {
     pub bodies: Vec<Body>,
-    /// The force of each body's engine, N.
-    pub drives: Vec<DVec2>,
+    /// The constant pushes on each body.
+    pub forces: Vec<ForceManager>,
+    pub links: Links,
     pub surfaces: Vec<Surface>,
     pub media: Media,
     pub rest_speed: f64,
@@ -106,28 +110,24 @@ pub(super) struct State {
     pub contacts: Vec<Contact>,
     /// Whether contacts and acceleration of a body are those of now.
     pub known: Vec<bool>,
-    /// What else pulled at each body, m/s², when its contacts were last solved for rest, if they still carry what they did then.
-    pub held: Vec<Option<DVec2>>,
-    /// Whose islands are dense for a while, because their budgets were used up.
-    pub pauses: Vec<Pause>,
-    /// What is foreseen of the way of each body, if there are liquids.
-    pub ahead: Vec<Ahead>,
     /// Ticks since the world began.
     pub ticks: u64,
 }
 
 /// What a tick leaves to be read.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Records {
-    /// Where bodies were one tick ago, m.
-    pub previous: Vec<DVec2>,
+pub(crate) struct Records {
+    /// How long the last tick was, s.
+    pub dt: f64,
+    /// How many flows had ended early before the last tick.
+    pub flows_ended_early: u64,
     pub events: Vec<Event>,
     pub impulses: Vec<Impulse>,
     /// The corners of the ways of bodies, in the order of their times.
     pub corners: Vec<(u32, f64, DVec2)>,
     pub guards: Guards,
     pub methods: Methods,
-    pub work: u64,
+    pub followed: u64,
 }
 
 impl World {
@@ -149,26 +149,36 @@ impl World {
     pub fn with_plan(mut def: WorldDef, plan: Plan) -> Result<Self, DefError> {
         def.check()?;
         def.surfaces.extend(def.bounds.iter().flat_map(|bounds| edges(bounds, def.edge)));
+        if !plan.streams {
+            def.streams.clear();
+            def.fields.clear();
+        }
+        if !plan.liquids {
+            def.fluids.clear();
+        }
+        let mut media = Media::new(def.gravity, def.air_density, (&def.streams, &def.fields), def.fluids);
+        media.airy = plan.air;
         let n = def.bodies.len();
         let state = State {
             bodies: def.bodies.iter().map(Body::new).collect(),
-            drives: vec![DVec2::ZERO; n],
+            forces: std::iter::repeat_with(ForceManager::default).take(n).collect(),
+            links: Links::default(),
             surfaces: def.surfaces.into_iter().map(Surface::new).collect(),
-            media: Media::new(def.gravity, def.air_density, (&def.streams, &def.fields), def.fluids),
+            media,
             rest_speed: def.rest_speed,
             contacts: Vec::new(),
             known: vec![false; n],
-            held: vec![None; n],
-            pauses: vec![Pause::default(); n],
-            ahead: Vec::new(),
             ticks: 0,
         };
-        let previous = state.bodies.iter().map(|body| body.position).collect();
-        let records = Records { previous, ..Records::default() };
-        let pile = Box::new(pile_of(&state, plan.direct)?);
+        let records = Records::default();
+        let pile = Box::new(space_of(&state, &plan));
         let on_paths = (0..).zip(&state.surfaces).filter(|(_, surface)| !surface.def.path.is_still()).map(|(s, _)| s).collect();
         let awaited = Vec::with_capacity(state.surfaces.len());
         let mut world = Self { pile, scratch: Box::default(), state, records, plan, on_paths, awaited, asked: Cell::new(true) };
+        if world.plan.streams {
+            world.state.forces.fill_with(ForceManager::with_room);
+            world.feel_zones();
+        }
         world.begin();
         Ok(world)
     }
@@ -179,24 +189,21 @@ impl World {
     /// As [`World::new`].
     pub fn add_body(&mut self, def: BodyDef) -> Result<BodyId, DefError> {
         def.check()?;
-        let State { bodies, drives, contacts, known, held, pauses, media, .. } = &mut self.state;
+        let State { bodies, forces, contacts, known, media, .. } = &mut self.state;
         let n = bodies.len() as u32;
         bodies.push(Body::new(&def));
-        drives.push(DVec2::ZERO);
+        forces.push(ForceManager::default());
         known.push(false);
-        held.push(None);
-        pauses.push(Pause::default());
-        self.records.previous.push(def.position);
         // Contacts count surfaces on from the number of bodies.
         for contact in contacts {
             contact.lo += u32::from(contact.lo >= n);
             contact.hi += u32::from(contact.hi >= n);
         }
-        self.plan.pairs |= n > 0;
-        self.plan.contacts |= self.plan.pairs;
         self.plan.air |= media.air_density > 0.0 && def.feels_air && def.drag > 0.0;
+        media.airy = self.plan.air;
         self.plan.bounces |= def.restitution.max(def.material.restitution) > 0.0;
-        *self.pile = pile_of(&self.state, self.plan.direct)?;
+        let before = std::mem::replace(&mut *self.pile, space_of(&self.state, &self.plan));
+        self.pile.keep_previous(&before);
         Ok(BodyId(n))
     }
 
@@ -212,7 +219,7 @@ impl World {
 
     /// Where a body's centre was one tick ago, m: the view interpolates from here.
     pub fn previous_position(&self, id: BodyId) -> DVec2 {
-        self.records.previous[id.index()]
+        self.pile.previous(id.index())
     }
 
     /// The surfaces: those of the definition, then the four edges (left, right, top, bottom) where there are any.
@@ -233,7 +240,7 @@ impl World {
     /// The corners of the path of a body's centre during the last tick, from where it was to where it is.
     pub fn path(&self, id: BodyId) -> impl Iterator<Item = DVec2> + '_ {
         let corners = self.records.corners.iter().filter(move |(body, ..)| *body == id.0).map(|(.., at)| *at);
-        std::iter::once(self.records.previous[id.index()]).chain(corners).chain(std::iter::once(self.body(id).position))
+        std::iter::once(self.pile.previous(id.index())).chain(corners).chain(std::iter::once(self.body(id).position))
     }
 
     /// The parts of the model that this world uses.
@@ -246,10 +253,9 @@ impl World {
         &self.records.guards
     }
 
-    /// What following events, flows through media and solving contacts took in the last tick, in units of about a nanosecond, counted by what
-    /// is done and not by the clock. What the dense method does is not in it: that takes time with the number of bodies.
-    pub fn work(&self) -> u64 {
-        self.records.work
+    /// Events of the last tick, each counted as often as bodies were looked at for it. One step of a crowd is none.
+    pub fn followed(&self) -> u64 {
+        self.records.followed
     }
 
     /// How many bodies each method took through the last tick; all 0 as long as the tick does not tell.
@@ -266,19 +272,23 @@ impl World {
     }
 
     /// The same into a list that is there already, without asking for anything.
-    pub(super) fn list_forces(&self, id: BodyId, forces: &mut ForceManager) {
+    pub(crate) fn list_forces(&self, id: BodyId, forces: &mut ForceManager) {
         let (i, body) = (id.index(), self.body(id));
         let state = &self.state;
-        let in_stream = |stream: usize| zones::feels(&state.media.streams[stream].zone, body, (body.position, body.velocity));
-        let law = state.media.law(body, state.drives[i], 0.0);
-        state.media.list(body, &law, state.drives[i], in_stream, forces.renew());
-        let mut held = false;
+        forces.clear();
+        let list = |source, kind, vector| Force { kind, source, vector, point: body.position };
+        forces.list(list(Source::Gravity, ForceKind::Weight, state.media.weight(body)));
+        let pushes = &state.forces[i];
+        pushes.forces().iter().for_each(|force| forces.list(Force { point: body.position, ..*force }));
+        let law = state.media.law(body, pushes.push(), 0.0);
+        state.media.list(body, &law, pushes.push(), forces);
+        for (number, link) in (0..).zip(&state.links.all).filter(|(_, link)| link.has(id.0)) {
+            forces.list(list(Source::Link(number), link.law.kind(), link.on(id.0, |id| state.pose_of(id))));
+        }
         for contact in state.contacts.iter().filter(|contact| contact.has(id.0)) {
-            held = true;
             self.list_contact(contact, id, forces);
         }
-        // At rest it is exactly zero, where a sum in another order could be one rounding off.
-        forces.close(held.then(|| body.acceleration * body.mass));
+        forces.close(body.acceleration);
     }
 
     /// Lists what the other end of a contact exerts on a body, N, by the name that it bears on both: a Reaction where a surface is the other
@@ -294,20 +304,18 @@ impl World {
         let kind = if surface.is_some() || contact.axis == 1 { ForceKind::Reaction } else { ForceKind::Push };
         let point = self.point_of(contact);
         for (kind, vector) in [(kind, normal), (ForceKind::Friction, friction)] {
-            if vector != DVec2::ZERO {
-                forces.add(Force { kind, source, vector: vector + DVec2::ZERO, point });
-            }
+            forces.list(Force { kind, source, vector: vector + DVec2::ZERO, point });
         }
     }
 
     /// The middle of the edge that the two ends of a contact share, m.
-    pub(super) fn point_of(&self, contact: &Contact) -> DVec2 {
+    pub(crate) fn point_of(&self, contact: &Contact) -> DVec2 {
         let (a, b) = (self.bounds_of(contact.lo), self.bounds_of(contact.hi));
         (a.min.max(b.min) + a.max.min(b.max)) * 0.5
     }
 
     /// The box of a body or surface.
-    pub(super) fn bounds_of(&self, item: u32) -> Aabb {
+    pub(crate) fn bounds_of(&self, item: u32) -> Aabb {
         match self.state.bodies.get(item as usize) {
             Some(body) => body.bounds(),
             None => self.state.surfaces[item as usize - self.state.bodies.len()].bounds,
@@ -315,50 +323,18 @@ impl World {
     }
 }
 
-/// The store of the bodies, as they are now.
-///
-/// # Errors
-/// What the store refuses.
-pub(super) fn pile_of(state: &State, sleep: bool) -> Result<Pile, DefError> {
-    let body = |body: &Body| PileBody {
-        position: body.position,
-        half: body.half,
-        velocity: body.velocity,
-        mass: body.mass,
-        restitution: body.restitution,
-        static_friction: body.material.static_friction,
-        kinetic_friction: body.material.kinetic_friction,
-        drag_area: if body.feels_air && !body.round { body.half * 2.0 * body.drag } else { DVec2::ZERO },
-        drag_round: if body.feels_air && body.round { body.drag * (body.half.x + body.half.y) } else { 0.0 },
-    };
-    let surfaces = state.surfaces.iter().map(|surface| PileSurface {
-        bounds: surface.bounds,
-        static_friction: surface.material.static_friction,
-        kinetic_friction: surface.material.kinetic_friction,
-    });
-    let mut pile = Pile::new(PileDef {
-        bodies: state.bodies.iter().map(body).collect(),
-        surfaces: surfaces.collect(),
-        gravity: state.media.gravity,
-        air_density: state.media.air_density,
-        rest_speed: state.rest_speed,
-        sleep,
-    })
-    .map_err(|error| DefError(error.0))?;
-    for (s, surface) in state.surfaces.iter().enumerate() {
-        pile.set_sides(s, surface.def.sides);
-        pile.set_belt(s, surface.belt);
-        pile.set_restitution(s, surface.material.restitution);
-        pile.set_present(s, surface.present);
-    }
-    for (i, _) in state.bodies.iter().enumerate().filter(|(_, body)| body.weightless) {
-        pile.set_weightless(i);
-    }
-    Ok(pile)
+/// The space of a state as it is.
+pub(crate) fn space_of(state: &State, plan: &Plan) -> Space {
+    let Media { gravity, air_density, .. } = state.media;
+    let air_density = if plan.air { air_density } else { 0.0 };
+    let setting = Setting { gravity, air_density, rest_speed: state.rest_speed, bounces: plan.bounces, sleep: plan.direct };
+    let mut space = Space::new(&state.bodies, &state.surfaces, setting);
+    (0..).zip(&state.forces).for_each(|(i, forces)| space.set_force(i, forces.push()));
+    space
 }
 
 /// The four solid edges around a level: left, right, top, bottom.
-pub(super) fn edges(bounds: &Aabb, material: Material) -> [SurfaceDef; 4] {
+pub(crate) fn edges(bounds: &Aabb, material: Material) -> [SurfaceDef; 4] {
     let (min, max) = (bounds.min, bounds.max);
     let t = EDGE_THICKNESS;
     let edge = |x0, y0, x1, y1| SurfaceDef::fixed(Aabb::new(DVec2::new(x0, y0), DVec2::new(x1, y1)), material);

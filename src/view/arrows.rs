@@ -166,6 +166,7 @@ const fn style(shown: Shown) -> (Head, &'static [f32]) {
         ForceKind::Buoyancy => (Head::Disc, &[]),
         ForceKind::ViscousDrag => (Head::Disc, &[9.0, 4.0, 2.5, 4.0]),
         ForceKind::Push => (Head::Bar, &[]),
+        ForceKind::Spring => (Head::Bar, &[9.0, 4.0, 2.5, 4.0]),
     }
 }
 

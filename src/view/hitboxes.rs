@@ -65,7 +65,7 @@ fn draw_contacts(game: &Game, id: BodyId, view: &Viewport, canvas: &Canvas) {
         let other = match force.source {
             Source::Surface(i) => world.surfaces()[i as usize].bounds,
             Source::Body(other) => world.body(other).bounds(),
-            Source::Gravity | Source::Engine | Source::Air | Source::Stream(_) | Source::Field(_) | Source::Fluid(_) => continue,
+            _ => continue,
         };
         if !own.touches(&other, NEAR) {
             continue;

@@ -4,7 +4,7 @@
 use super::facts::{Facts, Row, Shown, Value, by_whom};
 use super::quantity::quantity;
 use crate::game::Game;
-use crate::physics::{Aabb, BodyId, ForceKind, Source};
+use crate::physics::{Aabb, BodyId, Source};
 
 /// What a force or an impact on a body has for its partner.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,18 +40,10 @@ pub fn answer(other: &Facts, shown: Shown, body: BodyId) -> Option<usize> {
 
 /// What a body does to whoever exerts that on it.
 const fn does(shown: Shown) -> &'static str {
-    let kind = match shown {
-        Shown::Resultant => return "acts on",
-        Shown::Impact => return "knocks",
-        Shown::Force(kind) => kind,
-    };
-    match kind {
-        ForceKind::Weight => "pulls",
-        ForceKind::Drive | ForceKind::Push => "pushes",
-        ForceKind::Reaction | ForceKind::Buoyancy => "presses on",
-        ForceKind::Friction => "rubs on",
-        ForceKind::AirResistance | ForceKind::ViscousDrag => "drags",
-        ForceKind::Wind => "holds back",
+    match shown {
+        Shown::Resultant => "acts on",
+        Shown::Impact => "knocks",
+        Shown::Force(kind) => kind.does(),
     }
 }
 
@@ -63,6 +55,6 @@ fn place(game: &Game, cause: Source) -> Option<Aabb> {
         Source::Stream(index) => level.streams.get(index as usize).map(|stream| stream.source),
         Source::Fluid(index) => level.fluids.get(index as usize).map(|fluid| fluid.zone),
         Source::Field(index) => level.fields.get(index as usize).map(|field| field.zone),
-        Source::Gravity | Source::Engine | Source::Air | Source::Body(_) => None,
+        Source::Gravity | Source::Engine | Source::Air | Source::Body(_) | Source::Link(_) => None,
     }
 }

@@ -59,7 +59,7 @@ fn wet(flown: &Flown, object: usize, row: &Row) -> Vec<(bool, bool)> {
 #[test]
 fn drag_and_buoyancy_change_the_momentum_by_their_integral() {
     for (name, flown, bound) in [
-        ("splash", splash("1200"), 1e-4),
+        ("splash", splash("480"), 5e-4),
         ("level 1", shipped("1"), 1e-6),
         ("level 2", shipped("2"), 1e-6),
         ("level 3", shipped("3"), 1e-3),

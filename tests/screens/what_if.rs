@@ -124,7 +124,7 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
 
     for (text, told) in [
         ("0", "Expected a number above 0 kg."),
-        ("1e9", "Expected a number from 0.001 to 1e6 kg."),
+        ("1e9", "Expected a number from 0.001 to 100000 kg."),
         ("1,5", "Expected a number with a decimal point, not a comma."),
         ("nan", "Expected a finite number."),
         ("", "Expected a number such as 12.5."),
@@ -146,11 +146,11 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
     assert_eq!(value(&sitting, Parameter::Mass(0)), 17.0, "typed in the frame of Enter");
     sitting.click_at(number).press(Key::Backspace).write("100").press(Key::Enter);
     // Each of two is accepted, but not both.
-    type_in(&mut sitting, Parameter::Thrust, "1e7");
+    type_in(&mut sitting, Parameter::Thrust, "1e6");
     type_in(&mut sitting, Parameter::Mass(0), "1");
     let (told, bad) = sitting.flight().instruments().vary().told().expect("it is refused");
-    assert!(bad && told.contains("1e6 m/s²"), "{told}");
-    assert_eq!((value(&sitting, Parameter::Thrust), value(&sitting, Parameter::Mass(0))), (1e7, 100.0));
+    assert!(bad && told.contains("10000 m/s²"), "{told}");
+    assert_eq!((value(&sitting, Parameter::Thrust), value(&sitting, Parameter::Mass(0))), (1e6, 100.0));
     // A true minus is a minus, and up is up.
     type_in(&mut sitting, Parameter::VelocityY(0), "−2.5");
     assert_eq!(sitting.flight().game().level().player.velocity, DVec2::new(0.0, 2.5));

@@ -130,18 +130,18 @@ impl Author {
     fn constants(&mut self, level: DVec2) -> String {
         let mut text =
             format!("name,value\nwidth,{}\nheight,{}\nmetre,{}\n", level.x * self.metre, level.y * self.metre, self.metre);
-        let gravity = self.signed(&[15.0, 15.0, 9.81, 0.0], -3.0, 4.0);
+        let gravity = self.signed(&[15.0, 15.0, 9.81, 0.0], -3.0, 3.0);
         let gravity = if self.random.chance(0.9) { gravity.abs() } else { gravity };
-        let air = self.number(&[1.2041, 1.2041, 0.0], -3.0, 5.0);
-        let rest_speed = self.number(&[0.0, 0.0, 1.0], -6.0, 6.0);
+        let air = self.number(&[1.2041, 1.2041, 0.0], -3.0, 2.0);
+        let rest_speed = self.number(&[0.0, 0.0, 1.0], -6.0, 4.0);
         writeln!(text, "gravity,{gravity}\nair_density,{air}\nrest_speed,{rest_speed}").unwrap();
         text
     }
 
     fn player(&mut self) -> String {
         let at = self.free(DVec2::splat(0.85)) * self.metre;
-        let mass = self.number(&[100.0, 75.0, 21.0, 400.0], -3.0, 6.0);
-        let thrust = self.number(&[3000.0, 2000.0, 0.0, 12000.0], 0.0, 7.0);
+        let mass = self.number(&[100.0, 75.0, 21.0, 400.0], -3.0, 5.0);
+        let thrust = self.number(&[3000.0, 2000.0, 0.0, 12000.0], 0.0, 6.0);
         let (air, angle) = (self.random.pick(&["TRUE", "FALSE"]), self.signed(&[0.0, 30.0, 90.0], -3.0, 6.0));
         let (vx, vy) = (self.velocity(), self.velocity());
         let material = self.random.pick(&MATERIALS);
@@ -153,7 +153,7 @@ impl Author {
 
     fn velocity(&mut self) -> f64 {
         let usual = self.random.between(0.0, 20.0);
-        self.signed(&[0.0, 0.0, usual], -6.0, 6.0)
+        self.signed(&[0.0, 0.0, usual], -6.0, 4.0)
     }
 
     fn objects(&mut self) -> String {
@@ -172,8 +172,8 @@ impl Author {
                 false => DVec2::new(self.number(&[usual_x], -3.3, 2.0), self.number(&[usual_y], -3.3, 2.0)),
             };
             let at = if stacked { self.on_top(half) } else { self.free(half) } * self.metre;
-            let usual = self.random.decades(-1.0, 3.0);
-            let mass = self.number(&[usual], -3.0, 6.0);
+            let usual = self.random.decades(-0.5, 3.0);
+            let mass = self.number(&[usual], -3.0, 5.0);
             let drag = self.number(&[1.05, 0.5, 0.0], -3.0, 3.0);
             let bounce = self.random.unit();
             let restitution = self.random.pick(&[0.0, 0.0, 0.0, bounce, bounce, 1.0]);
@@ -228,7 +228,7 @@ impl Author {
             self.taken.push(bounds);
             let reach = self.signed(&[2.0, 5.0, 12.0], -3.0, 5.0) * self.metre;
             let (across, down) = if self.random.chance(0.5) { (reach, 0.0) } else { (0.0, reach) };
-            let (fx, fy) = (self.signed(&[0.0, 300.0, 1200.0], 0.0, 7.0), self.signed(&[0.0, 1200.0, 3000.0], 0.0, 7.0));
+            let (fx, fy) = (self.signed(&[0.0, 300.0, 1200.0], 0.0, 6.0), self.signed(&[0.0, 1200.0, 3000.0], 0.0, 6.0));
             self.row(&bounds, &mut text);
             writeln!(text, ",{across},{down},{fx},{fy}").unwrap();
         }
@@ -237,11 +237,16 @@ impl Author {
 
     fn fluids(&mut self) -> String {
         let mut text = String::from("x,y,width,height,density,viscosity\n");
+        let mut fluids: Vec<Aabb> = Vec::new();
         for _ in 0..self.count(&[0, 0, 1, 2, 5]) {
             let half = DVec2::new(self.random.between(1.0, 20.0), self.random.between(0.5, 8.0));
             let bounds = Aabb::around(self.anywhere(half), half);
             let (density, viscosity) =
-                (self.number(&[1000.0, 800.0, 1.5], -3.0, 5.0), self.number(&[0.001, 1.0, 50.0, 1000.0], -6.0, 6.0));
+                (self.number(&[1000.0, 800.0, 1.5], -3.0, 4.3), self.number(&[0.001, 1.0, 50.0, 1000.0], -6.0, 3.0));
+            if fluids.len() == 16 || fluids.iter().any(|fluid| fluid.overlaps(&bounds, 0.0)) {
+                continue;
+            }
+            fluids.push(bounds);
             self.row(&bounds, &mut text);
             writeln!(text, ",{density},{viscosity}").unwrap();
         }

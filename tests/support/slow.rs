@@ -44,18 +44,18 @@ pub fn scenes() -> Vec<Scene> {
             add(format!("gas of 1e-3 … 1e3 kg at {speed} m/s, air {air}"), gas(64, speed, air), DVec2::ZERO, 240);
         }
     }
-    add("200 streams, 64 bodies".into(), zones(200, 0), DVec2::ZERO, 360);
-    add("200 liquids, 64 bodies".into(), zones(0, 200), DVec2::ZERO, 360);
+    add("64 streams, 64 bodies".into(), zones(64), DVec2::ZERO, 360);
+    add("16 liquids side by side, 64 bodies".into(), layers(false), DVec2::ZERO, 360);
     add("60 boxes in a room".into(), room(60, 0.0), DVec2::new(2000.0, -2000.0), 600);
     add("60 boxes in a room that bounce".into(), room(60, 0.8), DVec2::new(2000.0, -2000.0), 600);
     add("three that bounce beside a fan".into(), fan(), DVec2::ZERO, 600);
     add("e = 1 between walls at 3e5 m/s".into(), between_walls(1), DVec2::ZERO, 240);
     add("8 with e = 1 between walls at 3e5 m/s".into(), between_walls(8), DVec2::ZERO, 240);
-    add("40 liquids all over 64 bodies".into(), soup(40), DVec2::ZERO, 120);
-    add("64 bodies in air of 1000 kg/m³".into(), WorldDef { air_density: 1000.0, ..gas(64, 10.0, 0.0) }, DVec2::ZERO, 240);
+    add("16 liquids upon each other, 64 bodies".into(), layers(true), DVec2::ZERO, 120);
+    add("64 bodies in air of 100 kg/m³".into(), WorldDef { air_density: 100.0, ..gas(64, 10.0, 0.0) }, DVec2::ZERO, 240);
     add("64 crates on 16 lifts".into(), lifts(), DVec2::ZERO, 360);
     for rate in [1.0, 10.0, 30.0] {
-        for (name, def) in [("60 boxes in a room that bounce", room(60, 0.8)), ("64 boxes in 200 liquids", zones(0, 200))] {
+        for (name, def) in [("60 boxes in a room that bounce", room(60, 0.8)), ("64 boxes in 16 liquids", layers(false))] {
             let drive = DVec2::new(2000.0, -2000.0);
             scenes.push(Scene { name: format!("{name}, {rate} Hz"), def, drive, ticks: 120, tick: 1.0 / rate });
         }
@@ -74,6 +74,8 @@ pub fn growing() -> Vec<Scene> {
     }
     for n in [10, 100, 1000, 10_000] {
         scenes.push(scene(format!("grows: {n} surfaces under 20 boxes"), tiles(n)));
+    }
+    for n in [4, 16] {
         scenes.push(scene(format!("grows: {n} liquids far and wide around 20 boxes"), pools(n)));
     }
     scenes
@@ -114,13 +116,14 @@ fn pools(count: usize) -> WorldDef {
     WorldDef { bodies: (0..20).map(body).collect(), fluids: (0..count).map(pool).collect(), ..WorldDef::default() }
 }
 
-fn soup(liquids: usize) -> WorldDef {
-    let fluid = |i: usize| FluidDef {
-        zone: area(-0.1 * i as f64, 2.0 + 0.3 * i as f64, 20.0, 20.0),
-        density: 50.0 * (i % 5) as f64,
-        viscosity: 0.5 * (i % 3) as f64,
+/// 16 liquids that touch each other fill a room.
+fn layers(upon_each_other: bool) -> WorldDef {
+    let fluid = |i: usize| {
+        let (from, to) = (1.25 * i as f64, 1.25 * (i + 1) as f64);
+        let zone = if upon_each_other { area(0.0, from, 20.0, to) } else { area(from, 4.0 + 0.5 * (i % 3) as f64, to, 20.0) };
+        FluidDef { zone, density: 100.0 * (i % 10) as f64, viscosity: 0.5 * (i % 3) as f64 }
     };
-    WorldDef { fluids: (0..liquids).map(fluid).collect(), ..room(64, 0.3) }
+    WorldDef { fluids: (0..16).map(fluid).collect(), ..room(64, 0.3) }
 }
 
 fn lifts() -> WorldDef {
@@ -196,15 +199,14 @@ fn gas(count: usize, speed: f64, air_density: f64) -> WorldDef {
     WorldDef { gravity: 0.0, air_density, bounds: Some(area(0.0, 0.0, 11.0, 11.0)), bodies, ..WorldDef::default() }
 }
 
-fn zones(streams: usize, liquids: usize) -> WorldDef {
+fn zones(streams: usize) -> WorldDef {
     let mut random = Random(5);
     let mut zone = || {
         let (x, y) = (random.between(0.0, 18.0), random.between(0.0, 18.0));
         area(x, y, x + random.between(0.5, 4.0), y + random.between(0.5, 4.0))
     };
     let streams = (0..streams).map(|i| StreamDef { zone: zone(), force: DVec2::new(20.0, -30.0) * (i % 5) as f64 }).collect();
-    let fluids = (0..liquids).map(|i| FluidDef { zone: zone(), density: 100.0 * (i % 10) as f64, viscosity: 0.5 }).collect();
-    WorldDef { streams, fluids, ..room(64, 0.3) }
+    WorldDef { streams, ..room(64, 0.3) }
 }
 
 fn room(count: usize, restitution: f64) -> WorldDef {

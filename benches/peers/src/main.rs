@@ -93,7 +93,7 @@ fn measure<E: Engine>(scene: &Scene, spec: &Spec, step: f64) -> Option<Row> {
 fn run(scene: &Scene, step: f64) -> Vec<Row> {
     let spec = &scene.spec;
     let ours = if scene.pile {
-        measure::<ours::Piles>(scene, spec, step)
+        measure::<ours::Crowds>(scene, spec, step)
     } else {
         measure::<ours::Scenes>(scene, spec, step)
     };

@@ -1,8 +1,7 @@
-//! Resultant: the exact engine for small scenes, the pile engine for piles.
+//! Resultant: the usual choice of methods for small scenes, the crowd step alone for crowds.
 
-use crate::engine::{Engine, Lift, Spec, V, version};
-use resultant::physics::pile::{Pile, PileBody, PileDef, PileSurface};
-use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, SurfaceDef, World, WorldDef};
+use crate::engine::{Engine, Spec, V, version};
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, Path, Plan, SurfaceDef, World, WorldDef};
 
 fn vector((x, y): V) -> DVec2 {
     DVec2::new(x, y)
@@ -10,6 +9,15 @@ fn vector((x, y): V) -> DVec2 {
 
 fn rectangle(&(centre, half): &(V, V)) -> Aabb {
     Aabb::around(vector(centre), vector(half))
+}
+
+fn material(spec: &Spec) -> Material {
+    Material {
+        name: "",
+        static_friction: spec.friction,
+        kinetic_friction: spec.friction,
+        restitution: 0.0,
+    }
 }
 
 /// [`World`]. It skips ticks while nothing moves and nothing is changed; where nothing may sleep, a drive that comes and goes and is
@@ -39,12 +47,7 @@ impl Engine for Scenes {
     }
 
     fn new(spec: &Spec) -> Option<Self> {
-        let material = Material {
-            name: "",
-            static_friction: spec.friction,
-            kinetic_friction: spec.friction,
-            restitution: 0.0,
-        };
+        let material = material(spec);
         let bodies = spec.bodies.iter().map(|body| BodyDef {
             position: vector(body.position),
             velocity: vector(body.velocity),
@@ -107,16 +110,12 @@ impl Engine for Scenes {
     }
 }
 
-/// [`Pile`].
-pub struct Piles {
-    pile: Pile,
-    lift: Option<Lift>,
-    /// The number of the lift among the surfaces.
-    moving: usize,
-    time: f64,
+/// A [`World`] of which every island takes the crowd step.
+pub struct Crowds {
+    world: World,
 }
 
-impl Engine for Piles {
+impl Engine for Crowds {
     const NAME: &'static str = "Resultant";
     const QUADRATIC: bool = true;
 
@@ -129,57 +128,56 @@ impl Engine for Piles {
     }
 
     fn new(spec: &Spec) -> Option<Self> {
-        let bodies = spec.bodies.iter().map(|body| PileBody {
+        let material = material(spec);
+        let bodies = spec.bodies.iter().map(|body| BodyDef {
             position: vector(body.position),
             velocity: vector(body.velocity),
             half: vector(body.half),
             mass: body.mass,
             restitution: body.restitution,
-            static_friction: spec.friction,
-            kinetic_friction: spec.friction,
+            material,
             // The air has 1 kg/m³, so that k = ½·(drag area)/m.
-            drag_area: DVec2::splat(2.0 * body.mass * spec.gravity / (spec.terminal * spec.terminal)),
-            ..PileBody::default()
+            drag: if spec.terminal.is_finite() {
+                body.mass * spec.gravity / (spec.terminal * spec.terminal * body.half.0)
+            } else {
+                0.0
+            },
+            ..BodyDef::default()
         });
-        let rectangles = spec.statics.iter().chain(spec.lift.as_ref().map(|lift| &lift.place));
-        let surfaces = rectangles.map(|rect| PileSurface {
-            bounds: rectangle(rect),
-            static_friction: spec.friction,
-            kinetic_friction: spec.friction,
+        let still = spec.statics.iter().map(|rect| SurfaceDef::fixed(rectangle(rect), material));
+        let lift = spec.lift.iter().map(|lift| SurfaceDef {
+            path: Path::shuttle(DVec2::new(0.0, -lift.rise), 0.5 * lift.period, 0.25 * lift.period, 0.0),
+            ..SurfaceDef::fixed(rectangle(&lift.place), material)
         });
-        let def = PileDef {
+        let def = WorldDef {
             gravity: spec.gravity,
-            bodies: bodies.collect(),
-            surfaces: surfaces.collect(),
             air_density: if spec.terminal.is_finite() { 1.0 } else { 0.0 },
-            sleep: spec.sleep,
-            ..PileDef::default()
+            rest_speed: 1.0,
+            bodies: bodies.collect(),
+            surfaces: still.chain(lift).collect(),
+            ..WorldDef::default()
         };
-        let mut pile = Pile::new(def).ok()?;
+        let plan = Plan {
+            dense: true,
+            direct: spec.sleep,
+            ..Plan::of(&def)
+        };
+        let mut world = World::with_plan(def, plan).ok()?;
         for (i, body) in spec.bodies.iter().enumerate() {
-            pile.set_force(i, DVec2::new(body.force, 0.0));
+            world.set_drive(BodyId(i as u32), DVec2::new(body.force, 0.0));
         }
-        Some(Self {
-            pile,
-            lift: spec.lift.clone(),
-            moving: spec.statics.len(),
-            time: 0.0,
-        })
+        Some(Self { world })
     }
 
     fn step(&mut self, dt: f64) {
-        self.time += dt;
-        if let Some(lift) = &self.lift {
-            self.pile.move_surface(self.moving, vector(lift.at(self.time)));
-        }
-        self.pile.step(dt);
+        self.world.step(dt);
     }
 
     fn position(&mut self, body: usize) -> V {
-        self.pile.position(body).into()
+        self.world.bodies()[body].position.into()
     }
 
     fn velocity(&mut self, body: usize) -> V {
-        self.pile.velocity(body).into()
+        self.world.bodies()[body].velocity.into()
     }
 }

@@ -30,7 +30,7 @@ pub struct Scene {
     pub steps: &'static [f64],
     /// Whether it is run by stiff engines, too.
     pub stiffly: bool,
-    /// Whether it is one for our pile engine.
+    /// Whether every island of ours takes the crowd step.
     pub pile: bool,
     /// Runs it for so many steps of such a length and says how far from the exact answer it was.
     pub error: Error,

@@ -13,7 +13,7 @@ const MANY: f64 = 64.0;
 /// Prints what the scenes take whose names hold that part.
 pub fn table(part: &str) {
     println!(
-        "| scene | bodies | mean µs | worst µs | at tick | most work | budgets used up | valid |\n|---|---|---|---|---|---|---|---|"
+        "| scene | bodies | mean µs | worst µs | at tick | most events | ticks cut short | valid |\n|---|---|---|---|---|---|---|---|"
     );
     let mut missed = 0;
     for scene in scenes().into_iter().chain(growing()).filter(|scene| scene.name.contains(part)) {
@@ -21,14 +21,14 @@ pub fn table(part: &str) {
         let ticks: Vec<f64> = (0..scene.ticks).map(|t| runs.iter().map(|run| run.times[t]).fold(f64::INFINITY, f64::min)).collect();
         let mean = ticks.iter().sum::<f64>() / ticks.len() as f64;
         let (at, worst) = ticks.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
-        let Run { world, work, valid, .. } = &runs[0];
+        let Run { world, events, valid, .. } = &runs[0];
         let bodies = (scene.def.bodies.len() as f64).max(MANY);
         let more = bodies * bodies.ln() / (MANY * MANY.ln());
         let mark = if mean > more * MEAN || worst > more * WORST { " ✗" } else { "" };
         missed += u32::from(!mark.is_empty());
         let (mean, worst, busy) = (mean * 1e6, worst * 1e6, world.guards().budgets_used_up);
         println!(
-            "| {}{mark} | {} | {mean:.1} | {worst:.0} | {at} | {work} | {busy} | {valid} |",
+            "| {}{mark} | {} | {mean:.1} | {worst:.0} | {at} | {events} | {busy} | {valid} |",
             scene.name,
             scene.def.bodies.len()
         );
@@ -39,24 +39,24 @@ pub fn table(part: &str) {
     );
 }
 
-/// The time of each tick, s, the world at the end, the most work of a tick, and what was first found wrong.
+/// The time of each tick, s, the world at the end, the most events of a tick, and what was first found wrong.
 struct Run {
     times: Vec<f64>,
     world: World,
-    work: u64,
+    events: u64,
     valid: String,
 }
 
 fn run(scene: &Scene) -> Run {
     let mut world = World::new(scene.def.clone()).unwrap_or_else(|error| panic!("{}: {error}", scene.name));
     let mut valid = String::from("yes");
-    let mut work = 0;
+    let mut events = 0;
     let times = (0..scene.ticks).map(|tick| {
         world.set_drive(BodyId(0), scene.drive);
         let begun = ThreadTime::now();
         world.step(scene.tick);
         let time = begun.elapsed().as_secs_f64();
-        work = work.max(world.work());
+        events = events.max(world.followed());
         if scene.def.bodies.len() <= 64
             && valid == "yes"
             && let Err(fault) = world.validate()
@@ -65,5 +65,5 @@ fn run(scene: &Scene) -> Run {
         }
         time
     });
-    Run { times: times.collect(), world, work, valid }
+    Run { times: times.collect(), world, events, valid }
 }

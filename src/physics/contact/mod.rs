@@ -1,0 +1,3 @@
+pub(crate) mod face;
+pub(crate) mod network;
+pub(crate) mod reactions;

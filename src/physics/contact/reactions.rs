@@ -1,0 +1,450 @@
+//! Contact forces: from what else acts on the bodies to their accelerations, with Reaction, Push and Friction on the way.
+//!
+//! Each axis is a [`Network`] solved exactly. The axes are coupled by Coulomb's law only: how much friction a contact can carry along
+//! one axis depends on how hard it presses along the other. So the axis of gravity goes first, then the other with the friction that
+//! follows, and round again only where something slides along a wall that it is pressed against. Static friction is a tie that carries
+//! up to μ_s·N; where that is not enough the contact slides, with μ_k·N against the motion from then on.
+//!
+//! The same solve serves forces and impulses: with velocities in place of accelerations it is the perfectly plastic impact.
+
+use crate::physics::contact::face;
+use crate::physics::contact::network::{Carries, GROUND, Network, Node};
+use crate::physics::data::contact::Contact;
+use crate::physics::data::tuning::{FORCE_TOLERANCE, FRICTION_ROUNDS, SPEED_TOLERANCE};
+use glam::DVec2;
+
+/// Relative to a pressure: changes from round to round up to which it is taken to have settled after the last round. Smaller: friction yields
+/// where nothing but rounding goes on; larger: what is listed exceeds what Coulomb's law allows.
+const SETTLED: f64 = 1e-10;
+
+/// Passes of a group whose friction gives way contact by contact, at most. Fewer: a stack between walls rubs less than it could.
+const MOST_PASSES: usize = 8;
+
+/// Where what makes bodies that are joined fall otherwise than the heaviest is so small a part of what pulls at that, what their contacts carry
+/// is sought in its frame. Smaller: what rounding leaves of the weight of something heavy is more than what something light beside it feels.
+const ALIKE: f64 = 1e-3;
+/// And nothing is pulled at less than by so small a part of that: in that frame it would be lost to rounding.
+const AT_ALL: f64 = 1e-6;
+
+/// What a network is made of. Bodies have the numbers from 0 on, surfaces follow.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Parts<'a> {
+    /// Of each body along each axis, kg: for an implicit step larger than its own.
+    pub masses: &'a [DVec2],
+    /// Of each body without contacts, m/s² (or m/s where impulses are sought).
+    pub free: &'a [DVec2],
+    /// Of each surface, likewise.
+    pub grounds: &'a [DVec2],
+}
+
+/// Which question is asked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Question {
+    /// Forces: friction is static or kinetic by Coulomb's law.
+    Forces,
+    /// Impulses: friction takes up to μ_k times the normal impulse.
+    Impulses,
+}
+
+/// The solver and its buffers.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Reactions {
+    network: Network,
+    /// Node of each item, or `GROUND` for bodies without contacts and for surfaces.
+    node_of: Vec<u32>,
+    body_of: Vec<u32>,
+    /// For each link the contact whose push (along its own axis) or friction (along the other) it carries.
+    contact_of: Vec<u32>,
+    /// For each body the group that it belongs to (a union-find forest), and the contacts by group.
+    leader: Vec<u32>,
+    by_group: Vec<(u32, u32)>,
+    group: Vec<Contact>,
+    /// How hard each contact pressed one and two rounds ago, N.
+    pressed: Vec<f64>,
+    pressed_before: Vec<f64>,
+    /// Groups whose rounds between the axes did not settle.
+    pub unsettled: u64,
+    /// Bodies that rounds have solved so far, each as often as rounds have.
+    pub solved: u64,
+    /// The bodies that surfaces which close on them squeeze, and along which axis, by the last question asked.
+    pub squeezed: Vec<(u32, usize)>,
+}
+
+impl Reactions {
+    /// Accelerations of bodies in contact (m/s²), for the bodies of the contacts; the contacts get their forces. What no contact joins is
+    /// solved apart: no group's answer depends on another's.
+    pub fn accelerate(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
+        self.squeezed.clear();
+        if contacts.is_empty() {
+            return;
+        }
+        if let [contact] = contacts
+            && let Some(body) = lies_on_surface(contact, parts)
+        {
+            let ground = parts.grounds[contact.other(body as u32) as usize - parts.masses.len()];
+            if let Some(a) = face::press(contact, parts.masses[body], parts.free[body] - ground, contact.hi as usize == body) {
+                out[body] = a + ground;
+                return;
+            }
+        }
+        if self.find_groups(contacts, parts.masses.len()) <= 1 {
+            return self.accelerate_group(contacts, parts, out);
+        }
+        let mut group = std::mem::take(&mut self.group);
+        let by_group = std::mem::take(&mut self.by_group);
+        for members in by_group.chunk_by(|a, b| a.0 == b.0) {
+            group.clear();
+            group.extend(members.iter().map(|&(_, index)| contacts[index as usize]));
+            self.accelerate_group(&mut group, parts, out);
+            for (&(_, index), &contact) in members.iter().zip(&group) {
+                contacts[index as usize] = contact;
+            }
+        }
+        (self.group, self.by_group) = (group, by_group);
+    }
+
+    /// Parts the contacts by the bodies that they join together: `by_group` lists each with its group, group by group. Returns how many
+    /// groups there are. Surfaces join nothing: they move for nobody.
+    fn find_groups(&mut self, contacts: &[Contact], bodies: usize) -> usize {
+        if contacts.len() <= 1 {
+            return contacts.len();
+        }
+        let leader = &mut self.leader;
+        leader.clear();
+        leader.extend(0..bodies as u32);
+        for contact in contacts {
+            if (contact.lo.max(contact.hi) as usize) < bodies {
+                let (a, b) = (lead(leader, contact.lo), lead(leader, contact.hi));
+                leader[a.max(b) as usize] = a.min(b);
+            }
+        }
+        self.by_group.clear();
+        let group_of = |contact: &Contact| contact.lo.min(contact.hi);
+        self.by_group.extend(contacts.iter().zip(0..).map(|(contact, index)| (lead(leader, group_of(contact)), index)));
+        if self.by_group.iter().all(|&(group, _)| group == self.by_group[0].0) {
+            return 1;
+        }
+        self.by_group.sort_unstable();
+        self.by_group.chunk_by(|a, b| a.0 == b.0).count()
+    }
+
+    /// One group of [`Self::accelerate`]. What gives way decides how the rounds go on, and so the last bits: they begin anew with what is
+    /// known to slide, so that asking again answers the same.
+    fn accelerate_group(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
+        self.number(contacts, parts);
+        // What has given way in a pass slides in all that follow.
+        for _ in 0..MOST_PASSES {
+            let rounds = self.couple_axes(contacts, parts, out);
+            let again = rounds != Some(1) && contacts.iter().any(|contact| contact.gave_way);
+            match rounds {
+                _ if again => {}
+                Some(_) => return,
+                None => break,
+            }
+        }
+        self.yield_friction(contacts, parts, out);
+    }
+
+    /// The rounds between the two axes. Returns how many it took; none where they did not settle.
+    fn couple_axes(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) -> Option<u32> {
+        for &body in &self.body_of {
+            out[body as usize] = parts.free[body as usize];
+        }
+        for contact in contacts.iter_mut() {
+            (contact.normal, contact.gave_way) = (0.0, false);
+        }
+        self.pressed.clear();
+        for round in 0..FRICTION_ROUNDS {
+            std::mem::swap(&mut self.pressed, &mut self.pressed_before);
+            self.pressed.clear();
+            self.pressed.extend(contacts.iter().map(|contact| contact.normal));
+            self.solve_axes(contacts, parts, out);
+            if round + 1 < FRICTION_ROUNDS && hold_back(contacts, parts, out) {
+                continue;
+            }
+            // How hard something presses on walls matters only where it would slide on one, or hangs on it.
+            let rubs = |contact: &Contact| {
+                let moves = || contact.slides != 0.0 || gain(contact, parts, out) != 0.0;
+                contact.axis == 0 && (contact.friction != 0.0 || contact.normal > 0.0 && moves())
+            };
+            let same = |(contact, before): (&Contact, &f64)| {
+                contact.axis == 1 || (contact.normal - before).abs() <= f64::EPSILON * contact.normal
+            };
+            if contacts.iter().zip(&self.pressed).all(same) || !contacts.iter().any(rubs) {
+                return Some(round + 1);
+            }
+            if round % 3 == 2 && round + 1 < FRICTION_ROUNDS {
+                self.extrapolate(contacts);
+            }
+        }
+        // What goes on changing by its rounding has settled.
+        let most = contacts.iter().fold(0.0, |most: f64, contact| most.max(contact.normal));
+        let alike = |(contact, before): (&Contact, &f64)| {
+            contact.axis == 1 || (contact.normal - before).abs() <= SETTLED * contact.normal + FORCE_TOLERANCE * most
+        };
+        contacts.iter().zip(&self.pressed).all(alike).then_some(FRICTION_ROUNDS)
+    }
+
+    /// One round: the axis of gravity, and the other with the friction that follows.
+    fn solve_axes(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
+        self.solved += self.body_of.len() as u64;
+        for axis in [1, 0] {
+            if self.is_idle(axis, contacts, parts) {
+                self.body_of.iter().for_each(|body| out[*body as usize][axis] = 0.0);
+                contacts.iter_mut().for_each(|contact| *contact.along(axis) = 0.0);
+                continue;
+            }
+            self.solve_axis(axis, contacts, parts, Question::Forces);
+            for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
+                out[body as usize][axis] = node.acceleration;
+            }
+        }
+    }
+
+    /// Whether nothing acts along an axis: as across a column that stands.
+    fn is_idle(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> bool {
+        let rests = |contact: &Contact| (contact.axis == axis || contact.slides == 0.0) && ground(contact, parts, axis, 0.0) == 0.0;
+        self.body_of.iter().all(|body| parts.free[*body as usize][axis] == 0.0) && contacts.iter().all(rests)
+    }
+
+    /// The end of rounds that do not settle, because what a wall carries can be carried in several ways and each round finds another one:
+    /// friction on walls yields. Its limit follows a pressure that has become less, but never one that has become more; where that has
+    /// not come to an end after some rounds it is none. No contact then rubs harder than it presses; some may rub less than they could.
+    fn yield_friction(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
+        self.unsettled += 1;
+        for round in 0.. {
+            self.pressed.clear();
+            self.pressed.extend(contacts.iter().map(|contact| contact.normal));
+            self.solve_axes(contacts, parts, out);
+            let lacks = |contact: &Contact, taken: f64| contact.axis == 0 && contact.normal < taken * (1.0 - FORCE_TOLERANCE);
+            if !contacts.iter().zip(&self.pressed).any(|(contact, taken)| lacks(contact, *taken)) {
+                return;
+            }
+            for (contact, &taken) in contacts.iter_mut().zip(&self.pressed) {
+                contact.normal = match lacks(contact, taken) {
+                    true if round >= FRICTION_ROUNDS => 0.0,
+                    true => contact.normal,
+                    false => taken,
+                };
+            }
+        }
+    }
+
+    /// Rounds between two faces come nearer to their answer by the same factor each time: three of them tell where they lead (Aitken's Δ²).
+    fn extrapolate(&self, contacts: &mut [Contact]) {
+        for ((contact, now), before) in contacts.iter_mut().zip(&self.pressed).zip(&self.pressed_before) {
+            let (step, last) = (contact.normal - now, now - before);
+            let factor = step / last;
+            if contact.axis == 0 && factor.abs() < 1.0 {
+                contact.normal = (contact.normal + step * factor / (1.0 - factor)).max(0.0);
+            }
+        }
+    }
+
+    /// Velocities after a collision in which everything that touches stops approaching at once (perfectly plastic), with friction up to
+    /// μ_k times the normal impulse; `velocities` is what they were and what they become. Afterwards the contacts hold the impulses (N·s).
+    pub fn collide(&mut self, contacts: &mut [Contact], parts: &Parts, velocities: &mut [DVec2]) {
+        self.squeezed.clear();
+        self.number(contacts, parts);
+        for contact in contacts.iter_mut() {
+            contact.normal = 0.0;
+        }
+        for axis in [1, 0, 1] {
+            self.solve_axis(axis, contacts, parts, Question::Impulses);
+            for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
+                velocities[body as usize][axis] = node.acceleration;
+            }
+        }
+    }
+
+    /// Ends a slide: gives both sides of the contact that stopped, and everything that moves with them but for the rounding of that
+    /// instant, exactly one speed along its face. `parts` holds velocities, and so does the result.
+    pub fn merge_speeds(&mut self, stopped: &Contact, contacts: &[Contact], parts: &Parts, velocities: &mut [DVec2]) {
+        let axis = 1 - stopped.axis;
+        self.number(contacts, parts);
+        self.network.clear();
+        for &body in &self.body_of {
+            let mass = parts.masses[body as usize][axis];
+            let force = mass * parts.free[body as usize][axis];
+            self.network.nodes.push(Node { mass, force, acceleration: 0.0 });
+        }
+        for contact in contacts {
+            let skin = if contact.axis == stopped.axis { contact.skin } else { 0.0 };
+            let speed = |item: u32| rate(parts, item, axis, skin);
+            let alike = (speed(contact.hi) - speed(contact.lo)).abs() <= SPEED_TOLERANCE;
+            if alike || contact.is_of(stopped.lo, stopped.hi) {
+                let ends = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
+                self.network.link(ends.0, ends.1, Carries::UpTo(f64::INFINITY), ground(contact, parts, axis, skin));
+            }
+        }
+        self.network.solve();
+        for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
+            velocities[body as usize][axis] = node.acceleration;
+        }
+    }
+
+    /// Numbers the bodies that the contacts join.
+    fn number(&mut self, contacts: &[Contact], parts: &Parts) {
+        self.node_of.clear();
+        self.node_of.resize(parts.masses.len() + parts.grounds.len(), GROUND);
+        self.body_of.clear();
+        for contact in contacts {
+            for item in [contact.lo, contact.hi] {
+                if (item as usize) < parts.masses.len() && self.node_of[item as usize] == GROUND {
+                    self.node_of[item as usize] = self.body_of.len() as u32;
+                    self.body_of.push(item);
+                }
+            }
+        }
+    }
+
+    /// Builds and solves one axis. Updates what the contacts carry along it.
+    fn solve_axis(&mut self, axis: usize, contacts: &mut [Contact], parts: &Parts, question: Question) {
+        let known = self.squeezed.len();
+        let frame = if question == Question::Forces { self.falls_alike(axis, contacts, parts) } else { 0.0 };
+        loop {
+            self.network.clear();
+            self.contact_of.clear();
+            for &body in &self.body_of {
+                let mass = parts.masses[body as usize][axis];
+                let force = mass * (parts.free[body as usize][axis] - frame);
+                self.network.nodes.push(Node { mass, force, acceleration: 0.0 });
+            }
+            for (index, contact) in contacts.iter_mut().enumerate() {
+                if self.link(axis, contact, parts, question) {
+                    self.contact_of.push(index as u32);
+                }
+            }
+            self.network.solve();
+            self.network.nodes.iter_mut().for_each(|node| node.acceleration += frame);
+            self.squeezed.truncate(known);
+            self.squeezed.extend(self.network.squeezed.iter().map(|&node| (self.body_of[node as usize], axis)));
+            if !self.read(axis, contacts, question) {
+                return;
+            }
+        }
+    }
+
+    /// What the heaviest body does along an axis without contacts, if no surface holds anything along it and hardly anything makes the others do
+    /// otherwise; else 0.
+    fn falls_alike(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> f64 {
+        let links = |contact: &Contact| contact.axis == axis || contact.normal > 0.0 && contact.slides == 0.0;
+        let held = contacts.iter().any(|contact| contact.lo.max(contact.hi) as usize >= parts.masses.len() && links(contact));
+        if held || self.body_of.len() < 2 {
+            return 0.0;
+        }
+        let of = |body: &u32| (parts.masses[*body as usize][axis], parts.free[*body as usize][axis]);
+        let heaviest = self.body_of.iter().map(of).max_by(|a, b| a.0.total_cmp(&b.0));
+        let (mass, frame) = heaviest.unwrap_or_default();
+        let otherwise: f64 = self.body_of.iter().map(of).map(|(mass, free)| mass * (free - frame).abs()).sum();
+        let falls = self.body_of.iter().map(of).all(|(_, free)| free.abs() >= AT_ALL * frame.abs());
+        if falls && otherwise <= ALIKE * mass * frame.abs() { frame } else { 0.0 }
+    }
+
+    /// Adds what a contact can do along an axis: its push, or its friction. Returns whether that needs a link.
+    fn link(&mut self, axis: usize, contact: &mut Contact, parts: &Parts, question: Question) -> bool {
+        let (lo, hi) = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
+        if contact.axis == axis {
+            let both_ways = question == Question::Impulses && contact.clings;
+            let carries = if both_ways { Carries::UpTo(f64::INFINITY) } else { Carries::Push };
+            self.network.link(lo, hi, carries, ground(contact, parts, axis, 0.0));
+            return true;
+        }
+        contact.friction = 0.0;
+        if contact.normal <= 0.0 {
+            return false;
+        }
+        let kinetic = contact.kinetic_friction * contact.normal;
+        if question == Question::Forces && contact.slides != 0.0 {
+            contact.friction = -contact.slides * kinetic;
+            for (end, sign) in [(lo, -1.0), (hi, 1.0)] {
+                if end != GROUND {
+                    self.network.nodes[end as usize].force += sign * contact.friction;
+                }
+            }
+            return false;
+        }
+        let (limit, skin) = match question {
+            Question::Forces => (contact.static_friction * contact.normal, 0.0),
+            Question::Impulses => (kinetic, contact.skin),
+        };
+        self.network.link(lo, hi, Carries::UpTo(limit), ground(contact, parts, axis, skin));
+        true
+    }
+
+    /// Takes the flows over into the contacts; true if static friction gave way somewhere, so that the axis has to be solved again.
+    fn read(&self, axis: usize, contacts: &mut [Contact], question: Question) -> bool {
+        let mut gave_way = false;
+        for (link, &index) in self.network.links.iter().zip(&self.contact_of) {
+            let contact = &mut contacts[index as usize];
+            if contact.axis == axis {
+                // What clings may be held back by next to nothing: that is an impulse, too.
+                let both_ways = question == Question::Impulses && contact.clings;
+                contact.normal = if both_ways { link.flow } else { link.flow.max(0.0) };
+                continue;
+            }
+            contact.friction = link.flow;
+            if question == Question::Forces && link.cut {
+                let of = |node: u32| self.network.nodes.get(node as usize).map_or(link.ground, |node| node.acceleration);
+                let slip = of(link.hi) - of(link.lo);
+                if slip != 0.0 {
+                    (contact.slides, contact.gave_way) = (slip.signum(), true);
+                    gave_way = true;
+                }
+            }
+        }
+        gave_way
+    }
+}
+
+/// The body of a contact with a surface.
+fn lies_on_surface(contact: &Contact, parts: &Parts) -> Option<usize> {
+    let (first, second) = (contact.lo.min(contact.hi) as usize, contact.lo.max(contact.hi) as usize);
+    (second >= parts.masses.len()).then_some(first)
+}
+
+/// The smallest body of a group.
+fn lead(leader: &mut [u32], mut body: u32) -> u32 {
+    while leader[body as usize] != body {
+        leader[body as usize] = leader[leader[body as usize] as usize];
+        body = leader[body as usize];
+    }
+    body
+}
+
+/// What an item does along an axis without contacts; `skin` is the belt speed of a surface along that axis.
+fn rate(parts: &Parts, item: u32, axis: usize, skin: f64) -> f64 {
+    let i = item as usize;
+    parts.free.get(i).map_or_else(|| parts.grounds[i - parts.masses.len()][axis] + skin, |free| free[axis])
+}
+
+/// What the ground of a contact does along an axis; 0 between two bodies.
+fn ground(contact: &Contact, parts: &Parts, axis: usize, skin: f64) -> f64 {
+    let second = contact.lo.max(contact.hi);
+    if (second as usize) < parts.masses.len() { 0.0 } else { rate(parts, second, axis, skin) }
+}
+
+/// Lets contacts stick again that gave way while the pressure on them was not yet known, and that friction would drive back now. Returns
+/// whether there are any: they have to be asked again.
+fn hold_back(contacts: &mut [Contact], parts: &Parts, accelerations: &[DVec2]) -> bool {
+    let mut any = false;
+    for contact in contacts {
+        if contact.gave_way && contact.slides * gain(contact, parts, accelerations) < 0.0 {
+            (contact.slides, contact.gave_way, any) = (0.0, false, true);
+        }
+    }
+    any
+}
+
+/// How fast `hi` gains on `lo` along the contact's face, m/s².
+fn gain(contact: &Contact, parts: &Parts, accelerations: &[DVec2]) -> f64 {
+    let along = 1 - contact.axis;
+    let of = |item: u32| {
+        let i = item as usize;
+        if i < parts.masses.len() { accelerations[i][along] } else { parts.grounds[i - parts.masses.len()][along] }
+    };
+    of(contact.hi) - of(contact.lo)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,294 @@
+//! Perfectly plastic merging along one axis, for whatever is not carried by the ground.
+//!
+//! Two bodies that close by more than their gap within the step become a cluster that moves as one: their ways differ by the gaps
+//! from now on, the centre of mass goes where it would have gone, and all leave with the velocity of the whole, the perfectly plastic
+//! impact. Momentum is exactly conserved and kinetic energy never grows. After at most n − 1 merges nothing is violated. On a row or a
+//! column this is isotonic regression by pooling adjacent violators (Ayer et al. 1955), the exact answer; on branching groups a member
+//! may be carried along for one step although it would have parted, since clusters never split.
+//!
+//! A cluster may lie on immovable ground with friction: with momentum P, mass M and the ground's largest impulses S (static) and
+//! K (kinetic), its velocity is 0 while |P| ≤ S, else (P ∓ K)/M. Pooling stays exact, as the terms K·|v| are convex.
+
+use crate::physics::crowd::contacts::Contact;
+use crate::physics::crowd::gravity::slide;
+use crate::physics::crowd::report::Edge;
+
+/// What a body brings into its cluster.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Node {
+    /// At the end of the step without the cluster and the ground's friction, N·s; and at its start.
+    pub momentum: f64,
+    pub began: f64,
+    /// Mass times mean velocity without them, N·s.
+    pub way: f64,
+    pub mass: f64,
+    pub static_limit: f64,
+    pub kinetic_limit: f64,
+}
+
+impl Node {
+    /// A body that nothing rubs at: its mass, and its velocities before, at the end and on average.
+    pub fn free(mass: f64, before: f64, velocity: f64, mean: f64) -> Self {
+        Self { momentum: mass * velocity, began: mass * before, way: mass * mean, mass, ..Self::default() }
+    }
+
+    /// Its motion: as friction leaves it, spread evenly over the step, or until it stops.
+    fn motion(&self) -> Motion {
+        let velocity = slide(self.momentum, self.mass, self.static_limit, self.kinetic_limit);
+        if velocity == 0.0 && self.static_limit > 0.0 && self.began == 0.0 {
+            return Motion::default();
+        }
+        if velocity == 0.0 && self.kinetic_limit > 0.0 {
+            let slowed = self.began - self.momentum + self.kinetic_limit.copysign(self.began);
+            let until = if slowed == 0.0 { 1.0 } else { (self.began / slowed).clamp(0.0, 1.0) };
+            return Motion { velocity, mean: 0.5 * until * self.began / self.mass };
+        }
+        Motion { velocity, mean: (self.way - 0.5 * (self.momentum - self.mass * velocity)) / self.mass }
+    }
+}
+
+/// Velocity at the end of the step and mean velocity, m/s.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Motion {
+    pub velocity: f64,
+    pub mean: f64,
+}
+
+/// Which pairs close: bodies' mean velocities (m/s) or places (m) before pooling, and how much is rounding.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pool<'a> {
+    pub before: &'a [f64],
+    pub slack: f64,
+    /// Whether these are places, which have to be apart.
+    pub places: bool,
+}
+
+/// Whether any pair closed; and whether one could not be merged.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Pooled {
+    pub any: bool,
+    pub stuck: bool,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Member {
+    root: u32,
+    next: u32,
+    /// Its mean velocity is the cluster's and this.
+    offset: f64,
+    /// Whether nothing changes its velocity.
+    fixed: bool,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Root {
+    /// Of all members, the way less what their offsets make of it.
+    node: Node,
+    motion: Motion,
+    fixed: bool,
+    size: u32,
+    last: u32,
+}
+
+const NONE: u32 = u32::MAX;
+
+/// Groups of bodies that move as one along one axis. Only bodies that were merged are in one.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Clusters {
+    stamp: u32,
+    /// When a body was in a cluster last: few are, and all are asked.
+    stamps: Vec<u32>,
+    members: Vec<Member>,
+    roots: Vec<Root>,
+    /// All that are in a cluster, in the order of joining.
+    pub joined: Vec<u32>,
+    /// The pairs through which they were merged: a tree a cluster.
+    pub edges: Vec<Edge>,
+}
+
+impl Clusters {
+    pub fn new(all: usize) -> Self {
+        Self {
+            stamp: 0,
+            stamps: vec![0; all],
+            members: vec![Member::default(); all],
+            roots: vec![Root::default(); all],
+            joined: Vec::with_capacity(all),
+            edges: Vec::with_capacity(all),
+        }
+    }
+
+    /// Forgets all clusters.
+    pub fn clear(&mut self) {
+        self.joined.clear();
+        self.edges.clear();
+        self.stamp = self.stamp.wrapping_add(1);
+        if self.stamp == 0 {
+            self.stamps.fill(0);
+            self.stamp = 1;
+        }
+    }
+
+    /// The mean velocity of a body in a cluster; of one that is in none, its own.
+    pub fn mean(&self, i: usize, own: f64) -> f64 {
+        if !self.is_joined(i) {
+            return own;
+        }
+        let member = &self.members[i];
+        self.roots[member.root as usize].motion.mean + member.offset
+    }
+
+    /// The velocity at the end of the step of a joined body.
+    pub fn velocity(&self, i: usize) -> f64 {
+        self.roots[self.members[i].root as usize].motion.velocity
+    }
+
+    /// Whether a joined body came with a motion that nothing changes.
+    pub fn came_fixed(&self, i: usize) -> bool {
+        self.members[i].fixed
+    }
+
+    /// Whether the body's motion can no longer change.
+    pub fn is_fixed(&self, i: usize) -> bool {
+        self.is_joined(i) && self.roots[self.members[i].root as usize].fixed
+    }
+
+    pub fn is_joined(&self, i: usize) -> bool {
+        self.stamps[i] == self.stamp
+    }
+
+    /// The impulse that the ground takes up under a joined body's cluster while it stands, and its limit.
+    pub fn held(&self, i: usize) -> (f64, f64) {
+        let node = &self.roots[self.members[i].root as usize].node;
+        (node.momentum, node.static_limit)
+    }
+
+    /// Lets a body in: `fixed` with a motion that nothing changes, or free with what it brings. Nothing if it is in already.
+    pub fn join(&mut self, i: usize, fixed: Option<Motion>, node: Node) {
+        if self.is_joined(i) {
+            return;
+        }
+        let motion = fixed.unwrap_or_else(|| node.motion());
+        self.stamps[i] = self.stamp;
+        self.members[i] = Member { root: i as u32, next: NONE, offset: 0.0, fixed: fixed.is_some() };
+        self.roots[i] = Root { node, motion, fixed: fixed.is_some(), size: 1, last: i as u32 };
+        self.joined.push(i as u32);
+    }
+
+    /// Merges pairs until none of the contacts closes by more than its bound; `bring` lets a pair join, or refuses.
+    pub fn pool<'a, C: Iterator<Item = &'a Contact>>(
+        &mut self,
+        pool: Pool<'_>,
+        contacts: impl Fn() -> C,
+        mut bring: impl FnMut(&mut Self, &Contact) -> bool,
+    ) -> Pooled {
+        self.clear();
+        let (mut any, mut stuck, mut first) = (false, false, true);
+        loop {
+            let mut merged = false;
+            for contact in contacts() {
+                let (a, b) = (contact.first as usize, contact.second as usize);
+                // A pair of which nothing has merged is as it was.
+                if !first && !self.is_joined(a) && !self.is_joined(b) {
+                    continue;
+                }
+                let bound = if pool.places { -contact.reach } else { contact.bound };
+                if self.mean(a, pool.before[a]) > self.mean(b, pool.before[b]) + bound + pool.slack {
+                    let done = bring(self, contact) && self.merge(a, b, bound);
+                    (any, merged, stuck) = (true, merged | done, stuck | !done);
+                }
+            }
+            if !merged {
+                return Pooled { any, stuck };
+            }
+            first = false;
+        }
+    }
+
+    /// Makes the mean velocities of two joined bodies differ by `difference` (first minus second) from now on. Returns whether that
+    /// was possible: not within one cluster, nor between two fixed ones. So there are fewer clusters each time: whatever merges until nothing does
+    /// comes to an end.
+    pub fn merge(&mut self, first: usize, second: usize, difference: f64) -> bool {
+        let (a, b) = (self.members[first], self.members[second]);
+        let (ra, rb) = (self.roots[a.root as usize], self.roots[b.root as usize]);
+        if a.root == b.root || (ra.fixed && rb.fixed) {
+            return false;
+        }
+        self.edges.push(Edge { a: first as u32, b: second as u32, impulse: 0.0 });
+        // The frame of the larger one stays.
+        let (keep, gone, kept, lost, shift) = if ra.size >= rb.size {
+            (a.root, b.root, ra, rb, b.offset + difference - a.offset)
+        } else {
+            (b.root, a.root, rb, ra, a.offset - difference - b.offset)
+        };
+        // Kept mean = lost mean + shift.
+        let node = Node {
+            momentum: kept.node.momentum + lost.node.momentum,
+            began: kept.node.began + lost.node.began,
+            way: kept.node.way + lost.node.way + lost.node.mass * shift,
+            mass: kept.node.mass + lost.node.mass,
+            static_limit: kept.node.static_limit + lost.node.static_limit,
+            kinetic_limit: kept.node.kinetic_limit + lost.node.kinetic_limit,
+        };
+        let mut at = gone;
+        while at != NONE {
+            let member = &mut self.members[at as usize];
+            member.root = keep;
+            member.offset -= shift;
+            at = member.next;
+        }
+        self.members[kept.last as usize].next = gone;
+        let fixed = kept.fixed || lost.fixed;
+        let motion = if kept.fixed {
+            kept.motion
+        } else if lost.fixed {
+            Motion { mean: lost.motion.mean + shift, ..lost.motion }
+        } else {
+            node.motion()
+        };
+        self.roots[keep as usize] = Root { node, motion, fixed, size: kept.size + lost.size, last: lost.last };
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_takes_the_common_velocity_and_its_ways_differ_by_the_gaps() {
+        let mut clusters = Clusters::new(3);
+        clusters.clear();
+        for (i, velocity) in [6.0, 0.0, 0.0].into_iter().enumerate() {
+            clusters.join(i, None, Node::free(1.0, velocity, velocity, velocity));
+        }
+        assert!(clusters.merge(0, 1, 0.0) && clusters.merge(1, 2, 0.5) && !clusters.merge(0, 2, 0.0));
+        let mean: Vec<f64> = (0..3).map(|i| clusters.mean(i, 0.0)).collect();
+        assert!((mean.iter().sum::<f64>() - 6.0).abs() < 1e-14);
+        assert!((mean[0] - mean[1]).abs() < 1e-14 && (mean[1] - mean[2] - 0.5).abs() < 1e-14);
+        assert!((0..3).all(|i| clusters.velocity(i) == 2.0));
+    }
+
+    #[test]
+    fn a_wall_stops_all() {
+        let mut clusters = Clusters::new(3);
+        clusters.clear();
+        clusters.join(0, None, Node::free(5.0, 2.0, 2.0, 2.0));
+        clusters.join(1, None, Node::free(1.0, 1.0, 1.0, 1.0));
+        clusters.join(2, Some(Motion::default()), Node::default());
+        assert!(clusters.merge(0, 1, 0.0) && clusters.merge(1, 2, 0.0));
+        assert_eq!((clusters.velocity(0), clusters.mean(1, 9.0)), (0.0, 0.0));
+    }
+
+    #[test]
+    fn static_friction_of_the_whole_row_holds_it() {
+        let mut clusters = Clusters::new(2);
+        clusters.clear();
+        let ground = |momentum| Node { momentum, mass: 1.0, static_limit: 1.0, kinetic_limit: 0.5, ..Node::default() };
+        clusters.join(0, None, ground(1.9));
+        clusters.join(1, None, ground(0.0));
+        assert!(clusters.velocity(0) > 0.0);
+        clusters.merge(0, 1, 0.0);
+        assert_eq!(clusters.velocity(0), 0.0);
+    }
+}

@@ -1,0 +1,278 @@
+//! Which pairs are contacts in this step, and along which axis: the narrow phase.
+//!
+//! A pair keeps the axis along which it is apart at the start of the step; if it is apart along both, the one that it enters
+//! later. Along that axis it must still be apart, on the same side, at the end: so nothing passes through anything at any speed,
+//! and no motion always satisfies every pair whose surface stands still. Speculative contact: the way may not exceed the gap.
+//! What is level with another's face at the start and does not move into it belongs to the axis of that face: what slides over flush
+//! tiles, or falls along a flush wall, meets no seams.
+
+use crate::physics::store::bodies::Bodies;
+use crate::physics::store::islands::Island;
+
+/// Gaps within this many metres of zero are touching. Larger: visible gaps; smaller: rounding turns contacts into overlaps.
+const TOUCH: f64 = 1e-9;
+/// The same in roundings of the largest coordinate: far from the origin they are more.
+const TOUCH_ROUNDINGS: f64 = 16.0;
+/// Overlaps below this are left alone, m, so that what rests is not moved by rounding; and in roundings of the largest coordinate.
+const HAIR: f64 = 1e-12;
+const HAIR_ROUNDINGS: f64 = 4.0;
+/// How far a pair must enter across the contact's axis before a corner counts as hit, as a part of the way that it closes in the step:
+/// the ways of a step are taken as straight. Larger: what lands on a corner slips off; smaller: what passes one catches.
+const CATCH: f64 = 1e-6;
+
+/// The tolerances of one island, m.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Tolerances {
+    /// Gaps up to this are touching.
+    pub touch: f64,
+    /// Overlaps up to this are rounding.
+    pub hair: f64,
+}
+
+impl Tolerances {
+    /// By the largest coordinate among the members.
+    pub fn of(bodies: &Bodies, members: &[u32]) -> Self {
+        // Edge by edge, so that no comparison waits for another.
+        let greater = |a: f64, b: f64| if a > b { a } else { b };
+        let most = members.iter().fold([0.0; 4], |most: [f64; 4], &i| {
+            let [left, right, top, bottom] = bodies.swept[i as usize];
+            [greater(-left, most[0]), greater(right, most[1]), greater(-top, most[2]), greater(bottom, most[3])]
+        });
+        let largest = most.into_iter().fold(0.0, greater);
+        let rounding = largest * f64::EPSILON;
+        Self { touch: TOUCH + TOUCH_ROUNDINGS * rounding, hair: HAIR + HAIR_ROUNDINGS * rounding }
+    }
+}
+
+/// Two boxes that may touch along one axis: the first has the smaller coordinate.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Contact {
+    pub first: u32,
+    pub second: u32,
+    /// Whether it may act on velocities; if not, the two are expected to pass each other.
+    pub live: bool,
+    /// Whether its impacts have been followed through the step to the last one.
+    pub followed: bool,
+    /// Whether the two are level with a face and are expected to come over each other.
+    pub level: bool,
+    /// The fastest mean approach, m/s: gap/dt.
+    pub bound: f64,
+    /// Distance of the centres when touching, m.
+    pub reach: f64,
+}
+
+/// The contacts of one island in one step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Contacts {
+    /// Where the supports of a member begin and end among the stacks, by slot; only members' entries hold.
+    ranges: Vec<[u32; 2]>,
+    /// Bodies over bodies or surfaces, by the upper one.
+    pub stacks: Vec<Contact>,
+    /// Pairs apart along x.
+    pub sides: Vec<Contact>,
+    /// Surfaces over bodies.
+    pub ceilings: Vec<Contact>,
+    /// Pairs that are level with a face and do not get there in this step: it is not theirs.
+    missed: Vec<(u32, u32)>,
+    pub tolerances: Tolerances,
+    /// Whether some pair is expected to pass.
+    pub passing: bool,
+    /// Whether something may touch a surface that moves or runs a belt.
+    pub carried: bool,
+}
+
+/// Along which axis a pair is a contact (0: across, 1: along gravity), and its flags.
+struct Kind {
+    axis: usize,
+    live: bool,
+    level: bool,
+}
+
+impl Kind {
+    const fn of(axis: usize, live: bool, level: bool) -> Self {
+        Self { axis, live, level }
+    }
+}
+
+impl Contacts {
+    /// Room for what `count` bodies usually touch.
+    pub fn new(count: usize) -> Self {
+        let room = |per: usize| per * count;
+        Self {
+            ranges: vec![[0; 2]; count],
+            stacks: Vec::with_capacity(room(4)),
+            sides: Vec::with_capacity(room(4)),
+            ..Self::default()
+        }
+    }
+
+    /// The supports of a member, by their numbers among the stacks.
+    #[inline(always)]
+    pub fn under(&self, i: usize) -> std::ops::Range<usize> {
+        self.ranges[i][0] as usize..self.ranges[i][1] as usize
+    }
+
+    /// All contacts.
+    pub fn all(&self) -> impl Iterator<Item = &Contact> {
+        self.stacks.iter().chain(&self.sides).chain(&self.ceilings)
+    }
+
+    pub fn all_mut(&mut self) -> impl Iterator<Item = &mut Contact> {
+        self.stacks.iter_mut().chain(&mut self.sides).chain(&mut self.ceilings)
+    }
+
+    /// Whether a member and a surface are a contact.
+    pub fn has(&self, i: usize, surface: usize) -> bool {
+        let (i, j) = (i as u32, surface as u32);
+        self.all().any(|c| (c.first, c.second) == (i, j) || (c.first, c.second) == (j, i))
+    }
+
+    fn clear(&mut self, bodies: &Bodies, island: Island<'_>) {
+        self.stacks.clear();
+        self.sides.clear();
+        self.ceilings.clear();
+        self.passing = false;
+        self.carried = false;
+        self.tolerances = Tolerances::of(bodies, island.members);
+    }
+
+    /// Finds all contacts of an island, and of the pairs `added` to it in its order; `followed`: impacts of what bounces have been.
+    pub fn find(&mut self, bodies: &Bodies, island: Island<'_>, added: &[(u32, u32)], dt: f64, followed: bool) {
+        self.clear(bodies, island);
+        let per_second = 1.0 / dt;
+        let mut added = added.iter().peekable();
+        for &i in island.members {
+            let begin = self.stacks.len() as u32;
+            for &j in island.near(i) {
+                self.meet(bodies, i as usize, j as usize, [dt, per_second], followed);
+            }
+            while let Some((_, j)) = added.next_if(|(upper, _)| *upper == i) {
+                self.meet(bodies, i as usize, *j as usize, [dt, per_second], followed);
+            }
+            self.ranges[i as usize] = [begin, self.stacks.len() as u32];
+        }
+    }
+
+    /// Begins a step: nobody has missed anything.
+    pub fn begin_step(&mut self) {
+        self.missed.clear();
+    }
+
+    /// How many pairs are level with faces that they were expected to come over, and do not on the ways that were solved, where that holds a body
+    /// along both axes: in the air, beside the one face and over the other. Found again, their contacts will be those of any corner.
+    pub fn miss(&mut self, bodies: &Bodies) -> usize {
+        let (known, touch, n) = (self.missed.len(), self.tolerances.touch, bodies.len());
+        let misses = |contact: &&Contact, p: &[f64], half: &[f64]| {
+            let (a, b) = (contact.first as usize, contact.second as usize);
+            contact.level && contact.live && (p[a] - p[b]).abs() - half[a] - half[b] > touch
+        };
+        let along = || self.stacks.iter().chain(&self.ceilings).filter(|c| misses(c, &bodies.px, &bodies.hx));
+        let across = || self.sides.iter().filter(|c| misses(c, &bodies.py, &bodies.hy));
+        let holds = |c: &Contact, i: u32| (i as usize) < n && (c.first == i || c.second == i);
+        let both = |a: &Contact, b: &Contact| holds(b, a.first) || holds(b, a.second);
+        let mut missed = std::mem::take(&mut self.missed);
+        missed.extend(along().filter(|a| across().any(|b| both(a, b))).map(|c| (c.first, c.second)));
+        missed.extend(across().filter(|a| along().any(|b| both(a, b))).map(|c| (c.first, c.second)));
+        self.missed = missed;
+        self.missed.len() - known
+    }
+
+    /// Adds what body i and body or surface j are to each other; a body j comes before i in the island's order. `per_second` is 1/dt.
+    #[inline(always)]
+    fn meet(&mut self, bodies: &Bodies, i: usize, j: usize, [dt, per_second]: [f64; 2], followed: bool) {
+        let touch = self.tolerances.touch;
+        let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
+        let (reach_x, reach_y) = (bodies.hx[i] + bodies.hx[j], bodies.hy[i] + bodies.hy[j]);
+        let (gap_x, gap_y) = (dx.abs() - reach_x, dy.abs() - reach_y);
+        let surface = j >= bodies.len();
+        self.carried |= surface && bodies.carries(j);
+        let elastic = followed && bodies.coefficients(i, j).restitution == 1.0;
+        let followed = elastic && moves(bodies, i, j, gap_x.max(gap_y) > touch);
+        let is_of = |pair: &(u32, u32)| *pair == (i as u32, j as u32) || *pair == (j as u32, i as u32);
+        let misses = !self.missed.is_empty() && self.missed.iter().any(is_of);
+        let Kind { axis, live, level } = kind(bodies, (i, j), [dx, dy], [gap_x, gap_y], (dt, touch, misses));
+        let (distance, gap, reach) = if axis == 0 { (dx, gap_x, reach_x) } else { (dy, gap_y, reach_y) };
+        let (live, upper) = (live && !followed, distance >= 0.0);
+        self.passing |= !live;
+        if surface && is_open(bodies, j, axis, !upper, gap, touch) {
+            return;
+        }
+        let (first, second) = if upper { (i as u32, j as u32) } else { (j as u32, i as u32) };
+        let list = match (axis, upper) {
+            (0, _) => &mut self.sides,
+            (_, true) => &mut self.stacks,
+            (_, false) => &mut self.ceilings,
+        };
+        let bound = if gap > touch { gap * per_second } else { 0.0 };
+        list.push(Contact { first, second, live, followed, level, bound, reach });
+    }
+}
+
+/// Whether an elastic pair is apart or moves: then its impacts never end, and none is left to the plastic solution.
+fn moves(bodies: &Bodies, i: usize, j: usize, apart: bool) -> bool {
+    apart || bodies.vx[i] != bodies.vx[j] || bodies.vy[i] != bodies.vy[j]
+}
+
+/// Whether a surface lets pass what is beside its face along `axis` towards smaller or `larger` coordinates.
+fn is_open(bodies: &Bodies, surface: usize, axis: usize, larger: bool, gap: f64, touch: f64) -> bool {
+    let sides = &bodies.sides[surface];
+    *sides != crate::physics::data::surface::Sides::ALL && (!sides.face(axis, larger) || gap < -touch)
+}
+
+#[inline(always)]
+fn kind(
+    bodies: &Bodies,
+    (i, j): (usize, usize),
+    [dx, dy]: [f64; 2],
+    [gap_x, gap_y]: [f64; 2],
+    (dt, touch, misses): (f64, f64, bool),
+) -> Kind {
+    // Most pairs rest on each other or stand side by side.
+    if gap_x < -touch && gap_y <= touch {
+        return Kind::of(usize::from(gap_y >= -touch || gap_x <= gap_y), true, false);
+    }
+    if gap_y < -touch && gap_x <= touch {
+        return Kind::of(0, true, false);
+    }
+    // How far they close along each axis within the step.
+    let way = |now: &[f64], then: &[f64]| (then[i] - now[i]) - (then[j] - now[j]);
+    let close_x = way(&bodies.x, &bodies.px) * if dx < 0.0 { -1.0 } else { 1.0 };
+    let close_y = way(&bodies.y, &bodies.py) * if dy < 0.0 { -1.0 } else { 1.0 };
+    if gap_x < -touch {
+        // Over each other and apart: passes only if it has left sideways before it arrives.
+        let leaves = gap_y < close_y && gap_x - close_x * (gap_y / close_y) > 0.0;
+        return Kind::of(1, !leaves, false);
+    }
+    if gap_y < -touch {
+        let leaves = gap_x < close_x && gap_y - close_y * (gap_x / close_x) > 0.0;
+        return Kind::of(0, !leaves, false);
+    }
+    if !misses {
+        let start = |v: &[f64], d: f64| (v[i] - v[j]) * dt * if d < 0.0 { -1.0 } else { 1.0 };
+        let start = [start(&bodies.vx, dx), start(&bodies.vy, dy)];
+        if let Some(kind) = level([gap_x, gap_y], [close_x, close_y], start, touch) {
+            return kind;
+        }
+    }
+    corner([gap_x, gap_y], [close_x, close_y])
+}
+
+/// A pair that is apart along both axes: what is level with a face and does not move into it (`start`: how far the velocities at the start
+/// would close) belongs to that face, whatever pulls at it.
+fn level([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2], start: [f64; 2], touch: f64) -> Option<Kind> {
+    let level_x = gap_x <= touch && start[0] <= touch;
+    let level_y = gap_y <= touch && start[1] <= touch;
+    if level_y && !(level_x && close_x <= touch) {
+        return Some(Kind::of(1, close_x > gap_x, true));
+    }
+    level_x.then_some(Kind::of(0, close_y > gap_y, true))
+}
+
+/// The same where none is level: the later entry decides.
+fn corner([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2]) -> Kind {
+    let enters = |gap: f64, close: f64| if close > 0.0 { (gap + CATCH * close) / close } else { f64::INFINITY };
+    let (enter_x, enter_y) = (enters(gap_x, close_x), enters(gap_y, close_y));
+    let by_x = if enter_x.is_infinite() && enter_y.is_infinite() { gap_x >= gap_y } else { enter_x >= enter_y };
+    let live = enter_x <= 1.0 && enter_y <= 1.0;
+    Kind::of(usize::from(!by_x), live, false)
+}

@@ -1,0 +1,312 @@
+//! Velocities across gravity: friction of the stacks.
+//!
+//! One pass top-down adds up the loads: a body's load is split equally among its tight supports, and μ times the load is the friction's limit.
+//! Which contacts stick within it, and what that makes of the velocities, is found by [`grips`].
+//!
+//! Only what moves, is pushed, or stands on such takes part. What stands and is not pushed holds whatever slides on it, since its
+//! own limit is at least theirs together, provided that no surface is more slippery than the bodies and all bodies are alike;
+//! otherwise all take part. A moving surface, or one with a belt, carries with the velocity of its skin.
+//!
+//! Friction is spread evenly over the step, or until what slides stops: then it has gone half as far as its velocity says until then.
+
+pub(crate) mod grips;
+
+use crate::physics::crowd::clusters::Node;
+use crate::physics::crowd::contacts::Contacts;
+use crate::physics::crowd::gravity::SLACK;
+use crate::physics::crowd::impacts::Impacts;
+use crate::physics::store::bodies::Bodies;
+
+/// What a contact does across.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Grip {
+    Stick,
+    /// The friction on the upper body has this sign.
+    Slip(f64),
+}
+
+/// A tight stack contact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tight {
+    pub below: u32,
+    pub grip: Grip,
+    /// Impulse along the normal, N·s.
+    pub load: f64,
+    /// Largest impulses of friction, N·s.
+    pub held: f64,
+    pub dragged: f64,
+    /// Friction's impulse on the upper body, N·s.
+    pub impulse: f64,
+    /// Whether the two had the same velocity at the start.
+    stood: bool,
+    /// What holds once a slide has ended, N·s.
+    holds: f64,
+    /// Which part of the largest impulse acts on what slips: less than all of it where the slide turned round within the step.
+    sense: f64,
+    /// Whether it is a ceiling.
+    above: bool,
+    /// Velocity of the skin besides that of what it belongs to, m/s.
+    pub skin: f64,
+}
+
+/// Loads and friction of the tight contacts along gravity.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Friction {
+    /// Tight contacts of body i: `tight[start[i]..end[i]]`.
+    start: Vec<u32>,
+    end: Vec<u32>,
+    pub tight: Vec<Tight>,
+    /// What each body carries, itself included.
+    pub riders: Vec<Node>,
+    loads: Vec<f64>,
+    /// Velocities across with which bodies began the step, or would have begun to have now what impacts gave them, m/s.
+    began: Vec<f64>,
+    /// Who takes part, bottom-up.
+    awake: Vec<u32>,
+    is_awake: Vec<bool>,
+    /// Who of them stands on something or carries something, bottom-up; nothing rubs at the others.
+    gripped: Vec<u32>,
+    is_gripped: Vec<bool>,
+    /// Whose sums a change of grips concerns, and who has another velocity since.
+    concerned: Vec<bool>,
+    moved: Vec<bool>,
+    /// Whether all materials are such that what stands holds what slides on it.
+    alike: bool,
+    /// Whether surfaces move, which may drive.
+    carried: bool,
+    /// Whether something slides back within the step: friction has turned round with it, and what it did until then is not in what the
+    /// step gives.
+    pub turned: bool,
+    /// How often the grips did not settle, since this was taken last.
+    pub relaxed: u64,
+}
+
+impl Friction {
+    pub fn new(bodies: &Bodies) -> Self {
+        let all = bodies.x.len();
+        Self {
+            riders: vec![Node::default(); all],
+            loads: vec![0.0; all],
+            began: vec![0.0; all],
+            is_awake: vec![false; all],
+            is_gripped: vec![false; all],
+            concerned: vec![false; all],
+            moved: vec![false; all],
+            start: vec![0; all],
+            end: vec![0; all],
+            ..Self::default()
+        }
+    }
+
+    /// The tight contacts under a body that takes part.
+    pub fn under(&self, i: usize) -> std::ops::Range<usize> {
+        self.start[i] as usize..self.end[i] as usize
+    }
+
+    /// Who stands on something or carries something.
+    pub fn gripped(&self) -> &[u32] {
+        &self.gripped
+    }
+
+    pub fn is_awake(&self, i: usize) -> bool {
+        self.is_awake[i]
+    }
+
+    /// Whether a body that takes part stands on something or carries something.
+    pub fn is_gripped(&self, i: usize) -> bool {
+        self.is_gripped[i]
+    }
+
+    /// The impulse of friction between a body and one of its supports, N·s, on the upper one.
+    pub fn impulse(&self, upper: usize, below: u32) -> f64 {
+        let tight = if self.is_awake[upper] { &self.tight[self.under(upper)] } else { &[] };
+        tight.iter().find(|t| t.below == below).map_or(0.0, |t| t.impulse)
+    }
+
+    /// Nothing moves across, so nobody takes part.
+    pub fn rest(&mut self, members: &[u32]) {
+        self.awake.clear();
+        self.gripped.clear();
+        members.iter().for_each(|i| self.is_awake[*i as usize] = false);
+    }
+
+    /// Chooses who takes part: what has momentum in `given`, stands on nothing, stands on what takes part, or is `pushed`.
+    pub fn wake(&mut self, bodies: &Bodies, members: &[u32], contacts: &Contacts, given: &[f64], pushed: &[bool]) {
+        self.awake.clear();
+        let n = bodies.len();
+        let of = |i: u32| (bodies.traits[i as usize].static_friction, bodies.traits[i as usize].kinetic_friction);
+        let first = members.first().map_or((0.0, 0.0), |i| of(*i));
+        self.alike = bodies.alike || members.iter().all(|i| of(*i) == first);
+        for &i in members {
+            let i = i as usize;
+            let under = &contacts.stacks[contacts.under(i)];
+            let stirs = |j: usize| {
+                if j < n {
+                    return self.is_awake[j];
+                }
+                let slippery = bodies.traits[j].static_friction < first.0.max(first.1);
+                bodies.ux[j] != 0.0 || bodies.belt[j] != 0.0 || slippery
+            };
+            let awake = !self.alike
+                || given[i] != 0.0
+                || pushed[i]
+                || under.is_empty()
+                || bodies.uy[i] != 0.0
+                || under.iter().any(|stack| stirs(stack.second as usize));
+            self.is_awake[i] = awake;
+            if awake {
+                self.awake.push(i as u32);
+            }
+        }
+    }
+
+    /// Finds the tight contacts of what takes part.
+    pub fn touch(&mut self, bodies: &Bodies, contacts: &Contacts, impacts: &Impacts, dt: f64) {
+        let slack = contacts.tolerances.hair / dt;
+        self.carried = contacts.carried;
+        self.tight.clear();
+        self.gripped.clear();
+        for k in 0..self.awake.len() {
+            let i = self.awake[k] as usize;
+            self.start[i] = self.tight.len() as u32;
+            self.is_gripped[i] = false;
+            self.began[i] = impacts.began_across(bodies, i);
+            let (mean, velocity) = (bodies.mean_vy[i], bodies.uy[i]);
+            for stack in &contacts.stacks[contacts.under(i)] {
+                let below = stack.second as usize;
+                let presses = (mean - bodies.mean_vy[below] - stack.bound).abs() <= slack;
+                if stack.live && presses && (velocity - bodies.uy[below]).abs() <= SLACK {
+                    let of = bodies.coefficients(i, below);
+                    // What slides stops only where kinetic friction stops it; static friction holds what stands.
+                    let stood = bodies.rides_across(i, below, bodies.belt[below]);
+                    let (dragged, holds) = (of.kinetic_friction, of.static_friction);
+                    self.tight.push(Tight {
+                        below: stack.second,
+                        grip: Grip::Stick,
+                        load: 0.0,
+                        held: if stood { holds } else { dragged },
+                        holds,
+                        sense: 1.0,
+                        dragged,
+                        impulse: 0.0,
+                        stood,
+                        above: false,
+                        skin: bodies.belt[below],
+                    });
+                }
+            }
+            if !contacts.ceilings.is_empty() {
+                self.look_up(bodies, contacts, i, slack);
+            }
+            self.end[i] = self.tight.len() as u32;
+            for tight in &self.tight[self.start[i] as usize..] {
+                self.is_gripped[i] = true;
+                self.is_gripped[tight.below as usize] = true;
+            }
+        }
+        self.gripped.extend(self.awake.iter().filter(|i| self.is_gripped[**i as usize]));
+    }
+
+    /// Adds up the loads top-down, from what the solver changed along gravity and what `struck` bodies from above in impacts, N·s.
+    pub fn load(&mut self, bodies: &Bodies, struck: &[f64]) {
+        for &i in &self.awake {
+            self.loads[i as usize] = struck[i as usize];
+        }
+        for k in (0..self.gripped.len()).rev() {
+            let i = self.gripped[k] as usize;
+            let load = self.loads[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
+            let under = self.under(i);
+            let bears = |tight: &Tight| tight.above == (load < 0.0);
+            let share = load.abs() / self.tight[under.clone()].iter().filter(|t| bears(t)).count() as f64;
+            for tight in &mut self.tight[under] {
+                let share = if bears(tight) { share } else { 0.0 };
+                tight.load = share;
+                tight.held *= share;
+                tight.holds *= share;
+                tight.dragged *= share;
+                if !tight.above {
+                    self.loads[tight.below as usize] += share;
+                }
+            }
+        }
+    }
+
+    /// Adds the ceilings that a body presses.
+    fn look_up(&mut self, bodies: &Bodies, contacts: &Contacts, i: usize, slack: f64) {
+        for ceiling in contacts.ceilings.iter().filter(|ceiling| ceiling.second as usize == i && ceiling.live) {
+            let j = ceiling.first as usize;
+            let presses = (bodies.mean_vy[j] - bodies.mean_vy[i] - ceiling.bound).abs() <= slack;
+            if presses && (bodies.uy[i] - bodies.uy[j]).abs() <= SLACK {
+                let (of, skin) = (bodies.coefficients(i, j), bodies.skin(j, 1, true));
+                let stood = bodies.rides_across(i, j, skin);
+                let (dragged, holds) = (of.kinetic_friction, of.static_friction);
+                let held = if stood { holds } else { dragged };
+                let below = ceiling.first;
+                self.tight.push(Tight {
+                    below,
+                    grip: Grip::Stick,
+                    load: 0.0,
+                    held,
+                    holds,
+                    sense: 1.0,
+                    dragged,
+                    impulse: 0.0,
+                    stood,
+                    above: true,
+                    skin,
+                });
+            }
+        }
+    }
+
+    /// Mean velocities across of what is gripped, once the velocities are solved; those that `told` knows otherwise stay.
+    pub fn spread_ways(&self, bodies: &mut Bodies, told: &[bool], dt: f64) {
+        for &i in &self.gripped {
+            let i = i as usize;
+            if told[i] {
+                continue;
+            }
+            let free = (bodies.px[i] - bodies.x[i]) / dt;
+            let mut mean = free + 0.5 * (bodies.ux[i] - bodies.free_vx[i]);
+            let strongest = self.tight[self.under(i)].iter().reduce(|a, b| if b.held > a.held { b } else { a });
+            if let Some(tight) = strongest {
+                let below = tight.below as usize;
+                let (belt, began) = (tight.skin, bodies.began_across(below));
+                if tight.sense != 1.0 && tight.grip != Grip::Stick {
+                    // It slid until it had the velocity of what carries it, and then slides back.
+                    let part = 0.5 * (1.0 - tight.sense);
+                    let turns = began + part * (bodies.ux[below] - began) + belt;
+                    mean = 0.5 * (part * (bodies.vx[i] + turns) + (1.0 - part) * (turns + bodies.ux[i]));
+                } else if bodies.ux[i] == bodies.ux[below] + belt {
+                    let carried = bodies.mean_vx[below] + belt;
+                    let sliding = bodies.vx[i] - began - belt;
+                    let gained = bodies.free_vx[i] - bodies.vx[i] - (bodies.ux[below] - began);
+                    mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * self.time_to_stop(i, sliding, gained) };
+                }
+            }
+            bodies.mean_vx[i] = mean;
+        }
+    }
+
+    /// How long, as a part of the step, a body that slides and stops within it slides on: `gained` is what its sliding would gain without
+    /// friction, m/s.
+    fn time_to_stop(&self, i: usize, sliding: f64, gained: f64) -> f64 {
+        let dragged: f64 = self.tight[self.under(i)].iter().map(|t| t.dragged).sum();
+        let slowed = dragged.copysign(sliding) / self.riders[i].mass - gained;
+        if slowed == 0.0 { 1.0 } else { (sliding / slowed).clamp(0.0, 1.0) }
+    }
+
+    /// Its neighbours have told a body how fast it is: it is no slide that ends by itself.
+    pub fn tell(&mut self, i: usize) {
+        let under = self.under(i);
+        self.tight[under].iter_mut().for_each(|tight| tight.stood = true);
+    }
+
+    /// From now on only kinetic friction acts under a body, for it is being pushed along.
+    pub fn drag(&mut self, i: usize) {
+        let under = self.under(i);
+        for tight in &mut self.tight[under] {
+            (tight.held, tight.holds) = (tight.dragged, tight.dragged);
+        }
+    }
+}

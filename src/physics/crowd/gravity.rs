@@ -1,0 +1,189 @@
+//! Velocities along gravity.
+//!
+//! Bodies come bottom-up, so one linear pass answers all that stands on the ground, at any mass ratio: a body's bound is the smallest
+//! over its *anchored* supports of their way and the gap; one that would go further takes the bound, leaves the step with its support's
+//! velocity, and is anchored itself, for pressing harder on what the ground holds does not move it. What is left are collisions in
+//! the air and what is lifted from below: those are merged ([`crate::physics::crowd::clusters`]) until nothing closes too far. The ways of the step are
+//! told by mean velocities.
+
+use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
+use crate::physics::crowd::contacts::Contacts;
+use crate::physics::crowd::report::Edge;
+use crate::physics::store::bodies::Bodies;
+
+/// Relative velocities along gravity below this are none when loads are told, m/s. Larger: slow touches rub.
+pub(crate) const SLACK: f64 = 1e-12;
+
+/// The velocity of something with momentum P and mass M on ground whose friction can take `held` while it stands and takes
+/// `dragged` while it slides. Friction never reverses motion.
+pub(crate) fn slide(momentum: f64, mass: f64, held: f64, dragged: f64) -> f64 {
+    if momentum.abs() <= held { 0.0 } else { (momentum.abs() - dragged.min(momentum.abs())).copysign(momentum) / mass }
+}
+
+/// Lands on nothing.
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// Who is carried by the ground, by slot; surfaces always.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Anchors {
+    pub held: Vec<bool>,
+    /// Held from the start, without an impact.
+    pub rests: Vec<bool>,
+    /// On what each body lands in this step, by slot; and on what those rest that rest.
+    pub lands: Vec<u32>,
+    pub on: Vec<u32>,
+    /// What a wall can hold by friction: whether it does, and how fast the wall moves.
+    pub hung: Vec<Option<f64>>,
+    pub any_hung: bool,
+    /// Whether only the anchored are asked for now, and whether others would have to be merged.
+    pub only_anchors: bool,
+    pub unmerged: bool,
+    /// Who was merged in the air, by slot, and through which pairs.
+    pub loose: Vec<bool>,
+    pub edges: Vec<Edge>,
+    /// Plastic impacts, and how fast one must close, m/s.
+    pub hits: Vec<(u32, u32)>,
+    pub impact: f64,
+}
+
+impl Anchors {
+    pub fn new(count: usize, all: usize) -> Self {
+        let mut held = vec![false; count];
+        held.resize(all, true);
+        Self {
+            rests: held.clone(),
+            held,
+            lands: vec![NONE; count],
+            on: vec![NONE; count],
+            hung: vec![None; count],
+            any_hung: false,
+            only_anchors: false,
+            unmerged: false,
+            loose: vec![false; count],
+            edges: Vec::with_capacity(count),
+            hits: Vec::with_capacity(count),
+            impact: 0.0,
+        }
+    }
+}
+
+/// Solves the velocities along gravity.
+pub(crate) fn solve(
+    bodies: &mut Bodies,
+    members: &[u32],
+    contacts: &Contacts,
+    anchors: &mut Anchors,
+    clusters: &mut Clusters,
+    dt: f64,
+) {
+    let mut loose = !contacts.ceilings.is_empty();
+    anchors.edges.clear();
+    anchors.hits.clear();
+    let (per_second, slack) = (1.0 / dt, contacts.tolerances.hair / dt);
+    for &i in members {
+        let i = i as usize;
+        let mut velocity = bodies.free_vy[i];
+        let mut mean = (bodies.py[i] - bodies.y[i]) * per_second;
+        if anchors.any_hung
+            && let Some(wall) = anchors.hung[i]
+        {
+            (velocity, mean) = (wall, wall);
+        }
+        let mut bound = f64::INFINITY;
+        let mut over = f64::INFINITY;
+        let mut support = i;
+        let mut gap = 0.0;
+        for stack in &contacts.stacks[contacts.under(i)] {
+            if !stack.live {
+                continue;
+            }
+            let j = stack.second as usize;
+            let limit = bodies.mean_vy[j] + stack.bound;
+            if anchors.held[j] {
+                if limit < bound || (limit == bound && bodies.uy[j] < bodies.uy[support]) {
+                    (bound, support, gap) = (limit, j, stack.bound);
+                }
+            } else {
+                over = over.min(limit);
+            }
+        }
+        let hung = anchors.any_hung && anchors.hung[i].is_some();
+        anchors.held[i] = hung;
+        anchors.loose[i] = false;
+        (anchors.lands[i], anchors.on[i]) = (NONE, NONE);
+        anchors.rests[i] = hung;
+        // On a surface that speeds up or slows down a body stays while it presses, though its velocity is one step late.
+        let presses = contacts.carried && gap == 0.0 && bound < f64::INFINITY && velocity >= bodies.uy[support];
+        if mean >= bound || (presses && bodies.rides_along(i, support, 0.0)) {
+            mean = bound;
+            // What leaves at the end has only touched.
+            if velocity >= bodies.uy[support] {
+                if velocity - bodies.uy[support] > anchors.impact {
+                    anchors.hits.push((i as u32, support as u32));
+                }
+                velocity = bodies.uy[support];
+                anchors.held[i] = true;
+                anchors.lands[i] = if gap > 0.0 { support as u32 } else { NONE };
+                anchors.on[i] = support as u32;
+                anchors.rests[i] = bodies.rides_along(i, support, 0.0) && mean == bodies.mean_vy[support];
+            }
+        }
+        loose |= mean > over + slack;
+        (bodies.uy[i], bodies.mean_vy[i]) = (velocity, mean);
+    }
+    anchors.unmerged = loose && anchors.only_anchors;
+    if loose && !anchors.only_anchors {
+        merge(bodies, contacts, anchors, clusters, dt);
+    }
+}
+
+/// Merges what closes too far among bodies of which at least one is not anchored.
+fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, clusters: &mut Clusters, dt: f64) {
+    let n = bodies.len();
+    let slack = contacts.tolerances.hair / dt;
+    let node = |i: usize| {
+        let mean = |i: usize| (bodies.py[i] - bodies.y[i]) / dt;
+        if i < n { Node::free(bodies.mass[i], bodies.vy[i], bodies.free_vy[i], mean(i)) } else { Node::default() }
+    };
+    let fixed = |held: bool, i: usize| held.then(|| Motion { velocity: bodies.uy[i], mean: bodies.mean_vy[i] });
+    let pool = Pool { before: &bodies.mean_vy, slack, places: false };
+    let live = || contacts.stacks.iter().chain(&contacts.ceilings).filter(|contact| contact.live);
+    clusters.pool(pool, live, |clusters, contact| {
+        let (i, j) = (contact.first as usize, contact.second as usize);
+        let ground = if clusters.is_joined(j) { clusters.is_fixed(j) } else { anchors.held[j] };
+        if i < n && anchors.held[i] && !ground && !clusters.is_joined(i) {
+            // Pushed off its supports from below.
+            (anchors.held[i], anchors.rests[i]) = (false, false);
+        }
+        if bodies.free_vy[i] - bodies.free_vy[j] > anchors.impact {
+            anchors.hits.push(if i < n { (i as u32, j as u32) } else { (j as u32, i as u32) });
+        }
+        clusters.join(j, fixed(anchors.held[j], j), node(j));
+        clusters.join(i, fixed(anchors.held[i], i), node(i));
+        true
+    });
+    for &i in &clusters.joined {
+        let i = i as usize;
+        if i < n {
+            anchors.lands[i] = if clusters.came_fixed(i) { anchors.lands[i] } else { NONE };
+            bodies.mean_vy[i] = clusters.mean(i, 0.0);
+            bodies.uy[i] = clusters.velocity(i);
+            anchors.held[i] |= clusters.is_fixed(i);
+            anchors.loose[i] = !clusters.came_fixed(i);
+        }
+    }
+    anchors.edges.extend_from_slice(&clusters.edges);
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::physics::crowd::gravity::slide;
+
+    #[test]
+    fn friction_holds_drags_and_never_reverses() {
+        assert_eq!(slide(0.99, 2.0, 1.0, 0.5), 0.0);
+        assert_eq!(slide(2.5, 2.0, 1.0, 0.5), 1.0);
+        assert_eq!(slide(-2.5, 2.0, 1.0, 0.5), -1.0);
+        assert_eq!(slide(0.3, 2.0, 0.2, 0.5), 0.0);
+    }
+}

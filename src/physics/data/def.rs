@@ -1,0 +1,209 @@
+//! How a world begins, and what is refused at the door: nothing that is accepted may ever become non-finite.
+
+use crate::physics::data::aabb::Aabb;
+use crate::physics::data::body::BodyDef;
+use crate::physics::data::domain::{self, Range};
+use crate::physics::data::material::Material;
+use crate::physics::data::surface::SurfaceDef;
+use glam::DVec2;
+
+/// A zone that exerts a constant force named "Wind" on every body that touches it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StreamDef {
+    /// Where it blows, m.
+    pub zone: Aabb,
+    /// N.
+    pub force: DVec2,
+}
+
+/// A zone of liquid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FluidDef {
+    /// Where it is, m.
+    pub zone: Aabb,
+    /// kg/m³, ≥ 0.
+    pub density: f64,
+    /// Dynamic viscosity, Pa·s, ≥ 0.
+    pub viscosity: f64,
+}
+
+/// A zone with a gravity of its own, besides that of the world: a field that accelerates every body that touches it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FieldDef {
+    /// Where it is, m.
+    pub zone: Aabb,
+    /// N/kg.
+    pub strength: DVec2,
+}
+
+/// How a world begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorldDef {
+    /// Gravitational field strength, N/kg, downwards.
+    pub gravity: f64,
+    /// kg/m³, ≥ 0.
+    pub air_density: f64,
+    /// A rebound slower than this (m/s) is none. 0: every bounce is kept, and a series of them ends when its sum does.
+    pub rest_speed: f64,
+    /// The edge of the level: solid on all four sides. `None`: no edge.
+    pub bounds: Option<Aabb>,
+    /// What the edge is made of.
+    pub edge: Material,
+    /// Solid, immovable rectangles.
+    pub surfaces: Vec<SurfaceDef>,
+    /// Air streams.
+    pub streams: Vec<StreamDef>,
+    /// Fields of gravity besides that of the world; they add up.
+    pub fields: Vec<FieldDef>,
+    /// Liquids.
+    pub fluids: Vec<FluidDef>,
+    /// What moves.
+    pub bodies: Vec<BodyDef>,
+}
+
+impl Default for WorldDef {
+    fn default() -> Self {
+        Self {
+            gravity: 15.0,
+            air_density: 1.2041,
+            rest_speed: 0.0,
+            bounds: None,
+            edge: Material::ASPHALT,
+            surfaces: Vec::new(),
+            streams: Vec::new(),
+            fields: Vec::new(),
+            fluids: Vec::new(),
+            bodies: Vec::new(),
+        }
+    }
+}
+
+/// Why a definition was refused.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DefError(pub String);
+
+impl std::fmt::Display for DefError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for DefError {}
+
+/// The largest magnitude of any accepted number: squares, products of three and sums of these stay far from overflow.
+pub(crate) const LARGEST: f64 = 1e12;
+/// The smallest accepted size, m, for the same reason.
+const SMALLEST: f64 = 1e-12;
+
+/// The most streams, fields of gravity and liquids of a world. A set of zones is a word of bits.
+pub(crate) const MOST_STREAMS: usize = 64;
+pub(crate) const MOST_FIELDS: usize = 64;
+pub(crate) const MOST_LIQUIDS: usize = 16;
+/// m. The insides of two liquids may share so much: the rounding of places in pixels.
+pub(crate) const LIQUIDS_OVERLAP: f64 = 1e-6;
+
+impl WorldDef {
+    /// # Errors
+    /// The first number that is not finite, too large or out of its range; more zones than there may be; liquids that overlap.
+    pub(crate) fn check(&self) -> Result<(), DefError> {
+        at_most("streams", self.streams.len(), MOST_STREAMS)?;
+        at_most("fields", self.fields.len(), MOST_FIELDS)?;
+        at_most("liquids", self.fluids.len(), MOST_LIQUIDS)?;
+        within("gravity", self.gravity, domain::FIELD)?;
+        within("air density", self.air_density, domain::AIR_DENSITY)?;
+        within("rest speed", self.rest_speed, Range { low: 0.0, ..domain::SPEED })?;
+        if let Some(bounds) = &self.bounds {
+            rectangle("the level's edge", bounds)?;
+            material(&self.edge)?;
+        }
+        for surface in &self.surfaces {
+            surface.check()?;
+        }
+        for stream in &self.streams {
+            rectangle("a stream", &stream.zone)?;
+            both("a stream's force", stream.force, domain::FORCE)?;
+        }
+        for field in &self.fields {
+            rectangle("a field", &field.zone)?;
+            both("a field's strength", field.strength, domain::FIELD)?;
+        }
+        for fluid in &self.fluids {
+            rectangle("a liquid", &fluid.zone)?;
+            within("a liquid's density", fluid.density, domain::DENSITY)?;
+            within("a liquid's viscosity", fluid.viscosity, domain::VISCOSITY)?;
+        }
+        for (i, fluid) in self.fluids.iter().enumerate() {
+            if let Some(other) = self.fluids[..i].iter().position(|other| other.zone.overlaps(&fluid.zone, LIQUIDS_OVERLAP)) {
+                return Err(DefError(format!("the liquids {other} and {i} overlap, expected liquids that at most touch")));
+            }
+        }
+        self.bodies.iter().try_for_each(BodyDef::check)
+    }
+}
+
+impl BodyDef {
+    /// # Errors
+    /// As [`WorldDef::check`].
+    pub(crate) fn check(&self) -> Result<(), DefError> {
+        vector("a body's position", self.position)?;
+        both("a body's velocity", self.velocity, domain::LAB_SPEED)?;
+        number("a body's half width", self.half.x, SMALLEST)?;
+        number("a body's half height", self.half.y, SMALLEST)?;
+        within("a body's mass", self.mass, domain::LAB_MASS)?;
+        number("a drag coefficient", self.drag, 0.0)?;
+        restitution(self.restitution)?;
+        material(&self.material)
+    }
+}
+
+fn at_most(what: &str, count: usize, most: usize) -> Result<(), DefError> {
+    if count <= most { Ok(()) } else { Err(DefError(format!("{count} {what}, expected at most {most}"))) }
+}
+
+fn restitution(value: f64) -> Result<(), DefError> {
+    number("a restitution", value, 0.0)?;
+    if value <= 1.0 { Ok(()) } else { Err(DefError(format!("a restitution is {value}, expected 0 … 1"))) }
+}
+
+fn within(what: &str, value: f64, range: Range) -> Result<(), DefError> {
+    let Range { low, high, unit } = range;
+    if (low..=high).contains(&value) {
+        Ok(())
+    } else {
+        Err(DefError(format!("{what} is {value}, expected {low} to {high} {unit}")))
+    }
+}
+
+fn both(what: &str, value: DVec2, range: Range) -> Result<(), DefError> {
+    within(what, value.x, range).and_then(|()| within(what, value.y, range))
+}
+
+pub(crate) fn number(what: &str, value: f64, least: f64) -> Result<(), DefError> {
+    if value.is_finite() && value >= least && value.abs() <= LARGEST {
+        return Ok(());
+    }
+    Err(DefError(format!("{what} is {value}, expected a number from {least} to {LARGEST}")))
+}
+
+pub(crate) fn vector(what: &str, value: DVec2) -> Result<(), DefError> {
+    number(what, value.x, -LARGEST).and_then(|()| number(what, value.y, -LARGEST))
+}
+
+pub(crate) fn rectangle(what: &str, bounds: &Aabb) -> Result<(), DefError> {
+    vector(what, bounds.min)?;
+    vector(what, bounds.max)?;
+    if bounds.min.cmplt(bounds.max).all() {
+        return Ok(());
+    }
+    Err(DefError(format!("{what} is {} m wide and {} m high, expected more than 0", bounds.size().x, bounds.size().y)))
+}
+
+pub(crate) fn material(material: &Material) -> Result<(), DefError> {
+    number("a static friction", material.static_friction, 0.0)?;
+    number("a kinetic friction", material.kinetic_friction, 0.0)?;
+    restitution(material.restitution)?;
+    if material.kinetic_friction <= material.static_friction {
+        return Ok(());
+    }
+    Err(DefError(format!("{}: kinetic friction above static friction", material.name)))
+}

@@ -1,0 +1,286 @@
+//! When two moving boxes meet: times of impact on cubics, one an axis.
+//!
+//! Within an interval every motion is a cubic in time: exactly a parabola without drag, the Hermite interpolant of both ends with it
+//! (the caller then polishes the time on the motion itself). Boxes meet where the distance of their centres along one axis falls to the
+//! sum of their halves while they overlap along the other. Crossings are bracketed on the cubic's monotone pieces and found by Newton's
+//! method kept inside the bracket, so none is missed at any speed: a box that jumps over a wall in one interval still crosses its face.
+
+use crate::physics::data::aabb::Aabb;
+use crate::physics::data::surface::Sides;
+use crate::physics::data::tuning::SLOP;
+use glam::DVec2;
+
+/// As a part of a time: Newton's method that leaves its bracket by no more than this has converged, and what is left is rounding.
+const CONVERGED: f64 = 4.0 * f64::EPSILON;
+
+/// x(t) = c₀ + c₁t + c₂t² + c₃t³, m, for each axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Cubic {
+    pub c: [DVec2; 4],
+}
+
+impl Cubic {
+    /// What a box of so large halves sweeps on it in `t` seconds, m.
+    pub fn swept(&self, half: DVec2, t: f64) -> Aabb {
+        let (x, y) = (self.axis(0).bounds(t), self.axis(1).bounds(t));
+        Aabb::new(DVec2::new(x.0, y.0) - half, DVec2::new(x.1, y.1) + half)
+    }
+
+    /// Uniformly accelerated motion; standing still with `v` and `a` zero.
+    pub fn parabola(x: DVec2, v: DVec2, a: DVec2) -> Self {
+        Self { c: [x, v, a * 0.5, DVec2::ZERO] }
+    }
+
+    /// The cubic through both ends of an interval of `t` seconds with the right velocities there (Hermite).
+    pub fn hermite(x0: DVec2, v0: DVec2, x1: DVec2, v1: DVec2, t: f64) -> Self {
+        let mean = (x1 - x0) / t;
+        Self { c: [x0, v0, (3.0 * mean - 2.0 * v0 - v1) / t, (v0 + v1 - 2.0 * mean) / (t * t)] }
+    }
+
+    /// The same motion from `t` seconds later on.
+    pub fn from(&self, t: f64) -> Self {
+        if t == 0.0 {
+            return *self;
+        }
+        let [x, v, a, j] = self.c;
+        Self { c: [x + (v + (a + j * t) * t) * t, v + (2.0 * a + 3.0 * j * t) * t, a + 3.0 * j * t, j] }
+    }
+
+    /// The motion of `other` as seen from this one.
+    pub fn relative(&self, other: &Self) -> Self {
+        Self { c: [0, 1, 2, 3].map(|i| other.c[i] - self.c[i]) }
+    }
+
+    /// Whether it stays where it is: nothing is met on it.
+    pub fn stands(&self) -> bool {
+        self.c[1..].iter().all(|c| *c == DVec2::ZERO)
+    }
+
+    /// Along one axis.
+    pub fn axis(&self, axis: usize) -> Polynomial {
+        Polynomial(self.c.map(|c| c[axis]))
+    }
+}
+
+/// A cubic along one axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Polynomial(pub [f64; 4]);
+
+impl Polynomial {
+    /// Whether it is constant: it passes through nothing.
+    pub fn stands(&self) -> bool {
+        self.0[1..] == [0.0; 3]
+    }
+
+    pub fn at(&self, t: f64) -> f64 {
+        let c = &self.0;
+        c[0] + t * (c[1] + t * (c[2] + t * c[3]))
+    }
+
+    pub fn slope(&self, t: f64) -> f64 {
+        let c = &self.0;
+        c[1] + t * (2.0 * c[2] + t * 3.0 * c[3])
+    }
+
+    pub fn curvature(&self, t: f64) -> f64 {
+        2.0 * self.0[2] + 6.0 * self.0[3] * t
+    }
+
+    /// Bounds of its values on [0, t]: the hull of its Bézier points.
+    pub fn bounds(&self, t: f64) -> (f64, f64) {
+        let (c, third) = (&self.0, t / 3.0);
+        let p0 = c[0];
+        let p1 = p0 + c[1] * third;
+        let p2 = p1 + (c[1] + c[2] * t) * third;
+        let p3 = self.at(t);
+        (p0.min(p1).min(p2.min(p3)), p0.max(p1).max(p2.max(p3)))
+    }
+
+    /// It on [0, end].
+    pub fn until(self, end: f64) -> Stretch {
+        Stretch { path: self, end, bounds: self.bounds(end) }
+    }
+
+    /// Where the slope changes sign, in ascending order; infinite where it does not.
+    fn turning_points(&self) -> (f64, f64) {
+        let (a, b, c) = (3.0 * self.0[3], self.0[2], self.0[1]);
+        let discriminant = b * b - a * c;
+        if discriminant < 0.0 || (a == 0.0 && b == 0.0) {
+            return (f64::INFINITY, f64::INFINITY);
+        }
+        // The form that subtracts no like numbers.
+        let q = -(b + discriminant.sqrt().copysign(b));
+        let (s, t) = (if a == 0.0 { f64::INFINITY } else { q / a }, if q == 0.0 { 0.0 } else { c / q });
+        (s.min(t), s.max(t))
+    }
+
+    /// The root between `begin` (positive) and `end` (not positive), the function falling in between.
+    fn root(&self, mut begin: f64, mut end: f64) -> f64 {
+        let mut t = begin;
+        for _ in 0..60 {
+            let (value, slope) = (self.at(t), self.slope(t));
+            if value > 0.0 {
+                begin = t;
+            } else {
+                end = t;
+            }
+            let newton = t - value / slope;
+            let next = if newton > begin && newton < end {
+                newton
+            } else if newton >= end && newton - end <= CONVERGED * end {
+                end.next_down()
+            } else if newton <= begin && begin - newton <= CONVERGED * begin {
+                begin.next_up()
+            } else {
+                0.5 * (begin + end)
+            };
+            if next == t || next <= begin || next >= end {
+                break;
+            }
+            t = next;
+        }
+        end
+    }
+}
+
+/// A cubic on [0, `end`], with the bounds of its values there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stretch {
+    path: Polynomial,
+    end: f64,
+    pub bounds: (f64, f64),
+}
+
+impl Stretch {
+    /// The first t in (from, end] at which it falls through `level`: from above it to it or below, or back into it from a rise that
+    /// ended at it (within [`SLOP`] below: things that parted by a rounding and come back).
+    #[inline]
+    pub fn falls_through(&self, level: f64, from: f64) -> Option<f64> {
+        let (least, most) = self.bounds;
+        if least > level + SLOP || most < level - 3.0 * SLOP {
+            return None;
+        }
+        self.find_fall(level, from)
+    }
+
+    /// As [`Self::falls_through`], from below to above.
+    #[inline]
+    pub fn rises_through(&self, level: f64, from: f64) -> Option<f64> {
+        let (least, most) = self.bounds;
+        Self { path: Polynomial(self.path.0.map(|c| -c)), end: self.end, bounds: (-most, -least) }.falls_through(-level, from)
+    }
+
+    fn find_fall(&self, level: f64, from: f64) -> Option<f64> {
+        let [c0, c1, c2, c3] = self.path.0;
+        let shifted = Polynomial([c0 - level, c1, c2, c3]);
+        let (first, second) = shifted.turning_points();
+        let mut begin = from;
+        for stop in [first, second, self.end] {
+            let stop = stop.min(self.end).max(begin);
+            let (high, low) = (shifted.at(begin), shifted.at(stop));
+            if high > 0.0 && low <= 0.0 {
+                return Some(shifted.root(begin, stop));
+            }
+            if begin > from && low < high && (-2.0 * SLOP..=0.0).contains(&high) {
+                return Some(begin);
+            }
+            begin = stop;
+        }
+        None
+    }
+}
+
+/// The first time in (0, end] at which boxes whose halves sum to `reach` meet, and along which axis; `motion` is that of the second's centre
+/// relative to the first's, and `sides` are those from which the second is solid. Boxes that touch already meet again only after they have
+/// parted.
+pub(crate) fn time_of_impact(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<(f64, usize)> {
+    let paths = [motion.axis(0).until(end), motion.axis(1).until(end)];
+    if (0..2).any(|axis| paths[axis].bounds.0 >= reach[axis] || paths[axis].bounds.1 <= -reach[axis]) {
+        return None;
+    }
+    let mut first: Option<(f64, usize)> = None;
+    // The second level catches a corner that met both faces at once, when neither overlapped along the other axis yet.
+    for depth in [0.0, SLOP] {
+        for axis in 0..2 {
+            let (path, other) = (&paths[axis], &paths[1 - axis].path);
+            let level = reach[axis] - depth;
+            let mut from = 0.0;
+            let fall = |from: f64| if sides.face(axis, false) { path.falls_through(level, from) } else { None };
+            let rise = |from: f64| if sides.face(axis, true) { path.rises_through(-level, from) } else { None };
+            while let Some(t) = earliest(fall(from), rise(from)) {
+                if first.is_some_and(|(best, _)| best <= t) {
+                    break;
+                }
+                let overlap = reach[1 - axis] - other.at(t).abs();
+                if overlap > SLOP || (depth > 0.0 && overlap >= SLOP) {
+                    first = Some((t, axis));
+                    break;
+                }
+                if t <= from {
+                    break;
+                }
+                from = t;
+            }
+        }
+        if first.is_some() {
+            break;
+        }
+    }
+    first
+}
+
+/// The earlier of two times.
+pub(crate) fn earliest(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (a, b) => a.or(b),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn straight(x: DVec2, v: DVec2) -> Cubic {
+        Cubic::parabola(x, v, DVec2::ZERO)
+    }
+
+    #[test]
+    fn a_falling_box_meets_the_floor_when_the_quadratic_says_so() {
+        let motion = Cubic::parabola(DVec2::new(0.0, -5.0), DVec2::ZERO, DVec2::new(0.0, 10.0));
+        let (t, axis) = time_of_impact(&motion, DVec2::splat(1.0), 2.0, Sides::ALL).unwrap();
+        assert_eq!(axis, 1);
+        assert!((t - 0.8f64.sqrt()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn nothing_jumps_over_a_thin_wall() {
+        let hit = time_of_impact(
+            &straight(DVec2::new(-50.0, 0.0), DVec2::new(8333.0, 0.0)),
+            DVec2::new(0.11, 1.0),
+            1.0 / 60.0,
+            Sides::ALL,
+        );
+        assert!(matches!(hit, Some((_, 0))));
+    }
+
+    #[test]
+    fn passing_by_is_no_hit_and_touching_along_the_other_axis_is_none() {
+        let reach = DVec2::splat(1.0);
+        assert_eq!(time_of_impact(&straight(DVec2::new(-5.0, 1.5), DVec2::new(10.0, 0.0)), reach, 2.0, Sides::ALL), None);
+        assert_eq!(time_of_impact(&straight(DVec2::new(-5.0, 1.0), DVec2::new(10.0, 0.0)), reach, 2.0, Sides::ALL), None);
+    }
+
+    #[test]
+    fn a_corner_met_exactly_is_a_hit() {
+        let hit = time_of_impact(&straight(DVec2::new(-2.0, -2.0), DVec2::new(1.0, 1.0)), DVec2::splat(1.0), 2.0, Sides::ALL);
+        assert!((hit.unwrap().0 - 1.0).abs() < 1e-8);
+    }
+
+    #[test]
+    fn boxes_that_part_and_come_back_meet_again() {
+        let motion = Cubic::parabola(DVec2::new(0.0, -1.0), DVec2::new(0.0, -1.0), DVec2::new(0.0, 2.0));
+        let (t, _) = time_of_impact(&motion, DVec2::splat(1.0), 2.0, Sides::ALL).unwrap();
+        assert!((t - 1.0).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,34 @@
+//! What impacts pass on.
+
+use crate::physics::data::body::BodyId;
+use crate::physics::world::Obstacle;
+use glam::DVec2;
+
+/// What one impact passed on: to `a` the impulse, and to `b`, if that is a body, the opposite. Shown by the name "Impact".
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impulse {
+    /// The body that felt it.
+    pub a: BodyId,
+    /// What exerted it.
+    pub b: Obstacle,
+    /// N·s, normal and friction together.
+    pub vector: DVec2,
+    /// The middle of the shared edge, m.
+    pub point: DVec2,
+    /// When in the tick it was, s from the tick's start.
+    pub at: f64,
+}
+
+impl Impulse {
+    /// Its name as shown to the player.
+    pub const NAME: &'static str = "Impact";
+
+    /// What a body felt of it, N·s, and from what.
+    pub fn on(&self, body: BodyId) -> Option<(DVec2, Obstacle)> {
+        if self.a == body {
+            Some((self.vector, self.b))
+        } else {
+            (self.b == Obstacle::Body(body)).then_some((-self.vector, Obstacle::Body(self.a)))
+        }
+    }
+}

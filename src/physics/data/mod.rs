@@ -1,0 +1,11 @@
+pub(crate) mod aabb;
+pub(crate) mod body;
+pub(crate) mod contact;
+pub(crate) mod def;
+pub(crate) mod domain;
+pub(crate) mod impact_time;
+pub(crate) mod impulse;
+pub(crate) mod material;
+pub(crate) mod plan;
+pub(crate) mod surface;
+pub(crate) mod tuning;

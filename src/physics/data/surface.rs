@@ -1,0 +1,385 @@
+//! Surfaces: what is solid and moves for nobody. Most stand still; others follow a prescribed path (lifts, doors, platforms), run a belt,
+//! are solid from some sides only, or come and go.
+//!
+//! A path is a chain of *legs* of constant acceleration, so that the place of a surface is known exactly at every instant, and a time of
+//! impact on it is the root of a polynomial as between any two things. Nothing that bodies do changes a path; it has a clock of its own,
+//! which stands still while the surface waits.
+
+use crate::physics::data::aabb::Aabb;
+use crate::physics::data::def::{DefError, LARGEST, number, rectangle, vector};
+use crate::physics::data::material::Material;
+use glam::DVec2;
+
+/// From which sides a surface is solid. What comes from another side passes through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sides {
+    /// For what comes from the left.
+    pub left: bool,
+    /// For what comes from the right.
+    pub right: bool,
+    /// For what comes from above.
+    pub top: bool,
+    /// For what comes from below.
+    pub bottom: bool,
+}
+
+impl Sides {
+    /// Solid all around.
+    pub const ALL: Self = Self { left: true, right: true, top: true, bottom: true };
+    /// One-way: solid for what comes from above.
+    pub const TOP: Self = Self { left: false, right: false, top: true, bottom: false };
+
+    /// Whether it is solid for what lies on the side of smaller (`false`) or larger (`true`) coordinates along an axis (0: x, 1: y).
+    pub const fn face(&self, axis: usize, larger: bool) -> bool {
+        match (axis, larger) {
+            (0, false) => self.left,
+            (0, true) => self.right,
+            (_, false) => self.top,
+            (_, true) => self.bottom,
+        }
+    }
+}
+
+/// A part of a path: uniformly accelerated motion for a while.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leg {
+    /// s, > 0.
+    pub duration: f64,
+    /// At its start, m/s.
+    pub velocity: DVec2,
+    /// m/s².
+    pub acceleration: DVec2,
+}
+
+/// How a surface moves, from where its bounds say it is at first. After its last leg it begins again, or stands still.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Path {
+    /// One after the other. None: it never moves.
+    pub legs: Vec<Leg>,
+    /// Whether it begins again after the last leg; the legs must lead back to the start then.
+    pub repeats: bool,
+}
+
+/// Where a surface on a path is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PathPoint {
+    /// From the start of the path, m.
+    pub offset: DVec2,
+    /// m/s.
+    pub velocity: DVec2,
+    /// m/s².
+    pub acceleration: DVec2,
+    /// How long it goes on like this, s; infinite where it stands still for ever.
+    pub lasts: f64,
+}
+
+impl PathPoint {
+    /// The same place, for ever.
+    pub(crate) fn at_rest(self) -> Self {
+        Self { offset: self.offset, lasts: f64::INFINITY, ..Self::default() }
+    }
+}
+
+impl Path {
+    /// To `offset` (m) from the start and back, for ever: speeding up for `ease` seconds, slowing down for as long, `travel` seconds one
+    /// way, and waiting for `wait` seconds at either end. `ease` is at most half of `travel`; 0 starts and stops at once.
+    pub fn shuttle(offset: DVec2, travel: f64, ease: f64, wait: f64) -> Self {
+        let mut legs = Vec::new();
+        for way in [offset, -offset] {
+            let cruise = way / (travel - ease);
+            let mut leg = |duration: f64, velocity: DVec2, acceleration: DVec2| {
+                // A negative duration is refused later.
+                if duration != 0.0 {
+                    legs.push(Leg { duration, velocity, acceleration });
+                }
+            };
+            let pull = if ease > 0.0 { cruise / ease } else { DVec2::ZERO };
+            leg(wait, DVec2::ZERO, DVec2::ZERO);
+            leg(ease, DVec2::ZERO, pull);
+            leg(travel - 2.0 * ease, cruise, DVec2::ZERO);
+            leg(ease, cruise, -pull);
+        }
+        Self { legs, repeats: true }
+    }
+
+    /// With this velocity (m/s) for ever, or as long as numbers last.
+    pub fn steady(velocity: DVec2) -> Self {
+        Self { legs: vec![Leg { duration: LARGEST, velocity, acceleration: DVec2::ZERO }], repeats: false }
+    }
+
+    /// Whether the surface never moves.
+    pub fn is_still(&self) -> bool {
+        self.legs.is_empty()
+    }
+
+    /// How long it lasts, s.
+    fn duration(&self) -> f64 {
+        self.legs.iter().map(|leg| leg.duration).sum()
+    }
+
+    /// The time since the present round began: a small number loses fewer digits.
+    fn wrap(&self, clock: f64) -> f64 {
+        let period = self.duration();
+        if self.repeats && clock >= period { clock % period } else { clock }
+    }
+
+    /// Where the surface is `clock` seconds (≥ 0) after its path began.
+    pub fn at(&self, clock: f64) -> PathPoint {
+        let mut left = self.wrap(clock);
+        let rounding = CLOCK_ROUNDING * clock;
+        let mut offset = DVec2::ZERO;
+        for leg in &self.legs {
+            let Leg { duration, velocity, acceleration } = *leg;
+            if left < duration - rounding {
+                return PathPoint {
+                    offset: offset + (velocity + acceleration * (0.5 * left)) * left,
+                    velocity: velocity + acceleration * left,
+                    acceleration,
+                    lasts: duration - left,
+                };
+            }
+            offset += (velocity + acceleration * (0.5 * duration)) * duration;
+            left = (left - duration).max(0.0);
+        }
+        if self.repeats {
+            // Rounding has put the clock at the end of a round: it is the beginning of the next.
+            return self.legs.first().map_or(PathPoint::default(), |leg| PathPoint {
+                offset: DVec2::ZERO,
+                velocity: leg.velocity,
+                acceleration: leg.acceleration,
+                lasts: leg.duration,
+            });
+        }
+        PathPoint { offset, lasts: f64::INFINITY, ..PathPoint::default() }
+    }
+
+    /// # Errors
+    /// A leg that is not finite, lasts no time, or a repeated path that does not lead back.
+    fn check(&self) -> Result<(), DefError> {
+        if self.repeats && self.legs.is_empty() {
+            return Err(DefError("a repeated path has no leg".into()));
+        }
+        let (mut offset, mut longest) = (DVec2::ZERO, 0.0f64);
+        for leg in &self.legs {
+            number("the duration of a leg of a path", leg.duration, SHORTEST_LEG)?;
+            vector("a path's velocity", leg.velocity)?;
+            vector("a path's acceleration", leg.acceleration)?;
+            offset += (leg.velocity + leg.acceleration * (0.5 * leg.duration)) * leg.duration;
+            vector("where a path leads", if self.legs.len() > 1 { offset } else { DVec2::ZERO })?;
+            longest = longest.max(offset.length());
+        }
+        if self.repeats && offset.length() > CLOSED * longest {
+            return Err(DefError(format!("a repeated path ends {} m from its start, expected 0 m", offset.length())));
+        }
+        Ok(())
+    }
+}
+
+/// Relative to the clock of a path: a leg that lasts no longer than this is over. Without it what is left of a leg could be less than a
+/// rounding of the time, and a tick would never get beyond it.
+const CLOCK_ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// s. The shortest leg: shorter ones would part a tick without end.
+const SHORTEST_LEG: f64 = 1e-3;
+/// How far a repeated path may end from its start, as a part of its length: the rounding of its sum.
+const CLOSED: f64 = 1e-9;
+
+/// Something solid that moves for nobody.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceDef {
+    /// Where it is at the start, m.
+    pub bounds: Aabb,
+    /// What slides on it.
+    pub material: Material,
+    /// How it moves.
+    pub path: Path,
+    /// From which sides it is solid.
+    pub sides: Sides,
+    /// The speed of its skin, m/s, clockwise around it: the top runs to the right.
+    pub belt: f64,
+    /// Whether it is there from the start.
+    pub present: bool,
+    /// Whether it goes along its path from the start.
+    pub runs: bool,
+}
+
+impl Default for SurfaceDef {
+    fn default() -> Self {
+        Self {
+            bounds: Aabb::new(DVec2::ZERO, DVec2::ONE),
+            material: Material::ASPHALT,
+            path: Path::default(),
+            sides: Sides::ALL,
+            belt: 0.0,
+            present: true,
+            runs: true,
+        }
+    }
+}
+
+impl SurfaceDef {
+    /// A surface that stands still and is solid all around.
+    pub fn fixed(bounds: Aabb, material: Material) -> Self {
+        Self { bounds, material, ..Self::default() }
+    }
+
+    /// # Errors
+    /// A number that is not finite or out of its range.
+    pub(crate) fn check(&self) -> Result<(), DefError> {
+        rectangle("a surface", &self.bounds)?;
+        crate::physics::data::def::material(&self.material)?;
+        number("the speed of a belt", self.belt, -LARGEST)?;
+        self.path.check()
+    }
+}
+
+/// A surface of a world, as it is now.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    /// Where it is, m.
+    pub bounds: Aabb,
+    /// How fast it moves, m/s; without the speed of its belt.
+    pub velocity: DVec2,
+    /// What slides on it.
+    pub material: Material,
+    /// Whether it is there: what is absent touches nothing.
+    pub present: bool,
+    pub(crate) def: SurfaceDef,
+    /// How long it has been on its way, s.
+    pub(crate) clock: f64,
+    /// How fast its belt runs now, m/s.
+    pub(crate) belt: f64,
+    /// Whether its path goes on.
+    pub(crate) runs: bool,
+    /// Whether it shall be there as soon as nothing is in its way.
+    pub(crate) wanted: bool,
+    /// Whether it moved in the last tick: what touched it then has to know when that is over.
+    pub(crate) moved: bool,
+}
+
+impl Surface {
+    pub(crate) fn new(def: SurfaceDef) -> Self {
+        let mut surface = Self {
+            bounds: def.bounds,
+            velocity: DVec2::ZERO,
+            material: def.material,
+            present: def.present,
+            wanted: def.present,
+            clock: 0.0,
+            belt: def.belt,
+            runs: def.runs,
+            moved: false,
+            def,
+        };
+        surface.go_on(0.0);
+        surface
+    }
+
+    /// How fast its skin runs on the side with that outward normal, m/s: its belt's speed goes clockwise around it.
+    pub fn skin(&self, outward: DVec2) -> DVec2 {
+        self.velocity + outward.perp() * self.belt
+    }
+
+    /// From which sides it is solid.
+    pub const fn sides(&self) -> Sides {
+        self.def.sides
+    }
+
+    /// Where its centre is (in place of the offset) `t` seconds from now.
+    pub(crate) fn at(&self, t: f64) -> PathPoint {
+        let centre = self.def.bounds.centre();
+        let moves = self.runs && !self.def.path.is_still();
+        let point = self.def.path.at(self.clock + if moves { t } else { 0.0 });
+        let offset = centre + point.offset;
+        let point = PathPoint { offset, ..point };
+        if moves { point } else { point.at_rest() }
+    }
+
+    /// Lets `t` seconds pass on its path.
+    pub(crate) fn go_on(&mut self, t: f64) {
+        if self.def.path.is_still() {
+            return;
+        }
+        self.moved = self.moves_within(t);
+        if self.runs {
+            self.clock = self.def.path.wrap(self.clock + t);
+        }
+        let point = self.at(0.0);
+        self.bounds = Aabb::around(point.offset, self.def.bounds.size() * 0.5);
+        self.velocity = point.velocity;
+    }
+
+    /// Whether it moved until now, moves, or will within `t` seconds.
+    pub(crate) fn concerns(&self, t: f64) -> bool {
+        self.moved || self.moves_within(t)
+    }
+
+    /// Whether it moves, or will within `t` seconds.
+    pub(crate) fn moves_within(&self, t: f64) -> bool {
+        let point = self.at(0.0);
+        self.present && (point.velocity != DVec2::ZERO || point.acceleration != DVec2::ZERO || point.lasts <= t)
+    }
+
+    /// How fast it moves when it arrives where it is in `t` seconds, before the next leg of its path may begin there, m/s.
+    pub(crate) fn arrives(&self, t: f64) -> DVec2 {
+        let mut from = 0.0;
+        loop {
+            let point = self.at(from);
+            let leg = t - from;
+            if point.lasts >= leg * (1.0 - CLOCK_ROUNDING) {
+                return point.velocity + point.acceleration * leg;
+            }
+            from += point.lasts;
+        }
+    }
+
+    /// What it sweeps within the next `t` seconds, m.
+    pub(crate) fn swept(&self, t: f64) -> Aabb {
+        let mut swept = self.bounds;
+        if !self.moves_within(t) {
+            return swept;
+        }
+        let half = self.bounds.size() * 0.5;
+        let mut from = 0.0;
+        while from <= t {
+            let point = self.at(from);
+            let leg = point.lasts.min(t - from);
+            // Both ends, and as far beyond them as a turn within the leg can lead.
+            let turn = point.acceleration.abs() * (0.5 * leg * leg);
+            let end = point.offset + (point.velocity + point.acceleration * (0.5 * leg)) * leg;
+            swept = swept.union(&Aabb::around(point.offset, half + turn)).union(&Aabb::around(end, half + turn));
+            if point.lasts >= t - from {
+                break;
+            }
+            from += leg;
+        }
+        swept
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shuttle_goes_there_and_comes_back() {
+        let path = Path::shuttle(DVec2::new(0.0, -6.0), 4.0, 1.0, 0.5);
+        path.check().unwrap();
+        assert_eq!(path.at(0.25), PathPoint { lasts: 0.25, ..PathPoint::default() });
+        let there = path.at(4.5);
+        assert!((there.offset - DVec2::new(0.0, -6.0)).length() < 1e-14 && there.velocity == DVec2::ZERO);
+        let middle = path.at(2.5);
+        assert!((middle.offset.y + 3.0).abs() < 1e-14 && middle.velocity == DVec2::new(0.0, -2.0));
+        assert!(path.at(9.0 + 2.5).offset.distance(middle.offset) < 1e-12);
+        // A quarter of a second into the first leg that speeds up: ½·2·0.25².
+        assert!((path.at(0.75).offset.y + 0.0625).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_path_that_does_not_lead_back_cannot_repeat() {
+        let leg = Leg { duration: 1.0, velocity: DVec2::X, acceleration: DVec2::ZERO };
+        assert!(Path { legs: vec![leg], repeats: true }.check().is_err());
+        let once = Path { legs: vec![leg], repeats: false };
+        once.check().unwrap();
+        assert_eq!(once.at(7.0), PathPoint { offset: DVec2::X, lasts: f64::INFINITY, ..PathPoint::default() });
+    }
+}

@@ -1,0 +1,58 @@
+//! The tolerances that several files of the engine share, each with its unit and what breaks when it changes.
+
+/// m. How much two boxes must share along the *other* axis before a contact counts. Smaller: things catch on the seams of tiles that
+/// rounding left proud; larger: the corners of boxes become visibly round. It is also the largest gap of a contact at rest; a *hit*
+/// needs a gap of zero (hits ahead of it would lose 3 to 6 % of the energy of small bounces).
+pub(crate) const SLOP: f64 = 1e-9;
+
+/// How often in one tick a body that parts by less than [`MICRO_SPEED`] is taken to stay. If something keeps drawing it away (friction on
+/// its other side), it parts after that.
+pub(crate) const MAX_CLINGS: u32 = 32;
+
+/// Relative to the largest force of a block of bodies: what counts as no force left over when reactions are shared out. Smaller:
+/// rounding splits resting blocks; larger: a feather beside an anvil is taken for part of it.
+pub(crate) const FORCE_TOLERANCE: f64 = 1e-12;
+
+/// m/s. Two bodies in contact whose speeds differ by less when a slide ends move as one from then on. It only has to cover the
+/// rounding of the instant at which the slide ends.
+pub(crate) const SPEED_TOLERANCE: f64 = 1e-11;
+
+/// Relative to the faster of two bodies in contact: sliding slower than this is the rounding of a plastic solve, and they stick. Taken
+/// for a slide it would end after 1e-18 s, and the solve after that would bring it back, thousands of times a tick. Of something at rest
+/// it is nothing: what has stopped has stopped exactly.
+pub(crate) const SPEED_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// m/s. Things that touch, part more slowly than this and are pulled together again rest on each other: they would part by 1e-13 m, which
+/// rounding can no longer resolve, and come back after a tenth of a microsecond, again and again.
+pub(crate) const MICRO_SPEED: f64 = 2e-6;
+
+/// Relative distance from the terminal velocity at which a body counts as having reached it: no further steps are needed then.
+pub(crate) const TERMINAL_TOLERANCE: f64 = 1e-13;
+
+/// Hits of one pair in one tick after which an imperfect bounce (e < 1) between two moving bodies ends: it has become a rattle whose
+/// remaining energy is a fraction e^128 of the first hit's.
+pub(crate) const RATTLE_HITS: u32 = 64;
+
+/// Hits of a body in one tick after which it bounces no more on a surface that moves. Larger: what is caught between two of them uses up
+/// the budget of its island; smaller: fast things in a narrow gap lose what a piston does to them.
+pub(crate) const PUMPED_HITS: u32 = 8;
+
+/// Bounces of a body on something immovable in one tick, after which the rest of the series is summed in closed form.
+pub(crate) const ZENO_HITS: u32 = 6;
+
+/// Rate × time up to which a medium leaves a bounce a parabola, so that bounces can be passed over in closed form. Larger: drag passes
+/// for gravity, and what is light is given back speed that it has lost.
+pub(crate) const CALM_REACH: f64 = 0.01;
+
+/// Lossy impacts (e < 1) of one contact in one cascade, after which it rebounds no more: inelastic collapse would never end. A count for
+/// all contacts together would let what happens here depend on what lies elsewhere.
+pub(crate) const CASCADE_HITS: u32 = 32;
+
+/// m/s. Slower hits are not reported as events.
+pub(crate) const REPORT_SPEED: f64 = 0.01;
+
+/// Rounds between the two axes when friction on walls and floors depend on each other.
+pub(crate) const FRICTION_ROUNDS: u32 = 24;
+
+/// m. Thickness of the level's edges. No speed gets through: impacts are found along the whole path.
+pub(crate) const EDGE_THICKNESS: f64 = 100.0;

@@ -1,0 +1,154 @@
+//! Bounces that come thick and fast, passed over in closed form.
+//!
+//! A series of bounces on something immovable has a sum: after some bounces within one tick the rest of it, or as many whole bounces as fit,
+//! is passed over (rest after 2w/(g(1 − e))), during which the mean reaction is that of a body at rest. So has one of two bodies that are pressed
+//! together. Meanwhile they count as lying against each other; what bounces without a pull does so event by event.
+
+use crate::physics::data::contact::Contact;
+use crate::physics::data::tuning::{CALM_REACH, ZENO_HITS};
+use crate::physics::exact::item::Resume;
+use crate::physics::exact::{Events, Scene};
+use glam::DVec2;
+
+/// The rate × time of a bounce of two bodies up to which drag only takes a little off each. Larger: what it takes is off by more than a tenth;
+/// smaller: what is light and bounces in front of something heavy does so a hundred times before it is passed over.
+const DAMPED_REACH: f64 = 0.1;
+
+/// Of speeds that fall as e^(−x): where nothing is left of them.
+const DAMPED_AWAY: f64 = 40.0;
+
+/// What follows a bounce: how long bounces go on, s, and how fast they leave each other then, m/s, if they do.
+struct Series {
+    time: f64,
+    leaves: Option<f64>,
+}
+
+impl Series {
+    /// As many bounces as fit into `left` seconds, the `first` of which takes so long, s, and begins with so much `speed`, m/s. Each keeps e of
+    /// its speed, or loses to drag at a rate of `damping`, 1/s, where e = 1.
+    ///
+    /// A bounce under a pull a with drag c·v comes back slower by (2c/3a)·v², and takes 2v/a: so speeds fall as e^(−c·t/3).
+    fn of(first: f64, left: f64, (speed, e): (f64, f64), damping: f64) -> Self {
+        if e < 1.0 {
+            // n bounces take first·(1 − eⁿ)/(1 − e).
+            let part = left * (1.0 - e) / first;
+            let count = if part >= 1.0 { f64::INFINITY } else { (libm::log1p(-part) / libm::log(e)).floor() };
+            let time = (first * (1.0 - libm::pow(e, count)) / (1.0 - e)).min(left);
+            return Self { time, leaves: count.is_finite().then(|| speed * libm::pow(e, count)) };
+        }
+        let slowing = damping / 3.0;
+        if slowing * left >= DAMPED_AWAY {
+            return Self { time: left, leaves: None };
+        }
+        if slowing * left <= f64::EPSILON {
+            return Self { time: ((left / first).floor() * first).min(left), leaves: Some(speed) };
+        }
+        let count = (libm::expm1(slowing * left) / (slowing * first)).floor();
+        let slower = slowing * first * count;
+        Self { time: (libm::log1p(slower) / slowing).min(left), leaves: Some(speed / (1.0 + slower)) }
+    }
+}
+
+impl Events {
+    /// Passes over the rest of a series of bounces, or over whole ones, where a pair bounces thick and fast: on a surface that stands, or two bodies
+    /// that nothing else touches and that are pressed together. They have just left each other with `speed`, m/s.
+    pub(crate) fn pass_over_bounces(&mut self, scene: &Scene, contact: &Contact, speed: f64, e: f64) {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        let (body, other) = contact.ends();
+        let crowded = self.is_body(other) && self.touching.len() > 1;
+        if crowded || self.items[lo].hits.min(self.items[hi].hits) < ZENO_HITS {
+            return;
+        }
+        let shares = self.shares(lo, hi);
+        // What they have in common: the speed of their centre of mass, or none on a surface.
+        let together = if self.is_body(other) { self.speeds[lo][axis] + shares[0] * speed } else { 0.0 };
+        let (mut pull, mut damping, mut stiffness) = (0.0, 0.0, 0.0);
+        for (i, sign, share) in [(lo, 1.0, shares[0]), (hi, -1.0, shares[1])] {
+            if self.is_body(i as u32) {
+                let (item, mut velocity) = (&self.items[i], self.speeds[i]);
+                velocity[axis] = together;
+                pull += sign * scene.media.acceleration(&item.body, &item.law, self.places[i], velocity)[axis];
+                let answer = scene.media.stiffness(&item.body, &item.law, self.places[i], velocity);
+                damping += share * answer.drag[axis];
+                stiffness += answer.lift;
+            }
+        }
+        let (first, left) = (2.0 * speed / pull, scene.tick - self.now);
+        let thick = pull > 0.0 && first > 0.0 && first * f64::from(ZENO_HITS) < left;
+        let reach = if e < 1.0 { CALM_REACH } else { DAMPED_REACH };
+        if !thick || (damping + stiffness.sqrt()) * first > reach {
+            return;
+        }
+        let Series { time, leaves } = Series::of(first, left, (speed, e), damping);
+        self.part_with(contact, -speed);
+        for i in [lo, hi].into_iter().filter(|i| *i < self.movable) {
+            self.speeds[i][axis] = together;
+        }
+        self.items[body as usize].resume = leaves.map(|speed| Resume { at: (self.now + time).min(scene.tick), axis, speed, other });
+    }
+
+    /// Gives the ends of a contact so much more speed apart, m/s.
+    fn part_with(&mut self, contact: &Contact, speed: f64) {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        let shares = self.shares(lo, hi);
+        let mut impulse = DVec2::ZERO;
+        for (i, share, sign) in [(lo, shares[0], -1.0), (hi, shares[1], 1.0)] {
+            if self.is_body(i as u32) {
+                self.speeds[i][axis] += sign * share * speed;
+                impulse[axis] = share * speed * self.items[i].body.mass;
+            }
+        }
+        self.note(contact, impulse, 0.0);
+    }
+
+    /// Lets a body leave what it has bounced on; nothing is left of their bounces if what pressed them together has ended.
+    pub(crate) fn resume(&mut self, scene: &Scene, i: usize) {
+        let Some(Resume { axis, speed, other, .. }) = self.items[i].resume.take() else { return };
+        let held = |contact: &&Contact| contact.axis == axis && contact.is_of(i as u32, other);
+        let Some(contact) = self.contacts.iter().find(held).copied() else { return };
+        self.concern(other);
+        self.locate(scene, i);
+        self.locate(scene, other as usize);
+        self.part_with(&contact, speed);
+    }
+
+    /// Ends what bounces are passed over, because something else happens to one of the pair: they leave each other now.
+    pub(crate) fn resume_concerned(&mut self, scene: &Scene) {
+        for k in 0..self.concerned.len() {
+            self.resume(scene, self.concerned[k] as usize);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::physics::exact::bounces::Series;
+
+    #[test]
+    fn a_series_of_bounces_ends_when_its_sum_does() {
+        // 1 + ½ + ¼ + … s.
+        let of = |left: f64| Series::of(1.0, left, (8.0, 0.5), 0.0);
+        assert_eq!((of(3.0).time, of(3.0).leaves), (2.0, None));
+        assert_eq!((of(1.8).time, of(1.8).leaves), (1.75, Some(1.0)));
+    }
+
+    #[test]
+    fn what_loses_nothing_bounces_as_often_as_fits() {
+        let of = Series::of(0.5, 2.25, (8.0, 1.0), 0.0);
+        assert_eq!((of.time, of.leaves), (2.0, Some(8.0)));
+    }
+
+    /// One bounce after the other under a pull of 2 m/s², with (2c/3a)·v² off the speed of each.
+    #[test]
+    fn drag_takes_its_part_of_each_bounce() {
+        let (damping, pull, mut speed, mut time) = (0.3, 2.0, 0.01, 0.0);
+        let of = Series::of(2.0 * speed / pull, 20.0, (speed, 1.0), damping);
+        while time + speed < of.time {
+            time += 2.0 * speed / pull;
+            speed -= 2.0 * damping / (3.0 * pull) * speed * speed;
+        }
+        assert!(of.time > 19.99 && of.time <= 20.0, "{} s", of.time);
+        assert!(of.leaves.is_some_and(|leaves| (leaves / speed - 1.0).abs() < 0.01), "{:?}, not {speed}", of.leaves);
+        assert_eq!(Series::of(1.0, 10.0, (8.0, 1.0), 100.0).leaves, None);
+    }
+}

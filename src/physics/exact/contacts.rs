@@ -1,0 +1,154 @@
+//! What touches what at an event: contacts begin, last and end, and what meets is brought exactly together.
+
+use crate::physics::contact::reactions::Parts;
+use crate::physics::data::aabb::Aabb;
+use crate::physics::data::contact::Contact;
+use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
+use crate::physics::exact::{Events, Scene};
+
+impl Events {
+    /// Lists what touches anything concerned, and counts to that whatever is joined to it by touching.
+    pub(crate) fn collect(&mut self, scene: &Scene, hit: Option<Contact>) {
+        self.touching.clear();
+        self.met = hit;
+        let mut next = 0;
+        while next < self.concerned.len() {
+            let i = self.concerned[next];
+            next += 1;
+            self.locate(scene, i as usize);
+            // What it was in contact with until now has to know even if that is over.
+            for index in 0..self.contacts.len() {
+                let contact = self.contacts[index];
+                if contact.has(i) {
+                    self.concern(contact.other(i));
+                }
+            }
+            let bounds = Aabb::around(self.places[i as usize], self.items[i as usize].body.half);
+            let mut near = std::mem::take(&mut self.near);
+            self.lanes.touching(&bounds, &mut near);
+            for &j in &near {
+                let looked_at = || self.concerned[..next].contains(&j);
+                if j == i || !self.may_touch(&bounds, j as usize) || looked_at() {
+                    continue;
+                }
+                let met = hit.filter(|contact| contact.is_of(i, j));
+                if let Some(contact) = met.or_else(|| self.contact_now(scene, i, j)) {
+                    self.concern(j);
+                    self.locate(scene, j as usize);
+                    let contact = self.touch(scene, contact, met.is_some());
+                    if !contact.lasts && met.is_none() && self.is_in(&contact) {
+                        self.close(scene, &contact);
+                    }
+                    self.touching.push(contact);
+                }
+            }
+            self.near = near;
+        }
+        self.concerned.sort_unstable();
+        self.touching.sort_unstable_by_key(Contact::ends);
+        self.count += self.concerned.len() as u64;
+    }
+
+    /// Whether an item may touch a box now.
+    fn may_touch(&self, bounds: &Aabb, item: usize) -> bool {
+        let track = &self.tracks[item];
+        bounds.touches(&track.swept, SLOP) && (!track.is_exact() || bounds.touches(&track.bounds_at(self.now), SLOP))
+    }
+
+    /// What is known of two things that touch now.
+    fn touch(&mut self, scene: &Scene, mut contact: Contact, met: bool) -> Contact {
+        contact.lasts = self.contacts.iter().any(|known| known.is_of(contact.lo, contact.hi));
+        contact.closed |= contact.lasts || met;
+        // What has just come together by a hair's breadth has done so, whatever pulls at it alone.
+        let grazes = met && (-MICRO_SPEED..=0.0).contains(&self.approach(&contact));
+        contact.clings = grazes || self.clings(scene, &contact);
+        if contact.clings {
+            for item in [contact.lo, contact.hi] {
+                self.items[item as usize].clung += 1;
+                self.guards.clinging_given_up += u64::from(self.items[item as usize].clung == MAX_CLINGS + 1);
+            }
+        }
+        contact
+    }
+
+    /// Keeps those of the touching pairs as contacts that neither part nor (impacts are over by now) approach. Of the pair that has just
+    /// `met` only the impact was along the axis in which it met.
+    pub(crate) fn find_contacts(&mut self, scene: &Scene, met: Option<Contact>) {
+        let is_concerned = &self.is_concerned;
+        self.contacts.retain(|contact| {
+            let concerned = |item: u32| is_concerned[item as usize];
+            !(concerned(contact.lo) || concerned(contact.hi))
+        });
+        for index in 0..self.touching.len() {
+            let mut contact = self.touching[index];
+            if met.is_some_and(|met| met.is_of(contact.lo, contact.hi)) {
+                match self.contact_now(scene, contact.lo, contact.hi) {
+                    Some(again) => contact = again,
+                    None => continue,
+                }
+            }
+            if self.stays(&contact) {
+                let slides = self.slides(&contact);
+                let fresh = Contact { closed: true, lasts: true, clings: false, lossy_hits: 0, ..contact };
+                self.contacts.push(Contact { slides, normal: 0.0, friction: 0.0, ..fresh });
+            }
+        }
+    }
+
+    /// Whether the ends of a contact neither part nor approach, but for rounding.
+    pub(crate) fn stays(&self, contact: &Contact) -> bool {
+        self.approach(contact).abs() <= self.speed_rounding(contact)[contact.axis]
+    }
+
+    /// Whether a contact presses on a surface that moves: the sums of many ticks leave them some roundings apart.
+    pub(crate) fn rides(&self, contact: &Contact) -> bool {
+        let surface = contact.lo.max(contact.hi);
+        contact.normal > 0.0 && !self.is_body(surface) && !self.stands(surface) && self.approach(contact).abs() <= SPEED_TOLERANCE
+    }
+
+    /// Which way a contact slides now: a speed that is nothing but rounding is none.
+    pub(crate) fn slides(&self, contact: &Contact) -> f64 {
+        let along = 1 - contact.axis;
+        let sliding = self.sliding(contact);
+        let rounding = self.speed_rounding(contact)[along] + SPEED_ROUNDING * contact.skin.abs();
+        if sliding.abs() <= rounding { 0.0 } else { sliding.signum() }
+    }
+
+    /// Moves the contacts of what is concerned into `trial`.
+    pub(crate) fn take_contacts_of_concerned(&mut self) {
+        self.trial.clear();
+        let (is_concerned, trial) = (&self.is_concerned, &mut self.trial);
+        self.contacts.retain(|contact| {
+            let concerned = is_concerned[contact.lo as usize] || is_concerned[contact.hi as usize];
+            if concerned {
+                trial.push(*contact);
+            }
+            !concerned
+        });
+        // The order decides about the last bits of an answer.
+        trial.sort_unstable_by_key(Contact::ends);
+    }
+
+    /// Ends a slide: what stops and whatever moves with it has one speed along the face from now on.
+    pub(crate) fn stop_slide(&mut self, scene: &Scene, a: u32, b: u32) {
+        let Some(stopped) = self.contacts.iter().find(|contact| contact.is_of(a, b)).copied() else { return };
+        let mut next = 0;
+        while next < self.concerned.len() {
+            let item = self.concerned[next];
+            self.locate(scene, item as usize);
+            next += 1;
+            for index in 0..self.contacts.len() {
+                let contact = self.contacts[index];
+                if contact.has(item) {
+                    self.concern(contact.other(item));
+                    self.locate(scene, contact.other(item) as usize);
+                }
+            }
+        }
+        self.take_contacts_of_concerned();
+        self.before.clone_from(&self.speeds);
+        let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
+        self.reactions.merge_speeds(&stopped, &self.trial, &parts, &mut self.speeds);
+        self.contacts.append(&mut self.trial);
+    }
+}

@@ -1,0 +1,154 @@
+//! The end of a tick: contacts and accelerations of that instant, which are listed and with which the next tick begins.
+
+use crate::physics::contact::reactions::Parts;
+use crate::physics::data::body::Pose;
+use crate::physics::data::contact::Contact;
+use crate::physics::data::tuning::{SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
+use crate::physics::exact::item::Motion;
+use crate::physics::exact::{Events, Scene};
+use crate::physics::forces::link::links_on;
+use glam::DVec2;
+
+impl Events {
+    /// Where a body is and moves as the tick ends.
+    fn end_of(&self, id: u32) -> Pose {
+        if let Ok(at) = self.items[..self.movable].binary_search_by_key(&id, |item| item.id) {
+            return (self.places[at], self.speeds[at]);
+        }
+        self.ends.iter().find(|end| end.0 == id).map_or((DVec2::ZERO, DVec2::ZERO), |end| end.1)
+    }
+
+    /// The contacts and accelerations of the instant at which the tick ends, where media make them others than when the last way began.
+    pub(crate) fn settle(&mut self, scene: &Scene) {
+        self.is_placed.fill(false);
+        for i in 0..self.items.len() {
+            self.locate(scene, i);
+        }
+        // Media may have parted what pressed when it set out, and what slides may do so since.
+        for index in (0..self.contacts.len()).rev() {
+            let contact = self.contacts[index];
+            if !(self.stays(&contact) || self.rides(&contact)) {
+                self.contacts.remove(index);
+                for item in [contact.lo, contact.hi] {
+                    self.items[item as usize].known = false;
+                    // What else they touch carries something else now.
+                    self.concern(item);
+                }
+            }
+        }
+        for index in 0..self.contacts.len() {
+            let contact = self.contacts[index];
+            let slides = self.slides(&contact);
+            if slides != 0.0 && slides != contact.slides {
+                self.contacts[index].slides = slides;
+                self.concern(contact.lo);
+                self.concern(contact.hi);
+            }
+        }
+        // What has crossed the border of a stream just as the tick ends is on its other side; links pull as they do then.
+        if !(self.streams.is_empty() && self.links.is_empty()) {
+            for i in 0..self.movable {
+                self.items[i].link = links_on(&self.links, self.items[i].id, |id| self.end_of(id));
+                let (item, force) = (&self.items[i], self.force_on(scene, i));
+                if scene.media.constant(&item.body, force) != item.law.constant {
+                    self.renew_law(scene, i);
+                    self.concern(i as u32);
+                }
+            }
+        }
+        // What was pushed further than its own law would have led it has met other liquids.
+        if !scene.media.fluids.is_empty() {
+            for i in 0..self.movable {
+                let item = &self.items[i];
+                if !item.law.near.contains(&item.body.bounds(), 0.0) {
+                    self.renew_law(scene, i);
+                    self.concern(i as u32);
+                }
+            }
+        }
+        for i in 0..self.movable {
+            let item = &mut self.items[i];
+            if self.is_concerned[i] || !item.law.is_constant() && item.motion != Motion::Still {
+                self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
+                (item.solved, self.solved[i]) = (self.free[i], self.free[i]);
+            }
+        }
+        if self.contacts.iter().any(|contact| self.changes(contact.lo) || self.changes(contact.hi)) {
+            for i in 0..self.movable {
+                if !self.changes(i as u32) {
+                    self.free[i] =
+                        scene.media.acceleration(&self.items[i].body, &self.items[i].law, self.places[i], self.speeds[i]);
+                }
+            }
+            self.contacts.sort_unstable_by_key(Contact::ends);
+            let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
+            self.reactions.accelerate(&mut self.contacts, &parts, &mut self.solved);
+            for i in 0..self.movable {
+                self.items[i].solved = self.solved[i];
+            }
+        }
+        self.release();
+    }
+
+    /// Gives what rides on a surface that moves its place and its speed exactly, and so on with what is carried by that: the sums of many
+    /// ticks would lead them away from each other by their roundings.
+    pub(crate) fn follow_surfaces(&mut self) {
+        if self.items[self.movable..].iter().all(|surface| surface.motion == Motion::Still) {
+            return;
+        }
+        let mut next = 0;
+        loop {
+            let carrier = self.concerned.get(next).copied();
+            for index in 0..self.contacts.len() {
+                let contact = self.contacts[index];
+                let (body, surface) = contact.ends();
+                match carrier {
+                    None if next == 0 && !self.is_body(surface) => self.follow(&contact, body),
+                    Some(carrier) if self.is_body(surface) && (carrier == body || carrier == surface) => {
+                        self.follow(&contact, contact.other(carrier));
+                    }
+                    _ => {}
+                }
+            }
+            if carrier.is_some() {
+                next += 1;
+            }
+            if next == self.concerned.len() {
+                break;
+            }
+        }
+        self.release();
+    }
+
+    /// Lets a body follow the other end of a contact that presses.
+    fn follow(&mut self, contact: &Contact, body: u32) {
+        let (axis, along, carrier) = (contact.axis, 1 - contact.axis, contact.other(body));
+        if self.is_concerned[body as usize] || contact.normal <= 0.0 {
+            return;
+        }
+        let side = if contact.hi == body { 1.0 } else { -1.0 };
+        let of = &self.items[carrier as usize].body;
+        let (mut velocity, reach) = (of.velocity, of.half + self.items[body as usize].body.half);
+        let place = of.position[axis] + side * reach[axis];
+        velocity[along] += contact.skin;
+        let item = &mut self.items[body as usize].body;
+        let off = (item.velocity - velocity).abs();
+        let rounding = (item.velocity.abs() + velocity.abs()) * SPEED_ROUNDING + SPEED_TOLERANCE;
+        // Each of its ways in this tick began where the one before ended, to a rounding of the coordinate.
+        let strayed = SLOP + f64::EPSILON * place.abs() * f64::from(self.ways[body as usize]);
+        if off[axis] > rounding[axis] || (item.position[axis] - place).abs() > strayed {
+            return;
+        }
+        (item.velocity[axis], item.position[axis]) = (velocity[axis], place);
+        if contact.slides == 0.0 && off[along] <= rounding[along] {
+            item.velocity[along] = velocity[along];
+        }
+        self.concern(body);
+    }
+
+    /// Whether what acts on an item changes while it moves.
+    fn changes(&self, item: u32) -> bool {
+        let of = &self.items[item as usize];
+        self.is_concerned[item as usize] || !of.law.is_constant() && of.motion != Motion::Still
+    }
+}

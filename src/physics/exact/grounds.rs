@@ -1,0 +1,77 @@
+//! Surfaces within a tick: they begin the legs of their paths, and stop for what they would squeeze.
+
+use crate::physics::data::contact::Contact;
+use crate::physics::data::tuning::SLOP;
+use crate::physics::exact::item::Next;
+use crate::physics::exact::meeting::DEEP;
+use crate::physics::exact::{Events, Scene};
+
+impl Events {
+    /// Begins the next leg of a surface's path: whatever touches it is concerned.
+    pub(crate) fn turn(&mut self, scene: &Scene, i: usize) {
+        self.set_out(scene, i);
+        self.predict(scene, i);
+        if !self.concerned.is_empty() {
+            self.look(scene, None);
+        }
+    }
+
+    /// Stops a surface for the rest of the tick, where it was `late` seconds ago.
+    pub(crate) fn halt(&mut self, scene: &Scene, surface: u32, late: f64) {
+        self.guards.surfaces_stopped += 1;
+        self.halted = true;
+        let item = &mut self.items[surface as usize];
+        item.stops_at = item.stops_at.min((self.now - late).max(0.0));
+        self.set_out(scene, surface as usize);
+    }
+
+    /// Where ways are foreseen roughly, a surface that squeezes a body may be told so a hair too late, when it is in that, or has pressed it into what stands
+    /// behind it: puts back what is in between. Returns how much too late that is, s, for a surface that comes with `speed`, m/s.
+    pub(crate) fn give_back(&mut self, contacts: &[Contact], squeezing: &Contact, speed: f64) -> f64 {
+        let (axis, (body, surface)) = (squeezing.axis, squeezing.ends());
+        let forwards = surface == squeezing.lo;
+        self.behind.clear();
+        self.behind.push(body);
+        let (mut depth, mut next) = (0.0, 0);
+        while let Some(&carrier) = self.behind.get(next) {
+            next += 1;
+            for contact in contacts.iter().filter(|contact| contact.axis == axis) {
+                let (near, far) = if forwards { (contact.lo, contact.hi) } else { (contact.hi, contact.lo) };
+                if near != carrier || far == surface {
+                    continue;
+                }
+                if !self.is_body(far) {
+                    depth = f64::max(depth, self.depth_of(contact));
+                } else if !self.behind.contains(&far) {
+                    self.behind.push(far);
+                }
+            }
+        }
+        let way = depth + self.depth_of(squeezing).max(0.0);
+        if way <= SLOP || way > DEEP || speed <= 0.0 {
+            return 0.0;
+        }
+        for &item in &self.behind {
+            self.places[item as usize][axis] -= if forwards { depth } else { -depth };
+        }
+        way / speed
+    }
+
+    /// Sets a surface on the part of its path that begins now. Concerns whatever is in contact with it.
+    fn set_out(&mut self, scene: &Scene, i: usize) {
+        let item = &mut self.items[i];
+        scene.set_on_path(item, self.now);
+        self.foresee(scene, i);
+        self.nexts[i] = Next::NEVER;
+        let item = &self.items[i];
+        let ground = i - self.movable;
+        (self.ground_speeds[ground], self.ground_pulls[ground]) = (item.body.velocity, item.solved);
+        (self.places[i], self.is_placed[i]) = (item.body.position, true);
+        for index in 0..self.contacts.len() {
+            let contact = self.contacts[index];
+            if contact.has(i as u32) {
+                self.concern(contact.other(i as u32));
+            }
+        }
+    }
+}

@@ -1,0 +1,297 @@
+//! Impacts: what collisions do to velocities.
+//!
+//! Pairs that touch and approach are dealt with one after the other, the fastest first, until nothing approaches any more: impulses in
+//! this order carry one block's motion through a row to the last (Newton's cradle), where solving them all at once would not. A pair's
+//! impulse is (1 + e)·w split by mass fractions, which leaves exactly zero for equal masses. Restitution is the larger of the two; what
+//! only has to stop stops all at once in a plastic solve of the contact network, exact at any mass ratio. Friction acts during an impact
+//! too, up to μ_k times the normal impulse, and never reverses the sliding.
+
+use crate::physics::contact::reactions::Parts;
+use crate::physics::data::contact::Contact;
+use crate::physics::data::plan::{Part, called};
+use crate::physics::data::tuning::{CASCADE_HITS, MAX_CLINGS, MICRO_SPEED, PUMPED_HITS, RATTLE_HITS, SPEED_ROUNDING};
+use crate::physics::exact::{Events, Scene};
+use glam::DVec2;
+
+/// What a contact passed on at one instant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hit {
+    /// The items, as in a contact, and the axis.
+    pub lo: u32,
+    pub hi: u32,
+    pub axis: usize,
+    /// On `hi`, N·s.
+    pub impulse: DVec2,
+    /// Closing speed just before, m/s; 0 where what had bounced goes on.
+    pub speed: f64,
+    /// The middle of the shared edge, m.
+    pub point: DVec2,
+    /// Where `lo` and `hi` were, m.
+    pub places: [DVec2; 2],
+    /// s, from the tick's start.
+    pub at: f64,
+}
+
+impl Events {
+    /// Ends every approach of things that touch. Returns false if too much happens.
+    pub(crate) fn resolve_impacts(&mut self, scene: &Scene) -> bool {
+        if self.bounces && self.squeezes(scene) {
+            return true;
+        }
+        let mut left = scene.most_impacts(self.touching.len());
+        while let Some((index, speed, e)) = self.next_impact(scene, left > 0) {
+            if e > 0.0 {
+                left -= 1;
+                self.count += 1;
+                if self.is_busy() {
+                    return false;
+                }
+                self.guards.impacts_made_plastic += u64::from(left == 0);
+                self.find_ties(scene, index, speed);
+                if self.ties.len() > 1 {
+                    self.resolve_ties(scene, speed);
+                    continue;
+                }
+                let (index, e) = self.ties.first().map_or((index, e), |tie| (tie.index, tie.e));
+                let contact = &mut self.touching[index];
+                contact.lossy_hits += u32::from(e < 1.0);
+                self.guards.collapses += u64::from(e < 1.0 && contact.lossy_hits == CASCADE_HITS);
+                self.bounce(scene, index, speed, e);
+                continue;
+            }
+            self.stop_together(scene);
+            break;
+        }
+        true
+    }
+
+    /// Stops the surfaces that squeeze what touches them, before anything bounces: in a gap that is closed it would do so without end.
+    /// Returns whether there are any.
+    fn squeezes(&mut self, scene: &Scene) -> bool {
+        let hits = |contact: &Contact| {
+            let surface = contact.lo.max(contact.hi);
+            !self.is_body(surface) && !self.stands(surface) && self.approach(contact) > 0.0
+        };
+        if !self.touching.iter().any(hits) {
+            return false;
+        }
+        let touching = std::mem::take(&mut self.touching);
+        self.asked.clone_from(&touching);
+        self.asked.iter_mut().for_each(|contact| contact.clings = false);
+        self.before.clone_from(&self.speeds);
+        self.means.clone_from(&self.speeds);
+        let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
+        self.reactions.collide(&mut self.asked, &parts, &mut self.means);
+        let any = self.stop_surfaces(scene, &touching, Self::speed);
+        self.touching = touching;
+        any
+    }
+
+    /// The plastic solve of all that touches. Pushing one side of a body can lift it off the other by next to nothing; where it is
+    /// pulled back at once, it stays, or the two sides would take turns for ever; but it follows a surface that lifts it. Where something
+    /// would be squeezed nothing is done yet but to stop the surfaces that do it.
+    fn stop_together(&mut self, scene: &Scene) {
+        let mut touching = std::mem::take(&mut self.touching);
+        let mut may_cling = true;
+        for _ in 0..=touching.len() + 1 {
+            self.before.clone_from(&self.speeds);
+            let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
+            self.reactions.collide(&mut touching, &parts, &mut self.speeds);
+            if !self.reactions.squeezed.is_empty() && touching.iter().any(|contact| contact.clings) {
+                // What clings gives way: only what cannot squeezes.
+                touching.iter_mut().for_each(|contact| contact.clings = false);
+                self.speeds.clone_from(&self.before);
+                may_cling = false;
+                continue;
+            }
+            if self.stop_surfaces(scene, &touching, Self::speed) {
+                self.speeds.clone_from(&self.before);
+                break;
+            }
+            let mut lifted = false;
+            for contact in &mut touching {
+                self.note_plastic(contact);
+                if may_cling && !contact.clings && self.clings(scene, contact) {
+                    contact.clings = true;
+                    lifted = true;
+                }
+            }
+            if !lifted {
+                break;
+            }
+        }
+        self.touching = touching;
+    }
+
+    /// Stops the surfaces that squeeze what the last solve has found squeezed, for the rest of the tick: those that close on it by the
+    /// `rate` asked about, velocity or acceleration. Returns whether there are any.
+    pub(crate) fn stop_surfaces(&mut self, scene: &Scene, contacts: &[Contact], rate: impl Fn(&Self, u32) -> DVec2) -> bool {
+        let squeezed = std::mem::take(&mut self.reactions.squeezed);
+        let known = self.squeezed.len();
+        let mut late = 0.0;
+        for contact in contacts {
+            let (body, surface) = contact.ends();
+            if self.is_body(surface) || !squeezed.contains(&(body, contact.axis)) {
+                continue;
+            }
+            let side = if surface == contact.lo { 1.0 } else { -1.0 };
+            if side * rate(self, surface)[contact.axis] > 0.0 {
+                let ground = surface as usize - self.movable;
+                let (speed, pull) = (self.ground_speeds[ground][contact.axis], self.ground_pulls[ground][contact.axis]);
+                self.squeezed.push((body, surface, side * speed + (side * pull).max(0.0) * (scene.tick - self.now)));
+                late = f64::max(late, self.give_back(contacts, contact, side * speed));
+            }
+        }
+        self.reactions.squeezed = squeezed;
+        for index in known..self.squeezed.len() {
+            self.halt(scene, self.squeezed[index].1, late);
+        }
+        self.squeezed.len() > known
+    }
+
+    /// Whether two things part so slowly that they rest on each other, if nothing pulls them apart.
+    pub(crate) fn clings(&self, scene: &Scene, contact: &Contact) -> bool {
+        let approach = self.approach(contact);
+        if !(-MICRO_SPEED..0.0).contains(&approach) {
+            return false;
+        }
+        let tried = |item: u32| self.items[item as usize].clung > MAX_CLINGS;
+        if tried(contact.lo) || tried(contact.hi) {
+            return false;
+        }
+        (self.pull(scene, contact.lo) - self.pull(scene, contact.hi))[contact.axis] >= 0.0
+    }
+
+    /// What acts on an item without contacts now, m/s².
+    fn pull(&self, scene: &Scene, item: u32) -> DVec2 {
+        let of = &self.items[item as usize];
+        if self.is_body(item) {
+            scene.media.acceleration(&of.body, &of.law, self.places[item as usize], self.speeds[item as usize])
+        } else {
+            self.ground_pulls[item as usize - self.movable]
+        }
+    }
+
+    /// Differences of the speeds of two things up to which they are rounding, along each axis, m/s.
+    pub(crate) fn speed_rounding(&self, contact: &Contact) -> DVec2 {
+        (self.speed(contact.lo).abs() + self.speed(contact.hi).abs()) * SPEED_ROUNDING
+    }
+
+    pub(crate) fn approach(&self, contact: &Contact) -> f64 {
+        (self.speed(contact.lo) - self.speed(contact.hi))[contact.axis]
+    }
+
+    /// The next pair of the sequence: its index, its closing speed and its restitution. Bouncing pairs first, the fastest of them.
+    fn next_impact(&self, scene: &Scene, bounces_left: bool) -> Option<(usize, f64, f64)> {
+        let mut best: Option<(usize, f64, f64)> = None;
+        for (index, contact) in self.touching.iter().enumerate() {
+            let speed = self.approach(contact);
+            let rounding = self.speed_rounding(contact)[contact.axis];
+            if speed <= 0.0 && !contact.clings || speed > 0.0 && speed <= rounding && contact.closed && contact.lasts {
+                continue;
+            }
+            let e = if bounces_left && self.bounces { self.restitution(scene, contact, speed) } else { 0.0 };
+            // A bounce needs a closed gap, or it would lose energy; what only comes to rest may do so within the slop.
+            if e > 0.0 && !contact.closed {
+                continue;
+            }
+            let better = best.is_none_or(|(_, fastest, of)| (e > 0.0, speed) > (of > 0.0, fastest));
+            if better {
+                best = Some((index, speed, e));
+            }
+        }
+        best
+    }
+
+    /// Restitution of a pair at a closing speed: zero where the bounce ends.
+    pub(crate) fn restitution(&self, scene: &Scene, contact: &Contact, speed: f64) -> f64 {
+        called(Part::Bounces);
+        let (lo, hi) = (&self.items[contact.lo as usize], &self.items[contact.hi as usize]);
+        let e = lo.body.coefficients().with(hi.body.coefficients(), false).restitution;
+        let movable = self.is_body(contact.lo) && self.is_body(contact.hi);
+        // What bounces between a surface that comes nearer and something else gains speed without end.
+        if !movable && !self.stands(contact.lo.max(contact.hi)) && lo.hits.min(hi.hits) > PUMPED_HITS {
+            return 0.0;
+        }
+        if e >= 1.0 {
+            return 1.0;
+        }
+        let rattles = movable && lo.hits > RATTLE_HITS && hi.hits > RATTLE_HITS;
+        let slow = e * speed < scene.rest_speed || speed <= MICRO_SPEED;
+        if slow || contact.lossy_hits >= CASCADE_HITS || rattles { 0.0 } else { e }
+    }
+
+    /// One pair's impulse.
+    fn bounce(&mut self, scene: &Scene, index: usize, speed: f64, e: f64) {
+        let contact = self.touching[index];
+        let axis = contact.axis;
+        for item in [contact.lo, contact.hi] {
+            self.items[item as usize].hits += 1;
+        }
+        let fewest = self.items[contact.lo as usize].hits.min(self.items[contact.hi as usize].hits);
+        let movable = self.is_body(contact.lo) && self.is_body(contact.hi);
+        self.guards.rattles += u64::from(movable && e < 1.0 && fewest == RATTLE_HITS + 1);
+        self.guards.pumping += u64::from(!movable && !self.stands(contact.lo.max(contact.hi)) && fewest == PUMPED_HITS + 1);
+        let [lo_share, hi_share] = self.shares(contact.lo as usize, contact.hi as usize);
+        // Of a body and a surface the body's own mass.
+        let reduced = if self.is_body(contact.hi) {
+            hi_share * self.items[contact.hi as usize].body.mass
+        } else {
+            self.items[contact.lo as usize].body.mass
+        };
+        let change = (1.0 + e) * speed;
+        let relative = self.sliding(&contact);
+        // Friction changes the sliding by at most μ_k times the change along the normal, and stops it at most.
+        let rub = -relative.signum() * (contact.kinetic_friction * change).min(relative.abs());
+        let mut impulse = DVec2::ZERO;
+        (impulse[axis], impulse[1 - axis]) = (reduced * change, if relative == 0.0 { 0.0 } else { reduced * rub });
+        self.note(&contact, impulse, speed);
+        let surface = [contact.lo, contact.hi].into_iter().find(|&item| !self.is_body(item));
+        for (item, share, sign) in [(contact.lo, lo_share, -1.0), (contact.hi, hi_share, 1.0)] {
+            if !self.is_body(item) {
+                continue;
+            }
+            let ground = surface.map(|surface| self.speed(surface)[axis]);
+            let velocity = &mut self.speeds[item as usize];
+            match ground {
+                // Exactly −e times the speed it came with, and exactly zero where friction stops it.
+                Some(ground) => velocity[axis] = ground + sign * e * speed,
+                None => velocity[axis] += sign * share * change,
+            }
+            if relative != 0.0 {
+                velocity[1 - axis] += sign * share * rub;
+            }
+        }
+        if surface.is_none_or(|surface| self.stands(surface)) {
+            self.pass_over_bounces(scene, &contact, e * speed, e);
+        }
+    }
+
+    /// The share of a change of relative velocity that each of two things takes: the other's fraction of the mass; a surface takes none.
+    pub(crate) fn shares(&self, a: usize, b: usize) -> [f64; 2] {
+        if a >= self.movable || b >= self.movable {
+            return [a, b].map(|item| if item < self.movable { 1.0 } else { 0.0 });
+        }
+        let (of_a, of_b) = (self.items[a].body.mass, self.items[b].body.mass);
+        [of_b / (of_a + of_b), of_a / (of_a + of_b)]
+    }
+
+    /// Lists what a plastic impact passed on in a contact.
+    fn note_plastic(&mut self, contact: &Contact) {
+        if contact.normal != 0.0 || contact.friction != 0.0 {
+            let mut impulse = DVec2::ZERO;
+            (impulse[contact.axis], impulse[1 - contact.axis]) = (contact.normal, contact.friction);
+            let speed = |item: u32| if self.is_body(item) { self.before[item as usize] } else { self.speed(item) };
+            let closing = (speed(contact.lo) - speed(contact.hi))[contact.axis].max(0.0);
+            self.note(contact, impulse, closing);
+        }
+    }
+
+    /// Lists an impulse (N·s, on `hi`) for rules, view and sound.
+    pub(crate) fn note(&mut self, contact: &Contact, impulse: DVec2, speed: f64) {
+        let point = self.point_of(contact);
+        let (lo, hi) = (contact.lo, contact.hi);
+        let places = [self.places[lo as usize], self.places[hi as usize]];
+        self.hits.push(Hit { lo, hi, axis: contact.axis, impulse, speed, point, places, at: self.now });
+    }
+}

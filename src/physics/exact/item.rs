@@ -1,0 +1,321 @@
+//! What takes part in an island: bodies, and the surfaces near them, each on a path of its own with a time at which it began.
+
+use crate::physics::data::aabb::Aabb;
+use crate::physics::data::body::{Body, BodyDef};
+use crate::physics::data::impact_time::Cubic;
+use crate::physics::data::surface::{Sides, Surface};
+use crate::physics::exact::track::Track;
+use crate::physics::flight::flow::{Pose, flow, flow_while, parabola};
+use crate::physics::forces::bath::Regime;
+use crate::physics::forces::media::{Law, Media};
+use glam::DVec2;
+
+/// Rate × time of one Runge–Kutta step of a slide: 1e-9 m after some metres.
+const RK4_REACH: f64 = 0.02;
+/// Runge–Kutta steps of one slide between two events, at most: its way is foreseen for half a time constant, which takes 25.
+const MOST_STEPS: f64 = 64.0;
+
+/// m. How far a cubic may be beside the way that it follows. Larger: what rises through a surface is met beside its way; smaller: ways are foreseen
+/// in more parts.
+const STRAY: f64 = 1e-5;
+/// How far a cubic is at most beside a quartic that begins alike and ends at one place with it, by the time that takes and the difference of the
+/// speeds there.
+const BESIDE: f64 = 27.0 / 256.0;
+/// Steps of a flow that one cubic follows, at most.
+const MOST_NODES: usize = 16;
+/// s. Shorter parts are not worth it.
+const SHORTEST: f64 = 1e-9;
+
+/// How something moves from one event to its next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Motion {
+    /// Not at all.
+    Still,
+    /// With constant acceleration.
+    Parabola,
+    /// By its own flow through the media.
+    Flow,
+    /// Over a surface, through the media.
+    Slide,
+}
+
+/// The slide of a body over one surface.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slide {
+    /// Of the contact.
+    pub axis: usize,
+    /// On which side of the surface the body is: 1 or −1.
+    pub away: f64,
+    /// μ_k with the sign of the slide: the part of the normal force that acts against it.
+    pub friction: f64,
+}
+
+impl Slide {
+    /// Acceleration of the body from the one that it would have without the contact, m/s².
+    fn hold(&self, free: DVec2) -> DVec2 {
+        let normal = (-self.away * free[self.axis]).max(0.0);
+        let mut a = DVec2::ZERO;
+        a[1 - self.axis] = free[1 - self.axis] - self.friction * normal;
+        a
+    }
+}
+
+/// What ends the motion of an item.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Kind {
+    /// Nothing before the end of the tick.
+    Nothing,
+    /// It meets another item along an axis; `ascending` if that has the larger coordinate.
+    Hit { other: u32, axis: usize, ascending: bool },
+    /// Its slide over another item ends.
+    Stop { other: u32 },
+    /// Its contact with another item ends, because they no longer face each other.
+    Edge { other: u32 },
+    /// Its contact with another item begins: both are flush, and face each other from now on.
+    Begin { other: u32 },
+    /// It enters or leaves an air stream.
+    Border,
+    /// Its motion has been foreseen up to here only.
+    Renew,
+    /// It leaves the surface on which it has bounced more often than need be told.
+    Resume,
+}
+
+impl Kind {
+    /// With whom it happens.
+    pub fn other(self) -> Option<u32> {
+        match self {
+            Self::Hit { other, .. } | Self::Stop { other } | Self::Edge { other } | Self::Begin { other } => Some(other),
+            Self::Nothing | Self::Border | Self::Renew | Self::Resume => None,
+        }
+    }
+}
+
+/// The next event of an item.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Next {
+    /// s, from the tick's start.
+    pub at: f64,
+    pub kind: Kind,
+    /// Which way of the other one it was foreseen on, if there is one.
+    pub foreseen_on: u32,
+}
+
+impl Next {
+    pub const NEVER: Self = Self { at: f64::INFINITY, kind: Kind::Nothing, foreseen_on: 0 };
+
+    /// Takes the other one if that is earlier.
+    pub fn or_earlier(&mut self, at: f64, kind: Kind) {
+        if at < self.at {
+            *self = Self { at, kind, foreseen_on: 0 };
+        }
+    }
+}
+
+/// A body that passes over whole bounces leaves the `other` item, on which it bounced along `axis`, at that time, with so much `speed` apart, m/s.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Resume {
+    pub at: f64,
+    pub axis: usize,
+    pub speed: f64,
+    pub other: u32,
+}
+
+/// A body or a surface in an island.
+#[derive(Clone, Debug)]
+pub(crate) struct Item {
+    /// The body's or the surface's number in the world, and which of the two it is.
+    pub id: u32,
+    pub surface: bool,
+    /// As it was at `since`; of a surface only place, half and velocity count.
+    pub body: Body,
+    /// The force of its engine, N.
+    pub drive: DVec2,
+    /// The force of its links, N: the mean over the tick, and that at its end.
+    pub link: DVec2,
+    /// s, from the tick's start.
+    pub since: f64,
+    /// Its motion is foreseen up to here, s from the tick's start.
+    pub until: f64,
+    pub law: Law,
+    pub motion: Motion,
+    /// Acceleration with all contacts at `since`, m/s².
+    pub solved: DVec2,
+    /// Of its parabola, m/s²: where media act on what is in contact, the mean one.
+    pub mean: DVec2,
+    pub slide: Option<Slide>,
+    /// What its flow or slide comes to, with `since` and `until` as they were then: what has been foreseen is not sought once more.
+    end: Option<(f64, f64, Pose)>,
+    /// Where others were looked for, m.
+    pub searched: Aabb,
+    pub(crate) resume: Option<Resume>,
+    /// Impacts in this tick.
+    pub hits: u32,
+    /// How often in this tick it was taken to stay where it parted by a rounding.
+    pub clung: u32,
+    /// Whether contacts and accelerations are known with which the tick begins, and after it, those with which the next one does.
+    pub known: bool,
+    /// Whether something of it changed since the tick's start.
+    pub disturbed: bool,
+    /// Of a surface: from which sides it is solid, and the speed of its belt.
+    pub sides: Sides,
+    pub belt: f64,
+    /// Of a surface: when what it would squeeze stops it, s from the tick's start; infinite where nothing does.
+    pub stops_at: f64,
+}
+
+impl Item {
+    /// A body as a tick begins.
+    pub fn body(id: u32, body: &Body, drive: DVec2, searched: Aabb, known: bool) -> Self {
+        Self {
+            id,
+            surface: false,
+            body: body.clone(),
+            drive,
+            link: DVec2::ZERO,
+            since: 0.0,
+            until: 0.0,
+            law: Law::default(),
+            motion: Motion::Still,
+            solved: body.acceleration,
+            mean: body.acceleration,
+            slide: None,
+            end: None,
+            searched,
+            resume: None,
+            hits: 0,
+            clung: 0,
+            known,
+            disturbed: false,
+            sides: Sides::ALL,
+            belt: 0.0,
+            stops_at: f64::INFINITY,
+        }
+    }
+
+    /// A surface; its path says how it begins.
+    pub fn surface(id: u32, surface: &Surface) -> Self {
+        let bounds = &surface.bounds;
+        let stand_in = Body::new(&BodyDef {
+            position: bounds.centre(),
+            half: bounds.size() * 0.5,
+            material: surface.material,
+            ..BodyDef::default()
+        });
+        let (sides, belt) = (surface.def.sides, surface.belt);
+        Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, *bounds, true) }
+    }
+
+    /// Whether it does not move.
+    pub fn is_still(&self) -> bool {
+        self.motion == Motion::Still
+    }
+
+    /// Where it is at a time (s from the tick's start, not before `since`).
+    pub fn pose(&self, media: &Media, at: f64) -> Pose {
+        let t = at - self.since;
+        let start = (self.body.position, self.body.velocity);
+        match self.motion {
+            _ if t == 0.0 => start,
+            Motion::Still => start,
+            Motion::Parabola => parabola(start, self.mean, t),
+            Motion::Flow | Motion::Slide if self.is_end(at) => self.end.map_or(start, |(.., end)| end),
+            Motion::Flow => flow(media, &self.body, &self.law, t),
+            Motion::Slide => self.slide_on(media, t),
+        }
+    }
+
+    fn is_end(&self, at: f64) -> bool {
+        self.end.is_some_and(|(since, until, _)| (since, until) == (self.since, at))
+    }
+
+    /// What was foreseen holds no longer, because something happened to it.
+    pub fn forget_end(&mut self) {
+        self.end = None;
+    }
+
+    /// Runge–Kutta steps of a slide, as many as its rate asks for.
+    fn slide_on(&self, media: &Media, t: f64) -> Pose {
+        let mut pose = (self.body.position, self.body.velocity);
+        let Some(slide) = self.slide else { return parabola(pose, self.mean, t) };
+        let reach = media.rate(&self.body, &self.law, pose, t) * t;
+        let steps = (reach / RK4_REACH).ceil().clamp(1.0, MOST_STEPS);
+        if !self.law.is_near_liquid() {
+            for _ in 0..steps as u32 {
+                pose = rk4(pose, t / steps, |x, v| slide.hold(media.acceleration(&self.body, &self.law, x, v)));
+            }
+        } else {
+            let mut regime = Regime::new(media, &self.body, &self.law, pose.0);
+            for _ in 0..steps as u32 {
+                pose = rk4(pose, t / steps, |x, v| slide.hold(regime.follow(x).acceleration(x, v)));
+            }
+        }
+        // With what it slides on it goes on evenly: far from the origin the steps would lead it away from that by their roundings.
+        pose.0[slide.axis] = self.body.position[slide.axis] + self.body.velocity[slide.axis] * t;
+        pose
+    }
+
+    /// Foresees the way, from `since` to `until`, or to where one cubic follows it.
+    pub(crate) fn foresee(&mut self, media: &Media) -> Track {
+        let (x, v) = (self.body.position, self.body.velocity);
+        let t = self.until - self.since;
+        self.end = None;
+        let way = match self.motion {
+            Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
+            Motion::Flow if t > 0.0 => self.foresee_flow(media),
+            Motion::Slide if t > 0.0 => {
+                let (end_x, end_v) = self.pose(media, self.until);
+                self.end = Some((self.since, self.until, (end_x, end_v)));
+                Cubic::hermite(x, v, end_x, end_v, t)
+            }
+            Motion::Parabola | Motion::Flow | Motion::Slide => Cubic::parabola(x, v, self.mean),
+        };
+        Track::new(self, way)
+    }
+
+    /// A cubic that is right at once, so that things that bounce on each other thousands of times a second meet when they should; where it ends;
+    /// and, within [`STRAY`], at the end of each step of a flow through liquids: what enters one, or has just been thrown into it, is followed in
+    /// shorter parts.
+    fn foresee_flow(&mut self, media: &Media) -> Cubic {
+        let (x, v) = (self.body.position, self.body.velocity);
+        let a = media.acceleration(&self.body, &self.law, x, v);
+        let to = |t: f64, end: DVec2| Cubic { c: [x, v, a * 0.5, (end - x - (v + a * (0.5 * t)) * t) / (t * t * t)] };
+        loop {
+            let (mut passed, mut count, mut fits) = ([(0.0, DVec2::ZERO); MOST_NODES], 0, true);
+            let course = flow_while(media, &self.body, &self.law, self.until - self.since, |t, (place, speed)| {
+                let way = to(t, place);
+                // It goes beside one that ends as fast as the flow does.
+                let beside = (way.from(t).c[1] - speed).abs().max_element() * t * BESIDE;
+                let strays = |(at, place): &(f64, DVec2)| way.from(*at).c[0].distance(*place) > STRAY;
+                let follows = beside <= STRAY && !passed[..count].iter().any(strays);
+                fits &= follows || count > 0;
+                if follows && count < MOST_NODES {
+                    passed[count] = (t, place);
+                    count += 1;
+                }
+                follows && count < MOST_NODES
+            });
+            self.until = self.since + course.time;
+            self.law.first = course.next;
+            if fits || course.time <= SHORTEST {
+                self.end = Some((self.since, self.until, course.end));
+                return to(course.time, course.end.0);
+            }
+            self.until = self.since + 0.5 * course.time;
+        }
+    }
+}
+
+/// One step of the classical Runge–Kutta method.
+fn rk4((x, v): Pose, h: f64, mut acceleration: impl FnMut(DVec2, DVec2) -> DVec2) -> Pose {
+    let half = 0.5 * h;
+    let a1 = acceleration(x, v);
+    let v2 = v + a1 * half;
+    let a2 = acceleration(x + v * half, v2);
+    let v3 = v + a2 * half;
+    let a3 = acceleration(x + v2 * half, v3);
+    let v4 = v + a3 * h;
+    let a4 = acceleration(x + v3 * h, v4);
+    let sixth = h / 6.0;
+    (x + (v + 2.0 * (v2 + v3) + v4) * sixth, v + (a1 + 2.0 * (a2 + a3) + a4) * sixth)
+}

@@ -1,0 +1,170 @@
+//! Bringing together what meets, exactly, and parting what is in each other: ways through media are foreseen roughly, as cubics, so that two
+//! things may be found a hair apart or in each other when they should touch.
+
+use crate::physics::data::contact::Contact;
+use crate::physics::data::tuning::SLOP;
+use crate::physics::exact::item::Next;
+use crate::physics::exact::{Events, Scene};
+
+/// Steps of Newton's method for the time at which two motions meet.
+const POLISH: u32 = 4;
+/// Halvings of a time, at most, where it does not end.
+const HALVINGS: u32 = 64;
+/// m. A gap of bodies that have met is left if it is smaller than this.
+const CLOSED: f64 = 1e-12;
+/// m. What is deeper in something than this did not get there by rounding.
+pub(crate) const DEEP: f64 = 1e-5;
+
+impl Events {
+    /// Brings two things to the instant at which they meet, and exactly together: a way foreseen as a cubic may be off by a hair, so Newton's
+    /// method ends on the motions themselves. What is left of the gap is shared as their masses say; a surface gives way to nothing. Returns
+    /// false if they meet so much later that something else happens before: then they have to be looked at again from here.
+    pub(crate) fn put_together(&mut self, scene: &Scene, contact: &Contact) -> bool {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        let reach = self.reach_of(contact);
+        if !(self.tracks[lo].is_exact() && self.tracks[hi].is_exact()) {
+            let begin = self.items[lo].since.max(self.items[hi].since);
+            let of_pair = |k: usize, next: &Next| next.kind.other().is_some_and(|other| contact.is_of(k as u32, other));
+            let others = self.nexts.iter().enumerate().filter(|(k, next)| !of_pair(*k, next) && !self.is_void(next));
+            let others = others.map(|(_, next)| next.at);
+            let end = others.fold(self.items[lo].until.min(self.items[hi].until).min(scene.tick), f64::min);
+            for _ in 0..POLISH {
+                let (a, b) = (self.items[lo].pose(scene.media, self.now), self.items[hi].pose(scene.media, self.now));
+                let (gap, closing) = (b.0[axis] - a.0[axis] - reach, a.1[axis] - b.1[axis]);
+                let next = self.now + gap / closing;
+                // Where they only graze, Newton's method would run off to the moment at which they parted.
+                if closing <= 0.0 || next < begin || next == self.now {
+                    break;
+                }
+                if next > end {
+                    return gap <= SLOP;
+                }
+                self.now = next;
+            }
+            self.bracket(scene, contact, reach);
+        }
+        self.close(scene, contact);
+        true
+    }
+
+    /// Takes away the gap, or the overlap, that the roughness of a foreseen way has left of two things that meet now: shared as their masses
+    /// say; a surface gives way to nothing, and neither does what stands against one. What stands behind what gives way goes with it.
+    pub(crate) fn close(&mut self, scene: &Scene, contact: &Contact) {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        let reach = self.reach_of(contact);
+        let gap = self.locate(scene, hi)[axis] - self.locate(scene, lo)[axis] - reach;
+        if gap < -DEEP && !self.began_apart(contact) {
+            // They began in each other: nothing is put right at a stroke.
+            return;
+        }
+        if lo >= self.movable || hi >= self.movable {
+            let (body, ground, side) = if lo >= self.movable { (hi, lo, 1.0) } else { (lo, hi, -1.0) };
+            if gap < -CLOSED {
+                self.push_along(scene, body as u32, (axis, -side * gap), contact);
+            }
+            self.places[body][axis] = self.places[ground][axis] + side * reach;
+        } else if gap.abs() > CLOSED {
+            let share = [(lo, gap), (hi, -gap)].map(|(item, way)| {
+                let stands = self.find_behind(item as u32, axis, way, contact);
+                if stands { 0.0 } else { 1.0 / self.items[item].body.mass }
+            });
+            let sum = share[0] + share[1];
+            if sum > 0.0 {
+                self.push_along(scene, lo as u32, (axis, gap * (share[0] / sum)), contact);
+                self.push_along(scene, hi as u32, (axis, -gap * (share[1] / sum)), contact);
+            }
+        }
+    }
+
+    /// Whether two things were not in each other when the tick began.
+    fn began_apart(&self, contact: &Contact) -> bool {
+        let (lo, hi) = (contact.lo as usize, contact.hi as usize);
+        let reach = self.items[lo].body.half + self.items[hi].body.half;
+        ((self.begun[hi] - self.begun[lo]).abs() - reach).max_element() >= -DEEP
+    }
+
+    /// Where Newton's method has ended with two things in each other: halves the time between the last event, when they were not, and now,
+    /// until they are not by more than the slop.
+    fn bracket(&mut self, scene: &Scene, contact: &Contact, reach: f64) {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        let gap = |events: &Self, at: f64| {
+            let place = |item: usize| events.items[item].pose(scene.media, at).0[axis];
+            place(hi) - place(lo) - reach
+        };
+        let mut apart = self.items.iter().map(|item| item.since).fold(0.0, f64::max);
+        if apart >= self.now || gap(self, self.now) >= -SLOP || gap(self, apart) < 0.0 {
+            return;
+        }
+        let mut met = self.now;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (apart + met);
+            let between = gap(self, middle);
+            if between >= -SLOP {
+                apart = middle
+            } else {
+                met = middle
+            }
+            if between.abs() <= SLOP {
+                break;
+            }
+        }
+        self.now = apart;
+    }
+
+    /// Lists in `behind` a body and what stands behind it to that side along an axis, each against the one before, not by this contact. Returns
+    /// whether a surface does.
+    fn find_behind(&mut self, body: u32, axis: usize, side: f64, besides: &Contact) -> bool {
+        self.behind.clear();
+        self.behind.push(body);
+        let mut next = 0;
+        while let Some(&carrier) = self.behind.get(next) {
+            next += 1;
+            let all = self.contacts.iter().chain(&self.touching).chain(&self.met);
+            for contact in all.filter(|contact| contact.axis == axis && !contact.is_of(besides.lo, besides.hi)) {
+                let (near, far) = if side > 0.0 { (contact.lo, contact.hi) } else { (contact.hi, contact.lo) };
+                if near != carrier {
+                    continue;
+                }
+                if far as usize >= self.movable {
+                    return true;
+                }
+                if !self.behind.contains(&far) {
+                    self.behind.push(far);
+                }
+            }
+        }
+        false
+    }
+
+    /// Moves a body by `way` (m) along an axis, and what stands behind it by as much: it would be left in it, a little deeper each time.
+    fn push_along(&mut self, scene: &Scene, body: u32, (axis, way): (usize, f64), besides: &Contact) {
+        if way == 0.0 {
+            return;
+        }
+        self.find_behind(body, axis, way, besides);
+        for k in 0..self.behind.len() {
+            let item = self.behind[k];
+            self.concern(item);
+            self.locate(scene, item as usize);
+            self.places[item as usize][axis] += way;
+        }
+    }
+
+    /// How far apart the centres of two things are along the axis of their contact where they touch, m.
+    fn reach_of(&self, contact: &Contact) -> f64 {
+        let half = |item: u32| self.items[item as usize].body.half[contact.axis];
+        half(contact.lo) + half(contact.hi)
+    }
+
+    /// Whether two things that meet are in each other by more than the slop: something else happened on the rest of a way that was foreseen
+    /// roughly.
+    pub(crate) fn is_in(&self, contact: &Contact) -> bool {
+        self.depth_of(contact) > SLOP
+    }
+
+    /// How deep two things are in each other along the axis of their contact, m.
+    pub(crate) fn depth_of(&self, contact: &Contact) -> f64 {
+        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
+        self.reach_of(contact) - (self.places[hi][axis] - self.places[lo][axis])
+    }
+}

@@ -1,0 +1,289 @@
+//! What an event leaves behind: accelerations, and how everything concerned moves on.
+//!
+//! What flies follows its own flow. What is in contact moves with the accelerations that its contacts allow; these are constant unless media
+//! act. Where they do, one body that slides on one surface follows the exact law of its slide; a group takes the mean acceleration of an
+//! implicit midpoint step, which is stable at any rate: in `v′ = f − D·v − K·x` the step is one contact solve with the masses
+//! M·(1 + ½hD + ¼h²K). So a group in a medium needs one more solve than one without, and its ways are parabolas as well.
+
+use crate::physics::contact::reactions::Parts;
+use crate::physics::data::contact::Contact;
+use crate::physics::data::tuning::SPEED_TOLERANCE;
+use crate::physics::exact::item::{Item, Motion, Next, Slide};
+use crate::physics::exact::track::Track;
+use crate::physics::exact::{Events, Implicit, Scene};
+use glam::DVec2;
+
+/// The rate × time up to which a cubic follows a flow through air. Larger: impacts in the midst of it are found off the way.
+const CUBIC_REACH: f64 = 0.1;
+/// The same near liquids, where each foresight costs many times as much.
+const CUBIC_REACH_IN_LIQUID: f64 = 0.5;
+/// How far beyond the end of a slide a mean acceleration reaches, as a part of its time: so that the end is found before.
+const BEYOND_A_STOP: f64 = 1.25;
+/// The shortest part of a tick for which the way of something light in air is foreseen at once, as long as it bends by little.
+const SHORTEST: f64 = 1.0 / 256.0;
+/// The same near liquids.
+const SHORTEST_IN_LIQUID: f64 = 1.0 / 64.0;
+/// How far a way is foreseen at once near liquids, as a part of the time in which half of the body enters one: where it does, its way has a kink.
+const PART_OF_A_CROSSING: f64 = 0.5;
+/// m. How far a way may leave its tangent within that. Larger: what is braked from hundreds of kilometres a second meets things metres
+/// beside its way.
+const BENT: f64 = 1e-3;
+
+/// s from the tick's start. How long the cubic of something that moves through a medium follows its flow; that of a flow through liquids is
+/// looked at as it is foreseen.
+fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
+    let wet = item.law.is_near_liquid();
+    if wet && item.motion == Motion::Flow {
+        return scene.tick;
+    }
+    let (reach, shortest) = if wet { (CUBIC_REACH_IN_LIQUID, SHORTEST_IN_LIQUID) } else { (CUBIC_REACH, SHORTEST) };
+    let pose = (item.body.position, item.body.velocity);
+    let rate = scene.media.rate(&item.body, &item.law, pose, scene.tick - item.since);
+    let (mut long, least) = (reach / rate, scene.tick * shortest);
+    if wet {
+        long = long.min((item.body.half / pose.1.abs()).min_element() * PART_OF_A_CROSSING);
+    }
+    if long >= least {
+        return (item.since + long).min(scene.tick);
+    }
+    let pull = scene.media.acceleration(&item.body, &item.law, pose.0, pose.1).length();
+    (item.since + long.max(least.min((BENT / pull).sqrt()))).min(scene.tick)
+}
+
+impl Events {
+    /// Looks at everything concerned anew: what touches it, its impacts, contacts, accelerations and motion.
+    pub(crate) fn look(&mut self, scene: &Scene, hit: Option<Contact>) {
+        // Where a surface is stopped that would have squeezed something, other things concern it as well: each of them once.
+        let told = self.hits.len();
+        for _ in self.movable..=self.items.len() {
+            self.halted = false;
+            self.collect(scene, hit);
+            self.resume_concerned(scene);
+            if !self.resolve_impacts(scene) {
+                // Nothing of this event has happened: the island is handed over as it was.
+                self.hits.truncate(told);
+                return;
+            }
+            if !self.halted {
+                self.settle_concerned(scene, hit);
+            }
+            if !self.halted {
+                break;
+            }
+        }
+        self.go_on(scene);
+    }
+
+    /// Lets everything concerned begin anew where it is now: its law, contacts and accelerations.
+    fn settle_concerned(&mut self, scene: &Scene, hit: Option<Contact>) {
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let (place, speed) = (self.places[i], self.speeds[i]);
+            let item = &mut self.items[i];
+            (item.body.position, item.body.velocity, item.since) = (place, speed, self.now);
+            item.forget_end();
+            item.disturbed = true;
+            self.renew_law(scene, i);
+        }
+        self.find_contacts(scene, hit);
+        self.solve_concerned(scene);
+    }
+
+    /// The force of a body's engine, and of all streams that it feels, N.
+    pub(crate) fn force_on(&self, scene: &Scene, i: usize) -> DVec2 {
+        let item = &self.items[i];
+        let push = item.drive + item.link;
+        self.around.get(i).map_or(push, |around| around.force_on(scene.media, &item.body, push))
+    }
+
+    /// The law of a body's motion from now on.
+    pub(crate) fn renew_law(&mut self, scene: &Scene, i: usize) {
+        let force = self.force_on(scene, i);
+        let item = &mut self.items[i];
+        scene.media.renew(&mut item.law, &item.body, force, scene.tick - self.now);
+    }
+
+    /// The accelerations of what is concerned, and what its contacts carry.
+    pub(crate) fn solve_concerned(&mut self, scene: &Scene) {
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let item = &self.items[i];
+            self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
+            self.solved[i] = self.free[i];
+        }
+        self.take_contacts_of_concerned();
+        let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
+        self.reactions.accelerate(&mut self.trial, &parts, &mut self.solved);
+        let solved = std::mem::take(&mut self.trial);
+        self.stop_surfaces(scene, &solved, |events, surface| events.ground_pulls[surface as usize - events.movable]);
+        self.trial = solved;
+        self.contacts.append(&mut self.trial);
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            self.items[i].solved = self.solved[i];
+        }
+    }
+
+    /// Sets everything concerned on its way, and seeks what happens to it next.
+    pub(crate) fn go_on(&mut self, scene: &Scene) {
+        self.choose_motions(scene);
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            self.foresee(scene, i);
+        }
+        let still = self.tracks.iter().all(Track::is_still);
+        for i in 0..self.items.len() {
+            let item = &self.items[i];
+            let stopped = i >= self.movable && item.stops_at <= self.now && item.since == self.now;
+            if self.is_concerned[i] || stopped {
+                if still {
+                    self.predict_still(scene, i);
+                } else {
+                    self.predict(scene, i);
+                }
+            }
+        }
+    }
+
+    /// Foresees the way of an item.
+    pub(crate) fn foresee(&mut self, scene: &Scene, i: usize) {
+        let track = self.items[i].foresee(scene.media);
+        if i < self.movable && !self.streams.is_empty() && !track.is_still() {
+            self.borders[i] = self.around[i].streams_at(scene.media, &track.swept);
+        }
+        self.lanes.set(i, &track.swept, track.rounding);
+        self.tracks[i] = track;
+        self.nexts[i] = Next::NEVER;
+        self.ways[i] += 1;
+    }
+
+    /// How everything concerned moves from now on.
+    fn choose_motions(&mut self, scene: &Scene) {
+        let left = scene.tick - self.now;
+        self.take_contacts_of_concerned();
+        let mut coupled = false;
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let in_media = !self.items[i].law.is_constant();
+            let mut touching = self.trial.iter().filter(|contact| contact.has(i as u32));
+            let (first, more) = (touching.next().copied(), touching.next().is_some());
+            let at_rest = self.speeds[i] == DVec2::ZERO && self.solved[i] == DVec2::ZERO;
+            let slide = first.filter(|_| in_media && !more && !at_rest).and_then(|contact| self.slide_of(i, &contact));
+            let item = &mut self.items[i];
+            (item.mean, item.until, item.slide) = (self.solved[i], scene.tick, slide);
+            item.motion = match first {
+                _ if at_rest => Motion::Still,
+                Some(_) if slide.is_some() => Motion::Slide,
+                None if in_media => Motion::Flow,
+                Some(_) | None => Motion::Parabola,
+            };
+            coupled |= first.is_some() && in_media && item.motion == Motion::Parabola;
+            if matches!(item.motion, Motion::Flow | Motion::Slide) {
+                item.until = end_of_a_cubic(scene, item);
+            }
+        }
+        if coupled && left > 0.0 {
+            let h = self.while_slides_last(left);
+            self.take_mean_accelerations(scene, h);
+            for k in 0..self.concerned.len() {
+                let item = &mut self.items[self.concerned[k] as usize];
+                if item.motion == Motion::Parabola {
+                    item.until = item.until.min(self.now + h);
+                }
+            }
+        }
+        self.contacts.append(&mut self.trial);
+    }
+
+    /// How long a mean acceleration may be taken for, of `left` seconds: what a heavy load brakes stands soon, and friction acts no longer.
+    fn while_slides_last(&self, left: f64) -> f64 {
+        let rate = |item: u32, along: usize| {
+            let i = item as usize;
+            if i < self.movable { self.solved[i][along] } else { self.ground_pulls[i - self.movable][along] }
+        };
+        let ends = self.trial.iter().filter(|contact| contact.slides != 0.0).map(|contact| {
+            let along = 1 - contact.axis;
+            let braking = contact.slides * (rate(contact.lo, along) - rate(contact.hi, along));
+            if braking > 0.0 { BEYOND_A_STOP * contact.slides * self.sliding(contact) / braking } else { f64::INFINITY }
+        });
+        ends.filter(|&end| end > 0.0).fold(left, f64::min)
+    }
+
+    /// The slide of a body that touches nothing but one surface which does not speed up, if it is one.
+    fn slide_of(&self, i: usize, contact: &Contact) -> Option<Slide> {
+        let surface = contact.other(i as u32);
+        if self.is_body(surface) || self.ground_pulls[surface as usize - self.movable] != DVec2::ZERO {
+            return None;
+        }
+        let away = if contact.hi as usize == i { 1.0 } else { -1.0 };
+        let slides = contact.normal > 0.0 && contact.slides != 0.0;
+        slides.then_some(Slide { axis: contact.axis, away, friction: away * contact.slides * contact.kinetic_friction })
+    }
+
+    /// The mean accelerations of what is in contact in media, for the next `h` seconds: an implicit midpoint step, with linearised forces and
+    /// then once more with those at the midpoint found, which makes it second order whatever the linearisation neglects. Where a rate is so
+    /// high that the midpoint would be passed by far, the point moves towards the end (the θ-method), so that nothing rings.
+    fn take_mean_accelerations(&mut self, scene: &Scene, h: f64) {
+        self.implicit.clear();
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let item = &self.items[i];
+            let answer = scene.media.stiffness(&item.body, &item.law, item.body.position, item.body.velocity);
+            let (drag, stiffness) = (answer.drag, DVec2::new(0.0, answer.lift));
+            let rate = drag * h + stiffness * (h * h);
+            let theta = DVec2::new(theta(rate.x), theta(rate.y));
+            let response = theta * drag * h + theta * theta * stiffness * (h * h);
+            self.implicit.push(Implicit { theta, response });
+            let eased = response + 1.0;
+            self.masses[i] = eased * item.body.mass;
+            let now = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
+            self.free[i] = (now - stiffness * theta * h * item.body.velocity) / eased;
+        }
+        self.solve_means();
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let (item, Implicit { theta, response }) = (&self.items[i], self.implicit[k]);
+            let (x, v, a, t) = (item.body.position, item.body.velocity, self.means[i], theta * h);
+            let forced = scene.media.acceleration(&item.body, &item.law, x + t * v + t * t * a, v + t * a);
+            self.free[i] = (forced + response * a) / (response + 1.0);
+        }
+        self.solve_means();
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            let item = &mut self.items[i];
+            self.masses[i] = DVec2::splat(item.body.mass);
+            // What rests now may be pushed off within the step, by what a liquid slows less and less.
+            if item.motion == Motion::Still && self.means[i].abs().max_element() * h > SPEED_TOLERANCE {
+                item.motion = Motion::Parabola;
+            }
+            if item.motion == Motion::Parabola {
+                item.mean = self.means[i];
+            }
+        }
+    }
+
+    fn solve_means(&mut self) {
+        self.means.clone_from(&self.free);
+        self.asked.clone_from(&self.trial);
+        let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
+        self.reactions.accelerate(&mut self.asked, &parts, &mut self.means);
+    }
+
+    /// Goes on with a flow that was foreseen up to now only, or with the next leg of a surface's path.
+    pub(crate) fn renew(&mut self, scene: &Scene, i: usize) {
+        let (position, velocity) = self.items[i].pose(scene.media, self.now);
+        let item = &mut self.items[i];
+        (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
+        item.forget_end();
+        if i < self.movable {
+            item.until = end_of_a_cubic(scene, item);
+        }
+        self.foresee(scene, i);
+        self.predict(scene, i);
+    }
+}
+
+/// How far into an implicit step of so much rate × time its forces are taken.
+fn theta(rate: f64) -> f64 {
+    if rate > 2.0 { 1.0 - 1.0 / rate } else { 0.5 }
+}

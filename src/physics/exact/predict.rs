@@ -1,0 +1,277 @@
+//! What happens next: the first event of an item, found on the ways that have been foreseen.
+//!
+//! Whoever sets out on a new way looks at all others, each up to its own next event, at which it will look itself. So of two that meet, the one
+//! that has looked last knows. What an item was to do with another that has gone another way is void; but until then it does nothing else
+//! either, and it looks again only if that time comes (after Lubachevsky 1991).
+//!
+//! Ways are cubics: exactly the parabola without drag, the Hermite interpolant of the flow with it. Whatever meets along them does so at a
+//! root of a polynomial; the pose at that time is then taken from the motion itself.
+
+use crate::physics::data::contact::Contact;
+use crate::physics::data::impact_time::{Cubic, Polynomial, earliest, time_of_impact};
+use crate::physics::data::surface::Sides;
+use crate::physics::data::tuning::{MICRO_SPEED, SLOP};
+use crate::physics::exact::item::{Kind, Next};
+use crate::physics::exact::{Events, Scene};
+use crate::physics::forces::zones;
+use glam::DVec2;
+
+/// m/s and m/s². Where things meet more gently than this it is the rounding of their places that meets: they would sink into each other
+/// by less than 1e-11 m within a tick.
+const GRAZING_SPEED: f64 = 1e-11;
+const GRAZING_ACCELERATION: f64 = 1e-6;
+/// How far one looks ahead at first, by half the sum of the sides, and how many times as far then. Further: more pairs are looked at.
+const LOOK_AHEAD: f64 = 2.0;
+const FURTHER: f64 = 4.0;
+/// Among so few one looks as far as one goes, at once.
+const FEW: usize = 16;
+
+impl Events {
+    /// Finds the next event of an item, against all others.
+    pub(crate) fn predict(&mut self, scene: &Scene, i: usize) {
+        let item = &self.items[i];
+        let mut next = Next::NEVER;
+        if item.until < scene.tick {
+            next.or_earlier(item.until, Kind::Renew);
+        }
+        if let Some(resume) = item.resume {
+            next.or_earlier(resume.at, Kind::Resume);
+        }
+        if i < self.movable {
+            self.next_border(scene, i, &mut next);
+        }
+        self.pressing.clear();
+        for contact in self.contacts.iter().filter(|contact| contact.has(i as u32)) {
+            self.next_contact_change(i as u32, contact, &mut next);
+            if contact.normal > 0.0 {
+                self.pressing.push(contact.other(i as u32));
+            }
+        }
+        self.next_hit(i, &mut next);
+        if let Some(other) = next.kind.other() {
+            next.foreseen_on = self.ways[other as usize];
+        }
+        self.nexts[i] = next;
+        self.keep_to_lane(i);
+    }
+
+    /// Sets the box in which an item stays until its next event. An island grows where that leads out of where others were looked for.
+    fn keep_to_lane(&mut self, i: usize) {
+        let track = &self.tracks[i];
+        let until = track.until.min(self.nexts[i].at);
+        // The pose of what moves nearly as its way says is asked for elsewhere than on it.
+        let as_foreseen = track.since == self.now && until >= track.until;
+        let lane = if track.is_exact() && !track.is_still() && !as_foreseen {
+            track.way_from(self.now).swept(track.half, until - self.now)
+        } else {
+            track.swept
+        };
+        self.lanes.set(i, &lane, track.rounding);
+        self.grown |= i < self.movable && !self.items[i].searched.contains(&lane, 0.0);
+    }
+
+    /// The same while nothing of the island moves, so that nothing meets and no contact changes.
+    pub(crate) fn predict_still(&mut self, scene: &Scene, i: usize) {
+        let item = &self.items[i];
+        let mut next = Next::NEVER;
+        if item.until < scene.tick {
+            next.or_earlier(item.until, Kind::Renew);
+        }
+        if let Some(resume) = item.resume {
+            next.or_earlier(resume.at, Kind::Resume);
+        }
+        self.nexts[i] = next;
+    }
+
+    /// When an item meets another one. The search begins now, and ends where the earlier of their ways does or with what is known to happen.
+    /// What is fast looks a little ahead first: it seldom gets far.
+    fn next_hit(&mut self, i: usize, next: &mut Next) {
+        let mine = &self.tracks[i];
+        let from_here = mine.way_from(self.now);
+        let (left, half, rounding) = (mine.until - self.now, mine.half, mine.rounding);
+        let foreseen = (mine.since == self.now).then_some(mine.swept);
+        let [_, v, ..] = from_here.c;
+        let few = self.tracks.len() <= FEW;
+        let mut ahead = if few || mine.is_still() { left } else { LOOK_AHEAD * (half.x + half.y) / (v.x.abs() + v.y.abs()) };
+        let mut near = std::mem::take(&mut self.near);
+        loop {
+            let end = left.min(next.at - self.now);
+            let stretch = if ahead < 0.5 * end { ahead } else { end };
+            if stretch <= 0.0 {
+                break;
+            }
+            let mut lane = foreseen.filter(|_| stretch == left).unwrap_or_else(|| from_here.swept(half, stretch));
+            (lane.min, lane.max) = (lane.min - (rounding + SLOP), lane.max + (rounding + SLOP));
+            self.lanes.touching(&lane, &mut near);
+            self.meet(i, &from_here, &near, (self.now + stretch, next));
+            if stretch == end || next.at <= self.now + stretch {
+                break;
+            }
+            ahead *= FURTHER;
+        }
+        self.near = near;
+    }
+
+    /// Whom of those near an item meets before a time.
+    fn meet(&mut self, i: usize, from_here: &Cubic, near: &[u32], (before, next): (f64, &mut Next)) {
+        let (now, mine) = (self.now, &self.tracks[i]);
+        for j in near.iter().map(|j| *j as usize) {
+            let other = &self.tracks[j];
+            if j == i || mine.is_still() && other.is_still() {
+                continue;
+            }
+            let end = mine.until.min(other.until).min(self.nexts[j].at).min(next.at).min(before) - now;
+            if end <= 0.0 {
+                continue;
+            }
+            let from_there = other.way_from(now);
+            // What presses on each other has met already.
+            if !mine.may_meet(other, from_there.c[0] - from_here.c[0], end, SLOP) || self.pressing.contains(&(j as u32)) {
+                continue;
+            }
+            // Seen from the one of the lower number, so that both come to the same bits.
+            let motion = if i < j { from_here.relative(&from_there) } else { from_there.relative(from_here) };
+            if motion.stands() {
+                continue;
+            }
+            let sides = self.items[i.max(j)].sides;
+            if let Some(t) = begins_flush(&motion, mine.half + other.half, end, sides) {
+                next.or_earlier(now + t, Kind::Begin { other: j as u32 });
+            }
+            let reach = reach_of(&motion, mine.half + other.half, sides);
+            let found =
+                meets_at_once(&motion, reach, sides).map(|axis| (0.0, axis)).or_else(|| time_of_impact(&motion, reach, end, sides));
+            let Some((t, axis)) = found else { continue };
+            let path = motion.axis(axis);
+            let side = path.at(t).signum();
+            let gentle = -side * path.slope(t) <= GRAZING_SPEED && -side * path.curvature(t) <= GRAZING_ACCELERATION;
+            if !gentle {
+                next.or_earlier(now + t, Kind::Hit { other: j as u32, axis, ascending: (side > 0.0) == (i < j) });
+            }
+        }
+    }
+
+    /// The end of a slide, and something sliding off an edge.
+    fn next_contact_change(&self, i: u32, contact: &Contact, next: &mut Next) {
+        let (lo, hi) = (&self.tracks[contact.lo as usize], &self.tracks[contact.hi as usize]);
+        if lo.is_still() && hi.is_still() {
+            return;
+        }
+        let end = lo.until.min(hi.until) - self.now;
+        let along = 1 - contact.axis;
+        let motion = lo.way_from(self.now).relative(&hi.way_from(self.now)).axis(along);
+        if motion.stands() {
+            return;
+        }
+        if contact.slides != 0.0
+            && let Some(t) = end_of_slide(&motion, contact.slides, self.skin_of(contact), end)
+        {
+            next.or_earlier(self.now + t, Kind::Stop { other: contact.other(i) });
+        }
+        // Half the slop: a contact needs all of it, so that this one is over then, however the time is rounded.
+        let level = lo.half[along] + hi.half[along] - 0.5 * SLOP;
+        let motion = motion.until(end);
+        if let Some(t) = earliest(motion.rises_through(level, 0.0), motion.falls_through(-level, 0.0)) {
+            next.or_earlier(self.now + t, Kind::Edge { other: contact.other(i) });
+        }
+    }
+
+    /// When an item enters or leaves an air stream.
+    fn next_border(&mut self, scene: &Scene, i: usize, next: &mut Next) {
+        let (item, track) = (&self.items[i], &self.tracks[i]);
+        if track.is_still() || self.streams.is_empty() {
+            return;
+        }
+        let end = track.until - self.now;
+        let near = &self.borders[i];
+        if near.is_empty() {
+            return;
+        }
+        let (way, pose) = (track.way_from(self.now), item.pose(scene.media, self.now));
+        for stream in near.iter() {
+            let zone = &scene.media.streams[stream as usize].zone;
+            let inside = zones::feels(zone, &item.body, pose);
+            if zones::stays(&track.swept, item.body.half, zone, inside) {
+                continue;
+            }
+            if let Some(t) = zones::border(&way, item.body.half, zone, inside, end) {
+                next.or_earlier(self.now + t, Kind::Border);
+            }
+        }
+    }
+}
+
+/// How near two boxes may come along each axis, m: what is in each other by more than the slop gets no deeper, from wherever it turns round.
+fn reach_of(motion: &Cubic, mut reach: DVec2, sides: Sides) -> DVec2 {
+    let apart = motion.c[0].abs();
+    let gap = apart - reach;
+    let axis = usize::from(gap.x <= gap.y);
+    if gap[axis] < -SLOP && sides == Sides::ALL {
+        reach[axis] = apart[axis];
+    }
+    reach
+}
+
+/// When two boxes that lie in one plane come to face each other along it: as one slides on to the next block of a floor, or a lift's top slides
+/// under what stands. They overlap by more than the slop then, however the time is rounded.
+fn begins_flush(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<f64> {
+    let along = |axis: usize| {
+        let (across, other) = (motion.axis(axis), 1 - axis);
+        let flush = |t: f64| (across.at(t).abs() - reach[axis]).abs() <= SLOP;
+        if !flush(0.0) || !sides.face(axis, across.at(0.0) <= 0.0) {
+            return None;
+        }
+        let (path, level) = (motion.axis(other).until(end), reach[other] - 2.0 * SLOP);
+        let t = earliest(path.falls_through(level, 0.0), path.rises_through(-level, 0.0));
+        t.filter(|t| flush(*t) && across.slope(*t).abs() <= MICRO_SPEED)
+    };
+    along(1).or_else(|| along(0))
+}
+
+/// Along which axis two boxes that touch already, or are in each other by the rounding with which a way was foreseen, approach at this very
+/// instant. After an impact they do not.
+fn meets_at_once(motion: &Cubic, reach: DVec2, sides: Sides) -> Option<usize> {
+    let apart = motion.c[0];
+    let gap = apart.abs() - reach;
+    let axis = usize::from(gap.x <= gap.y);
+    let meets = gap[axis] <= 0.0 && gap[1 - axis] < -SLOP && -apart[axis].signum() * motion.c[1][axis] > GRAZING_SPEED;
+    (meets && sides.face(axis, apart[axis] <= 0.0) && (sides == Sides::ALL || gap[axis] >= -SLOP)).then_some(axis)
+}
+
+/// When a slide of `hi` over `lo` in the direction `slides` ends: when the speed of `motion`, that of `hi` relative to `lo`, less the `skin` of
+/// a belt, comes to zero.
+fn end_of_slide(motion: &Polynomial, slides: f64, skin: f64, end: f64) -> Option<f64> {
+    let [_, v, a, j] = motion.0;
+    let (speed, braking) = (slides * (v + skin), -slides * 2.0 * a);
+    if speed <= 0.0 {
+        return None;
+    }
+    let t = if j == 0.0 {
+        speed / braking
+    } else {
+        // speed − braking·t + q·t² = 0, by the form that subtracts no like numbers.
+        let q = 3.0 * slides * j;
+        let discriminant = braking * braking - 4.0 * q * speed;
+        if discriminant < 0.0 {
+            return None;
+        }
+        2.0 * speed / (braking + discriminant.sqrt())
+    };
+    (t > 0.0 && t < end).then_some(t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slide_ends_when_its_speed_does() {
+        assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, -1.5, 0.0]), 1.0, 0.0, 3.0), Some(2.0));
+        assert_eq!(end_of_slide(&Polynomial([0.0, -6.0, 1.5, 0.0]), -1.0, 0.0, 3.0), Some(2.0));
+        assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, 1.5, 0.0]), 1.0, 0.0, 3.0), None);
+        // On a belt that runs along with 2 m/s it ends there.
+        assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, -1.5, 0.0]), 1.0, -2.0, 3.0), Some(4.0 / 3.0));
+        // 4 − 5t + t² has its first root at 1.
+        assert!((end_of_slide(&Polynomial([0.0, 4.0, -2.5, 1.0 / 3.0]), 1.0, 0.0, 3.0).unwrap() - 1.0).abs() < 1e-15);
+    }
+}

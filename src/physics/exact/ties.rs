@@ -1,0 +1,189 @@
+//! Impacts at one instant and of one speed. One small system finds their impulses together, so that neither the order of rows nor a mirror
+//! decides which comes first.
+//!
+//! With w the approach speeds, J the normals and A = J·M⁻¹·Jᵀ, impulses p > 0 satisfy A·p = (1 + e)·w: each pair leaves with e·w. Conjugate
+//! gradients (Hestenes and Stiefel 1952) from p = 0 find the solution of least norm: faces under one body share its impulse equally. A pair
+//! whose impulse would pull is left out, and is an impact of its own if it approaches still.
+
+use crate::physics::data::contact::Contact;
+use crate::physics::exact::{Events, Scene};
+use glam::DVec2;
+
+/// Relative difference up to which two approach speeds are equal. Smaller: the rounding of a place decides about an order.
+const EQUAL_SPEED: f64 = 1e-10;
+/// s. Gaps that close within this time close now.
+const EQUAL_TIME: f64 = 1e-12;
+/// Roundings of a coordinate that a gap may be off by.
+const ROUNDINGS: f64 = 16.0;
+/// Relative to the largest target: where conjugate gradients end, and what says that the targets contradict each other.
+const CONVERGED: f64 = 1e-15;
+const CONTRADICTS: f64 = 1e-9;
+
+/// One of several impacts at one instant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tie {
+    /// The place of its contact in the list of what touches.
+    pub index: usize,
+    pub e: f64,
+    /// By how much its approach speed shall fall, m/s.
+    target: f64,
+    /// N·s.
+    impulse: f64,
+    /// m/s: the target left over, the direction of the search, what that changes.
+    left: f64,
+    direction: f64,
+    change: f64,
+}
+
+impl Events {
+    /// Finds the impacts that tie with one of `speed` at the contact of that index; those along gravity come before those across.
+    pub(crate) fn find_ties(&mut self, scene: &Scene, index: usize, speed: f64) {
+        let mut ties = std::mem::take(&mut self.ties);
+        ties.clear();
+        let tied = |index: usize| self.tie(scene, index, speed);
+        let down = (0..self.touching.len()).filter(|i| self.touching[*i].axis == 1).find_map(tied);
+        ties.extend(down.or_else(|| self.tie(scene, index, speed)));
+        let mut next = 0;
+        while let Some(from) = ties.get(next).map(|tie: &Tie| self.touching[tie.index]) {
+            for other in 0..self.touching.len() {
+                let contact = &self.touching[other];
+                let shares = [from.lo, from.hi].iter().any(|item| self.is_body(*item) && contact.has(*item));
+                if shares && contact.axis == from.axis && ties.iter().all(|tie| tie.index != other) {
+                    ties.extend(self.tie(scene, other, speed));
+                }
+            }
+            next += 1;
+        }
+        self.ties = ties;
+    }
+
+    /// The impact of a contact, if it bounces now with that speed.
+    fn tie(&self, scene: &Scene, index: usize, speed: f64) -> Option<Tie> {
+        let contact = &self.touching[index];
+        let approach = self.approach(contact);
+        if (approach - speed).abs() > EQUAL_SPEED * speed || !(contact.closed || self.closes_now(contact, speed)) {
+            return None;
+        }
+        let e = self.restitution(scene, contact, approach);
+        let target = (1.0 + e) * approach;
+        (e > 0.0).then_some(Tie { index, e, target, impulse: 0.0, left: 0.0, direction: 0.0, change: 0.0 })
+    }
+
+    /// Whether the gap of a contact is none but for rounding.
+    fn closes_now(&self, contact: &Contact, speed: f64) -> bool {
+        let [a, b] = [contact.lo, contact.hi].map(|item| item as usize);
+        let reach = self.items[a].body.half + self.items[b].body.half;
+        let gap = (self.places[b] - self.places[a] - reach)[contact.axis];
+        let size = (self.places[a].abs() + self.places[b].abs() + reach)[contact.axis];
+        gap <= speed * EQUAL_TIME + ROUNDINGS * f64::EPSILON * size
+    }
+
+    /// Resolves the impacts that have been found to tie.
+    pub(crate) fn resolve_ties(&mut self, scene: &Scene, speed: f64) {
+        let mut ties = std::mem::take(&mut self.ties);
+        loop {
+            let solved = self.find_impulses(&mut ties);
+            let least = ties.iter().map(|tie| tie.target).fold(f64::INFINITY, f64::min);
+            let before = ties.len();
+            ties.retain(|tie| if solved { tie.impulse > 0.0 } else { tie.target > least });
+            if ties.len() == before || ties.is_empty() {
+                break;
+            }
+        }
+        self.before.clone_from(&self.speeds);
+        for k in 0..ties.len() {
+            self.rebound(&ties, k, speed);
+        }
+        let on_ground = |tie: &Tie| {
+            let (body, surface) = self.touching[tie.index].ends();
+            !self.is_body(surface) && self.stands(surface) && self.touching[ties[0].index].has(body)
+        };
+        if !ties.is_empty() && ties.iter().all(on_ground) {
+            let (contact, e) = (self.touching[ties[0].index], ties[0].e);
+            self.pass_over_bounces(scene, &contact, e * speed, e);
+        }
+        self.ties = ties;
+    }
+
+    /// Solves for the impulses. Returns false where the targets contradict each other.
+    fn find_impulses(&mut self, ties: &mut [Tie]) -> bool {
+        let most = ties.iter().map(|tie| tie.target).fold(0.0, f64::max);
+        for tie in &mut *ties {
+            (tie.impulse, tie.left) = (0.0, tie.target);
+        }
+        let mut last = 0.0;
+        for step in 0..4 * ties.len() {
+            let mut size = 0.0;
+            for tie in &*ties {
+                size += tie.left * tie.left * self.reduced(&self.touching[tie.index]);
+            }
+            if ties.iter().all(|tie| tie.left.abs() <= CONVERGED * most) {
+                break;
+            }
+            let carried = if step == 0 { 0.0 } else { size / last };
+            for tie in &mut *ties {
+                tie.direction = tie.left * self.reduced(&self.touching[tie.index]) + carried * tie.direction;
+            }
+            self.find_changes(ties);
+            let slope: f64 = ties.iter().map(|tie| tie.direction * tie.change).sum();
+            if slope <= 0.0 {
+                break;
+            }
+            for tie in &mut *ties {
+                tie.impulse += size / slope * tie.direction;
+                tie.left -= size / slope * tie.change;
+            }
+            last = size;
+        }
+        ties.iter().all(|tie| tie.left.abs() <= CONTRADICTS * most)
+    }
+
+    /// What impulses along the directions of the search change of the approach speeds.
+    fn find_changes(&mut self, ties: &mut [Tie]) {
+        self.means.clear();
+        self.means.resize(self.movable, DVec2::ZERO);
+        for tie in &*ties {
+            let Contact { lo, hi, axis, .. } = self.touching[tie.index];
+            for (item, sign) in [(lo as usize, -1.0), (hi as usize, 1.0)] {
+                if item < self.movable {
+                    self.means[item][axis] += sign * tie.direction / self.items[item].body.mass;
+                }
+            }
+        }
+        for tie in ties {
+            let Contact { lo, hi, axis, .. } = self.touching[tie.index];
+            let of = |item: u32| self.means.get(item as usize).map_or(0.0, |speed| speed[axis]);
+            tie.change = of(hi) - of(lo);
+        }
+    }
+
+    /// The reduced mass of two things in contact, kg; with a surface it is the body's own.
+    fn reduced(&self, contact: &Contact) -> f64 {
+        let per_mass = |item: u32| if self.is_body(item) { 1.0 / self.items[item as usize].body.mass } else { 0.0 };
+        1.0 / (per_mass(contact.lo) + per_mass(contact.hi))
+    }
+
+    /// Gives two things their impulse. Friction goes by the sliding before all of them, of which each impact of a body may stop its part.
+    fn rebound(&mut self, ties: &[Tie], k: usize, speed: f64) {
+        let Tie { index, e, impulse, .. } = ties[k];
+        self.touching[index].lossy_hits += u32::from(e < 1.0);
+        let contact = self.touching[index];
+        let (along, speeds) = (1 - contact.axis, std::mem::take(&mut self.speeds));
+        self.speeds = std::mem::take(&mut self.before);
+        let relative = self.sliding(&contact);
+        (self.before, self.speeds) = (std::mem::take(&mut self.speeds), speeds);
+        let of = |item: u32| ties.iter().filter(|tie| self.is_body(item) && self.touching[tie.index].has(item)).count();
+        let parts = of(contact.lo).max(of(contact.hi)) as f64;
+        let rub = (contact.kinetic_friction * impulse).min(relative.abs() * self.reduced(&contact) / parts);
+        let mut given = DVec2::ZERO;
+        (given[contact.axis], given[along]) = (impulse, if relative == 0.0 { 0.0 } else { -relative.signum() * rub });
+        self.note(&contact, given, speed);
+        for (item, sign) in [(contact.lo as usize, -1.0), (contact.hi as usize, 1.0)] {
+            self.items[item].hits += 1;
+            if item < self.movable {
+                let mass = self.items[item].body.mass;
+                self.speeds[item] += given * (sign / mass);
+            }
+        }
+    }
+}

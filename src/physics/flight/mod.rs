@@ -1,0 +1,5 @@
+pub(crate) mod flow;
+pub(crate) mod implicit;
+pub(crate) mod linked;
+pub(crate) mod liquid;
+pub(crate) mod steps;

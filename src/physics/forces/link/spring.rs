@@ -1,0 +1,22 @@
+//! A spring: F = k·(d − L) + c·ḋ along its length d, pulling where that is longer than L (Hooke 1678).
+
+use glam::DVec2;
+
+/// A linear spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spring {
+    /// Its length without a force, m.
+    pub length: f64,
+    /// N/m.
+    pub stiffness: f64,
+    /// N·s/m.
+    pub damping: f64,
+}
+
+impl Spring {
+    /// The force on the first end, N; `apart` (m) leads from it to the other end, `parting` (m/s) is the rate of that.
+    pub(crate) fn force(&self, apart: DVec2, parting: DVec2) -> DVec2 {
+        let along = apart.normalize_or_zero();
+        apart * self.stiffness + along * (self.damping * along.dot(parting) - self.stiffness * self.length)
+    }
+}

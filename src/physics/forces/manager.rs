@@ -1,0 +1,140 @@
+//! The force manager of a body: named forces, each with its source. The world's state keeps one for each body with the constant pushes that
+//! the step moves it by: drive, wind, fields of gravity, and any that is added. [`crate::physics::world::World::forces`] lists with these
+//! the values of the laws that change within a tick (weight, air, liquids) and of the contacts, at the tick's end.
+
+use crate::physics::forces::kind::{ForceKind, Source};
+use glam::DVec2;
+
+/// Forces for which there is room without an allocation: the drive and several zones.
+const ROOM: usize = 8;
+/// Relative to the sum of the magnitudes: rounding leaves so much of forces that balance; and of those that contacts find for a body whose
+/// acceleration is exactly zero.
+const BALANCED: f64 = 4.0 * f64::EPSILON;
+const BALANCED_AT_REST: f64 = 1e-9;
+
+/// One force on a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Force {
+    /// Its kind, which is also its name.
+    pub kind: ForceKind,
+    /// What exerts it.
+    pub source: Source,
+    /// Its vector, N.
+    pub vector: DVec2,
+    /// Where it acts, m: the middle of the contact, or the centre of the body.
+    pub point: DVec2,
+}
+
+/// The forces that act on one body and their resultant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ForceManager {
+    forces: Vec<Force>,
+    /// The acceleration along that axis is exactly zero.
+    rests: [bool; 2],
+}
+
+impl ForceManager {
+    /// Adds a force (N) that acts until it is replaced or removed. One of the same source and kind is replaced; a vector that is zero, or not
+    /// finite, removes it. Pushes are kept in the order of their sources and kinds, so that their sum does not depend on when they began.
+    /// Returns whether anything changed.
+    pub fn add(&mut self, source: Source, kind: ForceKind, vector: DVec2) -> bool {
+        if vector == DVec2::ZERO || !vector.is_finite() {
+            return self.remove(source, kind);
+        }
+        match self.forces.binary_search_by_key(&(source, kind), |force| (force.source, force.kind)) {
+            Ok(at) if self.forces[at].vector == vector => return false,
+            Ok(at) => self.forces[at].vector = vector,
+            Err(at) => self.forces.insert(at, Force { kind, source, vector, point: DVec2::ZERO }),
+        }
+        true
+    }
+
+    /// Removes a force. Returns whether it was there.
+    pub fn remove(&mut self, source: Source, kind: ForceKind) -> bool {
+        let before = self.forces.len();
+        self.forces.retain(|force| (force.source, force.kind) != (source, kind));
+        self.forces.len() < before
+    }
+
+    /// The force of one source and kind, N.
+    pub fn get(&self, source: Source, kind: ForceKind) -> Option<DVec2> {
+        self.forces.iter().find(|force| (force.source, force.kind) == (source, kind)).map(|force| force.vector)
+    }
+
+    /// The forces of one kind.
+    pub fn all(&self, kind: ForceKind) -> impl Iterator<Item = &Force> {
+        self.forces.iter().filter(move |force| force.kind == kind)
+    }
+
+    /// Every single force.
+    pub fn forces(&self) -> &[Force] {
+        &self.forces
+    }
+
+    /// The vector sum of all forces of one kind, N: zero where there is none.
+    pub fn total(&self, kind: ForceKind) -> DVec2 {
+        self.all(kind).map(|force| force.vector).sum()
+    }
+
+    /// The resultant force, N: the sum, in which rounding of forces that balance counts as zero.
+    pub fn resultant(&self) -> DVec2 {
+        self.sum_of(|_| true)
+    }
+
+    /// The resultant without friction and the drag of air and liquids, N: static friction has to hold against this.
+    pub fn resultant_without_resistance(&self) -> DVec2 {
+        self.sum_of(|kind| !kind.is_resistance())
+    }
+
+    fn sum_of(&self, counts: impl Fn(ForceKind) -> bool) -> DVec2 {
+        let counted = || self.forces.iter().filter(|force| counts(force.kind)).map(|force| force.vector);
+        let (sum, size): (DVec2, DVec2) = (counted().sum(), counted().map(DVec2::abs).sum());
+        let rests = DVec2::from(self.rests.map(|rests| if rests { BALANCED_AT_REST } else { BALANCED }));
+        // Adding zero turns −0 into 0.
+        DVec2::select(sum.abs().cmple(size * rests), DVec2::ZERO, sum) + DVec2::ZERO
+    }
+
+    /// The sum of the pushes, N; or of those alone that come from no zone.
+    pub(crate) fn push(&self) -> DVec2 {
+        self.forces.iter().fold(DVec2::ZERO, |sum, force| sum + force.vector)
+    }
+
+    pub(crate) fn push_of_no_zone(&self) -> DVec2 {
+        self.forces.iter().filter(|force| !force.source.is_zone()).fold(DVec2::ZERO, |sum, force| sum + force.vector)
+    }
+
+    /// Removes the forces of zones that are not near.
+    pub(crate) fn leave_zones(&mut self, near: impl Fn(Source) -> bool) {
+        self.forces.retain(|force| !force.source.is_zone() || near(force.source));
+    }
+
+    /// Room for as many forces as a body is likely to feel, so that zones that it enters allocate nothing.
+    pub(crate) fn with_room() -> Self {
+        Self { forces: Vec::with_capacity(ROOM), ..Self::default() }
+    }
+
+    /// Empties the list, keeping its buffer.
+    pub(crate) fn clear(&mut self) {
+        self.forces.clear();
+        self.rests = [false; 2];
+    }
+
+    /// Appends one to a list; zero is none.
+    pub(crate) fn list(&mut self, force: Force) {
+        if force.vector != DVec2::ZERO {
+            self.forces.push(force);
+        }
+    }
+
+    /// Makes the last force of a kind that which balances those before it along the vertical.
+    pub(crate) fn balance(&mut self, kind: ForceKind) {
+        if let Some(last) = self.forces.iter().rposition(|force| force.kind == kind) {
+            self.forces[last].vector.y = -self.forces[..last].iter().map(|force| force.vector.y).sum::<f64>();
+        }
+    }
+
+    /// Closes the list of a body with that acceleration, m/s².
+    pub(crate) fn close(&mut self, acceleration: DVec2) {
+        self.rests = acceleration.to_array().map(|a| a == 0.0);
+    }
+}

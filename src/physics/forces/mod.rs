@@ -1,0 +1,9 @@
+pub(crate) mod air;
+pub(crate) mod bath;
+pub(crate) mod displaced;
+pub(crate) mod kind;
+pub(crate) mod link;
+pub(crate) mod manager;
+pub(crate) mod media;
+pub(crate) mod zone_list;
+pub(crate) mod zones;

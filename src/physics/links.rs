@@ -1,0 +1,186 @@
+//! Links in a world: bodies that links join share an island and are flown together. A body of such an island that touches something takes the
+//! mean force of its links over the tick as a constant one (its place is off by a part (ω·dt)²/12 of the force's own way), and its contacts
+//! those at the tick's end.
+
+use crate::physics::data::aabb::Aabb;
+use crate::physics::data::def::DefError;
+use crate::physics::data::tuning::SLOP;
+use crate::physics::flight::flow::Pose;
+use crate::physics::flight::linked::{Group, Member};
+use crate::physics::forces::link::{LinkDef, links_on};
+use crate::physics::islands::Tick;
+use crate::physics::scratch::{After, Scratch};
+use crate::physics::store::driver::advance::{Store, Verdict};
+use crate::physics::world::{State, World};
+use glam::DVec2;
+
+/// The links of a world, by the order in which they were added.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Links {
+    pub all: Vec<LinkDef>,
+    /// Bodies that links join, directly or over others, ascending.
+    groups: Vec<Vec<u32>>,
+}
+
+impl Links {
+    /// Finds the groups.
+    fn gather(&mut self) {
+        self.groups.clear();
+        for link in &self.all {
+            let ends = [Some(link.body), link.other()].into_iter().flatten().map(|body| body.0);
+            let mut joined: Vec<u32> = ends.collect();
+            self.groups.retain(|group| {
+                let apart = !group.iter().any(|body| joined.contains(body));
+                if !apart {
+                    joined.extend(group);
+                }
+                apart
+            });
+            joined.sort_unstable();
+            joined.dedup();
+            self.groups.push(joined);
+        }
+    }
+}
+
+impl World {
+    /// Adds a link; its number is that in [`World::links`].
+    ///
+    /// # Errors
+    /// A body that there is not, or a number that is out of its range: the links of a body may come to 10⁸ N/m and 10⁴ N·s/m per kg.
+    pub fn link(&mut self, def: LinkDef) -> Result<usize, DefError> {
+        def.check(&self.state.bodies, &self.state.links.all)?;
+        self.state.links.all.push(def);
+        self.state.links.gather();
+        self.disturb_ends(&def);
+        Ok(self.state.links.all.len() - 1)
+    }
+
+    /// Removes a link; those behind it move up by one number.
+    pub fn unlink(&mut self, number: usize) {
+        if number < self.state.links.all.len() {
+            let def = self.state.links.all.remove(number);
+            self.state.links.gather();
+            self.disturb_ends(&def);
+            for end in [Some(def.body), def.other()].into_iter().flatten() {
+                self.pile.set_force(end.index(), self.state.forces[end.index()].push());
+            }
+        }
+    }
+
+    /// All links.
+    pub fn links(&self) -> &[LinkDef] {
+        &self.state.links.all
+    }
+
+    fn disturb_ends(&mut self, def: &LinkDef) {
+        [Some(def.body), def.other()].into_iter().flatten().for_each(|body| self.disturb(body.0));
+    }
+
+    /// Flies all that is linked and awake as if it touched nothing, but for bodies that contacts hold.
+    pub(crate) fn fly_linked(&mut self, dt: f64) {
+        self.scratch.linked.clear();
+        self.scratch.pairs.clear();
+        for g in 0..self.state.links.groups.len() {
+            let group = &self.state.links.groups[g];
+            if group.iter().all(|body| self.pile.is_sleeping(*body as usize)) {
+                continue;
+            }
+            for k in 0..group.len() {
+                let body = self.state.links.groups[g][k];
+                if self.pile.is_sleeping(body as usize) {
+                    self.disturb(body);
+                }
+            }
+            let Self { state, scratch, pile, .. } = self;
+            let Scratch { linked, pairs, .. } = &mut **scratch;
+            let (from, group) = (linked.len(), &state.links.groups[g]);
+            pairs.extend(group.windows(2).map(|pair| (pair[0], pair[1])));
+            for &id in group {
+                let (body, push) = (&state.bodies[id as usize], state.forces[id as usize].push());
+                let rests = body.velocity == DVec2::ZERO && body.acceleration == DVec2::ZERO;
+                let held = rests && state.contacts.iter().any(|contact| contact.has(id));
+                linked.push(Member::new(body, id, held, state.media.law(body, push, dt)));
+            }
+            state.media.ask_roughly(false);
+            Group { media: &state.media, bodies: &state.bodies, links: &state.links.all }.fly(&mut linked[from..], dt);
+            for member in &linked[from..] {
+                let i = member.id as usize;
+                pile.set_force(i, state.forces[i].push() + member.mean);
+                let (place, speed) = if member.held {
+                    let body = &state.bodies[i];
+                    let a = state.media.acceleration_under(body, state.forces[i].push() + member.mean);
+                    (body.position + a * (0.5 * dt * dt), a * dt)
+                } else {
+                    member.pose
+                };
+                pile.guide(i, place, speed);
+            }
+        }
+        self.scratch.linked.sort_unstable_by_key(|member| member.id);
+        self.pile.join(&self.scratch.pairs);
+    }
+}
+
+impl State {
+    /// The force of all links on a body, N.
+    pub(crate) fn links_on(&self, body: u32) -> DVec2 {
+        links_on(&self.links.all, body, |id| self.pose_of(id))
+    }
+
+    pub(crate) fn pose_of(&self, id: u32) -> Pose {
+        let body = &self.bodies[id as usize];
+        (body.position, body.velocity)
+    }
+}
+
+impl Scratch {
+    /// A body that is linked and awake.
+    pub(crate) fn linked(&self, body: u32) -> Option<&Member> {
+        self.linked.binary_search_by_key(&body, |member| member.id).ok().map(|at| &self.linked[at])
+    }
+}
+
+impl Tick<'_> {
+    /// Leaves linked bodies that come near nothing where they fly together, and takes them out of the island's members. Returns a verdict if
+    /// that settles it.
+    pub(crate) fn leave_linked(&mut self, store: &mut Store<'_>) -> Option<Verdict> {
+        if self.scratch.linked.is_empty() {
+            return None;
+        }
+        let mut grown = false;
+        for k in 0..self.scratch.members.len() {
+            let id = self.scratch.members[k];
+            let Some(member) = self.scratch.linked(id).filter(|member| !member.held) else { continue };
+            let (swept, half) = (store.swept(id), self.state.bodies[id as usize].half);
+            let way = Aabb::new(member.places.min - half, member.places.max + half);
+            if !swept.contains(&way, SLOP) {
+                store.widen(id, (swept.min - way.min).max(way.max - swept.max).max(DVec2::ZERO));
+                grown = true;
+            }
+        }
+        if grown {
+            self.guards.islands_grown += 1;
+            return Some(Verdict::Grown);
+        }
+        let mut flown = std::mem::take(&mut self.scratch.flown);
+        let Self { scratch, state, scene, .. } = self;
+        let near = |swept: &Aabb, s: u32| state.surfaces[s as usize].swept(scene.tick).touches(swept, SLOP);
+        let apart = |id: u32| {
+            let swept = store.swept(id);
+            scratch.linked(id).is_some_and(|member| !member.held)
+                && !scratch.surfaces.iter().any(|s| near(&swept, *s))
+                && scratch.members.iter().all(|other| *other == id || !store.swept(*other).touches(&swept, SLOP))
+        };
+        flown.clear();
+        flown.extend(scratch.members.iter().filter(|id| apart(**id)));
+        for &id in &flown {
+            let (position, velocity) = scratch.linked(id).map_or((DVec2::ZERO, DVec2::ZERO), |member| member.pose);
+            store.bring(id, position, velocity);
+            scratch.note(id, After { known: true, flown: true, members: 1, leader: id, ..After::default() });
+        }
+        scratch.members.retain(|id| !flown.contains(id));
+        scratch.flown = flown;
+        scratch.members.is_empty().then_some(Verdict::Taken { rests: false })
+    }
+}

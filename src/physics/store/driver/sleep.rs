@@ -1,0 +1,146 @@
+//! Who sleeps: islands that a step left as they were, until something outside changes or something else comes near.
+//!
+//! What has slept through a whole step is set aside: flight, the search for neighbours and islands leave it out until something wakes it, or
+//! until the boxes that others sweep reach its own (`rouse`). All that a step would find out about it anew, it would find as it was: its box
+//! in `Bodies::swept` and its free flight stay those of the step before. So it costs nothing, and changes no bit.
+
+use crate::physics::crowd::report::ContactImpulse;
+use crate::physics::store::bodies::Bodies;
+use crate::physics::store::driver::Driver;
+use crate::physics::store::islands::Island;
+
+/// Nobody is set aside while more than this part of the bodies has to be looked at: who is near them is looked up one by one then.
+const MOST_LOOKED_AT: f64 = 0.25;
+
+impl Driver {
+    pub fn wake(&mut self, body: usize) {
+        if std::mem::replace(&mut self.asleep[body], false) {
+            self.sleepers -= 1;
+            self.woken.push(body as u32);
+        }
+        self.rouse(body);
+    }
+
+    pub fn wake_all(&mut self) {
+        self.woken.extend((0..).zip(&self.asleep).filter(|(_, asleep)| **asleep).map(|(body, _)| body));
+        self.asleep.fill(false);
+        self.sleepers = 0;
+        self.rouse_all();
+    }
+
+    /// Counts a body to those that a step looks at, asleep or not. Returns whether that is new.
+    pub(crate) fn rouse(&mut self, body: usize) -> bool {
+        self.undisturbed[body] = false;
+        let aside = std::mem::replace(&mut self.aside[body], false);
+        if aside {
+            self.looked_at.push(body as u32);
+        }
+        aside
+    }
+
+    /// The same for all.
+    pub(crate) fn rouse_all(&mut self) {
+        self.undisturbed.fill(false);
+        if self.looked_at.len() < self.aside.len() {
+            self.aside.fill(false);
+            self.looked_at.clear();
+            self.looked_at.extend(0..self.aside.len() as u32);
+        }
+    }
+
+    /// Whom a step looks at, by the numbers outside.
+    pub fn looked_at(&self) -> &[u32] {
+        &self.looked_at
+    }
+
+    /// Whether a step looks at all bodies.
+    pub fn looks_at_all(&self) -> bool {
+        self.looked_at.len() == self.aside.len()
+    }
+
+    /// Sets those aside that slept through the step before, if that leaves few enough to be worth it.
+    pub(crate) fn set_aside(&mut self) {
+        let Self { looked_at, undisturbed, aside, asleep, .. } = self;
+        let sleeps = |body: u32| asleep[body as usize] && undisturbed[body as usize];
+        let left = looked_at.iter().filter(|body| !sleeps(**body)).count();
+        if left as f64 > MOST_LOOKED_AT * aside.len() as f64 {
+            return self.rouse_all();
+        }
+        looked_at.retain(|&body| {
+            aside[body as usize] = sleeps(body);
+            !aside[body as usize]
+        });
+    }
+
+    pub fn all_asleep(&self) -> bool {
+        self.sleepers == self.asleep.len()
+    }
+
+    pub fn sleepers(&self) -> usize {
+        self.sleepers
+    }
+
+    pub fn sleeps(&self, body: usize) -> bool {
+        self.asleep[body]
+    }
+
+    pub(crate) fn fall_asleep(&mut self, body: usize) {
+        if !std::mem::replace(&mut self.asleep[body], true) {
+            self.undisturbed[body] = false;
+            self.sleepers += 1;
+            self.fresh.push(body as u32);
+        }
+    }
+
+    /// Wakes whom this step has let fall asleep.
+    pub(crate) fn wake_fresh(&mut self) {
+        while let Some(body) = self.fresh.pop() {
+            self.wake(body as usize);
+        }
+    }
+
+    /// What was told of those that slept holds no longer.
+    pub(crate) fn forget(&self, bodies: &Bodies, island: Island<'_>, report: &mut Vec<ContactImpulse>) {
+        let slept = |body: usize| self.asleep[body] && island.members.contains(&bodies.slot[body]);
+        if self.sleepers > 0 && !report.is_empty() {
+            report.retain(|contact| !slept(contact.a));
+        }
+    }
+
+    /// An island of which all sleep and that nothing moving touches stays as it is.
+    pub(crate) fn stays_asleep(&mut self, bodies: &mut Bodies, island: Island<'_>) -> bool {
+        if self.sleepers == 0 || !island.members.iter().all(|i| self.asleep[bodies.id[*i as usize] as usize]) {
+            return false;
+        }
+        let n = bodies.len() as u32;
+        let carries = |j: u32| j >= n && bodies.carries(j as usize);
+        if island.members.iter().any(|i| island.near(*i).iter().any(|j| carries(*j))) {
+            return false;
+        }
+        for &i in island.members {
+            bodies.stay(i as usize);
+            self.undisturbed[bodies.id[i as usize] as usize] = true;
+        }
+        true
+    }
+
+    /// A step that moved nothing and left nothing moving would be followed by the same for ever.
+    pub(crate) fn finish(&mut self, bodies: &Bodies, island: Island<'_>, may_sleep: bool) {
+        let still = |i: usize| {
+            let rests = bodies.vy[i] == 0.0 && bodies.vx[i] == 0.0 && bodies.uy[i] == 0.0 && bodies.ux[i] == 0.0;
+            rests && bodies.x[i] == bodies.px[i] && bodies.y[i] == bodies.py[i]
+        };
+        let sleeps = may_sleep && island.members.iter().rev().all(|i| still(*i as usize));
+        self.note_sleep(bodies, island, sleeps);
+    }
+
+    pub(crate) fn note_sleep(&mut self, bodies: &Bodies, island: Island<'_>, sleeps: bool) {
+        for &i in island.members {
+            if sleeps {
+                self.fall_asleep(bodies.id[i as usize] as usize);
+            } else if self.sleepers > 0 {
+                self.wake(bodies.id[i as usize] as usize);
+            }
+        }
+    }
+}

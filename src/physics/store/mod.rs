@@ -1,0 +1,6 @@
+pub(crate) mod bodies;
+pub(crate) mod driver;
+pub(crate) mod grid;
+pub(crate) mod islands;
+pub(crate) mod neighbours;
+pub(crate) mod reach;

@@ -1,0 +1,122 @@
+//! The force manager: by itself, and as that which moves a body.
+
+use resultant::physics::{
+    Aabb, BodyDef, BodyId, DVec2, ForceKind, ForceManager, Material, Source, StreamDef, SurfaceDef, World, WorldDef,
+};
+
+const BODY: BodyId = BodyId(0);
+const DT: f64 = 1.0 / 120.0;
+
+fn area(left: f64, top: f64, right: f64, bottom: f64) -> Aabb {
+    Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
+}
+
+#[test]
+fn a_force_is_replaced_by_one_of_its_source_and_kind() {
+    let mut forces = ForceManager::default();
+    assert!(forces.add(Source::Engine, ForceKind::Drive, DVec2::new(3.0, 0.0)));
+    assert!(forces.add(Source::Stream(2), ForceKind::Wind, DVec2::new(0.0, 1.0)));
+    assert!(forces.add(Source::Engine, ForceKind::Drive, DVec2::new(5.0, 0.0)));
+    assert!(!forces.add(Source::Engine, ForceKind::Drive, DVec2::new(5.0, 0.0)), "nothing changes");
+    assert_eq!(forces.get(Source::Engine, ForceKind::Drive), Some(DVec2::new(5.0, 0.0)));
+    assert_eq!(forces.get(Source::Stream(1), ForceKind::Wind), None);
+    assert_eq!(forces.resultant(), DVec2::new(5.0, 1.0));
+}
+
+#[test]
+fn zero_and_nonsense_remove_a_force() {
+    let mut forces = ForceManager::default();
+    for nothing in [DVec2::ZERO, DVec2::new(f64::NAN, 1.0), DVec2::new(0.0, f64::INFINITY)] {
+        forces.add(Source::Engine, ForceKind::Drive, DVec2::new(3.0, 0.0));
+        assert!(forces.add(Source::Engine, ForceKind::Drive, nothing));
+        assert_eq!((forces.forces().len(), forces.resultant()), (0, DVec2::ZERO));
+    }
+    assert!(!forces.remove(Source::Engine, ForceKind::Drive));
+}
+
+#[test]
+fn kinds_are_summed_apart_and_resistances_left_out() {
+    let mut forces = ForceManager::default();
+    let pushes = [
+        (Source::Gravity, ForceKind::Weight, (0.0, 1125.0)),
+        (Source::Field(0), ForceKind::Weight, (0.0, 75.0)),
+        (Source::Surface(1), ForceKind::Reaction, (0.0, -1200.0)),
+        (Source::Surface(1), ForceKind::Friction, (-300.0, 0.0)),
+        (Source::Air, ForceKind::AirResistance, (-20.0, 0.0)),
+        (Source::Engine, ForceKind::Drive, (400.0, 0.0)),
+    ];
+    pushes.into_iter().for_each(|(source, kind, vector)| _ = forces.add(source, kind, vector.into()));
+    assert_eq!(forces.total(ForceKind::Weight), DVec2::new(0.0, 1200.0));
+    assert_eq!(forces.all(ForceKind::Weight).count(), 2);
+    assert_eq!(forces.total(ForceKind::Buoyancy), DVec2::ZERO);
+    assert_eq!(forces.resultant(), DVec2::new(80.0, 0.0));
+    assert_eq!(forces.resultant_without_resistance(), DVec2::new(400.0, 0.0));
+}
+
+/// 0.1 + 0.2 − 0.3 is not 0 in binary numbers.
+#[test]
+fn balanced_forces_have_no_resultant() {
+    let mut forces = ForceManager::default();
+    for (index, newtons) in (0..).zip([0.1, 0.2, -0.3]) {
+        forces.add(Source::Stream(index), ForceKind::Wind, DVec2::new(newtons, 0.0));
+    }
+    assert_eq!(forces.resultant(), DVec2::ZERO);
+}
+
+/// The sum does not depend on when each of its forces began.
+#[test]
+fn the_order_of_adding_changes_no_bit() {
+    let pushes = [(0, 0.1), (1, 1e8), (2, -0.7), (3, 1e-9)];
+    let sum = |order: [usize; 4]| {
+        let mut forces = ForceManager::default();
+        for (index, newtons) in order.map(|at| pushes[at]) {
+            forces.add(Source::Stream(index), ForceKind::Wind, DVec2::new(newtons, 0.0));
+        }
+        forces.resultant().x.to_bits()
+    };
+    assert_eq!(sum([0, 1, 2, 3]), sum([3, 1, 0, 2]));
+    assert_eq!(sum([0, 1, 2, 3]), sum([2, 3, 1, 0]));
+}
+
+/// A push that is added moves the body, is listed, and wakes it; without it the body rests again.
+#[test]
+fn an_added_push_moves_the_body() {
+    let body = BodyDef { position: DVec2::new(0.0, -0.5), mass: 10.0, ..BodyDef::default() };
+    let floor = SurfaceDef::fixed(area(-50.0, 0.0, 50.0, 1.0), Material::ASPHALT);
+    let def = WorldDef { gravity: 10.0, air_density: 0.0, bodies: vec![body], surfaces: vec![floor], ..WorldDef::default() };
+    let mut world = World::new(def).unwrap();
+    (0..240).for_each(|_| world.step(DT));
+    assert_eq!(world.forces(BODY).resultant(), DVec2::ZERO);
+    let push = DVec2::new(120.0, 0.0);
+    world.add_force(BODY, Source::Body(BodyId(7)), ForceKind::Push, push);
+    (0..120).for_each(|_| world.step(DT));
+    let forces = world.forces(BODY);
+    assert_eq!(forces.get(Source::Body(BodyId(7)), ForceKind::Push), Some(push));
+    let a = (push + forces.total(ForceKind::Friction)).x / 10.0;
+    assert!((world.body(BODY).velocity.x - a).abs() < 1e-12, "{} m/s, not {a}", world.body(BODY).velocity);
+    assert!((forces.resultant().x - 10.0 * a).abs() < 1e-12);
+    world.remove_force(BODY, Source::Body(BodyId(7)), ForceKind::Push);
+    (0..1200).for_each(|_| world.step(DT));
+    assert_eq!((world.body(BODY).velocity, world.forces(BODY).resultant()), (DVec2::ZERO, DVec2::ZERO));
+}
+
+/// Wind is in the list from the tick in which the body enters the stream to that in which it leaves it.
+#[test]
+fn streams_enter_and_leave_the_manager() {
+    let body = BodyDef { velocity: DVec2::new(10.0, 0.0), ..BodyDef::default() };
+    let stream = StreamDef { zone: area(5.0, -5.0, 8.0, 5.0), force: DVec2::new(0.0, 4.0) };
+    let def = WorldDef { gravity: 0.0, air_density: 0.0, bodies: vec![body], streams: vec![stream], ..WorldDef::default() };
+    let mut world = World::new(def).unwrap();
+    for _ in 0..150 {
+        world.step(DT);
+        let (x, forces) = (world.body(BODY).position.x, world.forces(BODY));
+        if (x - 4.5).abs() < 1e-6 || (x - 8.5).abs() < 1e-6 {
+            continue;
+        }
+        let inside = x > 4.5 && x < 8.5;
+        assert_eq!(forces.get(Source::Stream(0), ForceKind::Wind).is_some(), inside, "{x} m");
+        assert_eq!(forces.resultant(), if inside { DVec2::new(0.0, 4.0) } else { DVec2::ZERO });
+    }
+    // 4 m at 10 m/s under 4 m/s².
+    assert!((world.body(BODY).velocity.y - 1.6).abs() < 1e-9, "{}", world.body(BODY).velocity);
+}
