@@ -257,9 +257,7 @@ fn what_contacts_gave_adds_up() {
             worst.1,
             scene.guards()
         );
-        // Who waits for the end of a step, or comes upon who does, is stopped and keeps its velocity; where energy is taken out, all are slowed.
-        let guards = scene.guards();
-        let allowed = 2 * guards.bounces_put_off + guards.put_back + 80 * guards.energy_taken_out;
-        assert!(u64::from(bad) <= allowed, "seed {seed}: {bad} off, {allowed} told of, worst {worst:?}");
+        // What merges in the air on several others rubs on those alone through which it was merged.
+        assert!(bad <= 2, "seed {seed}: {bad} off, worst {worst:?}");
     }
 }

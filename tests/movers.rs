@@ -123,8 +123,8 @@ fn what_falls_on_a_trampoline_is_thrown_back_with_nine_tenths_of_its_speed() {
 
 #[test]
 fn a_trampoline_bounces_a_crowd_as_well() {
-    // More side by side than are looked at one by one. From 14 m above they come down with 16.7 m/s, and go up with nine tenths of that.
-    let crates: String = (0..75).map(|i| format!("{},414,box:12x12,5,0,FALSE,0\n", 180 + 13 * i)).collect();
+    // More that touch than are looked at one by one. From 14 m above they come down with 16.7 m/s, and go up with nine tenths of that.
+    let crates: String = (0..75).map(|i| format!("{},414,box:12x12,5,0,FALSE,0\n", 180 + 12 * i)).collect();
     let mut game = begun(&[("world.csv", "150,840,1050,30,Trampoline\n"), ("objects.csv", &crates)]);
     let (mut fastest_up, mut dense) = (0.0f64, 0);
     for _ in 0..260 {

@@ -53,8 +53,6 @@ guards! {
     steps_grown,
     /// Dense: steps of islands whose bodies were kept within what was looked for in the end.
     kept_within_reach,
-    /// Dense: bodies that stayed where they were for the rest of a step, with their velocities, because bounces ran out of their budget.
-    bounces_put_off,
     /// Dense: how often the grips of stacks did not settle, or would have driven, and were relaxed contact by contact.
     friction_relaxed,
     /// Dense: steps of islands in which friction would have driven, and was left out.

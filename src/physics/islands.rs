@@ -74,7 +74,7 @@ impl Tick<'_> {
     fn leave(&mut self, store: &mut Store<'_>) -> Verdict {
         self.scratch.leave();
         self.stop_surfaces(store);
-        Verdict::Left(f64::INFINITY)
+        Verdict::Left
     }
 
     /// Tells the dense method which of the surfaces that its island may meet others have stopped, and when it was told so.
@@ -168,13 +168,6 @@ impl Advance for Tick<'_> {
 
     fn leaves_for_good(&self, members: usize) -> bool {
         members > Choice::MOST_BY_EVENTS || self.scene.dense
-    }
-
-    fn comes_upon(&mut self, body: usize, surface: usize) {
-        if !self.state.surfaces[surface].def.path.is_still() {
-            let (leader, surface) = (self.scratch.after[body].leader, surface as u32);
-            self.scratch.met.push(Stop { leader, surface, at: f64::INFINITY });
-        }
     }
 
     fn forget(&mut self, body: usize) {

@@ -22,6 +22,8 @@ pub(crate) struct Node {
     /// Mass times mean velocity without them, N·s.
     pub way: f64,
     pub mass: f64,
+    /// Mass times how much faster than their cluster members go on average, N·s.
+    pub offset: f64,
     pub static_limit: f64,
     pub kinetic_limit: f64,
 }
@@ -36,12 +38,12 @@ impl Node {
     fn motion(&self) -> Motion {
         let velocity = slide(self.momentum, self.mass, self.static_limit, self.kinetic_limit);
         if velocity == 0.0 && self.static_limit > 0.0 && self.began == 0.0 {
-            return Motion::default();
+            return Motion { velocity, mean: -self.offset / self.mass };
         }
         if velocity == 0.0 && self.kinetic_limit > 0.0 {
             let slowed = self.began - self.momentum + self.kinetic_limit.copysign(self.began);
             let until = if slowed == 0.0 { 1.0 } else { (self.began / slowed).clamp(0.0, 1.0) };
-            return Motion { velocity, mean: 0.5 * until * self.began / self.mass };
+            return Motion { velocity, mean: (0.5 * until * self.began - self.offset) / self.mass };
         }
         Motion { velocity, mean: (self.way - 0.5 * (self.momentum - self.mass * velocity)) / self.mass }
     }
@@ -86,6 +88,9 @@ struct Root {
     node: Node,
     motion: Motion,
     fixed: bool,
+    /// The smallest restitution of the impacts by which it came about; 1 where there was none yet, which `hit` tells.
+    restitution: f64,
+    hit: bool,
     size: u32,
     last: u32,
 }
@@ -153,6 +158,31 @@ impl Clusters {
         self.is_joined(i) && self.roots[self.members[i].root as usize].fixed
     }
 
+    /// The restitution of a joined body's cluster.
+    pub fn restitution(&self, i: usize) -> f64 {
+        let root = &self.roots[self.members[i].root as usize];
+        if root.hit { root.restitution } else { 0.0 }
+    }
+
+    /// The pairs through which bodies were merged, with the restitutions of their clusters.
+    pub fn bouncing(&self) -> impl Iterator<Item = Edge> + '_ {
+        self.edges.iter().map(|edge| Edge { restitution: self.restitution(edge.a as usize), ..*edge })
+    }
+
+    /// Notes the restitutions of pairs of the same cluster that hit each other: `hits` tells of a pair whether it does.
+    pub fn hit<'a>(&mut self, contacts: impl Iterator<Item = &'a Contact>, hits: impl Fn(&Contact) -> Option<f64>) {
+        for contact in contacts {
+            let (a, b) = (contact.first as usize, contact.second as usize);
+            if !self.is_joined(a) || !self.is_joined(b) || self.members[a].root != self.members[b].root {
+                continue;
+            }
+            let root = &mut self.roots[self.members[a].root as usize];
+            if let Some(restitution) = hits(contact) {
+                (root.restitution, root.hit) = (root.restitution.min(restitution), true);
+            }
+        }
+    }
+
     pub fn is_joined(&self, i: usize) -> bool {
         self.stamps[i] == self.stamp
     }
@@ -171,7 +201,7 @@ impl Clusters {
         let motion = fixed.unwrap_or_else(|| node.motion());
         self.stamps[i] = self.stamp;
         self.members[i] = Member { root: i as u32, next: NONE, offset: 0.0, fixed: fixed.is_some() };
-        self.roots[i] = Root { node, motion, fixed: fixed.is_some(), size: 1, last: i as u32 };
+        self.roots[i] = Root { node, motion, fixed: fixed.is_some(), restitution: 1.0, hit: false, size: 1, last: i as u32 };
         self.joined.push(i as u32);
     }
 
@@ -214,7 +244,7 @@ impl Clusters {
         if a.root == b.root || (ra.fixed && rb.fixed) {
             return false;
         }
-        self.edges.push(Edge { a: first as u32, b: second as u32, impulse: 0.0 });
+        self.edges.push(Edge { a: first as u32, b: second as u32, ..Edge::default() });
         // The frame of the larger one stays.
         let (keep, gone, kept, lost, shift) = if ra.size >= rb.size {
             (a.root, b.root, ra, rb, b.offset + difference - a.offset)
@@ -227,6 +257,7 @@ impl Clusters {
             began: kept.node.began + lost.node.began,
             way: kept.node.way + lost.node.way + lost.node.mass * shift,
             mass: kept.node.mass + lost.node.mass,
+            offset: kept.node.offset + lost.node.offset - lost.node.mass * shift,
             static_limit: kept.node.static_limit + lost.node.static_limit,
             kinetic_limit: kept.node.kinetic_limit + lost.node.kinetic_limit,
         };
@@ -246,7 +277,8 @@ impl Clusters {
         } else {
             node.motion()
         };
-        self.roots[keep as usize] = Root { node, motion, fixed, size: kept.size + lost.size, last: lost.last };
+        let size = kept.size + lost.size;
+        self.roots[keep as usize] = Root { node, motion, fixed, restitution: 1.0, hit: false, size, last: lost.last };
         true
     }
 }

@@ -51,8 +51,6 @@ pub(crate) struct Contact {
     pub second: u32,
     /// Whether it may act on velocities; if not, the two are expected to pass each other.
     pub live: bool,
-    /// Whether its impacts have been followed through the step to the last one.
-    pub followed: bool,
     /// Whether the two are level with a face and are expected to come over each other.
     pub level: bool,
     /// The fastest mean approach, m/s: gap/dt.
@@ -136,18 +134,14 @@ impl Contacts {
         self.tolerances = Tolerances::of(bodies, island.members);
     }
 
-    /// Finds all contacts of an island, and of the pairs `added` to it in its order; `followed`: impacts of what bounces have been.
-    pub fn find(&mut self, bodies: &Bodies, island: Island<'_>, added: &[(u32, u32)], dt: f64, followed: bool) {
+    /// Finds all contacts of an island.
+    pub fn find(&mut self, bodies: &Bodies, island: Island<'_>, dt: f64) {
         self.clear(bodies, island);
         let per_second = 1.0 / dt;
-        let mut added = added.iter().peekable();
         for &i in island.members {
             let begin = self.stacks.len() as u32;
             for &j in island.near(i) {
-                self.meet(bodies, i as usize, j as usize, [dt, per_second], followed);
-            }
-            while let Some((_, j)) = added.next_if(|(upper, _)| *upper == i) {
-                self.meet(bodies, i as usize, *j as usize, [dt, per_second], followed);
+                self.meet(bodies, i as usize, j as usize, [dt, per_second]);
             }
             self.ranges[i as usize] = [begin, self.stacks.len() as u32];
         }
@@ -179,20 +173,18 @@ impl Contacts {
 
     /// Adds what body i and body or surface j are to each other; a body j comes before i in the island's order. `per_second` is 1/dt.
     #[inline(always)]
-    fn meet(&mut self, bodies: &Bodies, i: usize, j: usize, [dt, per_second]: [f64; 2], followed: bool) {
+    fn meet(&mut self, bodies: &Bodies, i: usize, j: usize, [dt, per_second]: [f64; 2]) {
         let touch = self.tolerances.touch;
         let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
         let (reach_x, reach_y) = (bodies.hx[i] + bodies.hx[j], bodies.hy[i] + bodies.hy[j]);
         let (gap_x, gap_y) = (dx.abs() - reach_x, dy.abs() - reach_y);
         let surface = j >= bodies.len();
         self.carried |= surface && bodies.carries(j);
-        let elastic = followed && bodies.coefficients(i, j).restitution == 1.0;
-        let followed = elastic && moves(bodies, i, j, gap_x.max(gap_y) > touch);
         let is_of = |pair: &(u32, u32)| *pair == (i as u32, j as u32) || *pair == (j as u32, i as u32);
         let misses = !self.missed.is_empty() && self.missed.iter().any(is_of);
         let Kind { axis, live, level } = kind(bodies, (i, j), [dx, dy], [gap_x, gap_y], (dt, touch, misses));
         let (distance, gap, reach) = if axis == 0 { (dx, gap_x, reach_x) } else { (dy, gap_y, reach_y) };
-        let (live, upper) = (live && !followed, distance >= 0.0);
+        let upper = distance >= 0.0;
         self.passing |= !live;
         if surface && is_open(bodies, j, axis, !upper, gap, touch) {
             return;
@@ -204,13 +196,8 @@ impl Contacts {
             (_, false) => &mut self.ceilings,
         };
         let bound = if gap > touch { gap * per_second } else { 0.0 };
-        list.push(Contact { first, second, live, followed, level, bound, reach });
+        list.push(Contact { first, second, live, level, bound, reach });
     }
-}
-
-/// Whether an elastic pair is apart or moves: then its impacts never end, and none is left to the plastic solution.
-fn moves(bodies: &Bodies, i: usize, j: usize, apart: bool) -> bool {
-    apart || bodies.vx[i] != bodies.vx[j] || bodies.vy[i] != bodies.vy[j]
 }
 
 /// Whether a surface lets pass what is beside its face along `axis` towards smaller or `larger` coordinates.

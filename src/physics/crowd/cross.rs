@@ -6,11 +6,13 @@
 //! the few contacts left after [`ROUNDS`], and islands in which all that together drives instead of dissipating, are merged without
 //! friction.
 
+use crate::physics::crowd::Axis;
+use crate::physics::crowd::bounce::bounces;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::drag::Resistance;
 use crate::physics::crowd::friction::{Friction, Grip};
-use crate::physics::crowd::impacts::Impacts;
+use crate::physics::crowd::gravity::Anchors;
 use crate::physics::crowd::report::{Edge, Report};
 use crate::physics::guards::Guards;
 use crate::physics::store::bodies::Bodies;
@@ -76,7 +78,9 @@ pub(crate) struct Cross<'a> {
     pub friction: &'a mut Friction,
     pub clusters: &'a mut Clusters,
     pub pushes: &'a mut Pushes,
-    pub impacts: &'a Impacts,
+    pub anchors: &'a Anchors,
+    /// What upright faces hold up, N·s.
+    pub held_up: &'a [f64],
     pub report: &'a mut Report,
     pub dt: f64,
     /// Whether they are many, of which some bounce.
@@ -106,7 +110,7 @@ impl Cross<'_> {
         if merge(bodies, self.contacts, self.clusters, self.dt, &mut self.pushes.hits, plain) {
             let (clusters, n) = (&*self.clusters, bodies.len());
             let lack = |i: usize| if i < n { bodies.mass[i] * (bodies.ux[i] - clusters.velocity(i)) } else { 0.0 };
-            self.report.drain_sides(&clusters.edges, &clusters.joined, lack, n);
+            self.report.drain_sides(clusters, lack, n);
             for &i in &self.clusters.joined {
                 let i = i as usize;
                 if i < bodies.len() {
@@ -121,11 +125,14 @@ impl Cross<'_> {
     /// told, but a light body between heavy ones that drag it may have been left with any velocity. Returns
     /// whether nothing closes any more.
     fn polish(&mut self, bodies: &mut Bodies) -> bool {
-        let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
+        let (n, dt, slack) = (bodies.len(), self.dt, self.contacts.tolerances.hair / self.dt);
+        let side_bounces = |bodies: &Bodies, side: &Contact| bounces(bodies, side, Axis::Across, dt).is_some_and(|e| e > 0.0);
         let Pushes { parting, .. } = &mut *self.pushes;
         let touches = |bodies: &Bodies, side: &Contact| {
             let (a, b) = (side.first as usize, side.second as usize);
-            side.live && bodies.mean_vx[a] - bodies.mean_vx[b] - side.bound >= -slack
+            // What arrives just as the step ends bounces in the next.
+            let arrives = |side| bodies.lively && side_bounces(bodies, side);
+            side.live && bodies.mean_vx[a] - bodies.mean_vx[b] - side.bound >= -slack && !arrives(side)
         };
         let closes = |bodies: &Bodies, side: &Contact| {
             let (u, v) = (bodies.ux[side.first as usize], bodies.ux[side.second as usize]);
@@ -137,7 +144,7 @@ impl Cross<'_> {
         let mut settled = false;
         parting.clear();
         let sides = self.contacts.sides.iter().filter(|side| touches(bodies, side));
-        parting.extend(sides.map(|side| Edge { a: side.first, b: side.second, impulse: 0.0 }));
+        parting.extend(sides.map(|side| Edge { a: side.first, b: side.second, ..Edge::default() }));
         for _ in 0..SWEEPS {
             let (mut most, mut fastest) = (0.0f64, 0.0f64);
             for edge in parting.iter_mut() {
@@ -241,11 +248,11 @@ impl Cross<'_> {
     fn rub(&mut self, bodies: &mut Bodies) {
         let Pushes { given, pushed, told, resistance, .. } = &mut *self.pushes;
         self.friction.wake(bodies, self.members, self.contacts, given, pushed);
-        self.friction.touch(bodies, self.contacts, self.impacts, self.dt);
+        self.friction.touch(bodies, self.contacts, self.dt);
         if bodies.airy {
             resistance.along(bodies, self.friction.gripped(), self.dt);
         }
-        self.friction.load(bodies, &self.impacts.struck);
+        self.friction.load(bodies, self.held_up, self.anchors);
         self.friction.solve(bodies, given);
         self.friction.spread_ways(bodies, told, self.dt);
     }
@@ -261,14 +268,12 @@ impl Cross<'_> {
     /// Gives merged bodies their clusters' velocities, as pushes to those at which something rubs. Returns whether there are any.
     fn hand_over(&mut self, bodies: &mut Bodies) -> bool {
         let mut rubs = false;
-        if self.report.on {
-            let (clusters, friction, pushes, dt, n) = (&*self.clusters, &*self.friction, &*self.pushes, self.dt, bodies.len());
-            let lack = |i: usize| {
-                let node = (i < n).then(|| node(bodies, friction, i, (pushes.told[i], dt))).flatten();
-                node.map_or(0.0, |node| -push(clusters, i, &node))
-            };
-            self.report.drain_sides(&clusters.edges, &clusters.joined, lack, n);
-        }
+        let (clusters, friction, pushes, dt, n) = (&*self.clusters, &*self.friction, &*self.pushes, self.dt, bodies.len());
+        let lack = |i: usize| {
+            let node = (i < n).then(|| node(bodies, friction, i, (pushes.told[i], dt))).flatten();
+            node.map_or(0.0, |node| -push(clusters, i, &node))
+        };
+        self.report.drain_sides(clusters, lack, n);
         for &i in &self.clusters.joined {
             let i = i as usize;
             let Some(node) = (i < bodies.len()).then(|| node(bodies, self.friction, i, (self.pushes.told[i], self.dt))).flatten()
@@ -396,5 +401,13 @@ pub(crate) fn merge(
         clusters.join(b, fixed(b), of_b);
         true
     });
+    if bodies.lively && pooled.any {
+        // What carries others does not bounce: friction alone would have to take them along.
+        let alone = |i: u32| node(bodies, i as usize).is_none_or(|node| node.mass == bodies.mass[i as usize]);
+        clusters.hit(live(), |contact| {
+            let both = [contact.first, contact.second].into_iter().all(|i| i as usize >= n || alone(i));
+            bounces(bodies, contact, Axis::Across, dt).map(|restitution| if both { restitution } else { 0.0 })
+        });
+    }
     pooled.any
 }

@@ -6,8 +6,10 @@
 //! the air and what is lifted from below: those are merged ([`crate::physics::crowd::clusters`]) until nothing closes too far. The ways of the step are
 //! told by mean velocities.
 
+use crate::physics::crowd::Axis;
+use crate::physics::crowd::bounce::bounces;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
-use crate::physics::crowd::contacts::Contacts;
+use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::report::Edge;
 use crate::physics::store::bodies::Bodies;
 
@@ -35,9 +37,9 @@ pub(crate) struct Anchors {
     /// What a wall can hold by friction: whether it does, and how fast the wall moves.
     pub hung: Vec<Option<f64>>,
     pub any_hung: bool,
-    /// Whether only the anchored are asked for now, and whether others would have to be merged.
-    pub only_anchors: bool,
-    pub unmerged: bool,
+    /// The restitution of what hits something that does not give way, by slot.
+    pub bounce: Vec<f64>,
+    pub any_bounces: bool,
     /// Who was merged in the air, by slot, and through which pairs.
     pub loose: Vec<bool>,
     pub edges: Vec<Edge>,
@@ -57,8 +59,8 @@ impl Anchors {
             on: vec![NONE; count],
             hung: vec![None; count],
             any_hung: false,
-            only_anchors: false,
-            unmerged: false,
+            bounce: vec![0.0; count],
+            any_bounces: false,
             loose: vec![false; count],
             edges: Vec::with_capacity(count),
             hits: Vec::with_capacity(count),
@@ -79,6 +81,7 @@ pub(crate) fn solve(
     let mut loose = !contacts.ceilings.is_empty();
     anchors.edges.clear();
     anchors.hits.clear();
+    anchors.any_bounces = false;
     let (per_second, slack) = (1.0 / dt, contacts.tolerances.hair / dt);
     for &i in members {
         let i = i as usize;
@@ -112,6 +115,7 @@ pub(crate) fn solve(
         anchors.loose[i] = false;
         (anchors.lands[i], anchors.on[i]) = (NONE, NONE);
         anchors.rests[i] = hung;
+        anchors.bounce[i] = 0.0;
         // On a surface that speeds up or slows down a body stays while it presses, though its velocity is one step late.
         let presses = contacts.carried && gap == 0.0 && bound < f64::INFINITY && velocity >= bodies.uy[support];
         if mean >= bound || (presses && bodies.rides_along(i, support, 0.0)) {
@@ -126,13 +130,22 @@ pub(crate) fn solve(
                 anchors.lands[i] = if gap > 0.0 { support as u32 } else { NONE };
                 anchors.on[i] = support as u32;
                 anchors.rests[i] = bodies.rides_along(i, support, 0.0) && mean == bodies.mean_vy[support];
+                if bodies.lively && !anchors.rests[i] {
+                    let bears = |stack: &&Contact| {
+                        let j = stack.second as usize;
+                        stack.live && anchors.held[j] && bodies.mean_vy[j] + stack.bound == bound
+                    };
+                    let all = contacts.stacks[contacts.under(i)].iter().filter(bears);
+                    let restitution = |stack: &Contact| bodies.coefficients(i, stack.second as usize).restitution;
+                    anchors.bounce[i] = all.map(restitution).fold(1.0, f64::min);
+                    anchors.any_bounces |= anchors.bounce[i] > 0.0;
+                }
             }
         }
         loose |= mean > over + slack;
         (bodies.uy[i], bodies.mean_vy[i]) = (velocity, mean);
     }
-    anchors.unmerged = loose && anchors.only_anchors;
-    if loose && !anchors.only_anchors {
+    if loose {
         merge(bodies, contacts, anchors, clusters, dt);
     }
 }
@@ -162,6 +175,9 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
         clusters.join(i, fixed(anchors.held[i], i), node(i));
         true
     });
+    if bodies.lively {
+        clusters.hit(live(), |contact| bounces(bodies, contact, Axis::Gravity, dt));
+    }
     for &i in &clusters.joined {
         let i = i as usize;
         if i < n {
@@ -170,9 +186,14 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
             bodies.uy[i] = clusters.velocity(i);
             anchors.held[i] |= clusters.is_fixed(i);
             anchors.loose[i] = !clusters.came_fixed(i);
+            if anchors.loose[i] {
+                anchors.bounce[i] = if clusters.is_fixed(i) { clusters.restitution(i) } else { 0.0 };
+            }
         }
     }
-    anchors.edges.extend_from_slice(&clusters.edges);
+    // What does not give way is bounced off by each by itself.
+    let alone = |edge: Edge| if clusters.is_fixed(edge.a as usize) { Edge { restitution: 0.0, ..edge } } else { edge };
+    anchors.edges.extend(clusters.bouncing().map(alone));
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@
 //! lie still bounce alone, for up to √(2H/g)·(1 + e)/(1 − e): 20 s from 27 m at e = 0.8, and longer where a heavy body throws a light
 //! one. That is no fault of the method, and no method that keeps restitution can rest earlier.
 
+pub(crate) mod bounce;
 pub(crate) mod clusters;
 pub(crate) mod contacts;
 pub(crate) mod cross;
@@ -25,12 +26,18 @@ pub(crate) mod drag;
 pub(crate) mod flight;
 pub(crate) mod friction;
 pub(crate) mod gravity;
-pub(crate) mod impacts;
 pub(crate) mod place;
 pub(crate) mod report;
 pub(crate) mod walls;
 
-use crate::physics::crowd::impacts::Axis;
+/// The direction of a contact's normal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    /// Left and right.
+    Across,
+    /// Up and down.
+    Gravity,
+}
 
 /// What a body touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -12,13 +12,13 @@ use crate::physics::crowd::gravity::NONE;
 use crate::physics::store::bodies::Bodies;
 
 /// Moves what something touched by the ways that were solved. Returns whether all stay within what was swept; as that holds the ways of
-/// free flight, only those need asking that something touched, or all if some have `bounced`.
-pub(crate) fn advance(bodies: &mut Bodies, members: &[u32], lands: &[u32], dt: f64, bounced: bool) -> bool {
+/// free flight, only those need asking that something touched.
+pub(crate) fn advance(bodies: &mut Bodies, members: &[u32], lands: &[u32], dt: f64) -> bool {
     let mut inside = true;
     for &i in members {
         let i = i as usize;
         // Drag that was told anew has changed the way of what nothing touches across.
-        let mut moved = bounced || bodies.px[i] != bodies.free_x[i];
+        let mut moved = bodies.px[i] != bodies.free_x[i];
         if bodies.uy[i] != bodies.free_vy[i] {
             // What lands does so to the bit.
             bodies.py[i] = match lands[i] {
@@ -37,21 +37,21 @@ pub(crate) fn advance(bodies: &mut Bodies, members: &[u32], lands: &[u32], dt: f
     inside
 }
 
-/// Mends the predicted positions until nothing overlaps. `back` is scratch. Returns whether anything was mended, and
-/// how many coordinates were put back.
-pub(crate) fn part(
-    bodies: &mut Bodies,
-    members: &[u32],
-    contacts: &Contacts,
-    clusters: &mut Clusters,
-    back: &mut [[bool; 2]],
-    (dt, inside): (f64, bool),
-) -> (bool, u64) {
-    let mut mended = hold_down(bodies, members, contacts, dt);
-    let mut doubt = !inside;
-    doubt |= lift(bodies, members, contacts, &mut mended, dt);
+/// What has become of predicted positions.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mended {
+    /// Whether any was changed.
+    pub any: bool,
+    /// Whether something may still overlap, or leave what it swept.
+    pub doubt: bool,
+}
+
+/// Parts what overlaps where it is predicted.
+pub(crate) fn part(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, clusters: &mut Clusters, dt: f64) -> Mended {
+    let mut any = hold_down(bodies, members, contacts, dt);
+    let mut doubt = lift(bodies, members, contacts, &mut any, dt);
     doubt |= spread(bodies, contacts, clusters);
-    (doubt | mended, if doubt { take_back(bodies, members, contacts, back) } else { 0 })
+    Mended { any: any || doubt, doubt }
 }
 
 /// Along gravity, top-down: what rises stops under what does not make way.
@@ -154,8 +154,8 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
 }
 
 /// Puts bodies in conflict back to where they were along the contact's axis, and what they are then in the way of too, until
-/// nothing overlaps.
-fn take_back(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, back: &mut [[bool; 2]]) -> u64 {
+/// nothing overlaps. `back` is scratch. Returns how many coordinates that are.
+pub(crate) fn take_back(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, back: &mut [[bool; 2]]) -> u64 {
     members.iter().for_each(|i| back[*i as usize] = [false; 2]);
     for &i in members {
         if !bodies.is_swept(i as usize) {
@@ -181,11 +181,8 @@ const ALONG: usize = 1;
 
 /// Puts both of a pair back if it overlaps or passed through each other. Returns whether anything was moved.
 fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &Contact, (axis, hair): (usize, f64)) -> bool {
-    let (a, b, followed) = (contact.first as usize, contact.second as usize, contact.followed);
-    // What was put back did not go the way on which its impacts were followed.
-    let is_back = |i: usize| i < bodies.len() && (back[i][0] || back[i][1]);
-    let followed = followed && !is_back(a) && !is_back(b);
-    if !meets(bodies, (a, b), hair, followed) && !passed(bodies, (a, b)) {
+    let (a, b) = (contact.first as usize, contact.second as usize);
+    if !hits(bodies, (a, b), hair) && !passed(bodies, (a, b)) {
         return false;
     }
     // A pair that may pass a corner keeps an axis along which it was not quite apart: then both axes go back.
@@ -236,11 +233,8 @@ fn passed(bodies: &Bodies, (a, b): (usize, usize)) -> bool {
     (through_x && beside_y && !beside_x) || (through_y && beside_x && !beside_y)
 }
 
-/// Whether a pair that is expected to pass does not: overlaps in the end, or, unless its impacts were `followed`, on the way.
-pub(crate) fn meets(bodies: &Bodies, (a, b): (usize, usize), hair: f64, followed: bool) -> bool {
-    if !followed {
-        return hits(bodies, (a, b), hair);
-    }
+/// Whether two boxes overlap where they are predicted.
+pub(crate) fn overlap(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
     let deep_x = bodies.hx[a] + bodies.hx[b] - (bodies.px[a] - bodies.px[b]).abs();
     let deep_y = bodies.hy[a] + bodies.hy[b] - (bodies.py[a] - bodies.py[b]).abs();
     deep_x > hair && deep_y > hair

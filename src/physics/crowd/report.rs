@@ -5,9 +5,10 @@
 //! impulses along the tree of its merges, from the leaves inwards; friction in a stack takes what then is left. Nothing here enters
 //! the motion. It is recorded island by island while the steps are solved; for the first one that is asked for, the step is solved again.
 
-use crate::physics::crowd::Other;
+use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::dense::Dense;
-use crate::physics::crowd::impacts::Axis;
+use crate::physics::crowd::gravity::Anchors;
+use crate::physics::crowd::{Axis, Other};
 use crate::physics::store::bodies::Bodies;
 use crate::physics::store::islands::Island;
 use glam::DVec2;
@@ -48,6 +49,8 @@ pub(crate) struct Edge {
     pub b: u32,
     /// On `b`, N·s.
     pub impulse: f64,
+    /// Which part of it the contact returns when the step ends.
+    pub restitution: f64,
 }
 
 /// What is recorded, and what it takes.
@@ -70,22 +73,34 @@ impl Report {
         Self { along: vec![0.0; all], across: vec![0.0; all], degree: vec![0; all], ..Self::default() }
     }
 
-    /// Notes what side contacts gave in one merging: `edges` of its trees, `joined` bodies, and what each of them lacks.
-    pub fn drain_sides(&mut self, edges: &[Edge], joined: &[u32], lack: impl Fn(usize) -> f64, n: usize) {
-        if self.on {
-            let mut sides = std::mem::take(&mut self.sides);
-            self.drain_into(&mut sides, edges, joined, lack, n);
-            self.sides = sides;
-        }
+    /// Notes what side contacts gave in one merging, by what each joined body lacks.
+    pub fn drain_sides(&mut self, clusters: &Clusters, lack: impl Fn(usize) -> f64, n: usize) {
+        let mut sides = std::mem::take(&mut self.sides);
+        self.drain_into(&mut sides, clusters, lack, n);
+        self.sides = sides;
     }
 
     /// Appends edges, with what goes through them.
-    pub fn drain_into(&mut self, into: &mut Vec<Edge>, edges: &[Edge], joined: &[u32], lack: impl Fn(usize) -> f64, n: usize) {
+    pub fn drain_into(&mut self, into: &mut Vec<Edge>, clusters: &Clusters, lack: impl Fn(usize) -> f64, n: usize) {
         let mut lacks = std::mem::take(&mut self.along);
         let from = into.len();
-        into.extend_from_slice(edges);
-        joined.iter().for_each(|i| lacks[*i as usize] = lack(*i as usize));
+        into.extend(clusters.bouncing());
+        clusters.joined.iter().for_each(|i| lacks[*i as usize] = lack(*i as usize));
         self.drain(&mut into[from..], &mut lacks, |i| i >= n);
+        self.along = lacks;
+    }
+
+    /// Tells what went through the edges along gravity.
+    pub fn drain_along(&mut self, bodies: &Bodies, anchors: &mut Anchors) {
+        let Anchors { edges, loose, .. } = anchors;
+        if edges.is_empty() {
+            return;
+        }
+        let mut lacks = std::mem::take(&mut self.along);
+        for i in edges.iter().flat_map(|edge| [edge.a as usize, edge.b as usize]).filter(|i| *i < loose.len()) {
+            lacks[i] = bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
+        }
+        self.drain(edges, &mut lacks, |i| i >= loose.len() || !loose[i]);
         self.along = lacks;
     }
 
@@ -134,23 +149,6 @@ impl Dense {
     pub fn record(&mut self, bodies: &Bodies, island: Island<'_>, down: f64) {
         let mut report = std::mem::take(&mut self.report);
         report.records.clear();
-        for hit in &self.impacts.all {
-            let other = if (hit.b as usize) < bodies.len() {
-                Other::Body(bodies.id[hit.b as usize] as usize)
-            } else {
-                Other::Surface(hit.b as usize - bodies.len())
-            };
-            let flip = if hit.axis == Axis::Gravity { (down, 1.0) } else { (1.0, down) };
-            report.list.push(ContactImpulse {
-                a: bodies.id[hit.a as usize] as usize,
-                b: other,
-                axis: hit.axis,
-                normal: hit.normal * flip.0,
-                friction: hit.friction * flip.1,
-                point: DVec2::new(hit.point.0, hit.point.1 * down),
-                impact: hit.speed > 0.0,
-            });
-        }
         self.record_along(bodies, island, &mut report);
         self.record_across(bodies, island, &mut report);
         let touch = self.contacts.tolerances.touch;
@@ -167,7 +165,7 @@ impl Dense {
         let mut lack = std::mem::take(&mut report.along);
         for &i in island.members {
             let i = i as usize;
-            lack[i] = bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]) + self.impacts.struck[i];
+            lack[i] = bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]) + self.walls.held_up[i];
         }
         let mut edges = std::mem::take(&mut self.anchors.edges);
         let loose = &self.anchors.loose;

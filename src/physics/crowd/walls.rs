@@ -1,16 +1,15 @@
 //! Friction on upright faces: along walls, and between bodies side by side.
 //!
-//! How hard the sides press is told by a merging across without the ground's friction. A body that stands still against a wall, against what
+//! How hard the sides press is told by the solution across, which is found again when something hangs or rubs. A body that stands still against a wall, against what
 //! the ground carries, or against one that hangs, hangs there while what it would take, its own weight and all that it carries, stays below
 //! μ_s·N, by all that it hangs on together; else it slides and loses up to μ_k·N/m. What it hangs on or slides along bears the same. Bodies
 //! side by side that nothing carries rub as a pair. Only those are asked that would move along the face: what the ground carries does not.
 
-use crate::physics::crowd::clusters::{Clusters, Node};
+use crate::physics::crowd::Axis;
+use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
-use crate::physics::crowd::cross::{Hits, merge};
 use crate::physics::crowd::gravity::{self, Anchors};
-use crate::physics::crowd::impacts::Axis;
-use crate::physics::crowd::report::{Edge, Record, Report};
+use crate::physics::crowd::report::{Edge, Record};
 use crate::physics::store::bodies::Bodies;
 
 /// A limit exceeded by this part still holds: sums of many impulses are rounded.
@@ -43,6 +42,8 @@ pub(crate) struct Walls {
     grips: Vec<Grip>,
     edges: Vec<Edge>,
     loads: Vec<f64>,
+    /// What upright faces hold of each body, N·s, by slot.
+    pub held_up: Vec<f64>,
     /// What hangs on each body bears it down by, N·s, and what those can hold together on which a body hangs.
     borne: Vec<f64>,
     holds: Vec<f64>,
@@ -51,7 +52,6 @@ pub(crate) struct Walls {
     /// Free velocities and predictions along gravity before friction.
     saved: Vec<(u32, f64, f64)>,
     records: Vec<Record>,
-    hits: Hits,
     dt: f64,
 }
 
@@ -61,8 +61,6 @@ pub(crate) struct Along<'a> {
     pub contacts: &'a Contacts,
     pub anchors: &'a mut Anchors,
     pub clusters: &'a mut Clusters,
-    /// What hit bodies from above, N·s; what hangs is taken off.
-    pub struck: &'a mut [f64],
     pub dt: f64,
 }
 
@@ -71,6 +69,7 @@ impl Walls {
         let none = || vec![0.0; count];
         Self {
             loads: none(),
+            held_up: none(),
             borne: none(),
             holds: none(),
             skins: vec![None; count],
@@ -80,6 +79,12 @@ impl Walls {
             records: Vec::with_capacity(2 * count),
             ..Self::default()
         }
+    }
+
+    /// Begins a step.
+    pub fn begin(&mut self, members: &[u32]) {
+        self.any = false;
+        members.iter().for_each(|i| self.held_up[*i as usize] = 0.0);
     }
 
     pub fn record(&self, into: &mut Vec<Record>) {
@@ -96,7 +101,7 @@ impl Walls {
     }
 
     /// As if nothing had rubbed.
-    pub fn undo(&mut self, bodies: &mut Bodies, anchors: &mut Anchors, struck: &mut [f64]) {
+    pub fn undo(&mut self, bodies: &mut Bodies, anchors: &mut Anchors) {
         if !self.any {
             return;
         }
@@ -104,22 +109,19 @@ impl Walls {
         for &(i, free, predicted) in self.saved.iter().rev() {
             (bodies.free_vy[i as usize], bodies.py[i as usize]) = (free, predicted);
         }
-        for grip in self.grips.iter().filter(|grip| grip.hangs) {
-            struck[grip.body as usize] -= grip.impulse;
+        for grip in &self.grips {
+            self.held_up[grip.body as usize] = 0.0;
         }
         anchors.any_hung = false;
     }
 
-    /// Solves along gravity, with friction on upright faces. `solved`: they are, without it.
-    pub fn solve(&mut self, bodies: &mut Bodies, along: &mut Along<'_>, report: &mut Report, solved: bool) {
-        if !solved {
-            along.solve(bodies);
-        }
-        if !rubs(bodies, along) {
-            return;
+    /// Lets sides rub that press each other, and solves along gravity again. Returns whether any do.
+    pub fn solve(&mut self, bodies: &mut Bodies, along: &mut Along<'_>, sides: &[Edge]) -> bool {
+        self.press(sides);
+        if self.edges.is_empty() {
+            return false;
         }
         self.dt = along.dt;
-        self.press(bodies, along, report);
         self.any = true;
         self.saved.clear();
         self.records.clear();
@@ -132,7 +134,7 @@ impl Walls {
         }
         if self.records.is_empty() && self.grips.is_empty() {
             self.any = false;
-            return;
+            return false;
         }
         // What slips hangs no more: there are no more rounds than grips.
         loop {
@@ -146,7 +148,7 @@ impl Walls {
         for k in 0..self.grips.len() {
             let Grip { body, wall, hangs, impulse, .. } = self.grips[k];
             if hangs {
-                along.struck[body as usize] += impulse;
+                self.held_up[body as usize] += impulse;
                 if (wall as usize) < bodies.len() {
                     self.give(bodies, wall as usize, -impulse);
                     bears = true;
@@ -157,24 +159,19 @@ impl Walls {
         if bears {
             along.solve(bodies);
         }
+        true
     }
 
-    /// How hard the sides press each other, by a merging without friction.
-    fn press(&mut self, bodies: &mut Bodies, along: &mut Along<'_>, report: &mut Report) {
-        let (n, dt) = (bodies.len(), along.dt);
-        for &i in along.members {
-            let i = i as usize;
-            bodies.ux[i] = bodies.free_vx[i];
-            bodies.mean_vx[i] = (bodies.px[i] - bodies.x[i]) / dt;
-        }
-        let node = |bodies: &Bodies, i: usize| Some(Node::free(bodies.mass[i], bodies.vx[i], bodies.ux[i], bodies.mean_vx[i]));
+    /// Adds up how hard the sides press each other.
+    fn press(&mut self, sides: &[Edge]) {
         self.edges.clear();
-        self.hits.impact = f64::INFINITY;
-        if merge(bodies, along.contacts, along.clusters, dt, &mut self.hits, node) {
-            let clusters = &*along.clusters;
-            let lack = |i: usize| if i < n { bodies.mass[i] * (bodies.ux[i] - clusters.velocity(i)) } else { 0.0 };
-            report.drain_into(&mut self.edges, &clusters.edges, &clusters.joined, lack, n);
+        for side in sides {
+            match self.edges.iter_mut().find(|edge| (edge.a, edge.b) == (side.a, side.b)) {
+                Some(edge) => edge.impulse += side.impulse,
+                None => self.edges.push(*side),
+            }
         }
+        self.edges.retain(|edge| edge.impulse > 0.0);
     }
 
     /// Lets a pair that presses rub: bodies that nothing carries at once, others when it is known what has to be held.
@@ -332,7 +329,7 @@ impl Walls {
     /// Adds up what each body has to bear, top-down.
     fn load(&mut self, bodies: &Bodies, along: &Along<'_>) {
         for &i in along.members {
-            self.loads[i as usize] = along.struck[i as usize] + self.borne[i as usize];
+            self.loads[i as usize] = self.held_up[i as usize] + self.borne[i as usize];
         }
         for &i in along.members.iter().rev() {
             let i = i as usize;
@@ -366,7 +363,7 @@ impl Grip {
 }
 
 impl Along<'_> {
-    fn solve(&mut self, bodies: &mut Bodies) {
+    pub fn solve(&mut self, bodies: &mut Bodies) {
         gravity::solve(bodies, self.members, self.contacts, self.anchors, self.clusters, self.dt);
     }
 }
@@ -375,23 +372,4 @@ impl Along<'_> {
 fn limits(bodies: &Bodies, (i, j): (usize, usize), press: f64) -> (f64, f64) {
     let of = bodies.coefficients(i, j);
     (press * of.static_friction, press * of.kinetic_friction)
-}
-
-/// Whether anything presses sideways, and anything that does or is pressed by it would move along the face.
-fn rubs(bodies: &Bodies, along: &Along<'_>) -> bool {
-    let (n, per_second) = (bodies.len(), 1.0 / along.dt);
-    let slack = along.contacts.tolerances.hair * per_second;
-    let mean = |i: usize| if i < n { (bodies.px[i] - bodies.x[i]) * per_second } else { bodies.mean_vx[i] };
-    let (mut presses, mut slides) = (false, false);
-    for side in along.contacts.sides.iter().filter(|side| side.live) {
-        let (a, b) = (side.first as usize, side.second as usize);
-        let closes = mean(a) > mean(b) + side.bound + slack;
-        let moves = bodies.uy[a] != bodies.uy[b] || bodies.belt[a] != 0.0 || bodies.belt[b] != 0.0;
-        presses |= closes;
-        slides |= moves && (closes || side.bound == 0.0);
-        if presses && slides {
-            return true;
-        }
-    }
-    false
 }

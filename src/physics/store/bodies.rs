@@ -4,6 +4,7 @@
 //! linear loop; the surfaces, which move for no body, follow after the last movable one. [`Bodies::slot`] and [`Bodies::id`]
 //! translate between this numbering and that of the outside.
 
+use crate::physics::crowd::Axis;
 use crate::physics::data::body::Body;
 use crate::physics::data::material::Coefficients;
 use crate::physics::data::surface::{Sides, Surface};
@@ -16,7 +17,8 @@ const MOST_MOVES: usize = 8;
 /// How much further than predicted a body may get before its contacts are sought anew: m, and across so many times its way besides.
 /// Larger: more contacts to look at; smaller: more islands are solved again because a hit threw a body further.
 pub(crate) const MARGIN: f64 = 1e-2;
-const WAYS: f64 = 1.0;
+const WAYS_ACROSS: f64 = 1.0;
+const WAYS_ALONG: f64 = 0.0;
 
 /// A box that overlaps none.
 pub(crate) const NOWHERE: [f64; 4] = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
@@ -59,11 +61,8 @@ pub(crate) struct Bodies {
     pub free_y: Vec<f64>,
     /// The box in which contacts of this step are looked for: left, right, top, bottom, m (surfaces too; an absent one has none).
     pub swept: Vec<[f64; 4]>,
-    /// By which part of its fall a body is looked for besides, for it may bounce; and whether any may.
-    pub bounce: Vec<f64>,
+    /// Whether anything bounces, and whether all bodies have the same friction.
     pub lively: bool,
-    /// Whether some have e = 1, and whether all have the same friction.
-    pub elastic: bool,
     pub alike: bool,
     /// Of surfaces: the speed of a belt's upper side, m/s; from which sides it is solid; whether it is there. 0, all, yes for bodies.
     pub belt: Vec<f64>,
@@ -127,9 +126,7 @@ impl Bodies {
             mean_vy: all(),
             free_x: movable(),
             free_y: movable(),
-            bounce: all(),
             lively: false,
-            elastic: false,
             alike: false,
             swept: vec![[0.0; 4]; count + surfaces],
             belt: all(),
@@ -164,7 +161,6 @@ impl Bodies {
         (self.hx[i], self.hy[i]) = (body.half.x, body.half.y);
         (self.vx[i], self.vy[i]) = (body.velocity.x, body.velocity.y * down);
         self.mass[i] = body.mass;
-        self.bounce[i] = body.restitution;
         self.traits[i] = Coefficients {
             restitution: body.restitution,
             static_friction: body.material.static_friction,
@@ -204,18 +200,13 @@ impl Bodies {
         self.airy = drags.into_iter().flatten().any(|drag| *drag > 0.0);
         let friction = |traits: &Coefficients| (traits.static_friction, traits.kinetic_friction);
         self.alike = self.traits[..n].iter().all(|traits| friction(traits) == friction(&self.traits[0]));
-        // A body flies off a springy surface as if it bounced itself.
-        let springiest = self.traits[n..].iter().map(|traits| traits.restitution).fold(0.0, f64::max);
-        self.bounce[..n].iter_mut().for_each(|bounce| *bounce = bounce.max(springiest));
-        self.elastic = self.traits.iter().any(|traits| traits.restitution == 1.0);
         self.lively = self.traits.iter().any(|traits| traits.restitution > 0.0);
     }
 
     /// Takes every restitution out.
     pub fn make_plastic(&mut self) {
         self.traits.iter_mut().for_each(|traits| traits.restitution = 0.0);
-        self.bounce.fill(0.0);
-        (self.elastic, self.lively) = (false, false);
+        self.lively = false;
     }
 
     /// The number of movable bodies; everything from here on is immovable.
@@ -227,6 +218,14 @@ impl Bodies {
     #[inline(always)]
     pub fn coefficients(&self, i: usize, j: usize) -> Coefficients {
         self.traits[i].with(self.traits[j], j >= self.count)
+    }
+
+    /// Positions, half extents, velocities before and free velocities along an axis.
+    pub fn along(&self, axis: Axis) -> [&[f64]; 4] {
+        match axis {
+            Axis::Across => [&self.x, &self.hx, &self.vx, &self.free_vx],
+            Axis::Gravity => [&self.y, &self.hy, &self.vy, &self.free_vy],
+        }
     }
 
     /// The velocity of the skin of a surface along the face that lies towards larger or smaller coordinates along `axis` (0: across,
@@ -288,9 +287,8 @@ impl Bodies {
 
     /// How much further than its way, which is so wide and so high, contacts of a body are looked for, m.
     #[inline(always)]
-    pub fn margins(&self, i: usize, wide: f64, high: f64) -> (f64, f64) {
-        let lively = MARGIN + self.bounce[i] * 0.03;
-        (lively + WAYS * wide, lively + self.bounce[i] * high)
+    pub fn margins(wide: f64, high: f64) -> (f64, f64) {
+        (MARGIN + WAYS_ACROSS * wide, MARGIN + WAYS_ALONG * high)
     }
 
     /// Sets the boxes that these bodies sweep from where they are to where they are predicted, and a margin.
@@ -308,12 +306,11 @@ impl Bodies {
     pub fn sweep_range(&mut self, from: usize, to: usize) {
         let (x, px, hx) = (&self.x[from..to], &self.px[from..to], &self.hx[from..to]);
         let (y, py, hy) = (&self.y[from..to], &self.py[from..to], &self.hy[from..to]);
-        let bounce = &self.bounce[from..to];
         for (i, swept) in self.swept[from..to].iter_mut().enumerate() {
             let (left, right) = if x[i] < px[i] { (x[i], px[i]) } else { (px[i], x[i]) };
             let (top, bottom) = if y[i] < py[i] { (y[i], py[i]) } else { (py[i], y[i]) };
-            let lively = MARGIN + bounce[i] * 0.03;
-            let (wide, high) = (hx[i] + lively + WAYS * (right - left), hy[i] + lively + bounce[i] * (bottom - top));
+            let (wide, high) = Self::margins(right - left, bottom - top);
+            let (wide, high) = (hx[i] + wide, hy[i] + high);
             *swept = [left - wide, right + wide, top - high, bottom + high];
         }
     }
@@ -354,13 +351,6 @@ impl Bodies {
     /// Predicts a body to be where free flight leads it.
     pub fn fall_freely(&mut self, i: usize) {
         (self.px[i], self.py[i]) = (self.free_x[i], self.free_y[i]);
-    }
-
-    /// Whether the predicted centre lies within the body's allowed box.
-    #[inline(always)]
-    pub fn is_allowed(&self, i: usize) -> bool {
-        let (x, y) = (self.px[i] - self.shift.0, self.py[i] - self.shift.1);
-        (x >= self.allowed_left[i]) & (x <= self.allowed_right[i]) & (y >= self.allowed_top[i]) & (y <= self.allowed_bottom[i])
     }
 
     /// Numbers the bodies bottom-up, equal heights by their number outside. Only what holds at the start of a step is carried
@@ -416,7 +406,6 @@ impl Bodies {
             &mut self.free_vy,
             &mut self.px,
             &mut self.py,
-            &mut self.bounce,
         ] {
             self.spare.copy_from_slice(&values[..n]);
             for (value, &from) in values.iter_mut().zip(order) {

@@ -28,25 +28,12 @@ pub(crate) struct Island<'a> {
     /// What a member may touch, each a member before it or a surface: `others[from..to]`, by slot.
     ranges: &'a [(u32, u32)],
     others: &'a [u32],
-    /// By slot: one of its island, and its place from the bottom up.
-    roots: &'a [u32],
-    places: &'a [u32],
 }
 
 impl<'a> Island<'a> {
     /// Whether it is one body, near nothing.
     pub fn is_alone(&self) -> bool {
         self.members.len() == 1 && self.near(self.members[0]).is_empty()
-    }
-
-    /// Whether two bodies are of one island.
-    pub fn joins(&self, a: usize, b: usize) -> bool {
-        self.roots[a] == self.roots[b]
-    }
-
-    /// By what pairs are ordered: bodies by their places from the bottom up, then surfaces.
-    pub fn order_of(&self, i: u32) -> u32 {
-        self.places.get(i as usize).copied().unwrap_or(i)
     }
 
     /// What a member may touch, each a member before it or a surface.
@@ -173,9 +160,7 @@ impl Islands {
     /// An island by its number.
     pub fn get(&self, island: usize) -> Island<'_> {
         let (from, to) = (self.begins[island] as usize, self.begins[island + 1] as usize);
-        let Self { members, ranges, others, parent, place, .. } = self;
-        let members = &members[from..to];
-        Island { members, ranges, others, roots: parent, places: place }
+        Island { members: &self.members[from..to], ranges: &self.ranges, others: &self.others }
     }
 
     /// Brings the bodies into their order, once a step.

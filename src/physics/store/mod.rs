@@ -3,4 +3,3 @@ pub(crate) mod driver;
 pub(crate) mod grid;
 pub(crate) mod islands;
 pub(crate) mod neighbours;
-pub(crate) mod reach;

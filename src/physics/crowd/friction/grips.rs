@@ -28,7 +28,7 @@ impl Friction {
             let i = self.gripped[k] as usize;
             for c in self.under(i) {
                 let tight = &mut self.tight[c];
-                let sliding = self.began[i] - bodies.began_across(tight.below as usize) - tight.skin;
+                let sliding = bodies.vx[i] - bodies.began_across(tight.below as usize) - tight.skin;
                 let lasts = !tight.stood && bodies.mass[i] * sliding.abs() > tight.dragged;
                 tight.grip = if lasts { Grip::Slip(-sliding.signum()) } else { Grip::Stick };
                 tight.sense = 1.0;
@@ -168,7 +168,7 @@ impl Friction {
     /// A body by itself, with a momentum.
     fn alone(&self, bodies: &Bodies, i: usize, given: f64) -> Node {
         let mass = bodies.mass[i];
-        Node { momentum: given, began: mass * self.began[i], mass, ..Node::default() }
+        Node { momentum: given, began: mass * bodies.vx[i], mass, ..Node::default() }
     }
 
     /// The same after some grips have changed: only sums are told anew that this concerns.

@@ -13,8 +13,7 @@ pub(crate) mod grips;
 
 use crate::physics::crowd::clusters::Node;
 use crate::physics::crowd::contacts::Contacts;
-use crate::physics::crowd::gravity::SLACK;
-use crate::physics::crowd::impacts::Impacts;
+use crate::physics::crowd::gravity::{Anchors, SLACK};
 use crate::physics::store::bodies::Bodies;
 
 /// What a contact does across.
@@ -49,6 +48,14 @@ pub(crate) struct Tight {
     pub skin: f64,
 }
 
+impl Tight {
+    /// Lets it press with an impulse, N·s, of which it returns a part: its limits so far are coefficients.
+    fn press(&mut self, impulse: f64, restitution: f64) {
+        let rubs = impulse * (1.0 + restitution);
+        (self.load, self.held, self.holds, self.dragged) = (impulse, self.held * rubs, self.holds * rubs, self.dragged * rubs);
+    }
+}
+
 /// Loads and friction of the tight contacts along gravity.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Friction {
@@ -59,8 +66,6 @@ pub(crate) struct Friction {
     /// What each body carries, itself included.
     pub riders: Vec<Node>,
     loads: Vec<f64>,
-    /// Velocities across with which bodies began the step, or would have begun to have now what impacts gave them, m/s.
-    began: Vec<f64>,
     /// Who takes part, bottom-up.
     awake: Vec<u32>,
     is_awake: Vec<bool>,
@@ -87,7 +92,6 @@ impl Friction {
         Self {
             riders: vec![Node::default(); all],
             loads: vec![0.0; all],
-            began: vec![0.0; all],
             is_awake: vec![false; all],
             is_gripped: vec![false; all],
             concerned: vec![false; all],
@@ -161,7 +165,7 @@ impl Friction {
     }
 
     /// Finds the tight contacts of what takes part.
-    pub fn touch(&mut self, bodies: &Bodies, contacts: &Contacts, impacts: &Impacts, dt: f64) {
+    pub fn touch(&mut self, bodies: &Bodies, contacts: &Contacts, dt: f64) {
         let slack = contacts.tolerances.hair / dt;
         self.carried = contacts.carried;
         self.tight.clear();
@@ -170,7 +174,6 @@ impl Friction {
             let i = self.awake[k] as usize;
             self.start[i] = self.tight.len() as u32;
             self.is_gripped[i] = false;
-            self.began[i] = impacts.began_across(bodies, i);
             let (mean, velocity) = (bodies.mean_vy[i], bodies.uy[i]);
             for stack in &contacts.stacks[contacts.under(i)] {
                 let below = stack.second as usize;
@@ -207,26 +210,57 @@ impl Friction {
         self.gripped.extend(self.awake.iter().filter(|i| self.is_gripped[**i as usize]));
     }
 
-    /// Adds up the loads top-down, from what the solver changed along gravity and what `struck` bodies from above in impacts, N·s.
-    pub fn load(&mut self, bodies: &Bodies, struck: &[f64]) {
+    /// Adds up the loads top-down, from what the solver changed along gravity and what walls hold up, N·s. What bounces with
+    /// restitution e rubs with 1 + e times the impulse that stops it.
+    pub fn load(&mut self, bodies: &Bodies, held_up: &[f64], anchors: &Anchors) {
         for &i in &self.awake {
-            self.loads[i as usize] = struck[i as usize];
+            self.loads[i as usize] = held_up[i as usize];
         }
+        self.load_loose(anchors);
         for k in (0..self.gripped.len()).rev() {
             let i = self.gripped[k] as usize;
+            if anchors.loose[i] {
+                continue;
+            }
             let load = self.loads[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
             let under = self.under(i);
             let bears = |tight: &Tight| tight.above == (load < 0.0);
             let share = load.abs() / self.tight[under.clone()].iter().filter(|t| bears(t)).count() as f64;
             for tight in &mut self.tight[under] {
                 let share = if bears(tight) { share } else { 0.0 };
-                tight.load = share;
-                tight.held *= share;
-                tight.holds *= share;
-                tight.dragged *= share;
+                tight.press(share, anchors.bounce[i]);
                 if !tight.above {
                     self.loads[tight.below as usize] += share;
                 }
+            }
+        }
+    }
+
+    /// What merged in the air presses with what went through its merges.
+    fn load_loose(&mut self, anchors: &Anchors) {
+        if anchors.edges.is_empty() {
+            return;
+        }
+        for edge in &anchors.edges {
+            let impulse = edge.impulse.max(0.0);
+            for (i, other) in [(edge.a, edge.b), (edge.b, edge.a)] {
+                if !anchors.loose.get(i as usize).is_some_and(|loose| *loose && self.is_awake[i as usize]) {
+                    continue;
+                }
+                let under = self.under(i as usize);
+                if let Some(tight) = self.tight[under].iter_mut().find(|tight| tight.below == other) {
+                    tight.press(impulse, edge.restitution);
+                }
+            }
+            if anchors.loose.get(edge.b as usize) == Some(&false) {
+                self.loads[edge.b as usize] += impulse;
+            }
+        }
+        for k in 0..self.gripped.len() {
+            let i = self.gripped[k] as usize;
+            if anchors.loose[i] {
+                let under = self.under(i);
+                self.tight[under].iter_mut().filter(|tight| tight.load == 0.0).for_each(|tight| tight.press(0.0, 0.0));
             }
         }
     }

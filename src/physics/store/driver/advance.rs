@@ -24,9 +24,6 @@ pub(crate) trait Advance {
     /// Whether an island of so many bodies is left to the dense method for good: then it falls asleep as that leaves it.
     fn leaves_for_good(&self, members: usize) -> bool;
 
-    /// The island of this body has come upon a surface besides, and took it to go to its end.
-    fn comes_upon(&mut self, body: usize, surface: usize);
-
     /// What it told of the island of this body holds no longer.
     fn forget(&mut self, body: usize);
 
@@ -42,8 +39,8 @@ pub(crate) trait Advance {
 pub(crate) enum Verdict {
     /// It is where it is at the end of the step; whether all of it rests.
     Taken { rests: bool },
-    /// The dense method shall take what is left of the step, s, from where the bodies have been brought; all of it, from where they began, if that is infinite.
-    Left(f64),
+    /// The crowd step shall take it.
+    Left,
     /// Bodies may get further than others were looked for; their swept boxes have been widened.
     Grown,
 }

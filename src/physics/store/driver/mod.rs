@@ -6,13 +6,12 @@ pub(crate) mod look;
 pub(crate) mod sleep;
 
 use crate::physics::crowd::dense::{Outcome, StepSize};
-use crate::physics::crowd::impacts::Impacts;
 use crate::physics::crowd::report::ContactImpulse;
-use crate::physics::crowd::{CrowdImpact, Other, Squeeze};
+use crate::physics::crowd::{Axis, CrowdImpact, Other, Squeeze};
 use crate::physics::space::Space;
 use crate::physics::store::bodies::Bodies;
 pub(crate) use crate::physics::store::driver::advance::{Advance, Store, Verdict};
-use crate::physics::store::driver::later::{Held, Moved, Placed};
+use crate::physics::store::driver::later::{Held, Placed};
 use crate::physics::store::islands::Island;
 use glam::DVec2;
 
@@ -54,7 +53,6 @@ pub(crate) struct Driver {
     growths: Vec<u32>,
     /// By slot: whether the island has to be solved again.
     again: Vec<bool>,
-    moved: Vec<Moved>,
     disagreeing: Vec<u32>,
     /// Surfaces that begin later for an island, and where.
     held: Vec<Held>,
@@ -119,8 +117,6 @@ impl Space {
             self.fly(dt);
             self.solve_islands(dt, other);
             self.stop_presses(dt, other);
-            // What began later began the step where the others did.
-            self.driver.put_back_moved(&mut self.bodies, |_| true);
             self.bodies.commit();
         }
         for (id, ..) in self.bodies.guided.drain(..) {
@@ -169,7 +165,6 @@ impl Space {
 
     fn solve_all_again<A: Advance>(&mut self, dt: f64, other: &mut A) {
         let Self { dense, driver, bodies, .. } = self;
-        driver.put_back_moved(bodies, |_| true);
         driver.events.clear();
         driver.wake_fresh();
         dense.report.list.retain(|contact| driver.asleep[contact.a]);
@@ -186,7 +181,6 @@ impl Space {
     }
 
     fn solve_islands<A: Advance>(&mut self, dt: f64, other: &mut A) {
-        self.driver.moved.clear();
         let n = self.bodies.len();
         let minds = |other: &A| !other.minds_nobody() && self.driver.looked_at.iter().any(|body| other.minds(*body as usize));
         if self.neighbours.is_empty() && !minds(other) {
@@ -228,13 +222,12 @@ impl Space {
                 }
                 driver.forget(bodies, island, &mut dense.report.list);
                 let round = if again { driver.growths_of(island) } else { 0 };
-                let whole =
-                    StepSize { dt, later: false, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
+                let size = StepSize { dt, rest_speed: self.rest_speed, gravity: self.gravity, last: round >= GROWTHS };
                 driver.placed.clear();
                 let (placed, targets) = (&mut driver.placed, driver.targets.as_slice());
                 let mut store = Store { bodies, island, grown: &mut dense.grown, placed, targets, down: self.down };
                 let verdict = other.advance(&mut store, round);
-                let left = match verdict {
+                match verdict {
                     Verdict::Taken { rests } => {
                         driver.note_sleep(bodies, island, self.may_sleep && rests);
                         continue;
@@ -243,26 +236,16 @@ impl Space {
                         driver.note_growth(island, round);
                         continue;
                     }
-                    Verdict::Left(left) => left,
-                };
-                let later = left.is_finite();
-                let left = left.min(dt);
-                let size = StepSize { dt: left, later, ..whole };
-                if later {
-                    driver.begin_later(bodies, island, left, self.drag);
+                    Verdict::Left => {}
                 }
-                if later || !driver.placed.is_empty() {
-                    driver.begin_surfaces_later(bodies, dt, left);
+                if !driver.placed.is_empty() {
+                    driver.hold_surfaces(bodies, dt);
                 }
                 dense.report.on = other.lists(island.members.len());
-                if dense.step(bodies, neighbours, island, size) == Outcome::Done {
-                    // What stands still for the rest of a step may have moved before.
-                    let may_sleep = self.may_sleep && !later && other.leaves_for_good(island.members.len());
+                if dense.step(bodies, island, size) == Outcome::Done {
+                    let may_sleep = self.may_sleep && other.leaves_for_good(island.members.len());
                     driver.finish(bodies, island, may_sleep);
-                    driver.list_impacts(bodies, &dense.impacts);
-                    for &(i, j) in dense.reached().iter().filter(|pair| pair.1 as usize >= n && !driver.targets.is_empty()) {
-                        other.comes_upon(bodies.id[i as usize] as usize, j as usize - n);
-                    }
+                    driver.list_impacts(bodies, &dense.hits);
                     dense.finish(bodies, island, self.down);
                 } else {
                     driver.note_growth(island, round);
@@ -313,7 +296,6 @@ impl Driver {
         if !island.members.iter().any(|i| self.again[*i as usize]) {
             return false;
         }
-        self.put_back_moved(bodies, |slot| island.members.contains(&slot));
         for &i in island.members {
             let i = i as usize;
             (bodies.px[i], bodies.py[i]) = (bodies.free_x[i], bodies.free_y[i]);
@@ -327,11 +309,10 @@ impl Driver {
         true
     }
 
-    fn list_impacts(&mut self, bodies: &Bodies, impacts: &Impacts) {
+    fn list_impacts(&mut self, bodies: &Bodies, hits: &[(u32, u32, Axis, f64)]) {
         let (n, id) = (bodies.len(), &bodies.id);
         let other = |i: usize| if i < n { Other::Body(id[i] as usize) } else { Other::Surface(i - n) };
-        let bounced = impacts.all.iter().filter(|hit| hit.speed > 0.0).map(|hit| (hit.a, hit.b, hit.axis, hit.speed));
-        for (a, b, axis, speed) in bounced.chain(impacts.plastic.iter().copied()) {
+        for &(a, b, axis, speed) in hits {
             self.events.push(CrowdImpact { a: id[a as usize] as usize, b: other(b as usize), axis, speed });
         }
     }

@@ -287,23 +287,6 @@ impl Neighbours {
         }
     }
 
-    /// Who may be where body i sweeps, bodies and surfaces. Lets the body into all of that.
-    pub fn reach(&mut self, bodies: &mut Bodies, i: usize) -> &[u32] {
-        if bodies.is_allowed(i) {
-            let (s, (dx, dy)) = (bodies.swept[i], bodies.shift);
-            let mine = [s[0] - dx, s[1] - dx, s[2] - dy, s[3] - dy];
-            self.find_near_body(&mine, i);
-            self.near_surfaces(&mine, bodies.len());
-        } else {
-            self.follow(bodies, &[i as u32]);
-        }
-        // Surfaces that move are in no grid.
-        let n = bodies.len() as u32;
-        let meets = |j: &u32| overlap(&bodies.swept[i], &bodies.swept[*j as usize]);
-        self.near.extend(self.movers.iter().map(|surface| n + surface).filter(meets));
-        &self.near
-    }
-
     /// Who may be where body i sweeps, if neighbours were sought there: bodies and surfaces.
     pub fn near_swept(&mut self, bodies: &Bodies, i: usize) -> &[u32] {
         self.find_near_body(&bodies.swept[i], i);

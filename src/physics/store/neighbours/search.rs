@@ -117,8 +117,7 @@ impl Neighbours {
         let far_y = y + ahead * (bodies.vy[i] - falling + 0.5 * ahead * (ay - self.fall));
         // The longest ways of one step until then, of the body and of the boxes.
         let (way_x, way_y) = ((bodies.vx[i] + ahead * ax) * dt, (bodies.vy[i] + ahead * ay) * dt);
-        let (wide, high) = bodies.margins(
-            i,
+        let (wide, high) = Bodies::margins(
             (bodies.px[i] - bodies.x[i]).abs().max(way_x.abs()),
             (bodies.py[i] - bodies.y[i]).abs().max(way_y.abs()),
         );

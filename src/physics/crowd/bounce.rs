@@ -1,0 +1,193 @@
+//! Restitution: the last stage of a crowd step.
+//!
+//! The step is solved as if every impact were plastic; that gives each contact the impulse of its compression. Poisson's law returns the
+//! part e of it. In a group of bodies that merged in the air each contact returns the same part, the smallest restitution of its impacts:
+//! the plastic velocities are the projection of the free ones on what the contacts allow, in the metric of the masses, so
+//! |v⁺|² = |v_p|² + e²|v_p − v|² ≤ |v|² (Moreau 1988), and the momentum stays. What hits something that does not give way leaves with e·s, where s
+//! is the closing speed at the contact by the energy of its own fall. A bounce that would end within the step is none.
+
+use crate::physics::crowd::Axis;
+use crate::physics::crowd::contacts::Contact;
+use crate::physics::crowd::dense::Dense;
+use crate::physics::crowd::report::Edge;
+use crate::physics::data::plan::{Part, called};
+use crate::physics::store::bodies::Bodies;
+use glam::DVec2;
+
+/// Closing speeds up to this are none, m/s. Smaller: rounding bounces.
+const SLOWEST: f64 = 1e-9;
+/// Energy gained that is no more than rounding, as a part of the kinetic energy. Smaller: rounding slows what it should not.
+const ROUNDING: f64 = 1e-12;
+
+/// One body along one axis: velocity at the start and at the end if nothing were touched, where the solution has it go and how fast it ends.
+struct Fall {
+    before: f64,
+    free: f64,
+    way: f64,
+    end: f64,
+}
+
+impl Fall {
+    /// The velocity with which it leaves what has stopped it, m/s.
+    fn rebound(&self, restitution: f64, rest_speed: f64, dt: f64) -> f64 {
+        let side = if self.free < self.end { -1.0 } else { 1.0 };
+        let (closing, pull) = ((self.before - self.end) * side, (self.free - self.before) / dt * side);
+        let square = closing * closing.abs() + 2.0 * pull * (self.way - self.end * dt) * side;
+        let leaves = restitution * square.max(0.0).sqrt();
+        if lasts(leaves, pull, dt) && (restitution == 1.0 || leaves >= rest_speed) { self.end - side * leaves } else { self.end }
+    }
+}
+
+/// Whether what leaves with a speed (m/s) while it is pulled back (m/s²) comes back after the step.
+fn lasts(speed: f64, pull: f64, dt: f64) -> bool {
+    speed > SLOWEST && 2.0 * speed > pull * dt
+}
+
+/// The restitution of a pair that merges, if its impact is one.
+pub(crate) fn bounces(bodies: &Bodies, contact: &Contact, axis: Axis, dt: f64) -> Option<f64> {
+    let (i, j) = (contact.first as usize, contact.second as usize);
+    let restitution = bodies.coefficients(i.min(j), i.max(j)).restitution;
+    let [x, half, v, free] = bodies.along(axis);
+    let side = if x[j] < x[i] { -1.0 } else { 1.0 };
+    let gap = ((x[j] - x[i]).abs() - half[i] - half[j]).max(0.0);
+    let pull = ((free[i] - v[i]) - (free[j] - v[j])) * side / dt;
+    let closing = (v[i] - v[j]) * side;
+    let speed = (closing * closing.abs() + 2.0 * pull * gap).max(0.0).sqrt();
+    lasts(restitution * speed, pull, dt).then_some(restitution)
+}
+
+/// Lets an edge return its part.
+fn part(edge: &mut Edge, velocity: &mut [f64], mass: &[f64]) {
+    let impulse = edge.restitution * edge.impulse;
+    for (i, impulse) in [(edge.a as usize, -impulse), (edge.b as usize, impulse)] {
+        if let Some(mass) = mass.get(i) {
+            velocity[i] += impulse / mass;
+        }
+    }
+    edge.impulse += impulse;
+}
+
+impl Dense {
+    /// Returns to every impact its part of the impulse.
+    pub(crate) fn bounce(&mut self, bodies: &mut Bodies, members: &[u32], rest_speed: f64) {
+        self.bounced = false;
+        if !bodies.lively {
+            return;
+        }
+        called(Part::Bounces);
+        for &i in members {
+            self.plastic[i as usize] = velocity(bodies, i as usize);
+        }
+        let Self { anchors, report, bounced, dt, .. } = self;
+        let returns = |edge: &&mut Edge| edge.restitution > 0.0;
+        for edge in anchors.edges.iter_mut().filter(returns) {
+            part(edge, &mut bodies.uy, &bodies.mass);
+            *bounced = true;
+        }
+        for edge in report.sides.iter_mut().filter(returns) {
+            part(edge, &mut bodies.ux, &bodies.mass);
+            *bounced = true;
+        }
+        for &i in members {
+            let i = i as usize;
+            if anchors.bounce[i] > 0.0 {
+                let fall =
+                    Fall { before: bodies.vy[i], free: bodies.free_vy[i], way: bodies.py[i] - bodies.y[i], end: bodies.uy[i] };
+                bodies.uy[i] = fall.rebound(anchors.bounce[i], rest_speed, *dt);
+                *bounced |= bodies.uy[i] != fall.end;
+            }
+        }
+    }
+
+    /// The last word on energy. Impacts on both axes and of different restitution may return more than their island had: then all return the
+    /// part of it that leaves none over, which keeps the momentum. What is merged and parted in a wild way may end higher even without
+    /// bounces: then what was touched is slowed down by one factor. That does not keep the momentum; it is counted.
+    pub(crate) fn restrain(&mut self, bodies: &mut Bodies, members: &[u32], doubt: bool) {
+        let stirred = self.bounced || self.walls.any;
+        if self.contacts.carried || !(stirred || doubt || !self.anchors.edges.is_empty()) {
+            return;
+        }
+        let touched = |bodies: &Bodies, i: usize| stirred || bodies.uy[i] != bodies.free_vy[i] || bodies.ux[i] != bodies.free_vx[i];
+        let mut sum = Balance::default();
+        for i in members.iter().map(|i| *i as usize) {
+            if touched(bodies, i) {
+                let end = velocity(bodies, i);
+                let plastic = if self.bounced { self.plastic[i] } else { end };
+                sum.add(bodies, i, plastic, end - plastic);
+            }
+        }
+        if sum.gained(1.0) <= ROUNDING * sum.all {
+            return;
+        }
+        let part = sum.part();
+        for i in members.iter().map(|i| *i as usize).filter(|_| self.bounced) {
+            let end = self.plastic[i] + (velocity(bodies, i) - self.plastic[i]) * part;
+            (bodies.ux[i], bodies.uy[i]) = end.into();
+        }
+        for side in self.report.sides.iter_mut().filter(|side| side.restitution > 0.0) {
+            side.impulse *= (1.0 + side.restitution * part) / (1.0 + side.restitution);
+        }
+        let (gained, left) = (sum.gained(part), sum.left(part));
+        if gained <= ROUNDING * sum.all {
+            return;
+        }
+        self.guards.energy_taken_out += 1;
+        let slower = if left > gained { (1.0 - gained / left).sqrt() } else { 0.0 };
+        for i in members.iter().map(|i| *i as usize) {
+            if touched(bodies, i) {
+                (bodies.ux[i], bodies.uy[i]) = (bodies.ux[i] * slower, bodies.uy[i] * slower);
+            }
+        }
+    }
+}
+
+/// The energy of an island as a polynomial of the part of the bounces that it keeps, J.
+#[derive(Default)]
+struct Balance {
+    /// What it had at the start, with the work of what pulls at it.
+    had: f64,
+    /// Of the plastic velocities, their product with the bounces, and of the bounces.
+    plastic: f64,
+    mixed: f64,
+    bounces: f64,
+    /// Kinetic, before and after: the scale of rounding.
+    all: f64,
+}
+
+impl Balance {
+    fn add(&mut self, bodies: &Bodies, i: usize, plastic: DVec2, bounce: DVec2) {
+        let mass = bodies.mass[i];
+        let before = DVec2::new(bodies.vx[i], bodies.vy[i]).length_squared();
+        let work = bodies.ax[i] * (bodies.px[i] - bodies.x[i]) + bodies.ay[i] * (bodies.py[i] - bodies.y[i]);
+        let mut had = 0.5 * before + work;
+        if bodies.is_guided[bodies.id[i] as usize] {
+            // What liquids and streams give it is known of its flight alone.
+            had = had.max(0.5 * DVec2::new(bodies.free_vx[i], bodies.free_vy[i]).length_squared());
+        }
+        self.had += mass * had;
+        self.plastic += 0.5 * mass * plastic.length_squared();
+        self.mixed += mass * plastic.dot(bounce);
+        self.bounces += 0.5 * mass * bounce.length_squared();
+        self.all += mass * (before + 0.5 * (plastic + bounce).length_squared());
+    }
+
+    fn left(&self, part: f64) -> f64 {
+        self.plastic + (self.mixed + self.bounces * part) * part
+    }
+
+    fn gained(&self, part: f64) -> f64 {
+        self.left(part) - self.had
+    }
+
+    /// The largest part with which nothing is gained, at most 1.
+    fn part(&self) -> f64 {
+        let over = self.gained(0.0);
+        let root = (self.mixed * self.mixed - 4.0 * self.bounces * over).max(0.0).sqrt();
+        let below = self.mixed + root;
+        if over >= 0.0 || below <= 0.0 { 0.0 } else { (-2.0 * over / below).min(1.0) }
+    }
+}
+
+fn velocity(bodies: &Bodies, i: usize) -> DVec2 {
+    DVec2::new(bodies.ux[i], bodies.uy[i])
+}
