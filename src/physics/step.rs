@@ -13,7 +13,8 @@ use crate::physics::exact::Scene;
 use crate::physics::exact::item::Item;
 use crate::physics::forces::zones::feel;
 use crate::physics::islands::{Choice, Tick};
-use crate::physics::scratch::Happened;
+use crate::physics::scratch::{Happened, Scratch};
+use crate::physics::space::Space;
 use crate::physics::world::{Event, Methods, Obstacle, State, World};
 use glam::DVec2;
 
@@ -187,6 +188,7 @@ impl World {
             changed.clear();
             changed.extend_from_slice(pile.looked_at());
         } else {
+            changed.retain(|i| !scratch.after[*i as usize].noted);
             changed.extend_from_slice(&scratch.touched);
         }
         changed.iter().for_each(|i| self.accelerate(*i as usize));
@@ -245,6 +247,10 @@ impl World {
     fn commit_dense(&mut self, dt: f64) {
         let Self { state, scratch, pile, records, .. } = self;
         let n = state.bodies.len();
+        list_crowd_hits(state, scratch, pile, &mut records.events);
+        if pile.listed().is_empty() {
+            return;
+        }
         scratch.pressed.resize(n, 0.0);
         scratch.touched.iter().for_each(|i| scratch.pressed[*i as usize] = 0.0);
         for contact in pile.listed() {
@@ -293,24 +299,6 @@ impl World {
                 body.acceleration = DVec2::ZERO;
             }
         }
-        for hit in pile.impacts() {
-            if scratch.after[hit.a].dense && hit.speed >= REPORT_SPEED {
-                let axis = usize::from(hit.axis == Axis::Gravity);
-                let (b, at) = match hit.b {
-                    Other::Body(b) => (Obstacle::Body(BodyId(b as u32)), state.bodies[b].bounds()),
-                    Other::Surface(s) => (Obstacle::Surface(s as u32), state.surfaces[s].bounds),
-                };
-                let mine = state.bodies[hit.a].bounds();
-                let mut normal = DVec2::ZERO;
-                normal[axis] = if mine.centre()[axis] < at.centre()[axis] { -1.0 } else { 1.0 };
-                let point = (mine.min.max(at.min) + mine.max.min(at.max)) * 0.5;
-                records.events.push(Event::Impact { a: BodyId(hit.a as u32), b, point, normal, speed: hit.speed });
-            }
-        }
-        for squeeze in pile.squeezed() {
-            let force = state.bodies[squeeze.body].crushing_force(squeeze.speed);
-            scratch.crushed.push((u32::MAX, squeeze.body as u32, squeeze.surface as u32, force));
-        }
     }
 
     /// Lists what happened, in the order of its times.
@@ -332,6 +320,28 @@ impl World {
         for &(_, body, by, force) in &scratch.crushed {
             records.events.push(Event::Crushed { body: BodyId(body), by, force });
         }
+    }
+}
+
+/// Lists what hit what in crowds, and whom surfaces would have squeezed.
+fn list_crowd_hits(state: &State, scratch: &mut Scratch, pile: &Space, events: &mut Vec<Event>) {
+    for hit in pile.impacts() {
+        if scratch.after[hit.a].dense && hit.speed >= REPORT_SPEED {
+            let axis = usize::from(hit.axis == Axis::Gravity);
+            let (b, at) = match hit.b {
+                Other::Body(b) => (Obstacle::Body(BodyId(b as u32)), state.bodies[b].bounds()),
+                Other::Surface(s) => (Obstacle::Surface(s as u32), state.surfaces[s].bounds),
+            };
+            let mine = state.bodies[hit.a].bounds();
+            let mut normal = DVec2::ZERO;
+            normal[axis] = if mine.centre()[axis] < at.centre()[axis] { -1.0 } else { 1.0 };
+            let point = (mine.min.max(at.min) + mine.max.min(at.max)) * 0.5;
+            events.push(Event::Impact { a: BodyId(hit.a as u32), b, point, normal, speed: hit.speed });
+        }
+    }
+    for squeeze in pile.squeezed() {
+        let force = state.bodies[squeeze.body].crushing_force(squeeze.speed);
+        scratch.crushed.push((u32::MAX, squeeze.body as u32, squeeze.surface as u32, force));
     }
 }
 
