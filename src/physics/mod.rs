@@ -1,53 +1,48 @@
 //! The engine: boxes moved by named forces, as exact as a scene allows.
 //!
-//! It knows no pixel, window, clock, file or randomness. One call, [`World::step`], advances a world by one tick; the same start and the
-//! same calls give the same bits everywhere, because nothing but `+ − × ÷ √` and the `libm` crate ever touches a number. Here live bodies,
-//! forces, contacts and motion; rules (fuel, objectives, score), files and drawing do not.
+//! It knows no pixel, window, clock, file or randomness. One call, [`World::step`], advances a world by one tick. The same start and the same
+//! calls give the same bits everywhere: arithmetic is `+ − × ÷ √` and the `libm` crate. Bodies, forces, contacts and motion live here; rules
+//! (fuel, objectives, score), files and drawing do not.
 //!
-//! # How a tick goes
+//! # A tick
 //!
-//! The world tells the store what acts on each body (`step`); all fly freely, and what could meet within the tick is an **island**
-//! (`crowd`). Each island is advanced by the least method that is right for it (`islands` has the choice and what each costs): rest,
-//! flight in closed form, from event to event within a budget (`exact`), or, for large islands and where the budget is used up, in one
-//! step of the dense method (`crowd`) for what is left of the tick. From event to event it goes so:
+//! `step` holds the stages in their order. Surfaces follow their paths; linked groups and bodies near liquids or borders of zones get their
+//! flight (`links`, `acting`); every awake body flies as if it touched nothing (`crowd::flight`); the broad phase finds the pairs that may meet
+//! (`store::neighbours`), and the groups of those pairs are **islands** (`store::islands`). `islands` chooses a method for each:
 //!
-//! 1. **Laws** (`media`): what acts on each body without touching it: weight, drive, wind, air, liquids.
-//! 2. **Impacts** (`exact::impacts`): whatever touches and approaches is given its impulses, the fastest first; what only has to stop,
-//!    stops all at once.
-//! 3. **Contacts and accelerations** (`exact::motions`, `reactions`, `face`, `network`): Reaction, Push and Friction follow from the free
-//!    accelerations, on ground that may move (`surface`).
-//! 4. **Motion** (`flow`): a parabola, a flow through `air` or `liquid`, a slide, or rest.
-//! 5. **What happens next** (`exact::predict`, `impact_time`): an impact, the end of a slide, an edge, a zone's border. Only what it
-//!    concerns is brought there, and looked at anew.
+//! - an island asleep costs nothing; a body alone keeps its free flight (`forces::air`, `flight`);
+//! - up to 64 bodies go from event to event (`exact`), within a budget of events;
+//! - a larger island, or one beyond its budget, takes its whole tick in one crowd step (`crowd`).
 //!
-//! `docs/physics.md` tells the whole with formulas, sources, and how to add to it.
+//! From event to event means: resolve impacts, the fastest first (`exact::impacts`); solve contacts for accelerations (`exact::motions`,
+//! `contact`); move along parabolas, flows or slides; find the next event on those paths (`exact::predict`, `data::impact_time`).
 //!
-//! # Which idea handles what, and why
+//! # Rooms
 //!
-//! - **Free fall is a parabola**, written as one: no step size enters. With drag one step a tick is right to 1e-9 m for ordinary things, its
-//!   velocity to rounding; a body is told apart by rate × time, and feathers take finer steps until they have their terminal velocity
-//!   (`air`). In a liquid steps end where its surface meets a side of the body, and are as many as their error asks for (`liquid`).
-//! - **Tunnelling cannot happen**, because impacts are sought along the whole path and not at its ends: two boxes on cubics meet where a
-//!   polynomial has a root, bracketed and found to the last bit (`impact_time`). There is no speed limit.
-//! - **Bounces keep their energy**, because the impact happens at its own time on the parabola; endless ones end by the sum of their series
-//!   (`impacts`).
-//! - **Axes separate.** The normals of boxes are axis-aligned, so contact forces are one problem along x and one along y, each the
-//!   projection of the free accelerations on an ordering, solved exactly by blocks and flows (`network`). A column or a row of any length
-//!   and any mass ratio costs one pass. Only friction couples the axes, and only where something slides on a wall.
-//! - **Rest is exact.** A block with the ground has acceleration 0, not nearly 0; static friction is decided before anything is integrated;
-//!   the resultant shown is what the solver found.
-//! - **Impacts go in the order of their times**, then by speed: that makes the cradle. What is plastic is solved at once, with the same
-//!   network on momenta: that makes ten tonnes on a kilogram.
-//! - **What cannot change is not computed anew.** What rests sleeps until something touches it, and small contact networks have their
-//!   answers in closed form. What rests or keeps its contacts can be computed in full instead (`Plan::direct`), and gives the same bits.
-//! - **Nothing depends on what is elsewhere.** Islands do not know of each other.
-//! - **No tick freezes.** What an island does is counted; beyond its budget the rest of its tick is one dense step. Each time that
-//!   happens is counted, too (`guards`).
+//! | room | holds |
+//! |---|---|
+//! | `data` | plain structs: bodies, surfaces, materials, contacts, definitions, ranges, tolerances, the plan |
+//! | `forces` | the force manager that moves a body, and a file a law |
+//! | `flight` | one body, or one linked group, without contacts |
+//! | `contact` | reactions and friction of contact networks, exact |
+//! | `exact` | the method of events: time of impact, impacts, ties, bounces, slides |
+//! | `crowd` | one step of an island of any size |
+//! | `store` | arrays of all bodies, broad phase, islands, sleep, the loop over islands |
+//! | `world`, `step`, `acting`, `changes`, `links`, `known_contacts`, `scratch`, `space` | the state, a tick, changes between ticks, buffers |
+//! | `validate`, `guards`, `hash` | laws that hold after every tick, counts of every cap, the bits of the state |
 //!
-//! What is not modelled: rotation (boxes keep their orientation, so contacts exert no torque), round collision shapes (a ball's contact is
-//! that of its box), the compression of air or liquids, and moving liquids.
+//! # Principles
 //!
-//! Tolerances that several files share stand in `tuning`, the others beside what they serve, each with what breaks when it changes.
+//! - **Closed forms first.** Free fall is a parabola; a box in air has a closed form; a step through a liquid is as long as its own error estimate
+//!   allows and never crosses a kink of the law.
+//! - **Nothing tunnels.** Impacts are roots of a polynomial along the whole path; a crowd step limits each approach to its gap.
+//! - **Axes separate.** Normals of boxes are axis-aligned, so contact forces are one exact problem an axis; only friction couples them.
+//! - **Rest is exact.** A resting body has velocity, acceleration and resultant 0, bit for bit, and sleeps until a change reaches it.
+//! - **Islands are independent.** No bit of an island depends on another one.
+//! - **No tick freezes.** Events are counted, not time; `guards` counts every cap and approximation.
+//!
+//! Rotation, round contact shapes, compressible or moving liquids are not modelled. `docs/physics.md` has every law with its file, formulas, errors
+//! and sources, and says how to add to the engine. `data::tuning` holds the tolerances that several files share; others stand beside their use.
 
 pub(crate) mod acting;
 pub(crate) mod changes;

@@ -1,21 +1,24 @@
-//! Many bodies at once: the general method for piles, rows and rain, from about 64 moving bodies to many thousands.
+//! The crowd step: one step of one island, with any number of bodies and any mass ratio.
 //!
-//! Here live the store of all bodies, in separate arrays, the broad phase, free flight, and the dense method over them, without a world
-//! around them; named forces, streams and liquids do not. A step goes so:
+//! It takes islands of more than 64 bodies, and smaller ones in ticks with too many events. It is plastic first and bounces last:
 //!
-//! 1. `flight`: where would everything be, and how fast, if it touched nothing;
-//! 2. `neighbours`: who may meet whom, sought anew only when a body leaves the box in which its neighbours were sought;
-//! 3. `islands`: who could meet within this step, and whom it could meet then;
-//! 4. `dense`: each island solved by itself; where a hit throws a body further than was looked for, its island grows and is solved again.
+//! 1. `contacts`: which pairs touch in this step, and along which axis; an approach may not exceed its gap;
+//! 2. `gravity`: paths and velocities along gravity, bottom-up; pairs that still close merge into `clusters` (pooling adjacent violators);
+//! 3. `cross`: the same across gravity, in turns with the `friction` of the stacks, and with `drag` on what rubs in air;
+//! 4. `walls`: upright faces hold or slow bodies by friction, as hard as the solution across presses them; 2 and 3 then run again;
+//! 5. `place`: positions that cannot overlap;
+//! 6. `bounce`: restitution. Each contact returns the part e of its impulse (Poisson), a merged group the smallest e of its impacts. The plastic
+//!    velocities v_p are a projection of the free ones v (Moreau 1988), so |v⁺|² = |v_p|² + e²|v_p − v|² ≤ |v|². A body that falls on something
+//!    immovable leaves with e times its closing speed; a bounce that would end within the step is none. An island returns only that part of its
+//!    bounces that adds no energy.
 //!
-//! Nothing iterates towards an answer except where bodies hang together in the air, so what comes to rest has velocity zero
-//! exactly, after which a step changes no bit and the island sleeps until something outside changes or something else comes near.
-//! What happens in one island changes no bit of another.
+//! `dense` runs the stages; `report` lists what each contact gave; `flight` is the free flight of all bodies before the islands are known.
+//! `store` holds the arrays, the broad phase, the islands and the loop over them.
 //!
-//! Without forces from outside, kinetic and potential energy together never rise: whatever merges takes the velocity of the whole, and
-//! impacts return at most what they took. So a pile rests when its last ball has bounced out. Those that fall on the heap when the others
-//! lie still bounce alone, for up to √(2H/g)·(1 + e)/(1 − e): 20 s from 27 m at e = 0.8, and longer where a heavy body throws a light
-//! one. That is no fault of the method, and no method that keeps restitution can rest earlier.
+//! Momentum is exact, boxes do not overlap, energy rises only by work from outside, and rest is exact: a body at rest has velocity 0, and a
+//! step changes no bit of it. A crowd gives up the instant of a bounce within the step, the order of impacts in a row, and a little energy of
+//! elastic gases with gravity. A pile rests when its last ball has bounced out; a ball that falls on a resting heap bounces for up to √(2H/g)·(1 + e)/(1 − e), 20 s
+//! from 27 m at e = 0.8, by any method that keeps restitution.
 
 pub(crate) mod bounce;
 pub(crate) mod clusters;
