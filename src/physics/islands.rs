@@ -12,13 +12,16 @@
 //! Event by event costs what happens: in a gas of 64 bodies some 30 impacts a tick, in a heap that settles every contact again and again.
 //! There the dense method is cheaper from about 50 bodies on, and the count of events makes sure of it for fewer.
 
+use crate::physics::crowd::dense::{Outcome as CrowdOutcome, StepSize};
+use crate::physics::crowd::{CrowdImpact, Other, Squeeze};
 use crate::physics::data::plan::{Part, called};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Outcome, Scene};
 use crate::physics::flight::flow::{Course, flow_through};
 use crate::physics::guards::Guards;
-use crate::physics::scratch::{After, NOBODY, Scratch, Stop, first_stop};
-use crate::physics::store::driver::advance::{Advance, Store, Verdict};
+use crate::physics::scratch::{After, NOBODY, Scratch, Stop};
+use crate::physics::space::{Space, stand};
+use crate::physics::store::members::{Members, Verdict};
 use crate::physics::world::State;
 
 /// The choice of methods.
@@ -33,9 +36,8 @@ impl Choice {
     const MOST_GROWTHS: usize = 3;
     /// Contacts of a dense island are listed if somebody asked for forces in the last tick, or if it has no more bodies than this.
     const ALWAYS_LISTED: usize = 256;
-    /// How often islands are advanced anew in one tick until they agree when a surface stops that several of them meet. After that it
-    /// stands still for the whole tick, and after twice as often islands are left as they are.
-    const MOST_ROUNDS: u32 = 8;
+    /// How often a crowd may grow in one tick. Fewer: bodies are kept within what was looked for.
+    const MOST_CROWD_GROWTHS: usize = 4;
 }
 
 /// A tick, as the islands see it.
@@ -52,7 +54,7 @@ pub(crate) struct Tick<'a> {
 
 impl Tick<'_> {
     /// Lets a body fly that has turned out to be near nothing, and of which it is known roughly only where it gets.
-    fn fly(&mut self, store: &mut Store<'_>) -> Verdict {
+    fn fly(&mut self, store: &mut Members<'_>) -> Verdict {
         let i = self.scratch.members[0];
         let body = &self.state.bodies[i as usize];
         let media = self.scene.media;
@@ -71,35 +73,20 @@ impl Tick<'_> {
     }
 
     /// Leaves the whole tick to the dense method.
-    fn leave(&mut self, store: &mut Store<'_>) -> Verdict {
+    fn leave(&mut self) -> Verdict {
         self.scratch.leave();
-        self.stop_surfaces(store);
         Verdict::Left
     }
 
-    /// Tells the dense method which of the surfaces that its island may meet others have stopped, and when it was told so.
-    fn stop_surfaces(&mut self, store: &mut Store<'_>) {
-        let Scratch { members, surfaces, stops, met, .. } = &mut *self.scratch;
-        store.moving_surfaces(surfaces);
-        surfaces.sort_unstable();
-        surfaces.dedup();
-        for &s in &*surfaces {
-            let (surface, at) = (&self.state.surfaces[s as usize], first_stop(stops, s));
-            met.push(Stop { leader: members[0], surface: s, at });
-            if at < self.scene.tick {
-                store.place_surface(s, (surface.bounds.centre(), surface.velocity), Some(surface.at(at).offset));
-            }
-        }
-    }
-
-    fn bring(&self, store: &mut Store<'_>) {
+    fn bring(&self, store: &mut Members<'_>) {
         for item in &self.scratch.events.items[..self.scratch.events.movable] {
             store.bring(item.id, item.body.position, item.body.velocity);
         }
     }
 }
 
-impl Advance for Tick<'_> {
+impl Tick<'_> {
+    /// Whether a body that is near nothing has to be advanced all the same: it stands still, and may fall asleep.
     fn minds(&self, body: usize) -> bool {
         let Scratch { floats, roughly, touches, .. } = &*self.scratch;
         floats[body]
@@ -108,11 +95,13 @@ impl Advance for Tick<'_> {
             || touches.get(body).is_some_and(|touches| *touches)
     }
 
+    /// Whether no body has to be advanced for that.
     fn minds_nobody(&self) -> bool {
         self.bare
     }
 
-    fn advance(&mut self, store: &mut Store<'_>, round: usize) -> Verdict {
+    /// Takes an island, or leaves it. `round` is how often it has grown in this step.
+    fn advance(&mut self, store: &mut Members<'_>, round: usize) -> Verdict {
         self.scratch.members.clear();
         self.scratch.surfaces.clear();
         self.scratch.members.extend(store.members());
@@ -123,7 +112,7 @@ impl Advance for Tick<'_> {
         }
         if round > Choice::MOST_GROWTHS || self.leaves_for_good(count) {
             self.guards.dense_ticks += 1;
-            return self.leave(store);
+            return self.leave();
         }
         store.surfaces(&mut self.scratch.surfaces);
         if let Some(verdict) = self.leave_linked(store) {
@@ -157,52 +146,209 @@ impl Advance for Tick<'_> {
             }
             Outcome::Busy => {
                 self.guards.budgets_used_up += 1;
-                self.leave(store)
+                self.leave()
             }
         }
     }
 
+    /// Whether the contacts of an island of this many bodies are listed.
     fn lists(&self, members: usize) -> bool {
         self.lists || members <= Choice::ALWAYS_LISTED
     }
 
+    /// Whether an island of so many bodies is a crowd: then it falls asleep as the crowd step leaves it.
     fn leaves_for_good(&self, members: usize) -> bool {
         members > Choice::MOST_BY_EVENTS || self.scene.dense
     }
 
+    /// What an earlier solution of the island of this body came to holds no longer.
     fn forget(&mut self, body: usize) {
         let noted = self.scratch.after[body].noted;
         let After { members, leader, .. } = std::mem::replace(&mut self.scratch.after[body], After { noted, ..After::default() });
         if members == 0 || leader as usize != body {
             return;
         }
-        let Scratch { contacts, happened, crushed, met, stops, .. } = &mut *self.scratch;
+        let Scratch { contacts, happened, crushed, stops, .. } = &mut *self.scratch;
         contacts.retain(|(of, _)| *of != leader);
         happened.retain(|happened| happened.island != leader);
         crushed.retain(|(of, ..)| *of != leader);
-        met.retain(|met| met.leader != leader);
         stops.retain(|stop| stop.leader != leader);
     }
 
+    /// A surface stands for the whole step.
     fn stand(&mut self, surface: usize) {
         self.scratch.stops.push(Stop { leader: NOBODY, surface: surface as u32, at: 0.0 });
     }
+}
 
-    fn disagree(&mut self, bodies: &mut Vec<u32>) {
-        let Scratch { stops, met, rounds, .. } = &mut *self.scratch;
-        let differs = |met: &Stop, stops: &[Stop]| met.at != first_stop(stops, met.surface);
-        if stops.is_empty() || *rounds > 2 * Choice::MOST_ROUNDS || !met.iter().any(|met| differs(met, stops)) {
-            return;
+impl Space {
+    /// Whether a body is awake or a surface moves.
+    pub(crate) fn is_stirred(&self) -> bool {
+        let carries = |j: &u32| self.bodies.carries(self.bodies.len() + *j as usize);
+        !self.sleep.all_asleep() || !self.movers.targets.is_empty() || self.movers.moving.iter().any(carries)
+    }
+
+    /// Advances all by `dt` seconds, > 0.
+    pub(crate) fn step_with(&mut self, dt: f64, tick: &mut Tick<'_>) {
+        self.impacts.clear();
+        self.squeezed.clear();
+        if self.is_stirred() {
+            self.look_at(dt);
+            self.last_dt = dt;
+            let Self { sleep, dense, .. } = self;
+            dense.report.list.retain(|contact| sleep.sleeps(contact.a));
+            self.movers.advance(&mut self.bodies, dt);
+            self.fly(dt);
+            self.solve_islands(dt, tick);
+            self.bodies.commit();
         }
-        *rounds += 1;
-        if *rounds > Choice::MOST_ROUNDS {
-            for &Stop { surface, .. } in met.iter() {
-                if first_stop(stops, surface) > 0.0 && met.iter().any(|met| met.surface == surface && differs(met, stops)) {
-                    self.guards.surfaces_stopped += 1;
-                    stops.push(Stop { leader: NOBODY, surface, at: 0.0 });
+        for (id, ..) in self.bodies.guided.drain(..) {
+            self.bodies.is_guided[id as usize] = false;
+        }
+        self.movers.targets.clear();
+        self.movers.ways.clear();
+    }
+
+    fn solve_islands(&mut self, dt: f64, tick: &mut Tick<'_>) {
+        let minds = |tick: &Tick<'_>| self.sleep.looked_at().iter().any(|body| tick.minds(*body as usize));
+        if self.neighbours.is_empty() && (tick.bare || !minds(tick)) {
+            return self.let_all_fly();
+        }
+        self.islands.sort(&self.bodies);
+        for k in 0..self.sleep.slots.len() {
+            let i = self.sleep.slots[k] as usize;
+            (self.growths[i], self.again[i]) = (0, false);
+        }
+        let mut again = false;
+        loop {
+            self.islands.find(&self.bodies, &self.neighbours);
+            for k in 0..self.islands.len() {
+                if !again || self.begin_again(k, tick) {
+                    self.solve(k, dt, tick);
                 }
             }
+            if self.dense.grown.is_empty() {
+                break;
+            }
+            again = true;
+            self.grow();
         }
-        bodies.extend(met.iter().filter(|met| differs(met, stops)).map(|met| met.leader));
+        let Self { dense, impacts, solved, .. } = self;
+        dense.report.list.retain(|contact| contact.solved == solved[contact.a]);
+        impacts.retain(|hit| hit.solved == solved[hit.a]);
+    }
+
+    /// Nobody is near anything.
+    fn let_all_fly(&mut self) {
+        let Self { bodies, sleep, .. } = self;
+        for i in sleep.slots.iter().map(|i| *i as usize) {
+            (bodies.ux[i], bodies.uy[i]) = (bodies.free_vx[i], bodies.free_vy[i]);
+            if sleep.sleeps(bodies.id[i] as usize) {
+                bodies.stay(i);
+            }
+        }
+    }
+
+    /// Solves an island by the method that is right for it.
+    fn solve(&mut self, k: usize, dt: f64, tick: &mut Tick<'_>) {
+        let Self { bodies, islands, dense, sleep, growths, solved, .. } = self;
+        let island = islands.get(k);
+        if sleep.stays_asleep(bodies, island) {
+            return;
+        }
+        let first = island.members[0] as usize;
+        if island.is_alone() && !tick.minds(bodies.id[first] as usize) {
+            (bodies.ux[first], bodies.uy[first]) = (bodies.free_vx[first], bodies.free_vy[first]);
+            return sleep.wake(bodies.id[first] as usize);
+        }
+        island.members.iter().for_each(|i| solved[bodies.id[*i as usize] as usize] += 1);
+        // It depends on no other island how often this one has grown, or those of which it is made now.
+        let round = island.members.iter().map(|i| growths[*i as usize]).max().unwrap_or(0) as usize;
+        let mut members = Members { bodies, island, grown: &mut dense.grown, down: self.down };
+        let grows = match tick.advance(&mut members, round) {
+            Verdict::Taken { rests } => {
+                sleep.note(bodies, island, self.may_sleep && rests);
+                false
+            }
+            Verdict::Grown => true,
+            Verdict::Left => self.solve_crowd(k, (dt, round), tick) == CrowdOutcome::Grown,
+        };
+        if grows {
+            let island = self.islands.get(k);
+            island.members.iter().for_each(|i| self.growths[*i as usize] = round as u32 + 1);
+        }
+    }
+
+    /// The crowd step of an island. Where a surface would squeeze a body it stands for this step, and the island is solved again.
+    fn solve_crowd(&mut self, k: usize, (dt, round): (f64, usize), tick: &mut Tick<'_>) -> CrowdOutcome {
+        let Self { bodies, islands, dense, sleep, .. } = self;
+        let (n, island) = (bodies.len(), islands.get(k));
+        let last = round >= Choice::MOST_CROWD_GROWTHS;
+        let size = StepSize { dt, rest_speed: self.rest_speed, gravity: self.gravity, last };
+        dense.report.on = tick.lists(island.members.len());
+        for _ in 0..=self.movers.moving.len() {
+            dense.squeezed.clear();
+            if dense.step(bodies, island, size) == CrowdOutcome::Grown {
+                return CrowdOutcome::Grown;
+            }
+            if dense.squeezed.is_empty() {
+                break;
+            }
+            for &(body, surface, speed) in &dense.squeezed {
+                let body = bodies.id[body as usize] as usize;
+                self.squeezed.push(Squeeze { body, surface: surface as usize - n, speed });
+                tick.stand(surface as usize - n);
+                stand(bodies, surface as usize);
+            }
+            dense.undo(bodies);
+            island.members.iter().for_each(|i| bodies.fall_freely(*i as usize));
+        }
+        sleep.finish(bodies, island, self.may_sleep && tick.leaves_for_good(island.members.len()));
+        let other = |i: usize| if i < n { Other::Body(bodies.id[i] as usize) } else { Other::Surface(i - n) };
+        for &(a, b, axis, speed) in &dense.hits {
+            let a = bodies.id[a as usize] as usize;
+            self.impacts.push(CrowdImpact { a, b: other(b as usize), axis, speed, solved: self.solved[a] });
+        }
+        let known = dense.report.list.len();
+        dense.finish(bodies, island, self.down);
+        dense.report.list[known..].iter_mut().for_each(|contact| contact.solved = self.solved[contact.a]);
+        CrowdOutcome::Done
+    }
+
+    /// Whether an island of a later round has to be solved; takes back what was solved of it before.
+    fn begin_again(&mut self, k: usize, tick: &mut Tick<'_>) -> bool {
+        let Self { bodies, islands, sleep, again, .. } = self;
+        let members = islands.get(k).members;
+        if !members.iter().any(|i| again[*i as usize]) {
+            return false;
+        }
+        for i in members.iter().map(|i| *i as usize) {
+            again[i] = false;
+            bodies.fall_freely(i);
+            sleep.wake(bodies.id[i] as usize);
+            tick.forget(bodies.id[i] as usize);
+        }
+        true
+    }
+
+    /// Seeks whom those may meet that go further than was looked for.
+    fn grow(&mut self) {
+        let Self { bodies, neighbours, dense, sleep, again, .. } = self;
+        dense.grown.iter().for_each(|i| again[*i as usize] = true);
+        neighbours.follow(bodies, &dense.grown);
+        if !sleep.looks_at_all() {
+            // Whom they reach now is found from them alone: they are put behind all others once more.
+            let from = sleep.slots.len();
+            sleep.slots.append(&mut dense.grown);
+            self.rouse_reached(from);
+            self.sleep.slots.sort_unstable();
+            self.sleep.slots.dedup();
+            self.islands.look_at(&self.sleep.slots);
+        }
+        self.dense.grown.clear();
+        self.look_at_moving();
+        if self.islands.are_others() {
+            self.islands.sort(&self.bodies);
+        }
     }
 }

@@ -10,7 +10,7 @@ use crate::physics::flight::linked::{Group, Member};
 use crate::physics::forces::link::{LinkDef, links_on};
 use crate::physics::islands::Tick;
 use crate::physics::scratch::{After, Scratch};
-use crate::physics::store::driver::advance::{Store, Verdict};
+use crate::physics::store::members::{Members, Verdict};
 use crate::physics::world::{State, World};
 use glam::DVec2;
 
@@ -144,7 +144,7 @@ impl Scratch {
 impl Tick<'_> {
     /// Leaves linked bodies that come near nothing where they fly together, and takes them out of the island's members. Returns a verdict if
     /// that settles it.
-    pub(crate) fn leave_linked(&mut self, store: &mut Store<'_>) -> Option<Verdict> {
+    pub(crate) fn leave_linked(&mut self, store: &mut Members<'_>) -> Option<Verdict> {
         if self.scratch.linked.is_empty() {
             return None;
         }

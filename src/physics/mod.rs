@@ -57,6 +57,7 @@ pub(crate) mod hash;
 pub(crate) mod islands;
 pub(crate) mod known_contacts;
 pub(crate) mod links;
+pub(crate) mod look;
 pub(crate) mod scratch;
 pub(crate) mod space;
 pub(crate) mod step;

@@ -82,10 +82,6 @@ pub(crate) struct Scratch {
     pub crushed: Vec<(u32, u32, u32, f64)>,
     /// Which surfaces the islands have stopped because they would have squeezed something.
     pub stops: Vec<Stop>,
-    /// Which moving surfaces each island has met, and when these stopped for it.
-    pub met: Vec<Stop>,
-    /// How often islands were advanced again because they did not agree when a surface stops.
-    pub rounds: u32,
     /// All that contacts of the dense method exert on each body, N.
     pub pressed: Vec<f64>,
     /// Of each body and each surface behind them: its number in the present island.
@@ -153,10 +149,8 @@ impl Scratch {
         self.happened.clear();
         self.crushed.clear();
         self.stops.clear();
-        self.met.clear();
         self.members.clear();
         self.surfaces.clear();
-        self.rounds = 0;
     }
 
     /// Notes how a body ends the tick.
@@ -204,7 +198,7 @@ impl Scratch {
     pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
         let n = state.bodies.len();
         self.index(state);
-        let Self { events, local, members, surfaces, stops, starts, around, linked, .. } = self;
+        let Self { events, local, members, surfaces, starts, around, linked, .. } = self;
         events.clear();
         members.sort_unstable();
         surfaces.sort_unstable();
@@ -238,7 +232,6 @@ impl Scratch {
             }
             local[n + s as usize] = events.items.len() as u32;
             let mut item = Item::surface(s, surface);
-            item.stops_at = first_stop(stops, s);
             scene.set_on_path(&mut item, 0.0);
             events.items.push(item);
         }
@@ -274,7 +267,7 @@ impl Scratch {
     /// Takes over what the island came to.
     pub fn scatter(&mut self, state: &State) {
         self.take_contacts(state);
-        let Self { events, after, touched, happened, stops, met, crushed, members, .. } = self;
+        let Self { events, after, touched, happened, stops, crushed, members, .. } = self;
         let (leader, count) = (members[0], members.len() as u32);
         let Events { items, movable, .. } = events;
         for item in &items[..*movable] {
@@ -296,12 +289,8 @@ impl Scratch {
             crushed.push((leader, of.id, by.id, of.body.crushing_force(speed)));
         }
         for item in &items[*movable..] {
-            if !state.surfaces[item.id as usize].def.path.is_still() {
-                let stop = Stop { leader, surface: item.id, at: item.stops_at };
-                if stop.at < first_stop(stops, stop.surface) {
-                    stops.push(stop);
-                }
-                met.push(stop);
+            if item.stops_at.is_finite() {
+                stops.push(Stop { leader, surface: item.id, at: item.stops_at });
             }
         }
     }

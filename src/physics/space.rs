@@ -9,9 +9,9 @@ use crate::physics::data::surface::Surface;
 use crate::physics::forces::zones::fall;
 use crate::physics::guards::Guards;
 use crate::physics::store::bodies::Bodies;
-use crate::physics::store::driver::{Driver, Target};
 use crate::physics::store::islands::Islands;
 use crate::physics::store::neighbours::Neighbours;
+use crate::physics::store::sleep::Sleep;
 use glam::DVec2;
 
 /// All bodies and surfaces, and their motion. Bodies keep their ids for the outside.
@@ -21,7 +21,16 @@ pub(crate) struct Space {
     pub(crate) neighbours: Neighbours,
     pub(crate) islands: Islands,
     pub(crate) dense: Dense,
-    pub(crate) driver: Driver,
+    pub(crate) sleep: Sleep,
+    pub(crate) movers: Movers,
+    /// What the last step of crowds came to.
+    pub(crate) impacts: Vec<CrowdImpact>,
+    pub(crate) squeezed: Vec<Squeeze>,
+    /// How often the island of each body has been solved, by the numbers outside: what an earlier solution listed holds no longer.
+    pub(crate) solved: Vec<u32>,
+    /// By slot: how often its island has grown in this step, and whether it has to be solved again.
+    pub(crate) growths: Vec<u32>,
+    pub(crate) again: Vec<bool>,
     /// 1, or −1 if gravity points to smaller y: inside, y grows along gravity.
     pub(crate) down: f64,
     pub(crate) gravity: f64,
@@ -32,6 +41,50 @@ pub(crate) struct Space {
     pub(crate) may_sleep: bool,
     /// Length of the last step, s; 0 before the first.
     pub(crate) last_dt: f64,
+}
+
+/// Where a surface is at the end of the step, m, and how fast it moves then, m/s.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Target {
+    pub surface: u32,
+    pub centre: DVec2,
+    pub velocity: DVec2,
+}
+
+/// Surfaces that have moved, and where they go next.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Movers {
+    pub moving: Vec<u32>,
+    pub targets: Vec<Target>,
+    /// What they sweep on the way, where that is no straight line: left, right, top, bottom.
+    pub ways: Vec<(u32, [f64; 4])>,
+}
+
+impl Movers {
+    /// Lets them go on for a step of `dt` seconds.
+    pub fn advance(&self, bodies: &mut Bodies, dt: f64) {
+        let n = bodies.len();
+        for j in self.moving.iter().map(|j| n + *j as usize) {
+            (bodies.was_vx[j], bodies.was_vy[j]) = (bodies.vx[j], bodies.vy[j]);
+            stand(bodies, j);
+        }
+        for Target { surface, centre, velocity } in &self.targets {
+            let j = n + *surface as usize;
+            (bodies.px[j], bodies.py[j]) = (centre.x, centre.y);
+            let (vx, vy) = ((centre.x - bodies.x[j]) / dt, (centre.y - bodies.y[j]) / dt);
+            (bodies.vx[j], bodies.mean_vx[j], bodies.vy[j], bodies.mean_vy[j]) = (vx, vx, vy, vy);
+            // What rides on it moves so when the step ends.
+            (bodies.free_vx[j], bodies.ux[j]) = (velocity.x, velocity.x);
+            (bodies.free_vy[j], bodies.uy[j]) = (velocity.y, velocity.y);
+        }
+    }
+}
+
+/// Lets a surface stand for a step.
+pub(crate) fn stand(bodies: &mut Bodies, j: usize) {
+    (bodies.px[j], bodies.py[j]) = (bodies.x[j], bodies.y[j]);
+    (bodies.vx[j], bodies.mean_vx[j], bodies.free_vx[j], bodies.ux[j]) = (0.0, 0.0, 0.0, 0.0);
+    (bodies.vy[j], bodies.mean_vy[j], bodies.free_vy[j], bodies.uy[j]) = (0.0, 0.0, 0.0, 0.0);
 }
 
 /// What acts on all bodies, and which parts run.
@@ -62,7 +115,13 @@ impl Space {
             neighbours: Neighbours::new(&bodies),
             islands: Islands::new(all.len()),
             dense: Dense::new(&bodies),
-            driver: Driver::new(all.len()),
+            sleep: Sleep::new(all.len()),
+            movers: Movers::default(),
+            impacts: Vec::with_capacity(all.len()),
+            squeezed: Vec::new(),
+            solved: vec![0; all.len()],
+            growths: vec![0; all.len()],
+            again: vec![false; all.len()],
             down,
             gravity: setting.gravity * down,
             weightless: all.iter().map(|body| body.weightless).collect(),
@@ -85,7 +144,7 @@ impl Space {
         let ay = fall(gravity, force.y * self.down / self.bodies.mass[i]);
         if ax != self.bodies.ax[i] || ay != self.bodies.ay[i] {
             (self.bodies.ax[i], self.bodies.ay[i]) = (ax, ay);
-            self.driver.wake(body);
+            self.sleep.wake(body);
         }
     }
 
@@ -99,23 +158,24 @@ impl Space {
     /// Moves a surface during the next step so that its centre is there at the end of it (m), and says how fast it moves then (m/s): what rides
     /// on it does so, too. After that it stands, unless moved again.
     pub fn lead_surface(&mut self, surface: usize, centre: DVec2, velocity: DVec2) {
-        if self.driver.add_moving(surface) {
+        if !self.movers.moving.contains(&(surface as u32)) {
+            self.movers.moving.push(surface as u32);
             self.neighbours.set_moving(surface);
         }
         let turned = DVec2::new(1.0, self.down);
         let (centre, velocity) = (centre * turned, velocity * turned);
-        self.driver.targets.push(Target { surface: surface as u32, centre, velocity });
+        self.movers.targets.push(Target { surface: surface as u32, centre, velocity });
     }
 
     /// Tells all that a surface sweeps in the next step, m, where it does not go straight to its end.
     pub(crate) fn sweep_surface(&mut self, surface: usize, swept: &Aabb) {
         let (top, bottom) = if self.down < 0.0 { (-swept.max.y, -swept.min.y) } else { (swept.min.y, swept.max.y) };
-        self.driver.ways.push((surface as u32, [swept.min.x, swept.max.x, top, bottom]));
+        self.movers.ways.push((surface as u32, [swept.min.x, swept.max.x, top, bottom]));
     }
 
     /// Feeds how fast surfaces moved when the last step ended to `write`: what had that velocity rides on them.
     pub(crate) fn hash_surfaces(&self, write: &mut impl FnMut(u64)) {
-        let (n, moving) = (self.bodies.len(), &self.driver.moving);
+        let (n, moving) = (self.bodies.len(), &self.movers.moving);
         for j in moving.iter().map(|j| n + *j as usize) {
             [self.bodies.vx[j], self.bodies.vy[j]].into_iter().for_each(|value| write(value.to_bits()));
         }
@@ -135,17 +195,17 @@ impl Space {
 
     /// Lets a body, and what is in its island, be looked at again.
     pub(crate) fn wake(&mut self, body: usize) {
-        self.driver.wake(body);
+        self.sleep.wake(body);
     }
 
     /// Whom the last step looked at, and who has been woken since; all others sleep.
     pub(crate) fn looked_at(&self) -> &[u32] {
-        self.driver.looked_at()
+        self.sleep.looked_at()
     }
 
     /// Bodies that slept and were woken since this was asked last.
     pub(crate) fn take_woken(&mut self, into: &mut Vec<u32>) {
-        into.append(&mut self.driver.woken);
+        into.append(&mut self.sleep.woken);
     }
 
     /// The contacts of the last step that were listed.
@@ -171,12 +231,12 @@ impl Space {
     }
 
     fn wake_all(&mut self) {
-        self.driver.wake_all();
+        self.sleep.wake_all();
     }
 
     /// Whom surfaces would have squeezed in the last step.
     pub fn squeezed(&self) -> &[Squeeze] {
-        &self.driver.squeezed
+        &self.squeezed
     }
 
     /// The guards since they were asked for last.
@@ -191,7 +251,7 @@ impl Space {
 
     /// Whether the body's island rests, so that nothing is computed for it.
     pub fn is_sleeping(&self, body: usize) -> bool {
-        self.driver.sleeps(body)
+        self.sleep.sleeps(body)
     }
 
     /// A body's centre, m.
@@ -222,7 +282,7 @@ impl Space {
 
     /// How many bodies sleep.
     pub fn sleepers(&self) -> usize {
-        self.driver.sleepers()
+        self.sleep.sleepers()
     }
 
     /// A body's velocity, m/s.
@@ -233,6 +293,6 @@ impl Space {
 
     /// What hit what during the last step.
     pub fn impacts(&self) -> &[CrowdImpact] {
-        &self.driver.events
+        &self.impacts
     }
 }

@@ -10,7 +10,7 @@ const GOLDEN: [(&str, u64); 6] = [
     ("crowd", 0xa5e0_cf1a_b6ca_5cb9),
     ("liquid", 0xb5f6_9a4e_87e4_78e1),
     ("stream", 0x782a_1628_a6dc_b825),
-    ("moving surfaces", 0x28a8_4dee_650e_888d),
+    ("moving surfaces", 0x665f_59ca_9958_bbfd),
     ("moving surfaces, dense", 0x8f8f_31d2_125a_9018),
 ];
 

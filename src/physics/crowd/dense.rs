@@ -241,9 +241,14 @@ impl Dense {
         self.grown.extend(island.members.iter().filter(|i| !bodies.is_swept(**i as usize)));
         self.grown[from..].iter().for_each(|i| bodies.widen(*i as usize));
         // At once, and not when the next island is solved: in between its bodies may begin elsewhere.
+        self.undo(bodies);
+        Outcome::Grown
+    }
+
+    /// As if nothing had been solved.
+    pub fn undo(&mut self, bodies: &mut Bodies) {
         self.pushes.resistance.restore(bodies);
         self.walls.undo(bodies, &mut self.anchors);
-        Outcome::Grown
     }
 
     /// Whether a pair that was expected to pass did not: then it is a contact.

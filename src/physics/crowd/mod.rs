@@ -62,6 +62,8 @@ pub(crate) struct CrowdImpact {
     pub axis: Axis,
     /// Closing speed when they touched, m/s, > 0.
     pub speed: f64,
+    /// How often the island had been solved.
+    pub solved: u32,
 }
 
 /// A body was squeezed between surfaces that close: the moving one was kept where it was for that step.

@@ -30,6 +30,8 @@ pub(crate) struct ContactImpulse {
     pub point: DVec2,
     /// Whether the two came together in this step; if not, what a lasting contact exerted.
     pub impact: bool,
+    /// How often the island had been solved.
+    pub solved: u32,
 }
 
 /// One contact, by slots; impulses on `a`, N·s, `normal` along the axis.
@@ -275,5 +277,14 @@ fn listed(bodies: &Bodies, record: &Record, touch: f64, down: f64) -> ContactImp
     let (along, other) = if axis == Axis::Gravity { (down, 1.0) } else { (1.0, down) };
     let b = if j < n { Other::Body(bodies.id[j] as usize) } else { Other::Surface(j - n) };
     let a = bodies.id[i] as usize;
-    ContactImpulse { a, b, axis, normal: normal * along, friction: friction * other, point: point * DVec2::new(1.0, down), impact }
+    ContactImpulse {
+        a,
+        b,
+        axis,
+        normal: normal * along,
+        friction: friction * other,
+        point: point * DVec2::new(1.0, down),
+        impact,
+        solved: 0,
+    }
 }

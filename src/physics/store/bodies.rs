@@ -251,10 +251,15 @@ impl Bodies {
         if j < self.count { self.vx[j] } else { self.was_vx[j] }
     }
 
+    /// Whether a surface moves in this step.
+    pub fn moves(&self, j: usize) -> bool {
+        self.vx[j] != 0.0 || self.vy[j] != 0.0
+    }
+
     /// Whether a surface moves, moved in the step before, or runs a belt.
     pub fn carries(&self, j: usize) -> bool {
         let moved = self.was_vx[j] != 0.0 || self.was_vy[j] != 0.0;
-        self.vx[j] != 0.0 || self.vy[j] != 0.0 || moved || self.belt[j] != 0.0
+        self.moves(j) || moved || self.belt[j] != 0.0
     }
 
     /// Whether what a body sweeps lies within the box in which its neighbours were sought.

@@ -1,6 +1,6 @@
 //! Islands: groups of bodies that could meet within this step, each solved by itself.
 //!
-//! Bodies whose swept boxes overlap are joined (union–find); surfaces join nothing. What an island's solution depends on is found here
+//! Bodies whose swept boxes overlap are joined (union–find); surfaces that stand join nothing. What an island's solution depends on is found here
 //! in an order that only its own bodies decide: bodies bottom-up, equal heights by their numbers outside, and each body's pairs by the
 //! order of the other. So nothing that is added elsewhere changes one bit of it.
 
@@ -76,6 +76,8 @@ pub(crate) struct Islands {
     others_in_it: bool,
     /// Bodies, by their numbers outside, that share an island wherever they are.
     links: Vec<(u32, u32)>,
+    /// By surface that moves: one whom it may touch.
+    carried: Vec<u32>,
 }
 
 impl Islands {
@@ -104,6 +106,7 @@ impl Islands {
             same_order: false,
             others_in_it: false,
             links: Vec::new(),
+            carried: Vec::new(),
         }
     }
 
@@ -268,8 +271,10 @@ impl Islands {
 
     /// Joins what may meet, and lists whom each body may meet: as it was listed last if neither has changed.
     fn join(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
-        let Self { order, place, parent, ranges, others, turned, later, near, changed, links, .. } = self;
+        let Self { order, place, parent, ranges, others, turned, later, near, changed, links, carried, .. } = self;
         let n = bodies.len();
+        carried.clear();
+        carried.resize(bodies.x.len() - n, NONE);
         order.iter().for_each(|i| parent[*i as usize] = *i);
         turned.clear();
         for (k, &i) in order.iter().enumerate() {
@@ -303,6 +308,12 @@ impl Islands {
                     if key > k as u32 {
                         turned.push((key, other, i));
                         continue;
+                    }
+                } else if bodies.moves(j) {
+                    // What one moving surface may carry is one island: all of it decides whether the surface stops.
+                    match carried[j - n] {
+                        NONE => carried[j - n] = i,
+                        first => join_with(parent, &mut root, first as usize),
                     }
                 }
                 others.push(other);

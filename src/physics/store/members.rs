@@ -1,38 +1,9 @@
-//! Who else may advance an island, and what it sees of it.
+//! One island in the numbers of the outside, for the methods that advance it.
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::store::bodies::Bodies;
-use crate::physics::store::driver::Target;
-use crate::physics::store::driver::later::Placed;
 use crate::physics::store::islands::Island;
 use glam::DVec2;
-
-/// Who may advance an island before the dense method does.
-pub(crate) trait Advance {
-    /// Whether a body that is near nothing has to be advanced all the same: it stands still, and may fall asleep.
-    fn minds(&self, body: usize) -> bool;
-
-    /// Whether no body has to be advanced for that.
-    fn minds_nobody(&self) -> bool;
-
-    /// Takes an island, or leaves it. `round` is how often it has grown in this step.
-    fn advance(&mut self, store: &mut Store<'_>, round: usize) -> Verdict;
-
-    /// Whether the contacts of an island of this many bodies are listed.
-    fn lists(&self, members: usize) -> bool;
-
-    /// Whether an island of so many bodies is left to the dense method for good: then it falls asleep as that leaves it.
-    fn leaves_for_good(&self, members: usize) -> bool;
-
-    /// What it told of the island of this body holds no longer.
-    fn forget(&mut self, body: usize);
-
-    /// A surface stands for the whole step, which is advanced from its start again.
-    fn stand(&mut self, surface: usize);
-
-    /// Bodies whose islands have to be advanced again, because others have come to something that concerns them.
-    fn disagree(&mut self, bodies: &mut Vec<u32>);
-}
 
 /// What has become of an island.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,18 +16,16 @@ pub(crate) enum Verdict {
     Grown,
 }
 
-/// An island, for whoever takes it, in the numbers of the outside.
+/// An island in the numbers of the outside.
 #[derive(Debug)]
-pub(crate) struct Store<'a> {
+pub(crate) struct Members<'a> {
     pub(crate) bodies: &'a mut Bodies,
     pub(crate) island: Island<'a>,
     pub(crate) grown: &'a mut Vec<u32>,
-    pub(crate) placed: &'a mut Vec<Placed>,
-    pub(crate) targets: &'a [Target],
     pub(crate) down: f64,
 }
 
-impl Store<'_> {
+impl Members<'_> {
     /// How many bodies it has.
     pub fn len(&self) -> usize {
         self.island.members.len()
@@ -97,23 +66,6 @@ impl Store<'_> {
         let i = self.bodies.slot[body as usize] as usize;
         (self.bodies.px[i], self.bodies.py[i]) = (position.x, position.y * self.down);
         (self.bodies.ux[i], self.bodies.uy[i]) = (velocity.x, velocity.y * self.down);
-    }
-
-    /// Tells where a surface is (m) and how fast it moves (m/s) when the island is left; and where it stops after that, if it does so before the
-    /// step ends.
-    pub fn place_surface(&mut self, surface: u32, (position, velocity): (DVec2, DVec2), stops: Option<DVec2>) {
-        let turned = DVec2::new(1.0, self.down);
-        let stops = stops.map(|at| at * turned);
-        self.placed.push(Placed { surface, position: position * turned, velocity: velocity * turned, stops });
-    }
-
-    /// Appends the surfaces that move in this step and that they may meet, some more than once.
-    pub fn moving_surfaces(&self, into: &mut Vec<u32>) {
-        let n = self.bodies.len() as u32;
-        for slot in self.island.members.iter().filter(|_| !self.targets.is_empty()) {
-            let surfaces = self.island.near(*slot).iter().filter(|other| **other >= n).map(|other| other - n);
-            into.extend(surfaces.filter(|surface| self.targets.iter().any(|target| target.surface == *surface)));
-        }
     }
 
     /// Widens where others are looked for by `reach` (m) to all sides; the islands are found anew then.

@@ -4,15 +4,34 @@
 //! until the boxes that others sweep reach its own (`rouse`). All that a step would find out about it anew, it would find as it was: its box
 //! in `Bodies::swept` and its free flight stay those of the step before. So it costs nothing, and changes no bit.
 
-use crate::physics::crowd::report::ContactImpulse;
 use crate::physics::store::bodies::Bodies;
-use crate::physics::store::driver::Driver;
 use crate::physics::store::islands::Island;
 
 /// Nobody is set aside while more than this part of the bodies has to be looked at: who is near them is looked up one by one then.
 const MOST_LOOKED_AT: f64 = 0.25;
 
-impl Driver {
+/// Who sleeps and who is looked at, by the numbers outside.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Sleep {
+    asleep: Vec<bool>,
+    sleepers: usize,
+    /// Bodies that slept and were woken since this was emptied.
+    pub woken: Vec<u32>,
+    /// Whom a step looks at, also as slots; the others are `aside`.
+    looked_at: Vec<u32>,
+    pub slots: Vec<u32>,
+    aside: Vec<bool>,
+    /// Whose islands the last step has left asleep.
+    undisturbed: Vec<bool>,
+}
+
+impl Sleep {
+    pub fn new(count: usize) -> Self {
+        let no = || vec![false; count];
+        let (looked_at, slots) = ((0..count as u32).collect(), Vec::with_capacity(2 * count));
+        Self { asleep: no(), aside: no(), undisturbed: no(), looked_at, slots, ..Self::default() }
+    }
+
     pub fn wake(&mut self, body: usize) {
         if std::mem::replace(&mut self.asleep[body], false) {
             self.sleepers -= 1;
@@ -45,6 +64,17 @@ impl Driver {
             self.aside.fill(false);
             self.looked_at.clear();
             self.looked_at.extend(0..self.aside.len() as u32);
+        }
+    }
+
+    /// Lists the slots of whom a step looks at.
+    pub fn number(&mut self, bodies: &Bodies) {
+        self.slots.clear();
+        if self.looks_at_all() {
+            self.slots.extend(0..bodies.len() as u32);
+        } else {
+            self.slots.extend(self.looked_at.iter().map(|body| bodies.slot[*body as usize]));
+            self.slots.sort_unstable();
         }
     }
 
@@ -88,22 +118,6 @@ impl Driver {
         if !std::mem::replace(&mut self.asleep[body], true) {
             self.undisturbed[body] = false;
             self.sleepers += 1;
-            self.fresh.push(body as u32);
-        }
-    }
-
-    /// Wakes whom this step has let fall asleep.
-    pub(crate) fn wake_fresh(&mut self) {
-        while let Some(body) = self.fresh.pop() {
-            self.wake(body as usize);
-        }
-    }
-
-    /// What was told of those that slept holds no longer.
-    pub(crate) fn forget(&self, bodies: &Bodies, island: Island<'_>, report: &mut Vec<ContactImpulse>) {
-        let slept = |body: usize| self.asleep[body] && island.members.contains(&bodies.slot[body]);
-        if self.sleepers > 0 && !report.is_empty() {
-            report.retain(|contact| !slept(contact.a));
         }
     }
 
@@ -131,10 +145,10 @@ impl Driver {
             rests && bodies.x[i] == bodies.px[i] && bodies.y[i] == bodies.py[i]
         };
         let sleeps = may_sleep && island.members.iter().rev().all(|i| still(*i as usize));
-        self.note_sleep(bodies, island, sleeps);
+        self.note(bodies, island, sleeps);
     }
 
-    pub(crate) fn note_sleep(&mut self, bodies: &Bodies, island: Island<'_>, sleeps: bool) {
+    pub(crate) fn note(&mut self, bodies: &Bodies, island: Island<'_>, sleeps: bool) {
         for &i in island.members {
             if sleeps {
                 self.fall_asleep(bodies.id[i as usize] as usize);
