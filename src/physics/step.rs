@@ -30,7 +30,7 @@ impl World {
         let before = self.scratch.events.total;
         self.scratch.begin_tick(self.state.bodies.len());
         self.clear_records();
-        (self.records.dt, self.records.flows_ended_early) = (dt, self.records.guards.flows_ended_early);
+        (self.records.dt, self.records.flows_cut_short) = (dt, self.records.guards.flows_cut_short);
         self.bring_back_surfaces();
         self.move_surfaces(dt);
         self.fly_linked(dt);
@@ -56,7 +56,7 @@ impl World {
         let bare = !plan.media() && scratch.linked.is_empty();
         pile.step_with(dt, &mut Tick { state, scene, guards, scratch, lists, bare });
         records.guards.add(&pile.take_guards());
-        records.guards.flows_ended_early += state.media.take_ended_early();
+        records.guards.flows_cut_short += state.media.take_ended_early();
     }
 
     /// For tests: it is in no other build.

@@ -120,7 +120,7 @@ pub(crate) struct Records {
     /// How long the last tick was, s.
     pub dt: f64,
     /// How many flows had ended early before the last tick.
-    pub flows_ended_early: u64,
+    pub flows_cut_short: u64,
     pub events: Vec<Event>,
     pub impulses: Vec<Impulse>,
     /// The corners of the ways of bodies, in the order of their times.

@@ -99,10 +99,10 @@ impl Cross<'_> {
         let settled = self.rub_and_push(bodies);
         let gained = self.gains(bodies);
         if settled && !gained {
-            guards.sweeps_ended += u64::from(!self.polish(bodies));
+            guards.friction_unsettled += u64::from(!self.polish(bodies));
             return;
         }
-        guards.friction_left_out += 1;
+        guards.friction_unsettled += 1;
         if gained {
             self.reset(bodies);
         }

@@ -126,13 +126,13 @@ impl Dense {
             if !inside && !size.last {
                 return self.grow(bodies, island);
             }
-            self.guards.kept_within_reach += u64::from(!inside);
+            self.guards.put_back += u64::from(!inside);
             if look == LOOKS {
                 break;
             }
             let missed = self.contacts.miss(bodies) as u64;
             if missed > 0 {
-                self.guards.corners_met += missed;
+                self.guards.put_back += missed;
                 predict(bodies, island);
                 self.contacts.find(bodies, island, size.dt);
             } else if !self.catch_passing(bodies, island) {
@@ -163,7 +163,7 @@ impl Dense {
 
     /// How often each guard acted since this was asked last.
     pub fn take_guards(&mut self) -> Guards {
-        self.guards.friction_relaxed += std::mem::take(&mut self.friction.relaxed);
+        self.guards.friction_unsettled += std::mem::take(&mut self.friction.relaxed);
         std::mem::take(&mut self.guards)
     }
 
@@ -228,7 +228,7 @@ impl Dense {
                 let moves = bodies.vx[j] != 0.0 || bodies.vy[j] != 0.0;
                 if moves && self.contacts.has(i, j) && place::overlap(bodies, (i, j), hair) {
                     self.squeezed.push((i as u32, j as u32, bodies.vx[j].hypot(bodies.vy[j])));
-                    self.guards.squeezed += 1;
+                    self.guards.surfaces_stopped += 1;
                 }
             }
         }
@@ -236,7 +236,7 @@ impl Dense {
 
     /// Widens what was swept by those who left it.
     fn grow(&mut self, bodies: &mut Bodies, island: Island<'_>) -> Outcome {
-        self.guards.steps_grown += 1;
+        self.guards.islands_grown += 1;
         let from = self.grown.len();
         self.grown.extend(island.members.iter().filter(|i| !bodies.is_swept(**i as usize)));
         self.grown[from..].iter().for_each(|i| bodies.widen(*i as usize));
@@ -267,7 +267,7 @@ impl Dense {
         if caught > 0 {
             predict(bodies, island);
         }
-        self.guards.corners_met += caught;
+        self.guards.put_back += caught;
         caught > 0
     }
 }

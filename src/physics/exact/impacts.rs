@@ -46,7 +46,7 @@ impl Events {
                 if self.is_busy() {
                     return false;
                 }
-                self.guards.impacts_made_plastic += u64::from(left == 0);
+                self.guards.bounces_ended += u64::from(left == 0);
                 self.find_ties(scene, index, speed);
                 if self.ties.len() > 1 {
                     self.resolve_ties(scene, speed);
@@ -55,7 +55,7 @@ impl Events {
                 let (index, e) = self.ties.first().map_or((index, e), |tie| (tie.index, tie.e));
                 let contact = &mut self.touching[index];
                 contact.lossy_hits += u32::from(e < 1.0);
-                self.guards.collapses += u64::from(e < 1.0 && contact.lossy_hits == CASCADE_HITS);
+                self.guards.bounces_ended += u64::from(e < 1.0 && contact.lossy_hits == CASCADE_HITS);
                 self.bounce(scene, index, speed, e);
                 continue;
             }
@@ -230,8 +230,8 @@ impl Events {
         }
         let fewest = self.items[contact.lo as usize].hits.min(self.items[contact.hi as usize].hits);
         let movable = self.is_body(contact.lo) && self.is_body(contact.hi);
-        self.guards.rattles += u64::from(movable && e < 1.0 && fewest == RATTLE_HITS + 1);
-        self.guards.pumping += u64::from(!movable && !self.stands(contact.lo.max(contact.hi)) && fewest == PUMPED_HITS + 1);
+        self.guards.bounces_ended += u64::from(movable && e < 1.0 && fewest == RATTLE_HITS + 1);
+        self.guards.bounces_ended += u64::from(!movable && !self.stands(contact.lo.max(contact.hi)) && fewest == PUMPED_HITS + 1);
         let [lo_share, hi_share] = self.shares(contact.lo as usize, contact.hi as usize);
         // Of a body and a surface the body's own mass.
         let reduced = if self.is_body(contact.hi) {

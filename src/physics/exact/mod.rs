@@ -273,7 +273,7 @@ impl Events {
         if outcome == Outcome::Done {
             return (item.body.position, item.body.velocity);
         }
-        self.guards.flights_cut_short += 1;
+        self.guards.flows_cut_short += 1;
         scene.media.ask_roughly(true);
         flow(scene.media, &item.body, &item.law, scene.tick - item.since)
     }

@@ -49,7 +49,7 @@ impl World {
         };
         moving.extend((0..self.state.surfaces.len() as u32).filter(moves));
         // A flow whose last part was one implicit step ends slower or faster than it would.
-        let ended_early = self.records.guards.flows_ended_early > self.records.flows_ended_early;
+        let ended_early = self.records.guards.flows_cut_short > self.records.flows_cut_short;
         ledgers.clear();
         ledgers.resize(bodies.len(), Ledger::default());
         for thing in bodies {
