@@ -20,8 +20,6 @@ pub(crate) struct Contact {
     pub lasts: bool,
     /// Whether its ends part by mere rounding and count as resting.
     pub clings: bool,
-    /// How often it has bounced with loss in the present sequence of impacts.
-    pub lossy_hits: u32,
     /// Which way `hi` slides over `lo` along the other axis: −1, 0 (it sticks) or 1.
     pub slides: f64,
     /// Whether it slides because static friction gave way in the last solve for forces.
@@ -45,7 +43,6 @@ impl Contact {
             closed: true,
             lasts: false,
             clings: false,
-            lossy_hits: 0,
             slides: 0.0,
             gave_way: false,
             normal: 0.0,

@@ -29,13 +29,10 @@ pub(crate) const MICRO_SPEED: f64 = 2e-6;
 /// Relative distance from the terminal velocity at which a body counts as having reached it: no further steps are needed then.
 pub(crate) const TERMINAL_TOLERANCE: f64 = 1e-13;
 
-/// Hits of one pair in one tick after which an imperfect bounce (e < 1) between two moving bodies ends: it has become a rattle whose
-/// remaining energy is a fraction e^128 of the first hit's.
-pub(crate) const RATTLE_HITS: u32 = 64;
-
-/// Hits of a body in one tick after which it bounces no more on a surface that moves. Larger: what is caught between two of them uses up
-/// the budget of its island; smaller: fast things in a narrow gap lose what a piston does to them.
-pub(crate) const PUMPED_HITS: u32 = 8;
+/// Hits of one body or surface in one tick. Where both ends of a contact have had more, it bounces no more: inelastic collapse, a rattle
+/// and a gap that a moving surface closes would never end. Larger: they use up the budget of events of their island; smaller: fast bodies
+/// in a narrow gap lose speed.
+pub(crate) const MOST_BOUNCES: u32 = 128;
 
 /// Bounces of a body on something immovable in one tick, after which the rest of the series is summed in closed form.
 pub(crate) const ZENO_HITS: u32 = 6;
@@ -43,10 +40,6 @@ pub(crate) const ZENO_HITS: u32 = 6;
 /// Rate × time up to which a medium leaves a bounce a parabola, so that bounces can be passed over in closed form. Larger: drag passes
 /// for gravity, and what is light is given back speed that it has lost.
 pub(crate) const CALM_REACH: f64 = 0.01;
-
-/// Lossy impacts (e < 1) of one contact in one cascade, after which it rebounds no more: inelastic collapse would never end. A count for
-/// all contacts together would let what happens here depend on what lies elsewhere.
-pub(crate) const CASCADE_HITS: u32 = 32;
 
 /// m/s. Slower hits are not reported as events.
 pub(crate) const REPORT_SPEED: f64 = 0.01;

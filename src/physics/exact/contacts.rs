@@ -89,7 +89,7 @@ impl Events {
             }
             if self.stays(&contact) {
                 let slides = self.slides(&contact);
-                let fresh = Contact { closed: true, lasts: true, clings: false, lossy_hits: 0, ..contact };
+                let fresh = Contact { closed: true, lasts: true, clings: false, ..contact };
                 self.contacts.push(Contact { slides, normal: 0.0, friction: 0.0, ..fresh });
             }
         }

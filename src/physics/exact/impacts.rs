@@ -9,7 +9,8 @@
 use crate::physics::contact::reactions::Parts;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::plan::{Part, called};
-use crate::physics::data::tuning::{CASCADE_HITS, MAX_CLINGS, MICRO_SPEED, PUMPED_HITS, RATTLE_HITS, SPEED_ROUNDING};
+use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES, SPEED_ROUNDING};
+use crate::physics::exact::ties::Tie;
 use crate::physics::exact::{Events, Scene};
 use glam::DVec2;
 
@@ -38,29 +39,22 @@ impl Events {
         if self.bounces && self.squeezes(scene) {
             return true;
         }
-        let mut left = scene.most_impacts(self.touching.len());
-        while let Some((index, speed, e)) = self.next_impact(scene, left > 0) {
-            if e > 0.0 {
-                left -= 1;
-                self.count += 1;
-                if self.is_busy() {
-                    return false;
-                }
-                self.guards.bounces_ended += u64::from(left == 0);
-                self.find_ties(scene, index, speed);
-                if self.ties.len() > 1 {
-                    self.resolve_ties(scene, speed);
-                    continue;
-                }
-                let (index, e) = self.ties.first().map_or((index, e), |tie| (tie.index, tie.e));
-                let contact = &mut self.touching[index];
-                contact.lossy_hits += u32::from(e < 1.0);
-                self.guards.bounces_ended += u64::from(e < 1.0 && contact.lossy_hits == CASCADE_HITS);
-                self.bounce(scene, index, speed, e);
-                continue;
+        while let Some((index, speed, e)) = self.next_impact(scene) {
+            if e == 0.0 {
+                self.stop_together(scene);
+                break;
             }
-            self.stop_together(scene);
-            break;
+            self.count += 1;
+            if self.is_busy() {
+                return false;
+            }
+            self.find_ties(scene, index, speed);
+            match self.ties[..] {
+                [] => self.bounce(scene, index, speed, e),
+                // It goes before the fastest: gravity acts along its axis.
+                [Tie { index, e, .. }] => self.bounce(scene, index, speed, e),
+                _ => self.resolve_ties(scene, speed),
+            }
         }
         true
     }
@@ -182,7 +176,7 @@ impl Events {
     }
 
     /// The next pair of the sequence: its index, its closing speed and its restitution. Bouncing pairs first, the fastest of them.
-    fn next_impact(&self, scene: &Scene, bounces_left: bool) -> Option<(usize, f64, f64)> {
+    fn next_impact(&self, scene: &Scene) -> Option<(usize, f64, f64)> {
         let mut best: Option<(usize, f64, f64)> = None;
         for (index, contact) in self.touching.iter().enumerate() {
             let speed = self.approach(contact);
@@ -190,7 +184,7 @@ impl Events {
             if speed <= 0.0 && !contact.clings || speed > 0.0 && speed <= rounding && contact.closed && contact.lasts {
                 continue;
             }
-            let e = if bounces_left && self.bounces { self.restitution(scene, contact, speed) } else { 0.0 };
+            let e = if self.bounces { self.restitution(scene, contact, speed) } else { 0.0 };
             // A bounce needs a closed gap, or it would lose energy; what only comes to rest may do so within the slop.
             if e > 0.0 && !contact.closed {
                 continue;
@@ -208,30 +202,23 @@ impl Events {
         called(Part::Bounces);
         let (lo, hi) = (&self.items[contact.lo as usize], &self.items[contact.hi as usize]);
         let e = lo.body.coefficients().with(hi.body.coefficients(), false).restitution;
-        let movable = self.is_body(contact.lo) && self.is_body(contact.hi);
-        // What bounces between a surface that comes nearer and something else gains speed without end.
-        if !movable && !self.stands(contact.lo.max(contact.hi)) && lo.hits.min(hi.hits) > PUMPED_HITS {
-            return 0.0;
-        }
-        if e >= 1.0 {
-            return 1.0;
-        }
-        let rattles = movable && lo.hits > RATTLE_HITS && hi.hits > RATTLE_HITS;
-        let slow = e * speed < scene.rest_speed || speed <= MICRO_SPEED;
-        if slow || contact.lossy_hits >= CASCADE_HITS || rattles { 0.0 } else { e }
+        let slow = e < 1.0 && (e * speed < scene.rest_speed || speed <= MICRO_SPEED);
+        if slow || lo.hits.min(hi.hits) > MOST_BOUNCES { 0.0 } else { e.min(1.0) }
+    }
+
+    /// Counts an impact of both ends of a contact.
+    pub(crate) fn count_hit(&mut self, contact: &Contact) {
+        let ends = [contact.lo, contact.hi].map(|item| item as usize);
+        ends.iter().for_each(|item| self.items[*item].hits += 1);
+        let fewest = ends.map(|item| self.items[item].hits).into_iter().min();
+        self.guards.bounces_ended += u64::from(fewest == Some(MOST_BOUNCES + 1));
     }
 
     /// One pair's impulse.
     fn bounce(&mut self, scene: &Scene, index: usize, speed: f64, e: f64) {
         let contact = self.touching[index];
         let axis = contact.axis;
-        for item in [contact.lo, contact.hi] {
-            self.items[item as usize].hits += 1;
-        }
-        let fewest = self.items[contact.lo as usize].hits.min(self.items[contact.hi as usize].hits);
-        let movable = self.is_body(contact.lo) && self.is_body(contact.hi);
-        self.guards.bounces_ended += u64::from(movable && e < 1.0 && fewest == RATTLE_HITS + 1);
-        self.guards.bounces_ended += u64::from(!movable && !self.stands(contact.lo.max(contact.hi)) && fewest == PUMPED_HITS + 1);
+        self.count_hit(&contact);
         let [lo_share, hi_share] = self.shares(contact.lo as usize, contact.hi as usize);
         // Of a body and a surface the body's own mass.
         let reduced = if self.is_body(contact.hi) {

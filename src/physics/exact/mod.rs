@@ -70,11 +70,6 @@ pub(crate) struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    /// How many bounces a sequence of impacts among so many contacts may have before what is left becomes plastic.
-    fn most_impacts(&self, contacts: usize) -> u64 {
-        32 + 32 * contacts as u64
-    }
-
     /// Puts a surface where its path leads it `at` seconds from the tick's start, or to where it stopped before.
     pub fn set_on_path(&self, item: &mut Item, at: f64) {
         let surface = &self.surfaces[item.id as usize];

@@ -49,7 +49,7 @@ impl Events {
     fn solve_rest(&mut self) -> bool {
         self.trial.clone_from(&self.contacts);
         for contact in &mut self.trial {
-            *contact = Contact { slides: 0.0, normal: 0.0, friction: 0.0, closed: true, lasts: true, lossy_hits: 0, ..*contact };
+            *contact = Contact { slides: 0.0, normal: 0.0, friction: 0.0, closed: true, lasts: true, ..*contact };
         }
         self.trial.sort_unstable_by_key(Contact::ends);
         let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };

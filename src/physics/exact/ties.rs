@@ -165,8 +165,7 @@ impl Events {
 
     /// Gives two things their impulse. Friction goes by the sliding before all of them, of which each impact of a body may stop its part.
     fn rebound(&mut self, ties: &[Tie], k: usize, speed: f64) {
-        let Tie { index, e, impulse, .. } = ties[k];
-        self.touching[index].lossy_hits += u32::from(e < 1.0);
+        let Tie { index, impulse, .. } = ties[k];
         let contact = self.touching[index];
         let (along, speeds) = (1 - contact.axis, std::mem::take(&mut self.speeds));
         self.speeds = std::mem::take(&mut self.before);
@@ -178,8 +177,8 @@ impl Events {
         let mut given = DVec2::ZERO;
         (given[contact.axis], given[along]) = (impulse, if relative == 0.0 { 0.0 } else { -relative.signum() * rub });
         self.note(&contact, given, speed);
+        self.count_hit(&contact);
         for (item, sign) in [(contact.lo as usize, -1.0), (contact.hi as usize, 1.0)] {
-            self.items[item].hits += 1;
             if item < self.movable {
                 let mass = self.items[item].body.mass;
                 self.speeds[item] += given * (sign / mass);
