@@ -2,20 +2,16 @@
 //! body gets by the end of the tick if it touches nothing. What comes near nothing else has then ended its tick.
 
 use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::Body;
+use crate::physics::data::body::{Body, Pose};
 use crate::physics::data::tuning::SLOP;
 use crate::physics::exact::Scene;
-use crate::physics::flight::flow::{Course, Pose, flow_through};
+use crate::physics::flight::flow::flow_through;
+use crate::physics::flight::liquid::Course;
 use crate::physics::forces::media::Media;
-use crate::physics::forces::zones::{Around, feel};
 use crate::physics::scratch::Scratch;
 use crate::physics::space::Space;
 use crate::physics::world::{State, World};
 use glam::DVec2;
-
-/// How many times as far around a body as it may get within a tick its streams are sought. Farther: more of them are looked at in each tick;
-/// less far: they are sought more often.
-const WIDER: f64 = 1.5;
 
 impl World {
     /// Tells the store what acts on each body besides its weight and the air, and where it gets where no constant force says that.
@@ -36,7 +32,7 @@ impl World {
             if scratch.linked(i as u32).is_some() {
                 continue;
             }
-            let at_a_border = plan.streams && streams_on(state, scratch, i, dt);
+            let at_a_border = plan.streams && streams_on(state, i, dt);
             let (body, force) = (&state.bodies[i], state.forces[i].push());
             if plan.streams {
                 pile.set_force(i, force);
@@ -45,16 +41,16 @@ impl World {
                 let free = hold(&state.media, pile, i, (body, force), dt);
                 scratch.floats[i] = free && (plan.liquids || plan.streams);
             } else if plan.liquids || at_a_border {
-                let law = state.media.law(body, force, dt);
+                let mut law = state.media.law(body, force, dt);
                 if !at_a_border && !law.is_near_liquid() {
                     continue;
                 }
                 // A body that touches something is in an island, which finds out where it gets: whom it may meet is all that is asked for.
                 scratch.roughly[i] = !at_a_border && scratch.touches[i];
-                state.media.ask_roughly(scratch.roughly[i]);
+                law.rough = scratch.roughly[i];
                 let Course { mut end, pull, .. } = flow_through(&state.media, body, &law, dt);
                 scratch.pulls[i] = pull.filter(|_| !at_a_border);
-                if at_a_border && scratch.around[i].crosses(&state.media, body, end, dt) {
+                if at_a_border && state.media.crosses_border(body, end, dt) {
                     end = fly(state, scratch, &Scene::of(state, plan, dt), i);
                 }
                 pile.guide(i, end.0, end.1);
@@ -69,7 +65,7 @@ impl World {
     pub(crate) fn feel_zones(&mut self) {
         let State { bodies, forces, media, .. } = &mut self.state;
         if self.plan.streams {
-            bodies.iter().zip(forces).for_each(|(body, forces)| feel(media, None, body, forces));
+            bodies.iter().zip(forces).for_each(|(body, forces)| media.feel(body, forces));
         }
     }
 }
@@ -83,16 +79,12 @@ fn note_touched(state: &State, touches: &mut Vec<bool>) {
     }
 }
 
-/// Notes the streams around a body in `scratch`. Returns whether it may cross the border of one within the tick.
-fn streams_on(state: &mut State, scratch: &mut Scratch, i: usize, dt: f64) -> bool {
+/// Lets a body feel the streams where it is. Returns whether it may cross the border of one within the tick.
+fn streams_on(state: &mut State, i: usize, dt: f64) -> bool {
     let near = reach(state, i, dt);
-    let around = scratch.around(i);
-    if !around.knows(&near) {
-        *around = Around::of(&state.media, Aabb::around(near.centre(), near.size() * (0.5 * WIDER)));
-    }
-    feel(&state.media, Some(around), &state.bodies[i], &mut state.forces[i]);
+    state.media.feel(&state.bodies[i], &mut state.forces[i]);
     let borders = |zone: &Aabb| zone.touches(&near, SLOP) && !zone.contains(&near, 0.0);
-    around.streams(&state.media).any(|stream| borders(&stream.zone))
+    state.media.streams.iter().any(|stream| borders(&stream.zone))
 }
 
 /// Where a body may get within the tick.

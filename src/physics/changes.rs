@@ -5,27 +5,32 @@ use crate::physics::data::body::{Body, BodyId};
 use crate::physics::data::def::{DefError, WorldDef};
 use crate::physics::data::surface::Surface;
 use crate::physics::forces::kind::{ForceKind, Source};
+use crate::physics::forces::manager::ForceManager;
 use crate::physics::world::{State, World, space_of};
 use glam::DVec2;
 
 impl World {
     /// Sets the force of a body's engine (N) from the next tick on. A force that is not finite is none.
     pub fn set_drive(&mut self, body: BodyId, force: DVec2) {
-        self.add_force(body, Source::Engine, ForceKind::Drive, force);
+        self.change_forces(body, |forces| forces.set_drive(force));
     }
 
-    /// Adds a constant push (N) to the force manager of a body, from the next tick on: [`crate::physics::ForceManager::add`].
+    /// Adds a constant push (N) to the force manager of a body, from the next tick on: [`ForceManager::add`].
     pub fn add_force(&mut self, body: BodyId, source: Source, kind: ForceKind, vector: DVec2) {
-        let i = body.index();
-        if self.state.forces[i].add(source, kind, vector) {
-            self.pile.set_force(i, self.state.forces[i].push());
-            self.disturb(body.0);
-        }
+        self.change_forces(body, |forces| forces.add(source, kind, vector));
     }
 
     /// Removes one.
     pub fn remove_force(&mut self, body: BodyId, source: Source, kind: ForceKind) {
-        self.add_force(body, source, kind, DVec2::ZERO);
+        self.change_forces(body, |forces| forces.remove(source, kind));
+    }
+
+    fn change_forces(&mut self, body: BodyId, change: impl FnOnce(&mut ForceManager) -> bool) {
+        let i = body.index();
+        if change(&mut self.state.forces[i]) {
+            self.pile.set_force(i, self.state.forces[i].push());
+            self.disturb(body.0);
+        }
     }
 
     /// Lets a surface go on along its path, or wait where it is.

@@ -17,7 +17,8 @@ use crate::physics::crowd::{CrowdImpact, Other, Squeeze};
 use crate::physics::data::plan::{Part, called};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Outcome, Scene};
-use crate::physics::flight::flow::{Course, flow_through};
+use crate::physics::flight::flow::flow_through;
+use crate::physics::flight::liquid::Course;
 use crate::physics::guards::Guards;
 use crate::physics::scratch::{After, NOBODY, Scratch, Stop};
 use crate::physics::space::{Space, stand};
@@ -60,7 +61,6 @@ impl Tick<'_> {
         let media = self.scene.media;
         let force = self.state.forces[i as usize].push();
         let law = media.law(body, force, self.scene.tick);
-        media.ask_roughly(false);
         let Course { end: (position, velocity), pull, .. } = flow_through(self.scene.media, body, &law, self.scene.tick);
         self.scratch.pulls[i as usize] = pull;
         store.bring(i, position, velocity);

@@ -3,9 +3,9 @@
 //! those at the tick's end.
 
 use crate::physics::data::aabb::Aabb;
+use crate::physics::data::body::Pose;
 use crate::physics::data::def::DefError;
 use crate::physics::data::tuning::SLOP;
-use crate::physics::flight::flow::Pose;
 use crate::physics::flight::linked::{Group, Member};
 use crate::physics::forces::link::{LinkDef, links_on};
 use crate::physics::islands::Tick;
@@ -13,35 +13,6 @@ use crate::physics::scratch::{After, Scratch};
 use crate::physics::store::members::{Members, Verdict};
 use crate::physics::world::{State, World};
 use glam::DVec2;
-
-/// The links of a world, by the order in which they were added.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Links {
-    pub all: Vec<LinkDef>,
-    /// Bodies that links join, directly or over others, ascending.
-    groups: Vec<Vec<u32>>,
-}
-
-impl Links {
-    /// Finds the groups.
-    fn gather(&mut self) {
-        self.groups.clear();
-        for link in &self.all {
-            let ends = [Some(link.body), link.other()].into_iter().flatten().map(|body| body.0);
-            let mut joined: Vec<u32> = ends.collect();
-            self.groups.retain(|group| {
-                let apart = !group.iter().any(|body| joined.contains(body));
-                if !apart {
-                    joined.extend(group);
-                }
-                apart
-            });
-            joined.sort_unstable();
-            joined.dedup();
-            self.groups.push(joined);
-        }
-    }
-}
 
 impl World {
     /// Adds a link; its number is that in [`World::links`].
@@ -102,7 +73,6 @@ impl World {
                 let held = rests && state.contacts.iter().any(|contact| contact.has(id));
                 linked.push(Member::new(body, id, held, state.media.law(body, push, dt)));
             }
-            state.media.ask_roughly(false);
             Group { media: &state.media, bodies: &state.bodies, links: &state.links.all }.fly(&mut linked[from..], dt);
             for member in &linked[from..] {
                 let i = member.id as usize;

@@ -9,7 +9,6 @@ use crate::physics::data::tuning::SLOP;
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
 use crate::physics::flight::linked::Member;
-use crate::physics::forces::zones::Around;
 #[cfg(all(feature = "validate", debug_assertions))]
 use crate::physics::validate::Checks;
 use crate::physics::world::{Obstacle, State};
@@ -97,8 +96,6 @@ pub(crate) struct Scratch {
     /// Of the present island: its bodies, and the surfaces near it.
     pub members: Vec<u32>,
     pub surfaces: Vec<u32>,
-    /// What streams there are around each body, once one has been near.
-    pub around: Vec<Around>,
     /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`. Emptied where they change.
     pub starts: Vec<u32>,
     /// Contacts that the tick has found.
@@ -137,7 +134,6 @@ impl Scratch {
                 flags.clear();
                 flags.resize(bodies, false);
             }
-            self.around.clear();
             self.pulls.clear();
             self.pulls.resize(bodies, None);
             self.awake.clear();
@@ -162,14 +158,6 @@ impl Scratch {
     pub fn lead_by_smallest(&mut self) {
         let smallest = (0..self.members.len()).min_by_key(|k| self.members[*k]).unwrap_or(0);
         self.members.swap(0, smallest);
-    }
-
-    /// What streams there are around a body, whether or not that is still known.
-    pub fn around(&mut self, body: usize) -> &mut Around {
-        if self.around.len() < self.after.len() {
-            self.around.resize(self.after.len(), Around::unknown());
-        }
-        &mut self.around[body]
     }
 
     /// When a surface stops, s from the tick's start; infinite where it goes on.
@@ -198,7 +186,7 @@ impl Scratch {
     pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
         let n = state.bodies.len();
         self.index(state);
-        let Self { events, local, members, surfaces, starts, around, linked, .. } = self;
+        let Self { events, local, members, surfaces, starts, linked, .. } = self;
         events.clear();
         members.sort_unstable();
         surfaces.sort_unstable();
@@ -236,10 +224,6 @@ impl Scratch {
             events.items.push(item);
         }
         events.streams.extend(state.media.streams_at(&everything, SLOP).iter());
-        if !events.streams.is_empty() {
-            let of = |body: &u32| around.get(*body as usize).cloned();
-            events.around.extend(members.iter().map(|body| of(body).unwrap_or_else(Around::unknown)));
-        }
         for &body in &*members {
             let of_body = starts[body as usize] as usize..starts[body as usize + 1] as usize;
             for contact in &state.contacts[of_body] {

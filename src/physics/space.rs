@@ -6,7 +6,7 @@ use crate::physics::crowd::{CrowdImpact, Squeeze};
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::Body;
 use crate::physics::data::surface::Surface;
-use crate::physics::forces::zones::fall;
+use crate::physics::forces::weight::fall;
 use crate::physics::guards::Guards;
 use crate::physics::store::bodies::Bodies;
 use crate::physics::store::islands::Islands;

@@ -11,7 +11,6 @@ use crate::physics::data::material::Coefficients;
 use crate::physics::data::tuning::{REPORT_SPEED, SLOP};
 use crate::physics::exact::Scene;
 use crate::physics::exact::item::Item;
-use crate::physics::forces::zones::feel;
 use crate::physics::islands::{Choice, Tick};
 use crate::physics::scratch::{Happened, Scratch};
 use crate::physics::space::Space;
@@ -218,7 +217,7 @@ impl World {
             return;
         }
         if plan.streams {
-            feel(media, scratch.around.get(i), body, &mut forces[i]);
+            media.feel(body, &mut forces[i]);
         }
         known[i] = flew || after.known;
         body.acceleration = match scratch.pulls[i].filter(|_| flew) {

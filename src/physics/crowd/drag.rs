@@ -4,7 +4,8 @@
 //! that friction brakes would be faster. So where something rubs, drag is told anew: by a flight on which what the contacts leave pulls at it
 //! besides. That is stable however light it is.
 
-use crate::physics::forces::air::{Drag, fly_through};
+use crate::physics::flight::air::fly_through;
+use crate::physics::forces::air::Drag;
 use crate::physics::store::bodies::Bodies;
 use glam::DVec2;
 

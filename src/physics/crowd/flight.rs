@@ -4,7 +4,7 @@
 //! alone. A guided body goes where the world says.
 
 use crate::physics::data::plan::{Part, called};
-use crate::physics::forces::air;
+use crate::physics::flight::air;
 use crate::physics::store::bodies::Bodies;
 use glam::DVec2;
 

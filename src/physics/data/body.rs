@@ -23,13 +23,18 @@ impl BodyId {
     }
 }
 
-/// How a body begins.
+/// How a body begins: a [`Body`] whose acceleration says nothing yet.
+pub type BodyDef = Body;
+
+/// A body as it is after the last tick.
 #[derive(Clone, Debug, PartialEq)]
-pub struct BodyDef {
+pub struct Body {
     /// Centre, m.
     pub position: DVec2,
-    /// Start velocity, m/s.
+    /// m/s.
     pub velocity: DVec2,
+    /// The acceleration that acted last, m/s².
+    pub acceleration: DVec2,
     /// Half the width and half the height, m, both > 0.
     pub half: DVec2,
     /// kg, > 0.
@@ -48,11 +53,12 @@ pub struct BodyDef {
     pub weightless: bool,
 }
 
-impl Default for BodyDef {
+impl Default for Body {
     fn default() -> Self {
         Self {
             position: DVec2::ZERO,
             velocity: DVec2::ZERO,
+            acceleration: DVec2::ZERO,
             half: DVec2::splat(0.5),
             mass: 1.0,
             drag: 1.0,
@@ -65,48 +71,10 @@ impl Default for BodyDef {
     }
 }
 
-/// A body as it is after the last tick.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Body {
-    /// Centre, m.
-    pub position: DVec2,
-    /// m/s.
-    pub velocity: DVec2,
-    /// The acceleration that acted last, m/s².
-    pub acceleration: DVec2,
-    /// Half the width and half the height, m.
-    pub half: DVec2,
-    /// kg.
-    pub mass: f64,
-    /// Drag coefficient C_d.
-    pub drag: f64,
-    /// Whether a medium meets it as a ball.
-    pub round: bool,
-    /// Coefficient of restitution.
-    pub restitution: f64,
-    /// What it is made of.
-    pub material: Material,
-    /// Whether air resistance acts on it.
-    pub feels_air: bool,
-    /// Whether no gravity acts on it.
-    pub weightless: bool,
-}
-
 impl Body {
+    /// A body at the start; it bounces at least as its material does.
     pub(crate) fn new(def: &BodyDef) -> Self {
-        Self {
-            position: def.position,
-            velocity: def.velocity,
-            acceleration: DVec2::ZERO,
-            half: def.half,
-            mass: def.mass,
-            drag: def.drag,
-            round: def.round,
-            restitution: def.restitution.max(def.material.restitution),
-            material: def.material,
-            feels_air: def.feels_air,
-            weightless: def.weightless,
-        }
+        Self { acceleration: DVec2::ZERO, restitution: def.restitution.max(def.material.restitution), ..def.clone() }
     }
 
     /// The mean force that takes up its motion at so many m/s while it gives way by half of its smaller side, N.

@@ -29,6 +29,14 @@ pub(crate) const MICRO_SPEED: f64 = 2e-6;
 /// Relative distance from the terminal velocity at which a body counts as having reached it: no further steps are needed then.
 pub(crate) const TERMINAL_TOLERANCE: f64 = 1e-13;
 
+/// m. Error of one step through a liquid, at most, by its own estimate. Larger: the tick shows in a splash; smaller: more steps for digits nobody
+/// sees.
+pub(crate) const FLIGHT_TOLERANCE: f64 = 1e-9;
+
+/// Damping ratio of what floats at its waterline, per unit of C_d. Smaller: 300 kg on water are not at rest after a minute; larger: a
+/// splash calms down within one bob.
+pub(crate) const WAVES: f64 = 0.15;
+
 /// Hits of one body or surface in one tick. Where both ends of a contact have had more, it bounces no more: inelastic collapse, a rattle
 /// and a gap that a moving surface closes would never end. Larger: they use up the budget of events of their island; smaller: fast bodies
 /// in a narrow gap lose speed.

@@ -60,7 +60,7 @@ impl Events {
         if !scene.media.fluids.is_empty() {
             for i in 0..self.movable {
                 let item = &self.items[i];
-                if !item.law.near.contains(&item.body.bounds(), 0.0) {
+                if !item.law.displaced.near.contains(&item.body.bounds(), 0.0) {
                     self.renew_law(scene, i);
                     self.concern(i as u32);
                 }

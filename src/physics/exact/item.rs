@@ -1,13 +1,13 @@
 //! What takes part in an island: bodies, and the surfaces near them, each on a path of its own with a time at which it began.
 
 use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::{Body, BodyDef};
+use crate::physics::data::body::{Body, BodyDef, Pose, parabola};
 use crate::physics::data::impact_time::Cubic;
 use crate::physics::data::surface::{Sides, Surface};
 use crate::physics::exact::track::Track;
-use crate::physics::flight::flow::{Pose, flow, flow_while, parabola};
-use crate::physics::forces::bath::Regime;
-use crate::physics::forces::media::{Law, Media};
+use crate::physics::flight::flow::{flow, flow_while};
+use crate::physics::forces::law::Law;
+use crate::physics::forces::media::Media;
 use glam::DVec2;
 
 /// Rate × time of one Runge–Kutta step of a slide: 1e-9 m after some metres.
@@ -245,7 +245,7 @@ impl Item {
                 pose = rk4(pose, t / steps, |x, v| slide.hold(media.acceleration(&self.body, &self.law, x, v)));
             }
         } else {
-            let mut regime = Regime::new(media, &self.body, &self.law, pose.0);
+            let mut regime = self.law.regime(media, &self.body, pose.0);
             for _ in 0..steps as u32 {
                 pose = rk4(pose, t / steps, |x, v| slide.hold(regime.follow(x).acceleration(x, v)));
             }

@@ -28,6 +28,7 @@ pub(crate) mod track;
 
 use crate::physics::contact::reactions::Reactions;
 use crate::physics::data::aabb::Aabb;
+use crate::physics::data::body::Pose;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::impact_time::Cubic;
 use crate::physics::data::plan::Plan;
@@ -38,11 +39,11 @@ pub(crate) use crate::physics::exact::item::{Item, Motion};
 use crate::physics::exact::item::{Kind, Next};
 use crate::physics::exact::ties::Tie;
 use crate::physics::exact::track::{Lanes, Track};
-use crate::physics::flight::flow::{Pose, flow};
+use crate::physics::flight::flow::flow;
+use crate::physics::forces::law::Law;
 use crate::physics::forces::link::LinkDef;
 use crate::physics::forces::media::Media;
-use crate::physics::forces::zone_list::ZoneList;
-use crate::physics::forces::zones::Around;
+use crate::physics::forces::zones::ZoneList;
 use crate::physics::guards::Guards;
 use crate::physics::world::State;
 use glam::DVec2;
@@ -124,12 +125,11 @@ pub(crate) struct Events {
     ways: Vec<u32>,
     /// Of each item: the streams that it touches on its way, and maybe some near it.
     borders: Vec<ZoneList>,
-    /// The air streams near the island; and, if there are any, around each body.
+    /// The air streams near the island.
     pub streams: Vec<u32>,
     /// The links of its bodies, and where other ends of these get.
     pub links: Vec<LinkDef>,
     pub ends: Vec<(u32, Pose)>,
-    pub around: Vec<Around>,
     /// Impacts at one instant.
     ties: Vec<Tie>,
     /// What happened.
@@ -197,7 +197,6 @@ impl Events {
         self.streams.clear();
         self.links.clear();
         self.ends.clear();
-        self.around.clear();
         self.hits.clear();
         self.squeezed.clear();
         self.movable = 0;
@@ -205,7 +204,6 @@ impl Events {
 
     /// Advances the island by a tick.
     pub fn advance(&mut self, scene: &Scene) -> Outcome {
-        scene.media.ask_roughly(false);
         let outcome = self.go_through(scene);
         self.total += self.count;
         self.guards.friction_unsettled += std::mem::take(&mut self.reactions.unsettled);
@@ -269,8 +267,7 @@ impl Events {
             return (item.body.position, item.body.velocity);
         }
         self.guards.flows_cut_short += 1;
-        scene.media.ask_roughly(true);
-        flow(scene.media, &item.body, &item.law, scene.tick - item.since)
+        flow(scene.media, &item.body, &Law { rough: true, ..item.law }, scene.tick - item.since)
     }
 
     /// The greatest speed along each axis at which something moves, m/s.

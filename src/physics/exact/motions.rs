@@ -11,6 +11,7 @@ use crate::physics::data::tuning::SPEED_TOLERANCE;
 use crate::physics::exact::item::{Item, Motion, Next, Slide};
 use crate::physics::exact::track::Track;
 use crate::physics::exact::{Events, Implicit, Scene};
+use crate::physics::forces::zones;
 use glam::DVec2;
 
 /// The rate × time up to which a cubic follows a flow through air. Larger: impacts in the midst of it are found off the way.
@@ -93,7 +94,7 @@ impl Events {
     pub(crate) fn force_on(&self, scene: &Scene, i: usize) -> DVec2 {
         let item = &self.items[i];
         let push = item.drive + item.link;
-        self.around.get(i).map_or(push, |around| around.force_on(scene.media, &item.body, push))
+        if self.streams.is_empty() { push } else { scene.media.force_of_streams(&item.body, push) }
     }
 
     /// The law of a body's motion from now on.
@@ -149,7 +150,7 @@ impl Events {
     pub(crate) fn foresee(&mut self, scene: &Scene, i: usize) {
         let track = self.items[i].foresee(scene.media);
         if i < self.movable && !self.streams.is_empty() && !track.is_still() {
-            self.borders[i] = self.around[i].streams_at(scene.media, &track.swept);
+            self.borders[i] = scene.media.streams_at(&track.swept, zones::BESIDE);
         }
         self.lanes.set(i, &track.swept, track.rounding);
         self.tracks[i] = track;

@@ -1,25 +1,14 @@
 //! The motion of one body through media, without contacts: as exact as it can be had at each cost.
 //!
-//! Nothing that depends on velocity or place: the parabola, exact at any step. Air alone: [`crate::physics::forces::air`]. Near a liquid: [`crate::physics::flight::liquid`].
+//! Nothing that depends on velocity or place: the parabola, exact at any step. Air alone: [`crate::physics::flight::air`]. Near a liquid:
+//! [`crate::physics::flight::liquid`].
 
-use crate::physics::data::body::Body;
-use crate::physics::flight::liquid::swim;
-use crate::physics::forces::air::fly_through;
-use crate::physics::forces::media::{Law, Media};
+use crate::physics::data::body::{Body, Pose};
+use crate::physics::flight::air::fly_through;
+use crate::physics::flight::liquid::{Course, swim};
+use crate::physics::forces::law::Law;
+use crate::physics::forces::media::Media;
 use glam::DVec2;
-
-pub(crate) use crate::physics::data::body::{Pose, parabola};
-
-/// Where a flow leads.
-pub(crate) struct Course {
-    pub end: Pose,
-    /// How long it takes, s.
-    pub time: f64,
-    /// How long a next step through a liquid may be, s, if that is known.
-    pub next: f64,
-    /// The acceleration at its end, m/s², if that came out of it.
-    pub pull: Option<DVec2>,
-}
 
 /// Where `body` is after `t` seconds under `law`.
 pub(crate) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
@@ -46,7 +35,7 @@ mod tests {
     use crate::physics::data::aabb::Aabb;
     use crate::physics::data::body::BodyDef;
     use crate::physics::data::def::{FluidDef, WorldDef};
-    use crate::physics::forces::zone_list::ZoneList;
+    use crate::physics::forces::displaced::Displaced;
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
 
@@ -66,9 +55,8 @@ mod tests {
         world.check().ok()?;
         let body = Body::new(def);
         let constant = DVec2::new(0.0, media.gravity) + drive / body.mass;
-        let liquids = ZoneList::of(0..media.fluids.len() as u32);
-        let near = Aabb::around(DVec2::ZERO, DVec2::splat(1e30));
-        let law = Law { constant, air: media.air(&body), wet: true, liquids, near, ..Law::default() };
+        let displaced = Displaced::within(media, Aabb::around(DVec2::ZERO, DVec2::splat(1e30)));
+        let law = Law { constant, air: media.air(&body), displaced, ..Law::default() };
         Some((body, law))
     }
 

@@ -3,8 +3,8 @@
 //! IV.7), L-stable, so that it is as long as the way there is smooth, however stiff that is. It iterates nothing: every stage solves
 //! the same two linear equations.
 
-use crate::physics::flight::flow::Pose;
-use crate::physics::forces::bath::{Regime, Slopes};
+use crate::physics::data::body::Pose;
+use crate::physics::forces::liquid::{Regime, Slopes};
 use glam::{DMat2, DVec2};
 
 /// One step of `h` seconds under a `constant` acceleration (m/s²), in a law with these slopes where it begins; and its error, m.
@@ -107,7 +107,7 @@ mod tests {
         let settle = media.law(&body, DVec2::ZERO, 0.02);
         (body.position, body.velocity) = flow(&media, &body, &settle, 0.02);
         let law = media.law(&body, DVec2::ZERO, 0.04);
-        let regime = Regime::new(&media, &body, &law, body.position);
+        let regime = law.regime(&media, &body, body.position);
         let pose = (body.position, body.velocity);
         let slopes = regime.slopes(pose.0, pose.1);
         let off = |h: f64| (step(&regime, law.constant, &slopes, pose, h).0.0 - flow(&media, &body, &law, h).0).length();

@@ -2,12 +2,11 @@
 //! its own law and the forces of its links.
 
 use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::Body;
-use crate::physics::flight::flow::{Pose, parabola};
-use crate::physics::flight::liquid::step_factor;
-use crate::physics::flight::steps::{ERROR, RESULT, STAGES};
+use crate::physics::data::body::{Body, Pose, parabola};
+use crate::physics::flight::steps::{ERROR, STAGES, step_factor};
+use crate::physics::forces::law::Law;
 use crate::physics::forces::link::LinkDef;
-use crate::physics::forces::media::{Law, Media};
+use crate::physics::forces::media::Media;
 use glam::DVec2;
 
 /// m. Error of one step, by its own estimate. Larger: a spring loses more than 1e-9 of its energy in some thousand ticks.
@@ -74,7 +73,7 @@ impl Group<'_> {
                 continue;
             }
             for member in members.iter_mut() {
-                member.mean += member.sum(2, &RESULT) * (h / t);
+                member.mean += member.sum(2, STAGES[5]) * (h / t);
                 (member.pose, member.stages[0]) = (member.at, member.stages[6]);
                 member.places = member.places.union(&Aabb::around(member.pose.0, DVec2::ZERO));
             }

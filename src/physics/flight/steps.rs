@@ -6,45 +6,47 @@
 //! where a component of the velocity changes its sign and drag with it (|u|·u has a corner at 0). Small turns are passed over: what a corner
 //! `τ` seconds from the end of a step of `h` seconds is worth is about k·a²·τ³·h, with k the drag per m and a the acceleration.
 
-use crate::physics::data::impact_time::Cubic;
-use crate::physics::flight::flow::Pose;
+use crate::physics::data::body::Pose;
+use crate::physics::data::impact_time::{Cubic, earliest};
+use crate::physics::data::tuning::FLIGHT_TOLERANCE;
 use crate::physics::flight::implicit;
-use crate::physics::flight::liquid::{Taken, step_factor};
-use crate::physics::forces::bath::{Bath, Regime, Slopes};
-use crate::physics::forces::media::Media;
+use crate::physics::forces::liquid::{Bath, Regime, Slopes};
 use glam::DVec2;
 
-/// m. Error of one step, at most, by its own estimate. Larger: the tick shows in a splash; smaller: more steps for digits nobody sees.
-const TOLERANCE: f64 = 1e-9;
-/// What a turn may be worth of that.
+/// Of the error of a step, what a turn in it may be worth.
 const PART_OF_A_TURN: f64 = 0.1;
-/// How often the end of a step is brought nearer to a turn.
-const MOST_CUTS: u32 = 3;
-/// Rate × time that a first step may always have, and its error for a·ω³·h⁵ = 1.
-const SHORT: f64 = 0.25;
-const ERROR_OF_FIRST: f64 = 1e-4;
-/// By which part of itself a speed may change in an implicit step.
-const MOST_CHANGE: f64 = 0.5;
+
+/// How a step ends.
+pub(crate) struct Taken {
+    /// How long it was, s.
+    pub time: f64,
+    pub end: Pose,
+    /// How long the next may be, s.
+    pub next: f64,
+    /// The acceleration where it ended, m/s², if that came out of it.
+    pub pull: Option<DVec2>,
+}
 
 /// A body somewhere between kinks: what media do where it is, and its constant acceleration, m/s².
 pub(crate) struct Steps<'a> {
-    pub media: &'a Media,
     pub regime: &'a Regime<'a>,
     pub bath: &'a Bath,
     pub constant: DVec2,
     /// The law where a step begins, linearised, where it is to be implicit.
     pub slopes: Option<Slopes>,
+    /// What a step may be off by besides, as a part of its way.
+    pub rough: f64,
 }
 
 impl Steps<'_> {
-    /// How long the first of some steps may be, in a law of that `rate`, 1/s: the error is about [`ERROR_OF_FIRST`]·a·ω³·h⁵, and a fourth root that
-    /// is quickly found errs on the side of caution.
+    /// How long the first of some steps may be, in a law of that `rate`, 1/s: the error is about 1e-4·a·ω³·h⁵, and a fourth root that is quickly
+    /// found errs on the side of caution.
     pub fn first(&self, v: DVec2, rate: f64, left: f64) -> f64 {
-        if rate * left < SHORT {
+        if rate * left < 0.25 {
             return left;
         }
         let pull = self.bath.acceleration(self.constant, v).length();
-        (TOLERANCE * (rate * rate) / (ERROR_OF_FIRST * pull)).sqrt().sqrt() / rate
+        (FLIGHT_TOLERANCE * (rate * rate) / (1e-4 * pull)).sqrt().sqrt() / rate
     }
 
     /// One step of at most `h` of the `left` seconds.
@@ -53,14 +55,13 @@ impl Steps<'_> {
     /// How short a step would still resolve too little.
     pub fn take(&self, pose: Pose, mut h: f64, left: f64) -> Result<Taken, f64> {
         let (x, v) = pose;
-        let least = TOLERANCE + 8.0 * f64::EPSILON * x.abs().max_element();
-        let rough = self.media.roughness();
+        let least = FLIGHT_TOLERANCE + 8.0 * f64::EPSILON * x.abs().max_element();
         let shortest = left * f64::EPSILON;
         let pull = self.bath.acceleration(self.constant, v);
         let mut next = h;
         let (mut to_kink, mut shrunk) = (false, false);
-        if !self.regime.holds_along([x + v * (0.5 * h), x + (v + pull * (0.5 * h)) * h])
-            && let Some(kink) = self.regime.end_of(&Cubic::parabola(x, v, pull), h)
+        if !self.regime.displaced.holds_along([x + v * (0.5 * h), x + (v + pull * (0.5 * h)) * h])
+            && let Some(kink) = self.regime.displaced.end_of(&Cubic::parabola(x, v, pull), h)
         {
             (h, to_kink) = (kink.max(shortest), true);
         }
@@ -72,9 +73,9 @@ impl Steps<'_> {
         let mut cuts = 0;
         loop {
             let Step { end, pull: last, error } = self.step(pose, pull, h);
-            let tolerance = least + rough * (end.0 - x).abs().max_element();
-            // Drag that grows with the speed is told by no slope where the speed is another one.
-            let even = self.slopes.is_none() || (end.1 - v).length() <= MOST_CHANGE * v.length();
+            let tolerance = least + self.rough * (end.0 - x).abs().max_element();
+            // Slopes say nothing of drag where the speed is another by half.
+            let even = self.slopes.is_none() || (end.1 - v).length() <= 0.5 * v.length();
             let fits = even && error <= tolerance && end.0.is_finite() && end.1.is_finite();
             if !fits && h <= shortest {
                 return Err(h);
@@ -84,7 +85,7 @@ impl Steps<'_> {
                 (next, to_kink, shrunk) = (h, false, true);
                 continue;
             }
-            if cuts < MOST_CUTS
+            if cuts < 3
                 && let Some(since) = self.since_turn(v, end.1, last, h, tolerance)
             {
                 cuts += 1;
@@ -93,11 +94,11 @@ impl Steps<'_> {
             }
             let third = h / 3.0;
             let way = || Cubic::hermite(x, v, end.0, end.1, h);
-            if !self.regime.holds_along([x + v * third, end.0 - end.1 * third, end.0])
-                && let Some(kink) = self.regime.end_of(&way(), h)
+            if !self.regime.displaced.holds_along([x + v * third, end.0 - end.1 * third, end.0])
+                && let Some(kink) = self.regime.displaced.end_of(&way(), h)
                 && kink < h
                 && h > shortest
-                && !(to_kink && self.regime.all_but_holds(end.0))
+                && !(to_kink && self.regime.displaced.all_but_holds(end.0))
             {
                 (h, to_kink) = (kink.max(shortest), true);
                 continue;
@@ -115,7 +116,7 @@ impl Steps<'_> {
             let t = -v[axis] / pull[axis];
             (t > 0.0 && t < h && self.worth(axis, v, pull, (t.min(h - t), h)) > PART_OF_A_TURN * tolerance).then_some(t)
         };
-        crate::physics::data::impact_time::earliest(turn(0), turn(1))
+        earliest(turn(0), turn(1))
     }
 
     /// How long before the end of a step of `h` seconds a component of the velocity has changed its sign, if that bends the law.
@@ -143,29 +144,14 @@ impl Steps<'_> {
             let (end, error) = implicit::step(self.regime, self.constant, slopes, (x, v), h);
             return Step { end, pull: self.regime.pull(self.constant, end.0, end.1), error };
         }
-        let (mut speeds, mut pulls) = ([v; 7], [pull; 7]);
-        self.stage(&mut speeds, &mut pulls, (x, h), SECOND);
-        self.stage(&mut speeds, &mut pulls, (x, h), THIRD);
-        self.stage(&mut speeds, &mut pulls, (x, h), FOURTH);
-        self.stage(&mut speeds, &mut pulls, (x, h), FIFTH);
-        self.stage(&mut speeds, &mut pulls, (x, h), SIXTH);
-        let end = self.stage(&mut speeds, &mut pulls, (x, h), RESULT);
-        let error = (sum(&speeds, ERROR) * h).abs().max((sum(&pulls, ERROR) * (h * h)).abs());
-        Step { end: (end, speeds[6]), pull: pulls[6], error: error.max_element() }
-    }
-
-    /// Adds the velocity and the acceleration of the stage that follows `N` others; returns its place.
-    #[inline]
-    fn stage<const N: usize>(
-        &self,
-        speeds: &mut [DVec2; 7],
-        pulls: &mut [DVec2; 7],
-        (x, h): (DVec2, f64),
-        weights: [f64; N],
-    ) -> DVec2 {
-        let (at, speed) = (x + sum(speeds, weights) * h, speeds[0] + sum(pulls, weights) * h);
-        (speeds[N], pulls[N]) = (speed, self.regime.pull(self.constant, at, speed));
-        at
+        let (mut at, mut speeds, mut pulls) = (x, [v; 7], [pull; 7]);
+        for (stage, weights) in (1..).zip(STAGES) {
+            at = x + sum(&speeds, weights) * h;
+            speeds[stage] = v + sum(&pulls, weights) * h;
+            pulls[stage] = self.regime.pull(self.constant, at, speeds[stage]);
+        }
+        let error = (sum(&speeds, &ERROR) * h).abs().max((sum(&pulls, &ERROR) * (h * h)).abs());
+        Step { end: (at, speeds[6]), pull: pulls[6], error: error.max_element() }
     }
 }
 
@@ -177,25 +163,33 @@ struct Step {
 }
 
 #[inline]
-fn sum<const N: usize>(of: &[DVec2; 7], weights: [f64; N]) -> DVec2 {
+fn sum(of: &[DVec2; 7], weights: &[f64]) -> DVec2 {
     let mut sum = of[0] * weights[0];
-    for i in 1..N {
-        if weights[i] != 0.0 {
-            sum += of[i] * weights[i];
+    for (of, weight) in of.iter().zip(weights).skip(1) {
+        if *weight != 0.0 {
+            sum += *of * *weight;
         }
     }
     sum
 }
 
-/// The stages of the pair.
-const SECOND: [f64; 1] = [1.0 / 5.0];
-const THIRD: [f64; 2] = [3.0 / 40.0, 9.0 / 40.0];
-const FOURTH: [f64; 3] = [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0];
-const FIFTH: [f64; 4] = [19_372.0 / 6561.0, -25_360.0 / 2187.0, 64_448.0 / 6561.0, -212.0 / 729.0];
-const SIXTH: [f64; 5] = [9017.0 / 3168.0, -355.0 / 33.0, 46_732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18_656.0];
-pub(crate) const RESULT: [f64; 6] = [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0];
+/// The stages of the pair but the first; the last is its result.
+pub(crate) const STAGES: [&[f64]; 6] = [
+    &[1.0 / 5.0],
+    &[3.0 / 40.0, 9.0 / 40.0],
+    &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
+    &[19_372.0 / 6561.0, -25_360.0 / 2187.0, 64_448.0 / 6561.0, -212.0 / 729.0],
+    &[9017.0 / 3168.0, -355.0 / 33.0, 46_732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18_656.0],
+    &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
+];
 /// The difference of its results of fifth and fourth order.
 pub(crate) const ERROR: [f64; 7] =
     [71.0 / 57_600.0, 0.0, -71.0 / 16_695.0, 71.0 / 1920.0, -17_253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
-/// All stages but the first.
-pub(crate) const STAGES: [&[f64]; 6] = [&SECOND, &THIRD, &FOURTH, &FIFTH, &SIXTH, &RESULT];
+
+/// By what factor the next step may be longer, given a root of the error of this one as a part of what is allowed: the fourth root stands for
+/// the fifth, which takes longer to find; that errs on the side of caution up to a factor of 3.
+pub(crate) fn step_factor(root: f64) -> f64 {
+    let factor = 0.75 / root;
+    // What is no number is too long.
+    if factor >= 0.05 { factor.min(3.0) } else { 0.05 }
+}

@@ -127,6 +127,35 @@ impl LinkDef {
     }
 }
 
+/// The links of a world, by the order in which they were added.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Links {
+    pub all: Vec<LinkDef>,
+    /// Bodies that links join, directly or over others, ascending.
+    pub groups: Vec<Vec<u32>>,
+}
+
+impl Links {
+    /// Finds the groups.
+    pub fn gather(&mut self) {
+        self.groups.clear();
+        for link in &self.all {
+            let ends = [Some(link.body), link.other()].into_iter().flatten().map(|body| body.0);
+            let mut joined: Vec<u32> = ends.collect();
+            self.groups.retain(|group| {
+                let apart = !group.iter().any(|body| joined.contains(body));
+                if !apart {
+                    joined.extend(group);
+                }
+                apart
+            });
+            joined.sort_unstable();
+            joined.dedup();
+            self.groups.push(joined);
+        }
+    }
+}
+
 /// The force of all links on a body, N.
 pub(crate) fn links_on(links: &[LinkDef], body: u32, pose_of: impl Fn(u32) -> Pose) -> DVec2 {
     links.iter().filter(|link| link.has(body)).map(|link| link.on(body, &pose_of)).sum()

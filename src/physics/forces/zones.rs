@@ -1,24 +1,53 @@
-//! Zones that push what touches them: whether a body is in one, what it feels there, and when it crosses the border.
+//! Zones that push what touches them: which of them are near, whether a body is in one, and when it crosses the border.
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::{Body, Pose};
-use crate::physics::data::def::{FieldDef, StreamDef};
 use crate::physics::data::impact_time::{Cubic, earliest};
 use crate::physics::data::tuning::SLOP;
 use crate::physics::forces::kind::{ForceKind, Source};
-use crate::physics::forces::manager::ForceManager;
-use crate::physics::forces::media::Media;
-use crate::physics::forces::zone_list::ZoneList;
 use glam::DVec2;
+
+/// m. What is so near to a stream is counted to what touches it; what is as far from a border is clearly on one side of it.
+pub(crate) const BESIDE: f64 = 2.0 * SLOP;
+/// m. So far from a border whatever a way sweeps may be off by its rounding.
+const FAR: f64 = 1e-6;
+
+/// Zones by their indices, below 128: streams and fields of gravity, or liquids.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct ZoneList(u128);
+
+impl ZoneList {
+    pub fn of(indices: impl Iterator<Item = u32>) -> Self {
+        Self(indices.fold(0, |bits, index| bits | 1 << index))
+    }
+
+    /// Of those zones that a box touches within `slop` metres.
+    pub fn touching<'a>(zones: impl Iterator<Item = &'a Aabb>, near: &Aabb, slop: f64) -> Self {
+        Self::of((0..).zip(zones).filter(|(_, zone)| near.touches(zone, slop)).map(|(index, _)| index))
+    }
+
+    pub fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// The indices, ascending.
+    pub fn iter(self) -> impl Iterator<Item = u32> {
+        let mut bits = self.0;
+        std::iter::from_fn(move || {
+            let index = bits.trailing_zeros();
+            bits &= bits.wrapping_sub(1);
+            (index < u128::BITS).then_some(index)
+        })
+    }
+}
 
 /// A zone that pushes whatever touches it: an air stream, or a field of gravity.
 #[derive(Clone, Debug)]
 pub(crate) struct Stream {
     pub zone: Aabb,
-    /// N, on all alike.
-    force: DVec2,
-    /// N/kg.
-    strength: DVec2,
+    /// What its law makes the force (N) on a body of.
+    pub strength: DVec2,
+    pub law: fn(DVec2, &Body) -> DVec2,
     /// Whether it does so now.
     pub blows: bool,
     pub kind: ForceKind,
@@ -26,42 +55,24 @@ pub(crate) struct Stream {
 }
 
 impl Stream {
-    pub fn of_stream((index, def): (u32, &StreamDef)) -> Self {
-        let (zone, force) = (def.zone, def.force);
-        Self { zone, force, strength: DVec2::ZERO, blows: true, kind: ForceKind::Wind, source: Source::Stream(index) }
-    }
-
-    pub fn of_field((index, def): (u32, &FieldDef)) -> Self {
-        let (zone, strength) = (def.zone, def.strength);
-        Self { zone, force: DVec2::ZERO, strength, blows: true, kind: ForceKind::Weight, source: Source::Field(index) }
-    }
-
     /// The force on a body that touches it, N.
     pub fn on(&self, body: &Body) -> DVec2 {
-        match (self.blows, self.kind) {
-            (false, _) => DVec2::ZERO,
-            (true, ForceKind::Weight) if body.weightless => DVec2::ZERO,
-            (true, ForceKind::Weight) => self.strength * body.mass,
-            (true, _) => self.force,
-        }
+        if self.blows { (self.law)(self.strength, body) } else { DVec2::ZERO }
+    }
+
+    /// Whether a body feels it where it is.
+    pub fn is_felt(&self, body: &Body) -> bool {
+        feels(&self.zone, body, (body.position, body.velocity))
+    }
+
+    /// Whether a body that ends the tick in a pose crosses its border.
+    pub fn is_crossed(&self, body: &Body, end: Pose, dt: f64) -> bool {
+        let way = Cubic::hermite(body.position, body.velocity, end.0, end.1, dt);
+        let inside = self.is_felt(body);
+        !stays(&way.swept(body.half, dt), body.half, &self.zone, inside)
+            && border(&way, body.half, &self.zone, inside, dt).is_some()
     }
 }
-
-/// Relative: what rounding leaves of weight and a force that holds it, which is no force.
-const HELD: f64 = 4.0 * f64::EPSILON;
-
-/// The acceleration along y by gravity and by a force per mass, m/s²: exactly none where they balance but for rounding.
-pub(crate) fn fall(gravity: f64, force: f64) -> f64 {
-    let sum = gravity + force;
-    if sum.abs() <= HELD * gravity.abs() { 0.0 } else { sum }
-}
-
-/// m. What is so near to a stream is counted to what touches it.
-pub(crate) const BESIDE: f64 = 2.0 * SLOP;
-/// m. So far from a border it is clear on which side something is.
-const CLEAR: f64 = 2.0 * SLOP;
-/// m. So far from a border whatever a way sweeps may be off by its rounding.
-const FAR: f64 = 1e-6;
 
 /// Whether a body in a pose feels a stream that blows in a zone: touching suffices, but what leaves it has left it. So what a tick finds does
 /// not depend on how the time of a crossing was rounded.
@@ -69,81 +80,6 @@ pub(crate) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> boo
     let apart = position - zone.centre();
     let gap = apart.abs() - body.half - zone.size() * 0.5;
     (0..2).all(|axis| gap[axis] < -SLOP || (gap[axis] <= SLOP && velocity[axis] * apart[axis].signum() <= 0.0))
-}
-
-/// The streams around a body: those that touch a box in which it is likely to stay for some ticks, and maybe some near it. Zones never move, so
-/// this holds until it leaves the box; and no answer depends on how large that is.
-#[derive(Clone, Debug)]
-pub(crate) struct Around {
-    within: Aabb,
-    streams: ZoneList,
-}
-
-impl Around {
-    /// What lies around a body of which nothing is known.
-    pub fn unknown() -> Self {
-        Self { within: Aabb::new(DVec2::INFINITY, DVec2::NEG_INFINITY), streams: ZoneList::default() }
-    }
-
-    /// What touches a box.
-    pub fn of(media: &Media, within: Aabb) -> Self {
-        Self { within, streams: media.streams_at(&within, BESIDE) }
-    }
-
-    /// Whether this says what a box touches.
-    pub fn knows(&self, near: &Aabb) -> bool {
-        self.within.contains(near, 0.0)
-    }
-
-    /// What [`Media::streams_at`] finds.
-    pub fn streams_at(&self, media: &Media, near: &Aabb) -> ZoneList {
-        if !self.knows(near) {
-            return media.streams_at(near, BESIDE);
-        }
-        let touches = |stream: &u32| near.touches(&media.streams[*stream as usize].zone, BESIDE);
-        ZoneList::of(self.streams.iter().filter(touches))
-    }
-
-    /// The streams, in ascending order.
-    pub fn streams<'a>(&self, media: &'a Media) -> impl Iterator<Item = &'a Stream> {
-        self.streams.iter().map(|stream| &media.streams[stream as usize])
-    }
-
-    /// Whether a body that ends the tick in a pose crosses the border of one of them.
-    pub fn crosses(&self, media: &Media, body: &Body, end: Pose, dt: f64) -> bool {
-        let start = (body.position, body.velocity);
-        let way = Cubic::hermite(start.0, start.1, end.0, end.1, dt);
-        let swept = way.swept(body.half, dt);
-        self.streams(media).any(|Stream { zone, .. }| {
-            let inside = feels(zone, body, start);
-            !stays(&swept, body.half, zone, inside) && border(&way, body.half, zone, inside, dt).is_some()
-        })
-    }
-
-    /// The force of all streams and fields that a body feels besides a `push`, N.
-    pub fn force_on(&self, media: &Media, body: &Body, push: DVec2) -> DVec2 {
-        if self.knows(&body.bounds()) {
-            return force_of(self.streams(media), body, push);
-        }
-        let near = media.streams_at(&body.bounds(), BESIDE);
-        force_of(near.iter().map(|stream| &media.streams[stream as usize]), body, push)
-    }
-}
-
-/// Lets the streams and fields that a body feels enter its force manager, and the others leave it.
-pub(crate) fn feel(media: &Media, around: Option<&Around>, body: &Body, forces: &mut ForceManager) {
-    let pose = (body.position, body.velocity);
-    let near = around.map_or_else(|| media.streams_at(&body.bounds(), BESIDE), |around| around.streams_at(media, &body.bounds()));
-    forces.leave_zones(|source| near.iter().any(|stream| media.streams[stream as usize].source == source));
-    for stream in near.iter().map(|stream| &media.streams[stream as usize]) {
-        let push = if feels(&stream.zone, body, pose) { stream.on(body) } else { DVec2::ZERO };
-        forces.add(stream.source, stream.kind, push);
-    }
-}
-
-fn force_of<'a>(streams: impl Iterator<Item = &'a Stream>, body: &Body, push: DVec2) -> DVec2 {
-    let pose = (body.position, body.velocity);
-    streams.filter(|stream| feels(&stream.zone, body, pose)).fold(push, |force, stream| force + stream.on(body))
 }
 
 /// Whether what sweeps no more than that on its way is sure to stay on its side of the border of a zone: `inside`, or out of it.
@@ -167,7 +103,7 @@ pub(crate) fn border(way: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f
         let (path, other, level) = (motion.axis(axis).until(end), motion.axis(1 - axis), reach[axis]);
         // Of the side at which it begins, if it begins at the border.
         let begin = motion.c[0][axis];
-        let clear = |side: f64| if (side * begin - level).abs() <= SLOP { CLEAR } else { 0.0 };
+        let clear = |side: f64| if (side * begin - level).abs() <= SLOP { BESIDE } else { 0.0 };
         let (above, below) = (clear(1.0), clear(-1.0));
         let t = if inside {
             earliest(path.rises_through(level + above, 0.0), path.falls_through(-level - below, 0.0))

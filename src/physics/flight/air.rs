@@ -1,0 +1,225 @@
+//! Flight through air: where it takes a body that touches nothing. Under a drag per mass of −s(u)·u ([`crate::physics::forces::air`]) and the
+//! constant acceleration A the motion is u′ = A − s(u)·u.
+//!
+//! Let q = exp(∫s dt) and Q = ∫q dt. Then u = (u₀ + A·Q)/q exactly, and one scalar equation is left: Q″ = s(u₀ + A·Q) from Q = 0, Q′ = 1.
+//!
+//! - **Boxes.** While no component of u changes its sign, s is linear along the way: Q″ = s₀ + σ·Q, whose solution is
+//!   Q = h·S + s₀·h²·C, q = 1 + z·C + s₀·h·S with z = σ·h², S = Σzⁿ/(2n+1)!, C = Σzⁿ/(2n+2)!. Velocities are right to rounding at any
+//!   step, the terminal velocity A/√s(A) included, without a root. At a change of sign (the apex of a throw) s has a corner: there
+//!   u₀ + A·Q = 0 along an axis, and the step is split.
+//! - **Round things.** Q″ = k·|u₀ + A·Q| by Nyström's method of fifth order (E. J. Nyström, 1925; Hairer, Nørsett, Wanner, *Solving
+//!   Ordinary Differential Equations I*, II.14), in finer steps where |u| passes its minimum within a few steps.
+//!
+//! The position follows from velocities, accelerations and their rates j = (2s² − σ)·u − s·A at both ends (σ = ds/dQ) by two-point Hermite
+//! quadrature of sixth order, x = ½h(u₀ + u₁) + h²/10·(a₀ − a₁) + h³/120·(j₀ + j₁).
+//! Nothing can diverge or turn round. What is so light that h·s or h·√s(A) passes [`LIGHT`] takes several steps; on its terminal velocity it
+//! stays, which bounds the work at any lightness.
+//!
+//! [`step`] is plain arithmetic without a branch, for loops over many bodies and for one alone: a body flies alike, to the bit, among
+//! thousands and by itself.
+
+use crate::physics::data::body::{Pose, parabola};
+use crate::physics::data::tuning::TERMINAL_TOLERANCE;
+use crate::physics::forces::air::Drag;
+use glam::DVec2;
+
+/// The largest h·s and h·√s(A) of one step. Larger: errors of position above 1e-9 m a metre; smaller: more bodies take several steps.
+const LIGHT: f64 = 0.0625;
+/// Round things: the fewest steps in which |u| may pass its minimum. Fewer: 1e-6 m are lost at the apex of a steep throw.
+const SHARP: f64 = 8.0;
+/// The shortest part into which the apex of a round thing's throw cuts a step. Smaller: more work for 1e-12 m.
+const SHARPEST: f64 = 1.0 / 128.0;
+/// The square of the angle between u and A up to which a round thing moves along a line. Larger: what falls nearly straight loses digits.
+const STRAIGHT: f64 = 1e-8;
+/// Steps of one body in one tick, at most. Speed falls by a part of [`LIGHT`] in each, and a gust of 1e54 times the terminal velocity
+/// needs some 3000; beyond, a body is taken to have reached its terminal velocity.
+const MOST_STEPS: u32 = 16_384;
+/// Newton steps for the time of a corner: the error is squared in each.
+const POLISH: u32 = 6;
+
+/// What one step of flight comes to: u₁ = (u₀ + A·reach)·slower and x₁ = x₀ + (u₀·carry + A·lift) along both axes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Step {
+    /// Q, s.
+    pub reach: f64,
+    /// 1/q.
+    pub slower: f64,
+    /// s.
+    pub carry: f64,
+    /// s².
+    pub lift: f64,
+    /// Not 0: one step does not serve this body, [`in_parts`] does.
+    pub apart: u64,
+}
+
+/// One step of `h` seconds of a box with velocity (u, w) and constant acceleration (a, b).
+#[inline(always)]
+pub(crate) fn step(h: f64, u: f64, w: f64, a: f64, b: f64, tall: f64, wide: f64) -> Step {
+    let ahead = |u: f64, a: f64| if u * a < 0.0 { -a.abs() } else { a.abs() };
+    let p = h * (tall * u.abs() + wide * w.abs());
+    let z = h * h * (tall * ahead(u, a) + wide * ahead(w, b));
+    let c = 0.5 + z * (1.0 / 24.0 + z * (1.0 / 720.0 + z * (1.0 / 40_320.0)));
+    let s = 1.0 + z * (1.0 / 6.0 + z * (1.0 / 120.0 + z * (1.0 / 5040.0)));
+    let stretch = s + p * c;
+    let slower = 1.0 / (1.0 + (z * c + p * s));
+    let end = (p + z * stretch) * slower;
+    let (reach, carry, lift) = way(h, stretch, slower, (p, z), (end, z));
+    let eager = h * h * (tall * a.abs() + wide * b.abs());
+    let light = (p > LIGHT) | (eager > LIGHT * LIGHT);
+    let corner = (tall * (u * (u + a * reach)) < 0.0) | (wide * (w * (w + b * reach)) < 0.0);
+    Step { reach, slower, carry, lift, apart: u64::from(light | corner) }
+}
+
+/// The same for a round thing.
+#[inline(always)]
+pub(crate) fn round_step(h: f64, u: f64, w: f64, a: f64, b: f64, round: f64) -> Step {
+    let bend = h * round;
+    // h·s and h²·ds/dQ at a velocity.
+    let rate = |u: f64, w: f64| bend * (u * u + w * w).sqrt();
+    let at = |q: f64| rate(u + a * (h * q), w + b * (h * q));
+    let pull = a * a + b * b;
+    // Where there is no speed, what is multiplied with it does not matter.
+    let slope = |u: f64, w: f64, rate: f64| h * bend * (bend * (u * a + w * b)) / (rate + f64::MIN_POSITIVE);
+    let start = rate(u, w);
+    let second = at(1.0 / 5.0 + start * (1.0 / 50.0));
+    let third = at(2.0 / 3.0 + (7.0 * second - start) * (1.0 / 27.0));
+    let fourth = at(1.0 + (21.0 * start - 4.0 * second + 18.0 * third) * (1.0 / 70.0));
+    let stretch = 1.0 + (7.0 * start + 50.0 * second + 27.0 * third) * (1.0 / 168.0);
+    let slower = 1.0 / (1.0 + (14.0 * start + 125.0 * second + 162.0 * third + 35.0 * fourth) * (1.0 / 336.0));
+    let (end_u, end_w) = ((u + a * (h * stretch)) * slower, (w + b * (h * stretch)) * slower);
+    let end = rate(end_u, end_w);
+    let (z, end_z) = (slope(u, w, start), slope(end_u, end_w, end));
+    let light = (start > LIGHT) | (bend * bend * h * h * pull > LIGHT * LIGHT * LIGHT * LIGHT);
+    let near = SHARP * h;
+    let sharp = (u * u + w * w < 2.0 * pull * (near * near)) & bends(u, w, a, b);
+    let (reach, carry, lift) = way(h, stretch, slower, (start, z), (end, end_z));
+    Step { reach, slower, carry, lift, apart: u64::from(light | (sharp & (round > 0.0))) }
+}
+
+/// Q, and the way by Hermite quadrature, from what s and σ are at both ends: (h·s, h²·σ).
+#[inline(always)]
+fn way(h: f64, stretch: f64, slower: f64, (p, z): (f64, f64), (end, end_z): (f64, f64)) -> (f64, f64, f64) {
+    let reach = h * stretch;
+    let carry_start = 0.5 - p * 0.1 - (z - 2.0 * p * p) * (1.0 / 120.0);
+    let carry_end = (0.5 + end * 0.1 - (end_z - 2.0 * end * end) * (1.0 / 120.0)) * slower;
+    (reach, h * (carry_start + carry_end), h * (carry_end * reach) - h * h * ((p + end) * (1.0 / 120.0)))
+}
+
+/// Whether |u₀ + A·Q| is not linear from here on: its minimum |u × A|/|A| lies ahead, or behind but not in zero.
+#[inline(always)]
+fn bends(u: f64, w: f64, a: f64, b: f64) -> bool {
+    let (along, past) = (u * a + w * b, u * b - w * a);
+    (along < 0.0) | (past * past > STRAIGHT * (along * along))
+}
+
+fn any_step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
+    if drag.round > 0.0 { round_step(h, v.x, v.y, a.x, a.y, drag.round) } else { step(h, v.x, v.y, a.x, a.y, drag.tall, drag.wide) }
+}
+
+fn take((x, v): Pose, a: DVec2, step: &Step) -> Pose {
+    (x + (v * step.carry + a * step.lift), (v + a * step.reach) * step.slower)
+}
+
+/// Where something is after `t` seconds of v′ = `a` − s(v)·v.
+pub(crate) fn fly_through(pose: Pose, a: DVec2, drag: &Drag, t: f64) -> Pose {
+    fly_in_steps(pose, a, drag, t).0
+}
+
+/// The same, and how many steps that took.
+pub(crate) fn fly_in_steps(pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
+    if drag.is_none() {
+        return (parabola(pose, a, t), 0);
+    }
+    let step = any_step(t, pose.1, a, drag);
+    if step.apart == 0 { (take(pose, a, &step), 1) } else { in_parts(pose, a, drag, t) }
+}
+
+/// Drag alone: u = u₀/(1 + s₀·t), x = u₀·ln(1 + s₀·t)/s₀.
+fn slowed((x, v): Pose, rate: f64, t: f64) -> Pose {
+    let way = if rate > 0.0 { libm::log1p(rate * t) / rate } else { t };
+    (x + v * way, v / (1.0 + rate * t))
+}
+
+/// The same in as many steps as it takes.
+pub(crate) fn in_parts(mut pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
+    if a == DVec2::ZERO {
+        return (slowed(pose, drag.rate(pose.1), t), 1);
+    }
+    let slowest = drag.rate(a).sqrt();
+    let terminal = if slowest > 0.0 { a / slowest } else { DVec2::ZERO };
+    let same = |v: DVec2, other: DVec2| slowest > 0.0 && (v - other).length() <= TERMINAL_TOLERANCE * other.length();
+    let (mut left, mut steps, mut before) = (t, 0, None);
+    // What Nyström's method comes to is 3e-10 beside the terminal velocity: a round thing that changes its own no more has reached it.
+    let settled = |v: DVec2, before: Option<DVec2>| same(v, terminal) || before.is_some_and(|before| same(v, before));
+    while steps < MOST_STEPS && !settled(pose.1, before) {
+        steps += 1;
+        before = (drag.round > 0.0).then_some(pose.1);
+        let fast = drag.rate(pose.1).max(slowest);
+        let mut h = if fast * left > LIGHT { LIGHT * (1.0 - f64::EPSILON) / fast } else { left };
+        if drag.round > 0.0 && bends(pose.1.x, pose.1.y, a.x, a.y) {
+            h = h.min((pose.1.length() / (SHARP * a.length())).max(t * SHARPEST)).min(left);
+        }
+        let mut whole = any_step(h, pose.1, a, drag);
+        let corner = if drag.round > 0.0 { None } else { next_corner(pose.1, a, drag, whole.reach) };
+        if let Some((axis, reach)) = corner {
+            h = time_of(reach, h, pose.1, a, drag);
+            whole = any_step(h, pose.1, a, drag);
+            pose = take(pose, a, &whole);
+            pose.1[axis] = 0.0;
+        } else {
+            pose = take(pose, a, &whole);
+        }
+        left -= h;
+        if left <= 0.0 {
+            return (pose, steps);
+        }
+    }
+    ((pose.0 + terminal * left, terminal), steps)
+}
+
+/// The first axis along which u₀ + A·Q changes its sign before Q is `reach`, and the Q at which it does.
+fn next_corner(v: DVec2, a: DVec2, drag: &Drag, reach: f64) -> Option<(usize, f64)> {
+    let at = |axis: usize, drag: f64| {
+        let q = -v[axis] / a[axis];
+        (drag > 0.0 && v[axis] * (v[axis] + a[axis] * reach) < 0.0 && q > 0.0).then_some((axis, q.min(reach)))
+    };
+    match (at(0, drag.tall), at(1, drag.wide)) {
+        (Some(x), Some(y)) => Some(if x.1 <= y.1 { x } else { y }),
+        (x, y) => x.or(y),
+    }
+}
+
+/// When Q is `reach`: within the `h` seconds of a step in which no component of u changes its sign before.
+fn time_of(reach: f64, h: f64, v: DVec2, a: DVec2, drag: &Drag) -> f64 {
+    let mut t = reach.min(h);
+    for _ in 0..POLISH {
+        let step = any_step(t, v, a, drag);
+        let next = (t + (reach - step.reach) * step.slower).clamp(0.0, h);
+        if next == t {
+            break;
+        }
+        t = next;
+    }
+    t
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// However light it is, and whatever it begins with; a step is some 50 ns.
+    #[test]
+    fn what_has_reached_its_terminal_velocity_takes_no_more_steps() {
+        for k in [1e2, 1e4, 1e6, 1e9] {
+            for drag in [Drag { tall: k, wide: k, round: 0.0 }, Drag { round: k, ..Drag::default() }] {
+                for v in [DVec2::ZERO, DVec2::new(0.0, -3.0), DVec2::new(1e-4, 0.0), DVec2::new(-0.4, 79.0)] {
+                    let a = DVec2::new(570.0, 1e4);
+                    let ((_, after), steps) = fly_in_steps((DVec2::ZERO, v), a, &drag, 1.0 / 120.0);
+                    assert!(steps < 1000, "{drag:?}, {v}: {steps} steps");
+                    let terminal = a / drag.rate(a).sqrt();
+                    assert!((after - terminal).length() < 1e-2 * terminal.length() || k < 1e3, "{drag:?}, {v}: {after}");
+                }
+            }
+        }
+    }
+}

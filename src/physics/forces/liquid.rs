@@ -1,0 +1,236 @@
+//! Liquids: in one of density ρ and viscosity η a body of which the fraction f is inside feels
+//!
+//! - **Buoyancy** ρ·g·V·f (Archimedes), V its box, 1 m deep;
+//! - **Viscous Drag** of three parts: the quadratic drag of the air's formula with the liquid's density, times f; Stokes' 3π·η·d·u, times
+//!   f, with the mean of width and height as diameter d; and, up and down, the waves that a body makes which the surface cuts.
+//!
+//! **Waves.** A floating body is a spring of stiffness K = ρ·g·b, b its width in the liquid, and quadratic drag alone lets it bob with an
+//! amplitude that falls as 1/t only. What really stills it is that it radiates waves: a damping in proportion to its velocity (J. N. Newman,
+//! *Marine Hydrodynamics*, MIT Press 1977; DNV-RP-C205, *Environmental conditions and environmental loads*). Its strength depends on
+//! the hull and the period of its motion; one damping ratio for all, ζ = `WAVES`, is a choice. Here −2·ζ·C_d·√(K·m)·φ·u_y, so that a
+//! box of C_d = 1 that floats bobs with the damping ratio ζ, and one of C_d = 0 bobs for ever with ω = √(K/m). The factor
+//! φ = 2r/(1 + r)·(1 − (1 − e)⁸), r the displaced mass over the body's and e the part of its height above the surface, is 1 for what
+//! floats at its waterline, falls to 0 in proportion to the depth of what only just gets wet, and fades over the last tenths of what goes
+//! under (waves are made near the surface): no force jumps with the depth.
+//!
+//! Air acts on the part outside. Where buoyancy and the constant forces balance to rounding, what has no velocity has no acceleration, and
+//! the buoyancy listed is what makes the resultant exactly zero.
+
+use crate::physics::data::body::Body;
+use crate::physics::forces::air::Drag;
+use crate::physics::forces::displaced::Displaced;
+use crate::physics::forces::media::Media;
+use glam::{DMat2, DVec2};
+
+/// How the acceleration by the media answers to small changes of a state: what an implicit step needs.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Stiffness {
+    /// −∂a/∂v along either axis, 1/s, ≥ 0.
+    pub drag: DVec2,
+    /// −∂a_y/∂y by buoyancy, 1/s², ≥ 0.
+    pub lift: f64,
+}
+
+/// How the acceleration by the media changes with place, 1/s², and velocity, 1/s.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slopes {
+    pub place: DMat2,
+    pub speed: DMat2,
+}
+
+/// What all media together do to a body at a place, per mass.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Bath {
+    /// The fraction of the body that is inside liquids.
+    pub fraction: f64,
+    pub drag: Drag,
+    /// Stokes' drag, 1/s.
+    pub linear: f64,
+    /// Damping by waves, up and down, 1/s.
+    pub waves: f64,
+    /// Buoyancy upwards, m/s².
+    pub lift: f64,
+    /// K/m, 1/s².
+    pub stiffness: f64,
+}
+
+impl Bath {
+    /// Acceleration at velocity `v` if no medium did more than this and `constant` did the rest, m/s².
+    #[inline]
+    pub fn acceleration(&self, constant: DVec2, v: DVec2) -> DVec2 {
+        let drag = self.drag.rate(v) + self.linear;
+        DVec2::new(constant.x - v.x * drag, (constant.y - self.lift) - v.y * (drag + self.waves))
+    }
+
+    /// Its linearisation at velocity `v`.
+    pub fn answer(&self, v: DVec2) -> Stiffness {
+        Stiffness { drag: self.drag.stiffness(v) + self.linear + DVec2::new(0.0, self.waves), lift: self.stiffness }
+    }
+
+    /// m/s²: what is left of a balance along the vertical at `y` if it is nothing but rounding.
+    pub fn rounding(&self, constant: DVec2, body: &Body, y: f64) -> f64 {
+        // Smaller: what floats never comes to rest; larger: it rests beside its waterline.
+        4e-14 * (constant.y.abs() + self.lift.abs() + self.stiffness * (y.abs() + body.half.y))
+    }
+}
+
+/// How large a part of a body at `x` is surely more than the rounding of the fraction that is inside liquids: 16 roundings of its coordinates,
+/// in its halves. Smaller: of what is wholly inside, a part of 1e-16 meets an air that is 1e10 times as thick.
+#[inline]
+pub(crate) fn sure(body: &Body, x: DVec2) -> f64 {
+    (16.0 * f64::EPSILON * (1.0 + (x.abs() / body.half).max_element())).min(1e-6)
+}
+
+/// The fraction that is in no liquid, if it is surely more than nothing.
+#[inline]
+pub(crate) fn dry(wet: f64, sure: f64) -> f64 {
+    let dry = 1.0 - wet;
+    if dry < sure { 0.0 } else { dry }
+}
+
+/// A body in its media, around a place.
+#[derive(Clone, Debug)]
+pub(crate) struct Regime<'a> {
+    pub media: &'a Media,
+    pub body: &'a Body,
+    /// The acceleration by what media do not, m/s².
+    pub constant: DVec2,
+    pub displaced: Displaced,
+    /// The density of the air if it is felt, kg/m³.
+    air: f64,
+    /// Drag in a medium of 1 kg/m³, and buoyancy for that, m/s².
+    drag: Drag,
+    lift: f64,
+    sure: f64,
+}
+
+impl<'a> Regime<'a> {
+    pub fn new(media: &'a Media, body: &'a Body, constant: DVec2, air: f64, displaced: Displaced) -> Self {
+        let lift = media.gravity * (4.0 * body.half.x * body.half.y / body.mass);
+        Self { media, body, constant, displaced, air, drag: Drag::of(body, 1.0), lift, sure: sure(body, body.position) }
+    }
+
+    /// The one around `x`.
+    #[inline]
+    pub fn follow(&mut self, x: DVec2) -> &Self {
+        if !self.displaced.holds(x) {
+            self.displaced.follow(self.media, self.body, x);
+        }
+        self
+    }
+
+    /// Densities of the liquids and of the air around the whole of the body, kg/m³.
+    #[inline]
+    fn densities(&self, apart: DVec2) -> (f64, f64) {
+        let dry = if self.air == 0.0 { 0.0 } else { dry(self.displaced.fraction.at(apart), self.sure) };
+        (self.displaced.density.at(apart), self.air * dry)
+    }
+
+    /// Damping by waves, 1/s.
+    #[inline]
+    fn damping(&self, apart: DVec2) -> f64 {
+        let cuts = self.displaced.cuts(self.media, self.body);
+        self.body.drag * cuts.fold(0.0, |sum, cut| sum + cut.waves(apart))
+    }
+
+    /// What media do at `x`.
+    #[inline]
+    pub fn bath(&self, x: DVec2) -> Bath {
+        let (displaced, apart) = (&self.displaced, self.displaced.apart(x));
+        let (wet, dry) = self.densities(apart);
+        Bath {
+            fraction: displaced.fraction.at(apart),
+            drag: self.drag.scaled(wet + dry),
+            linear: displaced.linear.at(apart),
+            waves: self.damping(apart),
+            lift: self.lift * wet,
+            stiffness: displaced.cuts(self.media, self.body).fold(0.0, |sum, cut| sum + cut.stiffness(apart)),
+        }
+    }
+
+    /// Acceleration at `x` with velocity `v` if `constant` did what media do not, m/s²: [`Bath::acceleration`] for integrators.
+    #[inline]
+    pub fn pull(&self, constant: DVec2, x: DVec2, v: DVec2) -> DVec2 {
+        let apart = self.displaced.apart(x);
+        let (wet, dry) = self.densities(apart);
+        let drag = (wet + dry) * self.drag.rate(v) + self.displaced.linear.at(apart);
+        DVec2::new(constant.x - v.x * drag, (constant.y - self.lift * wet) - v.y * (drag + self.damping(apart)))
+    }
+
+    /// How [`Regime::pull`] changes around `x` and `v`.
+    pub fn slopes(&self, x: DVec2, v: DVec2) -> Slopes {
+        let (displaced, apart) = (&self.displaced, self.displaced.apart(x));
+        let (wet, dry) = self.densities(apart);
+        let wetter = displaced.density.slope(apart);
+        let drier = if dry > 0.0 { -self.air * displaced.fraction.slope(apart) } else { DVec2::ZERO };
+        let (rate, by_speed) = (self.drag.rate(v), self.drag.slope(v));
+        let drag = (wet + dry) * rate + displaced.linear.at(apart);
+        let draggier = (wetter + drier) * rate + displaced.linear.slope(apart);
+        let cuts = displaced.cuts(self.media, self.body);
+        let wavier = self.body.drag * cuts.fold(DVec2::ZERO, |sum, cut| sum + cut.slope_of_waves(apart));
+        let down = -self.lift * wetter - v.y * wavier;
+        let place = |by: f64, down: f64| -v * by + DVec2::new(0.0, down);
+        let speed = |by: f64| -v * ((wet + dry) * by);
+        let own = DVec2::new(drag, drag + self.damping(apart));
+        Slopes {
+            place: DMat2::from_cols(place(draggier.x, down.x), place(draggier.y, down.y)),
+            speed: DMat2::from_cols(speed(by_speed.x), speed(by_speed.y)) - DMat2::from_diagonal(own),
+        }
+    }
+
+    /// Acceleration at `x` with velocity `v`, m/s².
+    pub fn acceleration(&self, x: DVec2, v: DVec2) -> DVec2 {
+        if v.y != 0.0 {
+            return self.pull(self.constant, x, v);
+        }
+        let bath = self.bath(x);
+        let mut a = bath.acceleration(self.constant, v);
+        if self.balances(&bath, x, a.y) {
+            a.y = 0.0;
+        }
+        a
+    }
+
+    /// Whether the vertical forces on what has no vertical velocity, `left_over` by their sum (m/s²), balance but for rounding.
+    pub fn balances(&self, bath: &Bath, x: DVec2, left_over: f64) -> bool {
+        bath.fraction > 0.0 && left_over.abs() <= bath.rounding(self.constant, self.body, x.y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::data::aabb::Aabb;
+    use crate::physics::data::body::BodyDef;
+    use crate::physics::data::def::FluidDef;
+
+    /// In the air, at a surface, across several, at the end of a pool; boxes and round things.
+    #[test]
+    fn the_slopes_are_those_of_the_acceleration() {
+        let pool = |top: f64, density: f64| FluidDef {
+            zone: Aabb::new(DVec2::new(-5.0, top), DVec2::new(5.0, 30.0)),
+            density,
+            viscosity: 3.0,
+        };
+        let media = Media::new(15.0, 1.2, (&[], &[]), vec![pool(0.0, 800.0), pool(0.3, 500.0)]);
+        for round in [false, true] {
+            for (x, v) in
+                [((1.0, -2.0), (2.0, 3.0)), ((1.0, 0.1), (2.0, -3.0)), ((5.2, 0.2), (-1.0, 4.0)), ((-4.8, 9.0), (0.5, -6.0))]
+            {
+                let (position, v) = (DVec2::from(x), DVec2::from(v));
+                let body = Body::new(&BodyDef { position, mass: 200.0, half: DVec2::new(0.4, 0.7), round, ..BodyDef::default() });
+                let law = media.law(&body, DVec2::ZERO, 0.0);
+                let regime = law.regime(&media, &body, position);
+                let Slopes { place, speed } = regime.slopes(position, v);
+                let pull = |x: DVec2, v: DVec2| regime.pull(law.constant, x, v);
+                let step = 1e-6;
+                for (axis, by) in [DVec2::X * step, DVec2::Y * step].into_iter().enumerate() {
+                    let by_place = (pull(position + by, v) - pull(position - by, v)) / (2.0 * step);
+                    let by_speed = (pull(position, v + by) - pull(position, v - by)) / (2.0 * step);
+                    assert!((place.col(axis) - by_place).length() < 1e-5, "{x:?}, axis {axis}: {place}, not {by_place}");
+                    assert!((speed.col(axis) - by_speed).length() < 1e-5, "{x:?}, axis {axis}: {speed}, not {by_speed}");
+                }
+            }
+        }
+    }
+}
