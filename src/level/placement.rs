@@ -7,7 +7,7 @@ use super::read::Draft;
 use super::rows::Placed;
 use super::table::MOST_PROBLEMS;
 use super::types::{Fluid, Player, SHIP_HALF, Solid};
-use crate::physics::most::{LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS};
+use crate::physics::domain::{LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS};
 use crate::physics::{Aabb, DVec2, Sides};
 use std::rc::Rc;
 

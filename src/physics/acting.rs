@@ -2,14 +2,12 @@
 //! body gets by the end of the tick if it touches nothing. What comes near nothing else has then ended its tick.
 
 use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::{Body, Pose};
+use crate::physics::data::body::Pose;
 use crate::physics::data::tuning::SLOP;
 use crate::physics::exact::Scene;
 use crate::physics::flight::flow::flow_through;
 use crate::physics::flight::liquid::Course;
-use crate::physics::forces::media::Media;
 use crate::physics::scratch::Scratch;
-use crate::physics::space::Space;
 use crate::physics::world::{State, World};
 use glam::DVec2;
 
@@ -38,8 +36,10 @@ impl World {
                 pile.set_force(i, force);
             }
             if body.velocity == DVec2::ZERO && body.acceleration == DVec2::ZERO {
-                let free = hold(&state.media, pile, i, (body, force), dt);
-                scratch.floats[i] = free && (plan.liquids || plan.streams);
+                // What stands meets no drag on a way that it does not go: its contacts have to bear all that pulls at it.
+                let a = state.media.acceleration_under(body, force);
+                pile.guide(i, body.position + a * (0.5 * dt * dt), a * dt);
+                scratch.floats[i] = a == DVec2::ZERO && (plan.liquids || plan.streams);
             } else if plan.liquids || at_a_border {
                 let mut law = state.media.law(body, force, dt);
                 if !at_a_border && !law.is_near_liquid() {
@@ -102,12 +102,4 @@ fn fly(state: &State, scratch: &mut Scratch, scene: &Scene, i: usize) -> Pose {
     scratch.members.push(i as u32);
     scratch.gather(state, scene, |_| near);
     scratch.events.fly(scene)
-}
-
-/// What is held meets no drag on a way that it does not go: its contacts have to bear all that pulls at it. Returns whether nothing does.
-fn hold(media: &Media, pile: &mut Space, i: usize, (body, force): (&Body, DVec2), dt: f64) -> bool {
-    // It stands still.
-    let a = media.acceleration_under(body, force);
-    pile.guide(i, body.position + a * (0.5 * dt * dt), a * dt);
-    a == DVec2::ZERO
 }

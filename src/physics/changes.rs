@@ -2,7 +2,8 @@
 //! it concerns is looked at anew.
 
 use crate::physics::data::body::{Body, BodyId};
-use crate::physics::data::def::{DefError, WorldDef};
+use crate::physics::data::def::WorldDef;
+use crate::physics::data::domain::DefError;
 use crate::physics::data::surface::Surface;
 use crate::physics::forces::kind::{ForceKind, Source};
 use crate::physics::forces::manager::ForceManager;

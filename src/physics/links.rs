@@ -4,7 +4,7 @@
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::Pose;
-use crate::physics::data::def::DefError;
+use crate::physics::data::domain::DefError;
 use crate::physics::data::tuning::SLOP;
 use crate::physics::flight::linked::{Group, Member};
 use crate::physics::forces::link::{LinkDef, links_on};
@@ -33,7 +33,7 @@ impl World {
             let def = self.state.links.all.remove(number);
             self.state.links.gather();
             self.disturb_ends(&def);
-            for end in [Some(def.body), def.other()].into_iter().flatten() {
+            for end in def.ends() {
                 self.pile.set_force(end.index(), self.state.forces[end.index()].push());
             }
         }
@@ -45,7 +45,7 @@ impl World {
     }
 
     fn disturb_ends(&mut self, def: &LinkDef) {
-        [Some(def.body), def.other()].into_iter().flatten().for_each(|body| self.disturb(body.0));
+        def.ends().for_each(|body| self.disturb(body.0));
     }
 
     /// Flies all that is linked and awake as if it touched nothing, but for bodies that contacts hold.

@@ -4,14 +4,14 @@
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::BodyId;
 use crate::physics::data::contact::Contact;
-use crate::physics::data::impulse::Impulse;
+use crate::physics::data::impulse::{Impulse, Obstacle};
 use crate::physics::data::tuning::SLOP;
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
 use crate::physics::flight::linked::Member;
 #[cfg(all(feature = "validate", debug_assertions))]
 use crate::physics::validate::Checks;
-use crate::physics::world::{Obstacle, State};
+use crate::physics::world::State;
 use glam::DVec2;
 
 /// The leader of no island.

@@ -6,7 +6,7 @@
 use crate::physics::crowd::{Axis, Other};
 use crate::physics::data::body::{Body, BodyId};
 use crate::physics::data::contact::Contact;
-use crate::physics::data::impulse::Impulse;
+use crate::physics::data::impulse::{Impulse, Obstacle};
 use crate::physics::data::material::Coefficients;
 use crate::physics::data::tuning::{REPORT_SPEED, SLOP};
 use crate::physics::exact::Scene;
@@ -14,7 +14,7 @@ use crate::physics::exact::item::Item;
 use crate::physics::islands::{Choice, Tick};
 use crate::physics::scratch::{Happened, Scratch};
 use crate::physics::space::Space;
-use crate::physics::world::{Event, Methods, Obstacle, State, World};
+use crate::physics::world::{Event, Methods, State, World};
 use glam::DVec2;
 
 /// Relative to all that contacts exert on a body: what rounding leaves of their balance with what acts on it besides.

@@ -7,52 +7,19 @@ use crate::physics::data::surface::Sides;
 use crate::physics::data::tuning::SLOP;
 use crate::physics::forces::manager::ForceManager;
 use crate::physics::validate::energy::Ledger;
+use crate::physics::validate::thing::{Thing, rounding};
 use crate::physics::world::{World, edges};
 use glam::DVec2;
 
 mod energy;
+mod thing;
 
-/// How many contacts are looked through for forces in one tick: where there are more, some bodies are asked in each tick, all in turn.
-const MOST_LISTED: usize = 100_000;
 /// m. How deep things may be in each other: contacts keep a gap of [`SLOP`], either way.
 const OVERLAP: f64 = 2.0 * SLOP;
 /// m. The same in or near a liquid, where ways are foreseen as cubics that follow them that closely, and of what the dense method took.
 const ROUGH: f64 = 1e-7;
-/// m. What was deeper in each other than this has begun so: it may get deeper where the shorter way out is another one.
-const BEGUN: f64 = 1e-5;
-/// Roundings of a coordinate that its place may be off by.
-const ROUNDINGS: f64 = 16.0;
 /// Relative to the sum of the magnitudes of all forces: what their sum may be off by.
 const FORCES: f64 = 1e-9;
-/// Of the smaller of two sides: overlapping by that part along one axis before and after a tick, two things cannot have passed each other
-/// along the other.
-const FACES: f64 = 0.25;
-
-/// A body or surface between two ticks.
-#[derive(Clone, Copy, Debug)]
-struct Thing {
-    /// Its number, and which of the two it is.
-    id: u32,
-    surface: bool,
-    /// The box that it fills, the one that it filled a tick ago, and the one around all of its way, m.
-    now: Aabb,
-    before: Aabb,
-    swept: Aabb,
-    /// m/s.
-    velocity: DVec2,
-    /// Whether its way has no corner, and it is known where it was.
-    straight: bool,
-    /// Whether the dense method took it, or the rest of its tick.
-    dense: bool,
-    /// How deep something may be in it, m.
-    depth: f64,
-}
-
-impl Thing {
-    fn name(&self) -> String {
-        format!("{} {}", if self.surface { "surface" } else { "body" }, self.id)
-    }
-}
 
 /// The buffers of a check, kept so that it allocates nothing once warm.
 #[derive(Clone, Debug, Default)]
@@ -202,7 +169,8 @@ impl World {
 
     fn validate_forces(&self, forces: &mut ForceManager) -> Result<(), String> {
         let (n, contacts) = (self.state.bodies.len(), self.state.contacts.len());
-        let stride = (n * contacts).div_ceil(MOST_LISTED).max(1);
+        // Where more than 100 000 contacts would be looked through, some bodies are asked in each tick, all in turn.
+        let stride = (n * contacts).div_ceil(100_000).max(1);
         for i in (0..n).skip(self.state.ticks as usize % stride).step_by(stride) {
             let body = &self.state.bodies[i];
             self.list_forces(BodyId(i as u32), forces);
@@ -262,15 +230,17 @@ fn validate_pair(a: &Thing, b: &Thing) -> Result<(), String> {
     if a.dense && b.surface && !b.straight {
         return Ok(());
     }
-    // Each of them may be off by what is beyond the gap.
+    // Each of them may be off by what is beyond the gap. What was deeper in each other than 1e-5 m has begun so: it may get deeper where the
+    // shorter way out is another one.
     let most = a.depth + b.depth - OVERLAP;
-    if now > most + rounding && now > before + rounding && before <= BEGUN {
+    if now > most + rounding && now > before + rounding && before <= 1e-5 {
         return Err(format!("{} at {} is {now} m in {} at {:?}", a.name(), a.now.centre(), b.name(), b.now));
     }
     for axis in 0..2 {
         let across = 1 - axis;
         let shared = |a: &Aabb, b: &Aabb| a.max[across].min(b.max[across]) - a.min[across].max(b.min[across]);
-        let least = FACES * a.now.size()[across].min(b.now.size()[across]);
+        // Overlapping by a quarter before and after a tick, two things cannot have passed each other along the other axis.
+        let least = 0.25 * a.now.size()[across].min(b.now.size()[across]);
         let (velocity, way) =
             (a.velocity - b.velocity, (a.now.centre() - b.now.centre()) - (a.before.centre() - b.before.centre()));
         // A way that turned round might have led past.
@@ -283,9 +253,4 @@ fn validate_pair(a: &Thing, b: &Thing) -> Result<(), String> {
         }
     }
     Ok(())
-}
-
-/// What the place of a box may be off by, m.
-fn rounding(bounds: &Aabb) -> f64 {
-    ROUNDINGS * f64::EPSILON * bounds.min.abs().max(bounds.max.abs()).max_element()
 }

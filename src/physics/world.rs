@@ -3,8 +3,9 @@
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::{Body, BodyDef, BodyId};
 use crate::physics::data::contact::Contact;
-use crate::physics::data::def::{DefError, WorldDef};
-use crate::physics::data::impulse::Impulse;
+use crate::physics::data::def::WorldDef;
+use crate::physics::data::domain::DefError;
+use crate::physics::data::impulse::{Impulse, Obstacle};
 use crate::physics::data::material::Material;
 use crate::physics::data::plan::Plan;
 use crate::physics::data::surface::{Surface, SurfaceDef};
@@ -18,15 +19,6 @@ use crate::physics::scratch::Scratch;
 use crate::physics::space::{Setting, Space};
 use glam::DVec2;
 use std::cell::Cell;
-
-/// What a body can run into.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Obstacle {
-    /// The surface of that index in [`World::surfaces`].
-    Surface(u32),
-    /// Another body.
-    Body(BodyId),
-}
 
 /// What happened during the last tick, for rules, view and sound.
 #[derive(Clone, Debug, PartialEq)]

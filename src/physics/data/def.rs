@@ -2,7 +2,10 @@
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::BodyDef;
-use crate::physics::data::domain::{self, Range};
+use crate::physics::data::domain::{
+    self, DefError, LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS, Range, SMALLEST, at_most, both, material, number,
+    rectangle, restitution, vector, within,
+};
 use crate::physics::data::material::Material;
 use crate::physics::data::surface::SurfaceDef;
 use glam::DVec2;
@@ -78,30 +81,6 @@ impl Default for WorldDef {
     }
 }
 
-/// Why a definition was refused.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DefError(pub String);
-
-impl std::fmt::Display for DefError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for DefError {}
-
-/// The largest magnitude of any accepted number: squares, products of three and sums of these stay far from overflow.
-pub(crate) const LARGEST: f64 = 1e12;
-/// The smallest accepted size, m, for the same reason.
-const SMALLEST: f64 = 1e-12;
-
-/// The most streams, fields of gravity and liquids of a world. A set of zones is a word of bits.
-pub(crate) const MOST_STREAMS: usize = 64;
-pub(crate) const MOST_FIELDS: usize = 64;
-pub(crate) const MOST_LIQUIDS: usize = 16;
-/// m. The insides of two liquids may share so much: the rounding of places in pixels.
-pub(crate) const LIQUIDS_OVERLAP: f64 = 1e-6;
-
 impl WorldDef {
     /// # Errors
     /// The first number that is not finite, too large or out of its range; more zones than there may be; liquids that overlap.
@@ -154,56 +133,4 @@ impl BodyDef {
         restitution(self.restitution)?;
         material(&self.material)
     }
-}
-
-fn at_most(what: &str, count: usize, most: usize) -> Result<(), DefError> {
-    if count <= most { Ok(()) } else { Err(DefError(format!("{count} {what}, expected at most {most}"))) }
-}
-
-fn restitution(value: f64) -> Result<(), DefError> {
-    number("a restitution", value, 0.0)?;
-    if value <= 1.0 { Ok(()) } else { Err(DefError(format!("a restitution is {value}, expected 0 … 1"))) }
-}
-
-fn within(what: &str, value: f64, range: Range) -> Result<(), DefError> {
-    let Range { low, high, unit } = range;
-    if (low..=high).contains(&value) {
-        Ok(())
-    } else {
-        Err(DefError(format!("{what} is {value}, expected {low} to {high} {unit}")))
-    }
-}
-
-fn both(what: &str, value: DVec2, range: Range) -> Result<(), DefError> {
-    within(what, value.x, range).and_then(|()| within(what, value.y, range))
-}
-
-pub(crate) fn number(what: &str, value: f64, least: f64) -> Result<(), DefError> {
-    if value.is_finite() && value >= least && value.abs() <= LARGEST {
-        return Ok(());
-    }
-    Err(DefError(format!("{what} is {value}, expected a number from {least} to {LARGEST}")))
-}
-
-pub(crate) fn vector(what: &str, value: DVec2) -> Result<(), DefError> {
-    number(what, value.x, -LARGEST).and_then(|()| number(what, value.y, -LARGEST))
-}
-
-pub(crate) fn rectangle(what: &str, bounds: &Aabb) -> Result<(), DefError> {
-    vector(what, bounds.min)?;
-    vector(what, bounds.max)?;
-    if bounds.min.cmplt(bounds.max).all() {
-        return Ok(());
-    }
-    Err(DefError(format!("{what} is {} m wide and {} m high, expected more than 0", bounds.size().x, bounds.size().y)))
-}
-
-pub(crate) fn material(material: &Material) -> Result<(), DefError> {
-    number("a static friction", material.static_friction, 0.0)?;
-    number("a kinetic friction", material.kinetic_friction, 0.0)?;
-    restitution(material.restitution)?;
-    if material.kinetic_friction <= material.static_friction {
-        return Ok(());
-    }
-    Err(DefError(format!("{}: kinetic friction above static friction", material.name)))
 }

@@ -1,8 +1,16 @@
 //! What impacts pass on.
 
 use crate::physics::data::body::BodyId;
-use crate::physics::world::Obstacle;
 use glam::DVec2;
+
+/// What a body can run into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Obstacle {
+    /// The surface of that index in [`crate::physics::world::World::surfaces`].
+    Surface(u32),
+    /// Another body.
+    Body(BodyId),
+}
 
 /// What one impact passed on: to `a` the impulse, and to `b`, if that is a body, the opposite. Shown by the name "Impact".
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,7 +6,7 @@
 //! which stands still while the surface waits.
 
 use crate::physics::data::aabb::Aabb;
-use crate::physics::data::def::{DefError, LARGEST, number, rectangle, vector};
+use crate::physics::data::domain::{self, DefError, LARGEST, number, rectangle, vector};
 use crate::physics::data::material::Material;
 use glam::DVec2;
 
@@ -141,16 +141,8 @@ impl Path {
             offset += (velocity + acceleration * (0.5 * duration)) * duration;
             left = (left - duration).max(0.0);
         }
-        if self.repeats {
-            // Rounding has put the clock at the end of a round: it is the beginning of the next.
-            return self.legs.first().map_or(PathPoint::default(), |leg| PathPoint {
-                offset: DVec2::ZERO,
-                velocity: leg.velocity,
-                acceleration: leg.acceleration,
-                lasts: leg.duration,
-            });
-        }
-        PathPoint { offset, lasts: f64::INFINITY, ..PathPoint::default() }
+        // Rounding may have put the clock at the end of a round: it is the beginning of the next.
+        if self.repeats && clock != 0.0 { self.at(0.0) } else { PathPoint { offset, lasts: f64::INFINITY, ..PathPoint::default() } }
     }
 
     /// # Errors
@@ -161,14 +153,16 @@ impl Path {
         }
         let (mut offset, mut longest) = (DVec2::ZERO, 0.0f64);
         for leg in &self.legs {
-            number("the duration of a leg of a path", leg.duration, SHORTEST_LEG)?;
+            // Shorter ones than a millisecond would part a tick without end.
+            number("the duration of a leg of a path", leg.duration, 1e-3)?;
             vector("a path's velocity", leg.velocity)?;
             vector("a path's acceleration", leg.acceleration)?;
             offset += (leg.velocity + leg.acceleration * (0.5 * leg.duration)) * leg.duration;
             vector("where a path leads", if self.legs.len() > 1 { offset } else { DVec2::ZERO })?;
             longest = longest.max(offset.length());
         }
-        if self.repeats && offset.length() > CLOSED * longest {
+        // 1e-9 is the rounding of the sum.
+        if self.repeats && offset.length() > 1e-9 * longest {
             return Err(DefError(format!("a repeated path ends {} m from its start, expected 0 m", offset.length())));
         }
         Ok(())
@@ -178,10 +172,6 @@ impl Path {
 /// Relative to the clock of a path: a leg that lasts no longer than this is over. Without it what is left of a leg could be less than a
 /// rounding of the time, and a tick would never get beyond it.
 const CLOCK_ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// s. The shortest leg: shorter ones would part a tick without end.
-const SHORTEST_LEG: f64 = 1e-3;
-/// How far a repeated path may end from its start, as a part of its length: the rounding of its sum.
-const CLOSED: f64 = 1e-9;
 
 /// Something solid that moves for nobody.
 #[derive(Clone, Debug, PartialEq)]
@@ -226,7 +216,7 @@ impl SurfaceDef {
     /// A number that is not finite or out of its range.
     pub(crate) fn check(&self) -> Result<(), DefError> {
         rectangle("a surface", &self.bounds)?;
-        crate::physics::data::def::material(&self.material)?;
+        domain::material(&self.material)?;
         number("the speed of a belt", self.belt, -LARGEST)?;
         self.path.check()
     }
@@ -321,15 +311,18 @@ impl Surface {
 
     /// How fast it moves when it arrives where it is in `t` seconds, before the next leg of its path may begin there, m/s.
     pub(crate) fn arrives(&self, t: f64) -> DVec2 {
-        let mut from = 0.0;
-        loop {
-            let point = self.at(from);
-            let leg = t - from;
-            if point.lasts >= leg * (1.0 - CLOCK_ROUNDING) {
-                return point.velocity + point.acceleration * leg;
-            }
-            from += point.lasts;
-        }
+        self.legs(t).last().map_or(self.velocity, |(point, leg)| point.velocity + point.acceleration * leg)
+    }
+
+    /// The legs of its path within the next `t` seconds: where each begins from now on, and how much of it passes.
+    fn legs(&self, t: f64) -> impl Iterator<Item = (PathPoint, f64)> {
+        let mut next = Some(0.0);
+        std::iter::from_fn(move || {
+            let from = next?;
+            let (point, left) = (self.at(from), t - from);
+            next = (point.lasts < left * (1.0 - CLOCK_ROUNDING)).then_some(from + point.lasts);
+            Some((point, if next.is_some() { point.lasts } else { left }))
+        })
     }
 
     /// What it sweeps within the next `t` seconds, m.
@@ -339,18 +332,11 @@ impl Surface {
             return swept;
         }
         let half = self.bounds.size() * 0.5;
-        let mut from = 0.0;
-        while from <= t {
-            let point = self.at(from);
-            let leg = point.lasts.min(t - from);
+        for (point, leg) in self.legs(t) {
             // Both ends, and as far beyond them as a turn within the leg can lead.
             let turn = point.acceleration.abs() * (0.5 * leg * leg);
             let end = point.offset + (point.velocity + point.acceleration * (0.5 * leg)) * leg;
             swept = swept.union(&Aabb::around(point.offset, half + turn)).union(&Aabb::around(end, half + turn));
-            if point.lasts >= t - from {
-                break;
-            }
-            from += leg;
         }
         swept
     }

@@ -33,6 +33,16 @@ pub(crate) const TERMINAL_TOLERANCE: f64 = 1e-13;
 /// sees.
 pub(crate) const FLIGHT_TOLERANCE: f64 = 1e-9;
 
+/// m. Error of one step of linked bodies, at most, by its own estimate. Larger: a spring loses more than 1e-9 of its energy in some thousand ticks.
+pub(crate) const LINKED_TOLERANCE: f64 = 1e-13;
+
+/// Rate × time from which on a step through a liquid is implicit, where drag has taken the body to the speed that its place gives it. Smaller:
+/// more steps are implicit that explicit ones take for less; larger: more that their stability cuts short.
+pub(crate) const HEAVY_REACH: f64 = 4.0;
+
+/// Rate × time of one Runge–Kutta step, at most, of what bobs: its stability ends at 1.0.
+pub(crate) const BOBBING_REACH: f64 = 0.7;
+
 /// Damping ratio of what floats at its waterline, per unit of C_d. Smaller: 300 kg on water are not at rest after a minute; larger: a
 /// splash calms down within one bob.
 pub(crate) const WAVES: f64 = 0.15;

@@ -15,8 +15,7 @@
 //! Nothing can diverge or turn round. What is so light that h·s or h·√s(A) passes [`LIGHT`] takes several steps; on its terminal velocity it
 //! stays, which bounds the work at any lightness.
 //!
-//! [`step`] is plain arithmetic without a branch, for loops over many bodies and for one alone: a body flies alike, to the bit, among
-//! thousands and by itself.
+//! A body flies alike, to the bit, among thousands and by itself.
 
 use crate::physics::data::body::{Pose, parabola};
 use crate::physics::data::tuning::TERMINAL_TOLERANCE;
@@ -27,93 +26,98 @@ use glam::DVec2;
 const LIGHT: f64 = 0.0625;
 /// Round things: the fewest steps in which |u| may pass its minimum. Fewer: 1e-6 m are lost at the apex of a steep throw.
 const SHARP: f64 = 8.0;
-/// The shortest part into which the apex of a round thing's throw cuts a step. Smaller: more work for 1e-12 m.
-const SHARPEST: f64 = 1.0 / 128.0;
-/// The square of the angle between u and A up to which a round thing moves along a line. Larger: what falls nearly straight loses digits.
-const STRAIGHT: f64 = 1e-8;
 /// Steps of one body in one tick, at most. Speed falls by a part of [`LIGHT`] in each, and a gust of 1e54 times the terminal velocity
 /// needs some 3000; beyond, a body is taken to have reached its terminal velocity.
 const MOST_STEPS: u32 = 16_384;
-/// Newton steps for the time of a corner: the error is squared in each.
-const POLISH: u32 = 6;
 
-/// What one step of flight comes to: u₁ = (u₀ + A·reach)·slower and x₁ = x₀ + (u₀·carry + A·lift) along both axes.
+/// Where one step of flight leads: u₁ = (u₀ + A·reach)·slower and x₁ = x₀ + (u₀·carry + A·lift) along both axes.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Step {
+struct Step {
     /// Q, s.
-    pub reach: f64,
+    reach: f64,
     /// 1/q.
-    pub slower: f64,
+    slower: f64,
     /// s.
-    pub carry: f64,
+    carry: f64,
     /// s².
-    pub lift: f64,
-    /// Not 0: one step does not serve this body, [`in_parts`] does.
-    pub apart: u64,
+    lift: f64,
+    /// Whether one step serves this body; else [`in_parts`] does.
+    fits: bool,
 }
 
-/// One step of `h` seconds of a box with velocity (u, w) and constant acceleration (a, b).
-#[inline(always)]
-pub(crate) fn step(h: f64, u: f64, w: f64, a: f64, b: f64, tall: f64, wide: f64) -> Step {
+impl Step {
+    /// Q, and the way by Hermite quadrature, from Q/h, 1/q, and how the body is slowed at both ends.
+    #[inline]
+    fn along(h: f64, stretch: f64, slower: f64, [start, end]: [Slowing; 2]) -> Self {
+        let reach = h * stretch;
+        let (p, q) = (start.rate, end.rate);
+        let carry_start = 0.5 - p * 0.1 - (start.change - 2.0 * p * p) * (1.0 / 120.0);
+        let carry_end = (0.5 + q * 0.1 - (end.change - 2.0 * q * q) * (1.0 / 120.0)) * slower;
+        let lift = h * (carry_end * reach) - h * h * ((p + q) * (1.0 / 120.0));
+        Self { reach, slower, carry: h * (carry_start + carry_end), lift, fits: true }
+    }
+}
+
+/// s and σ at an end of a step, by its time: h·s and h²·σ.
+#[derive(Clone, Copy)]
+struct Slowing {
+    rate: f64,
+    change: f64,
+}
+
+/// One step of `h` seconds of a box with velocity `v` and constant acceleration `a`.
+#[inline]
+fn box_step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
+    let (tall, wide) = (drag.tall, drag.wide);
     let ahead = |u: f64, a: f64| if u * a < 0.0 { -a.abs() } else { a.abs() };
-    let p = h * (tall * u.abs() + wide * w.abs());
-    let z = h * h * (tall * ahead(u, a) + wide * ahead(w, b));
+    let p = h * (tall * v.x.abs() + wide * v.y.abs());
+    let z = h * h * (tall * ahead(v.x, a.x) + wide * ahead(v.y, a.y));
     let c = 0.5 + z * (1.0 / 24.0 + z * (1.0 / 720.0 + z * (1.0 / 40_320.0)));
     let s = 1.0 + z * (1.0 / 6.0 + z * (1.0 / 120.0 + z * (1.0 / 5040.0)));
     let stretch = s + p * c;
     let slower = 1.0 / (1.0 + (z * c + p * s));
     let end = (p + z * stretch) * slower;
-    let (reach, carry, lift) = way(h, stretch, slower, (p, z), (end, z));
-    let eager = h * h * (tall * a.abs() + wide * b.abs());
-    let light = (p > LIGHT) | (eager > LIGHT * LIGHT);
-    let corner = (tall * (u * (u + a * reach)) < 0.0) | (wide * (w * (w + b * reach)) < 0.0);
-    Step { reach, slower, carry, lift, apart: u64::from(light | corner) }
+    let eager = h * h * (tall * a.x.abs() + wide * a.y.abs());
+    let reach = h * stretch;
+    let corner = (tall * (v.x * (v.x + a.x * reach)) < 0.0) || (wide * (v.y * (v.y + a.y * reach)) < 0.0);
+    let fits = !(p > LIGHT || eager > LIGHT * LIGHT || corner);
+    Step { fits, ..Step::along(h, stretch, slower, [Slowing { rate: p, change: z }, Slowing { rate: end, change: z }]) }
 }
 
 /// The same for a round thing.
-#[inline(always)]
-pub(crate) fn round_step(h: f64, u: f64, w: f64, a: f64, b: f64, round: f64) -> Step {
+#[inline]
+fn round_step(h: f64, v: DVec2, a: DVec2, round: f64) -> Step {
     let bend = h * round;
-    // h·s and h²·ds/dQ at a velocity.
-    let rate = |u: f64, w: f64| bend * (u * u + w * w).sqrt();
-    let at = |q: f64| rate(u + a * (h * q), w + b * (h * q));
-    let pull = a * a + b * b;
+    let rate = |v: DVec2| bend * (v.x * v.x + v.y * v.y).sqrt();
+    let at = |q: f64| rate(v + a * (h * q));
+    let pull = a.x * a.x + a.y * a.y;
     // Where there is no speed, what is multiplied with it does not matter.
-    let slope = |u: f64, w: f64, rate: f64| h * bend * (bend * (u * a + w * b)) / (rate + f64::MIN_POSITIVE);
-    let start = rate(u, w);
+    let slope = |v: DVec2, rate: f64| h * bend * (bend * (v.x * a.x + v.y * a.y)) / (rate + f64::MIN_POSITIVE);
+    let start = rate(v);
     let second = at(1.0 / 5.0 + start * (1.0 / 50.0));
     let third = at(2.0 / 3.0 + (7.0 * second - start) * (1.0 / 27.0));
     let fourth = at(1.0 + (21.0 * start - 4.0 * second + 18.0 * third) * (1.0 / 70.0));
     let stretch = 1.0 + (7.0 * start + 50.0 * second + 27.0 * third) * (1.0 / 168.0);
     let slower = 1.0 / (1.0 + (14.0 * start + 125.0 * second + 162.0 * third + 35.0 * fourth) * (1.0 / 336.0));
-    let (end_u, end_w) = ((u + a * (h * stretch)) * slower, (w + b * (h * stretch)) * slower);
-    let end = rate(end_u, end_w);
-    let (z, end_z) = (slope(u, w, start), slope(end_u, end_w, end));
-    let light = (start > LIGHT) | (bend * bend * h * h * pull > LIGHT * LIGHT * LIGHT * LIGHT);
+    let last = (v + a * (h * stretch)) * slower;
+    let end = rate(last);
+    let light = start > LIGHT || bend * bend * h * h * pull > LIGHT * LIGHT * LIGHT * LIGHT;
     let near = SHARP * h;
-    let sharp = (u * u + w * w < 2.0 * pull * (near * near)) & bends(u, w, a, b);
-    let (reach, carry, lift) = way(h, stretch, slower, (start, z), (end, end_z));
-    Step { reach, slower, carry, lift, apart: u64::from(light | (sharp & (round > 0.0))) }
+    let sharp = v.x * v.x + v.y * v.y < 2.0 * pull * (near * near) && bends(v, a);
+    let ends = [Slowing { rate: start, change: slope(v, start) }, Slowing { rate: end, change: slope(last, end) }];
+    Step { fits: !light && !sharp, ..Step::along(h, stretch, slower, ends) }
 }
 
-/// Q, and the way by Hermite quadrature, from what s and σ are at both ends: (h·s, h²·σ).
-#[inline(always)]
-fn way(h: f64, stretch: f64, slower: f64, (p, z): (f64, f64), (end, end_z): (f64, f64)) -> (f64, f64, f64) {
-    let reach = h * stretch;
-    let carry_start = 0.5 - p * 0.1 - (z - 2.0 * p * p) * (1.0 / 120.0);
-    let carry_end = (0.5 + end * 0.1 - (end_z - 2.0 * end * end) * (1.0 / 120.0)) * slower;
-    (reach, h * (carry_start + carry_end), h * (carry_end * reach) - h * h * ((p + end) * (1.0 / 120.0)))
+/// Whether |u₀ + A·Q| is not linear from here on: its minimum |u × A|/|A| lies ahead, or behind but not in zero. The square of the angle between
+/// u and A up to which a round thing moves along a line is 1e-8: larger, what falls nearly straight loses digits.
+#[inline]
+fn bends(v: DVec2, a: DVec2) -> bool {
+    let (along, past) = (v.x * a.x + v.y * a.y, v.x * a.y - v.y * a.x);
+    along < 0.0 || past * past > 1e-8 * (along * along)
 }
 
-/// Whether |u₀ + A·Q| is not linear from here on: its minimum |u × A|/|A| lies ahead, or behind but not in zero.
-#[inline(always)]
-fn bends(u: f64, w: f64, a: f64, b: f64) -> bool {
-    let (along, past) = (u * a + w * b, u * b - w * a);
-    (along < 0.0) | (past * past > STRAIGHT * (along * along))
-}
-
-fn any_step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
-    if drag.round > 0.0 { round_step(h, v.x, v.y, a.x, a.y, drag.round) } else { step(h, v.x, v.y, a.x, a.y, drag.tall, drag.wide) }
+fn step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
+    if drag.round > 0.0 { round_step(h, v, a, drag.round) } else { box_step(h, v, a, drag) }
 }
 
 fn take((x, v): Pose, a: DVec2, step: &Step) -> Pose {
@@ -126,12 +130,12 @@ pub(crate) fn fly_through(pose: Pose, a: DVec2, drag: &Drag, t: f64) -> Pose {
 }
 
 /// The same, and how many steps that took.
-pub(crate) fn fly_in_steps(pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
+fn fly_in_steps(pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
     if drag.is_none() {
         return (parabola(pose, a, t), 0);
     }
-    let step = any_step(t, pose.1, a, drag);
-    if step.apart == 0 { (take(pose, a, &step), 1) } else { in_parts(pose, a, drag, t) }
+    let whole = step(t, pose.1, a, drag);
+    if whole.fits { (take(pose, a, &whole), 1) } else { in_parts(pose, a, drag, t) }
 }
 
 /// Drag alone: u = u₀/(1 + s₀·t), x = u₀·ln(1 + s₀·t)/s₀.
@@ -141,7 +145,7 @@ fn slowed((x, v): Pose, rate: f64, t: f64) -> Pose {
 }
 
 /// The same in as many steps as it takes.
-pub(crate) fn in_parts(mut pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
+fn in_parts(mut pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
     if a == DVec2::ZERO {
         return (slowed(pose, drag.rate(pose.1), t), 1);
     }
@@ -156,14 +160,15 @@ pub(crate) fn in_parts(mut pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, 
         before = (drag.round > 0.0).then_some(pose.1);
         let fast = drag.rate(pose.1).max(slowest);
         let mut h = if fast * left > LIGHT { LIGHT * (1.0 - f64::EPSILON) / fast } else { left };
-        if drag.round > 0.0 && bends(pose.1.x, pose.1.y, a.x, a.y) {
-            h = h.min((pose.1.length() / (SHARP * a.length())).max(t * SHARPEST)).min(left);
+        // Shorter parts at the apex of a throw than 1/128: more work for 1e-12 m.
+        if drag.round > 0.0 && bends(pose.1, a) {
+            h = h.min((pose.1.length() / (SHARP * a.length())).max(t / 128.0)).min(left);
         }
-        let mut whole = any_step(h, pose.1, a, drag);
+        let mut whole = step(h, pose.1, a, drag);
         let corner = if drag.round > 0.0 { None } else { next_corner(pose.1, a, drag, whole.reach) };
         if let Some((axis, reach)) = corner {
             h = time_of(reach, h, pose.1, a, drag);
-            whole = any_step(h, pose.1, a, drag);
+            whole = step(h, pose.1, a, drag);
             pose = take(pose, a, &whole);
             pose.1[axis] = 0.0;
         } else {
@@ -192,9 +197,10 @@ fn next_corner(v: DVec2, a: DVec2, drag: &Drag, reach: f64) -> Option<(usize, f6
 /// When Q is `reach`: within the `h` seconds of a step in which no component of u changes its sign before.
 fn time_of(reach: f64, h: f64, v: DVec2, a: DVec2, drag: &Drag) -> f64 {
     let mut t = reach.min(h);
-    for _ in 0..POLISH {
-        let step = any_step(t, v, a, drag);
-        let next = (t + (reach - step.reach) * step.slower).clamp(0.0, h);
+    // Six steps of Newton: the error is squared in each.
+    for _ in 0..6 {
+        let Step { reach: got, slower, .. } = step(t, v, a, drag);
+        let next = (t + (reach - got) * slower).clamp(0.0, h);
         if next == t {
             break;
         }

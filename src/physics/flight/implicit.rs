@@ -9,11 +9,12 @@ use glam::{DMat2, DVec2};
 
 /// One step of `h` seconds under a `constant` acceleration (m/s²), in a law with these slopes where it begins; and its error, m.
 pub(crate) fn step(regime: &Regime, constant: DVec2, slopes: &Slopes, (x, v): Pose, h: f64) -> (Pose, f64) {
-    let (part, per_time) = (h * DIAGONAL, 1.0 / h);
+    // Each stage is implicit by 0.19 of the step.
+    let (part, per_time) = (h * 0.19, 1.0 / h);
     let inverse = (DMat2::from_diagonal(DVec2::splat(1.0 / part)) - slopes.speed - slopes.place * part).inverse();
-    let (mut ways, mut gains) = ([DVec2::ZERO; STAGES], [DVec2::ZERO; STAGES]);
+    let (mut ways, mut gains) = ([DVec2::ZERO; COUPLINGS.len()], [DVec2::ZERO; COUPLINGS.len()]);
     let mut at = (x, v);
-    for i in 0..STAGES {
+    for i in 0..COUPLINGS.len() {
         // The last two stages begin where those before them have led to.
         at = match PLACES.get(i) {
             Some(places) => (0..i).fold((x, v), |at, j| (at.0 + ways[j] * places[j], at.1 + gains[j] * places[j])),
@@ -26,7 +27,7 @@ pub(crate) fn step(regime: &Regime, constant: DVec2, slopes: &Slopes, (x, v): Po
         gains[i] = inverse * (gain + slopes.place * (way * part));
         ways[i] = (way + gains[i]) * part;
     }
-    let last = STAGES - 1;
+    let last = COUPLINGS.len() - 1;
     let mut end = (at.0 + ways[last], at.1 + gains[last]);
     // Drag alone turns nothing round: what is left then is less than the error.
     if constant.x == 0.0 && end.1.x * v.x < 0.0 {
@@ -35,9 +36,6 @@ pub(crate) fn step(regime: &Regime, constant: DVec2, slopes: &Slopes, (x, v): Po
     (end, ways[last].abs().max((gains[last] * h).abs()).max_element())
 }
 
-const STAGES: usize = 8;
-/// The part of a step by which each stage is implicit.
-const DIAGONAL: f64 = 0.19;
 /// How much of the stages before it a stage is taken from, and how much of them it takes over.
 const PLACES: [[f64; 5]; 6] = [
     [0.0; 5],

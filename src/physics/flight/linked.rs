@@ -3,16 +3,12 @@
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::{Body, Pose, parabola};
+use crate::physics::data::tuning::LINKED_TOLERANCE;
 use crate::physics::flight::steps::{ERROR, STAGES, step_factor};
 use crate::physics::forces::law::Law;
 use crate::physics::forces::link::LinkDef;
 use crate::physics::forces::media::Media;
 use glam::DVec2;
-
-/// m. Error of one step, by its own estimate. Larger: a spring loses more than 1e-9 of its energy in some thousand ticks.
-const TOLERANCE: f64 = 1e-13;
-/// Steps of a group in one tick; beyond, it flies on without its links.
-const MOST_STEPS: u32 = 4096;
 
 /// A body of a group.
 #[derive(Clone, Debug)]
@@ -45,7 +41,7 @@ impl Member {
 
     fn error(&self, h: f64) -> f64 {
         let error = (self.sum(0, &ERROR) * h).abs().max((self.sum(1, &ERROR) * (h * h)).abs()).max_element();
-        error / (TOLERANCE + 8.0 * f64::EPSILON * self.pose.0.abs().max_element())
+        error / (LINKED_TOLERANCE + 8.0 * f64::EPSILON * self.pose.0.abs().max_element())
     }
 }
 
@@ -62,7 +58,8 @@ impl Group<'_> {
     pub fn fly(&self, members: &mut [Member], t: f64) {
         self.pull(members, 0);
         let (mut left, mut h) = (t, t);
-        for _ in 0..MOST_STEPS {
+        // What needs more steps flies on without its links.
+        for _ in 0..4096 {
             if left <= 0.0 {
                 break;
             }

@@ -11,7 +11,7 @@
 
 use crate::physics::data::body::{Body, Pose};
 use crate::physics::data::impact_time::Cubic;
-use crate::physics::data::tuning::TERMINAL_TOLERANCE;
+use crate::physics::data::tuning::{BOBBING_REACH, HEAVY_REACH, TERMINAL_TOLERANCE};
 use crate::physics::flight::air::fly_through;
 use crate::physics::flight::steps::{Steps, Taken};
 use crate::physics::forces::law::Law;
@@ -19,16 +19,8 @@ use crate::physics::forces::liquid::{Bath, Regime};
 use crate::physics::forces::media::Media;
 use glam::DVec2;
 
-/// Rate × time of one Runge–Kutta step, at most, for what bobs and for what is damped: its stability ends at 1.0 and at 3.3.
-const REACH: f64 = 0.7;
-const DAMPED_REACH: f64 = 2.5;
-/// Rate × time of a step from which on it is implicit, where drag has taken the body to the speed that its place gives it.
-/// Smaller: more steps are implicit that explicit ones take for less; larger: more that their stability cuts short.
-const HEAVY: f64 = 4.0;
 /// Rate × time from which on one such step is enough where nothing but a rough answer is needed.
 const AT_ONCE: f64 = 20.0;
-/// Trials of the velocity that an implicit step seeks, at most.
-const LEAP_TRIALS: usize = 100;
 
 /// Where a flow leads.
 pub(crate) struct Course {
@@ -174,7 +166,7 @@ impl Swimmer<'_> {
         let tolerance = if self.rough { 1e-4 } else { 1e-13 };
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         let (mut down, mut found) = (v.y, false);
-        for trial in 0..LEAP_TRIALS {
+        for trial in 0..100 {
             // v′ − v − h·a(x + h·v′, v′) rises with v′, by at least as much.
             let (there, speed) = (DVec2::new(beside, x.y + h * down), DVec2::new(across, down));
             let bath = self.regime.follow(there).bath(there);
@@ -211,13 +203,14 @@ impl Swimmer<'_> {
         }
         let fastest = bath.drag.rate(v).max(bath.drag.rate(free).sqrt());
         if same_around && bath.linear == 0.0 {
-            return Kind::Air(REACH / fastest);
+            return Kind::Air(BOBBING_REACH / fastest);
         }
         // The greater eigenvalue of what drag answers is 2·s(v); at once it may be as fast as at its terminal velocity.
         let drag = 2.0 * fastest + bath.linear + bath.waves;
         let bobs = bath.stiffness.sqrt();
         let heavy = drag - bobs;
-        Kind::Neither { heavy, rate: drag + bobs, most: (REACH / bobs).min(DAMPED_REACH / drag) }
+        // The stability of an explicit step ends at a rate × time of 3.3 where it is damped.
+        Kind::Neither { heavy, rate: drag + bobs, most: (BOBBING_REACH / bobs).min(2.5 / drag) }
     }
 
     /// One step of at most `h` of the `left` seconds.
@@ -227,7 +220,7 @@ impl Swimmer<'_> {
             Kind::Settled(velocity) => take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity)),
             Kind::Air(longest) => take_exact(regime, pose, left.min(longest), |t| fly_through(pose, free, &bath.drag, t)),
             Kind::Neither { rate, most, heavy } => {
-                let implicit = heavy * h.min(left) > HEAVY && is_even(bath.acceleration(constant, pose.1), pose.1, heavy);
+                let implicit = heavy * h.min(left) > HEAVY_REACH && is_even(bath.acceleration(constant, pose.1), pose.1, heavy);
                 let slopes = implicit.then(|| regime.slopes(pose.0, pose.1));
                 let steps = Steps { regime, bath, constant, slopes, rough: if self.rough { 1e-3 } else { 0.0 } };
                 let first = if implicit || h.is_finite() { h } else { steps.first(pose.1, rate, left) };

@@ -72,7 +72,8 @@ impl Steps<'_> {
         }
         let mut cuts = 0;
         loop {
-            let Step { end, pull: last, error } = self.step(pose, pull, h);
+            let step = self.step(pose, pull, h);
+            let Step { end, pull: last, error } = step;
             let tolerance = least + self.rough * (end.0 - x).abs().max_element();
             // Slopes say nothing of drag where the speed is another by half.
             let even = self.slopes.is_none() || (end.1 - v).length() <= 0.5 * v.length();
@@ -86,7 +87,7 @@ impl Steps<'_> {
                 continue;
             }
             if cuts < 3
-                && let Some(since) = self.since_turn(v, end.1, last, h, tolerance)
+                && let Some(since) = self.since_turn(v, &step, h, tolerance)
             {
                 cuts += 1;
                 (h, to_kink) = ((h - since).max(0.1 * h), false);
@@ -114,27 +115,26 @@ impl Steps<'_> {
     fn turn_ahead(&self, v: DVec2, pull: DVec2, h: f64, tolerance: f64) -> Option<f64> {
         let turn = |axis: usize| {
             let t = -v[axis] / pull[axis];
-            (t > 0.0 && t < h && self.worth(axis, v, pull, (t.min(h - t), h)) > PART_OF_A_TURN * tolerance).then_some(t)
+            (t > 0.0 && t < h && self.turn(axis, v, pull).worth(t.min(h - t), h) > PART_OF_A_TURN * tolerance).then_some(t)
         };
         earliest(turn(0), turn(1))
     }
 
     /// How long before the end of a step of `h` seconds a component of the velocity has changed its sign, if that bends the law.
-    fn since_turn(&self, before: DVec2, v: DVec2, pull: DVec2, h: f64, tolerance: f64) -> Option<f64> {
+    fn since_turn(&self, before: DVec2, Step { end: (_, v), pull, .. }: &Step, h: f64, tolerance: f64) -> Option<f64> {
         let turn = |axis: usize| {
             let t = if before[axis] * v[axis] < 0.0 { v[axis] / pull[axis] } else { 0.0 };
-            (t > 0.0 && self.worth(axis, v, pull, (t.min(h), h)) > PART_OF_A_TURN * tolerance).then_some(t)
+            (t > 0.0 && self.turn(axis, *v, *pull).worth(t.min(h), h) > PART_OF_A_TURN * tolerance).then_some(t)
         };
         let (x, y) = (turn(0), turn(1));
         if x > y { x } else { y }
     }
 
-    /// What the corner of the drag along an axis is worth that lies so many seconds from an end of a step, m.
-    fn worth(&self, axis: usize, v: DVec2, pull: DVec2, (t, h): (f64, f64)) -> f64 {
-        let (drag, gain, beside) = (&self.bath.drag, pull[axis].abs(), v[1 - axis].abs());
-        let round = if beside < gain * h { drag.round } else { 0.0 };
-        let rate = round + if axis == 0 { drag.tall } else { drag.wide };
-        rate * gain * (t * t) * h * (gain * t + beside)
+    /// The turn along an axis of a body with this velocity and acceleration.
+    fn turn(&self, axis: usize, v: DVec2, pull: DVec2) -> Turn {
+        let drag = &self.bath.drag;
+        let straight = if axis == 0 { drag.tall } else { drag.wide };
+        Turn { straight, round: drag.round, gain: pull[axis].abs(), beside: v[1 - axis].abs() }
     }
 
     /// One step of the pair from where the acceleration is `pull`.
@@ -152,6 +152,23 @@ impl Steps<'_> {
         }
         let error = (sum(&speeds, &ERROR) * h).abs().max((sum(&pulls, &ERROR) * (h * h)).abs());
         Step { end: (at, speeds[6]), pull: pulls[6], error: error.max_element() }
+    }
+}
+
+/// Where a component of the velocity changes its sign: drag there per m, acceleration along it, and the speed along the other axis.
+struct Turn {
+    straight: f64,
+    round: f64,
+    gain: f64,
+    beside: f64,
+}
+
+impl Turn {
+    /// What the corner of the drag is worth `t` seconds from an end of a step of `h` seconds, m.
+    fn worth(&self, t: f64, h: f64) -> f64 {
+        let Self { straight, round, gain, beside } = *self;
+        let rate = if beside < gain * h { round } else { 0.0 } + straight;
+        rate * gain * (t * t) * h * (gain * t + beside)
     }
 }
 

@@ -24,10 +24,8 @@ struct Extent {
     slope: DVec2,
 }
 
-/// What the sides of a body and of a liquid say of each other.
+/// Of a body that is partly inside a liquid: which of its sides are.
 struct Sides {
-    /// How far the body is inside, m.
-    inside: DVec2,
     /// Whether its left and top side, and its right and bottom side, are outside.
     before: BVec2,
     beyond: BVec2,
@@ -35,10 +33,10 @@ struct Sides {
 
 impl Sides {
     #[inline]
-    fn of(body: &Body, fluid: &FluidDef, x: DVec2) -> Self {
-        let (zone, top_left, bottom_right) = (&fluid.zone, x - body.half, x + body.half);
-        let inside = bottom_right.min(zone.max) - top_left.max(zone.min);
-        Self { inside, before: top_left.cmplt(zone.min), beyond: bottom_right.cmpgt(zone.max) }
+    fn of(body: &Body, fluid: &FluidDef, x: DVec2) -> Option<Self> {
+        let (zone, bounds) = (&fluid.zone, Aabb::around(x, body.half));
+        let sides = || Self { before: bounds.min.cmplt(zone.min), beyond: bounds.max.cmpgt(zone.max) };
+        zone.overlaps(&bounds, 0.0).then(sides)
     }
 
     /// By the place `centre`, if the sides were on the same sides there.
@@ -60,10 +58,6 @@ impl Sides {
         let low = DVec2::select(self.before, first, in_front).max(DVec2::select(self.beyond, behind, first));
         let high = DVec2::select(self.before, in_front, last).min(DVec2::select(self.beyond, last, behind));
         (low, high)
-    }
-
-    fn touch(&self) -> bool {
-        self.inside.x > 0.0 && self.inside.y > 0.0
     }
 
     /// Whether the surface, the side that buoyancy points to, cuts the body; and whether the other side does.
@@ -215,8 +209,7 @@ impl Displaced {
         let mut corner = DVec2::NEG_INFINITY;
         for index in liquids.iter() {
             let fluid = &media.fluids[index as usize];
-            let sides = Sides::of(body, fluid, x);
-            if sides.touch() {
+            if let Some(sides) = Sides::of(body, fluid, x) {
                 let (low, high) = sides.places(body, fluid);
                 corner = corner.max(low);
                 places = Aabb::new(places.min.max(low), places.max.min(high));
@@ -236,8 +229,7 @@ impl Displaced {
     /// Adds the area inside a liquid, m², its mass, kg/m, and the same with its viscosity.
     #[inline]
     fn add(&mut self, media: &Media, body: &Body, fluid: &FluidDef) {
-        let sides = Sides::of(body, fluid, self.within);
-        if sides.touch() {
+        if let Some(sides) = Sides::of(body, fluid, self.within) {
             let extent = sides.extent(body, fluid, self.centre);
             self.fraction.add(1.0, &extent);
             self.density.add(fluid.density, &extent);
@@ -261,9 +253,9 @@ impl Displaced {
 
     #[inline]
     fn cut(&self, media: &Media, body: &Body, fluid: &FluidDef) -> Option<Cut> {
-        let (sides, down) = (Sides::of(body, fluid, self.within), media.gravity >= 0.0);
+        let (sides, down) = (Sides::of(body, fluid, self.within)?, media.gravity >= 0.0);
         let (cut, leaves) = sides.cut(down);
-        (cut && sides.touch()).then(|| {
+        cut.then(|| {
             let (top, bottom) = (self.centre.y - body.half.y, self.centre.y + body.half.y);
             let emerged = if down { fluid.zone.min.y - top } else { bottom - fluid.zone.max.y };
             let per_height = 0.5 / body.half.y;

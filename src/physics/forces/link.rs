@@ -1,7 +1,7 @@
 //! Links: a force between two bodies, or between a body and a place. A law is a file of its own and a line in [`LinkLaw`].
 
 use crate::physics::data::body::{Body, BodyId, Pose};
-use crate::physics::data::def::{DefError, vector};
+use crate::physics::data::domain::{DefError, vector};
 use crate::physics::forces::kind::ForceKind;
 use glam::DVec2;
 
@@ -79,9 +79,14 @@ impl LinkDef {
         }
     }
 
+    /// The bodies at its ends.
+    pub(crate) fn ends(&self) -> impl Iterator<Item = BodyId> {
+        [Some(self.body), self.other()].into_iter().flatten()
+    }
+
     /// Whether a body is one of its ends.
     pub(crate) fn has(&self, body: u32) -> bool {
-        self.body.0 == body || self.other() == Some(BodyId(body))
+        self.ends().any(|end| end.0 == body)
     }
 
     /// The force on one of its bodies, N.
@@ -108,7 +113,7 @@ impl LinkDef {
         if self.other() == Some(self.body) {
             return refused("leads from a body to itself");
         }
-        for end in [Some(self.body), self.other()].into_iter().flatten() {
+        for end in self.ends() {
             let Some(body) = bodies.get(end.index()) else { return refused("leads to a body that there is not") };
             let all = links.iter().filter(|link| link.has(end.0)).chain([self]);
             let [stiffness, damping] = all.fold([0.0, 0.0], |[k, c], link| {
@@ -140,8 +145,7 @@ impl Links {
     pub fn gather(&mut self) {
         self.groups.clear();
         for link in &self.all {
-            let ends = [Some(link.body), link.other()].into_iter().flatten().map(|body| body.0);
-            let mut joined: Vec<u32> = ends.collect();
+            let mut joined: Vec<u32> = link.ends().map(|body| body.0).collect();
             self.groups.retain(|group| {
                 let apart = !group.iter().any(|body| joined.contains(body));
                 if !apart {

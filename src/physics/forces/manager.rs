@@ -5,13 +5,6 @@
 use crate::physics::forces::kind::{ForceKind, Source};
 use glam::DVec2;
 
-/// Forces for which there is room without an allocation: the drive and several zones.
-const ROOM: usize = 8;
-/// Relative to the sum of the magnitudes: rounding leaves so much of forces that balance; and of those that contacts find for a body whose
-/// acceleration is exactly zero.
-const BALANCED: f64 = 4.0 * f64::EPSILON;
-const BALANCED_AT_REST: f64 = 1e-9;
-
 /// One force on a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Force {
@@ -89,7 +82,9 @@ impl ForceManager {
     fn sum_of(&self, counts: impl Fn(ForceKind) -> bool) -> DVec2 {
         let counted = || self.forces.iter().filter(|force| counts(force.kind)).map(|force| force.vector);
         let (sum, size): (DVec2, DVec2) = (counted().sum(), counted().map(DVec2::abs).sum());
-        let rests = DVec2::from(self.rests.map(|rests| if rests { BALANCED_AT_REST } else { BALANCED }));
+        // Relative to the sum of the magnitudes: what rounding leaves of forces that balance; and of those that contacts find for a body
+        // whose acceleration is exactly zero.
+        let rests = DVec2::from(self.rests.map(|rests| if rests { 1e-9 } else { 4.0 * f64::EPSILON }));
         // Adding zero turns −0 into 0.
         DVec2::select(sum.abs().cmple(size * rests), DVec2::ZERO, sum) + DVec2::ZERO
     }
@@ -108,9 +103,9 @@ impl ForceManager {
         self.forces.retain(|force| !force.source.is_zone() || near(force.source));
     }
 
-    /// Room for as many forces as a body is likely to feel, so that zones that it enters allocate nothing.
+    /// Room for eight forces, the drive and several zones: zones that a body enters allocate nothing then.
     pub(crate) fn with_room() -> Self {
-        Self { forces: Vec::with_capacity(ROOM), ..Self::default() }
+        Self { forces: Vec::with_capacity(8), ..Self::default() }
     }
 
     /// Empties the list, keeping its buffer.

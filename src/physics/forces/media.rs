@@ -65,17 +65,17 @@ impl Media {
     }
 
     /// The streams and fields that a body feels.
-    fn felt<'a>(&'a self, body: &'a Body) -> impl Iterator<Item = &'a Stream> {
-        let near = self.streams_at(&body.bounds(), BESIDE);
-        near.iter().map(|stream| &self.streams[stream as usize]).filter(|stream| stream.is_felt(body))
+    fn felt(&self, body: &Body) -> impl Iterator<Item = &Stream> + Clone {
+        let near = self.streams_at(&body.bounds(), BESIDE).iter();
+        let felt = ZoneList::of(near.filter(|stream| self.streams[*stream as usize].is_felt(body)));
+        felt.iter().map(|stream| &self.streams[stream as usize])
     }
 
     /// Lets the streams and fields that a body feels enter its force manager, and the others leave it.
     pub fn feel(&self, body: &Body, forces: &mut ForceManager) {
-        forces.leave_zones(|source| self.felt(body).any(|stream| stream.source == source));
-        for stream in self.felt(body) {
-            forces.add(stream.source, stream.kind, stream.on(body));
-        }
+        let felt = self.felt(body);
+        forces.leave_zones(|source| felt.clone().any(|stream| stream.source == source));
+        felt.for_each(|stream| _ = forces.add(stream.source, stream.kind, stream.on(body)));
     }
 
     /// The force of all streams and fields that a body feels besides a `push`, N.

@@ -31,7 +31,7 @@ impl ZoneList {
     }
 
     /// The indices, ascending.
-    pub fn iter(self) -> impl Iterator<Item = u32> {
+    pub fn iter(self) -> impl Iterator<Item = u32> + Clone {
         let mut bits = self.0;
         std::iter::from_fn(move || {
             let index = bits.trailing_zeros();

@@ -6,19 +6,12 @@
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::tuning::{MICRO_SPEED, SLOP};
 use crate::physics::forces::zones::{feels, stays};
-use crate::physics::validate::{Thing, rounding};
+use crate::physics::validate::thing::{Thing, rounding};
 use crate::physics::world::World;
 use glam::DVec2;
 
-/// Relative to the energies and works of an island: what rounding and the error of flights through liquids add.
-const EXACT: f64 = 1e-9;
-/// Relative to that, and to what the forces from outside would give in one tick from rest: what the crowd's step, and implicit steps of
-/// what is in contact in a liquid, add. The most that the tests have measured is 0.6.
-const ROUGH: f64 = 1.0;
 /// m. How far from where a stream ends a body may still feel it.
 const BORDER: f64 = 4.0 * SLOP;
-/// m. An island is near a surface that moves within this distance.
-const NEAR: f64 = 1.0;
 
 /// What a tick did to an island, J.
 #[derive(Clone, Copy, Debug, Default)]
@@ -55,14 +48,17 @@ impl World {
         for thing in bodies {
             let island = self.scratch.after.get(thing.id as usize).filter(|after| after.members > 0);
             let ledger = &mut ledgers[island.map_or(thing.id, |after| after.leader) as usize];
-            let beside = |s: &u32| self.state.surfaces[*s as usize].bounds.touches(&thing.swept, NEAR);
+            // Within a metre.
+            let beside = |s: &u32| self.state.surfaces[*s as usize].bounds.touches(&thing.swept, 1.0);
             ledger.open |= moving.iter().any(beside);
             ledger.rough |= thing.dense;
             ledger.open |= ended_early || island.is_none() && !self.flew(thing);
             self.account(thing, ledger);
             ledger.rough |= island.is_some() && self.state.media.wets(&thing.swept);
         }
-        let slack = |of: &Ledger| if of.rough { ROUGH * (of.scale + of.push) } else { EXACT * of.scale };
+        // What rounding and the error of flights through liquids add; and the crowd's step, and implicit steps of what is in contact in a liquid, of
+        // which the tests have measured 0.6 at most.
+        let slack = |of: &Ledger| if of.rough { of.scale + of.push } else { 1e-9 * of.scale };
         let more = |of: &Ledger| of.gained - of.given - of.rounding - slack(of);
         match (0..).zip(&*ledgers).find(|(_, of)| !of.open && more(of) > 0.0) {
             Some((leader, of)) => Err(format!(
