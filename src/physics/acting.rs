@@ -1,12 +1,12 @@
-//! What acts on each body as a tick begins, as the store is told: a constant force, or, near liquids and the borders of streams, where the
-//! body gets by the end of the tick if it touches nothing. What comes near nothing else has then ended its tick.
+//! The action on each body as a tick begins, for the store: a constant force, or, near liquids and the borders of streams, the pose at the
+//! end of the tick if the body touches nothing. A body that comes near no other has then ended its tick.
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::Pose;
 use crate::physics::data::tuning::SLOP;
 use crate::physics::exact::Scene;
 use crate::physics::flight::flow::flow_through;
-use crate::physics::flight::liquid::Course;
+use crate::physics::flight::steps::Course;
 use crate::physics::scratch::Scratch;
 use crate::physics::world::{State, World};
 use glam::DVec2;

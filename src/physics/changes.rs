@@ -1,5 +1,5 @@
-//! What can be changed in a world between ticks: engines, what switches work, and for a "what if" the numbers that all of it hangs on. Whatever
-//! it concerns is looked at anew.
+//! Changes of a world between ticks: engines, switched things, and for a "what if" the numbers of its definition. The engine looks again at
+//! all bodies that a change concerns.
 
 use crate::physics::data::body::{Body, BodyId};
 use crate::physics::data::def::WorldDef;

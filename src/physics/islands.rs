@@ -18,7 +18,7 @@ use crate::physics::data::plan::{Part, called};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Outcome, Scene};
 use crate::physics::flight::flow::flow_through;
-use crate::physics::flight::liquid::Course;
+use crate::physics::flight::steps::Course;
 use crate::physics::guards::Guards;
 use crate::physics::scratch::{After, NOBODY, Scratch, Stop};
 use crate::physics::space::{Space, stand};

@@ -1,5 +1,5 @@
-//! What has to hold after every tick, whatever the world holds: asked after each step of a build with debug assertions, and so by every test;
-//! by the fuzz of levels; never by the game.
+//! Laws that hold after every tick in any world. Each step of a build with debug assertions checks them, so every test does; the fuzz of levels
+//! does; the game never does.
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::BodyId;
@@ -195,12 +195,11 @@ impl World {
             let body = &self.state.bodies[contact.ends().0 as usize];
             let surface = (contact.ends().1 as usize).checked_sub(self.state.bodies.len());
             let on_mover = surface.is_some_and(|s| !self.state.surfaces[s].def.path.is_still());
-            // What the dense method has told stays listed while it sleeps.
+            // The contacts of the dense method stay listed while their bodies sleep.
             let first = contact.ends().0;
-            let told_dense = self.was_dense(first) || self.pile.is_sleeping(first as usize) && !self.state.known[first as usize];
-            if on_mover || told_dense {
-                // The dense method tells the mean over the tick of what touched in it; what of a push was an impact is told apart, and what rubbed
-                // then is not.
+            let is_dense = self.was_dense(first) || self.pile.is_sleeping(first as usize) && !self.state.known[first as usize];
+            if on_mover || is_dense {
+                // The dense method lists means over the tick. It lists the impact in a push as an impulse, but not the friction during one.
                 if !(contact.normal >= 0.0 && contact.friction.is_finite()) {
                     return Err(format!("a contact pulls: {contact:?}"));
                 }

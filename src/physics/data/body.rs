@@ -77,7 +77,7 @@ impl Body {
         Self { acceleration: DVec2::ZERO, restitution: def.restitution.max(def.material.restitution), ..def.clone() }
     }
 
-    /// The mean force that takes up its motion at so many m/s while it gives way by half of its smaller side, N.
+    /// The mean force that takes up its motion at this `speed` (m/s) while it gives way by half of its smaller side, N.
     pub(crate) fn crushing_force(&self, speed: f64) -> f64 {
         0.5 * self.mass * speed * speed / self.half.min_element()
     }

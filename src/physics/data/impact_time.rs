@@ -10,9 +10,6 @@ use crate::physics::data::surface::Sides;
 use crate::physics::data::tuning::SLOP;
 use glam::DVec2;
 
-/// As a part of a time: Newton's method that leaves its bracket by no more than this has converged, and what is left is rounding.
-const CONVERGED: f64 = 4.0 * f64::EPSILON;
-
 /// x(t) = c₀ + c₁t + c₂t² + c₃t³, m, for each axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Cubic {
@@ -117,6 +114,8 @@ impl Polynomial {
     /// The root between `begin` (positive) and `end` (not positive), the function falling in between.
     fn root(&self, mut begin: f64, mut end: f64) -> f64 {
         let mut t = begin;
+        // Newton's method that leaves its bracket by four roundings has converged.
+        let converged = 4.0 * f64::EPSILON;
         for _ in 0..60 {
             let (value, slope) = (self.at(t), self.slope(t));
             if value > 0.0 {
@@ -127,9 +126,9 @@ impl Polynomial {
             let newton = t - value / slope;
             let next = if newton > begin && newton < end {
                 newton
-            } else if newton >= end && newton - end <= CONVERGED * end {
+            } else if newton >= end && newton - end <= converged * end {
                 end.next_down()
-            } else if newton <= begin && begin - newton <= CONVERGED * begin {
+            } else if newton <= begin && begin - newton <= converged * begin {
                 begin.next_up()
             } else {
                 0.5 * (begin + end)

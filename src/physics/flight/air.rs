@@ -12,7 +12,7 @@
 //!
 //! The position follows from velocities, accelerations and their rates j = (2s² − σ)·u − s·A at both ends (σ = ds/dQ) by two-point Hermite
 //! quadrature of sixth order, x = ½h(u₀ + u₁) + h²/10·(a₀ − a₁) + h³/120·(j₀ + j₁).
-//! Nothing can diverge or turn round. What is so light that h·s or h·√s(A) passes [`LIGHT`] takes several steps; on its terminal velocity it
+//! No motion can diverge or turn round. A body so light that h·s or h·√s(A) passes [`LIGHT`] takes several steps; on its terminal velocity it
 //! stays, which bounds the work at any lightness.
 //!
 //! A body flies alike, to the bit, among thousands and by itself.
@@ -91,7 +91,7 @@ fn round_step(h: f64, v: DVec2, a: DVec2, round: f64) -> Step {
     let rate = |v: DVec2| bend * (v.x * v.x + v.y * v.y).sqrt();
     let at = |q: f64| rate(v + a * (h * q));
     let pull = a.x * a.x + a.y * a.y;
-    // Where there is no speed, what is multiplied with it does not matter.
+    // Where there is no speed, its factor does not matter.
     let slope = |v: DVec2, rate: f64| h * bend * (bend * (v.x * a.x + v.y * a.y)) / (rate + f64::MIN_POSITIVE);
     let start = rate(v);
     let second = at(1.0 / 5.0 + start * (1.0 / 50.0));
@@ -109,7 +109,7 @@ fn round_step(h: f64, v: DVec2, a: DVec2, round: f64) -> Step {
 }
 
 /// Whether |u₀ + A·Q| is not linear from here on: its minimum |u × A|/|A| lies ahead, or behind but not in zero. The square of the angle between
-/// u and A up to which a round thing moves along a line is 1e-8: larger, what falls nearly straight loses digits.
+/// u and A up to which a round thing moves along a line is 1e-8: larger, a body that falls nearly straight loses digits.
 #[inline]
 fn bends(v: DVec2, a: DVec2) -> bool {
     let (along, past) = (v.x * a.x + v.y * a.y, v.x * a.y - v.y * a.x);
@@ -153,7 +153,7 @@ fn in_parts(mut pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
     let terminal = if slowest > 0.0 { a / slowest } else { DVec2::ZERO };
     let same = |v: DVec2, other: DVec2| slowest > 0.0 && (v - other).length() <= TERMINAL_TOLERANCE * other.length();
     let (mut left, mut steps, mut before) = (t, 0, None);
-    // What Nyström's method comes to is 3e-10 beside the terminal velocity: a round thing that changes its own no more has reached it.
+    // Nyström's method ends 3e-10 beside the terminal velocity: a round thing whose velocity no longer changes has reached it.
     let settled = |v: DVec2, before: Option<DVec2>| same(v, terminal) || before.is_some_and(|before| same(v, before));
     while steps < MOST_STEPS && !settled(pose.1, before) {
         steps += 1;

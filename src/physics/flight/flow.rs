@@ -5,7 +5,8 @@
 
 use crate::physics::data::body::{Body, Pose};
 use crate::physics::flight::air::fly_through;
-use crate::physics::flight::liquid::{Course, swim};
+use crate::physics::flight::liquid::swim;
+use crate::physics::flight::steps::Course;
 use crate::physics::forces::law::Law;
 use crate::physics::forces::media::Media;
 use glam::DVec2;
@@ -15,12 +16,12 @@ pub(crate) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
     flow_through(media, body, law, t).end
 }
 
-/// The same, and what is known besides.
+/// The same with its time, its next step and its last acceleration.
 pub(crate) fn flow_through(media: &Media, body: &Body, law: &Law, t: f64) -> Course {
     flow_while(media, body, law, t, |_, _| true)
 }
 
-/// The same up to the last step through a liquid of which `goes_on`, told after how many seconds and where it ends, says so, or to the end of the first.
+/// The same up to the last step through a liquid for which `goes_on` holds at its time and end, or to the end of the first step.
 pub(crate) fn flow_while(media: &Media, body: &Body, law: &Law, t: f64, goes_on: impl FnMut(f64, Pose) -> bool) -> Course {
     if law.is_near_liquid() {
         return swim(media, body, law, t, goes_on);

@@ -29,7 +29,7 @@ pub(crate) fn step(regime: &Regime, constant: DVec2, slopes: &Slopes, (x, v): Po
     }
     let last = COUPLINGS.len() - 1;
     let mut end = (at.0 + ways[last], at.1 + gains[last]);
-    // Drag alone turns nothing round: what is left then is less than the error.
+    // Drag alone turns no body round: the speed left is less than the error.
     if constant.x == 0.0 && end.1.x * v.x < 0.0 {
         end.1.x = 0.0;
     }

@@ -58,7 +58,7 @@ impl Group<'_> {
     pub fn fly(&self, members: &mut [Member], t: f64) {
         self.pull(members, 0);
         let (mut left, mut h) = (t, t);
-        // What needs more steps flies on without its links.
+        // A group that needs more steps flies on without its links.
         for _ in 0..4096 {
             if left <= 0.0 {
                 break;
@@ -86,7 +86,7 @@ impl Group<'_> {
         }
     }
 
-    /// One step of `h` seconds. Returns its error as a part of what is allowed.
+    /// One step of `h` seconds. Returns its error as a part of the error allowed.
     fn step(&self, members: &mut [Member], h: f64) -> f64 {
         for (stage, weights) in (1..).zip(STAGES) {
             for member in members.iter_mut().filter(|member| !member.held) {

@@ -1,19 +1,19 @@
 //! The motion of one body near or in a liquid, without contacts.
 //!
 //! The law has a kink wherever a side of the box passes a side of a liquid; between kinks all liquids together are one smooth form
-//! ([`crate::physics::forces::displaced`]), and no step is taken across one. What holds there decides how the body moves:
+//! ([`crate::physics::forces::displaced`]), and no step crosses one. The media between them decide how the body moves:
 //!
 //! - wholly inside or wholly outside (the same bath all around), without Stokes' drag: flight through a denser air under less weight,
 //!   [`crate::physics::flight::air`];
 //! - otherwise steps by their own estimate of their error ([`crate::physics::flight::steps`]).
 //!
-//! What sinks or rises at its terminal velocity stays on it. What floats with nothing left of its bobbing but rounding is at rest.
+//! A body that sinks or rises at its terminal velocity stays on it. A body whose bobbing is down to rounding is at rest.
 
 use crate::physics::data::body::{Body, Pose};
 use crate::physics::data::impact_time::Cubic;
 use crate::physics::data::tuning::{BOBBING_REACH, HEAVY_REACH, TERMINAL_TOLERANCE};
 use crate::physics::flight::air::fly_through;
-use crate::physics::flight::steps::{Steps, Taken};
+use crate::physics::flight::steps::{Course, Steps};
 use crate::physics::forces::law::Law;
 use crate::physics::forces::liquid::{Bath, Regime};
 use crate::physics::forces::media::Media;
@@ -21,17 +21,6 @@ use glam::DVec2;
 
 /// Rate × time from which on one such step is enough where nothing but a rough answer is needed.
 const AT_ONCE: f64 = 20.0;
-
-/// Where a flow leads.
-pub(crate) struct Course {
-    pub end: Pose,
-    /// How long it takes, s.
-    pub time: f64,
-    /// How long a next step through a liquid may be, s, if that is known.
-    pub next: f64,
-    /// The acceleration at its end, m/s², if that came out of it.
-    pub pull: Option<DVec2>,
-}
 
 /// A body in its media on its way.
 #[derive(Clone)]
@@ -41,7 +30,7 @@ struct Swimmer<'a> {
     rough: bool,
 }
 
-/// What media do where a body is, and its constant acceleration, m/s².
+/// The media at a place, and the constant acceleration there, m/s².
 struct Place {
     bath: Bath,
     constant: DVec2,
@@ -50,7 +39,7 @@ struct Place {
 }
 
 impl Place {
-    /// What pulls besides drag, m/s².
+    /// The acceleration besides drag, m/s².
     fn free(&self) -> DVec2 {
         DVec2::new(self.constant.x, self.constant.y - self.bath.lift)
     }
@@ -60,9 +49,9 @@ impl Place {
 enum Kind {
     /// By its terminal velocity, m/s.
     Settled(DVec2),
-    /// By flight through what is the same all around, for this many seconds at once.
+    /// By flight through one medium all around, for this many seconds at once.
     Air(f64),
-    /// By steps: the rates of all, and of its drag beyond that of what bobs, 1/s, and how long an explicit step may be, s.
+    /// By steps: the sum of its rates, the rate of drag beyond that of bobbing, 1/s, and the longest explicit step, s.
     Neither { rate: f64, most: f64, heavy: f64 },
 }
 
@@ -88,7 +77,7 @@ pub(crate) fn swim(media: &Media, body: &Body, law: &Law, t: f64, mut goes_on: i
         if place.floats {
             (pose.0.y, pose.1.y) = (before.0.y, 0.0);
         } else if swimmer.regime.displaced.holds(pose.0) {
-            // What moves faster than by 16 roundings is not at rest.
+            // A body that moves faster than by 16 roundings is not at rest.
             let rounding = place.bath.rounding(law.constant, body, before.0.y);
             bobs = pose.1.y.abs() * place.bath.stiffness.sqrt() <= 16.0 * rounding;
         } else {
@@ -101,7 +90,7 @@ pub(crate) fn swim(media: &Media, body: &Body, law: &Law, t: f64, mut goes_on: i
             }
             return Course { end: pose, time: t - left, next: h, pull };
         }
-        // What was cut off to end here says nothing about the next step.
+        // A step cut off to end here says nothing about the next one.
         h = if left <= 0.0 && h.is_finite() { taken.next.max(h) } else { taken.next };
     }
     if left > 0.0 {
@@ -113,7 +102,7 @@ pub(crate) fn swim(media: &Media, body: &Body, law: &Law, t: f64, mut goes_on: i
     if bobs {
         swimmer.come_to_rest(&mut pose);
     }
-    // What has no velocity up or down may be in balance.
+    // A body without velocity up or down may be in balance.
     let pull = pull.filter(|_| pose.1.y != 0.0);
     Course { end: pose, time: t, next: h, pull }
 }
@@ -129,9 +118,9 @@ impl Swimmer<'_> {
         Place { bath, constant, floats }
     }
 
-    /// Steps of `t` seconds, at most. What needs more leaves and meets the surface hundreds of times within a tick; one implicit step leads it
-    /// through what is left ([`Swimmer::leap`]), and through all if a liquid takes it to the speed that its place gives it long before and
-    /// only a rough answer is needed.
+    /// The most steps of `t` seconds. A body that needs more leaves and meets the surface hundreds of times within a tick; one implicit step leads
+    /// it through the rest ([`Swimmer::leap`]). Where a rough answer is enough, one such step leads a body through all of it that a liquid brings
+    /// to the speed of its place long before the end.
     fn most_steps(&self, pose: Pose, t: f64) -> u32 {
         if !self.rough {
             return 128;
@@ -156,8 +145,8 @@ impl Swimmer<'_> {
         }
     }
 
-    /// One implicit Euler step of `h` seconds. In a force that falls with the depth at which it lifts, which is what liquids do, it gains no
-    /// energy however long it is, and no speed but from constant forces; so it may be off, but leads neither away nor back.
+    /// One implicit Euler step of `h` seconds. Liquids lift more with the depth: in such a force the step gains no energy however long it is, and no
+    /// speed but from constant forces; so it may be off, but leads neither away nor back.
     fn leap(&mut self, (x, v): Pose, h: f64) -> Pose {
         let constant = self.regime.constant;
         let bath = self.regime.follow(x).bath(x);
@@ -172,14 +161,14 @@ impl Swimmer<'_> {
             let bath = self.regime.follow(there).bath(there);
             let over = down - v.y - h * bath.acceleration(constant, speed).y;
             (low, high) = if over < 0.0 { (down, high.min(down - over)) } else { (low.max(down - over), down) };
-            // Where what drags and lifts there changes no more than linearly with the depth: p·v′ + q·v′·|v′| = r.
+            // As if drag and lift changed linearly with the depth there: p·v′ + q·v′·|v′| = r.
             let Bath { drag, linear, waves, stiffness, lift, .. } = bath;
             let (along, aside) = if down == 0.0 { (0.0, across.abs()) } else { (speed.length() / down.abs(), 0.0) };
             let p = 1.0 + h * (linear + waves + drag.tall * across.abs() + drag.round * aside) + h * h * stiffness;
             let q = h * (drag.wide + drag.round * along);
             let r = v.y + h * (constant.y - lift) + h * h * stiffness * down;
             let guess = 2.0 * r / (p + (p * p + 4.0 * q * r.abs()).sqrt());
-            // Across kinks it may lead to and fro: after four trials every other one halves what is left to search.
+            // Across kinks it may lead to and fro: after four trials every other one halves the bracket.
             let inside = guess > low && guess < high && (trial < 4 || trial % 2 == 0);
             let next = if inside { guess } else { 0.5 * (low + high) };
             found = (next - down).abs() <= tolerance * down.abs();
@@ -205,7 +194,7 @@ impl Swimmer<'_> {
         if same_around && bath.linear == 0.0 {
             return Kind::Air(BOBBING_REACH / fastest);
         }
-        // The greater eigenvalue of what drag answers is 2·s(v); at once it may be as fast as at its terminal velocity.
+        // The greater eigenvalue of drag's linearisation is 2·s(v); at once it may be as fast as at its terminal velocity.
         let drag = 2.0 * fastest + bath.linear + bath.waves;
         let bobs = bath.stiffness.sqrt();
         let heavy = drag - bobs;
@@ -214,7 +203,7 @@ impl Swimmer<'_> {
     }
 
     /// One step of at most `h` of the `left` seconds.
-    fn take(&self, place: &Place, pose: Pose, h: f64, left: f64) -> Taken {
+    fn take(&self, place: &Place, pose: Pose, h: f64, left: f64) -> Course {
         let (regime, bath, constant, free) = (&self.regime, &place.bath, place.constant, place.free());
         match self.kind(place, pose.1) {
             Kind::Settled(velocity) => take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity)),
@@ -227,7 +216,7 @@ impl Swimmer<'_> {
                 let most = if implicit { left } else { most.min(left) };
                 steps.take(pose, first.min(most), left).unwrap_or_else(|shortest| {
                     let end = self.clone().leap(pose, shortest);
-                    Taken { time: shortest, end, next: shortest, pull: None }
+                    Course { time: shortest, end, next: shortest, pull: None }
                 })
             }
         }
@@ -235,7 +224,7 @@ impl Swimmer<'_> {
 }
 
 /// A step of at most `h` by an exact flow.
-fn take_exact(regime: &Regime, pose: Pose, mut h: f64, flow: impl Fn(f64) -> Pose) -> Taken {
+fn take_exact(regime: &Regime, pose: Pose, mut h: f64, flow: impl Fn(f64) -> Pose) -> Course {
     let mut end = flow(h);
     for _ in 0..8 {
         let way = Cubic::hermite(pose.0, pose.1, end.0, end.1, h);
@@ -246,7 +235,7 @@ fn take_exact(regime: &Regime, pose: Pose, mut h: f64, flow: impl Fn(f64) -> Pos
             break;
         }
     }
-    Taken { time: h, end, next: f64::INFINITY, pull: None }
+    Course { time: h, end, next: f64::INFINITY, pull: None }
 }
 
 /// Whether a body, accelerated by `pull`, has come to the speed that its place gives it in a law of that rate, 1/s, but for a tenth.
@@ -254,7 +243,7 @@ fn is_even(pull: DVec2, v: DVec2, rate: f64) -> bool {
     pull.length() < 0.1 * rate * v.length()
 }
 
-/// The terminal velocity of what is the same all around, if `v` has reached it; `free` is what pulls besides drag, m/s².
+/// The terminal velocity in one medium all around, if `v` has reached it; `free` is the acceleration besides drag, m/s².
 fn settled(bath: &Bath, free: DVec2, v: DVec2) -> Option<DVec2> {
     // Along the pull, u = λ·A with λ²·s(A) + λ·c = 1.
     let root = (bath.linear * bath.linear + 4.0 * bath.drag.rate(free)).sqrt();

@@ -2,7 +2,7 @@
 //! (1980), of fifth order; or, where drag has taken a body to the speed that its place gives it and would cut those short, implicit ones
 //! ([`crate::physics::flight::implicit`]).
 //!
-//! No step is taken across what bends the law: a kink, where a side of the body passes a side of a liquid ([`crate::physics::forces::displaced`]), or a turn,
+//! No step crosses a bend of the law: a kink, where a side of the body passes a side of a liquid ([`crate::physics::forces::displaced`]), or a turn,
 //! where a component of the velocity changes its sign and drag with it (|u|·u has a corner at 0). Small turns are passed over: what a corner
 //! `τ` seconds from the end of a step of `h` seconds is worth is about k·a²·τ³·h, with k the drag per m and a the acceleration.
 
@@ -13,28 +13,28 @@ use crate::physics::flight::implicit;
 use crate::physics::forces::liquid::{Bath, Regime, Slopes};
 use glam::DVec2;
 
-/// Of the error of a step, what a turn in it may be worth.
+/// The part of the error of a step that a turn in it may add.
 const PART_OF_A_TURN: f64 = 0.1;
 
-/// How a step ends.
-pub(crate) struct Taken {
-    /// How long it was, s.
-    pub time: f64,
+/// Where a flow, or a step of one, leads.
+pub(crate) struct Course {
     pub end: Pose,
-    /// How long the next may be, s.
+    /// How long it takes, s.
+    pub time: f64,
+    /// How long a next step through a liquid may be, s, if that is known.
     pub next: f64,
-    /// The acceleration where it ended, m/s², if that came out of it.
+    /// The acceleration at its end, m/s², if that came out of it.
     pub pull: Option<DVec2>,
 }
 
-/// A body somewhere between kinks: what media do where it is, and its constant acceleration, m/s².
+/// A body between kinks, the media there, and its constant acceleration, m/s².
 pub(crate) struct Steps<'a> {
     pub regime: &'a Regime<'a>,
     pub bath: &'a Bath,
     pub constant: DVec2,
     /// The law where a step begins, linearised, where it is to be implicit.
     pub slopes: Option<Slopes>,
-    /// What a step may be off by besides, as a part of its way.
+    /// The error allowed besides, as a part of its way.
     pub rough: f64,
 }
 
@@ -53,7 +53,7 @@ impl Steps<'_> {
     ///
     /// # Errors
     /// How short a step would still resolve too little.
-    pub fn take(&self, pose: Pose, mut h: f64, left: f64) -> Result<Taken, f64> {
+    pub fn take(&self, pose: Pose, mut h: f64, left: f64) -> Result<Course, f64> {
         let (x, v) = pose;
         let least = FLIGHT_TOLERANCE + 8.0 * f64::EPSILON * x.abs().max_element();
         let shortest = left * f64::EPSILON;
@@ -107,7 +107,7 @@ impl Steps<'_> {
             if h >= next && !shrunk {
                 next = h * step_factor((error / tolerance).sqrt().sqrt());
             }
-            return Ok(Taken { time: h, end, next, pull: Some(last) });
+            return Ok(Course { end, time: h, next, pull: Some(last) });
         }
     }
 
@@ -164,7 +164,7 @@ struct Turn {
 }
 
 impl Turn {
-    /// What the corner of the drag is worth `t` seconds from an end of a step of `h` seconds, m.
+    /// The error by the corner of the drag `t` seconds from an end of a step of `h` seconds, m.
     fn worth(&self, t: f64, h: f64) -> f64 {
         let Self { straight, round, gain, beside } = *self;
         let rate = if beside < gain * h { round } else { 0.0 } + straight;
@@ -203,10 +203,10 @@ pub(crate) const STAGES: [&[f64]; 6] = [
 pub(crate) const ERROR: [f64; 7] =
     [71.0 / 57_600.0, 0.0, -71.0 / 16_695.0, 71.0 / 1920.0, -17_253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// By what factor the next step may be longer, given a root of the error of this one as a part of what is allowed: the fourth root stands for
-/// the fifth, which takes longer to find; that errs on the side of caution up to a factor of 3.
+/// The factor by which the next step may be longer, given a root of the error of this one as a part of the error allowed. The fourth root stands
+/// for the fifth, which takes longer to find; that errs on the side of caution up to a factor of 3.
 pub(crate) fn step_factor(root: f64) -> f64 {
     let factor = 0.75 / root;
-    // What is no number is too long.
+    // A step whose error is no number is too long.
     if factor >= 0.05 { factor.min(3.0) } else { 0.05 }
 }

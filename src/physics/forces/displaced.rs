@@ -1,9 +1,9 @@
-//! What a body displaces of all liquids, in closed form around where it is.
+//! The parts of all liquids that a body displaces, in closed form around a place.
 //!
 //! A kink is a place where a side of the body passes a side of a liquid. Between kinks the width and the height of the body within a liquid
 //! are linear in x and y, so that the areas that it displaces, and by them all buoyancy and drag, are bilinear. The waves of each surface that
 //! cuts the body come besides. [`Displaced`] holds these forms with the box of places in which they are the law; a little beyond it they go on
-//! smoothly, which is what integrators want.
+//! smoothly, as integrators need.
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::Body;
@@ -159,7 +159,7 @@ impl Cut {
     }
 }
 
-/// What a body displaces, around a place.
+/// The parts of liquids that a body displaces, around a place.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Displaced {
     /// All liquids that touch the box `near`, m.

@@ -1,9 +1,9 @@
-//! The kinds of force, and what exerts one. A kind is a line here; its colour stands in `instruments/look.rs`, its arrow in `view/arrows.rs`.
+//! The kinds of force, and their sources. A kind is a line here; its colour stands in `instruments/look.rs`, its arrow in `view/arrows.rs`.
 
 use crate::physics::data::body::BodyId;
 
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $kind:ident: $name:literal, $shown:literal, $does:literal;)*) => {
+    ($($(#[$doc:meta])* $kind:ident: $name:literal, $does:literal;)*) => {
         /// The kinds of force, in the order in which they are listed everywhere.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum ForceKind {
@@ -21,14 +21,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// The name on the screen.
-            pub const fn shown(self) -> &'static str {
-                match self {
-                    $(Self::$kind => $shown,)*
-                }
-            }
-
-            /// What the body does to the source of the force, by the third law.
+            /// The action of the body on the source of the force, by the third law.
             pub const fn does(self) -> &'static str {
                 match self {
                     $(Self::$kind => $does,)*
@@ -40,28 +33,33 @@ macro_rules! kinds {
 
 kinds! {
     /// m·g downwards, and m times the strength of each field.
-    Weight: "Weight", "Weight", "pulls";
+    Weight: "Weight", "pulls";
     /// The ship's engine, along the nose or against it.
-    Drive: "Drive", "Drive", "pushes";
+    Drive: "Drive", "pushes";
     /// Of a supporting surface or object along the contact's normal; never pulls. School calls it the normal force.
-    Reaction: "Reaction", "Normal force", "presses on";
+    Reaction: "Reaction", "presses on";
     /// Against sliding along a contact.
-    Friction: "Friction", "Friction", "rubs on";
+    Friction: "Friction", "rubs on";
     /// ½·ρ·C_d·(w·|u_y| + h·|u_x|)·u for boxes, ½·ρ·C_d·d·|u|·u for round things, against the motion u relative to the air.
-    AirResistance: "Air Resistance", "Air Resistance", "drags";
+    AirResistance: "Air Resistance", "drags";
     /// An air stream's constant force.
-    Wind: "Wind", "Wind", "holds back";
+    Wind: "Wind", "holds back";
     /// ρ·g·V of the displaced liquid, upwards.
-    Buoyancy: "Buoyancy", "Buoyancy", "presses on";
+    Buoyancy: "Buoyancy", "presses on";
     /// The drag of a liquid: quadratic, viscous, and the waves of a body that its surface cuts.
-    ViscousDrag: "Viscous Drag", "Viscous Drag", "drags";
+    ViscousDrag: "Viscous Drag", "drags";
     /// Of another object beside the body.
-    Push: "Push", "Push", "pushes";
+    Push: "Push", "pushes";
     /// Of a spring between two bodies, or a body and a place.
-    Spring: "Spring", "Spring", "pulls";
+    Spring: "Spring", "pulls";
 }
 
 impl ForceKind {
+    /// The name on the screen.
+    pub const fn shown(self) -> &'static str {
+        if matches!(self, Self::Reaction) { "Normal force" } else { self.name() }
+    }
+
     /// Whether it only resists a motion: static friction need not hold against such forces.
     pub const fn is_resistance(self) -> bool {
         matches!(self, Self::Friction | Self::AirResistance | Self::ViscousDrag)

@@ -1,5 +1,5 @@
-//! The law by which a body moves that touches nothing: all forces together. What is constant (gravity, drive, wind, fields) is a sum; the air and
-//! liquids go by place and velocity.
+//! The law by which a body moves that touches nothing: all forces together. Gravity, drive, wind and fields are constant and form a sum; drag and
+//! buoyancy depend on place and velocity.
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::{Body, Pose};
@@ -18,15 +18,15 @@ use glam::DVec2;
 /// The law by which one body moves during one interval, contacts left out.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Law {
-    /// All that is constant: gravity, drive, wind, m/s².
+    /// The constant acceleration: gravity, drive, wind, fields, m/s².
     pub constant: DVec2,
     /// Drag of the air.
     pub air: Drag,
-    /// The liquids that it may meet, and what it displaces of them around where it was when that was last asked for.
+    /// The liquids that the body may meet, and the parts of them that it displaces around its last place.
     pub displaced: Displaced,
-    /// How long the first step of its motion may be, s, as far as that is known from what went before.
+    /// The longest first step of its motion, s, by the steps before; 0 where none is known.
     pub first: f64,
-    /// Whether nothing but a rough answer is needed.
+    /// Whether a rough answer is enough.
     pub rough: bool,
 }
 
@@ -51,28 +51,28 @@ impl Law {
 }
 
 impl Media {
-    /// All that is constant of what acts on a body under a `force` (N) that is not its weight, m/s².
+    /// The constant acceleration of a body by its weight and a `force` (N), m/s².
     pub fn constant(&self, body: &Body, force: DVec2) -> DVec2 {
         let push = force / body.mass;
         DVec2::new(0.0 + push.x, fall(self.gravity_on(body), push.y))
     }
 
-    /// The law of a body for the next `t` seconds, under a `force` (N) that is not its weight. It depends on nothing but the body itself: what
-    /// else is near must change no bit of its motion.
+    /// The law of a body for the next `t` seconds, under its weight and a `force` (N). It depends on nothing but the body itself: other bodies
+    /// nearby must change no bit of its motion.
     pub fn law(&self, body: &Body, force: DVec2, t: f64) -> Law {
         let mut law = Law::default();
         self.renew(&mut law, body, force, t);
         law
     }
 
-    /// The same in place of an earlier one.
+    /// Renews a law in place.
     pub fn renew(&self, law: &mut Law, body: &Body, force: DVec2, t: f64) {
         (law.constant, law.air) = (self.constant(body, force), self.air(body));
         if self.fluids.is_empty() {
             return;
         }
         called(Part::Liquids);
-        // Half its size besides: what others push may meet a liquid earlier.
+        // Half its size besides: a body that others push may meet a liquid earlier.
         let (around, way) = (body.half * 1.5, (body.velocity.abs() + law.constant.abs() * t) * t);
         law.displaced = Displaced::within(self, Aabb::around(body.position, around + way));
         if law.is_near_liquid() {
@@ -85,7 +85,7 @@ impl Media {
         if law.is_near_liquid() { law.regime(self, body, x).acceleration(x, v) } else { law.constant - v * law.air.rate(v) }
     }
 
-    /// The same of a body under a `force` (N) that is not its weight, as it is.
+    /// Acceleration of a body in its present pose, under its weight and a `force` (N), m/s².
     pub fn acceleration_under(&self, body: &Body, force: DVec2) -> DVec2 {
         if self.fluids.is_empty() {
             return self.constant(body, force) - body.velocity * self.air(body).rate(body.velocity);
@@ -101,7 +101,7 @@ impl Media {
         law.regime(self, body, x).bath(x).answer(v)
     }
 
-    /// How fast the body's own motion changes its acceleration within `t` seconds, 1/s: what an explicit step has to resolve.
+    /// How fast the body's own motion changes its acceleration within `t` seconds, 1/s: an explicit step has to resolve this rate.
     pub fn rate(&self, body: &Body, law: &Law, (x, v): Pose, t: f64) -> f64 {
         let of =
             |drag: &Drag, linear: f64, stiffness: f64| linear + drag.rate(v) + drag.rate(law.constant).sqrt() + stiffness.sqrt();
@@ -113,7 +113,7 @@ impl Media {
             let bath = regime.bath(x);
             return of(&bath.drag, bath.linear + bath.waves, bath.stiffness);
         }
-        // It may come to be wholly inside all that are near.
+        // The body may come to be wholly inside all liquids nearby.
         let sum = |sum: (f64, f64), fluid: &FluidDef| (sum.0 + fluid.density, sum.1 + fluid.viscosity);
         let near = law.displaced.liquids.iter().map(|index| &self.fluids[index as usize]);
         let (density, viscosity) = near.fold((0.0, 0.0), sum);

@@ -5,16 +5,16 @@
 //!   f, with the mean of width and height as diameter d; and, up and down, the waves that a body makes which the surface cuts.
 //!
 //! **Waves.** A floating body is a spring of stiffness K = ρ·g·b, b its width in the liquid, and quadratic drag alone lets it bob with an
-//! amplitude that falls as 1/t only. What really stills it is that it radiates waves: a damping in proportion to its velocity (J. N. Newman,
+//! amplitude that falls as 1/t only. The waves that it radiates still it, a damping in proportion to its velocity (J. N. Newman,
 //! *Marine Hydrodynamics*, MIT Press 1977; DNV-RP-C205, *Environmental conditions and environmental loads*). Its strength depends on
 //! the hull and the period of its motion; one damping ratio for all, ζ = `WAVES`, is a choice. Here −2·ζ·C_d·√(K·m)·φ·u_y, so that a
 //! box of C_d = 1 that floats bobs with the damping ratio ζ, and one of C_d = 0 bobs for ever with ω = √(K/m). The factor
-//! φ = 2r/(1 + r)·(1 − (1 − e)⁸), r the displaced mass over the body's and e the part of its height above the surface, is 1 for what
-//! floats at its waterline, falls to 0 in proportion to the depth of what only just gets wet, and fades over the last tenths of what goes
-//! under (waves are made near the surface): no force jumps with the depth.
+//! φ = 2r/(1 + r)·(1 − (1 − e)⁸), r the displaced mass over the body's and e the part of its height above the surface, is 1 for a
+//! body that floats at its waterline, falls to 0 in proportion to the depth of one that only just gets wet, and fades over the last tenths of
+//! one that goes under (waves are made near the surface): no force jumps with the depth.
 //!
-//! Air acts on the part outside. Where buoyancy and the constant forces balance to rounding, what has no velocity has no acceleration, and
-//! the buoyancy listed is what makes the resultant exactly zero.
+//! Air acts on the part outside. Where buoyancy and the constant forces balance to rounding, a body without velocity has no acceleration, and
+//! the buoyancy listed makes the resultant exactly zero.
 
 use crate::physics::data::body::Body;
 use crate::physics::forces::air::Drag;
@@ -22,7 +22,7 @@ use crate::physics::forces::displaced::Displaced;
 use crate::physics::forces::media::Media;
 use glam::{DMat2, DVec2};
 
-/// How the acceleration by the media answers to small changes of a state: what an implicit step needs.
+/// How the acceleration by the media answers to small changes of a state, for implicit steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Stiffness {
     /// −∂a/∂v along either axis, 1/s, ≥ 0.
@@ -38,7 +38,7 @@ pub(crate) struct Slopes {
     pub speed: DMat2,
 }
 
-/// What all media together do to a body at a place, per mass.
+/// The action of all media on a body at a place, per mass.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Bath {
     /// The fraction of the body that is inside liquids.
@@ -55,7 +55,7 @@ pub(crate) struct Bath {
 }
 
 impl Bath {
-    /// Acceleration at velocity `v` if no medium did more than this and `constant` did the rest, m/s².
+    /// Acceleration at velocity `v` by these media and `constant`, m/s².
     #[inline]
     pub fn acceleration(&self, constant: DVec2, v: DVec2) -> DVec2 {
         let drag = self.drag.rate(v) + self.linear;
@@ -67,15 +67,15 @@ impl Bath {
         Stiffness { drag: self.drag.stiffness(v) + self.linear + DVec2::new(0.0, self.waves), lift: self.stiffness }
     }
 
-    /// m/s²: what is left of a balance along the vertical at `y` if it is nothing but rounding.
+    /// The rounding of a balance along the vertical at `y`, m/s².
     pub fn rounding(&self, constant: DVec2, body: &Body, y: f64) -> f64 {
-        // Smaller: what floats never comes to rest; larger: it rests beside its waterline.
+        // Smaller: a floating body never comes to rest; larger: it rests beside its waterline.
         4e-14 * (constant.y.abs() + self.lift.abs() + self.stiffness * (y.abs() + body.half.y))
     }
 }
 
 /// How large a part of a body at `x` is surely more than the rounding of the fraction that is inside liquids: 16 roundings of its coordinates,
-/// in its halves. Smaller: of what is wholly inside, a part of 1e-16 meets an air that is 1e10 times as thick.
+/// in its halves. Smaller: a part of 1e-16 of a body wholly inside meets the air.
 #[inline]
 pub(crate) fn sure(body: &Body, x: DVec2) -> f64 {
     (16.0 * f64::EPSILON * (1.0 + (x.abs() / body.half).max_element())).min(1e-6)
@@ -93,7 +93,7 @@ pub(crate) fn dry(wet: f64, sure: f64) -> f64 {
 pub(crate) struct Regime<'a> {
     pub media: &'a Media,
     pub body: &'a Body,
-    /// The acceleration by what media do not, m/s².
+    /// The acceleration besides that by media, m/s².
     pub constant: DVec2,
     pub displaced: Displaced,
     /// The density of the air if it is felt, kg/m³.
@@ -133,7 +133,7 @@ impl<'a> Regime<'a> {
         self.body.drag * cuts.fold(0.0, |sum, cut| sum + cut.waves(apart))
     }
 
-    /// What media do at `x`.
+    /// The media at `x`.
     #[inline]
     pub fn bath(&self, x: DVec2) -> Bath {
         let (displaced, apart) = (&self.displaced, self.displaced.apart(x));
@@ -148,7 +148,7 @@ impl<'a> Regime<'a> {
         }
     }
 
-    /// Acceleration at `x` with velocity `v` if `constant` did what media do not, m/s²: [`Bath::acceleration`] for integrators.
+    /// Acceleration at `x` with velocity `v` by media and `constant`, m/s²: [`Bath::acceleration`] for integrators.
     #[inline]
     pub fn pull(&self, constant: DVec2, x: DVec2, v: DVec2) -> DVec2 {
         let apart = self.displaced.apart(x);
@@ -191,7 +191,7 @@ impl<'a> Regime<'a> {
         a
     }
 
-    /// Whether the vertical forces on what has no vertical velocity, `left_over` by their sum (m/s²), balance but for rounding.
+    /// Whether the vertical forces on a body without vertical velocity balance but for rounding; `left_over` is their sum, m/s².
     pub fn balances(&self, bath: &Bath, x: DVec2, left_over: f64) -> bool {
         bath.fraction > 0.0 && left_over.abs() <= bath.rounding(self.constant, self.body, x.y)
     }

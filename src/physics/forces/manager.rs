@@ -10,7 +10,7 @@ use glam::DVec2;
 pub struct Force {
     /// Its kind, which is also its name.
     pub kind: ForceKind,
-    /// What exerts it.
+    /// The thing that exerts it.
     pub source: Source,
     /// Its vector, N.
     pub vector: DVec2,
@@ -82,8 +82,8 @@ impl ForceManager {
     fn sum_of(&self, counts: impl Fn(ForceKind) -> bool) -> DVec2 {
         let counted = || self.forces.iter().filter(|force| counts(force.kind)).map(|force| force.vector);
         let (sum, size): (DVec2, DVec2) = (counted().sum(), counted().map(DVec2::abs).sum());
-        // Relative to the sum of the magnitudes: what rounding leaves of forces that balance; and of those that contacts find for a body
-        // whose acceleration is exactly zero.
+        // Relative to the sum of the magnitudes: rounding leaves 4 roundings of forces that balance, and 1e-9 of the forces that contacts
+        // find for a body whose acceleration is exactly zero.
         let rests = DVec2::from(self.rests.map(|rests| if rests { 1e-9 } else { 4.0 * f64::EPSILON }));
         // Adding zero turns −0 into 0.
         DVec2::select(sum.abs().cmple(size * rests), DVec2::ZERO, sum) + DVec2::ZERO

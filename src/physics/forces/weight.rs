@@ -1,4 +1,4 @@
-//! Weight: m·g downwards. What is weightless has none.
+//! Weight: m·g downwards. A weightless body has none.
 
 use crate::physics::data::body::Body;
 use crate::physics::forces::media::Media;

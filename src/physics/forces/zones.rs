@@ -1,4 +1,4 @@
-//! Zones that push what touches them: which of them are near, whether a body is in one, and when it crosses the border.
+//! Zones that push each body that touches them: which of them are near, whether a body is in one, and when it crosses the border.
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::{Body, Pose};
@@ -7,9 +7,9 @@ use crate::physics::data::tuning::SLOP;
 use crate::physics::forces::kind::{ForceKind, Source};
 use glam::DVec2;
 
-/// m. What is so near to a stream is counted to what touches it; what is as far from a border is clearly on one side of it.
+/// m. A body this near to a stream counts as touching it; a body this far from a border is clearly on one side of it.
 pub(crate) const BESIDE: f64 = 2.0 * SLOP;
-/// m. So far from a border whatever a way sweeps may be off by its rounding.
+/// m. From here on a swept box is clear of a border, whatever its rounding.
 const FAR: f64 = 1e-6;
 
 /// Zones by their indices, below 128: streams and fields of gravity, or liquids.
@@ -41,14 +41,14 @@ impl ZoneList {
     }
 }
 
-/// A zone that pushes whatever touches it: an air stream, or a field of gravity.
+/// A zone that pushes each body that touches it: an air stream, or a field of gravity.
 #[derive(Clone, Debug)]
 pub(crate) struct Stream {
     pub zone: Aabb,
-    /// What its law makes the force (N) on a body of.
+    /// From this its law makes the force (N) on a body: N of a stream, N/kg of a field.
     pub strength: DVec2,
     pub law: fn(DVec2, &Body) -> DVec2,
-    /// Whether it does so now.
+    /// Whether it is switched on.
     pub blows: bool,
     pub kind: ForceKind,
     pub source: Source,
@@ -74,15 +74,15 @@ impl Stream {
     }
 }
 
-/// Whether a body in a pose feels a stream that blows in a zone: touching suffices, but what leaves it has left it. So what a tick finds does
-/// not depend on how the time of a crossing was rounded.
+/// Whether a body in a pose feels a stream that blows in a zone: touching suffices, but a body at the border that leaves has left. So no tick
+/// depends on how the time of a crossing is rounded.
 pub(crate) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> bool {
     let apart = position - zone.centre();
     let gap = apart.abs() - body.half - zone.size() * 0.5;
     (0..2).all(|axis| gap[axis] < -SLOP || (gap[axis] <= SLOP && velocity[axis] * apart[axis].signum() <= 0.0))
 }
 
-/// Whether what sweeps no more than that on its way is sure to stay on its side of the border of a zone: `inside`, or out of it.
+/// Whether a body that sweeps this box is sure to stay on its side of the border of a zone: `inside`, or out of it.
 pub(crate) fn stays(swept: &Aabb, half: DVec2, zone: &Aabb, inside: bool) -> bool {
     if inside {
         let reaches = |axis: usize| {
@@ -94,7 +94,7 @@ pub(crate) fn stays(swept: &Aabb, half: DVec2, zone: &Aabb, inside: bool) -> boo
     }
 }
 
-/// When a body on a way enters a zone or, from `inside`, leaves it. What begins at the border itself has crossed it once it is clear of it.
+/// When a body on a way enters a zone or, from `inside`, leaves it. A body that begins at the border itself has crossed it once it is clear of it.
 pub(crate) fn border(way: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f64) -> Option<f64> {
     let reach = half + zone.size() * 0.5;
     let motion = Cubic::parabola(zone.centre(), DVec2::ZERO, DVec2::ZERO).relative(way);
