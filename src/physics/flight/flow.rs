@@ -9,7 +9,6 @@ use crate::physics::flight::liquid::swim;
 use crate::physics::flight::steps::Course;
 use crate::physics::forces::law::Law;
 use crate::physics::forces::media::Media;
-use glam::DVec2;
 
 /// Where `body` is after `t` seconds under `law`.
 pub(crate) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
@@ -37,6 +36,7 @@ mod tests {
     use crate::physics::data::body::BodyDef;
     use crate::physics::data::def::{FluidDef, WorldDef};
     use crate::physics::forces::displaced::Displaced;
+    use glam::DVec2;
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
 
