@@ -68,9 +68,7 @@ impl Stream {
     /// Whether a body that ends the tick in a pose crosses its border.
     pub fn is_crossed(&self, body: &Body, end: Pose, dt: f64) -> bool {
         let way = Cubic::hermite(body.position, body.velocity, end.0, end.1, dt);
-        let inside = self.is_felt(body);
-        !stays(&way.swept(body.half, dt), body.half, &self.zone, inside)
-            && border(&way, body.half, &self.zone, inside, dt).is_some()
+        border(&way, body.half, &self.zone, self.is_felt(body), dt).is_some()
     }
 }
 
