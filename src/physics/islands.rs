@@ -193,12 +193,11 @@ impl Space {
         self.impacts.clear();
         self.squeezed.clear();
         if self.is_stirred() {
-            self.look_at(dt);
-            self.last_dt = dt;
             let Self { sleep, dense, .. } = self;
             dense.report.list.retain(|contact| sleep.sleeps(contact.a));
             self.movers.advance(&mut self.bodies, dt);
             self.fly(dt);
+            self.last_dt = dt;
             self.solve_islands(dt, tick);
             self.bodies.commit();
         }
@@ -210,18 +209,18 @@ impl Space {
     }
 
     fn solve_islands(&mut self, dt: f64, tick: &mut Tick<'_>) {
-        let minds = |tick: &Tick<'_>| self.sleep.looked_at().iter().any(|body| tick.minds(*body as usize));
-        if self.neighbours.is_empty() && (tick.bare || !minds(tick)) {
-            return self.let_all_fly();
-        }
-        self.islands.sort(&self.bodies);
-        for k in 0..self.sleep.slots.len() {
-            let i = self.sleep.slots[k] as usize;
+        for k in 0..self.sleep.looked_at().len() {
+            let i = self.sleep.looked_at()[k] as usize;
             (self.growths[i], self.again[i]) = (0, false);
         }
         let mut again = false;
         loop {
-            self.islands.find(&self.bodies, &self.neighbours);
+            self.islands.sort(&self.bodies);
+            self.islands.find(&self.bodies, &self.broad_phase, &self.movers.moving);
+            let minds = |tick: &Tick<'_>| self.sleep.looked_at().iter().any(|body| tick.minds(*body as usize));
+            if !again && self.islands.are_alone() && (tick.bare || !minds(tick)) {
+                return self.let_all_fly();
+            }
             for k in 0..self.islands.len() {
                 if !again || self.begin_again(k, tick) {
                     self.solve(k, dt, tick);
@@ -231,7 +230,7 @@ impl Space {
                 break;
             }
             again = true;
-            self.grow();
+            self.grow(dt);
         }
         let Self { dense, impacts, solved, .. } = self;
         dense.report.list.retain(|contact| contact.solved == solved[contact.a]);
@@ -241,9 +240,9 @@ impl Space {
     /// Nobody is near anything.
     fn let_all_fly(&mut self) {
         let Self { bodies, sleep, .. } = self;
-        for i in sleep.slots.iter().map(|i| *i as usize) {
+        for i in sleep.looked_at().iter().map(|i| *i as usize) {
             (bodies.ux[i], bodies.uy[i]) = (bodies.free_vx[i], bodies.free_vy[i]);
-            if sleep.sleeps(bodies.id[i] as usize) {
+            if sleep.sleeps(i) {
                 bodies.stay(i);
             }
         }
@@ -257,17 +256,17 @@ impl Space {
             return;
         }
         let first = island.members[0] as usize;
-        if island.is_alone() && !tick.minds(bodies.id[first] as usize) {
+        if island.is_alone() && !tick.minds(first) {
             (bodies.ux[first], bodies.uy[first]) = (bodies.free_vx[first], bodies.free_vy[first]);
-            return sleep.wake(bodies.id[first] as usize);
+            return sleep.wake(first);
         }
-        island.members.iter().for_each(|i| solved[bodies.id[*i as usize] as usize] += 1);
+        island.members.iter().for_each(|i| solved[*i as usize] += 1);
         // It depends on no other island how often this one has grown, or those of which it is made now.
         let round = island.members.iter().map(|i| growths[*i as usize]).max().unwrap_or(0) as usize;
         let mut members = Members { bodies, island, grown: &mut dense.grown, down: self.down };
         let grows = match tick.advance(&mut members, round) {
             Verdict::Taken { rests } => {
-                sleep.note(bodies, island, self.may_sleep && rests);
+                sleep.note(island, self.may_sleep && rests);
                 false
             }
             Verdict::Grown => true,
@@ -295,7 +294,7 @@ impl Space {
                 break;
             }
             for &(body, surface, speed) in &dense.squeezed {
-                let body = bodies.id[body as usize] as usize;
+                let body = body as usize;
                 self.squeezed.push(Squeeze { body, surface: surface as usize - n, speed });
                 tick.stand(surface as usize - n);
                 stand(bodies, surface as usize);
@@ -304,9 +303,9 @@ impl Space {
             island.members.iter().for_each(|i| bodies.fall_freely(*i as usize));
         }
         sleep.finish(bodies, island, self.may_sleep && tick.leaves_for_good(island.members.len()));
-        let other = |i: usize| if i < n { Other::Body(bodies.id[i] as usize) } else { Other::Surface(i - n) };
+        let other = |i: usize| if i < n { Other::Body(i) } else { Other::Surface(i - n) };
         for &(a, b, axis, speed) in &dense.hits {
-            let a = bodies.id[a as usize] as usize;
+            let a = a as usize;
             self.impacts.push(CrowdImpact { a, b: other(b as usize), axis, speed, solved: self.solved[a] });
         }
         let known = dense.report.list.len();
@@ -325,30 +324,18 @@ impl Space {
         for i in members.iter().map(|i| *i as usize) {
             again[i] = false;
             bodies.fall_freely(i);
-            sleep.wake(bodies.id[i] as usize);
-            tick.forget(bodies.id[i] as usize);
+            sleep.wake(i);
+            tick.forget(i);
         }
         true
     }
 
-    /// Seeks whom those may meet that go further than was looked for.
-    fn grow(&mut self) {
-        let Self { bodies, neighbours, dense, sleep, again, .. } = self;
+    /// Finds whom those may meet that go further than was looked for.
+    fn grow(&mut self, dt: f64) {
+        let Self { bodies, broad_phase, dense, again, .. } = self;
         dense.grown.iter().for_each(|i| again[*i as usize] = true);
-        neighbours.follow(bodies, &dense.grown);
-        if !sleep.looks_at_all() {
-            // Whom they reach now is found from them alone: they are put behind all others once more.
-            let from = sleep.slots.len();
-            sleep.slots.append(&mut dense.grown);
-            self.rouse_reached(from);
-            self.sleep.slots.sort_unstable();
-            self.sleep.slots.dedup();
-            self.islands.look_at(&self.sleep.slots);
-        }
-        self.dense.grown.clear();
-        self.look_at_moving();
-        if self.islands.are_others() {
-            self.islands.sort(&self.bodies);
-        }
+        broad_phase.update(bodies, &dense.grown, dt);
+        dense.grown.clear();
+        self.rouse_reached();
     }
 }

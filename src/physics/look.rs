@@ -1,91 +1,49 @@
-//! Whom a step looks at: all that are awake, and what sleeps where these, or surfaces that move, may come. Of these it finds where free
-//! flight leads them, what they sweep, and who is near.
+//! Bodies that a step processes: those that are awake, and sleepers that these may reach. Of these it finds where free flight leads them, what
+//! they sweep, and who is near.
 
 use crate::physics::crowd::flight;
 use crate::physics::space::Space;
 use crate::physics::store::islands::apart;
 
 impl Space {
-    /// Chooses whom this step looks at. Where boxes move along with what they were made for, or the step has another length, that is all.
-    pub(crate) fn look_at(&mut self, dt: f64) {
-        let Self { sleep, bodies, neighbours, .. } = self;
-        if dt == self.last_dt && sleep.sleepers() > 0 && neighbours.stand() {
+    /// Finds where all fly that a step looks at, and whom they may meet.
+    pub(crate) fn fly(&mut self, dt: f64) {
+        let Self { bodies, broad_phase, islands, sleep, movers, .. } = self;
+        // What sleeps has its free flight of the step before, which holds for steps of the same length.
+        if dt == self.last_dt && sleep.sleepers() > 0 {
             sleep.set_aside();
         } else if !sleep.looks_at_all() {
             sleep.rouse_all();
         }
-        sleep.number(bodies);
-        self.islands.look_at(&sleep.slots);
-    }
-
-    /// Looks also at those, set aside, whose boxes the boxes of the slots from number `from` on reach, and at whom these reach.
-    pub(crate) fn rouse_reached(&mut self, from: usize) {
-        let Self { sleep, bodies, neighbours, islands, .. } = self;
-        let mut next = from;
-        while next < sleep.slots.len() && !sleep.looks_at_all() {
-            let i = sleep.slots[next] as usize;
-            next += 1;
-            for &j in neighbours.near_swept(bodies, i) {
-                let j = j as usize;
-                if j < bodies.len() && !apart(&bodies.swept[i], &bodies.swept[j]) && sleep.rouse(bodies.id[j] as usize) {
-                    bodies.fall_freely(j);
-                    sleep.slots.push(j as u32);
-                }
-            }
-        }
-        if sleep.slots.len() > from {
-            islands.look_at(&sleep.slots);
-        }
-    }
-
-    pub(crate) fn fly(&mut self, dt: f64) {
-        let Self { bodies, neighbours, islands, sleep, movers, .. } = self;
-        neighbours.drift(bodies, dt);
-        flight::fly(bodies, &sleep.slots, dt, self.drag);
-        bodies.sweep(&sleep.slots);
+        flight::fly(bodies, sleep.looked_at(), dt, self.drag);
+        bodies.sweep(sleep.looked_at());
         if bodies.sweep_surfaces(&movers.moving) {
             islands.forget();
         }
-        // The boxes in which neighbours were sought are made for many bodies together; what an island comes to must not depend on them.
-        if !neighbours.update(bodies, &sleep.slots, dt) {
-            if !sleep.looks_at_all() {
-                sleep.rouse_all();
-                sleep.slots.clear();
-                sleep.slots.extend(0..bodies.len() as u32);
-                flight::fly(bodies, &sleep.slots, dt, self.drag);
-            }
-            neighbours.search(bodies, dt);
-            islands.renumbered();
-        }
-        bodies.keep_free_flight(&sleep.slots);
-        self.look_at_surfaces();
-        self.rouse_reached(0);
-    }
-
-    /// Sets what surfaces that move sweep in this step, and finds whom they may meet there.
-    pub(crate) fn look_at_surfaces(&mut self) {
-        let Self { bodies, movers, .. } = self;
         let n = bodies.len();
         for &(surface, [left, right, top, bottom]) in &movers.ways {
             let s = &mut bodies.swept[n + surface as usize];
             *s = [s[0].min(left), s[1].max(right), s[2].min(top), s[3].max(bottom)];
         }
-        self.look_at_moving();
+        broad_phase.update(bodies, sleep.looked_at(), dt);
+        bodies.keep_free_flight(sleep.looked_at());
+        self.rouse_reached();
     }
 
-    /// Finds whom surfaces that move may meet.
-    pub(crate) fn look_at_moving(&mut self) {
-        let Self { bodies, neighbours, sleep, movers, .. } = self;
-        neighbours.find_moving(bodies, &movers.moving);
-        let known = sleep.slots.len();
-        if !sleep.looks_at_all() {
-            for &i in neighbours.carried() {
-                if sleep.rouse(bodies.id[i as usize] as usize) {
-                    bodies.fall_freely(i as usize);
-                    sleep.slots.push(i);
+    /// Looks also at those, set aside, whose boxes the boxes of others reach that are looked at, and at whom these reach.
+    pub(crate) fn rouse_reached(&mut self) {
+        let Self { sleep, bodies, broad_phase, islands, .. } = self;
+        let n = bodies.len();
+        let mut next = 0;
+        while next < sleep.looked_at().len() && !sleep.looks_at_all() {
+            let i = sleep.looked_at()[next] as usize;
+            next += 1;
+            for j in broad_phase.near(i).iter().map(|j| *j as usize).filter(|j| *j < n) {
+                if !apart(&bodies.swept[i], &bodies.swept[j]) && sleep.rouse(j) {
+                    bodies.fall_freely(j);
                 }
             }
         }
-        self.rouse_reached(known);
+        islands.look_at(sleep.looked_at());
     }
 }

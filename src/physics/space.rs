@@ -9,8 +9,8 @@ use crate::physics::data::surface::Surface;
 use crate::physics::forces::weight::fall;
 use crate::physics::guards::Guards;
 use crate::physics::store::bodies::Bodies;
+use crate::physics::store::broad_phase::BroadPhase;
 use crate::physics::store::islands::Islands;
-use crate::physics::store::neighbours::Neighbours;
 use crate::physics::store::sleep::Sleep;
 use glam::DVec2;
 
@@ -18,7 +18,7 @@ use glam::DVec2;
 #[derive(Clone, Debug)]
 pub(crate) struct Space {
     pub(crate) bodies: Bodies,
-    pub(crate) neighbours: Neighbours,
+    pub(crate) broad_phase: BroadPhase,
     pub(crate) islands: Islands,
     pub(crate) dense: Dense,
     pub(crate) sleep: Sleep,
@@ -112,7 +112,7 @@ impl Space {
             bodies.make_plastic();
         }
         let mut space = Self {
-            neighbours: Neighbours::new(&bodies),
+            broad_phase: BroadPhase::new(&bodies),
             islands: Islands::new(all.len()),
             dense: Dense::new(&bodies),
             sleep: Sleep::new(all.len()),
@@ -138,7 +138,7 @@ impl Space {
     /// Sets the force (N) that acts on a body from outside from now on, besides weight and drag: drive, wind, buoyancy. A change
     /// wakes the body's island.
     pub fn set_force(&mut self, body: usize, force: DVec2) {
-        let i = self.bodies.slot[body] as usize;
+        let i = body;
         let ax = force.x / self.bodies.mass[i];
         let gravity = if self.weightless[body] { 0.0 } else { self.gravity };
         let ay = fall(gravity, force.y * self.down / self.bodies.mass[i]);
@@ -160,7 +160,8 @@ impl Space {
     pub fn lead_surface(&mut self, surface: usize, centre: DVec2, velocity: DVec2) {
         if !self.movers.moving.contains(&(surface as u32)) {
             self.movers.moving.push(surface as u32);
-            self.neighbours.set_moving(surface);
+            let j = self.bodies.len() + surface;
+            self.bodies.led[j] = true;
         }
         let turned = DVec2::new(1.0, self.down);
         let (centre, velocity) = (centre * turned, velocity * turned);
@@ -256,26 +257,26 @@ impl Space {
 
     /// A body's centre, m.
     pub fn position(&self, body: usize) -> DVec2 {
-        let i = self.bodies.slot[body] as usize;
+        let i = body;
         DVec2::new(self.bodies.x[i], self.bodies.y[i] * self.down)
     }
 
     /// Where a body's centre was before the last step, m.
     pub fn previous(&self, body: usize) -> DVec2 {
-        let i = self.bodies.slot[body] as usize;
+        let i = body;
         DVec2::new(self.bodies.px[i], self.bodies.py[i] * self.down)
     }
 
     /// How fast a body was before the last step, m/s.
     pub fn previous_velocity(&self, body: usize) -> DVec2 {
-        let i = self.bodies.slot[body] as usize;
+        let i = body;
         DVec2::new(self.bodies.ux[i], self.bodies.uy[i] * self.down)
     }
 
     /// Takes over from another space where its bodies were before its last step.
     pub fn keep_previous(&mut self, of: &Self) {
         for body in 0..of.bodies.len() {
-            let i = self.bodies.slot[body] as usize;
+            let i = body;
             (self.bodies.px[i], self.bodies.py[i]) = (of.previous(body) * DVec2::new(1.0, self.down)).into();
         }
     }
@@ -287,7 +288,7 @@ impl Space {
 
     /// A body's velocity, m/s.
     pub fn velocity(&self, body: usize) -> DVec2 {
-        let i = self.bodies.slot[body] as usize;
+        let i = body;
         DVec2::new(self.bodies.vx[i], self.bodies.vy[i] * self.down)
     }
 

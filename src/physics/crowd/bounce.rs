@@ -160,7 +160,7 @@ impl Balance {
         let before = DVec2::new(bodies.vx[i], bodies.vy[i]).length_squared();
         let work = bodies.ax[i] * (bodies.px[i] - bodies.x[i]) + bodies.ay[i] * (bodies.py[i] - bodies.y[i]);
         let mut had = 0.5 * before + work;
-        if bodies.is_guided[bodies.id[i] as usize] {
+        if bodies.is_guided[i] {
             // What liquids and streams give it is known of its flight alone.
             had = had.max(0.5 * DVec2::new(bodies.free_vx[i], bodies.free_vy[i]).length_squared());
         }

@@ -66,7 +66,7 @@ impl Resistance {
 impl Bodies {
     /// Whether nothing but the air slows the flight of a body, and it does.
     pub(crate) fn meets_air(&self, i: usize) -> bool {
-        self.airy && self.drag_wide[i] + self.drag_tall[i] + self.drag_round[i] > 0.0 && !self.is_guided[self.id[i] as usize]
+        self.airy && self.drag_wide[i] + self.drag_tall[i] + self.drag_round[i] > 0.0 && !self.is_guided[i]
     }
 
     /// The drag of the air on a body.

@@ -14,7 +14,7 @@ pub(crate) fn fly(bodies: &mut Bodies, slots: &[u32], dt: f64, drag: bool) {
     for g in 0..bodies.guided.len() {
         let (id, position, velocity) = bodies.guided[g];
         bodies.is_guided[id as usize] = true;
-        let i = bodies.slot[id as usize] as usize;
+        let i = id as usize;
         (bodies.px[i], bodies.py[i]) = position.into();
         (bodies.free_vx[i], bodies.free_vy[i]) = velocity.into();
     }

@@ -275,8 +275,8 @@ fn listed(bodies: &Bodies, record: &Record, touch: f64, down: f64) -> ContactImp
         }
     };
     let (along, other) = if axis == Axis::Gravity { (down, 1.0) } else { (1.0, down) };
-    let b = if j < n { Other::Body(bodies.id[j] as usize) } else { Other::Surface(j - n) };
-    let a = bodies.id[i] as usize;
+    let b = if j < n { Other::Body(j) } else { Other::Surface(j - n) };
+    let a = i;
     ContactImpulse {
         a,
         b,

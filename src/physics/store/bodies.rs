@@ -1,18 +1,10 @@
-//! The state of all bodies in separate arrays, and their numbering.
-//!
-//! Inside, y grows along gravity ("down") and the movable bodies are numbered bottom-up, so that every pass along gravity is one
-//! linear loop; the surfaces, which move for no body, follow after the last movable one. [`Bodies::slot`] and [`Bodies::id`]
-//! translate between this numbering and that of the outside.
+//! All bodies in separate arrays, and after the last body all surfaces. Inside, y grows along gravity.
 
 use crate::physics::crowd::Axis;
 use crate::physics::data::body::Body;
 use crate::physics::data::material::Coefficients;
 use crate::physics::data::surface::{Sides, Surface};
 use glam::DVec2;
-use std::cmp::Ordering;
-
-/// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
-const MOST_MOVES: usize = 8;
 
 /// How much further than predicted a body may get before its contacts are sought anew: m, and across so many times its way besides.
 /// Larger: more contacts to look at; smaller: more islands are solved again because a hit threw a body further.
@@ -71,32 +63,19 @@ pub(crate) struct Bodies {
     pub was_vx: Vec<f64>,
     pub was_vy: Vec<f64>,
     pub present: Vec<bool>,
+    /// Whether it has ever moved.
+    pub led: Vec<bool>,
     /// Whether some have come or gone, or been put elsewhere.
     pub changed_surfaces: bool,
     /// Positions at the end of the step, first predicted, then final (surfaces too).
     pub px: Vec<f64>,
     pub py: Vec<f64>,
-    /// Where the centre may go before neighbours have to be sought anew.
-    pub allowed_left: Vec<f64>,
-    pub allowed_right: Vec<f64>,
-    pub allowed_top: Vec<f64>,
-    pub allowed_bottom: Vec<f64>,
-    /// How far the allowed ranges have moved since they were made, m.
-    pub shift: (f64, f64),
     /// Where some would be at the end of the step, and how fast, if they touched nothing: set from outside, by their numbers there.
     pub guided: Vec<(u32, DVec2, DVec2)>,
     /// Who of them that is in the present step, by the numbers outside.
     pub is_guided: Vec<bool>,
     /// Whether the air slows any.
     pub airy: bool,
-    /// Number outside → number inside.
-    pub slot: Vec<u32>,
-    /// Number inside → number outside.
-    pub id: Vec<u32>,
-    order: Vec<u32>,
-    spare: Vec<f64>,
-    spare_traits: Vec<Coefficients>,
-    spare_ids: Vec<u32>,
 }
 
 impl Bodies {
@@ -134,23 +113,13 @@ impl Bodies {
             was_vy: all(),
             sides: vec![Sides::ALL; count + surfaces],
             present: vec![true; count + surfaces],
+            led: vec![false; count + surfaces],
             changed_surfaces: true,
             px: all(),
             py: all(),
-            allowed_left: vec![f64::INFINITY; count],
-            allowed_right: movable(),
-            allowed_top: movable(),
-            allowed_bottom: movable(),
-            shift: (0.0, 0.0),
             guided: Vec::new(),
             is_guided: vec![false; count],
             airy: false,
-            slot: (0..count as u32).collect(),
-            id: (0..count as u32).collect(),
-            order: (0..count as u32).collect(),
-            spare: movable(),
-            spare_traits: vec![Coefficients::default(); count],
-            spare_ids: vec![0; count],
         }
     }
 
@@ -262,14 +231,6 @@ impl Bodies {
         self.moves(j) || moved || self.belt[j] != 0.0
     }
 
-    /// Whether what a body sweeps lies within the box in which its neighbours were sought.
-    #[inline(always)]
-    pub fn sweeps_where_neighbours_are(&self, i: usize) -> bool {
-        let (s, (dx, dy), hx, hy) = (&self.swept[i], self.shift, self.hx[i], self.hy[i]);
-        let across = (s[0] + hx - dx >= self.allowed_left[i]) & (s[1] - hx - dx <= self.allowed_right[i]);
-        across & (s[2] + hy - dy >= self.allowed_top[i]) & (s[3] - hy - dy <= self.allowed_bottom[i])
-    }
-
     /// Whether the predicted box of a body lies within what was swept when contacts were sought.
     #[inline(always)]
     pub fn is_swept(&self, i: usize) -> bool {
@@ -358,96 +319,11 @@ impl Bodies {
         (self.px[i], self.py[i]) = (self.free_x[i], self.free_y[i]);
     }
 
-    /// Numbers the bodies bottom-up, equal heights by their number outside. Only what holds at the start of a step is carried
-    /// along. By insertion where little has changed since the last time.
-    pub fn renumber(&mut self) {
-        let n = self.count;
-        let (y, id) = (&self.y, &self.id);
-        let below = |a: u32, b: u32| {
-            let (a, b) = (a as usize, b as usize);
-            y[a] > y[b] || (y[a] == y[b] && id[a] < id[b])
-        };
-        let mut sorted = true;
-        for (i, slot) in self.order.iter_mut().enumerate() {
-            *slot = i as u32;
-        }
-        let mut moves = 0;
-        for i in 1..n {
-            let moved = self.order[i];
-            let mut at = i;
-            while at > 0 && below(moved, self.order[at - 1]) {
-                self.order[at] = self.order[at - 1];
-                at -= 1;
-            }
-            self.order[at] = moved;
-            sorted &= at == i;
-            moves += i - at;
-            if moves > MOST_MOVES * n {
-                self.order.sort_unstable_by(|&a, &b| {
-                    let (a, b) = (a as usize, b as usize);
-                    y[b].partial_cmp(&y[a]).unwrap_or(Ordering::Equal).then(id[a].cmp(&id[b]))
-                });
-                break;
-            }
-        }
-        if sorted {
-            return;
-        }
-        let order = &self.order;
-        for values in [
-            &mut self.x,
-            &mut self.y,
-            &mut self.hx,
-            &mut self.hy,
-            &mut self.vx,
-            &mut self.vy,
-            &mut self.ax,
-            &mut self.ay,
-            &mut self.mass,
-            &mut self.drag_wide,
-            &mut self.drag_tall,
-            &mut self.drag_round,
-            &mut self.free_vx,
-            &mut self.free_vy,
-            &mut self.px,
-            &mut self.py,
-        ] {
-            self.spare.copy_from_slice(&values[..n]);
-            for (value, &from) in values.iter_mut().zip(order) {
-                *value = self.spare[from as usize];
-            }
-        }
-        self.spare_traits.copy_from_slice(&self.traits[..n]);
-        self.spare_ids.copy_from_slice(&self.id);
-        for (i, &from) in order.iter().enumerate() {
-            self.traits[i] = self.spare_traits[from as usize];
-            self.id[i] = self.spare_ids[from as usize];
-            self.slot[self.id[i] as usize] = i as u32;
-        }
-    }
-
     /// The velocities that the solver left become those of the next step, the predicted positions the current ones.
     pub fn commit(&mut self) {
         std::mem::swap(&mut self.x, &mut self.px);
         std::mem::swap(&mut self.y, &mut self.py);
         std::mem::swap(&mut self.vx, &mut self.ux);
         std::mem::swap(&mut self.vy, &mut self.uy);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_lowest_body_comes_first_and_keeps_its_outer_number() {
-        let mut bodies = Bodies::new(3, 1);
-        bodies.y.copy_from_slice(&[1.0, 5.0, 3.0, 9.0]);
-        bodies.mass.copy_from_slice(&[10.0, 50.0, 30.0]);
-        bodies.renumber();
-        assert_eq!(bodies.y, [5.0, 3.0, 1.0, 9.0]);
-        assert_eq!(bodies.mass, [50.0, 30.0, 10.0]);
-        assert_eq!(bodies.id, [1, 2, 0]);
-        assert_eq!(bodies.slot, [2, 0, 1]);
     }
 }

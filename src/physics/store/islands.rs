@@ -5,19 +5,12 @@
 //! order of the other. So nothing that is added elsewhere changes one bit of it.
 
 use crate::physics::store::bodies::Bodies;
-use crate::physics::store::neighbours::Neighbours;
-use std::cmp::Ordering;
+use crate::physics::store::broad_phase::BroadPhase;
 
 /// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
 const MOST_MOVES: usize = 8;
 
-/// While no more than this part of the bodies sweep something else than in the step before, the lists of the others are kept.
-const MOST_CHANGED: f64 = 0.6;
-
-/// Boxes that are compared at once.
-const BLOCK: usize = 32;
-
-/// No island yet.
+/// None yet.
 const NONE: u32 = u32::MAX;
 
 /// One island, as the solver takes it.
@@ -47,36 +40,23 @@ impl<'a> Island<'a> {
 /// The islands of one step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Islands {
-    /// All slots, bottom-up, and the place of each among them.
+    /// The bodies that a step looks at, bottom-up, and the place of each among them.
     order: Vec<u32>,
     place: Vec<u32>,
     parent: Vec<u32>,
-    /// Slots island by island, and where each island begins, and one more.
+    /// Bodies island by island, and where each island begins, and one more.
     members: Vec<u32>,
     begins: Vec<u32>,
     island_of_root: Vec<u32>,
     ranges: Vec<(u32, u32)>,
     others: Vec<u32>,
-    /// Pairs whose order has changed since bodies were numbered: place and slot of the upper one, the lower one.
-    turned: Vec<(u32, u32, u32)>,
-    spare: Vec<u32>,
-    later: Vec<u32>,
-    near: Vec<u32>,
-    /// From what the islands were found last: while all of it stays, so do they. What has changed, by slot, and who is in a turned pair.
+    /// From what the islands were found last, by place: while all of it stays, so do they.
     swept: Vec<[f64; 4]>,
-    heights: Vec<f64>,
-    changed: Vec<bool>,
-    is_turned: Vec<bool>,
     revision: u64,
-    listings: u64,
-    /// How long all lists were when they were made last.
-    listed: usize,
     same_order: bool,
-    /// Whether others are looked at than when they were brought into order.
-    others_in_it: bool,
-    /// Bodies, by their numbers outside, that share an island wherever they are.
+    /// Bodies that share an island wherever they are.
     links: Vec<(u32, u32)>,
-    /// By surface that moves: one whom it may touch.
+    /// By surface that moves: a body that it may touch.
     carried: Vec<u32>,
 }
 
@@ -84,33 +64,16 @@ impl Islands {
     /// Room for `count` bodies.
     pub fn new(count: usize) -> Self {
         Self {
-            order: (0..count as u32).collect(),
             place: vec![0; count],
-            parent: vec![0; count],
-            members: vec![0; count],
-            begins: Vec::with_capacity(count + 1),
+            parent: (0..count as u32).collect(),
             island_of_root: vec![NONE; count],
             ranges: vec![(0, 0); count],
             others: Vec::with_capacity(4 * count),
-            turned: Vec::with_capacity(count),
-            spare: Vec::with_capacity(4 * count),
-            later: Vec::with_capacity(64),
-            near: vec![0; 64],
-            swept: Vec::with_capacity(count),
-            heights: vec![0.0; count],
-            changed: vec![false; count],
-            is_turned: vec![false; count],
-            revision: 0,
-            listings: 0,
-            listed: 0,
-            same_order: false,
-            others_in_it: false,
-            links: Vec::new(),
-            carried: Vec::new(),
+            ..Self::default()
         }
     }
 
-    /// Lets pairs of bodies, by their numbers outside, share an island wherever they are.
+    /// Lets pairs of bodies share an island wherever they are.
     pub fn link(&mut self, pairs: &[(u32, u32)]) {
         if self.links != pairs {
             self.links.clear();
@@ -119,40 +82,30 @@ impl Islands {
         }
     }
 
-    /// Bodies were renumbered, and all are looked at: begins with their new order.
-    pub fn renumbered(&mut self) {
-        self.order.clear();
-        self.order.extend(0..self.place.len() as u32);
-        self.revision = 0;
-        self.others_in_it = false;
-    }
-
     /// Something else than the bodies has changed: the islands have to be found anew.
     pub fn forget(&mut self) {
         self.revision = 0;
     }
 
-    /// Chooses whose islands are found: those of these slots, who meet nobody else.
-    pub fn look_at(&mut self, slots: &[u32]) {
-        if slots.len() == self.place.len() && self.order.len() == slots.len() {
-            return;
-        }
-        self.spare.clear();
-        self.spare.extend_from_slice(&self.order);
-        self.spare.sort_unstable();
-        if self.spare == slots {
-            return;
-        }
-        self.others_in_it = true;
-        // What is left out is of no island.
-        self.order.iter().for_each(|i| self.parent[*i as usize] = *i);
-        self.order.clear();
-        self.order.extend_from_slice(slots);
+    /// Whether anything meets anything.
+    pub fn are_alone(&self) -> bool {
+        self.others.is_empty() && self.links.is_empty()
     }
 
-    /// Whether they have to be brought into order again, because others are looked at.
-    pub fn are_others(&self) -> bool {
-        self.others_in_it
+    /// Chooses whose islands are found: those of these bodies, who meet nobody else.
+    pub fn look_at(&mut self, bodies: &[u32]) {
+        if self.order.len() == bodies.len() && bodies.iter().all(|i| self.is_looked_at(*i)) {
+            return;
+        }
+        self.order.iter().for_each(|i| self.place[*i as usize] = NONE);
+        self.order.clear();
+        self.order.extend_from_slice(bodies);
+        self.order.iter().for_each(|i| self.place[*i as usize] = 0);
+        self.forget();
+    }
+
+    fn is_looked_at(&self, i: u32) -> bool {
+        self.place[i as usize] != NONE
     }
 
     /// The number of islands.
@@ -166,196 +119,102 @@ impl Islands {
         Island { members: &self.members[from..to], ranges: &self.ranges, others: &self.others }
     }
 
-    /// Brings the bodies into their order, once a step.
+    /// Brings the bodies into their order.
     pub fn sort(&mut self, bodies: &Bodies) {
-        self.same_order = self.put_in_order(bodies) == 0 && !self.others_in_it;
-        if self.same_order && self.revision != 0 {
-            return;
-        }
-        self.others_in_it = false;
-        for (k, i) in self.order.iter().enumerate() {
-            self.place[*i as usize] = k as u32;
-        }
-    }
-
-    /// Finds the islands of all bodies, from the boxes that they sweep.
-    pub fn find(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
-        if self.same_order && neighbours.is_as_in(self.revision) && self.sweep_the_same(bodies) {
-            return;
-        }
-        let n = bodies.len();
-        let all = self.order.len() == n;
-        let known = all && self.swept.len() == n && self.revision != 0 && neighbours.are_listed_as_in(self.listings);
-        (self.listings, self.revision) = (neighbours.listings, neighbours.revision);
-        // Lists that hold no longer stay behind, up to as many as there are.
-        let kept =
-            known && self.find_changes(bodies) <= (MOST_CHANGED * n as f64) as usize && self.others.len() <= 2 * self.listed + n;
-        if !kept {
-            self.changed.fill(true);
-            self.others.clear();
-        }
-        if !known {
-            self.swept.clear();
-            if all {
-                self.swept.extend_from_slice(&bodies.swept[..n]);
-                self.heights.copy_from_slice(&bodies.y[..n]);
-            } else {
-                self.swept.extend(self.order.iter().map(|i| bodies.swept[*i as usize]));
+        self.same_order = self.put_in_order(bodies) == 0 && self.revision != 0;
+        if !self.same_order {
+            for (k, i) in self.order.iter().enumerate() {
+                self.place[*i as usize] = k as u32;
             }
         }
-        self.join(bodies, neighbours);
-        if !kept {
-            self.listed = self.others.len();
-        }
-        self.turn();
-        self.gather();
     }
 
-    /// Tells who sweeps something else than when islands were found last, or is elsewhere in their order. What is in a turned pair counts to them.
-    /// Returns how many they are.
-    fn find_changes(&mut self, bodies: &Bodies) -> usize {
-        let Self { swept, heights, changed, is_turned, .. } = self;
-        let now = bodies.swept.iter().zip(&bodies.y).zip(&*is_turned);
-        let mut count = 0;
-        let then = swept.iter_mut().zip(heights).zip(changed);
-        for (((swept, y), turned), ((known, height), changed)) in now.zip(then) {
-            *changed = (differ(swept, known) | (y.to_bits() ^ height.to_bits()) != 0) | *turned;
-            (*known, *height) = (*swept, *y);
-            count += usize::from(*changed);
+    /// Finds the islands of all bodies, from the boxes that they sweep; `moving` surfaces carry some.
+    pub fn find(&mut self, bodies: &Bodies, broad_phase: &BroadPhase, moving: &[u32]) {
+        if self.same_order && self.revision == broad_phase.revision && moving.is_empty() && self.sweep_the_same(bodies) {
+            return;
         }
-        count
+        self.revision = broad_phase.revision;
+        self.swept.clear();
+        self.swept.extend(self.order.iter().map(|i| bodies.swept[*i as usize]));
+        self.join(bodies, broad_phase, moving);
+        self.gather();
     }
 
     /// Whether all that are looked at sweep what they did when islands were found last.
     fn sweep_the_same(&self, bodies: &Bodies) -> bool {
-        let Self { order, swept, .. } = self;
-        // Block by block without a branch inside: vector code.
-        let alike = |(a, b): (&[[f64; 4]], &[[f64; 4]])| a.iter().zip(b).fold(0, |bits, (a, b)| bits | differ(a, b)) == 0;
-        if swept.len() != order.len() {
-            return false;
-        }
-        if order.len() == bodies.len() {
-            return bodies.swept[..order.len()].chunks(BLOCK).zip(swept.chunks(BLOCK)).all(alike);
-        }
-        order.iter().zip(swept).all(|(i, swept)| differ(&bodies.swept[*i as usize], swept) == 0)
+        self.swept.len() == self.order.len()
+            && self.order.iter().zip(&self.swept).all(|(i, swept)| bodies.swept[*i as usize] == *swept)
     }
 
-    /// Bottom-up, equal heights by the numbers outside. Returns how many moves it took.
+    /// Bottom-up, equal heights by the numbers of the bodies. Returns how many moves it took.
     fn put_in_order(&mut self, bodies: &Bodies) -> usize {
-        let (y, id, order) = (&bodies.y, &bodies.id, &mut self.order);
-        let below = |a: u32, b: u32| {
-            let (a, b) = (a as usize, b as usize);
-            y[a] > y[b] || (y[a] == y[b] && id[a] < id[b])
-        };
+        let (y, order) = (&bodies.y, &mut self.order);
+        let above = |a: &u32, b: &u32| y[*b as usize].total_cmp(&y[*a as usize]).then(a.cmp(b));
         let most = MOST_MOVES * order.len();
         let mut moves = 0;
         for i in 1..order.len() {
             let moved = order[i];
             let mut at = i;
-            while at > 0 && below(moved, order[at - 1]) {
+            while at > 0 && above(&moved, &order[at - 1]).is_lt() {
                 order[at] = order[at - 1];
                 at -= 1;
             }
             order[at] = moved;
             moves += i - at;
             if moves > most {
-                order.sort_unstable_by(|&a, &b| {
-                    let (a, b) = (a as usize, b as usize);
-                    y[b].partial_cmp(&y[a]).unwrap_or(Ordering::Equal).then(id[a].cmp(&id[b]))
-                });
+                order.sort_unstable_by(above);
                 break;
             }
         }
         moves
     }
 
-    /// Joins what may meet, and lists whom each body may meet: as it was listed last if neither has changed.
-    fn join(&mut self, bodies: &Bodies, neighbours: &Neighbours) {
-        let Self { order, place, parent, ranges, others, turned, later, near, changed, links, carried, .. } = self;
+    /// Joins what may meet, and lists whom of those below it and which surfaces each body may meet.
+    fn join(&mut self, bodies: &Bodies, broad_phase: &BroadPhase, moving: &[u32]) {
+        let Self { order, place, parent, ranges, others, links, carried, .. } = self;
         let n = bodies.len();
+        others.clear();
         carried.clear();
-        carried.resize(bodies.x.len() - n, NONE);
+        carried.resize(moving.len(), NONE);
         order.iter().for_each(|i| parent[*i as usize] = *i);
-        turned.clear();
         for (k, &i) in order.iter().enumerate() {
             let (from, mine) = (others.len(), bodies.swept[i as usize]);
-            let (mut root, mut latest) = (first(parent, i as usize), 0);
-            let known = neighbours.of(i as usize, later);
-            let stays = |j: &u32| changed.get(*j as usize) != Some(&true);
-            if later.is_empty() && stays(&i) && known.iter().all(stays) {
-                let (begin, end) = ranges[i as usize];
-                for j in others[begin as usize..end as usize].iter().map(|j| *j as usize).filter(|j| *j < n) {
-                    join_with(parent, &mut root, j);
-                }
-                parent[i as usize] = root as u32;
-                continue;
-            }
-            // Without a branch for each: most are apart, and which is not to be foreseen.
-            let mut met = 0;
-            near.resize(near.len().max(known.len() + later.len()), 0);
-            for list in [known, &*later] {
-                for &other in list {
-                    near[met] = other;
-                    met += usize::from(!apart(&mine, &bodies.swept[other as usize]));
+            let mut root = i as usize;
+            for &j in broad_phase.near(i as usize) {
+                // Of those that are looked at, the lower one of a pair is listed under the upper one.
+                let listed = place.get(j as usize).is_none_or(|place| *place < k as u32);
+                if listed && !apart(&mine, &bodies.swept[j as usize]) && !bodies.led[j as usize] {
+                    others.push(j);
                 }
             }
-            for &other in &near[..met] {
-                let j = other as usize;
-                let mut key = other;
-                if j < n {
-                    join_with(parent, &mut root, j);
-                    key = place[j];
-                    if key > k as u32 {
-                        turned.push((key, other, i));
-                        continue;
-                    }
+            for (first, &surface) in carried.iter_mut().zip(moving) {
+                let j = n + surface as usize;
+                if apart(&mine, &bodies.swept[j]) {
+                    continue;
+                }
+                others.push(j as u32);
+                // What one moving surface may carry is one island: all of it decides whether the surface stops.
+                if *first == NONE {
+                    *first = i;
                 } else if bodies.moves(j) {
-                    // What one moving surface may carry is one island: all of it decides whether the surface stops.
-                    match carried[j - n] {
-                        NONE => carried[j - n] = i,
-                        first => join_with(parent, &mut root, first as usize),
-                    }
+                    join_with(parent, &mut root, *first as usize);
                 }
-                others.push(other);
-                if key < latest {
-                    put_last(others, from, key, place);
-                }
-                latest = latest.max(key);
+            }
+            let list = &mut others[from..];
+            list.sort_unstable_by_key(|j| place.get(*j as usize).copied().unwrap_or(*j));
+            for j in list.iter().map(|j| *j as usize).filter(|j| *j < n) {
+                join_with(parent, &mut root, j);
             }
             parent[i as usize] = root as u32;
             ranges[i as usize] = (from as u32, others.len() as u32);
         }
-        for (a, b) in links.iter().map(|(a, b)| (bodies.slot[*a as usize], bodies.slot[*b as usize])) {
-            let (a, b) = (first(parent, a as usize), first(parent, b as usize));
+        for (a, b) in links.iter() {
+            let (a, b) = (first(parent, *a as usize), first(parent, *b as usize));
             parent[a.max(b)] = a.min(b) as u32;
-        }
-        // The first of an island is its lowest slot: whoever stands for a body has been told already.
-        if order.len() == n {
-            (0..n).for_each(|i| parent[i] = parent[parent[i] as usize]);
-            return;
         }
         for &i in &*order {
             parent[i as usize] = first(parent, i as usize) as u32;
-        }
-    }
-
-    /// Lists pairs whose order has turned under the one that is above now.
-    fn turn(&mut self) {
-        let Self { place, ranges, others, turned, is_turned, .. } = self;
-        is_turned.fill(false);
-        turned.sort_unstable();
-        for group in turned.chunk_by(|a, b| a.1 == b.1) {
-            let upper = group[0].1 as usize;
-            let (from, to) = ranges[upper];
-            let begin = others.len();
-            others.extend_from_within(from as usize..to as usize);
-            is_turned[upper] = true;
-            for &(_, _, lower) in group {
-                is_turned[lower as usize] = true;
-                others.push(lower);
-                put_last(others, begin, place[lower as usize], place);
-            }
-            ranges[upper] = (begin as u32, others.len() as u32);
         }
     }
 
@@ -415,18 +274,6 @@ impl Islands {
     }
 }
 
-/// Moves the last of a list, whose key is `key`, to its place among those that begin at `from`: bodies by their places, then surfaces.
-#[inline(always)]
-fn put_last(list: &mut [u32], from: usize, key: u32, place: &[u32]) {
-    let mut at = list.len() - 1;
-    let moved = list[at];
-    while at > from && place.get(list[at - 1] as usize).copied().unwrap_or(list[at - 1]) > key {
-        list[at] = list[at - 1];
-        at -= 1;
-    }
-    list[at] = moved;
-}
-
 /// Joins body j to those of `root`, whose first is kept.
 #[inline(always)]
 fn join_with(parent: &mut [u32], root: &mut usize, j: usize) {
@@ -446,11 +293,6 @@ fn first(parent: &mut [u32], mut i: usize) -> usize {
         i = parent[i] as usize;
     }
     i
-}
-
-/// Zero if two boxes are the same to the bit.
-fn differ(a: &[f64; 4], b: &[f64; 4]) -> u64 {
-    (0..4).fold(0, |bits, k| bits | (a[k].to_bits() ^ b[k].to_bits()))
 }
 
 /// Whether two boxes do not touch.

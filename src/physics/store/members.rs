@@ -38,12 +38,12 @@ impl Members<'_> {
 
     /// Whether a body was brought to where others were looked for.
     pub fn is_swept(&self, body: u32) -> bool {
-        self.bodies.is_swept(self.bodies.slot[body as usize] as usize)
+        self.bodies.is_swept(body as usize)
     }
 
     /// Its bodies, in no order that means anything.
     pub fn members(&self) -> impl Iterator<Item = u32> {
-        self.island.members.iter().map(|slot| self.bodies.id[*slot as usize])
+        self.island.members.iter().copied()
     }
 
     /// Appends the surfaces that they may meet, some more than once.
@@ -56,23 +56,22 @@ impl Members<'_> {
 
     /// Where others were looked for, m.
     pub fn swept(&self, body: u32) -> Aabb {
-        let [left, right, top, bottom] = self.bodies.swept[self.bodies.slot[body as usize] as usize];
+        let [left, right, top, bottom] = self.bodies.swept[body as usize];
         let (top, bottom) = if self.down < 0.0 { (-bottom, -top) } else { (top, bottom) };
         Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
     }
 
     /// Brings a body to a place (m) and velocity (m/s) at the end of the step, or where it is left.
     pub fn bring(&mut self, body: u32, position: DVec2, velocity: DVec2) {
-        let i = self.bodies.slot[body as usize] as usize;
+        let i = body as usize;
         (self.bodies.px[i], self.bodies.py[i]) = (position.x, position.y * self.down);
         (self.bodies.ux[i], self.bodies.uy[i]) = (velocity.x, velocity.y * self.down);
     }
 
     /// Widens where others are looked for by `reach` (m) to all sides; the islands are found anew then.
     pub fn widen(&mut self, body: u32, reach: DVec2) {
-        let slot = self.bodies.slot[body as usize];
-        let swept = &mut self.bodies.swept[slot as usize];
+        let swept = &mut self.bodies.swept[body as usize];
         *swept = [swept[0] - reach.x, swept[1] + reach.x, swept[2] - reach.y, swept[3] + reach.y];
-        self.grown.push(slot);
+        self.grown.push(body);
     }
 }

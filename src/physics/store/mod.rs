@@ -1,6 +1,6 @@
 pub(crate) mod bodies;
+pub(crate) mod broad_phase;
 pub(crate) mod grid;
 pub(crate) mod islands;
 pub(crate) mod members;
-pub(crate) mod neighbours;
 pub(crate) mod sleep;

@@ -10,16 +10,15 @@ use crate::physics::store::islands::Island;
 /// Nobody is set aside while more than this part of the bodies has to be looked at: who is near them is looked up one by one then.
 const MOST_LOOKED_AT: f64 = 0.25;
 
-/// Who sleeps and who is looked at, by the numbers outside.
+/// Who sleeps and who is looked at.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sleep {
     asleep: Vec<bool>,
     sleepers: usize,
     /// Bodies that slept and were woken since this was emptied.
     pub woken: Vec<u32>,
-    /// Whom a step looks at, also as slots; the others are `aside`.
+    /// Whom a step looks at; the others are `aside`.
     looked_at: Vec<u32>,
-    pub slots: Vec<u32>,
     aside: Vec<bool>,
     /// Whose islands the last step has left asleep.
     undisturbed: Vec<bool>,
@@ -28,8 +27,7 @@ pub(crate) struct Sleep {
 impl Sleep {
     pub fn new(count: usize) -> Self {
         let no = || vec![false; count];
-        let (looked_at, slots) = ((0..count as u32).collect(), Vec::with_capacity(2 * count));
-        Self { asleep: no(), aside: no(), undisturbed: no(), looked_at, slots, ..Self::default() }
+        Self { asleep: no(), aside: no(), undisturbed: no(), looked_at: (0..count as u32).collect(), ..Self::default() }
     }
 
     pub fn wake(&mut self, body: usize) {
@@ -67,18 +65,7 @@ impl Sleep {
         }
     }
 
-    /// Lists the slots of whom a step looks at.
-    pub fn number(&mut self, bodies: &Bodies) {
-        self.slots.clear();
-        if self.looks_at_all() {
-            self.slots.extend(0..bodies.len() as u32);
-        } else {
-            self.slots.extend(self.looked_at.iter().map(|body| bodies.slot[*body as usize]));
-            self.slots.sort_unstable();
-        }
-    }
-
-    /// Whom a step looks at, by the numbers outside.
+    /// Whom a step looks at.
     pub fn looked_at(&self) -> &[u32] {
         &self.looked_at
     }
@@ -123,7 +110,7 @@ impl Sleep {
 
     /// An island of which all sleep and that nothing moving touches stays as it is.
     pub(crate) fn stays_asleep(&mut self, bodies: &mut Bodies, island: Island<'_>) -> bool {
-        if self.sleepers == 0 || !island.members.iter().all(|i| self.asleep[bodies.id[*i as usize] as usize]) {
+        if self.sleepers == 0 || !island.members.iter().all(|i| self.asleep[*i as usize]) {
             return false;
         }
         let n = bodies.len() as u32;
@@ -133,7 +120,7 @@ impl Sleep {
         }
         for &i in island.members {
             bodies.stay(i as usize);
-            self.undisturbed[bodies.id[i as usize] as usize] = true;
+            self.undisturbed[i as usize] = true;
         }
         true
     }
@@ -145,15 +132,15 @@ impl Sleep {
             rests && bodies.x[i] == bodies.px[i] && bodies.y[i] == bodies.py[i]
         };
         let sleeps = may_sleep && island.members.iter().rev().all(|i| still(*i as usize));
-        self.note(bodies, island, sleeps);
+        self.note(island, sleeps);
     }
 
-    pub(crate) fn note(&mut self, bodies: &Bodies, island: Island<'_>, sleeps: bool) {
+    pub(crate) fn note(&mut self, island: Island<'_>, sleeps: bool) {
         for &i in island.members {
             if sleeps {
-                self.fall_asleep(bodies.id[i as usize] as usize);
+                self.fall_asleep(i as usize);
             } else if self.sleepers > 0 {
-                self.wake(bodies.id[i as usize] as usize);
+                self.wake(i as usize);
             }
         }
     }

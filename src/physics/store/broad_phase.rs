@@ -1,0 +1,256 @@
+//! The broad phase: whom each body may meet.
+//!
+//! Each body owns a *fat box*: what it sweeps in this step, wider by a skin and by its way of the next steps (Box2D's fat AABBs). While it
+//! stays inside, the list of bodies and surfaces whose boxes overlap the fat one holds; a body that leaves gets a new box and list. Bodies are
+//! found in a grid whose cells are hashed, each body in all cells that its fat box covers; those that cover many are tested one by one.
+
+use crate::physics::store::bodies::{Bodies, MARGIN};
+use crate::physics::store::grid::{Edges, Grid, contains, overlap};
+
+/// Skin of a fat box as a part of the mean half extent. Larger: more pairs to test; smaller: more new boxes.
+const SKIN: f64 = 0.2;
+/// Steps ahead for which a fat box is made. More: more pairs to test; fewer: more new boxes.
+const HORIZON: f64 = 8.0;
+/// Cells are this many times wider than the mean body.
+const CELL: f64 = 2.0;
+/// A box that covers more cells is tested one by one.
+const MOST_CELLS: i64 = 64;
+/// Up to so many bodies all are tested one by one.
+const FEW_BODIES: usize = 32;
+/// Pairs for which a body has room from the start.
+const ROOM: usize = 16;
+
+/// No entry follows.
+const NONE: u32 = u32::MAX;
+
+/// A body in a cell, and the next one there.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    body: u32,
+    next: u32,
+}
+
+/// The pairs that may meet, and what finds them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BroadPhase {
+    fat: Vec<Edges>,
+    /// Bodies and surfaces that overlap the fat box of each body; surfaces count on from the number of bodies.
+    near: Vec<Vec<u32>>,
+    /// Counts changes of the lists.
+    pub revision: u64,
+    per_metre: f64,
+    skin: f64,
+    heads: Vec<u32>,
+    entries: Vec<Entry>,
+    unused: Vec<u32>,
+    /// Bodies that are in no cell.
+    large: Vec<u32>,
+    /// When a body was found last, by the number of the search.
+    found: Vec<u32>,
+    search: u32,
+    /// Where contacts with surfaces that stand are looked for, and the grid of these boxes.
+    surfaces: Vec<Edges>,
+    grid: Grid,
+}
+
+impl BroadPhase {
+    pub fn new(bodies: &Bodies) -> Self {
+        let n = bodies.len();
+        let mean = bodies.hx[..n].iter().zip(&bodies.hy[..n]).map(|(x, y)| x.min(*y)).sum::<f64>() / n.max(1) as f64;
+        let surfaces: Vec<Edges> = (n..bodies.x.len())
+            .map(|j| {
+                let (x, y, hx, hy) = (bodies.x[j], bodies.y[j], bodies.hx[j] + MARGIN, bodies.hy[j] + MARGIN);
+                [x - hx, x + hx, y - hy, y + hy]
+            })
+            .collect();
+        Self {
+            fat: vec![[f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY]; n],
+            near: vec![Vec::with_capacity(ROOM); n],
+            per_metre: 1.0 / (CELL * 2.0 * mean).max(1e-6),
+            skin: SKIN * mean,
+            heads: vec![NONE; (4 * n).next_power_of_two().max(64)],
+            entries: Vec::with_capacity(8 * n),
+            found: vec![0; n],
+            grid: Grid::of(&surfaces),
+            surfaces,
+            ..Self::default()
+        }
+    }
+
+    /// Bodies and surfaces that a body may meet while it sweeps no more than its fat box.
+    pub fn near(&self, i: usize) -> &[u32] {
+        &self.near[i]
+    }
+
+    /// Makes sure that the lists of these bodies hold for what they sweep.
+    pub fn update(&mut self, bodies: &Bodies, of: &[u32], dt: f64) {
+        for &i in of {
+            if !contains(&self.fat[i as usize], &bodies.swept[i as usize]) {
+                self.renew(bodies, i as usize, dt);
+            }
+        }
+    }
+
+    /// Gives a body a new fat box, and finds who overlaps it.
+    fn renew(&mut self, bodies: &Bodies, i: usize, dt: f64) {
+        self.revision += 1;
+        self.leave(i);
+        let ahead = HORIZON * dt;
+        let (x, y) = (ahead * bodies.vx[i], ahead * (bodies.vy[i] + 0.5 * ahead * (bodies.free_vy[i] - bodies.vy[i]) / dt));
+        let [left, right, top, bottom] = bodies.swept[i];
+        let skin = self.skin;
+        let mine = [left - skin + x.min(0.0), right + skin + x.max(0.0), top - skin + y.min(0.0), bottom + skin + y.max(0.0)];
+        self.fat[i] = mine;
+        let mut near = std::mem::take(&mut self.near[i]);
+        self.find(&mine, i, &mut near);
+        for &j in &near {
+            self.near[j as usize].push(i as u32);
+        }
+        self.grid.find(&self.surfaces, &mine, |surface| near.push((bodies.len() + surface) as u32));
+        self.near[i] = near;
+        self.enter(i);
+    }
+
+    /// Takes a body out of its cells and of the lists of others.
+    fn leave(&mut self, i: usize) {
+        let mut near = std::mem::take(&mut self.near[i]);
+        for j in near.drain(..).map(|j| j as usize).filter(|j| *j < self.fat.len()) {
+            let list = &mut self.near[j];
+            if let Some(at) = list.iter().position(|other| *other as usize == i) {
+                list.swap_remove(at);
+            }
+        }
+        self.near[i] = near;
+        let Some(cells) = self.cells(&self.fat[i]) else {
+            return self.large.retain(|other| *other as usize != i);
+        };
+        for head in cells.all(self.heads.len()) {
+            let mut at = self.heads[head];
+            let mut before = NONE;
+            while let Some(&Entry { body, next }) = self.entries.get(at as usize) {
+                if body as usize == i {
+                    match self.entries.get_mut(before as usize) {
+                        Some(entry) => entry.next = next,
+                        None => self.heads[head] = next,
+                    }
+                    self.unused.push(at);
+                    break;
+                }
+                (before, at) = (at, next);
+            }
+        }
+    }
+
+    fn enter(&mut self, i: usize) {
+        let Some(cells) = self.cells(&self.fat[i]) else {
+            return self.large.push(i as u32);
+        };
+        for head in cells.all(self.heads.len()) {
+            let entry = Entry { body: i as u32, next: self.heads[head] };
+            self.heads[head] = match self.unused.pop() {
+                Some(at) => {
+                    self.entries[at as usize] = entry;
+                    at
+                }
+                None => {
+                    self.entries.push(entry);
+                    self.entries.len() as u32 - 1
+                }
+            };
+        }
+    }
+
+    /// Lists the bodies besides i whose fat boxes overlap `mine`.
+    fn find(&mut self, mine: &Edges, i: usize, into: &mut Vec<u32>) {
+        self.search = self.search.wrapping_add(1);
+        self.found[i] = self.search;
+        let Self { fat, found, search, heads, entries, large, .. } = self;
+        let mut test = |j: u32| {
+            if std::mem::replace(&mut found[j as usize], *search) != *search && overlap(mine, &fat[j as usize]) {
+                into.push(j);
+            }
+        };
+        let cells = Cells::of(mine, self.per_metre).filter(|_| fat.len() > FEW_BODIES);
+        let Some(cells) = cells else {
+            return (0..fat.len() as u32).for_each(test);
+        };
+        large.iter().for_each(|j| test(*j));
+        for head in cells.all(heads.len()) {
+            let mut at = heads[head];
+            while let Some(entry) = entries.get(at as usize) {
+                test(entry.body);
+                at = entry.next;
+            }
+        }
+    }
+
+    /// The cells of a box; none if it is large, or none yet.
+    fn cells(&self, of: &Edges) -> Option<Cells> {
+        Cells::of(of, self.per_metre).filter(|_| self.fat.len() > FEW_BODIES)
+    }
+}
+
+/// A range of columns and rows.
+#[derive(Clone, Copy)]
+struct Cells {
+    columns: (i64, i64),
+    rows: (i64, i64),
+}
+
+impl Cells {
+    /// None if there are too many, or none.
+    fn of(edges: &Edges, per_metre: f64) -> Option<Self> {
+        let [left, right, top, bottom] = edges.map(|edge| (edge * per_metre).floor() as i64);
+        let count = (right.saturating_sub(left).saturating_add(1)).saturating_mul(bottom.saturating_sub(top).saturating_add(1));
+        (right >= left && count <= MOST_CELLS).then_some(Self { columns: (left, right), rows: (top, bottom) })
+    }
+
+    /// Their places among so many lists, a power of two. Two cells may share one.
+    fn all(&self, lists: usize) -> impl Iterator<Item = usize> + use<> {
+        let (Self { columns, rows }, mask) = (*self, lists - 1);
+        (rows.0..=rows.1).flat_map(move |row| {
+            let row = row.wrapping_mul(0x9E37_79B9_7F4A_7C15_u64 as i64);
+            (columns.0..=columns.1).map(move |column| (row ^ column.wrapping_mul(0x2545_F491_4F6C_DD1D)) as usize >> 7 & mask)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Random;
+
+    /// The lists are those that testing all against all gives, giants and fast ones included, however often boxes change.
+    #[test]
+    fn finds_what_brute_force_finds() {
+        let (n, surfaces) = (300, 40);
+        let mut bodies = Bodies::new(n, surfaces);
+        let mut generator = Random(1);
+        let mut random = || generator.unit();
+        for i in 0..n + surfaces {
+            (bodies.x[i], bodies.y[i]) = (20.0 * random(), 20.0 * random());
+            let size = if i % 50 == 0 { 6.0 } else { 0.4 };
+            (bodies.hx[i], bodies.hy[i]) = (size * (0.2 + random()), size * (0.2 + random()));
+        }
+        let mut broad_phase = BroadPhase::new(&bodies);
+        let all: Vec<u32> = (0..n as u32).collect();
+        for _ in 0..20 {
+            for i in 0..n {
+                bodies.vx[i] = if i % 40 == 7 { 3000.0 } else { 4.0 * random() - 2.0 };
+                bodies.x[i] += 0.1 * bodies.vx[i].min(2.0);
+                (bodies.px[i], bodies.py[i]) = (bodies.x[i], bodies.y[i]);
+            }
+            bodies.sweep(&all);
+            broad_phase.update(&bodies, &all, 0.01);
+            for i in 0..n {
+                let mut found = broad_phase.near(i).to_vec();
+                found.sort_unstable();
+                let mine = broad_phase.fat[i];
+                assert!(contains(&mine, &bodies.swept[i]));
+                let others = (0..n).filter(|&j| j != i && overlap(&mine, &broad_phase.fat[j])).map(|j| j as u32);
+                let fixed = (0..surfaces).filter(|&j| overlap(&mine, &broad_phase.surfaces[j])).map(|j| (n + j) as u32);
+                assert_eq!(found, others.chain(fixed).collect::<Vec<_>>());
+            }
+        }
+    }
+}
