@@ -113,7 +113,7 @@ impl Space {
         }
         let mut space = Self {
             broad_phase: BroadPhase::new(&bodies),
-            islands: Islands::new(all.len()),
+            islands: Islands::new(all.len(), surfaces.len()),
             dense: Dense::new(&bodies),
             sleep: Sleep::new(all.len()),
             movers: Movers::default(),
@@ -161,7 +161,7 @@ impl Space {
         if !self.movers.moving.contains(&(surface as u32)) {
             self.movers.moving.push(surface as u32);
             let j = self.bodies.len() + surface;
-            self.bodies.led[j] = true;
+            self.islands.set_moving(j);
         }
         let turned = DVec2::new(1.0, self.down);
         let (centre, velocity) = (centre * turned, velocity * turned);

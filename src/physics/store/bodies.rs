@@ -63,8 +63,6 @@ pub(crate) struct Bodies {
     pub was_vx: Vec<f64>,
     pub was_vy: Vec<f64>,
     pub present: Vec<bool>,
-    /// Whether it has ever moved.
-    pub led: Vec<bool>,
     /// Whether some have come or gone, or been put elsewhere.
     pub changed_surfaces: bool,
     /// Positions at the end of the step, first predicted, then final (surfaces too).
@@ -113,7 +111,6 @@ impl Bodies {
             was_vy: all(),
             sides: vec![Sides::ALL; count + surfaces],
             present: vec![true; count + surfaces],
-            led: vec![false; count + surfaces],
             changed_surfaces: true,
             px: all(),
             py: all(),

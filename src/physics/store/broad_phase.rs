@@ -10,7 +10,7 @@ use crate::physics::store::grid::{Edges, Grid, contains, overlap};
 /// Skin of a fat box as a part of the mean half extent. Larger: more pairs to test; smaller: more new boxes.
 const SKIN: f64 = 0.2;
 /// Steps ahead for which a fat box is made. More: more pairs to test; fewer: more new boxes.
-const HORIZON: f64 = 8.0;
+const HORIZON: f64 = 4.0;
 /// Cells are this many times wider than the mean body.
 const CELL: f64 = 2.0;
 /// A box that covers more cells is tested one by one.

@@ -40,7 +40,7 @@ impl<'a> Island<'a> {
 /// The islands of one step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Islands {
-    /// The bodies that a step looks at, bottom-up, and the place of each among them.
+    /// The bodies that a step looks at, bottom-up, and the place of each among them; surfaces that stand have place 0, all others none.
     order: Vec<u32>,
     place: Vec<u32>,
     parent: Vec<u32>,
@@ -62,15 +62,21 @@ pub(crate) struct Islands {
 
 impl Islands {
     /// Room for `count` bodies.
-    pub fn new(count: usize) -> Self {
+    pub fn new(count: usize, surfaces: usize) -> Self {
         Self {
-            place: vec![0; count],
+            place: vec![0; count + surfaces],
             parent: (0..count as u32).collect(),
             island_of_root: vec![NONE; count],
             ranges: vec![(0, 0); count],
             others: Vec::with_capacity(4 * count),
             ..Self::default()
         }
+    }
+
+    /// A surface moves from now on.
+    pub fn set_moving(&mut self, j: usize) {
+        self.place[j] = NONE;
+        self.forget();
     }
 
     /// Lets pairs of bodies share an island wherever they are.
@@ -181,13 +187,15 @@ impl Islands {
         for (k, &i) in order.iter().enumerate() {
             let (from, mine) = (others.len(), bodies.swept[i as usize]);
             let mut root = i as usize;
-            for &j in broad_phase.near(i as usize) {
-                // Of those that are looked at, the lower one of a pair is listed under the upper one.
-                let listed = place.get(j as usize).is_none_or(|place| *place < k as u32);
-                if listed && !apart(&mine, &bodies.swept[j as usize]) && !bodies.led[j as usize] {
-                    others.push(j);
-                }
+            // Of those that are looked at, the lower one of a pair is listed under the upper one. Without a branch: most are apart.
+            let near = broad_phase.near(i as usize);
+            others.resize(from + near.len(), 0);
+            let mut end = from;
+            for &j in near {
+                others[end] = j;
+                end += usize::from((place[j as usize] <= k as u32) & !apart(&mine, &bodies.swept[j as usize]));
             }
+            others.truncate(end);
             for (first, &surface) in carried.iter_mut().zip(moving) {
                 let j = n + surface as usize;
                 if apart(&mine, &bodies.swept[j]) {
@@ -202,7 +210,7 @@ impl Islands {
                 }
             }
             let list = &mut others[from..];
-            list.sort_unstable_by_key(|j| place.get(*j as usize).copied().unwrap_or(*j));
+            list.sort_unstable_by_key(|j| if (*j as usize) < n { place[*j as usize] } else { *j });
             for j in list.iter().map(|j| *j as usize).filter(|j| *j < n) {
                 join_with(parent, &mut root, j);
             }
