@@ -19,41 +19,52 @@ const SLOWEST: f64 = 1e-9;
 /// Energy gained that is no more than rounding, as a part of the kinetic energy. Smaller: rounding slows what it should not.
 const ROUNDING: f64 = 1e-12;
 
-/// One body along one axis: velocity at the start and at the end if nothing were touched, where the solution has it go and how fast it ends.
-struct Fall {
-    before: f64,
-    free: f64,
-    way: f64,
-    end: f64,
+/// Which impacts bounce: those that leave faster than `rest_speed`, m/s, unless they are elastic, and come back after the step of `dt` s.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Bounces {
+    pub dt: f64,
+    pub rest_speed: f64,
+}
+
+impl Bounces {
+    /// The speed with which an impact leaves, m/s; `pull` is what pulls it back, m/s².
+    fn leaves(self, restitution: f64, speed: f64, pull: f64) -> f64 {
+        let leaves = restitution * speed;
+        let lasts = leaves > SLOWEST && 2.0 * leaves > pull * self.dt;
+        if lasts && (restitution == 1.0 || leaves >= self.rest_speed) { leaves } else { 0.0 }
+    }
+
+    /// The restitution of a pair that merges, if its impact bounces.
+    pub fn of(self, bodies: &Bodies, contact: &Contact, axis: Axis) -> Option<f64> {
+        let (i, j) = (contact.first as usize, contact.second as usize);
+        let restitution = bodies.coefficients(i.min(j), i.max(j)).restitution;
+        let [x, half, v, free] = bodies.along(axis);
+        let side = if x[j] < x[i] { -1.0 } else { 1.0 };
+        let gap = ((x[j] - x[i]).abs() - half[i] - half[j]).max(0.0);
+        let pull = ((free[i] - v[i]) - (free[j] - v[j])) * side / self.dt;
+        let closing = (v[i] - v[j]) * side;
+        let speed = (closing * closing.abs() + 2.0 * pull * gap).max(0.0).sqrt();
+        (self.leaves(restitution, speed, pull) > 0.0).then_some(restitution)
+    }
+}
+
+/// One body along one axis: velocity at the start and at the end if nothing were touched, how far the solution has it go, m, and how fast it
+/// ends, m/s.
+pub(crate) struct Fall {
+    pub before: f64,
+    pub free: f64,
+    pub way: f64,
+    pub end: f64,
 }
 
 impl Fall {
     /// The velocity with which it leaves what has stopped it, m/s.
-    fn rebound(&self, restitution: f64, rest_speed: f64, dt: f64) -> f64 {
+    pub fn rebound(&self, restitution: f64, bounces: Bounces) -> f64 {
         let side = if self.free < self.end { -1.0 } else { 1.0 };
-        let (closing, pull) = ((self.before - self.end) * side, (self.free - self.before) / dt * side);
-        let square = closing * closing.abs() + 2.0 * pull * (self.way - self.end * dt) * side;
-        let leaves = restitution * square.max(0.0).sqrt();
-        if lasts(leaves, pull, dt) && (restitution == 1.0 || leaves >= rest_speed) { self.end - side * leaves } else { self.end }
+        let (closing, pull) = ((self.before - self.end) * side, (self.free - self.before) / bounces.dt * side);
+        let square = closing * closing.abs() + 2.0 * pull * (self.way - self.end * bounces.dt) * side;
+        self.end - side * bounces.leaves(restitution, square.max(0.0).sqrt(), pull)
     }
-}
-
-/// Whether what leaves with a speed (m/s) while it is pulled back (m/s²) comes back after the step.
-fn lasts(speed: f64, pull: f64, dt: f64) -> bool {
-    speed > SLOWEST && 2.0 * speed > pull * dt
-}
-
-/// The restitution of a pair that merges, if its impact is one.
-pub(crate) fn bounces(bodies: &Bodies, contact: &Contact, axis: Axis, dt: f64) -> Option<f64> {
-    let (i, j) = (contact.first as usize, contact.second as usize);
-    let restitution = bodies.coefficients(i.min(j), i.max(j)).restitution;
-    let [x, half, v, free] = bodies.along(axis);
-    let side = if x[j] < x[i] { -1.0 } else { 1.0 };
-    let gap = ((x[j] - x[i]).abs() - half[i] - half[j]).max(0.0);
-    let pull = ((free[i] - v[i]) - (free[j] - v[j])) * side / dt;
-    let closing = (v[i] - v[j]) * side;
-    let speed = (closing * closing.abs() + 2.0 * pull * gap).max(0.0).sqrt();
-    lasts(restitution * speed, pull, dt).then_some(restitution)
 }
 
 /// Lets an edge return its part.
@@ -69,7 +80,7 @@ fn part(edge: &mut Edge, velocity: &mut [f64], mass: &[f64]) {
 
 impl Dense {
     /// Returns to every impact its part of the impulse.
-    pub(crate) fn bounce(&mut self, bodies: &mut Bodies, members: &[u32], rest_speed: f64) {
+    pub(crate) fn bounce(&mut self, bodies: &mut Bodies, members: &[u32]) {
         self.bounced = false;
         if !bodies.lively {
             return;
@@ -78,7 +89,7 @@ impl Dense {
         for &i in members {
             self.plastic[i as usize] = velocity(bodies, i as usize);
         }
-        let Self { anchors, report, bounced, dt, .. } = self;
+        let Self { anchors, report, bounced, .. } = self;
         let returns = |edge: &&mut Edge| edge.restitution > 0.0;
         for edge in anchors.edges.iter_mut().filter(returns) {
             part(edge, &mut bodies.uy, &bodies.mass);
@@ -93,7 +104,7 @@ impl Dense {
             if anchors.bounce[i] > 0.0 {
                 let fall =
                     Fall { before: bodies.vy[i], free: bodies.free_vy[i], way: bodies.py[i] - bodies.y[i], end: bodies.uy[i] };
-                bodies.uy[i] = fall.rebound(anchors.bounce[i], rest_speed, *dt);
+                bodies.uy[i] = fall.rebound(anchors.bounce[i], anchors.bounces);
                 *bounced |= bodies.uy[i] != fall.end;
             }
         }

@@ -7,7 +7,7 @@
 //! friction.
 
 use crate::physics::crowd::Axis;
-use crate::physics::crowd::bounce::bounces;
+use crate::physics::crowd::bounce::Bounces;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::drag::Resistance;
@@ -107,7 +107,7 @@ impl Cross<'_> {
             self.reset(bodies);
         }
         let plain = |bodies: &Bodies, i: usize| Some(Node::free(bodies.mass[i], bodies.vx[i], bodies.ux[i], bodies.mean_vx[i]));
-        if merge(bodies, self.contacts, self.clusters, self.dt, &mut self.pushes.hits, plain) {
+        if merge(bodies, self.contacts, self.clusters, self.anchors.bounces, &mut self.pushes.hits, plain) {
             let (clusters, n) = (&*self.clusters, bodies.len());
             let lack = |i: usize| if i < n { bodies.mass[i] * (bodies.ux[i] - clusters.velocity(i)) } else { 0.0 };
             self.report.drain_sides(clusters, lack, n);
@@ -125,8 +125,8 @@ impl Cross<'_> {
     /// told, but a light body between heavy ones that drag it may have been left with any velocity. Returns
     /// whether nothing closes any more.
     fn polish(&mut self, bodies: &mut Bodies) -> bool {
-        let (n, dt, slack) = (bodies.len(), self.dt, self.contacts.tolerances.hair / self.dt);
-        let side_bounces = |bodies: &Bodies, side: &Contact| bounces(bodies, side, Axis::Across, dt).is_some_and(|e| e > 0.0);
+        let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
+        let side_bounces = |bodies: &Bodies, side: &Contact| self.anchors.bounces.of(bodies, side, Axis::Across).is_some();
         let Pushes { parting, .. } = &mut *self.pushes;
         let touches = |bodies: &Bodies, side: &Contact| {
             let (a, b) = (side.first as usize, side.second as usize);
@@ -218,7 +218,7 @@ impl Cross<'_> {
             }
             let (friction, contacts, dt) = (&*self.friction, self.contacts, self.dt);
             let Pushes { told, hits, .. } = &mut *self.pushes;
-            if !merge(bodies, contacts, self.clusters, dt, hits, |bodies, i| node(bodies, friction, i, (told[i], dt))) {
+            if !merge(bodies, contacts, self.clusters, self.anchors.bounces, hits, |bodies, i| node(bodies, friction, i, (told[i], dt))) {
                 return true;
             }
             if self.hand_over(bodies) {
@@ -382,12 +382,12 @@ pub(crate) fn merge(
     bodies: &Bodies,
     contacts: &Contacts,
     clusters: &mut Clusters,
-    dt: f64,
+    bounces: Bounces,
     hits: &mut Hits,
     node: impl Fn(&Bodies, usize) -> Option<Node>,
 ) -> bool {
     let n = bodies.len();
-    let pool = Pool { before: &bodies.mean_vx, slack: contacts.tolerances.hair / dt, places: false };
+    let pool = Pool { before: &bodies.mean_vx, slack: contacts.tolerances.hair / bounces.dt, places: false };
     let live = || contacts.sides.iter().filter(|side| side.live);
     let pooled = clusters.pool(pool, live, |clusters, side| {
         let (a, b) = (side.first as usize, side.second as usize);
@@ -406,7 +406,7 @@ pub(crate) fn merge(
         let alone = |i: u32| node(bodies, i as usize).is_none_or(|node| node.mass == bodies.mass[i as usize]);
         clusters.hit(live(), |contact| {
             let both = [contact.first, contact.second].into_iter().all(|i| i as usize >= n || alone(i));
-            bounces(bodies, contact, Axis::Across, dt).map(|restitution| if both { restitution } else { 0.0 })
+            bounces.of(bodies, contact, Axis::Across).map(|restitution| if both { restitution } else { 0.0 })
         });
     }
     pooled.any

@@ -11,6 +11,7 @@
 //! and of nothing else, so that islands do not know of each other.
 
 use crate::physics::crowd::Axis;
+use crate::physics::crowd::bounce::Bounces;
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::cross::{Cross, Pushes};
@@ -110,6 +111,7 @@ impl Dense {
     /// One step of an island.
     pub fn step(&mut self, bodies: &mut Bodies, island: Island<'_>, size: StepSize) -> Outcome {
         self.dt = size.dt;
+        self.anchors.bounces = Bounces { dt: size.dt, rest_speed: size.rest_speed };
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
         self.pushes.hits.impact = self.anchors.impact;
         self.report.sides.clear();
@@ -148,7 +150,7 @@ impl Dense {
         if mended.doubt || !inside {
             self.guards.put_back += place::take_back(bodies, island.members, contacts, put_back);
         }
-        self.bounce(bodies, island.members, size.rest_speed);
+        self.bounce(bodies, island.members);
         self.restrain(bodies, island.members, mended.any || !inside);
         if self.contacts.carried {
             self.find_squeezed(bodies, island);
@@ -227,7 +229,8 @@ impl Dense {
                 let j = j as usize;
                 let moves = bodies.vx[j] != 0.0 || bodies.vy[j] != 0.0;
                 if moves && self.contacts.has(i, j) && place::overlap(bodies, (i, j), hair) {
-                    self.squeezed.push((i as u32, j as u32, bodies.vx[j].hypot(bodies.vy[j])));
+                    let speed = (bodies.vx[j] * bodies.vx[j] + bodies.vy[j] * bodies.vy[j]).sqrt();
+                    self.squeezed.push((i as u32, j as u32, speed));
                     self.guards.surfaces_stopped += 1;
                 }
             }

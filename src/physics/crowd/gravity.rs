@@ -7,7 +7,7 @@
 //! told by mean velocities.
 
 use crate::physics::crowd::Axis;
-use crate::physics::crowd::bounce::bounces;
+use crate::physics::crowd::bounce::{Bounces, Fall};
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::report::Edge;
@@ -40,6 +40,7 @@ pub(crate) struct Anchors {
     /// The restitution of what hits something that does not give way, by slot.
     pub bounce: Vec<f64>,
     pub any_bounces: bool,
+    pub bounces: Bounces,
     /// Who was merged in the air, by slot, and through which pairs.
     pub loose: Vec<bool>,
     pub edges: Vec<Edge>,
@@ -61,6 +62,7 @@ impl Anchors {
             any_hung: false,
             bounce: vec![0.0; count],
             any_bounces: false,
+            bounces: Bounces::default(),
             loose: vec![false; count],
             edges: Vec::with_capacity(count),
             hits: Vec::with_capacity(count),
@@ -137,8 +139,11 @@ pub(crate) fn solve(
                     };
                     let all = contacts.stacks[contacts.under(i)].iter().filter(bears);
                     let restitution = |stack: &Contact| bodies.coefficients(i, stack.second as usize).restitution;
-                    anchors.bounce[i] = all.map(restitution).fold(1.0, f64::min);
-                    anchors.any_bounces |= anchors.bounce[i] > 0.0;
+                    let restitution = all.map(restitution).fold(1.0, f64::min);
+                    let fall = Fall { before: bodies.vy[i], free: bodies.free_vy[i], way: mean * dt, end: velocity };
+                    if restitution > 0.0 && fall.rebound(restitution, anchors.bounces) != velocity {
+                        (anchors.bounce[i], anchors.any_bounces) = (restitution, true);
+                    }
                 }
             }
         }
@@ -176,7 +181,7 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
         true
     });
     if bodies.lively {
-        clusters.hit(live(), |contact| bounces(bodies, contact, Axis::Gravity, dt));
+        clusters.hit(live(), |contact| anchors.bounces.of(bodies, contact, Axis::Gravity));
     }
     for &i in &clusters.joined {
         let i = i as usize;
