@@ -218,7 +218,9 @@ impl Cross<'_> {
             }
             let (friction, contacts, dt) = (&*self.friction, self.contacts, self.dt);
             let Pushes { told, hits, .. } = &mut *self.pushes;
-            if !merge(bodies, contacts, self.clusters, self.anchors.bounces, hits, |bodies, i| node(bodies, friction, i, (told[i], dt))) {
+            if !merge(bodies, contacts, self.clusters, self.anchors.bounces, hits, |bodies, i| {
+                node(bodies, friction, i, (told[i], dt))
+            }) {
                 return true;
             }
             if self.hand_over(bodies) {
