@@ -257,7 +257,7 @@ fn what_contacts_gave_adds_up() {
             worst.1,
             scene.guards()
         );
-        // What merges in the air on several others rubs on those alone through which it was merged.
-        assert!(bad <= 2, "seed {seed}: {bad} off, worst {worst:?}");
+        // What the last stage of a step stops on its way, because it would have overlapped, loses a speed that no contact lists.
+        assert!(bad <= 4, "seed {seed}: {bad} off, worst {worst:?}");
     }
 }
