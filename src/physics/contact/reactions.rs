@@ -7,54 +7,31 @@
 //!
 //! The same solve serves forces and impulses: with velocities in place of accelerations it is the perfectly plastic impact.
 
+use crate::physics::contact::axis::{Question, ground, rate};
 use crate::physics::contact::face;
-use crate::physics::contact::network::{Carries, GROUND, Network, Node};
+use crate::physics::contact::network::{Carries, GROUND, Network};
 use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::{FORCE_TOLERANCE, FRICTION_ROUNDS, SPEED_TOLERANCE};
 use glam::DVec2;
-
-/// Relative to a pressure: changes from round to round up to which it is taken to have settled after the last round. Smaller: friction yields
-/// where nothing but rounding goes on; larger: what is listed exceeds what Coulomb's law allows.
-const SETTLED: f64 = 1e-10;
-
-/// Passes of a group whose friction gives way contact by contact, at most. Fewer: a stack between walls rubs less than it could.
-const MOST_PASSES: usize = 8;
-
-/// Where what makes bodies that are joined fall otherwise than the heaviest is so small a part of what pulls at that, what their contacts carry
-/// is sought in its frame. Smaller: what rounding leaves of the weight of something heavy is more than what something light beside it feels.
-const ALIKE: f64 = 1e-3;
-/// And nothing is pulled at less than by so small a part of that: in that frame it would be lost to rounding.
-const AT_ALL: f64 = 1e-6;
 
 /// What a network is made of. Bodies have the numbers from 0 on, surfaces follow.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Parts<'a> {
     /// Of each body along each axis, kg: for an implicit step larger than its own.
     pub masses: &'a [DVec2],
-    /// Of each body without contacts, m/s² (or m/s where impulses are sought).
+    /// Of each item without contacts, m/s² (or m/s where impulses are sought).
     pub free: &'a [DVec2],
-    /// Of each surface, likewise.
-    pub grounds: &'a [DVec2],
-}
-
-/// Which question is asked.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Question {
-    /// Forces: friction is static or kinetic by Coulomb's law.
-    Forces,
-    /// Impulses: friction takes up to μ_k times the normal impulse.
-    Impulses,
 }
 
 /// The solver and its buffers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Reactions {
-    network: Network,
+    pub(super) network: Network,
     /// Node of each item, or `GROUND` for bodies without contacts and for surfaces.
-    node_of: Vec<u32>,
-    body_of: Vec<u32>,
+    pub(super) node_of: Vec<u32>,
+    pub(super) body_of: Vec<u32>,
     /// For each link the contact whose push (along its own axis) or friction (along the other) it carries.
-    contact_of: Vec<u32>,
+    pub(super) contact_of: Vec<u32>,
     /// For each body the group that it belongs to (a union-find forest), and the contacts by group.
     leader: Vec<u32>,
     by_group: Vec<(u32, u32)>,
@@ -81,7 +58,7 @@ impl Reactions {
         if let [contact] = contacts
             && let Some(body) = lies_on_surface(contact, parts)
         {
-            let ground = parts.grounds[contact.other(body as u32) as usize - parts.masses.len()];
+            let ground = parts.free[contact.other(body as u32) as usize];
             if let Some(a) = face::press(contact, parts.masses[body], parts.free[body] - ground, contact.hi as usize == body) {
                 out[body] = a + ground;
                 return;
@@ -132,8 +109,8 @@ impl Reactions {
     /// known to slide, so that asking again answers the same.
     fn accelerate_group(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         self.number(contacts, parts);
-        // What has given way in a pass slides in all that follow.
-        for _ in 0..MOST_PASSES {
+        // A contact that has given way in a pass slides in all that follow. After eight passes a stack between walls rubs less than it could.
+        for _ in 0..8 {
             let rounds = self.couple_axes(contacts, parts, out);
             let again = rounds != Some(1) && contacts.iter().any(|contact| contact.gave_way);
             match rounds {
@@ -177,10 +154,10 @@ impl Reactions {
                 self.extrapolate(contacts);
             }
         }
-        // What goes on changing by its rounding has settled.
+        // A pressure that changes by 1e-10 of itself has settled: more would exceed Coulomb's law, less would be rounding.
         let most = contacts.iter().fold(0.0, |most: f64, contact| most.max(contact.normal));
         let alike = |(contact, before): (&Contact, &f64)| {
-            contact.axis == 1 || (contact.normal - before).abs() <= SETTLED * contact.normal + FORCE_TOLERANCE * most
+            contact.axis == 1 || (contact.normal - before).abs() <= 1e-10 * contact.normal + FORCE_TOLERANCE * most
         };
         contacts.iter().zip(&self.pressed).all(alike).then_some(FRICTION_ROUNDS)
     }
@@ -195,9 +172,7 @@ impl Reactions {
                 continue;
             }
             self.solve_axis(axis, contacts, parts, Question::Forces);
-            for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
-                out[body as usize][axis] = node.acceleration;
-            }
+            self.give(axis, out);
         }
     }
 
@@ -251,9 +226,7 @@ impl Reactions {
         }
         for axis in [1, 0, 1] {
             self.solve_axis(axis, contacts, parts, Question::Impulses);
-            for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
-                velocities[body as usize][axis] = node.acceleration;
-            }
+            self.give(axis, velocities);
         }
     }
 
@@ -262,12 +235,7 @@ impl Reactions {
     pub fn merge_speeds(&mut self, stopped: &Contact, contacts: &[Contact], parts: &Parts, velocities: &mut [DVec2]) {
         let axis = 1 - stopped.axis;
         self.number(contacts, parts);
-        self.network.clear();
-        for &body in &self.body_of {
-            let mass = parts.masses[body as usize][axis];
-            let force = mass * parts.free[body as usize][axis];
-            self.network.nodes.push(Node { mass, force, acceleration: 0.0 });
-        }
+        self.set_nodes(axis, parts, 0.0);
         for contact in contacts {
             let skin = if contact.axis == stopped.axis { contact.skin } else { 0.0 };
             let speed = |item: u32| rate(parts, item, axis, skin);
@@ -278,15 +246,13 @@ impl Reactions {
             }
         }
         self.network.solve();
-        for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
-            velocities[body as usize][axis] = node.acceleration;
-        }
+        self.give(axis, velocities);
     }
 
     /// Numbers the bodies that the contacts join.
     fn number(&mut self, contacts: &[Contact], parts: &Parts) {
         self.node_of.clear();
-        self.node_of.resize(parts.masses.len() + parts.grounds.len(), GROUND);
+        self.node_of.resize(parts.free.len(), GROUND);
         self.body_of.clear();
         for contact in contacts {
             for item in [contact.lo, contact.hi] {
@@ -296,104 +262,6 @@ impl Reactions {
                 }
             }
         }
-    }
-
-    /// Builds and solves one axis. Updates what the contacts carry along it.
-    fn solve_axis(&mut self, axis: usize, contacts: &mut [Contact], parts: &Parts, question: Question) {
-        let known = self.squeezed.len();
-        let frame = if question == Question::Forces { self.falls_alike(axis, contacts, parts) } else { 0.0 };
-        loop {
-            self.network.clear();
-            self.contact_of.clear();
-            for &body in &self.body_of {
-                let mass = parts.masses[body as usize][axis];
-                let force = mass * (parts.free[body as usize][axis] - frame);
-                self.network.nodes.push(Node { mass, force, acceleration: 0.0 });
-            }
-            for (index, contact) in contacts.iter_mut().enumerate() {
-                if self.link(axis, contact, parts, question) {
-                    self.contact_of.push(index as u32);
-                }
-            }
-            self.network.solve();
-            self.network.nodes.iter_mut().for_each(|node| node.acceleration += frame);
-            self.squeezed.truncate(known);
-            self.squeezed.extend(self.network.squeezed.iter().map(|&node| (self.body_of[node as usize], axis)));
-            if !self.read(axis, contacts, question) {
-                return;
-            }
-        }
-    }
-
-    /// What the heaviest body does along an axis without contacts, if no surface holds anything along it and hardly anything makes the others do
-    /// otherwise; else 0.
-    fn falls_alike(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> f64 {
-        let links = |contact: &Contact| contact.axis == axis || contact.normal > 0.0 && contact.slides == 0.0;
-        let held = contacts.iter().any(|contact| contact.lo.max(contact.hi) as usize >= parts.masses.len() && links(contact));
-        if held || self.body_of.len() < 2 {
-            return 0.0;
-        }
-        let of = |body: &u32| (parts.masses[*body as usize][axis], parts.free[*body as usize][axis]);
-        let heaviest = self.body_of.iter().map(of).max_by(|a, b| a.0.total_cmp(&b.0));
-        let (mass, frame) = heaviest.unwrap_or_default();
-        let otherwise: f64 = self.body_of.iter().map(of).map(|(mass, free)| mass * (free - frame).abs()).sum();
-        let falls = self.body_of.iter().map(of).all(|(_, free)| free.abs() >= AT_ALL * frame.abs());
-        if falls && otherwise <= ALIKE * mass * frame.abs() { frame } else { 0.0 }
-    }
-
-    /// Adds what a contact can do along an axis: its push, or its friction. Returns whether that needs a link.
-    fn link(&mut self, axis: usize, contact: &mut Contact, parts: &Parts, question: Question) -> bool {
-        let (lo, hi) = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
-        if contact.axis == axis {
-            let both_ways = question == Question::Impulses && contact.clings;
-            let carries = if both_ways { Carries::UpTo(f64::INFINITY) } else { Carries::Push };
-            self.network.link(lo, hi, carries, ground(contact, parts, axis, 0.0));
-            return true;
-        }
-        contact.friction = 0.0;
-        if contact.normal <= 0.0 {
-            return false;
-        }
-        let kinetic = contact.kinetic_friction * contact.normal;
-        if question == Question::Forces && contact.slides != 0.0 {
-            contact.friction = -contact.slides * kinetic;
-            for (end, sign) in [(lo, -1.0), (hi, 1.0)] {
-                if end != GROUND {
-                    self.network.nodes[end as usize].force += sign * contact.friction;
-                }
-            }
-            return false;
-        }
-        let (limit, skin) = match question {
-            Question::Forces => (contact.static_friction * contact.normal, 0.0),
-            Question::Impulses => (kinetic, contact.skin),
-        };
-        self.network.link(lo, hi, Carries::UpTo(limit), ground(contact, parts, axis, skin));
-        true
-    }
-
-    /// Takes the flows over into the contacts; true if static friction gave way somewhere, so that the axis has to be solved again.
-    fn read(&self, axis: usize, contacts: &mut [Contact], question: Question) -> bool {
-        let mut gave_way = false;
-        for (link, &index) in self.network.links.iter().zip(&self.contact_of) {
-            let contact = &mut contacts[index as usize];
-            if contact.axis == axis {
-                // What clings may be held back by next to nothing: that is an impulse, too.
-                let both_ways = question == Question::Impulses && contact.clings;
-                contact.normal = if both_ways { link.flow } else { link.flow.max(0.0) };
-                continue;
-            }
-            contact.friction = link.flow;
-            if question == Question::Forces && link.cut {
-                let of = |node: u32| self.network.nodes.get(node as usize).map_or(link.ground, |node| node.acceleration);
-                let slip = of(link.hi) - of(link.lo);
-                if slip != 0.0 {
-                    (contact.slides, contact.gave_way) = (slip.signum(), true);
-                    gave_way = true;
-                }
-            }
-        }
-        gave_way
     }
 }
 
@@ -412,18 +280,6 @@ fn lead(leader: &mut [u32], mut body: u32) -> u32 {
     body
 }
 
-/// What an item does along an axis without contacts; `skin` is the belt speed of a surface along that axis.
-fn rate(parts: &Parts, item: u32, axis: usize, skin: f64) -> f64 {
-    let i = item as usize;
-    parts.free.get(i).map_or_else(|| parts.grounds[i - parts.masses.len()][axis] + skin, |free| free[axis])
-}
-
-/// What the ground of a contact does along an axis; 0 between two bodies.
-fn ground(contact: &Contact, parts: &Parts, axis: usize, skin: f64) -> f64 {
-    let second = contact.lo.max(contact.hi);
-    if (second as usize) < parts.masses.len() { 0.0 } else { rate(parts, second, axis, skin) }
-}
-
 /// Lets contacts stick again that gave way while the pressure on them was not yet known, and that friction would drive back now. Returns
 /// whether there are any: they have to be asked again.
 fn hold_back(contacts: &mut [Contact], parts: &Parts, accelerations: &[DVec2]) -> bool {
@@ -439,10 +295,7 @@ fn hold_back(contacts: &mut [Contact], parts: &Parts, accelerations: &[DVec2]) -
 /// How fast `hi` gains on `lo` along the contact's face, m/s².
 fn gain(contact: &Contact, parts: &Parts, accelerations: &[DVec2]) -> f64 {
     let along = 1 - contact.axis;
-    let of = |item: u32| {
-        let i = item as usize;
-        if i < parts.masses.len() { accelerations[i][along] } else { parts.grounds[i - parts.masses.len()][along] }
-    };
+    let of = |item: u32| if (item as usize) < parts.masses.len() { accelerations } else { parts.free }[item as usize][along];
     of(contact.hi) - of(contact.lo)
 }
 

@@ -13,8 +13,8 @@ pub(crate) const MAX_CLINGS: u32 = 32;
 /// rounding splits resting blocks; larger: a feather beside an anvil is taken for part of it.
 pub(crate) const FORCE_TOLERANCE: f64 = 1e-12;
 
-/// m/s. Two bodies in contact whose speeds differ by less when a slide ends move as one from then on. It only has to cover the
-/// rounding of the instant at which the slide ends.
+/// m/s. Two bodies in contact whose speeds differ by less when a slide ends move as one from then on, and bodies that meet more slowly only
+/// graze. Smaller: rounding makes impacts, and parts what slid to rest; larger: slow slides end early.
 pub(crate) const SPEED_TOLERANCE: f64 = 1e-11;
 
 /// Relative to the faster of two bodies in contact: sliding slower than this is the rounding of a plastic solve, and they stick. Taken
@@ -67,3 +67,22 @@ pub(crate) const FRICTION_ROUNDS: u32 = 24;
 
 /// m. Thickness of the level's edges. No speed gets through: impacts are found along the whole path.
 pub(crate) const EDGE_THICKNESS: f64 = 100.0;
+
+/// Rate × time of a bounce of two bodies up to which drag only takes a little off each. Larger: what it takes is off by more than a tenth;
+/// smaller: a light body that bounces in front of something heavy does so a hundred times before its bounces are passed over.
+pub(crate) const DAMPED_REACH: f64 = 0.1;
+
+/// Events of an island in a tick, for each of its bodies and for 32 more; an event counts once, and once for each body that it concerns.
+/// Larger: the worst tick lasts longer; smaller: a crowd's step takes ticks into which fewer impacts fall.
+pub(crate) const EVENTS_OF_A_BODY: u64 = 32;
+
+/// m. How far a cubic may be beside the flow that it follows, and so how deep two bodies are in each other that meet on such ways. Larger: a body
+/// that rises through a surface is met beside its way; smaller: ways are foreseen in more parts.
+pub(crate) const STRAY: f64 = 1e-5;
+
+/// Relative difference up to which two approach speeds at one instant are equal. Smaller: the rounding of a place decides which impact is first.
+pub(crate) const EQUAL_SPEED: f64 = 1e-10;
+
+/// Relative to the largest force among joined bodies: what pulls at a light body. Smaller: the rounding of something heavy is more than
+/// what a light body beside it feels; larger: two bodies of a kind are treated apart.
+pub(crate) const LIGHT: f64 = 1e-3;

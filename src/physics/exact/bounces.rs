@@ -5,47 +5,51 @@
 //! together. Meanwhile they count as lying against each other; what bounces without a pull does so event by event.
 
 use crate::physics::data::contact::Contact;
-use crate::physics::data::tuning::{CALM_REACH, ZENO_HITS};
+use crate::physics::data::tuning::{CALM_REACH, DAMPED_REACH, ZENO_HITS};
 use crate::physics::exact::item::Resume;
 use crate::physics::exact::{Events, Scene};
 use glam::DVec2;
 
-/// The rate × time of a bounce of two bodies up to which drag only takes a little off each. Larger: what it takes is off by more than a tenth;
-/// smaller: what is light and bounces in front of something heavy does so a hundred times before it is passed over.
-const DAMPED_REACH: f64 = 0.1;
-
-/// Of speeds that fall as e^(−x): where nothing is left of them.
-const DAMPED_AWAY: f64 = 40.0;
-
 /// What follows a bounce: how long bounces go on, s, and how fast they leave each other then, m/s, if they do.
+#[derive(Debug, PartialEq)]
 struct Series {
     time: f64,
     leaves: Option<f64>,
 }
 
-impl Series {
-    /// As many bounces as fit into `left` seconds, the `first` of which takes so long, s, and begins with so much `speed`, m/s. Each keeps e of
-    /// its speed, or loses to drag at a rate of `damping`, 1/s, where e = 1.
+/// The first bounce of a series: how long it takes, s, and its speed, m/s. Each bounce keeps `e` of its speed, or loses speed to drag at a rate of
+/// `damping`, 1/s, where e = 1.
+struct First {
+    time: f64,
+    speed: f64,
+    e: f64,
+    damping: f64,
+}
+
+impl First {
+    /// As many bounces as fit into `left` seconds.
     ///
     /// A bounce under a pull a with drag c·v comes back slower by (2c/3a)·v², and takes 2v/a: so speeds fall as e^(−c·t/3).
-    fn of(first: f64, left: f64, (speed, e): (f64, f64), damping: f64) -> Self {
+    fn series(&self, left: f64) -> Series {
+        let Self { time: first, speed, e, damping } = *self;
         if e < 1.0 {
             // n bounces take first·(1 − eⁿ)/(1 − e).
             let part = left * (1.0 - e) / first;
             let count = if part >= 1.0 { f64::INFINITY } else { (libm::log1p(-part) / libm::log(e)).floor() };
             let time = (first * (1.0 - libm::pow(e, count)) / (1.0 - e)).min(left);
-            return Self { time, leaves: count.is_finite().then(|| speed * libm::pow(e, count)) };
+            return Series { time, leaves: count.is_finite().then(|| speed * libm::pow(e, count)) };
         }
         let slowing = damping / 3.0;
-        if slowing * left >= DAMPED_AWAY {
-            return Self { time: left, leaves: None };
+        // Of speeds that fall as e^(−x), nothing is left at x = 40.
+        if slowing * left >= 40.0 {
+            return Series { time: left, leaves: None };
         }
         if slowing * left <= f64::EPSILON {
-            return Self { time: ((left / first).floor() * first).min(left), leaves: Some(speed) };
+            return Series { time: ((left / first).floor() * first).min(left), leaves: Some(speed) };
         }
         let count = (libm::expm1(slowing * left) / (slowing * first)).floor();
         let slower = slowing * first * count;
-        Self { time: (libm::log1p(slower) / slowing).min(left), leaves: Some(speed / (1.0 + slower)) }
+        Series { time: (libm::log1p(slower) / slowing).min(left), leaves: Some(speed / (1.0 + slower)) }
     }
 }
 
@@ -79,7 +83,7 @@ impl Events {
         if !thick || (damping + stiffness.sqrt()) * first > reach {
             return;
         }
-        let Series { time, leaves } = Series::of(first, left, (speed, e), damping);
+        let Series { time, leaves } = First { time: first, speed, e, damping }.series(left);
         self.part_with(contact, -speed);
         for i in [lo, hi].into_iter().filter(|i| *i < self.movable) {
             self.speeds[i][axis] = together;
@@ -122,33 +126,33 @@ impl Events {
 
 #[cfg(test)]
 mod tests {
-    use crate::physics::exact::bounces::Series;
+    use crate::physics::exact::bounces::{First, Series};
 
     #[test]
     fn a_series_of_bounces_ends_when_its_sum_does() {
         // 1 + ½ + ¼ + … s.
-        let of = |left: f64| Series::of(1.0, left, (8.0, 0.5), 0.0);
-        assert_eq!((of(3.0).time, of(3.0).leaves), (2.0, None));
-        assert_eq!((of(1.8).time, of(1.8).leaves), (1.75, Some(1.0)));
+        let first = First { time: 1.0, speed: 8.0, e: 0.5, damping: 0.0 };
+        assert_eq!(first.series(3.0), Series { time: 2.0, leaves: None });
+        assert_eq!(first.series(1.8), Series { time: 1.75, leaves: Some(1.0) });
     }
 
     #[test]
     fn what_loses_nothing_bounces_as_often_as_fits() {
-        let of = Series::of(0.5, 2.25, (8.0, 1.0), 0.0);
-        assert_eq!((of.time, of.leaves), (2.0, Some(8.0)));
+        let first = First { time: 0.5, speed: 8.0, e: 1.0, damping: 0.0 };
+        assert_eq!(first.series(2.25), Series { time: 2.0, leaves: Some(8.0) });
     }
 
     /// One bounce after the other under a pull of 2 m/s², with (2c/3a)·v² off the speed of each.
     #[test]
     fn drag_takes_its_part_of_each_bounce() {
         let (damping, pull, mut speed, mut time) = (0.3, 2.0, 0.01, 0.0);
-        let of = Series::of(2.0 * speed / pull, 20.0, (speed, 1.0), damping);
+        let of = First { time: 2.0 * speed / pull, speed, e: 1.0, damping }.series(20.0);
         while time + speed < of.time {
             time += 2.0 * speed / pull;
             speed -= 2.0 * damping / (3.0 * pull) * speed * speed;
         }
         assert!(of.time > 19.99 && of.time <= 20.0, "{} s", of.time);
         assert!(of.leaves.is_some_and(|leaves| (leaves / speed - 1.0).abs() < 0.01), "{:?}, not {speed}", of.leaves);
-        assert_eq!(Series::of(1.0, 10.0, (8.0, 1.0), 100.0).leaves, None);
+        assert_eq!(First { time: 1.0, speed: 8.0, e: 1.0, damping: 100.0 }.series(10.0).leaves, None);
     }
 }

@@ -74,11 +74,7 @@ impl Events {
     /// Keeps those of the touching pairs as contacts that neither part nor (impacts are over by now) approach. Of the pair that has just
     /// `met` only the impact was along the axis in which it met.
     pub(crate) fn find_contacts(&mut self, scene: &Scene, met: Option<Contact>) {
-        let is_concerned = &self.is_concerned;
-        self.contacts.retain(|contact| {
-            let concerned = |item: u32| is_concerned[item as usize];
-            !(concerned(contact.lo) || concerned(contact.hi))
-        });
+        self.take_contacts_of_concerned();
         for index in 0..self.touching.len() {
             let mut contact = self.touching[index];
             if met.is_some_and(|met| met.is_of(contact.lo, contact.hi)) {
@@ -116,17 +112,12 @@ impl Events {
 
     /// Moves the contacts of what is concerned into `trial`.
     pub(crate) fn take_contacts_of_concerned(&mut self) {
+        let is_concerned = &self.is_concerned;
+        let concerned = |contact: &mut Contact| is_concerned[contact.lo as usize] || is_concerned[contact.hi as usize];
         self.trial.clear();
-        let (is_concerned, trial) = (&self.is_concerned, &mut self.trial);
-        self.contacts.retain(|contact| {
-            let concerned = is_concerned[contact.lo as usize] || is_concerned[contact.hi as usize];
-            if concerned {
-                trial.push(*contact);
-            }
-            !concerned
-        });
+        self.trial.extend(self.contacts.extract_if(.., concerned));
         // The order decides about the last bits of an answer.
-        trial.sort_unstable_by_key(Contact::ends);
+        self.trial.sort_unstable_by_key(Contact::ends);
     }
 
     /// Ends a slide: what stops and whatever moves with it has one speed along the face from now on.
@@ -147,7 +138,7 @@ impl Events {
         }
         self.take_contacts_of_concerned();
         self.before.clone_from(&self.speeds);
-        let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
+        let parts = Parts { masses: &self.masses, free: &self.before };
         self.reactions.merge_speeds(&stopped, &self.trial, &parts, &mut self.speeds);
         self.contacts.append(&mut self.trial);
     }

@@ -24,70 +24,66 @@ impl Events {
         for i in 0..self.items.len() {
             self.locate(scene, i);
         }
-        // Media may have parted what pressed when it set out, and what slides may do so since.
-        for index in (0..self.contacts.len()).rev() {
-            let contact = self.contacts[index];
-            if !(self.stays(&contact) || self.rides(&contact)) {
-                self.contacts.remove(index);
-                for item in [contact.lo, contact.hi] {
-                    self.items[item as usize].known = false;
-                    // What else they touch carries something else now.
-                    self.concern(item);
-                }
+        self.end_contacts();
+        for i in 0..self.movable {
+            if self.has_another_law(scene, i) {
+                self.renew_law(scene, i);
+                self.concern(i as u32);
             }
         }
-        for index in 0..self.contacts.len() {
+        let solves = self.contacts.iter().any(|contact| self.changes(contact.lo) || self.changes(contact.hi));
+        for i in 0..self.movable {
+            let changes = self.changes(i as u32);
+            let item = &mut self.items[i];
+            if changes || solves {
+                self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
+            }
+            if changes {
+                (item.solved, self.solved[i]) = (self.free[i], self.free[i]);
+            }
+        }
+        if solves {
+            self.contacts.sort_unstable_by_key(Contact::ends);
+            let parts = Parts { masses: &self.masses, free: &self.free };
+            self.reactions.accelerate(&mut self.contacts, &parts, &mut self.solved);
+            for (item, solved) in self.items[..self.movable].iter_mut().zip(&self.solved) {
+                item.solved = *solved;
+            }
+        }
+        self.release();
+    }
+
+    /// Ends the contacts whose ends media have parted since their last event, and turns the slides that media have turned.
+    fn end_contacts(&mut self) {
+        for index in (0..self.contacts.len()).rev() {
             let contact = self.contacts[index];
             let slides = self.slides(&contact);
-            if slides != 0.0 && slides != contact.slides {
+            let parts = !(self.stays(&contact) || self.rides(&contact));
+            if parts {
+                self.contacts.remove(index);
+                self.items[contact.lo as usize].known = false;
+                self.items[contact.hi as usize].known = false;
+            } else if slides != 0.0 {
                 self.contacts[index].slides = slides;
+            }
+            if parts || slides != 0.0 && slides != contact.slides {
+                // What else they touch carries something else now.
                 self.concern(contact.lo);
                 self.concern(contact.hi);
             }
         }
-        // What has crossed the border of a stream just as the tick ends is on its other side; links pull as they do then.
-        if !(self.streams.is_empty() && self.links.is_empty()) {
-            for i in 0..self.movable {
-                self.items[i].link = links_on(&self.links, self.items[i].id, |id| self.end_of(id));
-                let (item, force) = (&self.items[i], self.force_on(scene, i));
-                if scene.media.constant(&item.body, force) != item.law.constant {
-                    self.renew_law(scene, i);
-                    self.concern(i as u32);
-                }
-            }
+    }
+
+    /// Whether another law than that of its last way acts on a body: it has crossed the border of a stream just as the tick ends, its links
+    /// pull otherwise there, or it was pushed to liquids that its own law would not have led it to.
+    fn has_another_law(&mut self, scene: &Scene, i: usize) -> bool {
+        let pulled = !(self.streams.is_empty() && self.links.is_empty());
+        if pulled {
+            self.items[i].link = links_on(&self.links, self.items[i].id, |id| self.end_of(id));
         }
-        // What was pushed further than its own law would have led it has met other liquids.
-        if !scene.media.fluids.is_empty() {
-            for i in 0..self.movable {
-                let item = &self.items[i];
-                if !item.law.displaced.near.contains(&item.body.bounds(), 0.0) {
-                    self.renew_law(scene, i);
-                    self.concern(i as u32);
-                }
-            }
-        }
-        for i in 0..self.movable {
-            let item = &mut self.items[i];
-            if self.is_concerned[i] || !item.law.is_constant() && item.motion != Motion::Still {
-                self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
-                (item.solved, self.solved[i]) = (self.free[i], self.free[i]);
-            }
-        }
-        if self.contacts.iter().any(|contact| self.changes(contact.lo) || self.changes(contact.hi)) {
-            for i in 0..self.movable {
-                if !self.changes(i as u32) {
-                    self.free[i] =
-                        scene.media.acceleration(&self.items[i].body, &self.items[i].law, self.places[i], self.speeds[i]);
-                }
-            }
-            self.contacts.sort_unstable_by_key(Contact::ends);
-            let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
-            self.reactions.accelerate(&mut self.contacts, &parts, &mut self.solved);
-            for i in 0..self.movable {
-                self.items[i].solved = self.solved[i];
-            }
-        }
-        self.release();
+        let item = &self.items[i];
+        pulled && scene.media.constant(&item.body, self.force_on(scene, i)) != item.law.constant
+            || !scene.media.fluids.is_empty() && !item.law.displaced.near.contains(&item.body.bounds(), 0.0)
     }
 
     /// Gives what rides on a surface that moves its place and its speed exactly, and so on with what is carried by that: the sums of many

@@ -1,10 +1,25 @@
 //! Surfaces within a tick: they begin the legs of their paths, and stop for what they would squeeze.
 
 use crate::physics::data::contact::Contact;
-use crate::physics::data::tuning::SLOP;
-use crate::physics::exact::item::Next;
-use crate::physics::exact::meeting::DEEP;
+use crate::physics::data::tuning::{SLOP, STRAY};
+use crate::physics::exact::item::{Item, Motion, Next};
 use crate::physics::exact::{Events, Scene};
+use glam::DVec2;
+
+impl Scene<'_> {
+    /// Puts a surface where its path leads it `at` seconds from the tick's start, or to where it stopped before.
+    pub fn set_on_path(&self, item: &mut Item, at: f64) {
+        let surface = &self.surfaces[item.id as usize];
+        let point = if at < item.stops_at { surface.at(at) } else { surface.at(item.stops_at).at_rest() };
+        item.since = at;
+        let end = if at < item.stops_at { item.stops_at } else { f64::INFINITY };
+        item.until = (at + point.lasts).min(end).min(self.tick);
+        (item.body.position, item.body.velocity) = (point.offset, point.velocity);
+        (item.solved, item.mean) = (point.acceleration, point.acceleration);
+        let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;
+        item.motion = if still { Motion::Still } else { Motion::Parabola };
+    }
+}
 
 impl Events {
     /// Begins the next leg of a surface's path: whatever touches it is concerned.
@@ -48,7 +63,7 @@ impl Events {
             }
         }
         let way = depth + self.depth_of(squeezing).max(0.0);
-        if way <= SLOP || way > DEEP || speed <= 0.0 {
+        if way <= SLOP || way > STRAY || speed <= 0.0 {
             return 0.0;
         }
         for &item in &self.behind {
@@ -64,9 +79,8 @@ impl Events {
         self.foresee(scene, i);
         self.nexts[i] = Next::NEVER;
         let item = &self.items[i];
-        let ground = i - self.movable;
-        (self.ground_speeds[ground], self.ground_pulls[ground]) = (item.body.velocity, item.solved);
-        (self.places[i], self.is_placed[i]) = (item.body.position, true);
+        (self.places[i], self.speeds[i], self.is_placed[i]) = (item.body.position, item.body.velocity, true);
+        (self.free[i], self.solved[i]) = (item.solved, item.solved);
         for index in 0..self.contacts.len() {
             let contact = self.contacts[index];
             if contact.has(i as u32) {

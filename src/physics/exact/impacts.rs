@@ -9,7 +9,7 @@
 use crate::physics::contact::reactions::Parts;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::plan::{Part, called};
-use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES, SPEED_ROUNDING};
+use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
 use crate::physics::exact::ties::Tie;
 use crate::physics::exact::{Events, Scene};
 use glam::DVec2;
@@ -74,7 +74,7 @@ impl Events {
         self.asked.iter_mut().for_each(|contact| contact.clings = false);
         self.before.clone_from(&self.speeds);
         self.means.clone_from(&self.speeds);
-        let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
+        let parts = Parts { masses: &self.masses, free: &self.before };
         self.reactions.collide(&mut self.asked, &parts, &mut self.means);
         let any = self.stop_surfaces(scene, &touching, Self::speed);
         self.touching = touching;
@@ -89,7 +89,7 @@ impl Events {
         let mut may_cling = true;
         for _ in 0..=touching.len() + 1 {
             self.before.clone_from(&self.speeds);
-            let parts = Parts { masses: &self.masses, free: &self.before, grounds: &self.ground_speeds };
+            let parts = Parts { masses: &self.masses, free: &self.before };
             self.reactions.collide(&mut touching, &parts, &mut self.speeds);
             if !self.reactions.squeezed.is_empty() && touching.iter().any(|contact| contact.clings) {
                 // What clings gives way: only what cannot squeezes.
@@ -99,7 +99,8 @@ impl Events {
                 continue;
             }
             if self.stop_surfaces(scene, &touching, Self::speed) {
-                self.speeds.clone_from(&self.before);
+                // The surfaces keep the speeds to which they have just been stopped.
+                self.speeds[..self.movable].copy_from_slice(&self.before[..self.movable]);
                 break;
             }
             let mut lifted = false;
@@ -130,8 +131,7 @@ impl Events {
             }
             let side = if surface == contact.lo { 1.0 } else { -1.0 };
             if side * rate(self, surface)[contact.axis] > 0.0 {
-                let ground = surface as usize - self.movable;
-                let (speed, pull) = (self.ground_speeds[ground][contact.axis], self.ground_pulls[ground][contact.axis]);
+                let (speed, pull) = (self.speed(surface)[contact.axis], self.free[surface as usize][contact.axis]);
                 self.squeezed.push((body, surface, side * speed + (side * pull).max(0.0) * (scene.tick - self.now)));
                 late = f64::max(late, self.give_back(contacts, contact, side * speed));
             }
@@ -162,17 +162,8 @@ impl Events {
         if self.is_body(item) {
             scene.media.acceleration(&of.body, &of.law, self.places[item as usize], self.speeds[item as usize])
         } else {
-            self.ground_pulls[item as usize - self.movable]
+            self.free[item as usize]
         }
-    }
-
-    /// Differences of the speeds of two things up to which they are rounding, along each axis, m/s.
-    pub(crate) fn speed_rounding(&self, contact: &Contact) -> DVec2 {
-        (self.speed(contact.lo).abs() + self.speed(contact.hi).abs()) * SPEED_ROUNDING
-    }
-
-    pub(crate) fn approach(&self, contact: &Contact) -> f64 {
-        (self.speed(contact.lo) - self.speed(contact.hi))[contact.axis]
     }
 
     /// The next pair of the sequence: its index, its closing speed and its restitution. Bouncing pairs first, the fastest of them.
@@ -254,22 +245,13 @@ impl Events {
         }
     }
 
-    /// The share of a change of relative velocity that each of two things takes: the other's fraction of the mass; a surface takes none.
-    pub(crate) fn shares(&self, a: usize, b: usize) -> [f64; 2] {
-        if a >= self.movable || b >= self.movable {
-            return [a, b].map(|item| if item < self.movable { 1.0 } else { 0.0 });
-        }
-        let (of_a, of_b) = (self.items[a].body.mass, self.items[b].body.mass);
-        [of_b / (of_a + of_b), of_a / (of_a + of_b)]
-    }
-
     /// Lists what a plastic impact passed on in a contact.
     fn note_plastic(&mut self, contact: &Contact) {
         if contact.normal != 0.0 || contact.friction != 0.0 {
             let mut impulse = DVec2::ZERO;
             (impulse[contact.axis], impulse[1 - contact.axis]) = (contact.normal, contact.friction);
-            let speed = |item: u32| if self.is_body(item) { self.before[item as usize] } else { self.speed(item) };
-            let closing = (speed(contact.lo) - speed(contact.hi))[contact.axis].max(0.0);
+            let before = |item: u32| self.before[item as usize][contact.axis];
+            let closing = (before(contact.lo) - before(contact.hi)).max(0.0);
             self.note(contact, impulse, closing);
         }
     }

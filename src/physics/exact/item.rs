@@ -4,27 +4,15 @@ use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::{Body, BodyDef, Pose, parabola};
 use crate::physics::data::impact_time::Cubic;
 use crate::physics::data::surface::{Sides, Surface};
+use crate::physics::data::tuning::STRAY;
 use crate::physics::exact::track::Track;
 use crate::physics::flight::flow::{flow, flow_while};
 use crate::physics::forces::law::Law;
 use crate::physics::forces::media::Media;
 use glam::DVec2;
 
-/// Rate × time of one Runge–Kutta step of a slide: 1e-9 m after some metres.
-const RK4_REACH: f64 = 0.02;
-/// Runge–Kutta steps of one slide between two events, at most: its way is foreseen for half a time constant, which takes 25.
-const MOST_STEPS: f64 = 64.0;
-
-/// m. How far a cubic may be beside the way that it follows. Larger: what rises through a surface is met beside its way; smaller: ways are foreseen
-/// in more parts.
-const STRAY: f64 = 1e-5;
-/// How far a cubic is at most beside a quartic that begins alike and ends at one place with it, by the time that takes and the difference of the
-/// speeds there.
-const BESIDE: f64 = 27.0 / 256.0;
 /// Steps of a flow that one cubic follows, at most.
 const MOST_NODES: usize = 16;
-/// s. Shorter parts are not worth it.
-const SHORTEST: f64 = 1e-9;
 
 /// How something moves from one event to its next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -239,7 +227,8 @@ impl Item {
         let mut pose = (self.body.position, self.body.velocity);
         let Some(slide) = self.slide else { return parabola(pose, self.mean, t) };
         let reach = media.rate(&self.body, &self.law, pose, t) * t;
-        let steps = (reach / RK4_REACH).ceil().clamp(1.0, MOST_STEPS);
+        // Rate × time of 0.02 a step leaves 1e-9 m after some metres. A way that is foreseen at once takes 25 steps.
+        let steps = (reach / 0.02).ceil().clamp(1.0, 64.0);
         if !self.law.is_near_liquid() {
             for _ in 0..steps as u32 {
                 pose = rk4(pose, t / steps, |x, v| slide.hold(media.acceleration(&self.body, &self.law, x, v)));
@@ -284,8 +273,8 @@ impl Item {
             let (mut passed, mut count, mut fits) = ([(0.0, DVec2::ZERO); MOST_NODES], 0, true);
             let course = flow_while(media, &self.body, &self.law, self.until - self.since, |t, (place, speed)| {
                 let way = to(t, place);
-                // It goes beside one that ends as fast as the flow does.
-                let beside = (way.from(t).c[1] - speed).abs().max_element() * t * BESIDE;
+                // A cubic is beside a quartic with the same start and end place by 27/256 of the time and the difference of their last speeds.
+                let beside = (way.from(t).c[1] - speed).abs().max_element() * t * (27.0 / 256.0);
                 let strays = |(at, place): &(f64, DVec2)| way.from(*at).c[0].distance(*place) > STRAY;
                 let follows = beside <= STRAY && !passed[..count].iter().any(strays);
                 fits &= follows || count > 0;
@@ -297,7 +286,7 @@ impl Item {
             });
             self.until = self.since + course.time;
             self.law.first = course.next;
-            if fits || course.time <= SHORTEST {
+            if fits || course.time <= 1e-9 {
                 self.end = Some((self.since, self.until, course.end));
                 return to(course.time, course.end.0);
             }

@@ -2,18 +2,9 @@
 //! things may be found a hair apart or in each other when they should touch.
 
 use crate::physics::data::contact::Contact;
-use crate::physics::data::tuning::SLOP;
+use crate::physics::data::tuning::{SLOP, STRAY};
 use crate::physics::exact::item::Next;
 use crate::physics::exact::{Events, Scene};
-
-/// Steps of Newton's method for the time at which two motions meet.
-const POLISH: u32 = 4;
-/// Halvings of a time, at most, where it does not end.
-const HALVINGS: u32 = 64;
-/// m. A gap of bodies that have met is left if it is smaller than this.
-const CLOSED: f64 = 1e-12;
-/// m. What is deeper in something than this did not get there by rounding.
-pub(crate) const DEEP: f64 = 1e-5;
 
 impl Events {
     /// Brings two things to the instant at which they meet, and exactly together: a way foreseen as a cubic may be off by a hair, so Newton's
@@ -28,7 +19,8 @@ impl Events {
             let others = self.nexts.iter().enumerate().filter(|(k, next)| !of_pair(*k, next) && !self.is_void(next));
             let others = others.map(|(_, next)| next.at);
             let end = others.fold(self.items[lo].until.min(self.items[hi].until).min(scene.tick), f64::min);
-            for _ in 0..POLISH {
+            // Four steps of Newton's method end at the rounding of the time.
+            for _ in 0..4 {
                 let (a, b) = (self.items[lo].pose(scene.media, self.now), self.items[hi].pose(scene.media, self.now));
                 let (gap, closing) = (b.0[axis] - a.0[axis] - reach, a.1[axis] - b.1[axis]);
                 let next = self.now + gap / closing;
@@ -53,25 +45,25 @@ impl Events {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let reach = self.reach_of(contact);
         let gap = self.locate(scene, hi)[axis] - self.locate(scene, lo)[axis] - reach;
-        if gap < -DEEP && !self.began_apart(contact) {
+        if gap < -STRAY && !self.began_apart(contact) {
             // They began in each other: nothing is put right at a stroke.
             return;
         }
         if lo >= self.movable || hi >= self.movable {
             let (body, ground, side) = if lo >= self.movable { (hi, lo, 1.0) } else { (lo, hi, -1.0) };
-            if gap < -CLOSED {
-                self.push_along(scene, body as u32, (axis, -side * gap), contact);
+            if gap < -1e-12 {
+                self.push_along(scene, body as u32, -side * gap, contact);
             }
             self.places[body][axis] = self.places[ground][axis] + side * reach;
-        } else if gap.abs() > CLOSED {
+        } else if gap.abs() > 1e-12 {
             let share = [(lo, gap), (hi, -gap)].map(|(item, way)| {
-                let stands = self.find_behind(item as u32, axis, way, contact);
+                let stands = self.find_behind(item as u32, way, contact);
                 if stands { 0.0 } else { 1.0 / self.items[item].body.mass }
             });
             let sum = share[0] + share[1];
             if sum > 0.0 {
-                self.push_along(scene, lo as u32, (axis, gap * (share[0] / sum)), contact);
-                self.push_along(scene, hi as u32, (axis, -gap * (share[1] / sum)), contact);
+                self.push_along(scene, lo as u32, gap * (share[0] / sum), contact);
+                self.push_along(scene, hi as u32, -gap * (share[1] / sum), contact);
             }
         }
     }
@@ -80,7 +72,7 @@ impl Events {
     fn began_apart(&self, contact: &Contact) -> bool {
         let (lo, hi) = (contact.lo as usize, contact.hi as usize);
         let reach = self.items[lo].body.half + self.items[hi].body.half;
-        ((self.begun[hi] - self.begun[lo]).abs() - reach).max_element() >= -DEEP
+        ((self.begun[hi] - self.begun[lo]).abs() - reach).max_element() >= -STRAY
     }
 
     /// Where Newton's method has ended with two things in each other: halves the time between the last event, when they were not, and now,
@@ -96,7 +88,8 @@ impl Events {
             return;
         }
         let mut met = self.now;
-        for _ in 0..HALVINGS {
+        // 64 halvings leave nothing of any time.
+        for _ in 0..64 {
             let middle = 0.5 * (apart + met);
             let between = gap(self, middle);
             if between >= -SLOP {
@@ -111,16 +104,16 @@ impl Events {
         self.now = apart;
     }
 
-    /// Lists in `behind` a body and what stands behind it to that side along an axis, each against the one before, not by this contact. Returns
-    /// whether a surface does.
-    fn find_behind(&mut self, body: u32, axis: usize, side: f64, besides: &Contact) -> bool {
+    /// Lists in `behind` a body and what stands behind it to that side along the axis of a contact, each against the one before, not by this
+    /// contact. Returns whether a surface does.
+    fn find_behind(&mut self, body: u32, side: f64, besides: &Contact) -> bool {
         self.behind.clear();
         self.behind.push(body);
         let mut next = 0;
         while let Some(&carrier) = self.behind.get(next) {
             next += 1;
             let all = self.contacts.iter().chain(&self.touching).chain(&self.met);
-            for contact in all.filter(|contact| contact.axis == axis && !contact.is_of(besides.lo, besides.hi)) {
+            for contact in all.filter(|contact| contact.axis == besides.axis && !contact.is_of(besides.lo, besides.hi)) {
                 let (near, far) = if side > 0.0 { (contact.lo, contact.hi) } else { (contact.hi, contact.lo) };
                 if near != carrier {
                     continue;
@@ -136,17 +129,18 @@ impl Events {
         false
     }
 
-    /// Moves a body by `way` (m) along an axis, and what stands behind it by as much: it would be left in it, a little deeper each time.
-    fn push_along(&mut self, scene: &Scene, body: u32, (axis, way): (usize, f64), besides: &Contact) {
+    /// Moves a body by `way` (m) along the axis of a contact, and what stands behind it by as much: it would be left in it, a little deeper each
+    /// time.
+    fn push_along(&mut self, scene: &Scene, body: u32, way: f64, besides: &Contact) {
         if way == 0.0 {
             return;
         }
-        self.find_behind(body, axis, way, besides);
+        self.find_behind(body, way, besides);
         for k in 0..self.behind.len() {
             let item = self.behind[k];
             self.concern(item);
             self.locate(scene, item as usize);
-            self.places[item as usize][axis] += way;
+            self.places[item as usize][besides.axis] += way;
         }
     }
 

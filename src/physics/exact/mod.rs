@@ -21,6 +21,7 @@ pub(crate) mod impacts;
 pub(crate) mod item;
 pub(crate) mod meeting;
 pub(crate) mod motions;
+pub(crate) mod poses;
 pub(crate) mod predict;
 pub(crate) mod rest;
 pub(crate) mod ties;
@@ -33,7 +34,7 @@ use crate::physics::data::contact::Contact;
 use crate::physics::data::impact_time::Cubic;
 use crate::physics::data::plan::Plan;
 use crate::physics::data::surface::Surface;
-use crate::physics::data::tuning::SLOP;
+use crate::physics::data::tuning::EVENTS_OF_A_BODY;
 pub(crate) use crate::physics::exact::impacts::Hit;
 pub(crate) use crate::physics::exact::item::{Item, Motion};
 use crate::physics::exact::item::{Kind, Next};
@@ -47,11 +48,6 @@ use crate::physics::forces::zones::ZoneList;
 use crate::physics::guards::Guards;
 use crate::physics::world::State;
 use glam::DVec2;
-
-/// Events of an island in a tick, and for each of its bodies, at most; an event counts as often as bodies are looked at for it. More: the worst tick
-/// lasts longer; fewer: exactness is given up where fewer impacts fall into one tick.
-const MOST_EVENTS: u64 = 1024;
-const MOST_OF_A_BODY: u64 = 32;
 
 /// What all islands of a tick share.
 #[derive(Clone, Copy, Debug)]
@@ -71,19 +67,6 @@ pub(crate) struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    /// Puts a surface where its path leads it `at` seconds from the tick's start, or to where it stopped before.
-    pub fn set_on_path(&self, item: &mut Item, at: f64) {
-        let surface = &self.surfaces[item.id as usize];
-        let point = if at < item.stops_at { surface.at(at) } else { surface.at(item.stops_at).at_rest() };
-        item.since = at;
-        let end = if at < item.stops_at { item.stops_at } else { f64::INFINITY };
-        item.until = (at + point.lasts).min(end).min(self.tick);
-        (item.body.position, item.body.velocity) = (point.offset, point.velocity);
-        (item.solved, item.mean) = (point.acceleration, point.acceleration);
-        let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;
-        item.motion = if still { Motion::Still } else { Motion::Parabola };
-    }
-
     /// A tick of a world.
     pub fn of<'a>(state: &'a State, plan: &Plan, tick: f64) -> Scene<'a> {
         Scene {
@@ -150,19 +133,17 @@ pub(crate) struct Events {
     /// The pair whose meeting the present event is.
     met: Option<Contact>,
     reactions: Reactions,
-    /// Of each body: its mass along each axis, what would accelerate it without contacts, and what does.
+    /// Of each body: its mass along each axis.
     masses: Vec<DVec2>,
+    /// Of each item: its acceleration without contacts, and with them; both are the path's for a surface.
     free: Vec<DVec2>,
     solved: Vec<DVec2>,
-    /// Of each item: where it is now; of each body: how fast.
+    /// Of each item: where it is now, and how fast; how fast it was before an impact.
     places: Vec<DVec2>,
     speeds: Vec<DVec2>,
     before: Vec<DVec2>,
     /// Of each item: where it was when the tick began.
     begun: Vec<DVec2>,
-    /// Of each surface: velocity and acceleration now.
-    ground_speeds: Vec<DVec2>,
-    ground_pulls: Vec<DVec2>,
     /// What the present event concerns, and whether an item belongs to it; whether its pose now is known.
     concerned: Vec<u32>,
     is_concerned: Vec<bool>,
@@ -245,7 +226,7 @@ impl Events {
     /// Whether more has happened in this tick than is followed event by event.
     pub(crate) fn is_busy(&mut self) -> bool {
         self.count += std::mem::take(&mut self.reactions.solved);
-        self.count > MOST_EVENTS + MOST_OF_A_BODY * self.movable as u64
+        self.count > EVENTS_OF_A_BODY * (32 + self.movable as u64)
     }
 
     /// Contacts and accelerations before the first tick: no impact is resolved yet.
@@ -302,24 +283,18 @@ impl Events {
 
     /// Makes room for all items.
     fn clear_buffers(&mut self) {
-        let (all, bodies) = (self.items.len(), self.movable);
+        let all = self.items.len();
         (self.now, self.count, self.grown) = (0.0, 0, false);
         self.reactions.solved = 0;
-        for vectors in [&mut self.masses, &mut self.free, &mut self.solved, &mut self.speeds, &mut self.means] {
-            vectors.clear();
-            vectors.resize(bodies, DVec2::ZERO);
+        for vectors in [&mut self.free, &mut self.solved, &mut self.places, &mut self.speeds, &mut self.means] {
+            refill(vectors, all, DVec2::ZERO);
         }
-        for vectors in [&mut self.ground_speeds, &mut self.ground_pulls] {
-            vectors.clear();
-            vectors.resize(all - bodies, DVec2::ZERO);
-        }
-        self.nexts.clear();
-        self.nexts.resize(all, Next::NEVER);
-        self.ways.clear();
-        self.ways.resize(all, 0);
-        for lists in [&mut self.near, &mut self.behind] {
-            lists.clear();
-            lists.reserve(all);
+        self.masses.clear();
+        self.masses.extend(self.items[..self.movable].iter().map(|item| DVec2::splat(item.body.mass)));
+        refill(&mut self.nexts, all, Next::NEVER);
+        refill(&mut self.ways, all, 0);
+        for flags in [&mut self.is_concerned, &mut self.is_placed] {
+            refill(flags, all, false);
         }
         self.begun.clear();
         self.begun.extend(self.items.iter().map(|item| item.body.position));
@@ -330,18 +305,7 @@ impl Events {
         for (i, track) in self.tracks.iter().enumerate() {
             self.lanes.set(i, &track.swept, track.rounding);
         }
-        self.borders.clear();
-        if !self.streams.is_empty() {
-            self.borders.resize(bodies, ZoneList::default());
-        }
-        self.pressing.clear();
-        self.pressing.reserve(all);
-        self.places.clear();
-        self.places.resize(all, DVec2::ZERO);
-        for flags in [&mut self.is_concerned, &mut self.is_placed] {
-            flags.clear();
-            flags.resize(all, false);
-        }
+        refill(&mut self.borders, if self.streams.is_empty() { 0 } else { self.movable }, ZoneList::default());
     }
 
     /// Prepares the buffers, and how everything moves at the start of the tick.
@@ -350,10 +314,7 @@ impl Events {
         self.bounces = scene.bounces && self.items.iter().any(|item| item.body.restitution > 0.0);
         let (all, bodies) = (self.items.len(), self.movable);
         for i in 0..bodies {
-            self.masses[i] = DVec2::splat(self.items[i].body.mass);
             self.solved[i] = self.items[i].solved;
-        }
-        for i in 0..bodies {
             self.renew_law(scene, i);
         }
         for i in bodies..all {
@@ -428,115 +389,10 @@ impl Events {
         self.look(scene, hit);
         self.release();
     }
+}
 
-    /// Brings everything to the present instant.
-    fn stop_here(&mut self, scene: &Scene) {
-        for i in 0..self.items.len() {
-            let (position, velocity) = self.items[i].pose(scene.media, self.now);
-            let item = &mut self.items[i];
-            (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
-        }
-    }
-
-    /// Counts an item to what the present event concerns.
-    fn concern(&mut self, item: u32) {
-        if self.is_body(item) && !self.is_concerned[item as usize] {
-            self.is_concerned[item as usize] = true;
-            self.concerned.push(item);
-        }
-    }
-
-    /// Ends an event.
-    fn release(&mut self) {
-        for &item in &self.concerned {
-            self.is_concerned[item as usize] = false;
-        }
-        self.concerned.clear();
-        self.touching.clear();
-        self.met = None;
-        self.is_placed.fill(false);
-    }
-
-    pub(crate) fn is_body(&self, item: u32) -> bool {
-        (item as usize) < self.movable
-    }
-
-    /// Velocity now, m/s.
-    fn speed(&self, item: u32) -> DVec2 {
-        let i = item as usize;
-        if i < self.movable { self.speeds[i] } else { self.ground_speeds[i - self.movable] }
-    }
-
-    /// Whether a surface stands still.
-    fn stands(&self, surface: u32) -> bool {
-        let i = surface as usize - self.movable;
-        self.ground_speeds[i] == DVec2::ZERO && self.ground_pulls[i] == DVec2::ZERO
-    }
-
-    /// What a belt adds to the velocity of `hi` relative to `lo` along a contact's face, m/s.
-    fn skin_of(&self, contact: &Contact) -> f64 {
-        if self.is_body(contact.hi) { -contact.skin } else { contact.skin }
-    }
-
-    /// How fast `hi` slides over `lo`, m/s.
-    fn sliding(&self, contact: &Contact) -> f64 {
-        (self.speed(contact.hi) - self.speed(contact.lo))[1 - contact.axis] + self.skin_of(contact)
-    }
-
-    /// The contact of two items along an axis.
-    fn contact_along(&self, lo: u32, hi: u32, axis: usize) -> Contact {
-        let (first, second) = (&self.items[lo.min(hi) as usize], &self.items[lo.max(hi) as usize]);
-        let on_surface = !self.is_body(lo.max(hi));
-        let mut contact = Contact::between(lo, hi, axis);
-        contact.rub_with(first.body.coefficients().with(second.body.coefficients(), on_surface));
-        if on_surface {
-            // Clockwise: the top runs to the right, the right side down.
-            let above_or_right = (axis == 1) == (lo < hi);
-            contact.skin = if above_or_right { second.belt } else { -second.belt };
-        }
-        contact
-    }
-
-    /// The middle of the edge that two items share now, m.
-    fn point_of(&self, contact: &Contact) -> DVec2 {
-        let (a, b) = (contact.lo as usize, contact.hi as usize);
-        let (a_half, b_half) = (self.items[a].body.half, self.items[b].body.half);
-        let low = (self.places[a] - a_half).max(self.places[b] - b_half);
-        let high = (self.places[a] + a_half).min(self.places[b] + b_half);
-        (low + high) * 0.5
-    }
-
-    /// Where an item is now, found once an event.
-    fn locate(&mut self, scene: &Scene, item: usize) -> DVec2 {
-        if !self.is_placed[item] {
-            let (place, speed) = self.items[item].pose(scene.media, self.now);
-            self.is_placed[item] = true;
-            self.places[item] = place;
-            if item < self.movable {
-                self.speeds[item] = speed;
-            } else {
-                let ground = item - self.movable;
-                (self.ground_speeds[ground], self.ground_pulls[ground]) = (speed, self.items[item].solved);
-            }
-        }
-        self.places[item]
-    }
-
-    /// The contact of two items whose gap along an axis is at most the slop while they overlap along the other. Boxes that overlap along both
-    /// touch along the axis along which they overlap less; a surface is touched on its solid sides only, and from outside.
-    fn contact_now(&mut self, scene: &Scene, a: u32, b: u32) -> Option<Contact> {
-        let (a, b) = (a.min(b), a.max(b));
-        let apart = self.locate(scene, b as usize) - self.locate(scene, a as usize);
-        let gap = apart.abs() - (self.items[a as usize].body.half + self.items[b as usize].body.half);
-        let axis = usize::from(gap.x <= gap.y);
-        if gap[axis] > SLOP || gap[1 - axis] >= -SLOP {
-            return None;
-        }
-        let sides = self.items[b as usize].sides;
-        if sides != crate::physics::data::surface::Sides::ALL && (!sides.face(axis, apart[axis] <= 0.0) || gap[axis] < -SLOP) {
-            return None;
-        }
-        let (lo, hi) = if apart[axis] > 0.0 { (a, b) } else { (b, a) };
-        Some(Contact { closed: gap[axis] <= 0.0, ..self.contact_along(lo, hi, axis) })
-    }
+/// Sets the length and all values of a list.
+fn refill<T: Clone>(list: &mut Vec<T>, count: usize, value: T) {
+    list.clear();
+    list.resize(count, value);
 }

@@ -14,22 +14,6 @@ use crate::physics::exact::{Events, Implicit, Scene};
 use crate::physics::forces::zones;
 use glam::DVec2;
 
-/// The rate × time up to which a cubic follows a flow through air. Larger: impacts in the midst of it are found off the way.
-const CUBIC_REACH: f64 = 0.1;
-/// The same near liquids, where each foresight costs many times as much.
-const CUBIC_REACH_IN_LIQUID: f64 = 0.5;
-/// How far beyond the end of a slide a mean acceleration reaches, as a part of its time: so that the end is found before.
-const BEYOND_A_STOP: f64 = 1.25;
-/// The shortest part of a tick for which the way of something light in air is foreseen at once, as long as it bends by little.
-const SHORTEST: f64 = 1.0 / 256.0;
-/// The same near liquids.
-const SHORTEST_IN_LIQUID: f64 = 1.0 / 64.0;
-/// How far a way is foreseen at once near liquids, as a part of the time in which half of the body enters one: where it does, its way has a kink.
-const PART_OF_A_CROSSING: f64 = 0.5;
-/// m. How far a way may leave its tangent within that. Larger: what is braked from hundreds of kilometres a second meets things metres
-/// beside its way.
-const BENT: f64 = 1e-3;
-
 /// s from the tick's start. How long the cubic of something that moves through a medium follows its flow; that of a flow through liquids is
 /// looked at as it is foreseen.
 fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
@@ -37,18 +21,21 @@ fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
     if wet && item.motion == Motion::Flow {
         return scene.tick;
     }
-    let (reach, shortest) = if wet { (CUBIC_REACH_IN_LIQUID, SHORTEST_IN_LIQUID) } else { (CUBIC_REACH, SHORTEST) };
+    // Rate × time, and the shortest part of a tick. Each foresight near liquids costs many times as much.
+    let (reach, shortest) = if wet { (0.5, 1.0 / 64.0) } else { (0.1, 1.0 / 256.0) };
     let pose = (item.body.position, item.body.velocity);
     let rate = scene.media.rate(&item.body, &item.law, pose, scene.tick - item.since);
     let (mut long, least) = (reach / rate, scene.tick * shortest);
     if wet {
-        long = long.min((item.body.half / pose.1.abs()).min_element() * PART_OF_A_CROSSING);
+        // The way has a kink where half of the body has entered a liquid: half of the time to that.
+        long = long.min((item.body.half / pose.1.abs()).min_element() * 0.5);
     }
     if long >= least {
         return (item.since + long).min(scene.tick);
     }
     let pull = scene.media.acceleration(&item.body, &item.law, pose.0, pose.1).length();
-    (item.since + long.max(least.min((BENT / pull).sqrt()))).min(scene.tick)
+    // In the shortest part the way leaves its tangent by a millimetre at most.
+    (item.since + long.max(least.min((1e-3 / pull).sqrt()))).min(scene.tick)
 }
 
 impl Events {
@@ -113,10 +100,10 @@ impl Events {
             self.solved[i] = self.free[i];
         }
         self.take_contacts_of_concerned();
-        let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
+        let parts = Parts { masses: &self.masses, free: &self.free };
         self.reactions.accelerate(&mut self.trial, &parts, &mut self.solved);
         let solved = std::mem::take(&mut self.trial);
-        self.stop_surfaces(scene, &solved, |events, surface| events.ground_pulls[surface as usize - events.movable]);
+        self.stop_surfaces(scene, &solved, |events, surface| events.free[surface as usize]);
         self.trial = solved;
         self.contacts.append(&mut self.trial);
         for k in 0..self.concerned.len() {
@@ -196,16 +183,13 @@ impl Events {
         self.contacts.append(&mut self.trial);
     }
 
-    /// How long a mean acceleration may be taken for, of `left` seconds: what a heavy load brakes stands soon, and friction acts no longer.
+    /// How long a mean acceleration may be taken for, of `left` seconds: a quarter longer than the first slide lasts, so that its end is found before.
     fn while_slides_last(&self, left: f64) -> f64 {
-        let rate = |item: u32, along: usize| {
-            let i = item as usize;
-            if i < self.movable { self.solved[i][along] } else { self.ground_pulls[i - self.movable][along] }
-        };
+        let rate = |item: u32, along: usize| self.solved[item as usize][along];
         let ends = self.trial.iter().filter(|contact| contact.slides != 0.0).map(|contact| {
             let along = 1 - contact.axis;
             let braking = contact.slides * (rate(contact.lo, along) - rate(contact.hi, along));
-            if braking > 0.0 { BEYOND_A_STOP * contact.slides * self.sliding(contact) / braking } else { f64::INFINITY }
+            if braking > 0.0 { 1.25 * contact.slides * self.sliding(contact) / braking } else { f64::INFINITY }
         });
         ends.filter(|&end| end > 0.0).fold(left, f64::min)
     }
@@ -213,7 +197,7 @@ impl Events {
     /// The slide of a body that touches nothing but one surface which does not speed up, if it is one.
     fn slide_of(&self, i: usize, contact: &Contact) -> Option<Slide> {
         let surface = contact.other(i as u32);
-        if self.is_body(surface) || self.ground_pulls[surface as usize - self.movable] != DVec2::ZERO {
+        if self.is_body(surface) || self.free[surface as usize] != DVec2::ZERO {
             return None;
         }
         let away = if contact.hi as usize == i { 1.0 } else { -1.0 };
@@ -266,7 +250,7 @@ impl Events {
     fn solve_means(&mut self) {
         self.means.clone_from(&self.free);
         self.asked.clone_from(&self.trial);
-        let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
+        let parts = Parts { masses: &self.masses, free: &self.free };
         self.reactions.accelerate(&mut self.asked, &parts, &mut self.means);
     }
 

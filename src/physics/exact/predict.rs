@@ -7,36 +7,20 @@
 //! Ways are cubics: exactly the parabola without drag, the Hermite interpolant of the flow with it. Whatever meets along them does so at a
 //! root of a polynomial; the pose at that time is then taken from the motion itself.
 
+use crate::physics::data::aabb::Aabb;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::impact_time::{Cubic, Polynomial, earliest, time_of_impact};
 use crate::physics::data::surface::Sides;
-use crate::physics::data::tuning::{MICRO_SPEED, SLOP};
+use crate::physics::data::tuning::{MICRO_SPEED, SLOP, SPEED_TOLERANCE};
 use crate::physics::exact::item::{Kind, Next};
 use crate::physics::exact::{Events, Scene};
 use crate::physics::forces::zones;
 use glam::DVec2;
 
-/// m/s and m/s². Where things meet more gently than this it is the rounding of their places that meets: they would sink into each other
-/// by less than 1e-11 m within a tick.
-const GRAZING_SPEED: f64 = 1e-11;
-const GRAZING_ACCELERATION: f64 = 1e-6;
-/// How far one looks ahead at first, by half the sum of the sides, and how many times as far then. Further: more pairs are looked at.
-const LOOK_AHEAD: f64 = 2.0;
-const FURTHER: f64 = 4.0;
-/// Among so few one looks as far as one goes, at once.
-const FEW: usize = 16;
-
 impl Events {
     /// Finds the next event of an item, against all others.
     pub(crate) fn predict(&mut self, scene: &Scene, i: usize) {
-        let item = &self.items[i];
-        let mut next = Next::NEVER;
-        if item.until < scene.tick {
-            next.or_earlier(item.until, Kind::Renew);
-        }
-        if let Some(resume) = item.resume {
-            next.or_earlier(resume.at, Kind::Resume);
-        }
+        let mut next = self.own_next(scene, i);
         if i < self.movable {
             self.next_border(scene, i, &mut next);
         }
@@ -70,8 +54,13 @@ impl Events {
         self.grown |= i < self.movable && !self.items[i].searched.contains(&lane, 0.0);
     }
 
-    /// The same while nothing of the island moves, so that nothing meets and no contact changes.
+    /// Finds the next event of an item while nothing of the island moves: nothing meets, and no contact changes.
     pub(crate) fn predict_still(&mut self, scene: &Scene, i: usize) {
+        self.nexts[i] = self.own_next(scene, i);
+    }
+
+    /// The next event that an item comes to by itself.
+    fn own_next(&self, scene: &Scene, i: usize) -> Next {
         let item = &self.items[i];
         let mut next = Next::NEVER;
         if item.until < scene.tick {
@@ -80,75 +69,62 @@ impl Events {
         if let Some(resume) = item.resume {
             next.or_earlier(resume.at, Kind::Resume);
         }
-        self.nexts[i] = next;
+        next
     }
 
     /// When an item meets another one. The search begins now, and ends where the earlier of their ways does or with what is known to happen.
-    /// What is fast looks a little ahead first: it seldom gets far.
     fn next_hit(&mut self, i: usize, next: &mut Next) {
         let mine = &self.tracks[i];
         let from_here = mine.way_from(self.now);
-        let (left, half, rounding) = (mine.until - self.now, mine.half, mine.rounding);
-        let foreseen = (mine.since == self.now).then_some(mine.swept);
-        let [_, v, ..] = from_here.c;
-        let few = self.tracks.len() <= FEW;
-        let mut ahead = if few || mine.is_still() { left } else { LOOK_AHEAD * (half.x + half.y) / (v.x.abs() + v.y.abs()) };
+        let (left, reach) = ((mine.until.min(next.at) - self.now), mine.rounding + SLOP);
+        if left <= 0.0 {
+            return;
+        }
+        let whole = mine.since == self.now && left == mine.until - self.now;
+        let lane = if whole { mine.swept } else { from_here.swept(mine.half, left) };
         let mut near = std::mem::take(&mut self.near);
-        loop {
-            let end = left.min(next.at - self.now);
-            let stretch = if ahead < 0.5 * end { ahead } else { end };
-            if stretch <= 0.0 {
-                break;
-            }
-            let mut lane = foreseen.filter(|_| stretch == left).unwrap_or_else(|| from_here.swept(half, stretch));
-            (lane.min, lane.max) = (lane.min - (rounding + SLOP), lane.max + (rounding + SLOP));
-            self.lanes.touching(&lane, &mut near);
-            self.meet(i, &from_here, &near, (self.now + stretch, next));
-            if stretch == end || next.at <= self.now + stretch {
-                break;
-            }
-            ahead *= FURTHER;
+        self.lanes.touching(&Aabb::new(lane.min - reach, lane.max + reach), &mut near);
+        for &j in &near {
+            let found = self.next_meeting(i, j as usize, &from_here, next.at);
+            next.or_earlier(found.at, found.kind);
         }
         self.near = near;
     }
 
-    /// Whom of those near an item meets before a time.
-    fn meet(&mut self, i: usize, from_here: &Cubic, near: &[u32], (before, next): (f64, &mut Next)) {
-        let (now, mine) = (self.now, &self.tracks[i]);
-        for j in near.iter().map(|j| *j as usize) {
-            let other = &self.tracks[j];
-            if j == i || mine.is_still() && other.is_still() {
-                continue;
-            }
-            let end = mine.until.min(other.until).min(self.nexts[j].at).min(next.at).min(before) - now;
-            if end <= 0.0 {
-                continue;
-            }
-            let from_there = other.way_from(now);
-            // What presses on each other has met already.
-            if !mine.may_meet(other, from_there.c[0] - from_here.c[0], end, SLOP) || self.pressing.contains(&(j as u32)) {
-                continue;
-            }
-            // Seen from the one of the lower number, so that both come to the same bits.
-            let motion = if i < j { from_here.relative(&from_there) } else { from_there.relative(from_here) };
-            if motion.stands() {
-                continue;
-            }
-            let sides = self.items[i.max(j)].sides;
-            if let Some(t) = begins_flush(&motion, mine.half + other.half, end, sides) {
-                next.or_earlier(now + t, Kind::Begin { other: j as u32 });
-            }
-            let reach = reach_of(&motion, mine.half + other.half, sides);
-            let found =
-                meets_at_once(&motion, reach, sides).map(|axis| (0.0, axis)).or_else(|| time_of_impact(&motion, reach, end, sides));
-            let Some((t, axis)) = found else { continue };
+    /// When an item that goes on like that meets another one, if it does `before` a time (s from the tick's start).
+    fn next_meeting(&self, i: usize, j: usize, from_here: &Cubic, before: f64) -> Next {
+        let (now, mine, other) = (self.now, &self.tracks[i], &self.tracks[j]);
+        let mut next = Next::NEVER;
+        let end = mine.until.min(other.until).min(self.nexts[j].at).min(before) - now;
+        if j == i || mine.is_still() && other.is_still() || end <= 0.0 {
+            return next;
+        }
+        let from_there = other.way_from(now);
+        // What presses on each other has met already.
+        if !mine.may_meet(other, from_there.c[0] - from_here.c[0], end, SLOP) || self.pressing.contains(&(j as u32)) {
+            return next;
+        }
+        // Seen from the one of the lower number, so that both come to the same bits.
+        let motion = if i < j { from_here.relative(&from_there) } else { from_there.relative(from_here) };
+        if motion.stands() {
+            return next;
+        }
+        let (halves, sides) = (mine.half + other.half, self.items[i.max(j)].sides);
+        if let Some(t) = begins_flush(&motion, halves, end, sides) {
+            next.or_earlier(now + t, Kind::Begin { other: j as u32 });
+        }
+        let reach = reach_of(&motion, halves, sides);
+        let at_once = meets_at_once(&motion, reach, sides).map(|axis| (0.0, axis));
+        if let Some((t, axis)) = at_once.or_else(|| time_of_impact(&motion, reach, end, sides)) {
             let path = motion.axis(axis);
             let side = path.at(t).signum();
-            let gentle = -side * path.slope(t) <= GRAZING_SPEED && -side * path.curvature(t) <= GRAZING_ACCELERATION;
+            // Such roundings of two places would sink into each other by less than 1e-11 m within a tick.
+            let gentle = -side * path.slope(t) <= SPEED_TOLERANCE && -side * path.curvature(t) <= 1e-6;
             if !gentle {
                 next.or_earlier(now + t, Kind::Hit { other: j as u32, axis, ascending: (side > 0.0) == (i < j) });
             }
         }
+        next
     }
 
     /// The end of a slide, and something sliding off an edge.
@@ -234,7 +210,7 @@ fn meets_at_once(motion: &Cubic, reach: DVec2, sides: Sides) -> Option<usize> {
     let apart = motion.c[0];
     let gap = apart.abs() - reach;
     let axis = usize::from(gap.x <= gap.y);
-    let meets = gap[axis] <= 0.0 && gap[1 - axis] < -SLOP && -apart[axis].signum() * motion.c[1][axis] > GRAZING_SPEED;
+    let meets = gap[axis] <= 0.0 && gap[1 - axis] < -SLOP && -apart[axis].signum() * motion.c[1][axis] > SPEED_TOLERANCE;
     (meets && sides.face(axis, apart[axis] <= 0.0) && (sides == Sides::ALL || gap[axis] >= -SLOP)).then_some(axis)
 }
 

@@ -29,7 +29,6 @@ impl Events {
             return false;
         }
         for i in 0..self.movable {
-            self.masses[i] = DVec2::splat(self.items[i].body.mass);
             self.renew_law(scene, i);
             let item = &self.items[i];
             self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
@@ -52,7 +51,7 @@ impl Events {
             *contact = Contact { slides: 0.0, normal: 0.0, friction: 0.0, closed: true, lasts: true, ..*contact };
         }
         self.trial.sort_unstable_by_key(Contact::ends);
-        let parts = Parts { masses: &self.masses, free: &self.free, grounds: &self.ground_pulls };
+        let parts = Parts { masses: &self.masses, free: &self.free };
         self.reactions.accelerate(&mut self.trial, &parts, &mut self.solved);
         if !self.reactions.squeezed.is_empty() || self.solved.iter().any(|a| *a != DVec2::ZERO) {
             return false;

@@ -6,18 +6,9 @@
 //! whose impulse would pull is left out, and is an impact of its own if it approaches still.
 
 use crate::physics::data::contact::Contact;
+use crate::physics::data::tuning::EQUAL_SPEED;
 use crate::physics::exact::{Events, Scene};
 use glam::DVec2;
-
-/// Relative difference up to which two approach speeds are equal. Smaller: the rounding of a place decides about an order.
-const EQUAL_SPEED: f64 = 1e-10;
-/// s. Gaps that close within this time close now.
-const EQUAL_TIME: f64 = 1e-12;
-/// Roundings of a coordinate that a gap may be off by.
-const ROUNDINGS: f64 = 16.0;
-/// Relative to the largest target: where conjugate gradients end, and what says that the targets contradict each other.
-const CONVERGED: f64 = 1e-15;
-const CONTRADICTS: f64 = 1e-9;
 
 /// One of several impacts at one instant.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +66,8 @@ impl Events {
         let reach = self.items[a].body.half + self.items[b].body.half;
         let gap = (self.places[b] - self.places[a] - reach)[contact.axis];
         let size = (self.places[a].abs() + self.places[b].abs() + reach)[contact.axis];
-        gap <= speed * EQUAL_TIME + ROUNDINGS * f64::EPSILON * size
+        // It closes within 1e-12 s, or 16 roundings of the coordinates.
+        gap <= speed * 1e-12 + 16.0 * f64::EPSILON * size
     }
 
     /// Resolves the impacts that have been found to tie.
@@ -117,7 +109,7 @@ impl Events {
             for tie in &*ties {
                 size += tie.left * tie.left * self.reduced(&self.touching[tie.index]);
             }
-            if ties.iter().all(|tie| tie.left.abs() <= CONVERGED * most) {
+            if ties.iter().all(|tie| tie.left.abs() <= 1e-15 * most) {
                 break;
             }
             let carried = if step == 0 { 0.0 } else { size / last };
@@ -135,7 +127,7 @@ impl Events {
             }
             last = size;
         }
-        ties.iter().all(|tie| tie.left.abs() <= CONTRADICTS * most)
+        ties.iter().all(|tie| tie.left.abs() <= 1e-9 * most)
     }
 
     /// What impulses along the directions of the search change of the approach speeds.

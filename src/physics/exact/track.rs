@@ -6,10 +6,6 @@ use crate::physics::data::impact_time::Cubic;
 use crate::physics::exact::item::{Item, Motion};
 use glam::DVec2;
 
-/// m, and as a part of the largest coordinate: the roundings that places on a way are sure to stay below.
-const ROUNDING: f64 = 1e-6;
-const RELATIVE_ROUNDING: f64 = 64.0 * f64::EPSILON;
-
 /// The way of an item from `since` to `until`, s from the tick's start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Track {
@@ -33,7 +29,8 @@ impl Track {
         let swept = way.swept(half, t);
         let [_, v, a, j] = way.c;
         let fastest = v.abs() + (2.0 * a.abs() + 3.0 * j.abs() * t) * t;
-        let rounding = swept.min.abs().max(swept.max.abs()) * RELATIVE_ROUNDING + ROUNDING;
+        // Places on a way are off by less than 64 roundings of the largest coordinate and 1e-6 m.
+        let rounding = swept.min.abs().max(swept.max.abs()) * (64.0 * f64::EPSILON) + 1e-6;
         Self { since, until, motion, half, way, swept, fastest, rounding }
     }
 

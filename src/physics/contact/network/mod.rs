@@ -9,8 +9,7 @@
 //! *are* the contact forces), and where that cannot be done, cut at the bottleneck and go on with the parts (the decomposition
 //! algorithm for separable convex functions: Fujishige 1980, Groenevelt 1991).
 //!
-//! A column on ground is answered directly; most blocks settle in one pass of loads along the axis (`passes`), the rest by maximum flow
-//! (`routing`). What a settled block leaves over within its tolerance is handed on by what is light in it, for which it may be all that acts.
+//! Most blocks settle in one pass of loads along the axis (`passes`), the rest by maximum flow (`routing`). What a settled block leaves over within its tolerance is handed on by what is light in it, for which it may be all that acts.
 //!
 //! Ground may move: a link to it knows its acceleration (or, when impulses are solved for, its velocity). Where all ground of a network
 //! moves alike, the network is solved in its frame. Otherwise a block is held against one of its grounds at a time: seen from there,
@@ -21,11 +20,13 @@
 //! could carry a load (statically indeterminate), they share it equally if no tie is needed. Cost: one linear pass for a pile at rest
 //! or a pushed row; otherwise O(nodes · links) a block, meant for up to a few hundred bodies.
 
+pub(crate) mod grounds;
 pub(crate) mod passes;
 pub(crate) mod routing;
 
 use crate::physics::contact::network::routing::NOWHERE;
-use crate::physics::data::tuning::FORCE_TOLERANCE;
+use crate::physics::data::tuning::{FORCE_TOLERANCE, LIGHT};
+use std::ops::Range;
 
 /// The index of the ground as an end of a link.
 pub(crate) const GROUND: u32 = u32::MAX;
@@ -98,7 +99,7 @@ pub(crate) struct Network {
     around: Vec<u32>,
     /// All nodes, each block a contiguous range of it.
     order: Vec<u32>,
-    blocks: Vec<(u32, u32)>,
+    blocks: Vec<Range<u32>>,
     /// What is noted about each node; the last one is the ground.
     notes: Vec<Note>,
     queue: Vec<u32>,
@@ -108,12 +109,23 @@ pub(crate) struct Network {
     aside: Vec<u32>,
 }
 
-/// What is pulled at by less than such a part of what pulls at the rest of its block is light: what the block leaves over is looked at once more.
-const LIGHT: f64 = 1e-3;
+/// The block that is being settled: a part of `order`.
+#[derive(Clone, Copy, Debug)]
+struct Block {
+    begin: usize,
+    end: usize,
+    /// What the ground does that the block is held against, m/s².
+    ground: Option<f64>,
+    /// The largest force that acts on one of its nodes, N.
+    largest: f64,
+}
 
-/// What a ground pushes with that moves otherwise than the one a block is held against, by the sum of all that acts in the block. It
-/// has to exceed what all else can hold.
-const OVERWHELMING: f64 = 4.0;
+impl Block {
+    /// Up to where a force left over is none, N.
+    fn tolerance(&self) -> f64 {
+        self.largest * FORCE_TOLERANCE
+    }
+}
 
 /// What a solve notes about a node.
 #[derive(Clone, Copy, Debug)]
@@ -162,46 +174,6 @@ impl Network {
         }
         let frame = self.common_frame();
         self.enter_frame(frame);
-        if !self.lies_on_ground() && !self.is_pair() && !self.is_column() {
-            self.solve_by_blocks();
-        }
-        self.leave_frame(frame);
-    }
-
-    /// The acceleration of all ground, if it moves alike; else 0.
-    fn common_frame(&self) -> f64 {
-        let mut grounds = self.links.iter().filter(|link| link.is_grounded()).map(|link| link.ground);
-        let first = grounds.next().unwrap_or(0.0);
-        if grounds.all(|ground| ground == first) { first } else { 0.0 }
-    }
-
-    /// What nothing is linked to stays outside: in that frame what little pulls at it could be lost to rounding.
-    fn enter_frame(&mut self, frame: f64) {
-        self.linked.clear();
-        if frame != 0.0 {
-            self.linked.resize(self.nodes.len(), false);
-            for end in self.links.iter().flat_map(|link| [link.lo, link.hi]).filter(|end| *end != GROUND) {
-                self.linked[end as usize] = true;
-            }
-            self.linked_nodes().for_each(|node| node.force -= node.mass * frame);
-            self.links.iter_mut().for_each(|link| link.ground = 0.0);
-        }
-    }
-
-    fn linked_nodes(&mut self) -> impl Iterator<Item = &mut Node> {
-        self.nodes.iter_mut().zip(&self.linked).filter(|(_, linked)| **linked).map(|(node, _)| node)
-    }
-
-    fn leave_frame(&mut self, frame: f64) {
-        if frame != 0.0 {
-            self.linked_nodes().for_each(|node| node.acceleration += frame);
-        }
-    }
-
-    fn solve_by_blocks(&mut self) {
-        if self.stays() {
-            return;
-        }
         self.index_links();
         self.find_components();
         let mut next = 0;
@@ -209,6 +181,7 @@ impl Network {
             self.settle_block(next);
             next += 1;
         }
+        self.leave_frame(frame);
     }
 
     fn slot(&self, end: u32) -> usize {
@@ -243,7 +216,7 @@ impl Network {
         self.notes.resize(n + 1, Note::NEW);
     }
 
-    fn links_of(&self, node: u32) -> std::ops::Range<usize> {
+    fn links_of(&self, node: u32) -> Range<usize> {
         let slot = self.slot(node);
         self.first[slot] as usize..self.first[slot + 1] as usize
     }
@@ -272,52 +245,52 @@ impl Network {
                     }
                 }
             }
-            self.blocks.push((begin as u32, self.order.len() as u32));
+            self.blocks.push(begin as u32..self.order.len() as u32);
         }
     }
 
     /// Gives the block one acceleration if its links can make it move as one; otherwise cuts it into parts, which come later.
-    fn settle_block(&mut self, block: usize) {
-        let (begin, end) = (self.blocks[block].0 as usize, self.blocks[block].1 as usize);
-        let (mut mass, mut force, mut largest, mut ground) = (0.0, 0.0, 0.0f64, None);
-        for at in begin..end {
-            let i = self.order[at];
+    fn settle_block(&mut self, index: usize) {
+        let Range { start, end } = self.blocks[index];
+        let mut block = Block { begin: start as usize, end: end as usize, ground: None, largest: 0.0 };
+        let (mut mass, mut force) = (0.0, 0.0);
+        for &i in &self.order[block.begin..block.end] {
             let node = self.nodes[i as usize];
             mass += node.mass;
             force += node.force;
-            largest = largest.max(node.force.abs());
+            block.largest = block.largest.max(node.force.abs());
             let grounds = self.links_of(i).map(|slot| &self.links[self.around[slot] as usize]);
-            ground = ground.or_else(|| grounds.filter(|link| !link.cut && link.other(i) == GROUND).map(|link| link.ground).next());
+            let mut held = grounds.filter(|link| !link.cut && link.other(i) == GROUND).map(|link| link.ground);
+            block.ground = block.ground.or_else(|| held.next());
         }
-        let acceleration = ground.unwrap_or(force / mass);
-        for at in begin..end {
-            self.nodes[self.order[at] as usize].acceleration = acceleration;
+        let acceleration = block.ground.unwrap_or(force / mass);
+        for &i in &self.order[block.begin..block.end] {
+            self.nodes[i as usize].acceleration = acceleration;
         }
-        if end - begin == 1 && ground.is_none() {
+        if block.end - block.begin == 1 && block.ground.is_none() {
             return;
         }
-        let elsewhere = ground.is_some_and(|ground| self.part_with_other_grounds(begin, end, ground));
-        let tolerance = largest * FORCE_TOLERANCE;
-        if !elsewhere && (self.passes(begin, end, true, tolerance) || self.passes(begin, end, false, tolerance)) {
-            return self.settle_light(begin, end, largest);
+        let elsewhere = block.ground.is_some_and(|ground| self.part_with_other_grounds(block, ground));
+        if !elsewhere && (self.passes(block, true) || self.passes(block, false)) {
+            return self.settle_light(block);
         }
-        self.reset_flows(begin, end);
+        self.reset_flows(block);
         if elsewhere {
-            self.pull_by_other_grounds(begin, end, acceleration);
+            self.pull_by_other_grounds(block, acceleration);
         }
-        self.route(begin, end, ground.is_some(), tolerance);
-        if !self.split(begin, end, ground) && !elsewhere {
-            self.settle_light(begin, end, largest);
+        self.route(block);
+        if !self.split(block) && !elsewhere {
+            self.settle_light(block);
         }
     }
 
     /// What is nothing beside the rest of its block may be all that acts on something light. The lightest first, it is handed on to what is not light,
     /// or at least heavier, or numbered later; what is pulled away from all that it is only pushed by goes on by itself.
-    fn settle_light(&mut self, begin: usize, end: usize, largest: f64) {
+    fn settle_light(&mut self, block: Block) {
         let own = |node: &Node| node.force.abs().max(node.mass * node.acceleration.abs());
-        let is_light = |node: &Node| own(node) < LIGHT * largest;
+        let is_light = |node: &Node| own(node) < LIGHT * block.largest;
         self.queue.clear();
-        self.queue.extend(self.order[begin..end].iter().copied().filter(|i| is_light(&self.nodes[*i as usize])));
+        self.queue.extend(self.order[block.begin..block.end].iter().copied().filter(|i| is_light(&self.nodes[*i as usize])));
         let nodes = &self.nodes;
         self.queue.sort_unstable_by(|a, b| nodes[*a as usize].mass.total_cmp(&nodes[*b as usize].mass).then(a.cmp(b)));
         for k in 0..self.queue.len() {
@@ -355,54 +328,8 @@ impl Network {
         }
     }
 
-    /// Sets those links aside (`cut`) that lead to ground which moves otherwise than `ground`. Returns whether there are any.
-    fn part_with_other_grounds(&mut self, begin: usize, end: usize, ground: f64) -> bool {
-        let mut any = false;
-        for at in begin..end {
-            let i = self.order[at];
-            for slot in self.links_of(i) {
-                let link = &mut self.links[self.around[slot] as usize];
-                if !link.cut && link.other(i) == GROUND && link.ground != ground {
-                    (link.cut, any) = (true, true);
-                    self.aside.push(self.around[slot]);
-                }
-            }
-        }
-        any
-    }
-
-    /// Adds to the excess of the nodes what the grounds set aside do to them while they move with the acceleration `held`: ties drag with
-    /// their limit, and what is pushed is pushed by more than everything else in the block together.
-    fn pull_by_other_grounds(&mut self, begin: usize, end: usize, held: f64) {
-        let (mut all, mut mass) = (0.0, 0.0);
-        for at in begin..end {
-            let i = self.order[at];
-            all += self.notes[i as usize].excess.abs();
-            mass += self.nodes[i as usize].mass;
-            for slot in self.links_of(i) {
-                if let Carries::UpTo(limit) = self.links[self.around[slot] as usize].carries {
-                    all += if limit.is_finite() { limit } else { 0.0 };
-                }
-            }
-        }
-        for k in 0..self.aside.len() {
-            let link = &mut self.links[self.aside[k] as usize];
-            let node = if link.lo == GROUND { link.hi } else { link.lo };
-            let ahead = (link.ground - held).signum();
-            let side = if link.lo == GROUND { 1.0 } else { -1.0 };
-            let drag = match link.carries {
-                Carries::UpTo(limit) if limit.is_finite() => limit,
-                Carries::Push if ahead != side => 0.0,
-                // Where nothing else acts it is what the block's own inertia asks for.
-                Carries::Push | Carries::UpTo(_) => OVERWHELMING * (all + mass * (link.ground - held).abs()),
-            };
-            link.flow = side * ahead * drag;
-            self.notes[node as usize].excess += ahead * drag;
-        }
-    }
-
-    fn reset_flows(&mut self, begin: usize, end: usize) {
-        for at in begin..end {
+    fn reset_flows(&mut self, block: Block) {
+        for at in block.begin..block.end {
             let i = self.order[at];
             let node = self.nodes[i as usize];
             self.notes[i as usize].excess = node.force - node.mass * node.acceleration;

@@ -1,7 +1,8 @@
 //! The general way through a block: a maximum flow from where force is left over to where it is missing, along shortest paths, and a cut
 //! where it gets stuck (Ford and Fulkerson's method in Edmonds and Karp's order).
 
-use crate::physics::contact::network::{Carries, GROUND, Network, Side};
+use crate::physics::contact::network::grounds::side_of;
+use crate::physics::contact::network::{Block, Carries, GROUND, Network, Side};
 
 /// How a search reached a node: not at all, or by starting there.
 pub(crate) const NOWHERE: u32 = u32::MAX;
@@ -10,27 +11,27 @@ const START: u32 = u32::MAX - 1;
 impl Network {
     /// Routes as much excess as the links allow along shortest paths: first from where it is to where it is missing or into the ground,
     /// then from the ground to where it is still missing.
-    pub(crate) fn route(&mut self, begin: usize, end: usize, grounded: bool, tolerance: f64) {
-        while let Some(goal) = self.search(begin, end, false, grounded, tolerance) {
+    pub(super) fn route(&mut self, block: Block) {
+        while let Some(goal) = self.search(block, false) {
             self.augment(goal);
         }
         // What the search still reaches from unrouted excess cannot be held back by the rest.
-        for at in begin..end {
+        for at in block.begin..block.end {
             let i = self.order[at] as usize;
             self.notes[i].side = if self.notes[i].came_by == NOWHERE { Side::Same } else { Side::Faster };
         }
-        if grounded {
-            while let Some(goal) = self.search(begin, end, true, grounded, tolerance) {
+        if block.ground.is_some() {
+            while let Some(goal) = self.search(block, true) {
                 self.augment(goal);
             }
         }
-        self.mark_slower(begin, end, tolerance);
+        self.mark_slower(block);
     }
 
     /// Breadth first from all excess (or from the ground) to the nearest lack; leaves in `came_by` how each node was reached.
-    fn search(&mut self, begin: usize, end: usize, from_ground: bool, grounded: bool, tolerance: f64) -> Option<u32> {
-        let ground = self.nodes.len();
-        for at in begin..end {
+    fn search(&mut self, block: Block, from_ground: bool) -> Option<u32> {
+        let (ground, tolerance) = (self.nodes.len(), block.tolerance());
+        for at in block.begin..block.end {
             self.notes[self.order[at] as usize].came_by = NOWHERE;
         }
         self.notes[ground].came_by = NOWHERE;
@@ -39,7 +40,7 @@ impl Network {
             self.notes[ground].came_by = START;
             self.queue.push(GROUND);
         } else {
-            for at in begin..end {
+            for at in block.begin..block.end {
                 let i = self.order[at];
                 if self.notes[i as usize].excess > tolerance {
                     self.notes[i as usize].came_by = START;
@@ -47,7 +48,7 @@ impl Network {
                 }
             }
         }
-        let block = self.notes[self.order[begin] as usize].block;
+        let number = self.notes[self.order[block.begin] as usize].block;
         let mut next = 0;
         while next < self.queue.len() {
             let node = self.queue[next];
@@ -64,13 +65,13 @@ impl Network {
                     continue;
                 }
                 if other == GROUND {
-                    if grounded {
+                    if block.ground.is_some() {
                         self.notes[place].came_by = index;
                         return Some(GROUND);
                     }
                     continue;
                 }
-                if self.notes[place].block != block {
+                if self.notes[place].block != number {
                     continue;
                 }
                 self.notes[place].came_by = index;
@@ -110,10 +111,11 @@ impl Network {
     }
 
     /// Whatever could still pass force on to an unmet lack shares that lack.
-    fn mark_slower(&mut self, begin: usize, end: usize, tolerance: f64) {
-        let block = self.notes[self.order[begin] as usize].block;
+    fn mark_slower(&mut self, block: Block) {
+        let tolerance = block.tolerance();
+        let number = self.notes[self.order[block.begin] as usize].block;
         self.queue.clear();
-        for at in begin..end {
+        for at in block.begin..block.end {
             let i = self.order[at];
             if self.notes[i as usize].excess < -tolerance && self.notes[i as usize].side == Side::Same {
                 self.notes[i as usize].side = Side::Slower;
@@ -127,7 +129,7 @@ impl Network {
             for slot in self.links_of(node) {
                 let link = &self.links[self.around[slot] as usize];
                 let other = link.other(node);
-                let joined = !link.cut && other != GROUND && self.notes[other as usize].block == block;
+                let joined = !link.cut && other != GROUND && self.notes[other as usize].block == number;
                 if joined && self.notes[other as usize].side == Side::Same && link.room(other) > tolerance {
                     self.notes[other as usize].side = Side::Slower;
                     self.queue.push(other);
@@ -136,9 +138,10 @@ impl Network {
         }
     }
 
-    /// Cuts the block where the routing got stuck: ties across the cut slip at their limits, pushes across it have ended. `ground` is the
-    /// acceleration of the ground that it was held against. Returns whether it was cut.
-    pub(crate) fn split(&mut self, begin: usize, end: usize, ground: Option<f64>) -> bool {
+    /// Cuts the block where the routing got stuck: ties across the cut slip at their limits, pushes across it have ended. Returns whether it was
+    /// cut.
+    pub(super) fn split(&mut self, block: Block) -> bool {
+        let Block { begin, end, ground, .. } = block;
         let first = self.notes[self.order[begin] as usize].side;
         let whole = (begin..end).all(|at| self.notes[self.order[at] as usize].side == first);
         if let Some(side) = self.settle_other_grounds(ground.unwrap_or(0.0)) {
@@ -148,7 +151,7 @@ impl Network {
         if whole && (first == Side::Same || ground.is_none()) {
             return false;
         }
-        for at in begin..end {
+        for at in block.begin..block.end {
             let i = self.order[at];
             for slot in self.links_of(i) {
                 let index = self.around[slot] as usize;
@@ -183,57 +186,8 @@ impl Network {
                 self.notes[self.order[at] as usize].block = self.blocks.len() as u32;
                 at += 1;
             }
-            self.blocks.push((from as u32, at as u32));
+            self.blocks.push(from as u32..at as u32);
         }
         true
-    }
-
-    /// Lets a link that has been cut pass on a force that stays.
-    fn pass_on(&mut self, index: usize, flow: f64) {
-        let link = &mut self.links[index];
-        link.flow = flow;
-        for (end, sign) in [(link.lo, -1.0), (link.hi, 1.0)] {
-            if end != GROUND {
-                self.nodes[end as usize].force += sign * flow;
-            }
-        }
-    }
-
-    /// Of the grounds set aside, those on whose side a node ended up may still hold it; the others drag or have let go for good. What
-    /// stayed although it is pushed by more than all else together is squeezed between two of them: returns the side on which it stayed, if anything is.
-    fn settle_other_grounds(&mut self, held: f64) -> Option<Side> {
-        let mut squeezed = None;
-        for k in 0..self.aside.len() {
-            let index = self.aside[k] as usize;
-            let link = self.links[index];
-            let node = if link.lo == GROUND { link.hi } else { link.lo };
-            let (mine, its) = (self.notes[node as usize].side, side_of(link.ground, held));
-            if mine == its {
-                (self.links[index].cut, self.links[index].flow) = (false, 0.0);
-                continue;
-            }
-            match link.carries {
-                Carries::UpTo(limit) if limit.is_finite() => self.pass_on(index, link.flow),
-                Carries::Push | Carries::UpTo(_) => {
-                    if link.flow != 0.0 {
-                        squeezed = Some(mine);
-                    }
-                    self.links[index].flow = 0.0;
-                }
-            }
-        }
-        self.aside.clear();
-        squeezed
-    }
-}
-
-/// On which side of a block that is held at `held` a ground moves.
-fn side_of(ground: f64, held: f64) -> Side {
-    if ground > held {
-        Side::Faster
-    } else if ground < held {
-        Side::Slower
-    } else {
-        Side::Same
     }
 }

@@ -1,0 +1,142 @@
+//! One axis of a group of contacts: a [`Network`](crate::physics::contact::network::Network) of its bodies, with a link for each push along the axis
+//! and for each friction that sticks.
+
+use crate::physics::contact::network::{Carries, GROUND, Node};
+use crate::physics::contact::reactions::{Parts, Reactions};
+use crate::physics::data::contact::Contact;
+use crate::physics::data::tuning::LIGHT;
+use glam::DVec2;
+
+/// Which question is asked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Question {
+    /// Forces: friction is static or kinetic by Coulomb's law.
+    Forces,
+    /// Impulses: friction takes up to μ_k times the normal impulse.
+    Impulses,
+}
+
+impl Reactions {
+    /// Builds and solves one axis. Updates what the contacts carry along it.
+    pub(super) fn solve_axis(&mut self, axis: usize, contacts: &mut [Contact], parts: &Parts, question: Question) {
+        let known = self.squeezed.len();
+        let frame = if question == Question::Forces { self.falls_alike(axis, contacts, parts) } else { 0.0 };
+        loop {
+            self.set_nodes(axis, parts, frame);
+            self.contact_of.clear();
+            for (index, contact) in contacts.iter_mut().enumerate() {
+                if self.link(axis, contact, parts, question) {
+                    self.contact_of.push(index as u32);
+                }
+            }
+            self.network.solve();
+            self.network.nodes.iter_mut().for_each(|node| node.acceleration += frame);
+            self.squeezed.truncate(known);
+            self.squeezed.extend(self.network.squeezed.iter().map(|&node| (self.body_of[node as usize], axis)));
+            if !self.read(axis, contacts, question) {
+                return;
+            }
+        }
+    }
+
+    /// Fills the network with the bodies, seen from a frame that accelerates along the axis, m/s².
+    pub(super) fn set_nodes(&mut self, axis: usize, parts: &Parts, frame: f64) {
+        self.network.clear();
+        for &body in &self.body_of {
+            let mass = parts.masses[body as usize][axis];
+            let force = mass * (parts.free[body as usize][axis] - frame);
+            self.network.nodes.push(Node { mass, force, acceleration: 0.0 });
+        }
+    }
+
+    /// Writes the answers of the network to the bodies.
+    pub(super) fn give(&self, axis: usize, to: &mut [DVec2]) {
+        for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
+            to[body as usize][axis] = node.acceleration;
+        }
+    }
+
+    /// What the heaviest body does along an axis without contacts, if no surface holds anything along it and hardly anything makes the others do
+    /// otherwise; else 0.
+    fn falls_alike(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> f64 {
+        let links = |contact: &Contact| contact.axis == axis || contact.normal > 0.0 && contact.slides == 0.0;
+        let held = contacts.iter().any(|contact| contact.lo.max(contact.hi) as usize >= parts.masses.len() && links(contact));
+        if held || self.body_of.len() < 2 {
+            return 0.0;
+        }
+        let of = |body: &u32| (parts.masses[*body as usize][axis], parts.free[*body as usize][axis]);
+        let heaviest = self.body_of.iter().map(of).max_by(|a, b| a.0.total_cmp(&b.0));
+        let (mass, frame) = heaviest.unwrap_or_default();
+        let otherwise: f64 = self.body_of.iter().map(of).map(|(mass, free)| mass * (free - frame).abs()).sum();
+        // A body that less pulls at would lose it to rounding in that frame.
+        let falls = self.body_of.iter().map(of).all(|(_, free)| free.abs() >= 1e-6 * frame.abs());
+        if falls && otherwise <= LIGHT * mass * frame.abs() { frame } else { 0.0 }
+    }
+
+    /// Adds what a contact can do along an axis: its push, or its friction. Returns whether that needs a link.
+    fn link(&mut self, axis: usize, contact: &mut Contact, parts: &Parts, question: Question) -> bool {
+        let (lo, hi) = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
+        if contact.axis == axis {
+            let both_ways = question == Question::Impulses && contact.clings;
+            let carries = if both_ways { Carries::UpTo(f64::INFINITY) } else { Carries::Push };
+            self.network.link(lo, hi, carries, ground(contact, parts, axis, 0.0));
+            return true;
+        }
+        contact.friction = 0.0;
+        if contact.normal <= 0.0 {
+            return false;
+        }
+        let kinetic = contact.kinetic_friction * contact.normal;
+        if question == Question::Forces && contact.slides != 0.0 {
+            contact.friction = -contact.slides * kinetic;
+            for (end, sign) in [(lo, -1.0), (hi, 1.0)] {
+                if end != GROUND {
+                    self.network.nodes[end as usize].force += sign * contact.friction;
+                }
+            }
+            return false;
+        }
+        let (limit, skin) = match question {
+            Question::Forces => (contact.static_friction * contact.normal, 0.0),
+            Question::Impulses => (kinetic, contact.skin),
+        };
+        self.network.link(lo, hi, Carries::UpTo(limit), ground(contact, parts, axis, skin));
+        true
+    }
+
+    /// Takes the flows over into the contacts; true if static friction gave way somewhere, so that the axis has to be solved again.
+    fn read(&self, axis: usize, contacts: &mut [Contact], question: Question) -> bool {
+        let mut gave_way = false;
+        for (link, &index) in self.network.links.iter().zip(&self.contact_of) {
+            let contact = &mut contacts[index as usize];
+            if contact.axis == axis {
+                // What clings may be held back by next to nothing: that is an impulse, too.
+                let both_ways = question == Question::Impulses && contact.clings;
+                contact.normal = if both_ways { link.flow } else { link.flow.max(0.0) };
+                continue;
+            }
+            contact.friction = link.flow;
+            if question == Question::Forces && link.cut {
+                let of = |node: u32| self.network.nodes.get(node as usize).map_or(link.ground, |node| node.acceleration);
+                let slip = of(link.hi) - of(link.lo);
+                if slip != 0.0 {
+                    (contact.slides, contact.gave_way) = (slip.signum(), true);
+                    gave_way = true;
+                }
+            }
+        }
+        gave_way
+    }
+}
+
+/// What an item does along an axis without contacts; `skin` is the belt speed of a surface along that axis.
+pub(super) fn rate(parts: &Parts, item: u32, axis: usize, skin: f64) -> f64 {
+    let free = parts.free[item as usize][axis];
+    if (item as usize) < parts.masses.len() { free } else { free + skin }
+}
+
+/// What the ground of a contact does along an axis; 0 between two bodies.
+pub(super) fn ground(contact: &Contact, parts: &Parts, axis: usize, skin: f64) -> f64 {
+    let second = contact.lo.max(contact.hi);
+    if (second as usize) < parts.masses.len() { 0.0 } else { rate(parts, second, axis, skin) }
+}

@@ -1,0 +1,131 @@
+//! Ground that moves. Where all ground of a network moves alike, the network is solved in its frame. Otherwise a block is held against one of its
+//! grounds, and its links to the others are set aside: they pull while the block is routed, and hold, drag or let go after that.
+
+use crate::physics::contact::network::{Block, Carries, GROUND, Network, Node, Side};
+
+impl Network {
+    /// The acceleration of all ground, if it moves alike; else 0.
+    pub(super) fn common_frame(&self) -> f64 {
+        let mut grounds = self.links.iter().filter(|link| link.is_grounded()).map(|link| link.ground);
+        let first = grounds.next().unwrap_or(0.0);
+        if grounds.all(|ground| ground == first) { first } else { 0.0 }
+    }
+
+    /// What nothing is linked to stays outside: in that frame what little pulls at it could be lost to rounding.
+    pub(super) fn enter_frame(&mut self, frame: f64) {
+        self.linked.clear();
+        if frame != 0.0 {
+            self.linked.resize(self.nodes.len(), false);
+            for end in self.links.iter().flat_map(|link| [link.lo, link.hi]).filter(|end| *end != GROUND) {
+                self.linked[end as usize] = true;
+            }
+            self.linked_nodes().for_each(|node| node.force -= node.mass * frame);
+            self.links.iter_mut().for_each(|link| link.ground = 0.0);
+        }
+    }
+
+    fn linked_nodes(&mut self) -> impl Iterator<Item = &mut Node> {
+        self.nodes.iter_mut().zip(&self.linked).filter(|(_, linked)| **linked).map(|(node, _)| node)
+    }
+
+    pub(super) fn leave_frame(&mut self, frame: f64) {
+        if frame != 0.0 {
+            self.linked_nodes().for_each(|node| node.acceleration += frame);
+        }
+    }
+
+    /// Sets those links aside (`cut`) that lead to ground which moves otherwise than `ground`. Returns whether there are any.
+    pub(super) fn part_with_other_grounds(&mut self, block: Block, ground: f64) -> bool {
+        let mut any = false;
+        for at in block.begin..block.end {
+            let i = self.order[at];
+            for slot in self.links_of(i) {
+                let link = &mut self.links[self.around[slot] as usize];
+                if !link.cut && link.other(i) == GROUND && link.ground != ground {
+                    (link.cut, any) = (true, true);
+                    self.aside.push(self.around[slot]);
+                }
+            }
+        }
+        any
+    }
+
+    /// Adds to the excess of the nodes what the grounds set aside do to them while they move with the acceleration `held`: ties drag with
+    /// their limit, and what is pushed is pushed by more than everything else in the block together.
+    pub(super) fn pull_by_other_grounds(&mut self, block: Block, held: f64) {
+        let (mut all, mut mass) = (0.0, 0.0);
+        for at in block.begin..block.end {
+            let i = self.order[at];
+            all += self.notes[i as usize].excess.abs();
+            mass += self.nodes[i as usize].mass;
+            for slot in self.links_of(i) {
+                if let Carries::UpTo(limit) = self.links[self.around[slot] as usize].carries {
+                    all += if limit.is_finite() { limit } else { 0.0 };
+                }
+            }
+        }
+        for k in 0..self.aside.len() {
+            let link = &mut self.links[self.aside[k] as usize];
+            let node = if link.lo == GROUND { link.hi } else { link.lo };
+            let ahead = (link.ground - held).signum();
+            let side = if link.lo == GROUND { 1.0 } else { -1.0 };
+            let drag = match link.carries {
+                Carries::UpTo(limit) if limit.is_finite() => limit,
+                Carries::Push if ahead != side => 0.0,
+                // Four times all that can hold; where nothing else acts, all is what the block's own inertia asks for.
+                Carries::Push | Carries::UpTo(_) => 4.0 * (all + mass * (link.ground - held).abs()),
+            };
+            link.flow = side * ahead * drag;
+            self.notes[node as usize].excess += ahead * drag;
+        }
+    }
+
+    /// Lets a link that has been cut pass on a force that stays.
+    pub(super) fn pass_on(&mut self, index: usize, flow: f64) {
+        let link = &mut self.links[index];
+        link.flow = flow;
+        for (end, sign) in [(link.lo, -1.0), (link.hi, 1.0)] {
+            if end != GROUND {
+                self.nodes[end as usize].force += sign * flow;
+            }
+        }
+    }
+
+    /// Of the grounds set aside, those on whose side a node ended up may still hold it; the others drag or have let go for good. What
+    /// stayed although it is pushed by more than all else together is squeezed between two of them: returns the side on which it stayed, if anything is.
+    pub(super) fn settle_other_grounds(&mut self, held: f64) -> Option<Side> {
+        let mut squeezed = None;
+        for k in 0..self.aside.len() {
+            let index = self.aside[k] as usize;
+            let link = self.links[index];
+            let node = if link.lo == GROUND { link.hi } else { link.lo };
+            let (mine, its) = (self.notes[node as usize].side, side_of(link.ground, held));
+            if mine == its {
+                (self.links[index].cut, self.links[index].flow) = (false, 0.0);
+                continue;
+            }
+            match link.carries {
+                Carries::UpTo(limit) if limit.is_finite() => self.pass_on(index, link.flow),
+                Carries::Push | Carries::UpTo(_) => {
+                    if link.flow != 0.0 {
+                        squeezed = Some(mine);
+                    }
+                    self.links[index].flow = 0.0;
+                }
+            }
+        }
+        self.aside.clear();
+        squeezed
+    }
+}
+
+/// On which side of a block that is held at `held` a ground moves.
+pub(super) fn side_of(ground: f64, held: f64) -> Side {
+    if ground > held {
+        Side::Faster
+    } else if ground < held {
+        Side::Slower
+    } else {
+        Side::Same
+    }
+}

@@ -1,0 +1,135 @@
+//! The present instant: where items are, how fast they move, and what two of them have to do with each other.
+
+use crate::physics::data::contact::Contact;
+use crate::physics::data::surface::Sides;
+use crate::physics::data::tuning::{SLOP, SPEED_ROUNDING};
+use crate::physics::exact::{Events, Scene};
+use glam::DVec2;
+
+impl Events {
+    /// Brings everything to the present instant.
+    pub(crate) fn stop_here(&mut self, scene: &Scene) {
+        for i in 0..self.items.len() {
+            let (position, velocity) = self.items[i].pose(scene.media, self.now);
+            let item = &mut self.items[i];
+            (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
+        }
+    }
+
+    /// Counts an item to what the present event concerns.
+    pub(crate) fn concern(&mut self, item: u32) {
+        if self.is_body(item) && !self.is_concerned[item as usize] {
+            self.is_concerned[item as usize] = true;
+            self.concerned.push(item);
+        }
+    }
+
+    /// Ends an event.
+    pub(crate) fn release(&mut self) {
+        for &item in &self.concerned {
+            self.is_concerned[item as usize] = false;
+        }
+        self.concerned.clear();
+        self.touching.clear();
+        self.met = None;
+        self.is_placed.fill(false);
+    }
+
+    pub(crate) fn is_body(&self, item: u32) -> bool {
+        (item as usize) < self.movable
+    }
+
+    /// Velocity now, m/s.
+    pub(crate) fn speed(&self, item: u32) -> DVec2 {
+        self.speeds[item as usize]
+    }
+
+    /// Whether a surface stands still.
+    pub(crate) fn stands(&self, surface: u32) -> bool {
+        let i = surface as usize;
+        self.speeds[i] == DVec2::ZERO && self.free[i] == DVec2::ZERO
+    }
+
+    /// What a belt adds to the velocity of `hi` relative to `lo` along a contact's face, m/s.
+    pub(crate) fn skin_of(&self, contact: &Contact) -> f64 {
+        if self.is_body(contact.hi) { -contact.skin } else { contact.skin }
+    }
+
+    /// How fast `hi` slides over `lo`, m/s.
+    pub(crate) fn sliding(&self, contact: &Contact) -> f64 {
+        (self.speed(contact.hi) - self.speed(contact.lo))[1 - contact.axis] + self.skin_of(contact)
+    }
+
+    /// The contact of two items along an axis.
+    pub(crate) fn contact_along(&self, lo: u32, hi: u32, axis: usize) -> Contact {
+        let (first, second) = (&self.items[lo.min(hi) as usize], &self.items[lo.max(hi) as usize]);
+        let on_surface = !self.is_body(lo.max(hi));
+        let mut contact = Contact::between(lo, hi, axis);
+        contact.rub_with(first.body.coefficients().with(second.body.coefficients(), on_surface));
+        if on_surface {
+            // Clockwise: the top runs to the right, the right side down.
+            let above_or_right = (axis == 1) == (lo < hi);
+            contact.skin = if above_or_right { second.belt } else { -second.belt };
+        }
+        contact
+    }
+
+    /// The middle of the edge that two items share now, m.
+    pub(crate) fn point_of(&self, contact: &Contact) -> DVec2 {
+        let (a, b) = (contact.lo as usize, contact.hi as usize);
+        let (a_half, b_half) = (self.items[a].body.half, self.items[b].body.half);
+        let low = (self.places[a] - a_half).max(self.places[b] - b_half);
+        let high = (self.places[a] + a_half).min(self.places[b] + b_half);
+        (low + high) * 0.5
+    }
+
+    /// Where an item is now, found once an event.
+    pub(crate) fn locate(&mut self, scene: &Scene, item: usize) -> DVec2 {
+        if !self.is_placed[item] {
+            let (place, speed) = self.items[item].pose(scene.media, self.now);
+            self.is_placed[item] = true;
+            (self.places[item], self.speeds[item]) = (place, speed);
+            if item >= self.movable {
+                (self.free[item], self.solved[item]) = (self.items[item].solved, self.items[item].solved);
+            }
+        }
+        self.places[item]
+    }
+
+    /// The contact of two items whose gap along an axis is at most the slop while they overlap along the other. Boxes that overlap along both
+    /// touch along the axis along which they overlap less; a surface is touched on its solid sides only, and from outside.
+    pub(crate) fn contact_now(&mut self, scene: &Scene, a: u32, b: u32) -> Option<Contact> {
+        let (a, b) = (a.min(b), a.max(b));
+        let apart = self.locate(scene, b as usize) - self.locate(scene, a as usize);
+        let gap = apart.abs() - (self.items[a as usize].body.half + self.items[b as usize].body.half);
+        let axis = usize::from(gap.x <= gap.y);
+        if gap[axis] > SLOP || gap[1 - axis] >= -SLOP {
+            return None;
+        }
+        let sides = self.items[b as usize].sides;
+        if sides != Sides::ALL && (!sides.face(axis, apart[axis] <= 0.0) || gap[axis] < -SLOP) {
+            return None;
+        }
+        let (lo, hi) = if apart[axis] > 0.0 { (a, b) } else { (b, a) };
+        Some(Contact { closed: gap[axis] <= 0.0, ..self.contact_along(lo, hi, axis) })
+    }
+
+    /// Differences of the speeds of two things up to which they are rounding, along each axis, m/s.
+    pub(crate) fn speed_rounding(&self, contact: &Contact) -> DVec2 {
+        (self.speed(contact.lo).abs() + self.speed(contact.hi).abs()) * SPEED_ROUNDING
+    }
+
+    /// How fast the ends of a contact close, m/s.
+    pub(crate) fn approach(&self, contact: &Contact) -> f64 {
+        (self.speed(contact.lo) - self.speed(contact.hi))[contact.axis]
+    }
+
+    /// The share of a change of relative velocity that each of two things takes: the other's fraction of the mass; a surface takes none.
+    pub(crate) fn shares(&self, a: usize, b: usize) -> [f64; 2] {
+        if a >= self.movable || b >= self.movable {
+            return [a, b].map(|item| if item < self.movable { 1.0 } else { 0.0 });
+        }
+        let (of_a, of_b) = (self.items[a].body.mass, self.items[b].body.mass);
+        [of_b / (of_a + of_b), of_a / (of_a + of_b)]
+    }
+}
