@@ -47,7 +47,7 @@ struct Step {
 
 impl Step {
     /// Q, and the way by Hermite quadrature, from Q/h, 1/q, and how the body is slowed at both ends.
-    #[inline]
+    #[inline(always)]
     fn along(h: f64, stretch: f64, slower: f64, [start, end]: [Slowing; 2]) -> Self {
         let reach = h * stretch;
         let (p, q) = (start.rate, end.rate);
@@ -66,7 +66,7 @@ struct Slowing {
 }
 
 /// One step of `h` seconds of a box with velocity `v` and constant acceleration `a`.
-#[inline]
+#[inline(always)]
 fn box_step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
     let (tall, wide) = (drag.tall, drag.wide);
     let ahead = |u: f64, a: f64| if u * a < 0.0 { -a.abs() } else { a.abs() };
@@ -79,13 +79,13 @@ fn box_step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
     let end = (p + z * stretch) * slower;
     let eager = h * h * (tall * a.x.abs() + wide * a.y.abs());
     let reach = h * stretch;
-    let corner = (tall * (v.x * (v.x + a.x * reach)) < 0.0) || (wide * (v.y * (v.y + a.y * reach)) < 0.0);
-    let fits = !(p > LIGHT || eager > LIGHT * LIGHT || corner);
+    let corner = (tall * (v.x * (v.x + a.x * reach)) < 0.0) | (wide * (v.y * (v.y + a.y * reach)) < 0.0);
+    let fits = !((p > LIGHT) | (eager > LIGHT * LIGHT) | corner);
     Step { fits, ..Step::along(h, stretch, slower, [Slowing { rate: p, change: z }, Slowing { rate: end, change: z }]) }
 }
 
 /// The same for a round thing.
-#[inline]
+#[inline(always)]
 fn round_step(h: f64, v: DVec2, a: DVec2, round: f64) -> Step {
     let bend = h * round;
     let rate = |v: DVec2| bend * (v.x * v.x + v.y * v.y).sqrt();
@@ -110,12 +110,13 @@ fn round_step(h: f64, v: DVec2, a: DVec2, round: f64) -> Step {
 
 /// Whether |u₀ + A·Q| is not linear from here on: its minimum |u × A|/|A| lies ahead, or behind but not in zero. The square of the angle between
 /// u and A up to which a round thing moves along a line is 1e-8: larger, a body that falls nearly straight loses digits.
-#[inline]
+#[inline(always)]
 fn bends(v: DVec2, a: DVec2) -> bool {
     let (along, past) = (v.x * a.x + v.y * a.y, v.x * a.y - v.y * a.x);
     along < 0.0 || past * past > 1e-8 * (along * along)
 }
 
+#[inline(always)]
 fn step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
     if drag.round > 0.0 { round_step(h, v, a, drag.round) } else { box_step(h, v, a, drag) }
 }

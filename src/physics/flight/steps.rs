@@ -144,14 +144,24 @@ impl Steps<'_> {
             let (end, error) = implicit::step(self.regime, self.constant, slopes, (x, v), h);
             return Step { end, pull: self.regime.pull(self.constant, end.0, end.1), error };
         }
-        let (mut at, mut speeds, mut pulls) = (x, [v; 7], [pull; 7]);
-        for (stage, weights) in (1..).zip(STAGES) {
-            at = x + sum(&speeds, weights) * h;
-            speeds[stage] = v + sum(&pulls, weights) * h;
-            pulls[stage] = self.regime.pull(self.constant, at, speeds[stage]);
-        }
+        let (mut speeds, mut pulls) = ([v; 7], [pull; 7]);
+        self.stage::<1>(&mut speeds, &mut pulls, x, h);
+        self.stage::<2>(&mut speeds, &mut pulls, x, h);
+        self.stage::<3>(&mut speeds, &mut pulls, x, h);
+        self.stage::<4>(&mut speeds, &mut pulls, x, h);
+        self.stage::<5>(&mut speeds, &mut pulls, x, h);
+        let end = self.stage::<6>(&mut speeds, &mut pulls, x, h);
         let error = (sum(&speeds, &ERROR) * h).abs().max((sum(&pulls, &ERROR) * (h * h)).abs());
-        Step { end: (at, speeds[6]), pull: pulls[6], error: error.max_element() }
+        Step { end: (end, speeds[6]), pull: pulls[6], error: error.max_element() }
+    }
+
+    /// Adds the velocity and the acceleration of stage `N` of a step from `x`; returns its place.
+    #[inline]
+    fn stage<const N: usize>(&self, speeds: &mut [DVec2; 7], pulls: &mut [DVec2; 7], x: DVec2, h: f64) -> DVec2 {
+        let weights = STAGES[N - 1];
+        let (at, speed) = (x + sum(speeds, weights) * h, speeds[0] + sum(pulls, weights) * h);
+        (speeds[N], pulls[N]) = (speed, self.regime.pull(self.constant, at, speed));
+        at
     }
 }
 
@@ -179,7 +189,7 @@ struct Step {
     error: f64,
 }
 
-#[inline]
+#[inline(always)]
 fn sum(of: &[DVec2; 7], weights: &[f64]) -> DVec2 {
     let mut sum = of[0] * weights[0];
     for (of, weight) in of.iter().zip(weights).skip(1) {

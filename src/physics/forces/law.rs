@@ -42,9 +42,9 @@ impl Law {
     }
 
     /// The media around a body at `x`.
-    pub fn regime<'a>(&self, media: &'a Media, body: &'a Body, x: DVec2) -> Regime<'a> {
+    pub fn regime<'a>(&'a self, media: &'a Media, body: &'a Body, x: DVec2) -> Regime<'a> {
         let air = if self.air.is_none() { 0.0 } else { media.air_density };
-        let mut regime = Regime::new(media, body, self.constant, air, self.displaced);
+        let mut regime = Regime::new(media, body, self.constant, air, &self.displaced);
         regime.follow(x);
         regime
     }

@@ -21,6 +21,7 @@ use crate::physics::forces::air::Drag;
 use crate::physics::forces::displaced::Displaced;
 use crate::physics::forces::media::Media;
 use glam::{DMat2, DVec2};
+use std::borrow::Cow;
 
 /// How the acceleration by the media answers to small changes of a state, for implicit steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -95,7 +96,7 @@ pub(crate) struct Regime<'a> {
     pub body: &'a Body,
     /// The acceleration besides that by media, m/s².
     pub constant: DVec2,
-    pub displaced: Displaced,
+    pub displaced: Cow<'a, Displaced>,
     /// The density of the air if it is felt, kg/m³.
     air: f64,
     /// Drag in a medium of 1 kg/m³, and buoyancy for that, m/s².
@@ -105,7 +106,8 @@ pub(crate) struct Regime<'a> {
 }
 
 impl<'a> Regime<'a> {
-    pub fn new(media: &'a Media, body: &'a Body, constant: DVec2, air: f64, displaced: Displaced) -> Self {
+    pub fn new(media: &'a Media, body: &'a Body, constant: DVec2, air: f64, displaced: &'a Displaced) -> Self {
+        let displaced = Cow::Borrowed(displaced);
         let lift = media.gravity * (4.0 * body.half.x * body.half.y / body.mass);
         Self { media, body, constant, displaced, air, drag: Drag::of(body, 1.0), lift, sure: sure(body, body.position) }
     }
@@ -114,7 +116,7 @@ impl<'a> Regime<'a> {
     #[inline]
     pub fn follow(&mut self, x: DVec2) -> &Self {
         if !self.displaced.holds(x) {
-            self.displaced.follow(self.media, self.body, x);
+            self.displaced.to_mut().follow(self.media, self.body, x);
         }
         self
     }

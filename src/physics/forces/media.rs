@@ -3,9 +3,10 @@
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::{Body, Pose};
 use crate::physics::data::def::{FieldDef, FluidDef, StreamDef};
+use crate::physics::data::impact_time::Cubic;
 use crate::physics::data::plan::{Part, called};
 use crate::physics::forces::manager::ForceManager;
-use crate::physics::forces::zones::{BESIDE, Stream, ZoneList};
+use crate::physics::forces::zones::{FAR, Stream, ZoneList};
 use glam::DVec2;
 use std::cell::Cell;
 
@@ -65,17 +66,15 @@ impl Media {
     }
 
     /// The streams and fields that a body feels.
-    fn felt(&self, body: &Body) -> impl Iterator<Item = &Stream> + Clone {
-        let near = self.streams_at(&body.bounds(), BESIDE).iter();
-        let felt = ZoneList::of(near.filter(|stream| self.streams[*stream as usize].is_felt(body)));
-        felt.iter().map(|stream| &self.streams[stream as usize])
+    fn felt<'a>(&'a self, body: &'a Body) -> impl Iterator<Item = &'a Stream> {
+        self.streams.iter().filter(|stream| stream.is_felt(body))
     }
 
     /// Lets the streams and fields that a body feels enter its force manager, and the others leave it.
     pub fn feel(&self, body: &Body, forces: &mut ForceManager) {
-        let felt = self.felt(body);
-        forces.leave_zones(|source| felt.clone().any(|stream| stream.source == source));
-        felt.for_each(|stream| _ = forces.add(stream.source, stream.kind, stream.on(body)));
+        called(Part::Streams);
+        forces.leave_zones(|source| self.streams.iter().any(|stream| stream.source == source && stream.is_felt(body)));
+        self.felt(body).for_each(|stream| _ = forces.add(stream.source, stream.kind, stream.on(body)));
     }
 
     /// The force of all streams and fields that a body feels besides a `push`, N.
@@ -85,6 +84,8 @@ impl Media {
 
     /// Whether a body that ends the tick in a pose crosses the border of a stream or field.
     pub fn crosses_border(&self, body: &Body, end: Pose, dt: f64) -> bool {
-        self.streams.iter().any(|stream| stream.is_crossed(body, end, dt))
+        let way = Cubic::hermite(body.position, body.velocity, end.0, end.1, dt);
+        let near = self.streams_at(&way.swept(body.half, dt), FAR);
+        near.iter().any(|stream| self.streams[stream as usize].is_crossed(body, &way, dt))
     }
 }

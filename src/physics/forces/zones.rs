@@ -10,7 +10,7 @@ use glam::DVec2;
 /// m. A body this near to a stream counts as touching it; a body this far from a border is clearly on one side of it.
 pub(crate) const BESIDE: f64 = 2.0 * SLOP;
 /// m. From here on a swept box is clear of a border, whatever its rounding.
-const FAR: f64 = 1e-6;
+pub(crate) const FAR: f64 = 1e-6;
 
 /// Zones by their indices, below 128: streams and fields of gravity, or liquids.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,7 +31,7 @@ impl ZoneList {
     }
 
     /// The indices, ascending.
-    pub fn iter(self) -> impl Iterator<Item = u32> + Clone {
+    pub fn iter(self) -> impl Iterator<Item = u32> {
         let mut bits = self.0;
         std::iter::from_fn(move || {
             let index = bits.trailing_zeros();
@@ -65,10 +65,9 @@ impl Stream {
         feels(&self.zone, body, (body.position, body.velocity))
     }
 
-    /// Whether a body that ends the tick in a pose crosses its border.
-    pub fn is_crossed(&self, body: &Body, end: Pose, dt: f64) -> bool {
-        let way = Cubic::hermite(body.position, body.velocity, end.0, end.1, dt);
-        border(&way, body.half, &self.zone, self.is_felt(body), dt).is_some()
+    /// Whether a body crosses its border on a way of `dt` seconds.
+    pub fn is_crossed(&self, body: &Body, way: &Cubic, dt: f64) -> bool {
+        border(way, body.half, &self.zone, self.is_felt(body), dt).is_some()
     }
 }
 
