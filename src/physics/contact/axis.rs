@@ -1,10 +1,9 @@
-//! One axis of a group of contacts: a [`Network`](crate::physics::contact::network::Network) of its bodies, with a link for each push along the axis
+//! One axis of a group of contacts: a [`Network`] of its bodies, with a link for each push along the axis
 //! and for each friction that sticks.
 
-use crate::physics::contact::network::{Carries, GROUND, Node};
-use crate::physics::contact::reactions::{Parts, Reactions};
+use crate::physics::contact::network::{Carries, GROUND, Network, Node};
 use crate::physics::data::contact::Contact;
-use crate::physics::data::tuning::LIGHT;
+use crate::physics::data::tuning::{LIGHT, SPEED_TOLERANCE};
 use glam::DVec2;
 
 /// Which question is asked.
@@ -16,7 +15,63 @@ pub(super) enum Question {
     Impulses,
 }
 
-impl Reactions {
+/// What a network is made of. Bodies have the numbers from 0 on, surfaces follow.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Parts<'a> {
+    /// Of each body along each axis, kg: for an implicit step larger than its own.
+    pub masses: &'a [DVec2],
+    /// Of each item without contacts, m/s² (or m/s where impulses are sought).
+    pub free: &'a [DVec2],
+}
+
+/// The bodies that a group of contacts joins, and the network of their axis.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Joined {
+    network: Network,
+    /// Node of each item, or `GROUND` for bodies without contacts and for surfaces.
+    node_of: Vec<u32>,
+    pub(super) body_of: Vec<u32>,
+    /// For each link the contact whose push (along its own axis) or friction (along the other) it carries.
+    contact_of: Vec<u32>,
+    /// The bodies that surfaces which close on them squeeze, and along which axis, by the last question asked.
+    pub squeezed: Vec<(u32, usize)>,
+}
+
+impl Joined {
+    /// Numbers the bodies that the contacts join.
+    pub(super) fn number(&mut self, contacts: &[Contact], parts: &Parts) {
+        self.node_of.clear();
+        self.node_of.resize(parts.free.len(), GROUND);
+        self.body_of.clear();
+        for contact in contacts {
+            for item in [contact.lo, contact.hi] {
+                if (item as usize) < parts.masses.len() && self.node_of[item as usize] == GROUND {
+                    self.node_of[item as usize] = self.body_of.len() as u32;
+                    self.body_of.push(item);
+                }
+            }
+        }
+    }
+
+    /// Ends a slide: gives both sides of the contact that stopped, and everything that moves with them but for the rounding of that
+    /// instant, exactly one speed along its face. `parts` holds velocities, and so does the result.
+    pub fn merge_speeds(&mut self, stopped: &Contact, contacts: &[Contact], parts: &Parts, velocities: &mut [DVec2]) {
+        let axis = 1 - stopped.axis;
+        self.number(contacts, parts);
+        self.set_nodes(axis, parts, 0.0);
+        for contact in contacts {
+            let skin = if contact.axis == stopped.axis { contact.skin } else { 0.0 };
+            let speed = |item: u32| rate(parts, item, axis, skin);
+            let alike = (speed(contact.hi) - speed(contact.lo)).abs() <= SPEED_TOLERANCE;
+            if alike || contact.is_of(stopped.lo, stopped.hi) {
+                let ends = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
+                self.network.link(ends.0, ends.1, Carries::UpTo(f64::INFINITY), ground(contact, parts, axis, skin));
+            }
+        }
+        self.network.solve();
+        self.give(axis, velocities);
+    }
+
     /// Builds and solves one axis. Updates what the contacts carry along it.
     pub(super) fn solve_axis(&mut self, axis: usize, contacts: &mut [Contact], parts: &Parts, question: Question) {
         let known = self.squeezed.len();
@@ -40,7 +95,7 @@ impl Reactions {
     }
 
     /// Fills the network with the bodies, seen from a frame that accelerates along the axis, m/s².
-    pub(super) fn set_nodes(&mut self, axis: usize, parts: &Parts, frame: f64) {
+    fn set_nodes(&mut self, axis: usize, parts: &Parts, frame: f64) {
         self.network.clear();
         for &body in &self.body_of {
             let mass = parts.masses[body as usize][axis];
@@ -130,7 +185,7 @@ impl Reactions {
 }
 
 /// What an item does along an axis without contacts; `skin` is the belt speed of a surface along that axis.
-pub(super) fn rate(parts: &Parts, item: u32, axis: usize, skin: f64) -> f64 {
+fn rate(parts: &Parts, item: u32, axis: usize, skin: f64) -> f64 {
     let free = parts.free[item as usize][axis];
     if (item as usize) < parts.masses.len() { free } else { free + skin }
 }

@@ -1,37 +1,22 @@
 //! Contact forces: from what else acts on the bodies to their accelerations, with Reaction, Push and Friction on the way.
 //!
-//! Each axis is a [`Network`] solved exactly. The axes are coupled by Coulomb's law only: how much friction a contact can carry along
+//! Each axis is a network solved exactly. The axes are coupled by Coulomb's law only: how much friction a contact can carry along
 //! one axis depends on how hard it presses along the other. So the axis of gravity goes first, then the other with the friction that
 //! follows, and round again only where something slides along a wall that it is pressed against. Static friction is a tie that carries
 //! up to μ_s·N; where that is not enough the contact slides, with μ_k·N against the motion from then on.
 //!
 //! The same solve serves forces and impulses: with velocities in place of accelerations it is the perfectly plastic impact.
 
-use crate::physics::contact::axis::{Question, ground, rate};
+use crate::physics::contact::axis::{Joined, Parts, Question, ground};
 use crate::physics::contact::face;
-use crate::physics::contact::network::{Carries, GROUND, Network};
 use crate::physics::data::contact::Contact;
-use crate::physics::data::tuning::{FORCE_TOLERANCE, FRICTION_ROUNDS, SPEED_TOLERANCE};
+use crate::physics::data::tuning::{FORCE_TOLERANCE, FRICTION_ROUNDS};
 use glam::DVec2;
-
-/// What a network is made of. Bodies have the numbers from 0 on, surfaces follow.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Parts<'a> {
-    /// Of each body along each axis, kg: for an implicit step larger than its own.
-    pub masses: &'a [DVec2],
-    /// Of each item without contacts, m/s² (or m/s where impulses are sought).
-    pub free: &'a [DVec2],
-}
 
 /// The solver and its buffers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Reactions {
-    pub(super) network: Network,
-    /// Node of each item, or `GROUND` for bodies without contacts and for surfaces.
-    pub(super) node_of: Vec<u32>,
-    pub(super) body_of: Vec<u32>,
-    /// For each link the contact whose push (along its own axis) or friction (along the other) it carries.
-    pub(super) contact_of: Vec<u32>,
+    pub joined: Joined,
     /// For each body the group that it belongs to (a union-find forest), and the contacts by group.
     leader: Vec<u32>,
     by_group: Vec<(u32, u32)>,
@@ -43,15 +28,13 @@ pub(crate) struct Reactions {
     pub unsettled: u64,
     /// Bodies that rounds have solved so far, each as often as rounds have.
     pub solved: u64,
-    /// The bodies that surfaces which close on them squeeze, and along which axis, by the last question asked.
-    pub squeezed: Vec<(u32, usize)>,
 }
 
 impl Reactions {
     /// Accelerations of bodies in contact (m/s²), for the bodies of the contacts; the contacts get their forces. What no contact joins is
     /// solved apart: no group's answer depends on another's.
     pub fn accelerate(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
-        self.squeezed.clear();
+        self.joined.squeezed.clear();
         if contacts.is_empty() {
             return;
         }
@@ -105,10 +88,10 @@ impl Reactions {
         self.by_group.chunk_by(|a, b| a.0 == b.0).count()
     }
 
-    /// One group of [`Self::accelerate`]. What gives way decides how the rounds go on, and so the last bits: they begin anew with what is
+    /// One group of [`Self::accelerate`]. What gives way decides how the rounds go on, and so the last bits: they begin again with what is
     /// known to slide, so that asking again answers the same.
     fn accelerate_group(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
-        self.number(contacts, parts);
+        self.joined.number(contacts, parts);
         // A contact that has given way in a pass slides in all that follow. After eight passes a stack between walls rubs less than it could.
         for _ in 0..8 {
             let rounds = self.couple_axes(contacts, parts, out);
@@ -124,7 +107,7 @@ impl Reactions {
 
     /// The rounds between the two axes. Returns how many it took; none where they did not settle.
     fn couple_axes(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) -> Option<u32> {
-        for &body in &self.body_of {
+        for &body in &self.joined.body_of {
             out[body as usize] = parts.free[body as usize];
         }
         for contact in contacts.iter_mut() {
@@ -164,22 +147,22 @@ impl Reactions {
 
     /// One round: the axis of gravity, and the other with the friction that follows.
     fn solve_axes(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
-        self.solved += self.body_of.len() as u64;
+        self.solved += self.joined.body_of.len() as u64;
         for axis in [1, 0] {
             if self.is_idle(axis, contacts, parts) {
-                self.body_of.iter().for_each(|body| out[*body as usize][axis] = 0.0);
+                self.joined.body_of.iter().for_each(|body| out[*body as usize][axis] = 0.0);
                 contacts.iter_mut().for_each(|contact| *contact.along(axis) = 0.0);
                 continue;
             }
-            self.solve_axis(axis, contacts, parts, Question::Forces);
-            self.give(axis, out);
+            self.joined.solve_axis(axis, contacts, parts, Question::Forces);
+            self.joined.give(axis, out);
         }
     }
 
     /// Whether nothing acts along an axis: as across a column that stands.
     fn is_idle(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> bool {
         let rests = |contact: &Contact| (contact.axis == axis || contact.slides == 0.0) && ground(contact, parts, axis, 0.0) == 0.0;
-        self.body_of.iter().all(|body| parts.free[*body as usize][axis] == 0.0) && contacts.iter().all(rests)
+        self.joined.body_of.iter().all(|body| parts.free[*body as usize][axis] == 0.0) && contacts.iter().all(rests)
     }
 
     /// The end of rounds that do not settle, because what a wall carries can be carried in several ways and each round finds another one:
@@ -219,48 +202,14 @@ impl Reactions {
     /// Velocities after a collision in which everything that touches stops approaching at once (perfectly plastic), with friction up to
     /// μ_k times the normal impulse; `velocities` is what they were and what they become. Afterwards the contacts hold the impulses (N·s).
     pub fn collide(&mut self, contacts: &mut [Contact], parts: &Parts, velocities: &mut [DVec2]) {
-        self.squeezed.clear();
-        self.number(contacts, parts);
+        self.joined.squeezed.clear();
+        self.joined.number(contacts, parts);
         for contact in contacts.iter_mut() {
             contact.normal = 0.0;
         }
         for axis in [1, 0, 1] {
-            self.solve_axis(axis, contacts, parts, Question::Impulses);
-            self.give(axis, velocities);
-        }
-    }
-
-    /// Ends a slide: gives both sides of the contact that stopped, and everything that moves with them but for the rounding of that
-    /// instant, exactly one speed along its face. `parts` holds velocities, and so does the result.
-    pub fn merge_speeds(&mut self, stopped: &Contact, contacts: &[Contact], parts: &Parts, velocities: &mut [DVec2]) {
-        let axis = 1 - stopped.axis;
-        self.number(contacts, parts);
-        self.set_nodes(axis, parts, 0.0);
-        for contact in contacts {
-            let skin = if contact.axis == stopped.axis { contact.skin } else { 0.0 };
-            let speed = |item: u32| rate(parts, item, axis, skin);
-            let alike = (speed(contact.hi) - speed(contact.lo)).abs() <= SPEED_TOLERANCE;
-            if alike || contact.is_of(stopped.lo, stopped.hi) {
-                let ends = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
-                self.network.link(ends.0, ends.1, Carries::UpTo(f64::INFINITY), ground(contact, parts, axis, skin));
-            }
-        }
-        self.network.solve();
-        self.give(axis, velocities);
-    }
-
-    /// Numbers the bodies that the contacts join.
-    fn number(&mut self, contacts: &[Contact], parts: &Parts) {
-        self.node_of.clear();
-        self.node_of.resize(parts.free.len(), GROUND);
-        self.body_of.clear();
-        for contact in contacts {
-            for item in [contact.lo, contact.hi] {
-                if (item as usize) < parts.masses.len() && self.node_of[item as usize] == GROUND {
-                    self.node_of[item as usize] = self.body_of.len() as u32;
-                    self.body_of.push(item);
-                }
-            }
+            self.joined.solve_axis(axis, contacts, parts, Question::Impulses);
+            self.joined.give(axis, velocities);
         }
     }
 }

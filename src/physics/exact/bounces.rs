@@ -91,7 +91,7 @@ impl Events {
         self.items[body as usize].resume = leaves.map(|speed| Resume { at: (self.now + time).min(scene.tick), axis, speed, other });
     }
 
-    /// Gives the ends of a contact so much more speed apart, m/s.
+    /// Adds to the speed at which the ends of a contact part, m/s.
     fn part_with(&mut self, contact: &Contact, speed: f64) {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let shares = self.shares(lo, hi);

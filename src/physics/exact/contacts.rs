@@ -1,6 +1,6 @@
 //! What touches what at an event: contacts begin, last and end, and what meets is brought exactly together.
 
-use crate::physics::contact::reactions::Parts;
+use crate::physics::contact::axis::Parts;
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
@@ -8,30 +8,22 @@ use crate::physics::exact::{Events, Scene};
 
 impl Events {
     /// Lists what touches anything concerned, and counts to that whatever is joined to it by touching.
-    pub(crate) fn collect(&mut self, scene: &Scene, hit: Option<Contact>) {
+    pub(crate) fn collect(&mut self, scene: &Scene) {
         self.touching.clear();
-        self.met = hit;
         let mut next = 0;
         while next < self.concerned.len() {
             let i = self.concerned[next];
             next += 1;
             self.locate(scene, i as usize);
             // What it was in contact with until now has to know even if that is over.
-            for index in 0..self.contacts.len() {
-                let contact = self.contacts[index];
-                if contact.has(i) {
-                    self.concern(contact.other(i));
-                }
-            }
+            self.concern_partners(i);
             let bounds = Aabb::around(self.places[i as usize], self.items[i as usize].body.half);
-            let mut near = std::mem::take(&mut self.near);
-            self.lanes.touching(&bounds, &mut near);
-            for &j in &near {
+            for j in 0..self.items.len() as u32 {
                 let looked_at = || self.concerned[..next].contains(&j);
                 if j == i || !self.may_touch(&bounds, j as usize) || looked_at() {
                     continue;
                 }
-                let met = hit.filter(|contact| contact.is_of(i, j));
+                let met = self.met.filter(|contact| contact.is_of(i, j));
                 if let Some(contact) = met.or_else(|| self.contact_now(scene, i, j)) {
                     self.concern(j);
                     self.locate(scene, j as usize);
@@ -42,7 +34,6 @@ impl Events {
                     self.touching.push(contact);
                 }
             }
-            self.near = near;
         }
         self.concerned.sort_unstable();
         self.touching.sort_unstable_by_key(Contact::ends);
@@ -52,7 +43,9 @@ impl Events {
     /// Whether an item may touch a box now.
     fn may_touch(&self, bounds: &Aabb, item: usize) -> bool {
         let track = &self.tracks[item];
-        bounds.touches(&track.swept, SLOP) && (!track.is_exact() || bounds.touches(&track.bounds_at(self.now), SLOP))
+        bounds.touches(&self.lanes[item], 0.0)
+            && bounds.touches(&track.swept, SLOP)
+            && (!track.is_exact() || bounds.touches(&track.bounds_at(self.now), SLOP))
     }
 
     /// What is known of two things that touch now.
@@ -73,11 +66,11 @@ impl Events {
 
     /// Keeps those of the touching pairs as contacts that neither part nor (impacts are over by now) approach. Of the pair that has just
     /// `met` only the impact was along the axis in which it met.
-    pub(crate) fn find_contacts(&mut self, scene: &Scene, met: Option<Contact>) {
+    pub(crate) fn find_contacts(&mut self, scene: &Scene) {
         self.take_contacts_of_concerned();
         for index in 0..self.touching.len() {
             let mut contact = self.touching[index];
-            if met.is_some_and(|met| met.is_of(contact.lo, contact.hi)) {
+            if self.met.is_some_and(|met| met.is_of(contact.lo, contact.hi)) {
                 match self.contact_now(scene, contact.lo, contact.hi) {
                     Some(again) => contact = again,
                     None => continue,
@@ -124,22 +117,18 @@ impl Events {
     pub(crate) fn stop_slide(&mut self, scene: &Scene, a: u32, b: u32) {
         let Some(stopped) = self.contacts.iter().find(|contact| contact.is_of(a, b)).copied() else { return };
         let mut next = 0;
-        while next < self.concerned.len() {
-            let item = self.concerned[next];
+        while let Some(&item) = self.concerned.get(next) {
             self.locate(scene, item as usize);
+            self.concern_partners(item);
             next += 1;
-            for index in 0..self.contacts.len() {
-                let contact = self.contacts[index];
-                if contact.has(item) {
-                    self.concern(contact.other(item));
-                    self.locate(scene, contact.other(item) as usize);
-                }
-            }
         }
         self.take_contacts_of_concerned();
+        for index in 0..self.trial.len() {
+            self.locate(scene, self.trial[index].ends().1 as usize);
+        }
         self.before.clone_from(&self.speeds);
         let parts = Parts { masses: &self.masses, free: &self.before };
-        self.reactions.merge_speeds(&stopped, &self.trial, &parts, &mut self.speeds);
+        self.reactions.joined.merge_speeds(&stopped, &self.trial, &parts, &mut self.speeds);
         self.contacts.append(&mut self.trial);
     }
 }

@@ -1,6 +1,6 @@
 //! The end of a tick: contacts and accelerations of that instant, which are listed and with which the next tick begins.
 
-use crate::physics::contact::reactions::Parts;
+use crate::physics::contact::axis::Parts;
 use crate::physics::data::body::Pose;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::{SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};

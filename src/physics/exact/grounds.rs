@@ -27,7 +27,7 @@ impl Events {
         self.set_out(scene, i);
         self.predict(scene, i);
         if !self.concerned.is_empty() {
-            self.look(scene, None);
+            self.look(scene);
         }
     }
 
@@ -40,8 +40,8 @@ impl Events {
         self.set_out(scene, surface as usize);
     }
 
-    /// Where ways are foreseen roughly, a surface that squeezes a body may be told so a hair too late, when it is in that, or has pressed it into what stands
-    /// behind it: puts back what is in between. Returns how much too late that is, s, for a surface that comes with `speed`, m/s.
+    /// Where ways are foreseen roughly, a surface is found to squeeze a body a hair too late: it is in the body, or has pressed it into
+    /// another surface. Puts back the bodies in between. Returns how late that is, s, for a surface that comes with `speed`, m/s.
     pub(crate) fn give_back(&mut self, contacts: &[Contact], squeezing: &Contact, speed: f64) -> f64 {
         let (axis, (body, surface)) = (squeezing.axis, squeezing.ends());
         let forwards = surface == squeezing.lo;
@@ -81,11 +81,6 @@ impl Events {
         let item = &self.items[i];
         (self.places[i], self.speeds[i], self.is_placed[i]) = (item.body.position, item.body.velocity, true);
         (self.free[i], self.solved[i]) = (item.solved, item.solved);
-        for index in 0..self.contacts.len() {
-            let contact = self.contacts[index];
-            if contact.has(i as u32) {
-                self.concern(contact.other(i as u32));
-            }
-        }
+        self.concern_partners(i as u32);
     }
 }

@@ -6,7 +6,7 @@
 //! only has to stop stops all at once in a plastic solve of the contact network, exact at any mass ratio. Friction acts during an impact
 //! too, up to μ_k times the normal impulse, and never reverses the sliding.
 
-use crate::physics::contact::reactions::Parts;
+use crate::physics::contact::axis::Parts;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::plan::{Part, called};
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
@@ -91,7 +91,7 @@ impl Events {
             self.before.clone_from(&self.speeds);
             let parts = Parts { masses: &self.masses, free: &self.before };
             self.reactions.collide(&mut touching, &parts, &mut self.speeds);
-            if !self.reactions.squeezed.is_empty() && touching.iter().any(|contact| contact.clings) {
+            if !self.reactions.joined.squeezed.is_empty() && touching.iter().any(|contact| contact.clings) {
                 // What clings gives way: only what cannot squeezes.
                 touching.iter_mut().for_each(|contact| contact.clings = false);
                 self.speeds.clone_from(&self.before);
@@ -121,7 +121,7 @@ impl Events {
     /// Stops the surfaces that squeeze what the last solve has found squeezed, for the rest of the tick: those that close on it by the
     /// `rate` asked about, velocity or acceleration. Returns whether there are any.
     pub(crate) fn stop_surfaces(&mut self, scene: &Scene, contacts: &[Contact], rate: impl Fn(&Self, u32) -> DVec2) -> bool {
-        let squeezed = std::mem::take(&mut self.reactions.squeezed);
+        let squeezed = std::mem::take(&mut self.reactions.joined.squeezed);
         let known = self.squeezed.len();
         let mut late = 0.0;
         for contact in contacts {
@@ -136,7 +136,7 @@ impl Events {
                 late = f64::max(late, self.give_back(contacts, contact, side * speed));
             }
         }
-        self.reactions.squeezed = squeezed;
+        self.reactions.joined.squeezed = squeezed;
         for index in known..self.squeezed.len() {
             self.halt(scene, self.squeezed[index].1, late);
         }

@@ -65,12 +65,12 @@ pub(crate) enum Kind {
     Border,
     /// Its motion has been foreseen up to here only.
     Renew,
-    /// It leaves the surface on which it has bounced more often than need be told.
+    /// It leaves the item on which its bounces have been passed over.
     Resume,
 }
 
 impl Kind {
-    /// With whom it happens.
+    /// The item with which it happens.
     pub fn other(self) -> Option<u32> {
         match self {
             Self::Hit { other, .. } | Self::Stop { other } | Self::Edge { other } | Self::Begin { other } => Some(other),

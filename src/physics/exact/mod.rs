@@ -39,7 +39,7 @@ pub(crate) use crate::physics::exact::impacts::Hit;
 pub(crate) use crate::physics::exact::item::{Item, Motion};
 use crate::physics::exact::item::{Kind, Next};
 use crate::physics::exact::ties::Tie;
-use crate::physics::exact::track::{Lanes, Track};
+use crate::physics::exact::track::Track;
 use crate::physics::flight::flow::flow;
 use crate::physics::forces::law::Law;
 use crate::physics::forces::link::LinkDef;
@@ -102,8 +102,9 @@ pub(crate) struct Events {
     pub contacts: Vec<Contact>,
     /// Of each item: how it goes on, and its next event.
     tracks: Vec<Track>,
-    lanes: Lanes,
     nexts: Vec<Next>,
+    /// Of each item: the box in which it stays until its next event, m.
+    lanes: Vec<Aabb>,
     /// Of each item: how many ways it has had in this tick.
     ways: Vec<u32>,
     /// Of each item: the streams that it touches on its way, and maybe some near it.
@@ -153,9 +154,8 @@ pub(crate) struct Events {
     asked: Vec<Contact>,
     /// What stands behind a body that gives way.
     behind: Vec<u32>,
-    /// What presses on the item whose next event is sought, and who is near.
+    /// What presses on the item whose next event is sought.
     pressing: Vec<u32>,
-    near: Vec<u32>,
     /// For the implicit step of what is in contact: of each item concerned, and the mean accelerations of all.
     implicit: Vec<Implicit>,
     means: Vec<DVec2>,
@@ -276,7 +276,7 @@ impl Events {
         (first.1.at <= scene.tick).then_some(first)
     }
 
-    /// Whether with whom it was to happen has gone another way since. Nothing has happened to the item then, but from now on others may.
+    /// Whether the other item of an event has taken another path since. Nothing has happened to this item then, but from now on others may.
     fn is_void(&self, next: &Next) -> bool {
         next.kind.other().is_some_and(|other| self.ways[other as usize] != next.foreseen_on)
     }
@@ -301,10 +301,8 @@ impl Events {
         self.tracks.clear();
         self.tracks
             .extend(self.items.iter().map(|item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO))));
-        self.lanes.resize(all);
-        for (i, track) in self.tracks.iter().enumerate() {
-            self.lanes.set(i, &track.swept, track.rounding);
-        }
+        self.lanes.clear();
+        self.lanes.extend(self.tracks.iter().map(|track| track.lane(&track.swept)));
         refill(&mut self.borders, if self.streams.is_empty() { 0 } else { self.movable }, ZoneList::default());
     }
 
@@ -334,7 +332,7 @@ impl Events {
             }
         }
         if !self.concerned.is_empty() {
-            self.look(scene, None);
+            self.look(scene);
         }
         self.release();
         for i in 0..self.movable {
@@ -354,7 +352,6 @@ impl Events {
     /// Does what an event says.
     fn happen(&mut self, scene: &Scene, i: usize, kind: Kind) {
         self.concern(i as u32);
-        let mut hit = None;
         match kind {
             Kind::Nothing | Kind::Edge { .. } | Kind::Border => {}
             Kind::Begin { other } => self.concern(other),
@@ -378,7 +375,7 @@ impl Events {
                     self.renew(scene, other as usize);
                     return self.release();
                 }
-                hit = Some(contact);
+                self.met = Some(contact);
             }
             Kind::Stop { other } => {
                 self.concern(other);
@@ -386,7 +383,7 @@ impl Events {
             }
             Kind::Resume => self.resume(scene, i),
         }
-        self.look(scene, hit);
+        self.look(scene);
         self.release();
     }
 }

@@ -5,7 +5,7 @@
 //! implicit midpoint step, which is stable at any rate: in `v′ = f − D·v − K·x` the step is one contact solve with the masses
 //! M·(1 + ½hD + ¼h²K). So a group in a medium needs one more solve than one without, and its ways are parabolas as well.
 
-use crate::physics::contact::reactions::Parts;
+use crate::physics::contact::axis::Parts;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::SPEED_TOLERANCE;
 use crate::physics::exact::item::{Item, Motion, Next, Slide};
@@ -39,21 +39,21 @@ fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
 }
 
 impl Events {
-    /// Looks at everything concerned anew: what touches it, its impacts, contacts, accelerations and motion.
-    pub(crate) fn look(&mut self, scene: &Scene, hit: Option<Contact>) {
+    /// Looks at everything concerned again: what touches it, its impacts, contacts, accelerations and motion.
+    pub(crate) fn look(&mut self, scene: &Scene) {
         // Where a surface is stopped that would have squeezed something, other things concern it as well: each of them once.
-        let told = self.hits.len();
+        let known = self.hits.len();
         for _ in self.movable..=self.items.len() {
             self.halted = false;
-            self.collect(scene, hit);
+            self.collect(scene);
             self.resume_concerned(scene);
             if !self.resolve_impacts(scene) {
                 // Nothing of this event has happened: the island is handed over as it was.
-                self.hits.truncate(told);
+                self.hits.truncate(known);
                 return;
             }
             if !self.halted {
-                self.settle_concerned(scene, hit);
+                self.settle_concerned(scene);
             }
             if !self.halted {
                 break;
@@ -62,8 +62,8 @@ impl Events {
         self.go_on(scene);
     }
 
-    /// Lets everything concerned begin anew where it is now: its law, contacts and accelerations.
-    fn settle_concerned(&mut self, scene: &Scene, hit: Option<Contact>) {
+    /// Lets everything concerned begin where it is now: its law, contacts and accelerations.
+    fn settle_concerned(&mut self, scene: &Scene) {
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
             let (place, speed) = (self.places[i], self.speeds[i]);
@@ -73,7 +73,7 @@ impl Events {
             item.disturbed = true;
             self.renew_law(scene, i);
         }
-        self.find_contacts(scene, hit);
+        self.find_contacts(scene);
         self.solve_concerned(scene);
     }
 
@@ -139,7 +139,7 @@ impl Events {
         if i < self.movable && !self.streams.is_empty() && !track.is_still() {
             self.borders[i] = scene.media.streams_at(&track.swept, zones::BESIDE);
         }
-        self.lanes.set(i, &track.swept, track.rounding);
+        self.lanes[i] = track.lane(&track.swept);
         self.tracks[i] = track;
         self.nexts[i] = Next::NEVER;
         self.ways[i] += 1;
@@ -268,7 +268,7 @@ impl Events {
     }
 }
 
-/// How far into an implicit step of so much rate × time its forces are taken.
+/// The part of an implicit step of a rate × time at whose end its forces are taken.
 fn theta(rate: f64) -> f64 {
     if rate > 2.0 { 1.0 - 1.0 / rate } else { 0.5 }
 }

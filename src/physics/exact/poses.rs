@@ -24,6 +24,15 @@ impl Events {
         }
     }
 
+    /// Counts to it what an item is in contact with.
+    pub(crate) fn concern_partners(&mut self, item: u32) {
+        for index in 0..self.contacts.len() {
+            if self.contacts[index].has(item) {
+                self.concern(self.contacts[index].other(item));
+            }
+        }
+    }
+
     /// Ends an event.
     pub(crate) fn release(&mut self) {
         for &item in &self.concerned {

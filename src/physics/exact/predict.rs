@@ -1,8 +1,8 @@
 //! What happens next: the first event of an item, found on the ways that have been foreseen.
 //!
-//! Whoever sets out on a new way looks at all others, each up to its own next event, at which it will look itself. So of two that meet, the one
-//! that has looked last knows. What an item was to do with another that has gone another way is void; but until then it does nothing else
-//! either, and it looks again only if that time comes (after Lubachevsky 1991).
+//! An item that sets out on a new path looks at all others, each up to its own next event, at which that one looks itself. So of two that meet,
+//! the one that has looked last knows. An event with an item that has taken another path is void; the search is repeated only when its time
+//! comes (after Lubachevsky 1991).
 //!
 //! Ways are cubics: exactly the parabola without drag, the Hermite interpolant of the flow with it. Whatever meets along them does so at a
 //! root of a polynomial; the pose at that time is then taken from the motion itself.
@@ -50,7 +50,7 @@ impl Events {
         } else {
             track.swept
         };
-        self.lanes.set(i, &lane, track.rounding);
+        self.lanes[i] = track.lane(&lane);
         self.grown |= i < self.movable && !self.items[i].searched.contains(&lane, 0.0);
     }
 
@@ -73,7 +73,7 @@ impl Events {
     }
 
     /// When an item meets another one. The search begins now, and ends where the earlier of their ways does or with what is known to happen.
-    fn next_hit(&mut self, i: usize, next: &mut Next) {
+    fn next_hit(&self, i: usize, next: &mut Next) {
         let mine = &self.tracks[i];
         let from_here = mine.way_from(self.now);
         let (left, reach) = ((mine.until.min(next.at) - self.now), mine.rounding + SLOP);
@@ -82,13 +82,13 @@ impl Events {
         }
         let whole = mine.since == self.now && left == mine.until - self.now;
         let lane = if whole { mine.swept } else { from_here.swept(mine.half, left) };
-        let mut near = std::mem::take(&mut self.near);
-        self.lanes.touching(&Aabb::new(lane.min - reach, lane.max + reach), &mut near);
-        for &j in &near {
-            let found = self.next_meeting(i, j as usize, &from_here, next.at);
-            next.or_earlier(found.at, found.kind);
+        let lane = Aabb::new(lane.min - reach, lane.max + reach);
+        for j in 0..self.tracks.len() {
+            if j != i && self.lanes[j].touches(&lane, 0.0) {
+                let found = self.next_meeting(i, j, &from_here, next.at);
+                next.or_earlier(found.at, found.kind);
+            }
         }
-        self.near = near;
     }
 
     /// When an item that goes on like that meets another one, if it does `before` a time (s from the tick's start).
@@ -96,14 +96,14 @@ impl Events {
         let (now, mine, other) = (self.now, &self.tracks[i], &self.tracks[j]);
         let mut next = Next::NEVER;
         let end = mine.until.min(other.until).min(self.nexts[j].at).min(before) - now;
-        if j == i || mine.is_still() && other.is_still() || end <= 0.0 {
+        if mine.is_still() && other.is_still() || end <= 0.0 {
+            return next;
+        }
+        // Bodies that press on each other have met already.
+        if self.pressing.contains(&(j as u32)) {
             return next;
         }
         let from_there = other.way_from(now);
-        // What presses on each other has met already.
-        if !mine.may_meet(other, from_there.c[0] - from_here.c[0], end, SLOP) || self.pressing.contains(&(j as u32)) {
-            return next;
-        }
         // Seen from the one of the lower number, so that both come to the same bits.
         let motion = if i < j { from_here.relative(&from_there) } else { from_there.relative(from_here) };
         if motion.stands() {

@@ -3,7 +3,7 @@
 //! Nothing moves, so nothing meets: if those that were changed still touch what they touched, the forces are solved once, and where they leave
 //! everything at rest that is the whole tick. Otherwise the tick is gone through as any other.
 
-use crate::physics::contact::reactions::Parts;
+use crate::physics::contact::axis::Parts;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::plan::{Part, called};
 use crate::physics::data::tuning::SLOP;
@@ -53,7 +53,7 @@ impl Events {
         self.trial.sort_unstable_by_key(Contact::ends);
         let parts = Parts { masses: &self.masses, free: &self.free };
         self.reactions.accelerate(&mut self.trial, &parts, &mut self.solved);
-        if !self.reactions.squeezed.is_empty() || self.solved.iter().any(|a| *a != DVec2::ZERO) {
+        if !self.reactions.joined.squeezed.is_empty() || self.solved.iter().any(|a| *a != DVec2::ZERO) {
             return false;
         }
         std::mem::swap(&mut self.contacts, &mut self.trial);

@@ -24,12 +24,14 @@ pub(crate) mod grounds;
 pub(crate) mod passes;
 pub(crate) mod routing;
 
-use crate::physics::contact::network::routing::NOWHERE;
 use crate::physics::data::tuning::{FORCE_TOLERANCE, LIGHT};
 use std::ops::Range;
 
 /// The index of the ground as an end of a link.
 pub(crate) const GROUND: u32 = u32::MAX;
+
+/// No block and no link.
+const NOWHERE: u32 = u32::MAX;
 
 /// What a link can carry.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,10 +2,9 @@
 //! where it gets stuck (Ford and Fulkerson's method in Edmonds and Karp's order).
 
 use crate::physics::contact::network::grounds::side_of;
-use crate::physics::contact::network::{Block, Carries, GROUND, Network, Side};
+use crate::physics::contact::network::{Block, Carries, GROUND, NOWHERE, Network, Side};
 
-/// How a search reached a node: not at all, or by starting there.
-pub(crate) const NOWHERE: u32 = u32::MAX;
+/// How a search reached the nodes where it started.
 const START: u32 = u32::MAX - 1;
 
 impl Network {
