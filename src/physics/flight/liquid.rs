@@ -19,9 +19,6 @@ use crate::physics::forces::liquid::{Bath, Regime};
 use crate::physics::forces::media::Media;
 use glam::DVec2;
 
-/// Rate × time from which on one such step is enough where nothing but a rough answer is needed.
-const AT_ONCE: f64 = 20.0;
-
 /// A body in its media on its way.
 #[derive(Clone)]
 struct Swimmer<'a> {
@@ -125,12 +122,12 @@ impl Swimmer<'_> {
         if !self.rough {
             return 128;
         }
-        let heavy = match self.kind(&self.look(pose), pose.1) {
-            Kind::Settled(_) => false,
-            Kind::Air(longest) => t > AT_ONCE * longest,
-            Kind::Neither { heavy, .. } => heavy * t > AT_ONCE,
+        let reach = match self.kind(&self.look(pose), pose.1) {
+            Kind::Settled(_) => 0.0,
+            Kind::Air(longest) => t / longest,
+            Kind::Neither { heavy, .. } => heavy * t,
         };
-        if heavy { 0 } else { 8 }
+        if reach > 20.0 { 0 } else { 8 }
     }
 
     /// Ends a bobbing of which nothing is left but rounding.

@@ -13,9 +13,6 @@ use crate::physics::flight::implicit;
 use crate::physics::forces::liquid::{Bath, Regime, Slopes};
 use glam::DVec2;
 
-/// The part of the error of a step that a turn in it may add.
-const PART_OF_A_TURN: f64 = 0.1;
-
 /// Where a flow, or a step of one, leads.
 pub(crate) struct Course {
     pub end: Pose,
@@ -115,7 +112,7 @@ impl Steps<'_> {
     fn turn_ahead(&self, v: DVec2, pull: DVec2, h: f64, tolerance: f64) -> Option<f64> {
         let turn = |axis: usize| {
             let t = -v[axis] / pull[axis];
-            (t > 0.0 && t < h && self.turn(axis, v, pull).worth(t.min(h - t), h) > PART_OF_A_TURN * tolerance).then_some(t)
+            (t > 0.0 && t < h && self.turn(axis, v, pull).bends(t.min(h - t), h, tolerance)).then_some(t)
         };
         earliest(turn(0), turn(1))
     }
@@ -124,7 +121,7 @@ impl Steps<'_> {
     fn since_turn(&self, before: DVec2, Step { end: (_, v), pull, .. }: &Step, h: f64, tolerance: f64) -> Option<f64> {
         let turn = |axis: usize| {
             let t = if before[axis] * v[axis] < 0.0 { v[axis] / pull[axis] } else { 0.0 };
-            (t > 0.0 && self.turn(axis, *v, *pull).worth(t.min(h), h) > PART_OF_A_TURN * tolerance).then_some(t)
+            (t > 0.0 && self.turn(axis, *v, *pull).bends(t.min(h), h, tolerance)).then_some(t)
         };
         let (x, y) = (turn(0), turn(1));
         if x > y { x } else { y }
@@ -174,11 +171,11 @@ struct Turn {
 }
 
 impl Turn {
-    /// The error by the corner of the drag `t` seconds from an end of a step of `h` seconds, m.
-    fn worth(&self, t: f64, h: f64) -> f64 {
+    /// Whether the corner of the drag, `t` seconds from an end of a step of `h` seconds, adds more than a tenth of the error allowed, m.
+    fn bends(&self, t: f64, h: f64, tolerance: f64) -> bool {
         let Self { straight, round, gain, beside } = *self;
         let rate = if beside < gain * h { round } else { 0.0 } + straight;
-        rate * gain * (t * t) * h * (gain * t + beside)
+        rate * gain * (t * t) * h * (gain * t + beside) > 0.1 * tolerance
     }
 }
 
