@@ -27,6 +27,14 @@ impl Space {
         }
         broad_phase.update(bodies, sleep.looked_at(), dt);
         bodies.keep_free_flight(sleep.looked_at());
+        // Sleepers near what moves are looked at, whether or not they were set aside: no bit may depend on that.
+        for j in movers.moving.iter().map(|surface| n + *surface as usize) {
+            for i in 0..if bodies.carries(j) && !sleep.looks_at_all() { n } else { 0 } {
+                if !apart(&bodies.swept[i], &bodies.swept[j]) && sleep.rouse(i) {
+                    bodies.fall_freely(i);
+                }
+            }
+        }
         self.rouse_reached();
     }
 

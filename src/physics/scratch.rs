@@ -186,7 +186,7 @@ impl Scratch {
     pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
         let n = state.bodies.len();
         self.index(state);
-        let Self { events, local, members, surfaces, starts, linked, .. } = self;
+        let Self { events, local, members, surfaces, stops, starts, linked, .. } = self;
         events.clear();
         members.sort_unstable();
         surfaces.sort_unstable();
@@ -220,6 +220,8 @@ impl Scratch {
             }
             local[n + s as usize] = events.items.len() as u32;
             let mut item = Item::surface(s, surface);
+            // An earlier solution of the tick may have stopped it.
+            item.stops_at = first_stop(stops, s);
             scene.set_on_path(&mut item, 0.0);
             events.items.push(item);
         }
