@@ -112,7 +112,7 @@ impl Dense {
 
     /// The last word on energy. Impacts on both axes and of different restitution may return more than their island had: then all return the
     /// part of it that leaves none over, which keeps the momentum. What is merged and parted in a wild way may end higher even without
-    /// bounces: then what was touched is slowed down by one factor. That does not keep the momentum; it is counted.
+    /// bounces: then what was touched is slowed down by one factor. That is counted, and keeps the momentum where nothing immovable is.
     pub(crate) fn restrain(&mut self, bodies: &mut Bodies, members: &[u32], doubt: bool) {
         let stirred = self.bounced || self.walls.any;
         if self.contacts.carried || !(stirred || doubt || !self.anchors.edges.is_empty()) {
@@ -143,10 +143,18 @@ impl Dense {
             return;
         }
         self.guards.energy_taken_out += 1;
+        // In the frame of all that was touched, where nothing immovable is: that keeps their momentum.
+        let n = bodies.len();
+        let afloat = self.contacts.all().all(|contact| (contact.first as usize) < n && (contact.second as usize) < n);
+        let of_touched = || members.iter().map(|i| *i as usize).filter(|i| touched(bodies, *i));
+        let mass: f64 = of_touched().map(|i| bodies.mass[i]).sum();
+        let momentum: DVec2 = of_touched().map(|i| bodies.mass[i] * velocity(bodies, i)).sum();
+        let frame = if afloat { momentum / mass } else { DVec2::ZERO };
+        let left = left - 0.5 * mass * frame.length_squared();
         let slower = if left > gained { (1.0 - gained / left).sqrt() } else { 0.0 };
         for i in members.iter().map(|i| *i as usize) {
             if touched(bodies, i) {
-                (bodies.ux[i], bodies.uy[i]) = (bodies.ux[i] * slower, bodies.uy[i] * slower);
+                (bodies.ux[i], bodies.uy[i]) = (frame + (velocity(bodies, i) - frame) * slower).into();
             }
         }
     }
