@@ -18,7 +18,7 @@ impl Events {
         self.ends.iter().find(|end| end.0 == id).map_or((DVec2::ZERO, DVec2::ZERO), |end| end.1)
     }
 
-    /// The contacts and accelerations of the instant at which the tick ends, where media make them others than when the last way began.
+    /// The contacts and accelerations of the instant at which the tick ends, where media make them others than when the last path began.
     pub(crate) fn settle(&mut self, scene: &Scene) {
         self.is_placed.fill(false);
         for i in 0..self.items.len() {
@@ -74,7 +74,7 @@ impl Events {
         }
     }
 
-    /// Whether another law than that of its last way acts on a body: it has crossed the border of a stream just as the tick ends, its links
+    /// Whether another law than that of its last path acts on a body: it has crossed the border of a stream just as the tick ends, its links
     /// pull otherwise there, or it was pushed to liquids that its own law would not have led it to.
     fn has_another_law(&mut self, scene: &Scene, i: usize) -> bool {
         let pulled = !(self.streams.is_empty() && self.links.is_empty());
@@ -130,7 +130,7 @@ impl Events {
         let item = &mut self.items[body as usize].body;
         let off = (item.velocity - velocity).abs();
         let rounding = (item.velocity.abs() + velocity.abs()) * SPEED_ROUNDING + SPEED_TOLERANCE;
-        // Each of its ways in this tick began where the one before ended, to a rounding of the coordinate.
+        // Each of its paths in this tick began where the one before ended, to a rounding of the coordinate.
         let strayed = SLOP + f64::EPSILON * place.abs() * f64::from(self.ways[body as usize]);
         if off[axis] > rounding[axis] || (item.position[axis] - place).abs() > strayed {
             return;

@@ -40,7 +40,7 @@ impl Events {
         self.set_out(scene, surface as usize);
     }
 
-    /// Where ways are foreseen roughly, a surface is found to squeeze a body a hair too late: it is in the body, or has pressed it into
+    /// Where paths are foreseen roughly, a surface is found to squeeze a body a hair too late: it is in the body, or has pressed it into
     /// another surface. Puts back the bodies in between. Returns how late that is, s, for a surface that comes with `speed`, m/s.
     pub(crate) fn give_back(&mut self, contacts: &[Contact], squeezing: &Contact, speed: f64) -> f64 {
         let (axis, (body, surface)) = (squeezing.axis, squeezing.ends());

@@ -11,9 +11,6 @@ use crate::physics::forces::law::Law;
 use crate::physics::forces::media::Media;
 use glam::DVec2;
 
-/// Steps of a flow that one cubic follows, at most.
-const MOST_NODES: usize = 16;
-
 /// How something moves from one event to its next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Motion {
@@ -85,7 +82,7 @@ pub(crate) struct Next {
     /// s, from the tick's start.
     pub at: f64,
     pub kind: Kind,
-    /// Which way of the other one it was foreseen on, if there is one.
+    /// The number of the path of the other item on which it was foreseen, if there is one.
     pub foreseen_on: u32,
 }
 
@@ -227,7 +224,7 @@ impl Item {
         let mut pose = (self.body.position, self.body.velocity);
         let Some(slide) = self.slide else { return parabola(pose, self.mean, t) };
         let reach = media.rate(&self.body, &self.law, pose, t) * t;
-        // Rate × time of 0.02 a step leaves 1e-9 m after some metres. A way that is foreseen at once takes 25 steps.
+        // Rate × time of 0.02 a step leaves 1e-9 m after some metres. A path that is foreseen at once takes 25 steps.
         let steps = (reach / 0.02).ceil().clamp(1.0, 64.0);
         if !self.law.is_near_liquid() {
             for _ in 0..steps as u32 {
@@ -244,7 +241,7 @@ impl Item {
         pose
     }
 
-    /// Foresees the way, from `since` to `until`, or to where one cubic follows it.
+    /// Foresees the path, from `since` to `until`, or to where one cubic follows it.
     pub(crate) fn foresee(&mut self, media: &Media) -> Track {
         let (x, v) = (self.body.position, self.body.velocity);
         let t = self.until - self.since;
@@ -270,7 +267,8 @@ impl Item {
         let a = media.acceleration(&self.body, &self.law, x, v);
         let to = |t: f64, end: DVec2| Cubic { c: [x, v, a * 0.5, (end - x - (v + a * (0.5 * t)) * t) / (t * t * t)] };
         loop {
-            let (mut passed, mut count, mut fits) = ([(0.0, DVec2::ZERO); MOST_NODES], 0, true);
+            // One cubic follows 16 steps of a flow at most.
+            let (mut passed, mut count, mut fits) = ([(0.0, DVec2::ZERO); 16], 0, true);
             let course = flow_while(media, &self.body, &self.law, self.until - self.since, |t, (place, speed)| {
                 let way = to(t, place);
                 // A cubic is beside a quartic with the same start and end place by 27/256 of the time and the difference of their last speeds.
@@ -278,11 +276,11 @@ impl Item {
                 let strays = |(at, place): &(f64, DVec2)| way.from(*at).c[0].distance(*place) > STRAY;
                 let follows = beside <= STRAY && !passed[..count].iter().any(strays);
                 fits &= follows || count > 0;
-                if follows && count < MOST_NODES {
+                if follows {
                     passed[count] = (t, place);
                     count += 1;
                 }
-                follows && count < MOST_NODES
+                follows && count < passed.len()
             });
             self.until = self.since + course.time;
             self.law.first = course.next;

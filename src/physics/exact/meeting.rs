@@ -1,4 +1,4 @@
-//! Bringing together what meets, exactly, and parting what is in each other: ways through media are foreseen roughly, as cubics, so that two
+//! Bringing together what meets, exactly, and parting what is in each other: paths through media are foreseen roughly, as cubics, so that two
 //! things may be found a hair apart or in each other when they should touch.
 
 use crate::physics::data::contact::Contact;
@@ -7,7 +7,7 @@ use crate::physics::exact::item::Next;
 use crate::physics::exact::{Events, Scene};
 
 impl Events {
-    /// Brings two things to the instant at which they meet, and exactly together: a way foreseen as a cubic may be off by a hair, so Newton's
+    /// Brings two things to the instant at which they meet, and exactly together: a path foreseen as a cubic may be off by a hair, so Newton's
     /// method ends on the motions themselves. What is left of the gap is shared as their masses say; a surface gives way to nothing. Returns
     /// false if they meet so much later that something else happens before: then they have to be looked at again from here.
     pub(crate) fn put_together(&mut self, scene: &Scene, contact: &Contact) -> bool {
@@ -39,7 +39,7 @@ impl Events {
         true
     }
 
-    /// Takes away the gap, or the overlap, that the roughness of a foreseen way has left of two things that meet now: shared as their masses
+    /// Takes away the gap, or the overlap, that the roughness of a foreseen path has left of two things that meet now: shared as their masses
     /// say; a surface gives way to nothing, and neither does what stands against one. What stands behind what gives way goes with it.
     pub(crate) fn close(&mut self, scene: &Scene, contact: &Contact) {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
@@ -150,7 +150,7 @@ impl Events {
         half(contact.lo) + half(contact.hi)
     }
 
-    /// Whether two things that meet are in each other by more than the slop: something else happened on the rest of a way that was foreseen
+    /// Whether two things that meet are in each other by more than the slop: something else happened on the rest of a path that was foreseen
     /// roughly.
     pub(crate) fn is_in(&self, contact: &Contact) -> bool {
         self.depth_of(contact) > SLOP

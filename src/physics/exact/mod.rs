@@ -1,7 +1,7 @@
 //! The event-driven method: an island, from one thing that happens to the next.
 //!
-//! Every item of an island (bodies, and the surfaces near them) has a way of its own, with its own beginning and its own next event; an event
-//! ends the ways of what it touches, and of nothing else. So a tick costs what happens in it: flight is one formula, an impact concerns two
+//! Every item of an island (bodies, and the surfaces near them) has a path of its own, with its own beginning and its own next event; an event
+//! ends the paths of what it touches, and of nothing else. So a tick costs what happens in it: flight is one formula, an impact concerns two
 //! bodies and what they are in contact with, and everything else goes on as foreseen (event-driven dynamics with local clocks, after
 //! Alder and Wainwright 1959).
 //!
@@ -105,9 +105,9 @@ pub(crate) struct Events {
     nexts: Vec<Next>,
     /// Of each item: the box in which it stays until its next event, m.
     lanes: Vec<Aabb>,
-    /// Of each item: how many ways it has had in this tick.
+    /// Of each item: how many paths it has had in this tick.
     ways: Vec<u32>,
-    /// Of each item: the streams that it touches on its way, and maybe some near it.
+    /// Of each item: the streams that it touches on its path, and maybe some near it.
     borders: Vec<ZoneList>,
     /// The air streams near the island.
     pub streams: Vec<u32>,

@@ -3,7 +3,7 @@
 //! What flies follows its own flow. What is in contact moves with the accelerations that its contacts allow; these are constant unless media
 //! act. Where they do, one body that slides on one surface follows the exact law of its slide; a group takes the mean acceleration of an
 //! implicit midpoint step, which is stable at any rate: in `v′ = f − D·v − K·x` the step is one contact solve with the masses
-//! M·(1 + ½hD + ¼h²K). So a group in a medium needs one more solve than one without, and its ways are parabolas as well.
+//! M·(1 + ½hD + ¼h²K). So a group in a medium needs one more solve than one without, and its paths are parabolas as well.
 
 use crate::physics::contact::axis::Parts;
 use crate::physics::data::contact::Contact;
@@ -27,14 +27,14 @@ fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
     let rate = scene.media.rate(&item.body, &item.law, pose, scene.tick - item.since);
     let (mut long, least) = (reach / rate, scene.tick * shortest);
     if wet {
-        // The way has a kink where half of the body has entered a liquid: half of the time to that.
+        // The path has a kink where half of the body has entered a liquid: half of the time to that.
         long = long.min((item.body.half / pose.1.abs()).min_element() * 0.5);
     }
     if long >= least {
         return (item.since + long).min(scene.tick);
     }
     let pull = scene.media.acceleration(&item.body, &item.law, pose.0, pose.1).length();
-    // In the shortest part the way leaves its tangent by a millimetre at most.
+    // In the shortest part the path leaves its tangent by a millimetre at most.
     (item.since + long.max(least.min((1e-3 / pull).sqrt()))).min(scene.tick)
 }
 
@@ -112,7 +112,7 @@ impl Events {
         }
     }
 
-    /// Sets everything concerned on its way, and seeks what happens to it next.
+    /// Sets everything concerned on its path, and seeks what happens to it next.
     pub(crate) fn go_on(&mut self, scene: &Scene) {
         self.choose_motions(scene);
         for k in 0..self.concerned.len() {
@@ -133,7 +133,7 @@ impl Events {
         }
     }
 
-    /// Foresees the way of an item.
+    /// Foresees the path of an item.
     pub(crate) fn foresee(&mut self, scene: &Scene, i: usize) {
         let track = self.items[i].foresee(scene.media);
         if i < self.movable && !self.streams.is_empty() && !track.is_still() {

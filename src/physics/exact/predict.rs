@@ -1,10 +1,10 @@
-//! What happens next: the first event of an item, found on the ways that have been foreseen.
+//! What happens next: the first event of an item, found on the paths that have been foreseen.
 //!
 //! An item that sets out on a new path looks at all others, each up to its own next event, at which that one looks itself. So of two that meet,
 //! the one that has looked last knows. An event with an item that has taken another path is void; the search is repeated only when its time
 //! comes (after Lubachevsky 1991).
 //!
-//! Ways are cubics: exactly the parabola without drag, the Hermite interpolant of the flow with it. Whatever meets along them does so at a
+//! Paths are cubics: exactly the parabola without drag, the Hermite interpolant of the flow with it. Whatever meets along them does so at a
 //! root of a polynomial; the pose at that time is then taken from the motion itself.
 
 use crate::physics::data::aabb::Aabb;
@@ -43,7 +43,7 @@ impl Events {
     fn keep_to_lane(&mut self, i: usize) {
         let track = &self.tracks[i];
         let until = track.until.min(self.nexts[i].at);
-        // The pose of what moves nearly as its way says is asked for elsewhere than on it.
+        // The pose of what moves nearly as its path says is asked for elsewhere than on it.
         let as_foreseen = track.since == self.now && until >= track.until;
         let lane = if track.is_exact() && !track.is_still() && !as_foreseen {
             track.way_from(self.now).swept(track.half, until - self.now)
@@ -72,7 +72,7 @@ impl Events {
         next
     }
 
-    /// When an item meets another one. The search begins now, and ends where the earlier of their ways does or with what is known to happen.
+    /// When an item meets another one. The search begins now, and ends where the earlier of their paths does or with what is known to happen.
     fn next_hit(&self, i: usize, next: &mut Next) {
         let mine = &self.tracks[i];
         let from_here = mine.way_from(self.now);
@@ -204,7 +204,7 @@ fn begins_flush(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<
     along(1).or_else(|| along(0))
 }
 
-/// Along which axis two boxes that touch already, or are in each other by the rounding with which a way was foreseen, approach at this very
+/// Along which axis two boxes that touch already, or are in each other by the rounding with which a path was foreseen, approach at this very
 /// instant. After an impact they do not.
 fn meets_at_once(motion: &Cubic, reach: DVec2, sides: Sides) -> Option<usize> {
     let apart = motion.c[0];

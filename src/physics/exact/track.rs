@@ -5,7 +5,7 @@ use crate::physics::data::impact_time::Cubic;
 use crate::physics::exact::item::{Item, Motion};
 use glam::DVec2;
 
-/// The way of an item from `since` to `until`, s from the tick's start.
+/// The path of an item from `since` to `until`, s from the tick's start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Track {
     pub since: f64,
@@ -20,12 +20,12 @@ pub(crate) struct Track {
 }
 
 impl Track {
-    /// Of something on a way.
+    /// Of something on a path.
     pub fn new(item: &Item, way: Cubic) -> Self {
         let Item { since, until, motion, .. } = *item;
         let (half, t) = (item.body.half, until - since);
         let swept = way.swept(half, t);
-        // Places on a way are off by less than 64 roundings of the largest coordinate and 1e-6 m.
+        // Places on a path are off by less than 64 roundings of the largest coordinate and 1e-6 m.
         let rounding = swept.min.abs().max(swept.max.abs()) * (64.0 * f64::EPSILON) + 1e-6;
         Self { since, until, motion, half, way, swept, rounding }
     }
@@ -39,17 +39,17 @@ impl Track {
         self.motion == Motion::Still
     }
 
-    /// Whether it moves as its way says, and not nearly so.
+    /// Whether it moves as its path says, and not nearly so.
     pub fn is_exact(&self) -> bool {
         matches!(self.motion, Motion::Still | Motion::Parabola)
     }
 
-    /// The way from a later time on.
+    /// The path from a later time on.
     pub fn way_from(&self, at: f64) -> Cubic {
         self.way.from(at - self.since)
     }
 
-    /// What it covers at a time, and no more than its rounding besides, if it moves as its way says.
+    /// What it covers at a time, and no more than its rounding besides, if it moves as its path says.
     pub fn bounds_at(&self, at: f64) -> Aabb {
         let t = at - self.since;
         let [x, v, a, j] = self.way.c;

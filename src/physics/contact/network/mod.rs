@@ -142,10 +142,6 @@ struct Note {
     side: Side,
 }
 
-impl Note {
-    const NEW: Self = Self { excess: 0.0, block: NOWHERE, waits_for: 0, came_by: NOWHERE, side: Side::Same };
-}
-
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Side {
     Slower,
@@ -215,7 +211,7 @@ impl Network {
             }
         }
         self.notes.clear();
-        self.notes.resize(n + 1, Note::NEW);
+        self.notes.resize(n + 1, Note { excess: 0.0, block: NOWHERE, waits_for: 0, came_by: NOWHERE, side: Side::Same });
     }
 
     fn links_of(&self, node: u32) -> Range<usize> {

@@ -34,16 +34,11 @@ fn a_body_on_one_face_has_the_same_answer_directly_and_by_the_network() {
     assert!((1000..4900).contains(&moved), "{moved}");
 }
 
-/// A group of contacts as it was found: pairs with their axes and slides, the masses of bodies, and what else accelerates them.
-struct Found<'a> {
-    contacts: &'a [(u32, u32, usize, f64)],
-    masses: &'a [f64],
-    free: &'a [(f64, f64)],
-}
-
-/// Both were found by random levels: the rounds between the axes went in circles, and friction was left that nothing pressed for.
-const FOUND: [Found<'_>; 1] = [Found {
-    contacts: &[
+/// Random levels found this group: the rounds between the axes went in circles, and friction was left that nothing pressed for. Its contacts
+/// have their axes and slides.
+#[test]
+fn no_contact_rubs_harder_than_it_presses_where_the_rounds_go_in_circles() {
+    let contacts = [
         (0, 6, 0, -1.0),
         (8, 0, 1, 0.0),
         (10, 0, 0, 1.0),
@@ -53,9 +48,9 @@ const FOUND: [Found<'_>; 1] = [Found {
         (5, 7, 0, 0.0),
         (5, 9, 1, 0.0),
         (6, 9, 1, 0.0),
-    ],
-    masses: &[100.0, 6.0, 74.0, 25.0, 66.0, 20.0, 28.0, 65.0, 18.0],
-    free: &[
+    ];
+    let masses = [100.0, 6.0, 74.0, 25.0, 66.0, 20.0, 28.0, 65.0, 18.0];
+    let free = [
         (6.477590650225734, 2.346331352698204),
         (-12.0, 10.0),
         (-12.0, 10.0),
@@ -65,45 +60,39 @@ const FOUND: [Found<'_>; 1] = [Found {
         (-12.0, 10.0),
         (-12.0, 10.0),
         (-12.0, 10.0),
-    ],
-}];
-
-#[test]
-fn no_contact_rubs_harder_than_it_presses_where_the_rounds_go_in_circles() {
-    for (k, found) in FOUND.iter().enumerate() {
-        let between = |&(lo, hi, axis, slides): &(u32, u32, usize, f64)| Contact {
-            static_friction: 0.9,
-            kinetic_friction: 0.65,
-            slides,
-            ..Contact::between(lo, hi, axis)
-        };
-        let mut contacts: Vec<Contact> = found.contacts.iter().map(between).collect();
-        let masses: Vec<DVec2> = found.masses.iter().map(|mass| DVec2::splat(*mass)).collect();
-        let mut free: Vec<DVec2> = found.free.iter().map(|a| DVec2::from(*a)).collect();
-        free.resize(masses.len() + 2, DVec2::ZERO);
-        let mut out = free.clone();
-        let mut reactions = Reactions::default();
-        reactions.accelerate(&mut contacts, &Parts { masses: &masses, free: &free }, &mut out);
-        assert_eq!(reactions.unsettled, 1, "{k}");
-        let mut forces: Vec<DVec2> = masses.iter().zip(&free).map(|(mass, a)| *mass * *a).collect();
-        for contact in &contacts {
-            let most = if contact.slides == 0.0 { 0.9 } else { 0.65 } * contact.normal;
-            assert!(contact.normal >= 0.0 && contact.friction.abs() <= most * (1.0 + 1e-9) + 1e-9, "{k}: {contact:?}");
-            let mut force = DVec2::ZERO;
-            (force[contact.axis], force[1 - contact.axis]) = (contact.normal, contact.friction);
-            for (item, sign) in [(contact.lo, -1.0), (contact.hi, 1.0)] {
-                if let Some(sum) = forces.get_mut(item as usize) {
-                    *sum += sign * force;
-                }
+    ];
+    let between = |&(lo, hi, axis, slides): &(u32, u32, usize, f64)| Contact {
+        static_friction: 0.9,
+        kinetic_friction: 0.65,
+        slides,
+        ..Contact::between(lo, hi, axis)
+    };
+    let mut contacts: Vec<Contact> = contacts.iter().map(between).collect();
+    let masses: Vec<DVec2> = masses.iter().map(|mass| DVec2::splat(*mass)).collect();
+    let mut free: Vec<DVec2> = free.iter().map(|a| DVec2::from(*a)).collect();
+    free.resize(masses.len() + 2, DVec2::ZERO);
+    let mut out = free.clone();
+    let mut reactions = Reactions::default();
+    reactions.accelerate(&mut contacts, &Parts { masses: &masses, free: &free }, &mut out);
+    assert_eq!(reactions.unsettled, 1);
+    let mut forces: Vec<DVec2> = masses.iter().zip(&free).map(|(mass, a)| *mass * *a).collect();
+    for contact in &contacts {
+        let most = if contact.slides == 0.0 { 0.9 } else { 0.65 } * contact.normal;
+        assert!(contact.normal >= 0.0 && contact.friction.abs() <= most * (1.0 + 1e-9) + 1e-9, "{contact:?}");
+        let mut force = DVec2::ZERO;
+        (force[contact.axis], force[1 - contact.axis]) = (contact.normal, contact.friction);
+        for (item, sign) in [(contact.lo, -1.0), (contact.hi, 1.0)] {
+            if let Some(sum) = forces.get_mut(item as usize) {
+                *sum += sign * force;
             }
         }
-        for (i, force) in forces.iter().enumerate() {
-            assert!((*force - masses[i] * out[i]).length() < 1e-6, "{k}: {force} N on body {i}, which gets {} m/s²", out[i]);
-        }
-        let parting = |contact: &Contact| {
-            let of = |item: u32| out.get(item as usize).map_or(0.0, |a| a[contact.axis]);
-            of(contact.hi) - of(contact.lo)
-        };
-        assert!(contacts.iter().all(|contact| parting(contact) > -1e-9), "{k}");
     }
+    for (i, force) in forces.iter().enumerate() {
+        assert!((*force - masses[i] * out[i]).length() < 1e-6, "{force} N on body {i}, which gets {} m/s²", out[i]);
+    }
+    let parting = |contact: &Contact| {
+        let of = |item: u32| out.get(item as usize).map_or(0.0, |a| a[contact.axis]);
+        of(contact.hi) - of(contact.lo)
+    };
+    assert!(contacts.iter().all(|contact| parting(contact) > -1e-9));
 }
