@@ -6,8 +6,8 @@
 
 use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::{CALM_REACH, DAMPED_REACH, ZENO_HITS};
+use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::Resume;
-use crate::physics::exact::{Events, Scene};
 use glam::DVec2;
 
 /// What follows a bounce: how long bounces go on, s, and how fast they leave each other then, m/s, if they do.

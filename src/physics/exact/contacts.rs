@@ -4,7 +4,7 @@ use crate::physics::contact::axis::Parts;
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
-use crate::physics::exact::{Events, Scene};
+use crate::physics::exact::events::{Events, Scene};
 
 impl Events {
     /// Lists what touches anything concerned, and counts to that whatever is joined to it by touching.

@@ -4,8 +4,8 @@ use crate::physics::contact::axis::Parts;
 use crate::physics::data::body::Pose;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::{SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
+use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::Motion;
-use crate::physics::exact::{Events, Scene};
 use crate::physics::forces::link::links_on;
 use glam::DVec2;
 

@@ -2,8 +2,8 @@
 
 use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::{SLOP, STRAY};
+use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Item, Motion, Next};
-use crate::physics::exact::{Events, Scene};
 use glam::DVec2;
 
 impl Scene<'_> {

@@ -10,28 +10,8 @@ use crate::physics::contact::axis::Parts;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::plan::{Part, called};
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
-use crate::physics::exact::ties::Tie;
-use crate::physics::exact::{Events, Scene};
+use crate::physics::exact::events::{Events, Hit, Scene, Tie};
 use glam::DVec2;
-
-/// What a contact passed on at one instant.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Hit {
-    /// The items, as in a contact, and the axis.
-    pub lo: u32,
-    pub hi: u32,
-    pub axis: usize,
-    /// On `hi`, N·s.
-    pub impulse: DVec2,
-    /// Closing speed just before, m/s; 0 where what had bounced goes on.
-    pub speed: f64,
-    /// The middle of the shared edge, m.
-    pub point: DVec2,
-    /// Where `lo` and `hi` were, m.
-    pub places: [DVec2; 2],
-    /// s, from the tick's start.
-    pub at: f64,
-}
 
 impl Events {
     /// Ends every approach of things that touch. Returns false if too much happens.

@@ -5,7 +5,6 @@ use crate::physics::data::body::{Body, BodyDef, Pose, parabola};
 use crate::physics::data::impact_time::Cubic;
 use crate::physics::data::surface::{Sides, Surface};
 use crate::physics::data::tuning::STRAY;
-use crate::physics::exact::track::Track;
 use crate::physics::flight::flow::{flow, flow_while};
 use crate::physics::forces::law::Law;
 use crate::physics::forces::media::Media;
@@ -242,11 +241,11 @@ impl Item {
     }
 
     /// Foresees the path, from `since` to `until`, or to where one cubic follows it.
-    pub(crate) fn foresee(&mut self, media: &Media) -> Track {
+    pub(crate) fn foresee(&mut self, media: &Media) -> Cubic {
         let (x, v) = (self.body.position, self.body.velocity);
         let t = self.until - self.since;
         self.end = None;
-        let way = match self.motion {
+        match self.motion {
             Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
             Motion::Flow if t > 0.0 => self.foresee_flow(media),
             Motion::Slide if t > 0.0 => {
@@ -255,8 +254,7 @@ impl Item {
                 Cubic::hermite(x, v, end_x, end_v, t)
             }
             Motion::Parabola | Motion::Flow | Motion::Slide => Cubic::parabola(x, v, self.mean),
-        };
-        Track::new(self, way)
+        }
     }
 
     /// A cubic that is right at once, so that things that bounce on each other thousands of times a second meet when they should; where it ends;

@@ -3,8 +3,8 @@
 
 use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::{SLOP, STRAY};
+use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::Next;
-use crate::physics::exact::{Events, Scene};
 
 impl Events {
     /// Brings two things to the instant at which they meet, and exactly together: a path foreseen as a cubic may be off by a hair, so Newton's

@@ -6,9 +6,8 @@
 //! Alder and Wainwright 1959).
 //!
 //! At an event the items concerned are brought to its instant (`collect`), impacts are resolved (`impacts`), contacts and accelerations
-//! follow (`motions`), and the next events are sought (`predict`). Events are counted, and not the clock: the
-//! tick of an island in which too many happen is taken in one step of the dense method. So no time is lost, and no tick lasts longer than so
-//! many events and one such step.
+//! follow (`motions`), and the next events are sought (`predict`). Events are counted, and not the clock: one step of the crowd's method takes
+//! the tick of an island in which too many happen. So no time is lost, and no tick lasts longer than that number of events and one such step.
 //!
 //! Forces at the end of the tick are those of that instant: contacts are solved there once more where media act on them. The next tick
 //! begins with them, if nothing has changed meanwhile.
@@ -16,6 +15,7 @@
 pub(crate) mod bounces;
 pub(crate) mod contacts;
 pub(crate) mod end;
+pub(crate) mod events;
 pub(crate) mod grounds;
 pub(crate) mod impacts;
 pub(crate) mod item;
@@ -27,162 +27,16 @@ pub(crate) mod rest;
 pub(crate) mod ties;
 pub(crate) mod track;
 
-use crate::physics::contact::reactions::Reactions;
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::Pose;
-use crate::physics::data::contact::Contact;
-use crate::physics::data::impact_time::Cubic;
-use crate::physics::data::plan::Plan;
-use crate::physics::data::surface::Surface;
 use crate::physics::data::tuning::EVENTS_OF_A_BODY;
-pub(crate) use crate::physics::exact::impacts::Hit;
-pub(crate) use crate::physics::exact::item::{Item, Motion};
-use crate::physics::exact::item::{Kind, Next};
-use crate::physics::exact::ties::Tie;
-use crate::physics::exact::track::Track;
+pub(crate) use crate::physics::exact::events::{Events, Outcome, Scene};
+use crate::physics::exact::item::{Item, Kind, Motion, Next};
 use crate::physics::flight::flow::flow;
 use crate::physics::forces::law::Law;
-use crate::physics::forces::link::LinkDef;
-use crate::physics::forces::media::Media;
-use crate::physics::forces::zones::ZoneList;
-use crate::physics::guards::Guards;
-use crate::physics::world::State;
 use glam::DVec2;
 
-/// What all islands of a tick share.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Scene<'a> {
-    pub media: &'a Media,
-    pub rest_speed: f64,
-    /// Whether anything bounces.
-    pub bounces: bool,
-    /// Whether what did not change is taken over from the last tick, instead of being solved once more to the same bits.
-    pub direct: bool,
-    /// Whether the dense method takes every island.
-    pub dense: bool,
-    /// All surfaces of the world.
-    pub surfaces: &'a [Surface],
-    /// Length of the tick, s.
-    pub tick: f64,
-}
-
-impl Scene<'_> {
-    /// A tick of a world.
-    pub fn of<'a>(state: &'a State, plan: &Plan, tick: f64) -> Scene<'a> {
-        Scene {
-            media: &state.media,
-            rest_speed: state.rest_speed,
-            bounces: plan.bounces,
-            direct: plan.direct,
-            dense: plan.dense,
-            surfaces: &state.surfaces,
-            tick,
-        }
-    }
-}
-
-/// How an island ended its tick.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Outcome {
-    /// All of it is at the end of the tick.
-    Done,
-    /// A body may go beyond where others were looked for.
-    Grown,
-    /// Too much has happened: the tick is another method's.
-    Busy,
-}
-
-/// An island, and the buffers of the method.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Events {
-    /// The bodies in ascending order, then the surfaces.
-    pub items: Vec<Item>,
-    /// How many of the items are bodies.
-    pub movable: usize,
-    pub contacts: Vec<Contact>,
-    /// Of each item: how it goes on, and its next event.
-    tracks: Vec<Track>,
-    nexts: Vec<Next>,
-    /// Of each item: the box in which it stays until its next event, m.
-    lanes: Vec<Aabb>,
-    /// Of each item: how many paths it has had in this tick.
-    ways: Vec<u32>,
-    /// Of each item: the streams that it touches on its path, and maybe some near it.
-    borders: Vec<ZoneList>,
-    /// The air streams near the island.
-    pub streams: Vec<u32>,
-    /// The links of its bodies, and where other ends of these get.
-    pub links: Vec<LinkDef>,
-    pub ends: Vec<(u32, Pose)>,
-    /// Impacts at one instant.
-    ties: Vec<Tie>,
-    /// What happened.
-    pub hits: Vec<Hit>,
-    /// Bodies squeezed by surfaces, and how fast these would have closed by the end of the tick, m/s.
-    pub squeezed: Vec<(u32, u32, f64)>,
-    pub guards: Guards,
-    /// Events of all islands so far, and of this one in this tick.
-    pub total: u64,
-    count: u64,
-    now: f64,
-    grown: bool,
-    /// Whether anything of the island bounces: what does elsewhere is of no concern to it.
-    bounces: bool,
-    /// Whether a surface was stopped while the present event was looked at.
-    halted: bool,
-    touching: Vec<Contact>,
-    /// The pair whose meeting the present event is.
-    met: Option<Contact>,
-    reactions: Reactions,
-    /// Of each body: its mass along each axis.
-    masses: Vec<DVec2>,
-    /// Of each item: its acceleration without contacts, and with them; both are the path's for a surface.
-    free: Vec<DVec2>,
-    solved: Vec<DVec2>,
-    /// Of each item: where it is now, and how fast; how fast it was before an impact.
-    places: Vec<DVec2>,
-    speeds: Vec<DVec2>,
-    before: Vec<DVec2>,
-    /// Of each item: where it was when the tick began.
-    begun: Vec<DVec2>,
-    /// What the present event concerns, and whether an item belongs to it; whether its pose now is known.
-    concerned: Vec<u32>,
-    is_concerned: Vec<bool>,
-    is_placed: Vec<bool>,
-    /// Contacts of what is concerned, and copies of them that can be asked what else they would carry.
-    trial: Vec<Contact>,
-    asked: Vec<Contact>,
-    /// What stands behind a body that gives way.
-    behind: Vec<u32>,
-    /// What presses on the item whose next event is sought.
-    pressing: Vec<u32>,
-    /// For the implicit step of what is in contact: of each item concerned, and the mean accelerations of all.
-    implicit: Vec<Implicit>,
-    means: Vec<DVec2>,
-}
-
-/// How the forces of media on a body answer to its own motion within an implicit step.
-#[derive(Clone, Copy, Debug)]
-struct Implicit {
-    /// How far into the step the forces are taken, along each axis.
-    theta: DVec2,
-    /// θ·h·D + θ²·h²·K.
-    response: DVec2,
-}
-
 impl Events {
-    /// Empties the island.
-    pub fn clear(&mut self) {
-        self.items.clear();
-        self.contacts.clear();
-        self.streams.clear();
-        self.links.clear();
-        self.ends.clear();
-        self.hits.clear();
-        self.squeezed.clear();
-        self.movable = 0;
-    }
-
     /// Advances the island by a tick.
     pub fn advance(&mut self, scene: &Scene) -> Outcome {
         let outcome = self.go_through(scene);
@@ -281,31 +135,6 @@ impl Events {
         next.kind.other().is_some_and(|other| self.ways[other as usize] != next.foreseen_on)
     }
 
-    /// Makes room for all items.
-    fn clear_buffers(&mut self) {
-        let all = self.items.len();
-        (self.now, self.count, self.grown) = (0.0, 0, false);
-        self.reactions.solved = 0;
-        for vectors in [&mut self.free, &mut self.solved, &mut self.places, &mut self.speeds, &mut self.means] {
-            refill(vectors, all, DVec2::ZERO);
-        }
-        self.masses.clear();
-        self.masses.extend(self.items[..self.movable].iter().map(|item| DVec2::splat(item.body.mass)));
-        refill(&mut self.nexts, all, Next::NEVER);
-        refill(&mut self.ways, all, 0);
-        for flags in [&mut self.is_concerned, &mut self.is_placed] {
-            refill(flags, all, false);
-        }
-        self.begun.clear();
-        self.begun.extend(self.items.iter().map(|item| item.body.position));
-        self.tracks.clear();
-        self.tracks
-            .extend(self.items.iter().map(|item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO))));
-        self.lanes.clear();
-        self.lanes.extend(self.tracks.iter().map(|track| track.lane(&track.swept)));
-        refill(&mut self.borders, if self.streams.is_empty() { 0 } else { self.movable }, ZoneList::default());
-    }
-
     /// Prepares the buffers, and how everything moves at the start of the tick.
     fn begin(&mut self, scene: &Scene) {
         self.clear_buffers();
@@ -386,10 +215,4 @@ impl Events {
         self.look(scene);
         self.release();
     }
-}
-
-/// Sets the length and all values of a list.
-fn refill<T: Clone>(list: &mut Vec<T>, count: usize, value: T) {
-    list.clear();
-    list.resize(count, value);
 }

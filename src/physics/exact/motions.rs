@@ -8,9 +8,9 @@
 use crate::physics::contact::axis::Parts;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::SPEED_TOLERANCE;
+use crate::physics::exact::events::{Events, Implicit, Scene};
 use crate::physics::exact::item::{Item, Motion, Next, Slide};
 use crate::physics::exact::track::Track;
-use crate::physics::exact::{Events, Implicit, Scene};
 use crate::physics::forces::zones;
 use glam::DVec2;
 
@@ -135,7 +135,8 @@ impl Events {
 
     /// Foresees the path of an item.
     pub(crate) fn foresee(&mut self, scene: &Scene, i: usize) {
-        let track = self.items[i].foresee(scene.media);
+        let way = self.items[i].foresee(scene.media);
+        let track = Track::new(&self.items[i], way);
         if i < self.movable && !self.streams.is_empty() && !track.is_still() {
             self.borders[i] = scene.media.streams_at(&track.swept, zones::BESIDE);
         }

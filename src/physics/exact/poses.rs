@@ -3,7 +3,7 @@
 use crate::physics::data::contact::Contact;
 use crate::physics::data::surface::Sides;
 use crate::physics::data::tuning::{SLOP, SPEED_ROUNDING};
-use crate::physics::exact::{Events, Scene};
+use crate::physics::exact::events::{Events, Scene};
 use glam::DVec2;
 
 impl Events {

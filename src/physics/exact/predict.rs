@@ -12,8 +12,8 @@ use crate::physics::data::contact::Contact;
 use crate::physics::data::impact_time::{Cubic, Polynomial, earliest, time_of_impact};
 use crate::physics::data::surface::Sides;
 use crate::physics::data::tuning::{MICRO_SPEED, SLOP, SPEED_TOLERANCE};
+use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Kind, Next};
-use crate::physics::exact::{Events, Scene};
 use crate::physics::forces::zones;
 use glam::DVec2;
 

@@ -7,8 +7,8 @@ use crate::physics::contact::axis::Parts;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::plan::{Part, called};
 use crate::physics::data::tuning::SLOP;
+use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::Motion;
-use crate::physics::exact::{Events, Scene};
 use glam::DVec2;
 
 impl Events {

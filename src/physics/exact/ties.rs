@@ -7,24 +7,8 @@
 
 use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::EQUAL_SPEED;
-use crate::physics::exact::{Events, Scene};
+use crate::physics::exact::events::{Events, Scene, Tie};
 use glam::DVec2;
-
-/// One of several impacts at one instant.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Tie {
-    /// The place of its contact in the list of what touches.
-    pub index: usize,
-    pub e: f64,
-    /// By how much its approach speed shall fall, m/s.
-    target: f64,
-    /// N·s.
-    impulse: f64,
-    /// m/s: the target left over, the direction of the search, what that changes.
-    left: f64,
-    direction: f64,
-    change: f64,
-}
 
 impl Events {
     /// Finds the impacts that tie with one of `speed` at the contact of that index; those along gravity come before those across.

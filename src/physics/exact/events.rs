@@ -1,0 +1,218 @@
+//! An island and the buffers of the method, what all islands of a tick share, and what an island reports.
+
+use crate::physics::contact::reactions::Reactions;
+use crate::physics::data::aabb::Aabb;
+use crate::physics::data::body::Pose;
+use crate::physics::data::contact::Contact;
+use crate::physics::data::impact_time::Cubic;
+use crate::physics::data::plan::Plan;
+use crate::physics::data::surface::Surface;
+use crate::physics::exact::item::{Item, Next};
+use crate::physics::exact::track::Track;
+use crate::physics::forces::link::LinkDef;
+use crate::physics::forces::media::Media;
+use crate::physics::forces::zones::ZoneList;
+use crate::physics::guards::Guards;
+use crate::physics::world::State;
+use glam::DVec2;
+
+/// What all islands of a tick share.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scene<'a> {
+    pub media: &'a Media,
+    pub rest_speed: f64,
+    /// Whether anything bounces.
+    pub bounces: bool,
+    /// Whether what did not change is taken over from the last tick, instead of being solved once more to the same bits.
+    pub direct: bool,
+    /// Whether the dense method takes every island.
+    pub dense: bool,
+    /// All surfaces of the world.
+    pub surfaces: &'a [Surface],
+    /// Length of the tick, s.
+    pub tick: f64,
+}
+
+impl Scene<'_> {
+    /// A tick of a world.
+    pub fn of<'a>(state: &'a State, plan: &Plan, tick: f64) -> Scene<'a> {
+        Scene {
+            media: &state.media,
+            rest_speed: state.rest_speed,
+            bounces: plan.bounces,
+            direct: plan.direct,
+            dense: plan.dense,
+            surfaces: &state.surfaces,
+            tick,
+        }
+    }
+}
+
+/// How an island ended its tick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Outcome {
+    /// All of it is at the end of the tick.
+    Done,
+    /// A body may go beyond where others were looked for.
+    Grown,
+    /// Too much has happened: the tick is another method's.
+    Busy,
+}
+
+/// An island, and the buffers of the method.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Events {
+    /// The bodies in ascending order, then the surfaces.
+    pub items: Vec<Item>,
+    /// How many of the items are bodies.
+    pub movable: usize,
+    pub contacts: Vec<Contact>,
+    /// Of each item: how it goes on, and its next event.
+    pub(super) tracks: Vec<Track>,
+    pub(super) nexts: Vec<Next>,
+    /// Of each item: the box in which it stays until its next event, m.
+    pub(super) lanes: Vec<Aabb>,
+    /// Of each item: how many paths it has had in this tick.
+    pub(super) ways: Vec<u32>,
+    /// Of each item: the streams that it touches on its path, and maybe some near it.
+    pub(super) borders: Vec<ZoneList>,
+    /// The air streams near the island.
+    pub streams: Vec<u32>,
+    /// The links of its bodies, and where other ends of these get.
+    pub links: Vec<LinkDef>,
+    pub ends: Vec<(u32, Pose)>,
+    /// Impacts at one instant.
+    pub(super) ties: Vec<Tie>,
+    /// What happened.
+    pub hits: Vec<Hit>,
+    /// Bodies squeezed by surfaces, and how fast these would have closed by the end of the tick, m/s.
+    pub squeezed: Vec<(u32, u32, f64)>,
+    pub guards: Guards,
+    /// Events of all islands so far, and of this one in this tick.
+    pub total: u64,
+    pub(super) count: u64,
+    pub(super) now: f64,
+    pub(super) grown: bool,
+    /// Whether anything of the island bounces: what does elsewhere is of no concern to it.
+    pub(super) bounces: bool,
+    /// Whether a surface was stopped while the present event was looked at.
+    pub(super) halted: bool,
+    pub(super) touching: Vec<Contact>,
+    /// The pair whose meeting the present event is.
+    pub(super) met: Option<Contact>,
+    pub(super) reactions: Reactions,
+    /// Of each body: its mass along each axis.
+    pub(super) masses: Vec<DVec2>,
+    /// Of each item: its acceleration without contacts, and with them; both are the path's for a surface.
+    pub(super) free: Vec<DVec2>,
+    pub(super) solved: Vec<DVec2>,
+    /// Of each item: where it is now, and how fast; how fast it was before an impact.
+    pub(super) places: Vec<DVec2>,
+    pub(super) speeds: Vec<DVec2>,
+    pub(super) before: Vec<DVec2>,
+    /// Of each item: where it was when the tick began.
+    pub(super) begun: Vec<DVec2>,
+    /// What the present event concerns, and whether an item belongs to it; whether its pose now is known.
+    pub(super) concerned: Vec<u32>,
+    pub(super) is_concerned: Vec<bool>,
+    pub(super) is_placed: Vec<bool>,
+    /// Contacts of what is concerned, and copies of them that can be asked what else they would carry.
+    pub(super) trial: Vec<Contact>,
+    pub(super) asked: Vec<Contact>,
+    /// What stands behind a body that gives way.
+    pub(super) behind: Vec<u32>,
+    /// What presses on the item whose next event is sought.
+    pub(super) pressing: Vec<u32>,
+    /// For the implicit step of what is in contact: of each item concerned, and the mean accelerations of all.
+    pub(super) implicit: Vec<Implicit>,
+    pub(super) means: Vec<DVec2>,
+}
+
+/// How the forces of media on a body answer to its own motion within an implicit step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Implicit {
+    /// How far into the step the forces are taken, along each axis.
+    pub(super) theta: DVec2,
+    /// θ·h·D + θ²·h²·K.
+    pub(super) response: DVec2,
+}
+
+/// What a contact passed on at one instant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hit {
+    /// The items, as in a contact, and the axis.
+    pub lo: u32,
+    pub hi: u32,
+    pub axis: usize,
+    /// On `hi`, N·s.
+    pub impulse: DVec2,
+    /// Closing speed just before, m/s; 0 where what had bounced goes on.
+    pub speed: f64,
+    /// The middle of the shared edge, m.
+    pub point: DVec2,
+    /// Where `lo` and `hi` were, m.
+    pub places: [DVec2; 2],
+    /// s, from the tick's start.
+    pub at: f64,
+}
+
+/// One of several impacts at one instant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tie {
+    /// The place of its contact in the list of what touches.
+    pub index: usize,
+    pub e: f64,
+    /// By how much its approach speed shall fall, m/s.
+    pub(super) target: f64,
+    /// N·s.
+    pub(super) impulse: f64,
+    /// m/s: the target left over, the direction of the search, what that changes.
+    pub(super) left: f64,
+    pub(super) direction: f64,
+    pub(super) change: f64,
+}
+
+impl Events {
+    /// Empties the island.
+    pub fn clear(&mut self) {
+        self.items.clear();
+        self.contacts.clear();
+        self.streams.clear();
+        self.links.clear();
+        self.ends.clear();
+        self.hits.clear();
+        self.squeezed.clear();
+        self.movable = 0;
+    }
+
+    /// Makes room for all items.
+    pub(super) fn clear_buffers(&mut self) {
+        let all = self.items.len();
+        (self.now, self.count, self.grown) = (0.0, 0, false);
+        self.reactions.solved = 0;
+        for vectors in [&mut self.free, &mut self.solved, &mut self.places, &mut self.speeds, &mut self.means] {
+            refill(vectors, all, DVec2::ZERO);
+        }
+        self.masses.clear();
+        self.masses.extend(self.items[..self.movable].iter().map(|item| DVec2::splat(item.body.mass)));
+        refill(&mut self.nexts, all, Next::NEVER);
+        refill(&mut self.ways, all, 0);
+        for flags in [&mut self.is_concerned, &mut self.is_placed] {
+            refill(flags, all, false);
+        }
+        self.begun.clear();
+        self.begun.extend(self.items.iter().map(|item| item.body.position));
+        self.tracks.clear();
+        self.tracks
+            .extend(self.items.iter().map(|item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO))));
+        self.lanes.clear();
+        self.lanes.extend(self.tracks.iter().map(|track| track.lane(&track.swept)));
+        refill(&mut self.borders, if self.streams.is_empty() { 0 } else { self.movable }, ZoneList::default());
+    }
+}
+
+/// Sets the length and all values of a list.
+fn refill<T: Clone>(list: &mut Vec<T>, count: usize, value: T) {
+    list.clear();
+    list.resize(count, value);
+}
