@@ -95,11 +95,6 @@ impl Tick<'_> {
             || touches.get(body).is_some_and(|touches| *touches)
     }
 
-    /// Whether no body has to be advanced for that.
-    fn minds_nobody(&self) -> bool {
-        self.bare
-    }
-
     /// Takes an island, or leaves it. `round` is how often it has grown in this step.
     fn advance(&mut self, store: &mut Members<'_>, round: usize) -> Verdict {
         self.scratch.members.clear();

@@ -1,7 +1,7 @@
 //! The space of a world: all bodies and surfaces in arrays, what finds which of them may meet, and the crowd step over them.
 
 use crate::physics::crowd::dense::Dense;
-use crate::physics::crowd::report::ContactImpulse;
+use crate::physics::crowd::impulses::ContactImpulse;
 use crate::physics::crowd::{CrowdImpact, Squeeze};
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::Body;

@@ -3,7 +3,8 @@
 //! The store of all bodies, with its broad phase, flight and islands, is that of [`crate::physics::crowd`]; the world tells it what acts on each body,
 //! and takes over where it has come. In between, each island is advanced by the least method that is right for it (`islands`).
 
-use crate::physics::crowd::{Axis, Other};
+use crate::physics::crowd::Other;
+use crate::physics::data::axis::Axis;
 use crate::physics::data::body::{Body, BodyId};
 use crate::physics::data::contact::Contact;
 use crate::physics::data::impulse::{Impulse, Obstacle};

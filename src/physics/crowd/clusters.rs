@@ -10,8 +10,7 @@
 //! K (kinetic), its velocity is 0 while |P| ≤ S, else (P ∓ K)/M. Pooling stays exact, as the terms K·|v| are convex.
 
 use crate::physics::crowd::contacts::Contact;
-use crate::physics::crowd::gravity::slide;
-use crate::physics::crowd::report::Edge;
+use crate::physics::crowd::impulses::Edge;
 
 /// What a body brings into its cluster.
 #[derive(Clone, Copy, Debug, Default)]
@@ -283,6 +282,12 @@ impl Clusters {
     }
 }
 
+/// The velocity of something with momentum P and mass M on ground whose friction can take `held` while it stands and takes
+/// `dragged` while it slides. Friction never reverses motion.
+pub(crate) fn slide(momentum: f64, mass: f64, held: f64, dragged: f64) -> f64 {
+    if momentum.abs() <= held { 0.0 } else { (momentum.abs() - dragged.min(momentum.abs())).copysign(momentum) / mass }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -322,5 +327,13 @@ mod tests {
         assert!(clusters.velocity(0) > 0.0);
         clusters.merge(0, 1, 0.0);
         assert_eq!(clusters.velocity(0), 0.0);
+    }
+
+    #[test]
+    fn friction_holds_drags_and_never_reverses() {
+        assert_eq!(slide(0.99, 2.0, 1.0, 0.5), 0.0);
+        assert_eq!(slide(2.5, 2.0, 1.0, 0.5), 1.0);
+        assert_eq!(slide(-2.5, 2.0, 1.0, 0.5), -1.0);
+        assert_eq!(slide(0.3, 2.0, 0.2, 0.5), 0.0);
     }
 }

@@ -6,14 +6,15 @@
 //! the few contacts left after [`ROUNDS`], and islands in which all that together drives instead of dissipating, are merged without
 //! friction.
 
-use crate::physics::crowd::Axis;
-use crate::physics::crowd::bounce::Bounces;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::drag::Resistance;
 use crate::physics::crowd::friction::{Friction, Grip};
 use crate::physics::crowd::gravity::Anchors;
-use crate::physics::crowd::report::{Edge, Report};
+use crate::physics::crowd::impulses::Edge;
+use crate::physics::crowd::report::Report;
+use crate::physics::crowd::restitution::Bounces;
+use crate::physics::data::axis::Axis;
 use crate::physics::guards::Guards;
 use crate::physics::store::bodies::Bodies;
 
@@ -26,13 +27,9 @@ const ROUNDS_OF_MANY: usize = 1;
 /// only the energy of all counts.
 const DRIVEN: f64 = 1e-9;
 /// Speeds below this are rounding, m/s.
-const STILL: f64 = 1e-12;
+pub(crate) const STILL: f64 = 1e-12;
 /// Kinetic energy gained that is no more than rounding, as a part of all.
 const ROUNDING: f64 = 1e-12;
-/// Sweeps in which what still closes in the end is parted. Fewer: a light body that heavy ones drag against a third keeps a part of its speed.
-const SWEEPS: usize = 32;
-/// Relative to the velocities: what closes more slowly does not. Smaller: rounding is swept.
-const CLOSING: f64 = 1e-12;
 
 /// What one body after the other is given in a step.
 #[derive(Clone, Debug)]
@@ -47,7 +44,7 @@ pub(crate) struct Pushes {
     pub hits: Hits,
     pub resistance: Resistance,
     /// Pairs side by side, and the impulses that parted them in the end.
-    parting: Vec<Edge>,
+    pub parting: Vec<Edge>,
 }
 
 /// Plastic impacts, and how fast one must close, m/s.
@@ -119,55 +116,6 @@ impl Cross<'_> {
                 }
             }
         }
-    }
-
-    /// What is side by side in the end and still closes is parted, in turns with the friction under it, contact by contact: the ways are
-    /// told, but a light body between heavy ones that drag it may have been left with any velocity. Returns
-    /// whether nothing closes any more.
-    fn polish(&mut self, bodies: &mut Bodies) -> bool {
-        let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
-        let side_bounces = |bodies: &Bodies, side: &Contact| self.anchors.bounces.of(bodies, side, Axis::Across).is_some();
-        let Pushes { parting, .. } = &mut *self.pushes;
-        let touches = |bodies: &Bodies, side: &Contact| {
-            let (a, b) = (side.first as usize, side.second as usize);
-            // What arrives just as the step ends bounces in the next.
-            let arrives = |side| bodies.lively && side_bounces(bodies, side);
-            side.live && bodies.mean_vx[a] - bodies.mean_vx[b] - side.bound >= -slack && !arrives(side)
-        };
-        let closes = |bodies: &Bodies, side: &Contact| {
-            let (u, v) = (bodies.ux[side.first as usize], bodies.ux[side.second as usize]);
-            u - v > CLOSING * (u.abs() + v.abs()) + STILL
-        };
-        if !self.contacts.sides.iter().any(|side| closes(bodies, side) && touches(bodies, side)) {
-            return true;
-        }
-        let mut settled = false;
-        parting.clear();
-        let sides = self.contacts.sides.iter().filter(|side| touches(bodies, side));
-        parting.extend(sides.map(|side| Edge { a: side.first, b: side.second, ..Edge::default() }));
-        for _ in 0..SWEEPS {
-            let (mut most, mut fastest) = (0.0f64, 0.0f64);
-            for edge in parting.iter_mut() {
-                let (a, b) = (edge.a as usize, edge.b as usize);
-                let share = |i: usize| if i < n { 1.0 / bodies.mass[i] } else { 0.0 };
-                let (of_a, of_b) = (share(a), share(b));
-                let more = (edge.impulse + (bodies.ux[a] - bodies.ux[b]) / (of_a + of_b)).max(0.0) - edge.impulse;
-                edge.impulse += more;
-                bodies.ux[a] -= more * of_a;
-                bodies.ux[b] += more * of_b;
-                most = most.max(more.abs() * of_a.max(of_b));
-                fastest = fastest.max(bodies.ux[a].abs()).max(bodies.ux[b].abs());
-            }
-            most = most.max(self.friction.sweep(bodies));
-            settled = most <= CLOSING * fastest + STILL;
-            if settled {
-                break;
-            }
-        }
-        if self.report.on {
-            self.report.sides.extend(parting.iter().filter(|edge| edge.impulse > 0.0));
-        }
-        settled
     }
 
     /// Whether there is more kinetic energy than before: friction and pushes that answer each other round by round may drive. Moving

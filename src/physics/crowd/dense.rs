@@ -10,8 +10,6 @@
 //! It reads positions, velocities and free predictions of the members and writes their positions and velocities at the end of the step,
 //! and of nothing else, so that islands do not know of each other.
 
-use crate::physics::crowd::Axis;
-use crate::physics::crowd::bounce::Bounces;
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::cross::{Cross, Pushes};
@@ -19,7 +17,9 @@ use crate::physics::crowd::friction::Friction;
 use crate::physics::crowd::gravity::Anchors;
 use crate::physics::crowd::place;
 use crate::physics::crowd::report::Report;
+use crate::physics::crowd::restitution::Bounces;
 use crate::physics::crowd::walls::{Along, Walls};
+use crate::physics::data::axis::Axis;
 use crate::physics::guards::Guards;
 use crate::physics::store::bodies::Bodies;
 use crate::physics::store::islands::Island;

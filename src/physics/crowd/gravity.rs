@@ -6,21 +6,15 @@
 //! the air and what is lifted from below: those are merged ([`crate::physics::crowd::clusters`]) until nothing closes too far. The ways of the step are
 //! told by mean velocities.
 
-use crate::physics::crowd::Axis;
-use crate::physics::crowd::bounce::{Bounces, Fall};
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::{Contact, Contacts};
-use crate::physics::crowd::report::Edge;
+use crate::physics::crowd::impulses::Edge;
+use crate::physics::crowd::restitution::{Bounces, Fall};
+use crate::physics::data::axis::Axis;
 use crate::physics::store::bodies::Bodies;
 
 /// Relative velocities along gravity below this are none when loads are told, m/s. Larger: slow touches rub.
 pub(crate) const SLACK: f64 = 1e-12;
-
-/// The velocity of something with momentum P and mass M on ground whose friction can take `held` while it stands and takes
-/// `dragged` while it slides. Friction never reverses motion.
-pub(crate) fn slide(momentum: f64, mass: f64, held: f64, dragged: f64) -> f64 {
-    if momentum.abs() <= held { 0.0 } else { (momentum.abs() - dragged.min(momentum.abs())).copysign(momentum) / mass }
-}
 
 /// Lands on nothing.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -199,17 +193,4 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
     // What does not give way is bounced off by each by itself.
     let alone = |edge: Edge| if clusters.is_fixed(edge.a as usize) { Edge { restitution: 0.0, ..edge } } else { edge };
     anchors.edges.extend(clusters.bouncing().map(alone));
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::physics::crowd::gravity::slide;
-
-    #[test]
-    fn friction_holds_drags_and_never_reverses() {
-        assert_eq!(slide(0.99, 2.0, 1.0, 0.5), 0.0);
-        assert_eq!(slide(2.5, 2.0, 1.0, 0.5), 1.0);
-        assert_eq!(slide(-2.5, 2.0, 1.0, 0.5), -1.0);
-        assert_eq!(slide(0.3, 2.0, 0.2, 0.5), 0.0);
-    }
 }

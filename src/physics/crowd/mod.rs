@@ -29,18 +29,15 @@ pub(crate) mod drag;
 pub(crate) mod flight;
 pub(crate) mod friction;
 pub(crate) mod gravity;
+pub(crate) mod impulses;
 pub(crate) mod place;
+pub(crate) mod polish;
+pub(crate) mod record;
 pub(crate) mod report;
+pub(crate) mod restitution;
 pub(crate) mod walls;
 
-/// The direction of a contact's normal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Axis {
-    /// Left and right.
-    Across,
-    /// Up and down.
-    Gravity,
-}
+use crate::physics::data::axis::Axis;
 
 /// What a body touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -5,11 +5,11 @@
 //! μ_s·N, by all that it hangs on together; else it slides and loses up to μ_k·N/m. What it hangs on or slides along bears the same. Bodies
 //! side by side that nothing carries rub as a pair. Only those are asked that would move along the face: what the ground carries does not.
 
-use crate::physics::crowd::Axis;
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::gravity::{self, Anchors};
-use crate::physics::crowd::report::{Edge, Record};
+use crate::physics::crowd::impulses::{Edge, Record};
+use crate::physics::data::axis::Axis;
 use crate::physics::store::bodies::Bodies;
 
 /// A limit exceeded by this part still holds: sums of many impulses are rounded.

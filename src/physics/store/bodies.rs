@@ -1,6 +1,6 @@
 //! All bodies in separate arrays, and after the last body all surfaces. Inside, y grows along gravity.
 
-use crate::physics::crowd::Axis;
+use crate::physics::data::axis::Axis;
 use crate::physics::data::body::Body;
 use crate::physics::data::material::Coefficients;
 use crate::physics::data::surface::{Sides, Surface};
