@@ -8,7 +8,8 @@ use crate::physics::exact::Scene;
 use crate::physics::flight::flow::flow_through;
 use crate::physics::flight::steps::Course;
 use crate::physics::scratch::Scratch;
-use crate::physics::world::{State, World};
+use crate::physics::state::State;
+use crate::physics::world::World;
 use glam::DVec2;
 
 impl World {

@@ -7,7 +7,8 @@ use crate::physics::data::domain::DefError;
 use crate::physics::data::surface::Surface;
 use crate::physics::forces::kind::{ForceKind, Source};
 use crate::physics::forces::manager::ForceManager;
-use crate::physics::world::{State, World, space_of};
+use crate::physics::state::State;
+use crate::physics::world::{World, space_of};
 use glam::DVec2;
 
 impl World {

@@ -9,7 +9,8 @@ use crate::physics::data::surface::Surface;
 use crate::physics::forces::kind::{ForceKind, Source};
 use crate::physics::forces::link::{LinkDef, LinkEnd};
 use crate::physics::forces::manager::{Force, ForceManager};
-use crate::physics::world::{State, World};
+use crate::physics::state::State;
+use crate::physics::world::World;
 
 impl World {
     /// Feeds every bit of what decides about the future to `write`, for the state's hash. What rests, and whether contacts are known already,

@@ -22,8 +22,8 @@ use crate::physics::flight::steps::Course;
 use crate::physics::guards::Guards;
 use crate::physics::scratch::{After, NOBODY, Scratch, Stop};
 use crate::physics::space::{Space, stand};
+use crate::physics::state::State;
 use crate::physics::store::members::{Members, Verdict};
-use crate::physics::world::State;
 
 /// The choice of methods.
 pub(crate) struct Choice;

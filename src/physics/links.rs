@@ -10,8 +10,9 @@ use crate::physics::flight::linked::{Group, Member};
 use crate::physics::forces::link::{LinkDef, links_on};
 use crate::physics::islands::Tick;
 use crate::physics::scratch::{After, Scratch};
+use crate::physics::state::State;
 use crate::physics::store::members::{Members, Verdict};
-use crate::physics::world::{State, World};
+use crate::physics::world::World;
 use glam::DVec2;
 
 impl World {

@@ -46,6 +46,7 @@
 
 pub(crate) mod acting;
 pub(crate) mod changes;
+pub(crate) mod checks;
 pub(crate) mod contact;
 pub(crate) mod crowd;
 pub(crate) mod data;
@@ -60,8 +61,11 @@ pub(crate) mod links;
 pub(crate) mod look;
 pub(crate) mod scratch;
 pub(crate) mod space;
+pub(crate) mod state;
 pub(crate) mod step;
 pub(crate) mod store;
+#[cfg(test)]
+mod tests;
 pub(crate) mod validate;
 pub(crate) mod world;
 
@@ -79,4 +83,5 @@ pub use forces::link::*;
 pub use forces::manager::{Force, ForceManager};
 pub use glam::DVec2;
 pub use guards::Guards;
-pub use world::{Event, Methods, World};
+pub use state::{Event, Methods};
+pub use world::World;

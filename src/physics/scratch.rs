@@ -1,6 +1,8 @@
 //! The buffers of a tick, and how islands pass through them: gathered for the event-driven method, and taken over from it into what the
 //! world keeps.
 
+#[cfg(all(feature = "validate", debug_assertions))]
+use crate::physics::checks::Checks;
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::BodyId;
 use crate::physics::data::contact::Contact;
@@ -9,9 +11,7 @@ use crate::physics::data::tuning::SLOP;
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
 use crate::physics::flight::linked::Member;
-#[cfg(all(feature = "validate", debug_assertions))]
-use crate::physics::validate::Checks;
-use crate::physics::world::State;
+use crate::physics::state::State;
 use glam::DVec2;
 
 /// The leader of no island.

@@ -15,7 +15,8 @@ use crate::physics::exact::item::Item;
 use crate::physics::islands::{Choice, Tick};
 use crate::physics::scratch::{Happened, Scratch};
 use crate::physics::space::Space;
-use crate::physics::world::{Event, Methods, State, World};
+use crate::physics::state::{Event, Methods, State};
+use crate::physics::world::World;
 use glam::DVec2;
 
 /// Relative to all that contacts exert on a body: what rounding leaves of their balance with what acts on it besides.

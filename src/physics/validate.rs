@@ -1,18 +1,16 @@
 //! Laws that hold after every tick in any world. Each step of a build with debug assertions checks them, so every test does; the fuzz of levels
 //! does; the game never does.
 
+use crate::physics::checks::{Checks, Thing, rounding};
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::BodyId;
 use crate::physics::data::surface::Sides;
 use crate::physics::data::tuning::SLOP;
 use crate::physics::forces::manager::ForceManager;
-use crate::physics::validate::energy::Ledger;
-use crate::physics::validate::thing::{Thing, rounding};
 use crate::physics::world::{World, edges};
 use glam::DVec2;
 
 mod energy;
-mod thing;
 
 /// m. How deep things may be in each other: contacts keep a gap of [`SLOP`], either way.
 const OVERLAP: f64 = 2.0 * SLOP;
@@ -20,17 +18,6 @@ const OVERLAP: f64 = 2.0 * SLOP;
 const ROUGH: f64 = 1e-7;
 /// Relative to the sum of the magnitudes of all forces: what their sum may be off by.
 const FORCES: f64 = 1e-9;
-
-/// The buffers of a check, kept so that it allocates nothing once warm.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Checks {
-    bodies: Vec<Thing>,
-    /// The bodies by the left edges of what they swept.
-    order: Vec<u32>,
-    forces: ForceManager,
-    ledgers: Vec<Ledger>,
-    moving: Vec<u32>,
-}
 
 impl World {
     /// Checks all that has to hold between two ticks, before anything is changed from outside:

@@ -7,7 +7,7 @@
 //! friction.
 
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
-use crate::physics::crowd::contacts::{Contact, Contacts};
+use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::drag::Resistance;
 use crate::physics::crowd::friction::{Friction, Grip};
 use crate::physics::crowd::gravity::Anchors;

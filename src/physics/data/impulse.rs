@@ -6,7 +6,7 @@ use glam::DVec2;
 /// What a body can run into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Obstacle {
-    /// The surface of that index in [`crate::physics::world::World::surfaces`].
+    /// The surface of that index in `World::surfaces`.
     Surface(u32),
     /// Another body.
     Body(BodyId),

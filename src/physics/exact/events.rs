@@ -13,7 +13,7 @@ use crate::physics::forces::link::LinkDef;
 use crate::physics::forces::media::Media;
 use crate::physics::forces::zones::ZoneList;
 use crate::physics::guards::Guards;
-use crate::physics::world::State;
+use crate::physics::state::State;
 use glam::DVec2;
 
 /// What all islands of a tick share.

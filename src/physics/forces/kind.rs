@@ -81,11 +81,11 @@ pub enum Source {
     Field(u32),
     /// The liquid of that index in [`crate::physics::data::def::WorldDef::fluids`].
     Fluid(u32),
-    /// The immovable surface of that index in [`crate::physics::world::World::surfaces`].
+    /// The immovable surface of that index in `World::surfaces`.
     Surface(u32),
     /// Another body.
     Body(BodyId),
-    /// The link of that index in [`crate::physics::world::World::links`].
+    /// The link of that index in `World::links`.
     Link(u32),
 }
 

@@ -1,5 +1,5 @@
 //! The force manager of a body: named forces, each with its source. The world's state keeps one for each body with the constant pushes that
-//! the step moves it by: drive, wind, fields of gravity, and any that is added. [`crate::physics::world::World::forces`] lists with these
+//! the step moves it by: drive, wind, fields of gravity, and any that is added. `World::forces` lists with these
 //! the values of the laws that change within a tick (weight, air, liquids) and of the contacts, at the tick's end.
 
 use crate::physics::forces::kind::{ForceKind, Source};

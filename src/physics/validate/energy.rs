@@ -3,34 +3,15 @@
 //! Not asked: islands with links, near surfaces that move, where a body crosses the border of a stream within the tick, and liquids under a gravity
 //! that points up.
 
+use crate::physics::checks::{Ledger, Thing, rounding};
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::tuning::{MICRO_SPEED, SLOP};
 use crate::physics::forces::zones::{feels, stays};
-use crate::physics::validate::thing::{Thing, rounding};
 use crate::physics::world::World;
 use glam::DVec2;
 
 /// m. How far from where a stream ends a body may still feel it.
 const BORDER: f64 = 4.0 * SLOP;
-
-/// What a tick did to an island, J.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Ledger {
-    /// By how much its kinetic energy rose.
-    gained: f64,
-    /// The most that the forces from outside gave it.
-    given: f64,
-    /// The sum of all magnitudes.
-    scale: f64,
-    /// What rounding and the smallest speeds add.
-    rounding: f64,
-    /// What the forces from outside would give its bodies in one tick from rest.
-    push: f64,
-    /// Whether it was given more than is known here.
-    open: bool,
-    /// Whether its steps are those of the crowd, or implicit.
-    rough: bool,
-}
 
 impl World {
     /// No island has gained more energy than it was given.

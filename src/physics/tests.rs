@@ -1,15 +1,13 @@
-use super::*;
+//! A part that a plan leaves out is not called.
+
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::{BodyDef, BodyId};
-use crate::physics::data::def::{FieldDef, FluidDef, StreamDef};
+use crate::physics::data::def::{FieldDef, FluidDef, StreamDef, WorldDef};
+use crate::physics::data::material::Material;
+use crate::physics::data::plan::{CALLS, Part, Plan};
 use crate::physics::data::surface::SurfaceDef;
 use crate::physics::world::World;
 use glam::DVec2;
-use std::cell::Cell;
-
-thread_local! {
-    pub(super) static CALLS: [Cell<u64>; 6] = const { [const { Cell::new(0) }; 6] };
-}
 
 /// Bodies that fall, float, bounce and are blown about in a room, `count` of them.
 fn scene(count: u32) -> WorldDef {

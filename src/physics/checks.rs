@@ -1,0 +1,66 @@
+//! The buffers of a check: bodies and surfaces between two ticks, and the energy of islands.
+
+use crate::physics::data::aabb::Aabb;
+use crate::physics::forces::manager::ForceManager;
+use glam::DVec2;
+
+/// A body or surface between two ticks.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Thing {
+    /// Its number, and which of the two it is.
+    pub id: u32,
+    pub surface: bool,
+    /// The box that it fills, the one that it filled a tick ago, and the one around all of its way, m.
+    pub now: Aabb,
+    pub before: Aabb,
+    pub swept: Aabb,
+    /// m/s.
+    pub velocity: DVec2,
+    /// Whether its way has no corner, and it is known where it was.
+    pub straight: bool,
+    /// Whether the dense method took it, or the rest of its tick.
+    pub dense: bool,
+    /// How deep something may be in it, m.
+    pub depth: f64,
+}
+
+impl Thing {
+    pub fn name(&self) -> String {
+        format!("{} {}", if self.surface { "surface" } else { "body" }, self.id)
+    }
+}
+
+/// What the place of a box may be off by, m: 16 roundings.
+pub(crate) fn rounding(bounds: &Aabb) -> f64 {
+    16.0 * f64::EPSILON * bounds.min.abs().max(bounds.max.abs()).max_element()
+}
+
+/// What a tick did to an island, J.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Ledger {
+    /// By how much its kinetic energy rose.
+    pub gained: f64,
+    /// The most that the forces from outside gave it.
+    pub given: f64,
+    /// The sum of all magnitudes.
+    pub scale: f64,
+    /// What rounding and the smallest speeds add.
+    pub rounding: f64,
+    /// What the forces from outside would give its bodies in one tick from rest.
+    pub push: f64,
+    /// Whether it was given more than is known here.
+    pub open: bool,
+    /// Whether its steps are those of the crowd, or implicit.
+    pub rough: bool,
+}
+
+/// The buffers of a check, kept so that it allocates nothing once warm.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Checks {
+    pub bodies: Vec<Thing>,
+    /// The bodies by the left edges of what they swept.
+    pub order: Vec<u32>,
+    pub forces: ForceManager,
+    pub ledgers: Vec<Ledger>,
+    pub moving: Vec<u32>,
+}

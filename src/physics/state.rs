@@ -1,0 +1,94 @@
+//! The state of a world, and the records of its last tick.
+
+use crate::physics::data::body::{Body, BodyId};
+use crate::physics::data::contact::Contact;
+use crate::physics::data::impulse::{Impulse, Obstacle};
+use crate::physics::data::surface::Surface;
+use crate::physics::forces::link::Links;
+use crate::physics::forces::manager::ForceManager;
+use crate::physics::forces::media::Media;
+use crate::physics::guards::Guards;
+use glam::DVec2;
+
+/// What happened during the last tick, for rules, view and sound.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Event {
+    /// Two things hit each other.
+    Impact {
+        /// The body that hit.
+        a: BodyId,
+        /// What it hit.
+        b: Obstacle,
+        /// The middle of the shared edge, m.
+        point: DVec2,
+        /// Unit vector from `b` towards `a`.
+        normal: DVec2,
+        /// Closing speed along the normal just before, m/s, > 0.
+        speed: f64,
+    },
+    /// A body is squeezed by a surface against something that cannot make way. The surface waits for the rest of the tick.
+    Crushed {
+        /// The body.
+        body: BodyId,
+        /// The surface.
+        by: u32,
+        /// The mean force with which it would be crushed by half of its smaller side h at the speed v at which the surfaces close,
+        /// N: ½mv²/(h/2). Rigid things that go on would need any force; this one depends on no tick.
+        force: f64,
+    },
+}
+
+/// How many bodies each method took through the last tick.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Methods {
+    /// At rest, and not looked at.
+    pub asleep: u32,
+    /// By the formula of free flight.
+    pub free: u32,
+    /// From event to event.
+    pub by_events: u32,
+    /// In one dense step.
+    pub in_one_step: u32,
+}
+
+impl Methods {
+    /// Every method by its name, in the order in which they stand here.
+    pub fn all(&self) -> impl Iterator<Item = (&'static str, u32)> {
+        let Self { asleep, free, by_events, in_one_step } = *self;
+        [("asleep", asleep), ("free", free), ("by events", by_events), ("in one step", in_one_step)].into_iter()
+    }
+}
+
+/// The state of a world.
+#[derive(Clone, Debug)]
+pub(crate) struct State {
+    pub bodies: Vec<Body>,
+    /// The constant pushes on each body.
+    pub forces: Vec<ForceManager>,
+    pub links: Links,
+    pub surfaces: Vec<Surface>,
+    pub media: Media,
+    pub rest_speed: f64,
+    /// Contacts at the end of the last tick. Items are bodies, and surfaces from the number of bodies on.
+    pub contacts: Vec<Contact>,
+    /// Whether contacts and acceleration of a body are those of now.
+    pub known: Vec<bool>,
+    /// Ticks since the world began.
+    pub ticks: u64,
+}
+
+/// What a tick leaves to be read.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Records {
+    /// How long the last tick was, s.
+    pub dt: f64,
+    /// How many flows had ended early before the last tick.
+    pub flows_cut_short: u64,
+    pub events: Vec<Event>,
+    pub impulses: Vec<Impulse>,
+    /// The corners of the ways of bodies, in the order of their times.
+    pub corners: Vec<(u32, f64, DVec2)>,
+    pub guards: Guards,
+    pub methods: Methods,
+    pub followed: u64,
+}
