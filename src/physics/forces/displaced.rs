@@ -144,7 +144,10 @@ impl Cut {
             return DVec2::ZERO;
         }
         let (slope, ratio) = (self.extent.slope, self.density * width * deep);
-        let (fourth, seventh) = (under.powi(4), under.powi(7));
+        // Products alone have the same bits everywhere.
+        let square = under * under;
+        let fourth = square * square;
+        let seventh = fourth * square * under;
         // Of its three factors, as parts of each.
         let by_ratio = DVec2::new(slope.x / width, slope.y / deep) / (1.0 + ratio);
         let by_swing = 0.5 * slope.x / width;
