@@ -8,7 +8,7 @@
 //!
 //! `step` holds the stages in their order. Surfaces follow their paths; linked groups and bodies near liquids or borders of zones get their
 //! flight (`links`, `acting`); every awake body flies as if it touched nothing (`crowd::flight`); the broad phase finds the pairs that may meet
-//! (`store::neighbours`), and the groups of those pairs are **islands** (`store::islands`). `islands` chooses a method for each:
+//! (`store::broad_phase`), and the groups of those pairs are **islands** (`store::islands`). `islands` chooses a method for each:
 //!
 //! - an island asleep costs nothing; a body alone keeps its free flight (`forces::air`, `flight`);
 //! - up to 64 bodies go from event to event (`exact`), within a budget of events;
