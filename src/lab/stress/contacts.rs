@@ -5,7 +5,7 @@ use super::{TICK, Test};
 use crate::lab::methods::impact::{Block, Line};
 use crate::lab::scenes::{collisions, tunnelling};
 use crate::lab::shipped;
-use crate::physics::{BodyDef, DVec2, Plan, World};
+use crate::physics::{BodyDef, DVec2, World};
 
 /// Places of all blocks after each step.
 type Paths = Vec<Vec<f64>>;
@@ -145,13 +145,12 @@ pub fn simultaneous_impacts() -> Test {
 /// Blocks beside the cradle in a crowd.
 const CROWD: usize = 200;
 
-/// A cradle of `n` among 200 blocks that rest side by side, in the shipped engine's dense method, the one for crowds.
+/// A cradle of `n` among 200 blocks that rest side by side, in the shipped engine: they are a crowd, and the cradle an island of its own.
 fn crowd(n: usize) -> Option<World> {
     let mut def = shipped::line(&collisions::cradle_of(n), 1.0);
     let resting = |i: usize| BodyDef { position: DVec2::new(i as f64, 10.0), ..BodyDef::default() };
     def.bodies.extend((0..CROWD).map(resting));
-    let plan = Plan { dense: true, ..Plan::of(&def) };
-    World::with_plan(def, plan).ok()
+    World::new(def).ok()
 }
 
 /// The velocities of its blocks after it has been struck, in units of the first one's.
@@ -166,7 +165,7 @@ pub fn cradle_in_a_crowd(n: usize) -> Vec<f64> {
 /// A cradle's pattern where many others are stepped with it.
 pub fn simultaneous_impacts_in_a_crowd() -> Test {
     let count = |n: f64| n.floor() as usize;
-    let test = cradles("the same among 200 others, stepped densely");
+    let test = cradles("the same among 200 others");
     test.shipped(move |n| last_leaves(&cradle_in_a_crowd(count(n)))).drawn(move |n| {
         let start = collisions::cradle_of(count(n)).iter().map(|block| block.x).collect();
         let after = crowd(count(n)).map(|world| shipped::places_in(world, (STRUCK / TICK).round() as usize, TICK));
