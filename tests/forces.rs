@@ -1,7 +1,7 @@
 //! The force manager: by itself, and as that which moves a body.
 
 use resultant::physics::{
-    Aabb, BodyDef, BodyId, DVec2, ForceKind, ForceManager, Material, Source, StreamDef, SurfaceDef, World, WorldDef,
+    Aabb, BodyDef, BodyId, DVec2, FluidDef, ForceKind, ForceManager, Material, Source, StreamDef, SurfaceDef, World, WorldDef,
 };
 
 const BODY: BodyId = BodyId(0);
@@ -51,6 +51,23 @@ fn kinds_are_summed_apart_and_resistances_left_out() {
     assert_eq!(forces.total(ForceKind::Buoyancy), DVec2::ZERO);
     assert_eq!(forces.resultant(), DVec2::new(80.0, 0.0));
     assert_eq!(forces.resultant_without_resistance(), DVec2::new(400.0, 0.0));
+}
+
+/// What a world lists has an order of its own: the sorted search of `add` did not find the drag in it, and listed a second one.
+#[test]
+fn a_listed_force_is_replaced_as_well() {
+    let pool = FluidDef { zone: area(-9.0, 0.0, 9.0, 9.0), density: 800.0, viscosity: 1.0 };
+    let swims = BodyDef { velocity: DVec2::new(3.0, 0.0), ..BodyDef::default() };
+    let mut world = World::new(WorldDef { bodies: vec![swims], fluids: vec![pool], ..WorldDef::default() }).unwrap();
+    world.set_drive(BodyId(0), DVec2::new(10.0, 0.0));
+    world.step(1.0 / 60.0);
+    let mut forces = world.forces(BodyId(0));
+    for (source, kind) in forces.forces().iter().map(|force| (force.source, force.kind)).collect::<Vec<_>>() {
+        let (count, vector) = (forces.forces().len(), DVec2::new(3.0, 4.0));
+        assert!(forces.add(source, kind, vector) && !forces.add(source, kind, vector));
+        assert_eq!((forces.forces().len(), forces.get(source, kind)), (count, Some(vector)));
+    }
+    assert_eq!(forces.forces().len(), 5);
 }
 
 /// 0.1 + 0.2 − 0.3 is not 0 in binary numbers.

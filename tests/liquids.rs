@@ -55,6 +55,28 @@ fn reference(body: &BodyDef, pool: &FluidDef, seconds: f64, h: f64) -> DVec2 {
     x
 }
 
+/// A light crate that carries another one dips in by a hair and leaves the water within a tick. Both left it with up to twenty times their energy.
+#[test]
+fn a_light_stack_leaves_the_water_no_faster_than_it_came() {
+    let half = DVec2::new(0.44, 0.27);
+    for (drop, hz) in [(1e-4, 120.0), (1e-3, 60.0), (0.01, 30.0), (0.1, 60.0), (0.1, 30.0)] {
+        let low = BodyDef { position: DVec2::new(0.0, -half.y - drop), half, mass: 0.13, drag: 0.0, ..BodyDef::default() };
+        let high = BodyDef { position: low.position - DVec2::new(0.1, 2.0 * half.y), mass: 0.15, ..low.clone() };
+        let def =
+            WorldDef { air_density: 0.0, fluids: vec![pool(1000.0, 0.0, 20.0)], bodies: vec![low, high], ..WorldDef::default() };
+        let mut world = World::new(def).unwrap();
+        let given = 0.28 * G * drop;
+        for _ in 0..(2.0 * hz) as u32 {
+            world.step(1.0 / hz);
+            let body = world.body(BODY);
+            let (depth, speed) = (body.position.y + half.y, body.velocity.length());
+            let spring = 0.5 * 1000.0 * G * 2.0 * half.x * depth.max(0.0) * depth.max(0.0);
+            let energy = 0.28 * (0.5 * speed * speed - G * depth) + spring;
+            assert!(energy <= given * (1.0 + 1e-6), "{drop} m, {hz} Hz: {energy} J of {given} J");
+        }
+    }
+}
+
 /// Half a kilogram that fills a cubic metre was 0.78 m off after two seconds at 30 Hz.
 #[test]
 fn a_splash_and_a_bob_agree_with_a_fine_integration_at_any_tick() {

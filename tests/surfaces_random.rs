@@ -179,6 +179,7 @@ fn rooms_that_once_broke_a_law_keep_it() {
         include!("fixtures/found/surfaces_random_2.rs"),
         include!("fixtures/found/surfaces_random_4.rs"),
         include!("fixtures/found/surfaces_random_5.rs"),
+        include!("fixtures/found/surfaces_random_6.rs"),
     ];
     for (i, (def, rate, far)) in rooms.into_iter().enumerate() {
         keeps_every_law(def, rate, far).unwrap_or_else(|fault| panic!("room {i}: {fault}"));

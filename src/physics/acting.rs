@@ -19,10 +19,10 @@ impl World {
             // Each change of a constant push is handed to the store as it happens.
             return;
         }
-        let Self { state, plan, scratch, pile, .. } = self;
+        let Self { state, plan, scratch, space, .. } = self;
         let mut awake = std::mem::take(&mut scratch.awake);
         awake.clear();
-        awake.extend(pile.looked_at().iter().filter(|body| !pile.is_sleeping(**body as usize)));
+        awake.extend(space.sleep.looked_at().iter().filter(|body| !space.sleep.sleeps(**body as usize)));
         if plan.liquids {
             note_touched(state, &mut scratch.touches);
         }
@@ -34,19 +34,19 @@ impl World {
             let at_a_border = plan.streams && streams_on(state, i, dt);
             let (body, force) = (&state.bodies[i], state.forces[i].push());
             if plan.streams {
-                pile.set_force(i, force);
+                space.set_force(state, i, force);
             }
             if body.velocity == DVec2::ZERO && body.acceleration == DVec2::ZERO {
                 // What stands meets no drag on a way that it does not go: its contacts have to bear all that pulls at it.
                 let a = state.media.acceleration_under(body, force);
-                pile.guide(i, body.position + a * (0.5 * dt * dt), a * dt);
+                space.guide(i, (body.position + a * (0.5 * dt * dt), a * dt));
                 scratch.floats[i] = a == DVec2::ZERO && (plan.liquids || plan.streams);
             } else if plan.liquids || at_a_border {
                 let mut law = state.media.law(body, force, dt);
                 if !at_a_border && !law.is_near_liquid() {
                     continue;
                 }
-                // A body that touches something is in an island, which finds out where it gets: whom it may meet is all that is asked for.
+                // A body that touches something is in an island, which finds out where it gets: here only the bodies that it may meet matter.
                 scratch.roughly[i] = !at_a_border && scratch.touches[i];
                 law.rough = scratch.roughly[i];
                 let Course { mut end, pull, .. } = flow_through(&state.media, body, &law, dt);
@@ -54,7 +54,7 @@ impl World {
                 if at_a_border && state.media.crosses_border(body, end, dt) {
                     end = fly(state, scratch, &Scene::of(state, plan, dt), i);
                 }
-                pile.guide(i, end.0, end.1);
+                space.guide(i, end);
             }
         }
         scratch.awake = awake;

@@ -7,8 +7,9 @@ use crate::physics::data::domain::DefError;
 use crate::physics::data::surface::Surface;
 use crate::physics::forces::kind::{ForceKind, Source};
 use crate::physics::forces::manager::ForceManager;
+use crate::physics::space::Space;
 use crate::physics::state::State;
-use crate::physics::world::{World, space_of};
+use crate::physics::world::World;
 use glam::DVec2;
 
 impl World {
@@ -30,7 +31,7 @@ impl World {
     fn change_forces(&mut self, body: BodyId, change: impl FnOnce(&mut ForceManager) -> bool) {
         let i = body.index();
         if change(&mut self.state.forces[i]) {
-            self.pile.set_force(i, self.state.forces[i].push());
+            self.space.set_force(&self.state, i, self.state.forces[i].push());
             self.disturb(body.0);
         }
     }
@@ -51,7 +52,7 @@ impl World {
         }
         if !present && self.state.surfaces[surface].present {
             self.state.surfaces[surface].present = false;
-            self.pile.set_present(surface, false);
+            self.space.set_present(surface, false);
             self.disturb_around(surface);
         }
     }
@@ -61,7 +62,7 @@ impl World {
         let speed = if speed.is_finite() { speed } else { 0.0 };
         if self.state.surfaces[surface].belt != speed {
             self.state.surfaces[surface].belt = speed;
-            self.pile.set_belt(surface, speed);
+            self.space.set_belt(surface, speed);
             self.disturb_around(surface);
         }
     }
@@ -100,8 +101,8 @@ impl World {
         (next.state.forces, next.state.ticks) = (forces.clone(), *ticks);
         next.state.links = self.state.links.clone();
         next.feel_zones();
-        *next.pile = space_of(&next.state, &next.plan);
-        next.pile.keep_previous(&self.pile);
+        *next.space = Space::new(&next.state, &next.plan);
+        next.space.keep_previous(&self.space);
         next.state.contacts.clear();
         next.records = self.records.clone();
         next.awaited.clone_from(&self.awaited);

@@ -18,7 +18,7 @@ pub(crate) struct Thing {
     pub velocity: DVec2,
     /// Whether its way has no corner, and it is known where it was.
     pub straight: bool,
-    /// Whether the dense method took it, or the rest of its tick.
+    /// Whether a crowd step took it.
     pub dense: bool,
     /// How deep something may be in it, m.
     pub depth: f64,
@@ -50,8 +50,8 @@ pub(crate) struct Ledger {
     pub push: f64,
     /// Whether it was given more than is known here.
     pub open: bool,
-    /// Whether its steps are those of the crowd, or implicit.
-    pub rough: bool,
+    /// The part of all these energies that its steps may add.
+    pub slack: f64,
 }
 
 /// The buffers of a check, kept so that it allocates nothing once warm.

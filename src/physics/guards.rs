@@ -26,7 +26,7 @@ macro_rules! guards {
 guards! {
     /// Ticks of islands that one step of the crowd's method took from the start.
     dense_ticks,
-    /// Ticks of islands whose rest that step took, because too many events fell into them.
+    /// Ticks of islands that such a step took from their start, because too many events fell into them.
     budgets_used_up,
     /// Searches for neighbours that were repeated, because a body went further than the search had reached.
     islands_grown,

@@ -24,7 +24,7 @@ impl World {
         links.all.iter().for_each(|link| hash_link(link, write));
         surfaces.iter().for_each(|surface| hash_surface(surface, write));
         (0..).zip(&media.streams).filter(|(_, stream)| !stream.blows).for_each(|(s, _)| write(s));
-        self.pile.hash_surfaces(write);
+        self.space.hash_surfaces(write);
         contacts.iter().for_each(|contact| hash_contact(contact, write));
     }
 }

@@ -6,24 +6,28 @@
 //! |---|---|---|
 //! | nothing moves, and nothing that moves comes near | rest | nothing |
 //! | one body, near nothing | flight in closed form | 2 ns, with drag 9 ns a body |
-//! | up to [`Choice::MOST_BY_EVENTS`] bodies | event by event, so many events a tick | 0.2 µs a body, 2 µs an impact |
-//! | more, or more events than that | one step of the dense method | 50 to 200 ns a body |
+//! | up to [`Choice::MOST_BY_EVENTS`] bodies | event by event, up to a number of events a tick | 0.2 µs a body, 2 µs an impact |
+//! | more, or more events than that | one crowd step | 60 to 200 ns a body |
 //!
 //! Event by event costs what happens: in a gas of 64 bodies some 30 impacts a tick, in a heap that settles every contact again and again.
-//! There the dense method is cheaper from about 50 bodies on, and the count of events makes sure of it for fewer.
+//! There the crowd step is cheaper from about 50 bodies on, and the count of events makes sure of it for fewer.
 
+use crate::physics::crowd::bodies::Source;
 use crate::physics::crowd::dense::{Outcome as CrowdOutcome, StepSize};
 use crate::physics::crowd::{CrowdImpact, Other, Squeeze};
+use crate::physics::data::body::Body;
 use crate::physics::data::plan::{Part, called};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Outcome, Scene};
 use crate::physics::flight::flow::flow_through;
 use crate::physics::flight::steps::Course;
 use crate::physics::guards::Guards;
-use crate::physics::scratch::{After, NOBODY, Scratch, Stop};
-use crate::physics::space::{Space, stand};
+use crate::physics::scratch::{NOBODY, Scratch, Stop};
+use crate::physics::space::Space;
 use crate::physics::state::State;
-use crate::physics::store::members::{Members, Verdict};
+use crate::physics::store::islands::Island;
+use crate::physics::store::motions::{Method, Motions};
+use glam::DVec2;
 
 /// The choice of methods.
 pub(crate) struct Choice;
@@ -33,9 +37,9 @@ impl Choice {
     pub const MOST_BY_EVENTS: usize = 64;
     /// Worlds of more bodies list no contact forces before their first tick.
     pub const MOST_AT_FIRST: usize = 1024;
-    /// How often an island may grow before the dense method takes it, which can keep bodies within what was looked for.
+    /// How often an island may grow before the crowd step takes it, which can keep bodies within what was looked for.
     const MOST_GROWTHS: usize = 3;
-    /// Contacts of a dense island are listed if somebody asked for forces in the last tick, or if it has no more bodies than this.
+    /// Contacts of a crowd are listed if forces were asked for in the last tick, or if it has no more bodies than this.
     const ALWAYS_LISTED: usize = 256;
     /// How often a crowd may grow in one tick. Fewer: bodies are kept within what was looked for.
     const MOST_CROWD_GROWTHS: usize = 4;
@@ -53,39 +57,50 @@ pub(crate) struct Tick<'a> {
     pub bare: bool,
 }
 
-impl Tick<'_> {
-    /// Lets a body fly that has turned out to be near nothing, and of which it is known roughly only where it gets.
-    fn fly(&mut self, store: &mut Members<'_>) -> Verdict {
-        let i = self.scratch.members[0];
-        let body = &self.state.bodies[i as usize];
-        let media = self.scene.media;
-        let force = self.state.forces[i as usize].push();
-        let law = media.law(body, force, self.scene.tick);
-        let Course { end: (position, velocity), pull, .. } = flow_through(self.scene.media, body, &law, self.scene.tick);
-        self.scratch.pulls[i as usize] = pull;
-        store.bring(i, position, velocity);
-        if store.is_swept(i) {
-            return Verdict::Taken { rests: false };
-        }
-        self.guards.islands_grown += 1;
-        store.widen(i, (position - body.position).abs());
-        Verdict::Grown
-    }
+/// What has become of an island.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Verdict {
+    /// It is where it is at the end of the step; whether all of it rests.
+    Taken { rests: bool },
+    /// The crowd step shall take it.
+    Left,
+    /// Bodies may get further than others were looked for; their swept boxes have been widened.
+    Grown,
+}
 
-    /// Leaves the whole tick to the dense method.
-    fn leave(&mut self) -> Verdict {
-        self.scratch.leave();
-        Verdict::Left
-    }
+/// An island, and what the solution of it may change.
+pub(crate) struct Members<'a> {
+    pub motions: &'a mut Motions,
+    pub island: Island<'a>,
+    /// Bodies that may get further than others were looked for.
+    pub grown: &'a mut Vec<u32>,
+}
 
-    fn bring(&self, store: &mut Members<'_>) {
-        for item in &self.scratch.events.items[..self.scratch.events.movable] {
-            store.bring(item.id, item.body.position, item.body.velocity);
-        }
+impl Members<'_> {
+    /// Widens where others are looked for by `reach` (m) to all sides; the islands are found again then.
+    pub fn widen(&mut self, body: u32, reach: DVec2) {
+        self.motions.widen(body as usize, reach);
+        self.grown.push(body);
     }
 }
 
 impl Tick<'_> {
+    /// Lets a body fly that has turned out to be near nothing, and of which it is known roughly only where it gets.
+    fn fly(&mut self, members: &mut Members<'_>) -> Verdict {
+        let i = members.island.members[0];
+        let body = &self.state.bodies[i as usize];
+        let law = self.scene.media.law(body, self.state.forces[i as usize].push(), self.scene.tick);
+        let Course { end, pull, .. } = flow_through(self.scene.media, body, &law, self.scene.tick);
+        self.scratch.pulls[i as usize] = pull;
+        members.motions.bodies[i as usize].end = end;
+        if members.motions.is_swept(i as usize, body.half) {
+            return Verdict::Taken { rests: false };
+        }
+        self.guards.islands_grown += 1;
+        members.widen(i, (end.0 - body.position).abs());
+        Verdict::Grown
+    }
+
     /// Whether a body that is near nothing has to be advanced all the same: it stands still, and may fall asleep.
     fn minds(&self, body: usize) -> bool {
         let Scratch { floats, roughly, touches, .. } = &*self.scratch;
@@ -96,26 +111,27 @@ impl Tick<'_> {
     }
 
     /// Takes an island, or leaves it. `round` is how often it has grown in this step.
-    fn advance(&mut self, store: &mut Members<'_>, round: usize) -> Verdict {
-        self.scratch.members.clear();
-        self.scratch.surfaces.clear();
-        self.scratch.members.extend(store.members());
-        self.scratch.lead_by_smallest();
-        let count = store.len();
-        if store.is_alone() && self.scratch.roughly[self.scratch.members[0] as usize] {
-            return self.fly(store);
+    fn advance(&mut self, of: &mut Members<'_>, round: usize) -> Verdict {
+        let (n, island) = (of.motions.len() as u32, of.island);
+        let count = island.members.len();
+        if island.is_alone() && self.scratch.roughly[island.members[0] as usize] {
+            return self.fly(of);
         }
         if round > Choice::MOST_GROWTHS || self.leaves_for_good(count) {
             self.guards.dense_ticks += 1;
-            return self.leave();
+            return Verdict::Left;
         }
-        store.surfaces(&mut self.scratch.surfaces);
-        if let Some(verdict) = self.leave_linked(store) {
+        self.scratch.members.clear();
+        self.scratch.surfaces.clear();
+        self.scratch.members.extend_from_slice(island.members);
+        for others in island.members.iter().map(|i| island.near(*i)) {
+            self.scratch.surfaces.extend(others.iter().filter(|other| **other >= n).map(|other| other - n));
+        }
+        if let Some(verdict) = self.leave_linked(of) {
             return verdict;
         }
-        self.scratch.lead_by_smallest();
         let (whole, count) = (count, self.scratch.members.len());
-        self.scratch.gather(self.state, &self.scene, |body| store.swept(body));
+        self.scratch.gather(self.state, &self.scene, |body| of.motions.area(body));
         called(Part::Exact);
         let outcome = self.scratch.events.advance(&self.scene);
         self.guards.add(&std::mem::take(&mut self.scratch.events.guards));
@@ -123,16 +139,14 @@ impl Tick<'_> {
             Outcome::Grown => {
                 self.guards.islands_grown += 1;
                 let fastest = self.scratch.events.fastest() * (2.0 * self.scene.tick);
-                for k in 0..self.scratch.members.len() {
-                    let body = self.scratch.members[k];
-                    let way = store.swept(body).size() * round as f64;
-                    store.widen(body, fastest + way);
+                for &body in &self.scratch.members {
+                    let way = of.motions.area(body).size() * round as f64;
+                    of.widen(body, fastest + way);
                 }
                 Verdict::Grown
             }
             Outcome::Done => {
-                self.scratch.scatter(self.state);
-                self.bring(store);
+                self.scratch.scatter(self.state, of.motions);
                 let items = &self.scratch.events.items[..count];
                 let still = |item: &Item| item.rests(self.state.bodies[item.id as usize].position);
                 let rests =
@@ -141,29 +155,30 @@ impl Tick<'_> {
             }
             Outcome::Busy => {
                 self.guards.budgets_used_up += 1;
-                self.leave()
+                Verdict::Left
             }
         }
     }
 
-    /// Whether the contacts of an island of this many bodies are listed.
+    /// Whether a crowd step lists the contacts of an island of this many bodies.
     fn lists(&self, members: usize) -> bool {
         self.lists || members <= Choice::ALWAYS_LISTED
     }
 
-    /// Whether an island of so many bodies is a crowd: then it falls asleep as the crowd step leaves it.
+    /// Whether an island of this many bodies is a crowd: then it falls asleep as the crowd step leaves it.
     fn leaves_for_good(&self, members: usize) -> bool {
         members > Choice::MOST_BY_EVENTS || self.scene.dense
     }
 
     /// What an earlier solution of the island of this body came to holds no longer.
-    fn forget(&mut self, body: usize) {
-        let noted = self.scratch.after[body].noted;
-        let After { members, leader, .. } = std::mem::replace(&mut self.scratch.after[body], After { noted, ..After::default() });
-        if members == 0 || leader as usize != body {
+    fn forget(&mut self, motions: &mut Motions, body: usize) {
+        let motion = &mut motions.bodies[body];
+        let method = std::mem::take(&mut motion.method);
+        motion.known = true;
+        if method == Method::Flight || motion.leader as usize != body {
             return;
         }
-        let Scratch { contacts, happened, crushed, stops, .. } = &mut *self.scratch;
+        let (leader, Scratch { contacts, happened, crushed, stops, .. }) = (body as u32, &mut *self.scratch);
         contacts.retain(|(of, _)| *of != leader);
         happened.retain(|happened| happened.island != leader);
         crushed.retain(|(of, ..)| *of != leader);
@@ -177,160 +192,154 @@ impl Tick<'_> {
 }
 
 impl Space {
-    /// Whether a body is awake or a surface moves.
-    pub(crate) fn is_stirred(&self) -> bool {
-        let carries = |j: &u32| self.bodies.carries(self.bodies.len() + *j as usize);
-        !self.sleep.all_asleep() || !self.movers.targets.is_empty() || self.movers.moving.iter().any(carries)
-    }
-
     /// Advances all by `dt` seconds, > 0.
     pub(crate) fn step_with(&mut self, dt: f64, tick: &mut Tick<'_>) {
         self.impacts.clear();
         self.squeezed.clear();
-        if self.is_stirred() {
-            let Self { sleep, dense, .. } = self;
-            dense.report.list.retain(|contact| sleep.sleeps(contact.a));
-            self.movers.advance(&mut self.bodies, dt);
-            self.fly(dt);
-            self.last_dt = dt;
-            self.solve_islands(dt, tick);
-            self.bodies.commit();
-        }
-        for (id, ..) in self.bodies.guided.drain(..) {
-            self.bodies.is_guided[id as usize] = false;
-        }
-        self.movers.targets.clear();
-        self.movers.ways.clear();
+        self.crowd.dense.report.list.clear();
+        self.fly(&tick.state.bodies, dt);
+        self.last_dt = dt;
+        self.solve_islands(dt, tick);
+        self.end_step();
     }
 
     fn solve_islands(&mut self, dt: f64, tick: &mut Tick<'_>) {
-        for k in 0..self.sleep.looked_at().len() {
-            let i = self.sleep.looked_at()[k] as usize;
-            (self.growths[i], self.again[i]) = (0, false);
-        }
         let mut again = false;
         loop {
-            self.islands.sort(&self.bodies);
-            self.islands.find(&self.bodies, &self.broad_phase, &self.movers.moving);
+            self.islands.sort(&tick.state.bodies, self.down);
+            self.islands.find(&self.motions, &self.broad_phase, &self.moving);
             let minds = |tick: &Tick<'_>| self.sleep.looked_at().iter().any(|body| tick.minds(*body as usize));
             if !again && self.islands.are_alone() && (tick.bare || !minds(tick)) {
-                return self.let_all_fly();
+                return self.let_sleepers_stay(&tick.state.bodies);
             }
             for k in 0..self.islands.len() {
                 if !again || self.begin_again(k, tick) {
                     self.solve(k, dt, tick);
                 }
             }
-            if self.dense.grown.is_empty() {
+            if self.grown.is_empty() {
                 break;
             }
             again = true;
-            self.grow(dt);
+            self.grow(&tick.state.bodies, dt);
         }
-        let Self { dense, impacts, solved, .. } = self;
-        dense.report.list.retain(|contact| contact.solved == solved[contact.a]);
-        impacts.retain(|hit| hit.solved == solved[hit.a]);
+        let Self { crowd, impacts, motions, .. } = self;
+        crowd.dense.report.list.retain(|contact| contact.solved == motions.bodies[contact.a].solved);
+        impacts.retain(|hit| hit.solved == motions.bodies[hit.a].solved);
     }
 
-    /// Nobody is near anything.
-    fn let_all_fly(&mut self) {
-        let Self { bodies, sleep, .. } = self;
-        for i in sleep.looked_at().iter().map(|i| *i as usize) {
-            (bodies.ux[i], bodies.uy[i]) = (bodies.free_vx[i], bodies.free_vy[i]);
-            if sleep.sleeps(i) {
-                bodies.stay(i);
-            }
+    /// Nobody is near anything: those that are awake fly.
+    fn let_sleepers_stay(&mut self, bodies: &[Body]) {
+        let Self { motions, sleep, .. } = self;
+        for i in sleep.looked_at().iter().map(|i| *i as usize).filter(|i| sleep.sleeps(*i)) {
+            motions.bodies[i].end = (bodies[i].position, DVec2::ZERO);
         }
     }
 
     /// Solves an island by the method that is right for it.
     fn solve(&mut self, k: usize, dt: f64, tick: &mut Tick<'_>) {
-        let Self { bodies, islands, dense, sleep, growths, solved, .. } = self;
+        let Self { motions, islands, grown, sleep, .. } = self;
         let island = islands.get(k);
-        if sleep.stays_asleep(bodies, island) {
+        if sleep.stays_asleep(&tick.state.bodies, motions, island) {
             return;
         }
         let first = island.members[0] as usize;
         if island.is_alone() && !tick.minds(first) {
-            (bodies.ux[first], bodies.uy[first]) = (bodies.free_vx[first], bodies.free_vy[first]);
             return sleep.wake(first);
         }
-        island.members.iter().for_each(|i| solved[*i as usize] += 1);
         // It depends on no other island how often this one has grown, or those of which it is made now.
-        let round = island.members.iter().map(|i| growths[*i as usize]).max().unwrap_or(0) as usize;
-        let mut members = Members { bodies, island, grown: &mut dense.grown, down: self.down };
-        let grows = match tick.advance(&mut members, round) {
+        let mut round = 0;
+        for i in island.members {
+            let motion = &mut motions.bodies[*i as usize];
+            motion.solved += 1;
+            round = round.max(motion.growths);
+        }
+        let grows = match tick.advance(&mut Members { motions, island, grown }, round as usize) {
             Verdict::Taken { rests } => {
                 sleep.note(island, self.may_sleep && rests);
                 false
             }
             Verdict::Grown => true,
-            Verdict::Left => self.solve_crowd(k, (dt, round), tick) == CrowdOutcome::Grown,
+            Verdict::Left => self.solve_crowd(k, (dt, round as usize), tick) == CrowdOutcome::Grown,
         };
         if grows {
-            let island = self.islands.get(k);
-            island.members.iter().for_each(|i| self.growths[*i as usize] = round as u32 + 1);
+            // All of them are solved again, also where a surface that stands now joins them no longer.
+            for i in self.islands.get(k).members {
+                let motion = &mut self.motions.bodies[*i as usize];
+                (motion.growths, motion.again) = (round + 1, true);
+            }
         }
     }
 
     /// The crowd step of an island. Where a surface would squeeze a body it stands for this step, and the island is solved again.
     fn solve_crowd(&mut self, k: usize, (dt, round): (f64, usize), tick: &mut Tick<'_>) -> CrowdOutcome {
-        let Self { bodies, islands, dense, sleep, .. } = self;
-        let (n, island) = (bodies.len(), islands.get(k));
+        let Self { motions, islands, crowd, sleep, impacts, squeezed, .. } = self;
+        let (island, state, down) = (islands.get(k), tick.state, self.down);
         let last = round >= Choice::MOST_CROWD_GROWTHS;
-        let size = StepSize { dt, rest_speed: self.rest_speed, gravity: self.gravity, last };
-        dense.report.on = tick.lists(island.members.len());
-        for _ in 0..=self.movers.moving.len() {
-            dense.squeezed.clear();
-            if dense.step(bodies, island, size) == CrowdOutcome::Grown {
+        let size = StepSize { dt, rest_speed: state.rest_speed, gravity: state.media.gravity.abs(), last };
+        crowd.dense.report.on = tick.lists(island.members.len());
+        for _ in 0..=self.moving.len() {
+            let from = Source { bodies: &state.bodies, surfaces: &state.surfaces, motions, down, lively: self.lively };
+            if crowd.step(from, island, size) == CrowdOutcome::Grown {
+                for &k in &crowd.dense.grown {
+                    let i = crowd.bodies.ids[k as usize];
+                    motions.swept[i as usize] = crowd.bodies.swept(k as usize, down);
+                    self.grown.push(i);
+                }
                 return CrowdOutcome::Grown;
             }
-            if dense.squeezed.is_empty() {
+            if crowd.dense.squeezed.is_empty() {
                 break;
             }
-            for &(body, surface, speed) in &dense.squeezed {
-                let body = body as usize;
-                self.squeezed.push(Squeeze { body, surface: surface as usize - n, speed });
-                tick.stand(surface as usize - n);
-                stand(bodies, surface as usize);
+            for &(body, surface, speed) in &crowd.dense.squeezed {
+                let (body, Other::Surface(surface)) = (crowd.bodies.ids[body as usize] as usize, crowd.other(surface)) else {
+                    continue;
+                };
+                squeezed.push(Squeeze { body, surface, speed });
+                tick.stand(surface);
+                motions.surfaces[surface].stand();
             }
-            dense.undo(bodies);
-            island.members.iter().for_each(|i| bodies.fall_freely(*i as usize));
         }
-        sleep.finish(bodies, island, self.may_sleep && tick.leaves_for_good(island.members.len()));
-        let other = |i: usize| if i < n { Other::Body(i) } else { Other::Surface(i - n) };
-        for &(a, b, axis, speed) in &dense.hits {
-            let a = a as usize;
-            self.impacts.push(CrowdImpact { a, b: other(b as usize), axis, speed, solved: self.solved[a] });
+        for (k, i) in crowd.bodies.ids.iter().enumerate() {
+            motions.bodies[*i as usize].end = crowd.bodies.end(k, down);
         }
-        let known = dense.report.list.len();
-        dense.finish(bodies, island, self.down);
-        dense.report.list[known..].iter_mut().for_each(|contact| contact.solved = self.solved[contact.a]);
+        // What falls asleep is read later: its contacts are listed now.
+        let may_sleep = self.may_sleep && tick.leaves_for_good(island.members.len());
+        crowd.dense.report.on |= sleep.finish(&state.bodies, motions, (island, may_sleep));
+        for i in island.members {
+            let motion = &mut motions.bodies[*i as usize];
+            (motion.method, motion.leader, motion.known) = (Method::Crowd, island.members[0], false);
+            motion.listed = crowd.dense.report.on;
+        }
+        for &(a, b, axis, speed) in &crowd.dense.hits {
+            let a = crowd.bodies.ids[a as usize] as usize;
+            impacts.push(CrowdImpact { a, b: crowd.other(b), axis, speed, solved: motions.bodies[a].solved });
+        }
+        crowd.finish(down, |i| motions.bodies[i].solved);
         CrowdOutcome::Done
     }
 
     /// Whether an island of a later round has to be solved; takes back what was solved of it before.
     fn begin_again(&mut self, k: usize, tick: &mut Tick<'_>) -> bool {
-        let Self { bodies, islands, sleep, again, .. } = self;
+        let Self { motions, islands, sleep, .. } = self;
         let members = islands.get(k).members;
-        if !members.iter().any(|i| again[*i as usize]) {
+        if !members.iter().any(|i| motions.bodies[*i as usize].again) {
             return false;
         }
         for i in members.iter().map(|i| *i as usize) {
-            again[i] = false;
-            bodies.fall_freely(i);
+            motions.bodies[i].again = false;
+            motions.fall_freely(i);
             sleep.wake(i);
-            tick.forget(i);
+            tick.forget(motions, i);
         }
         true
     }
 
-    /// Finds whom those may meet that go further than was looked for.
-    fn grow(&mut self, dt: f64) {
-        let Self { bodies, broad_phase, dense, again, .. } = self;
-        dense.grown.iter().for_each(|i| again[*i as usize] = true);
-        broad_phase.update(bodies, &dense.grown, dt);
-        dense.grown.clear();
+    /// Finds the bodies that those may meet that go further than was looked for.
+    fn grow(&mut self, bodies: &[Body], dt: f64) {
+        let Self { motions, broad_phase, grown, .. } = self;
+        broad_phase.update(bodies, motions, grown, dt);
+        grown.clear();
         self.rouse_reached();
     }
 }

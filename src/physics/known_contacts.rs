@@ -1,20 +1,22 @@
 //! Contacts from tick to tick: those that a tick has found take the place of those known before, in one order.
 
 use crate::physics::data::contact::Contact;
+use crate::physics::store::motions::Method;
 use crate::physics::world::World;
 
 impl World {
-    /// Puts the contacts that this tick has found in place of those known before of the same bodies. Of what sleeps they stay.
+    /// Puts the contacts that this tick has found in place of those known before of the same bodies. Sleeping bodies keep theirs.
     pub(crate) fn take_contacts(&mut self) {
-        let Self { state, scratch, pile, .. } = self;
+        let Self { state, scratch, space, .. } = self;
         if state.contacts.is_empty() && scratch.fresh.is_empty() {
             return;
         }
         put_in_order(&mut scratch.fresh);
         scratch.index(state);
-        let over = |body: u32| !pile.is_sleeping(body as usize) || scratch.after[body as usize].members > 0;
+        let advanced = |body: u32| space.motions.bodies[body as usize].method != Method::Flight;
+        let over = |body: u32| !space.sleep.sleeps(body as usize) || advanced(body);
         let of = |body: u32| scratch.starts[body as usize] as usize..scratch.starts[body as usize + 1] as usize;
-        let before: usize = pile.looked_at().iter().filter(|body| over(**body)).map(|body| of(*body).len()).sum();
+        let before: usize = space.sleep.looked_at().iter().filter(|body| over(**body)).map(|body| of(*body).len()).sum();
         // Where the same touch as before, each takes the place of its own.
         let alike = |new: &[Contact]| {
             let old = &state.contacts[of(new[0].ends().0)];
@@ -37,8 +39,8 @@ impl World {
     }
 }
 
-/// Sorts contacts by their ends, and makes one of those that tell of the same face: the dense method tells of push and friction apart. Nothing
-/// is left to how a sort treats equals, which depends on how many there are in the world.
+/// Sorts contacts by their ends, and makes one of those at the same face: the crowd step lists push and friction apart. No order is left
+/// to how a sort treats equals, which depends on their number in the world.
 fn put_in_order(contacts: &mut Vec<Contact>) {
     contacts.sort_unstable_by(|a, b| {
         let face = (a.ends(), a.axis).cmp(&(b.ends(), b.axis));

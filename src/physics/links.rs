@@ -8,10 +8,10 @@ use crate::physics::data::domain::DefError;
 use crate::physics::data::tuning::SLOP;
 use crate::physics::flight::linked::{Group, Member};
 use crate::physics::forces::link::{LinkDef, links_on};
-use crate::physics::islands::Tick;
-use crate::physics::scratch::{After, Scratch};
+use crate::physics::islands::{Members, Tick, Verdict};
+use crate::physics::scratch::Scratch;
 use crate::physics::state::State;
-use crate::physics::store::members::{Members, Verdict};
+use crate::physics::store::motions::Method;
 use crate::physics::world::World;
 use glam::DVec2;
 
@@ -35,7 +35,7 @@ impl World {
             self.state.links.gather();
             self.disturb_ends(&def);
             for end in def.ends() {
-                self.pile.set_force(end.index(), self.state.forces[end.index()].push());
+                self.space.set_force(&self.state, end.index(), self.state.forces[end.index()].push());
             }
         }
     }
@@ -55,16 +55,16 @@ impl World {
         self.scratch.pairs.clear();
         for g in 0..self.state.links.groups.len() {
             let group = &self.state.links.groups[g];
-            if group.iter().all(|body| self.pile.is_sleeping(*body as usize)) {
+            if group.iter().all(|body| self.space.sleep.sleeps(*body as usize)) {
                 continue;
             }
             for k in 0..group.len() {
                 let body = self.state.links.groups[g][k];
-                if self.pile.is_sleeping(body as usize) {
+                if self.space.sleep.sleeps(body as usize) {
                     self.disturb(body);
                 }
             }
-            let Self { state, scratch, pile, .. } = self;
+            let Self { state, scratch, space, .. } = self;
             let Scratch { linked, pairs, .. } = &mut **scratch;
             let (from, group) = (linked.len(), &state.links.groups[g]);
             pairs.extend(group.windows(2).map(|pair| (pair[0], pair[1])));
@@ -77,19 +77,19 @@ impl World {
             Group { media: &state.media, bodies: &state.bodies, links: &state.links.all }.fly(&mut linked[from..], dt);
             for member in &linked[from..] {
                 let i = member.id as usize;
-                pile.set_force(i, state.forces[i].push() + member.mean);
-                let (place, speed) = if member.held {
+                space.set_force(state, i, state.forces[i].push() + member.mean);
+                let end = if member.held {
                     let body = &state.bodies[i];
                     let a = state.media.acceleration_under(body, state.forces[i].push() + member.mean);
                     (body.position + a * (0.5 * dt * dt), a * dt)
                 } else {
                     member.pose
                 };
-                pile.guide(i, place, speed);
+                space.guide(i, end);
             }
         }
         self.scratch.linked.sort_unstable_by_key(|member| member.id);
-        self.pile.join(&self.scratch.pairs);
+        self.space.islands.link(&self.scratch.pairs);
     }
 }
 
@@ -115,7 +115,7 @@ impl Scratch {
 impl Tick<'_> {
     /// Leaves linked bodies that come near nothing where they fly together, and takes them out of the island's members. Returns a verdict if
     /// that settles it.
-    pub(crate) fn leave_linked(&mut self, store: &mut Members<'_>) -> Option<Verdict> {
+    pub(crate) fn leave_linked(&mut self, of: &mut Members<'_>) -> Option<Verdict> {
         if self.scratch.linked.is_empty() {
             return None;
         }
@@ -123,10 +123,10 @@ impl Tick<'_> {
         for k in 0..self.scratch.members.len() {
             let id = self.scratch.members[k];
             let Some(member) = self.scratch.linked(id).filter(|member| !member.held) else { continue };
-            let (swept, half) = (store.swept(id), self.state.bodies[id as usize].half);
+            let (swept, half) = (of.motions.area(id), self.state.bodies[id as usize].half);
             let way = Aabb::new(member.places.min - half, member.places.max + half);
             if !swept.contains(&way, SLOP) {
-                store.widen(id, (swept.min - way.min).max(way.max - swept.max).max(DVec2::ZERO));
+                of.widen(id, (swept.min - way.min).max(way.max - swept.max).max(DVec2::ZERO));
                 grown = true;
             }
         }
@@ -138,17 +138,17 @@ impl Tick<'_> {
         let Self { scratch, state, scene, .. } = self;
         let near = |swept: &Aabb, s: u32| state.surfaces[s as usize].swept(scene.tick).touches(swept, SLOP);
         let apart = |id: u32| {
-            let swept = store.swept(id);
+            let swept = of.motions.area(id);
             scratch.linked(id).is_some_and(|member| !member.held)
                 && !scratch.surfaces.iter().any(|s| near(&swept, *s))
-                && scratch.members.iter().all(|other| *other == id || !store.swept(*other).touches(&swept, SLOP))
+                && scratch.members.iter().all(|other| *other == id || !of.motions.area(*other).touches(&swept, SLOP))
         };
         flown.clear();
         flown.extend(scratch.members.iter().filter(|id| apart(**id)));
         for &id in &flown {
-            let (position, velocity) = scratch.linked(id).map_or((DVec2::ZERO, DVec2::ZERO), |member| member.pose);
-            store.bring(id, position, velocity);
-            scratch.note(id, After { known: true, flown: true, members: 1, leader: id, ..After::default() });
+            let motion = &mut of.motions.bodies[id as usize];
+            motion.end = scratch.linked(id).map_or(motion.free, |member| member.pose);
+            (motion.method, motion.leader, motion.known) = (Method::Linked, id, true);
         }
         scratch.members.retain(|id| !flown.contains(id));
         scratch.flown = flown;

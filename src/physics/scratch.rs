@@ -12,6 +12,7 @@ use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
 use crate::physics::flight::linked::Member;
 use crate::physics::state::State;
+use crate::physics::store::motions::{Method, Motions};
 use glam::DVec2;
 
 /// The leader of no island.
@@ -30,23 +31,6 @@ pub(crate) struct Stop {
 /// When a surface stops, s from the tick's start; infinite where it goes on.
 pub(crate) fn first_stop(stops: &[Stop], surface: u32) -> f64 {
     stops.iter().filter(|stop| stop.surface == surface).map(|stop| stop.at).fold(f64::INFINITY, f64::min)
-}
-
-/// How a body ends a tick that its island was advanced in.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct After {
-    pub acceleration: DVec2,
-    /// Whether contacts and acceleration are those of the end of the tick.
-    pub known: bool,
-    /// Whether the dense method took it, or the rest of its tick.
-    pub dense: bool,
-    /// Whether it flew with others to which it is linked.
-    pub flown: bool,
-    /// How many bodies its island had, and the smallest of them; 0 where it flew or rested by itself.
-    pub members: u32,
-    pub leader: u32,
-    /// Whether it is in `Scratch::touched`.
-    pub noted: bool,
 }
 
 /// Something for the records, with the smallest body of its island.
@@ -68,12 +52,6 @@ pub(crate) struct Scratch {
     pub events: Events,
     #[cfg(all(feature = "validate", debug_assertions))]
     pub checks: Checks,
-    /// How each body ends the tick.
-    pub after: Vec<After>,
-    /// The bodies of all islands that were advanced in this tick.
-    pub touched: Vec<u32>,
-    /// The bodies of the islands of the tick before, and those of which something has changed since.
-    pub changed: Vec<u32>,
     /// What the islands found out, with the smallest body of the island that it came from.
     pub contacts: Vec<(u32, Contact)>,
     pub happened: Vec<Happened>,
@@ -81,7 +59,7 @@ pub(crate) struct Scratch {
     pub crushed: Vec<(u32, u32, u32, f64)>,
     /// Which surfaces the islands have stopped because they would have squeezed something.
     pub stops: Vec<Stop>,
-    /// All that contacts of the dense method exert on each body, N.
+    /// All that contacts of the crowd step exert on each body, N.
     pub pressed: Vec<f64>,
     /// Of each body and each surface behind them: its number in the present island.
     local: Vec<u32>,
@@ -111,25 +89,18 @@ pub(crate) struct Scratch {
 impl Scratch {
     /// Before the first tick.
     pub fn begin(&mut self, bodies: usize) {
-        self.after.clear();
         self.begin_tick(bodies);
         self.starts.clear();
     }
 
     /// Forgets what the last tick of this many bodies has left.
     pub fn begin_tick(&mut self, bodies: usize) {
-        if self.after.len() == bodies {
-            for i in self.touched.drain(..) {
-                self.after[i as usize] = After::default();
-                self.changed.push(i);
-            }
+        if self.pulls.len() == bodies {
             for i in self.awake.drain(..) {
                 let i = i as usize;
                 (self.pulls[i], self.floats[i], self.roughly[i]) = (None, false, false);
             }
         } else {
-            self.after.clear();
-            self.after.resize(bodies, After::default());
             for flags in [&mut self.floats, &mut self.roughly] {
                 flags.clear();
                 flags.resize(bodies, false);
@@ -137,9 +108,6 @@ impl Scratch {
             self.pulls.clear();
             self.pulls.resize(bodies, None);
             self.awake.clear();
-            self.touched.clear();
-            self.changed.clear();
-            self.changed.extend(0..bodies as u32);
         }
         self.contacts.clear();
         self.happened.clear();
@@ -147,17 +115,6 @@ impl Scratch {
         self.stops.clear();
         self.members.clear();
         self.surfaces.clear();
-    }
-
-    /// Notes how a body ends the tick.
-    pub fn note(&mut self, body: u32, ends: After) {
-        note(&mut self.after, &mut self.touched, body, ends);
-    }
-
-    /// Puts the smallest member first: it names the island.
-    pub fn lead_by_smallest(&mut self) {
-        let smallest = (0..self.members.len()).min_by_key(|k| self.members[*k]).unwrap_or(0);
-        self.members.swap(0, smallest);
     }
 
     /// When a surface stops, s from the tick's start; infinite where it goes on.
@@ -251,14 +208,16 @@ impl Scratch {
     }
 
     /// Takes over what the island came to.
-    pub fn scatter(&mut self, state: &State) {
+    pub fn scatter(&mut self, state: &State, motions: &mut Motions) {
         self.take_contacts(state);
-        let Self { events, after, touched, happened, stops, crushed, members, .. } = self;
-        let (leader, count) = (members[0], members.len() as u32);
+        let Self { events, happened, stops, crushed, members, .. } = self;
+        let leader = members[0];
         let Events { items, movable, .. } = events;
         for item in &items[..*movable] {
-            let (acceleration, known) = (item.solved + DVec2::ZERO, item.known);
-            note(after, touched, item.id, After { acceleration, known, members: count, leader, ..After::default() });
+            let motion = &mut motions.bodies[item.id as usize];
+            motion.end = (item.body.position, item.body.velocity);
+            (motion.method, motion.leader) = (Method::Events, leader);
+            (motion.acceleration, motion.known) = (item.solved + DVec2::ZERO, item.known);
         }
         for hit in &events.hits {
             let (a, b, sign) = if hit.lo < hit.hi { (hit.lo, hit.hi, -1.0) } else { (hit.hi, hit.lo, 1.0) };
@@ -279,22 +238,5 @@ impl Scratch {
                 stops.push(Stop { leader, surface: item.id, at: item.stops_at });
             }
         }
-    }
-
-    /// Notes that the crowd step takes the island, or what is left of its tick.
-    pub fn leave(&mut self) {
-        let Self { after, touched, members, .. } = self;
-        let (leader, count) = (members[0], members.len() as u32);
-        for &body in &*members {
-            note(after, touched, body, After { dense: true, members: count, leader, ..After::default() });
-        }
-    }
-}
-
-/// Notes how a body ends the tick.
-fn note(after: &mut [After], touched: &mut Vec<u32>, body: u32, ends: After) {
-    let before = std::mem::replace(&mut after[body as usize], After { noted: true, ..ends });
-    if !before.noted {
-        touched.push(body);
     }
 }

@@ -1,9 +1,10 @@
 //! How a tick goes, phase by phase.
 //!
-//! The store of all bodies, with its broad phase, flight and islands, is that of [`crate::physics::crowd`]; the world tells it what acts on each body,
-//! and takes over where it has come. In between, each island is advanced by the least method that is right for it (`islands`).
+//! Forces and surfaces first; then every awake body flies freely, the broad phase finds the pairs that may meet, and each island is advanced by
+//! the least method that is right for it (`islands`). Last, the state takes over where all bodies end.
 
 use crate::physics::crowd::Other;
+use crate::physics::crowd::impulses::ContactImpulse;
 use crate::physics::data::axis::Axis;
 use crate::physics::data::body::{Body, BodyId};
 use crate::physics::data::contact::Contact;
@@ -16,6 +17,7 @@ use crate::physics::islands::{Choice, Tick};
 use crate::physics::scratch::{Happened, Scratch};
 use crate::physics::space::Space;
 use crate::physics::state::{Event, Methods, State};
+use crate::physics::store::motions::Method;
 use crate::physics::world::World;
 use glam::DVec2;
 
@@ -29,19 +31,21 @@ impl World {
     /// Advances the world by exactly one tick of `dt` seconds.
     pub fn step(&mut self, dt: f64) {
         let before = self.scratch.events.total;
-        self.scratch.begin_tick(self.state.bodies.len());
+        let n = self.state.bodies.len();
+        self.scratch.begin_tick(n);
         self.clear_records();
         (self.records.dt, self.records.flows_cut_short) = (dt, self.records.guards.flows_cut_short);
         self.bring_back_surfaces();
+        self.space.begin_step();
         self.move_surfaces(dt);
         self.fly_linked(dt);
-        if self.pile.is_stirred() {
+        self.records.methods = Methods { asleep: n as u32, ..Methods::default() };
+        if self.space.is_stirred() {
             self.say_what_acts(dt);
             self.advance_islands(dt);
             self.commit(dt);
         }
         self.state.ticks += 1;
-        self.count_methods();
         self.record();
         self.go_on_paths(dt);
         self.records.followed = self.scratch.events.total - before;
@@ -50,13 +54,13 @@ impl World {
     }
 
     fn advance_islands(&mut self, dt: f64) {
-        let Self { state, records, plan, scratch, pile, .. } = self;
+        let Self { state, records, plan, scratch, space, .. } = self;
         let lists = self.asked.replace(false);
         let guards = &mut records.guards;
         let scene = Scene::of(state, plan, dt);
         let bare = !plan.media() && scratch.linked.is_empty();
-        pile.step_with(dt, &mut Tick { state, scene, guards, scratch, lists, bare });
-        records.guards.add(&pile.take_guards());
+        space.step_with(dt, &mut Tick { state, scene, guards, scratch, lists, bare });
+        records.guards.add(&space.crowd.dense.take_guards());
         records.guards.flows_cut_short += state.media.take_ended_early();
     }
 
@@ -106,8 +110,7 @@ impl World {
     pub(crate) fn disturb(&mut self, body: u32) {
         let i = body as usize;
         self.state.known[i] = false;
-        self.pile.wake(i);
-        self.scratch.changed.push(body);
+        self.space.sleep.wake(i);
     }
 
     /// Something about a surface has changed: whatever touches it has to be looked at.
@@ -138,7 +141,7 @@ impl World {
             self.awaited.swap_remove(k);
             if awaited {
                 self.state.surfaces[s].present = true;
-                self.pile.set_present(s, true);
+                self.space.set_present(s, true);
                 self.disturb_around(s);
             }
         }
@@ -154,8 +157,7 @@ impl World {
             }
             let swept = surface.swept(dt);
             if surface.moves_within(dt) {
-                self.pile.lead_surface(s, surface.at(dt).offset, surface.arrives(dt));
-                self.pile.sweep_surface(s, &swept);
+                self.space.lead_surface(s, (surface.at(dt).offset, surface.arrives(dt)), &swept, dt);
             }
             for i in 0..self.state.bodies.len() {
                 if self.state.bodies[i].bounds().touches(&swept, MARGIN) {
@@ -171,94 +173,81 @@ impl World {
             let stop = self.scratch.stop_of(s);
             surface.go_on(dt.min(stop));
             if stop < dt {
-                self.pile.place_surface(s as usize, surface.bounds.centre());
+                self.space.place_surface(s as usize, surface.bounds.centre());
             }
         }
     }
 
     /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
-        let Self { state, scratch, pile, .. } = self;
-        for &i in pile.looked_at() {
-            let i = i as usize;
-            (state.bodies[i].position, state.bodies[i].velocity) = (pile.position(i), pile.velocity(i));
-        }
-        let mut changed = std::mem::take(&mut scratch.changed);
-        pile.take_woken(&mut changed);
-        if self.plan.media() {
-            changed.clear();
-            changed.extend_from_slice(pile.looked_at());
-        } else {
-            changed.retain(|i| !scratch.after[*i as usize].noted);
-            changed.extend_from_slice(&scratch.touched);
-        }
-        changed.iter().for_each(|i| self.accelerate(*i as usize));
-        changed.clear();
-        self.scratch.changed = changed;
-        let Self { state, scratch, .. } = self;
+        self.commit_bodies();
+        let Self { state, scratch, space, .. } = self;
         for member in &scratch.linked {
-            let (i, after) = (member.id as usize, &scratch.after[member.id as usize]);
-            if after.members == 0 || after.dense || after.flown {
+            let i = member.id as usize;
+            if space.motions.bodies[i].method != Method::Events {
                 let force = state.forces[i].push() + state.links_on(member.id);
                 state.bodies[i].acceleration = state.media.acceleration_under(&state.bodies[i], force);
             }
         }
-        self.scratch.fresh.clear();
-        self.scratch.fresh.extend(self.scratch.contacts.iter().map(|&(_, contact)| contact));
+        scratch.fresh.clear();
+        scratch.fresh.extend(scratch.contacts.iter().map(|&(_, contact)| contact));
         self.commit_dense(dt);
         self.take_contacts();
     }
 
-    /// The acceleration of a body as the tick ends; what contacts of the crowd step add is known when they are listed.
-    fn accelerate(&mut self, i: usize) {
-        let Self { state, plan, scratch, pile, .. } = self;
+    /// Poses, and accelerations as the tick ends; what contacts of the crowd step add is known when they are listed. Counts by which method how
+    /// many bodies were advanced.
+    fn commit_bodies(&mut self) {
+        let Self { state, plan, scratch, space, records, .. } = self;
         let State { bodies, known, media, forces, .. } = state;
-        let (after, body) = (&scratch.after[i], &mut bodies[i]);
-        let flew = after.members == 0;
-        if flew && pile.is_sleeping(i) {
-            return;
-        }
-        if plan.streams {
-            media.feel(body, &mut forces[i]);
-        }
-        known[i] = flew || after.known;
-        body.acceleration = match scratch.pulls[i].filter(|_| flew) {
-            Some(pull) => pull,
-            None if flew || after.dense => media.acceleration_under(body, forces[i].push()),
-            None => after.acceleration,
-        };
-    }
-
-    /// Counts by which method how many bodies were advanced.
-    fn count_methods(&mut self) {
-        let mut methods = Methods { asleep: self.pile.sleepers() as u32, ..Methods::default() };
-        for &i in &self.scratch.touched {
-            let after = &self.scratch.after[i as usize];
-            if after.members > 0 {
-                methods.asleep -= u32::from(self.pile.is_sleeping(i as usize));
-                *(if after.dense { &mut methods.in_one_step } else { &mut methods.by_events }) += 1;
+        let bare = !plan.media();
+        let methods = &mut records.methods;
+        methods.asleep = space.sleep.sleepers() as u32;
+        for i in space.sleep.looked_at().iter().map(|i| *i as usize) {
+            let (body, motion) = (&mut bodies[i], &mut space.motions.bodies[i]);
+            let before = (body.position, body.velocity);
+            space.motions.before[i] = before;
+            (body.position, body.velocity) = motion.end;
+            let sleeps = space.sleep.sleeps(i);
+            match motion.method {
+                Method::Flight if sleeps => continue,
+                Method::Flight => {}
+                Method::Linked | Method::Events => methods.by_events += 1,
+                Method::Crowd => methods.in_one_step += 1,
             }
+            methods.asleep -= u32::from(sleeps);
+            if plan.streams {
+                media.feel(body, &mut forces[i]);
+            }
+            known[i] = motion.known;
+            body.acceleration = match (motion.method, scratch.pulls[i]) {
+                (Method::Linked | Method::Events, _) => motion.acceleration,
+                (Method::Flight, Some(pull)) => pull,
+                // What rests is held by contacts that were not listed.
+                (Method::Crowd, _) if !motion.listed && motion.end == (before.0, DVec2::ZERO) => DVec2::ZERO,
+                _ if bare => motion.pull,
+                _ => media.acceleration_under(body, forces[i].push()),
+            };
         }
-        methods.free = self.state.bodies.len() as u32 - methods.asleep - methods.by_events - methods.in_one_step;
-        self.records.methods = methods;
+        methods.free = bodies.len() as u32 - methods.asleep - methods.by_events - methods.in_one_step;
     }
 
-    /// Lists the contacts of what was advanced by the dense method: what lasts as forces, what hit as impulses; and makes the accelerations
+    /// Lists the contacts of the crowd step: what lasts as forces, what hit as impulses; and makes the accelerations
     /// those that the forces listed come to.
     fn commit_dense(&mut self, dt: f64) {
-        let Self { state, scratch, pile, records, .. } = self;
+        let Self { state, scratch, space, records, .. } = self;
         let n = state.bodies.len();
-        list_crowd_hits(state, scratch, pile, &mut records.events);
-        if pile.listed().is_empty() {
-            return;
-        }
+        list_crowd_hits(state, scratch, space, &mut records.events);
+        let (listed, motions) = (&space.crowd.dense.report.list, &space.motions.bodies);
+        let listed = || listed.iter().filter(|contact| motions[contact.a].method == Method::Crowd);
         scratch.pressed.resize(n, 0.0);
-        scratch.touched.iter().for_each(|i| scratch.pressed[*i as usize] = 0.0);
-        for contact in pile.listed() {
-            let a = contact.a;
-            if scratch.after[a].members == 0 || !scratch.after[a].dense {
-                continue;
+        for contact in listed() {
+            for item in contact.ends() {
+                scratch.pressed[item] = 0.0;
             }
+        }
+        for contact in listed() {
+            let a = contact.a;
             let (b, other) = match contact.b {
                 Other::Body(b) => (b as u32, Obstacle::Body(BodyId(b as u32))),
                 Other::Surface(s) => ((n + s) as u32, Obstacle::Surface(s as u32)),
@@ -292,10 +281,9 @@ impl World {
             }
         }
         // What rests, rests exactly; unless part of what held it was an impact, which is no force.
-        for &i in scratch.touched.iter().filter(|i| scratch.after[**i as usize].dense) {
-            let i = i as usize;
+        for i in listed().flat_map(ContactImpulse::ends) {
             let body = &mut state.bodies[i];
-            let rests = body.velocity == DVec2::ZERO && body.position == pile.previous(i);
+            let rests = body.velocity == DVec2::ZERO && body.position == space.motions.before[i].0;
             if rests && (body.mass * body.acceleration).length() <= BALANCED * scratch.pressed[i] {
                 body.acceleration = DVec2::ZERO;
             }
@@ -324,10 +312,10 @@ impl World {
     }
 }
 
-/// Lists what hit what in crowds, and whom surfaces would have squeezed.
-fn list_crowd_hits(state: &State, scratch: &mut Scratch, pile: &Space, events: &mut Vec<Event>) {
-    for hit in pile.impacts() {
-        if scratch.after[hit.a].dense && hit.speed >= REPORT_SPEED {
+/// Lists the impacts of crowds, and the bodies that surfaces would have squeezed.
+fn list_crowd_hits(state: &State, scratch: &mut Scratch, space: &Space, events: &mut Vec<Event>) {
+    for hit in &space.impacts {
+        if space.motions.bodies[hit.a].method == Method::Crowd && hit.speed >= REPORT_SPEED {
             let axis = usize::from(hit.axis == Axis::Gravity);
             let (b, at) = match hit.b {
                 Other::Body(b) => (Obstacle::Body(BodyId(b as u32)), state.bodies[b].bounds()),
@@ -340,7 +328,7 @@ fn list_crowd_hits(state: &State, scratch: &mut Scratch, pile: &Space, events: &
             events.push(Event::Impact { a: BodyId(hit.a as u32), b, point, normal, speed: hit.speed });
         }
     }
-    for squeeze in pile.squeezed() {
+    for squeeze in &space.squeezed {
         let force = state.bodies[squeeze.body].crushing_force(squeeze.speed);
         scratch.crushed.push((u32::MAX, squeeze.body as u32, squeeze.surface as u32, force));
     }

@@ -7,6 +7,7 @@ use crate::physics::data::body::BodyId;
 use crate::physics::data::surface::Sides;
 use crate::physics::data::tuning::SLOP;
 use crate::physics::forces::manager::ForceManager;
+use crate::physics::store::motions::Method;
 use crate::physics::world::{World, edges};
 use glam::DVec2;
 
@@ -14,31 +15,29 @@ mod energy;
 
 /// m. How deep things may be in each other: contacts keep a gap of [`SLOP`], either way.
 const OVERLAP: f64 = 2.0 * SLOP;
-/// m. The same in or near a liquid, where ways are foreseen as cubics that follow them that closely, and of what the dense method took.
+/// m. The same for bodies in or near a liquid, whose cubics follow their flows that closely, and for bodies of a crowd step.
 const ROUGH: f64 = 1e-7;
-/// Relative to the sum of the magnitudes of all forces: what their sum may be off by.
+/// The error of a sum of forces, relative to the sum of their magnitudes.
 const FORCES: f64 = 1e-9;
 
 impl World {
     /// Checks all that has to hold between two ticks, before anything is changed from outside:
     ///
     /// - every number is finite, and nothing is outside the level's edges;
-    /// - nothing is in anything else, or deeper in it than a tick ago (what begins in each other may stay so), and nothing has passed
-    ///   through anything;
-    /// - bodies whose ways crossed were advanced together;
-    /// - no island has gained more energy than it was given;
+    /// - no box overlaps another one by more than it did a tick ago (boxes that begin in each other may stay so), and no box has passed through
+    ///   another one;
+    /// - bodies whose paths crossed shared an island;
+    /// - no island has gained more energy than its forces gave it;
     /// - the forces on each body sum to m·a;
-    /// - what is listed as a contact touches, and carries no more than it can.
+    /// - the ends of each contact touch, and its friction stays inside the cone.
     ///
-    /// Known limits are held to less: what the dense method took, and what is in or near a liquid, may be 1e-7 m deep in something; how deep the
-    /// former is in a surface that moves is not asked; nor are the faces of contacts with surfaces that move, and of those of the dense method, which
-    /// are means over the tick: their ends may have parted since, and may have rubbed in an impact.
+    /// Bodies of a crowd step and bodies in or near a liquid may overlap by 1e-7 m. The check skips the depth of crowds in moving surfaces. It
+    /// skips the faces of contacts with moving surfaces and of crowds as well: those are means over the tick, and their ends may have parted since.
     ///
-    /// [`World::step`] asks this itself where debug assertions are on. In crowds the forces of some bodies are looked at in each tick, of all in
-    /// turn.
+    /// [`World::step`] calls this where debug assertions are on. In crowds each tick checks the forces of some bodies, so that all get their turn.
     ///
     /// # Errors
-    /// A sentence that names what does not hold, and where.
+    /// A sentence that names the law, the bodies and the numbers.
     pub fn validate(&self) -> Result<(), String> {
         self.validate_with(&mut Checks::default())
     }
@@ -75,7 +74,7 @@ impl World {
         let Checks { bodies, order, .. } = checks;
         bodies.clear();
         bodies.extend((0..).zip(&self.state.bodies).map(|(id, body)| {
-            let (now, before) = (body.bounds(), Aabb::around(self.pile.previous(id as usize), body.half));
+            let (now, before) = (body.bounds(), Aabb::around(self.space.previous(id as usize).0, body.half));
             let (swept, dense) = (now.union(&before), self.was_dense(id));
             let depth = if dense || self.state.media.wets(&swept) { ROUGH } else { OVERLAP };
             Thing { id, surface: false, now, before, swept, velocity: body.velocity, straight: true, dense, depth }
@@ -109,7 +108,7 @@ impl World {
         Ok(())
     }
 
-    /// Nothing is in anything, nothing has passed through anything, and what came near each other was looked at together.
+    /// No two boxes overlap, none has passed through another one, and bodies whose paths crossed shared an island.
     fn validate_places(&self, checks: &Checks) -> Result<(), String> {
         let Checks { bodies, order, .. } = checks;
         for (k, &i) in order.iter().enumerate() {
@@ -122,7 +121,7 @@ impl World {
         }
         let widest = bodies.iter().map(|body| body.swept.size().x).fold(0.0, f64::max);
         for (id, surface) in (0..).zip(&self.state.surfaces) {
-            // What comes from a side that is not solid may be anywhere in a surface.
+            // A body that comes from a side that is not solid may be anywhere in a surface.
             if !surface.present || surface.def.sides != Sides::ALL {
                 continue;
             }
@@ -138,12 +137,11 @@ impl World {
 
     /// Bodies that were not looked at together have not come near each other.
     fn validate_islands(&self, a: &Thing, b: &Thing) -> Result<(), String> {
-        // What flew or rested by itself is an island of its own.
-        let island =
-            |of: &Thing| self.scratch.after.get(of.id as usize).filter(|after| after.members > 0).map(|after| after.leader);
+        // A body that flew or rested alone is an island of its own.
+        let island = |of: &Thing| self.space.motions.island_of(of.id);
         let moved = a.swept != a.now || b.swept != b.now;
         let apart = moved && (island(a).is_none() || island(a) != island(b));
-        if apart && self.pile.has_stepped() && a.swept.overlaps(&b.swept, OVERLAP + rounding(&a.swept)) {
+        if apart && self.space.last_dt > 0.0 && a.swept.overlaps(&b.swept, OVERLAP + rounding(&a.swept)) {
             let [of_a, of_b] = [a, b].map(|of| island(of).map_or("none".into(), |leader| leader.to_string()));
             return Err(format!(
                 "the ways of {} and {} crossed, but they were in the islands {of_a} and {of_b}",
@@ -159,7 +157,10 @@ impl World {
         // Where more than 100 000 contacts would be looked through, some bodies are asked in each tick, all in turn.
         let stride = (n * contacts).div_ceil(100_000).max(1);
         for i in (0..n).skip(self.state.ticks as usize % stride).step_by(stride) {
-            let body = &self.state.bodies[i];
+            let (body, motion) = (&self.state.bodies[i], &self.space.motions.bodies[i]);
+            if motion.method == Method::Crowd && !motion.listed {
+                continue;
+            }
             self.list_forces(BodyId(i as u32), forces);
             let scale: f64 = forces.forces().iter().map(|force| force.vector.length()).sum();
             let (resultant, needed) = (forces.resultant(), body.mass * body.acceleration);
@@ -170,9 +171,9 @@ impl World {
         Ok(())
     }
 
-    /// Whether the dense method took a body, or the rest of its tick.
+    /// Whether a crowd step took a body.
     fn was_dense(&self, body: u32) -> bool {
-        self.scratch.after.get(body as usize).is_some_and(|after| after.dense)
+        self.space.motions.bodies[body as usize].method == Method::Crowd
     }
 
     fn validate_contacts(&self) -> Result<(), String> {
@@ -182,11 +183,11 @@ impl World {
             let body = &self.state.bodies[contact.ends().0 as usize];
             let surface = (contact.ends().1 as usize).checked_sub(self.state.bodies.len());
             let on_mover = surface.is_some_and(|s| !self.state.surfaces[s].def.path.is_still());
-            // The contacts of the dense method stay listed while their bodies sleep.
+            // The contacts of the crowd step stay listed while their bodies sleep.
             let first = contact.ends().0;
-            let is_dense = self.was_dense(first) || self.pile.is_sleeping(first as usize) && !self.state.known[first as usize];
+            let is_dense = self.was_dense(first) || self.space.sleep.sleeps(first as usize) && !self.state.known[first as usize];
             if on_mover || is_dense {
-                // The dense method lists means over the tick. It lists the impact in a push as an impulse, but not the friction during one.
+                // The crowd step lists means over the tick. It lists the impact in a push as an impulse, but not the friction during one.
                 if !(contact.normal >= 0.0 && contact.friction.is_finite()) {
                     return Err(format!("a contact pulls: {contact:?}"));
                 }
@@ -212,7 +213,7 @@ fn validate_pair(a: &Thing, b: &Thing) -> Result<(), String> {
     let (now, rounding) = (depth(&a.now, &b.now), rounding(&a.swept));
     // Where a surface that moves was is not known: nothing was in it.
     let before = if b.surface && !b.straight { 0.0 } else { depth(&a.before, &b.before) };
-    // A limit of the dense method: it takes the way of a surface for straight, and one that it stops for more than this tick.
+    // A limit of the crowd step: it takes the way of a surface for straight, and one that it stops for more than this tick.
     if a.dense && b.surface && !b.straight {
         return Ok(());
     }

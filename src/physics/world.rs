@@ -1,4 +1,4 @@
-//! The world: what is in it, and what can be asked of it. How a tick goes is in `step`.
+//! The world: its content, and the questions that it answers. How a tick goes is in `step`.
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::{Body, BodyDef, BodyId};
@@ -16,7 +16,7 @@ use crate::physics::forces::manager::{Force, ForceManager};
 use crate::physics::forces::media::Media;
 use crate::physics::guards::Guards;
 use crate::physics::scratch::Scratch;
-use crate::physics::space::{Setting, Space};
+use crate::physics::space::Space;
 use crate::physics::state::{Event, Methods, Records, State};
 use glam::DVec2;
 use std::cell::Cell;
@@ -28,8 +28,8 @@ pub struct World {
     pub(crate) state: State,
     /// What the last tick leaves to be read.
     pub(crate) records: Records,
-    /// The bodies once more, as separate arrays, with what finds who may meet whom, and the dense method.
-    pub(crate) pile: Box<Space>,
+    /// How all move in a step, what finds which may meet, and the crowd step.
+    pub(crate) space: Box<Space>,
     /// Buffers, kept so that a tick allocates nothing once warm.
     pub(crate) scratch: Box<Scratch>,
     pub(crate) plan: Plan,
@@ -81,10 +81,10 @@ impl World {
             ticks: 0,
         };
         let records = Records::default();
-        let pile = Box::new(space_of(&state, &plan));
+        let space = Box::new(Space::new(&state, &plan));
         let on_paths = (0..).zip(&state.surfaces).filter(|(_, surface)| !surface.def.path.is_still()).map(|(s, _)| s).collect();
         let awaited = Vec::with_capacity(state.surfaces.len());
-        let mut world = Self { pile, scratch: Box::default(), state, records, plan, on_paths, awaited, asked: Cell::new(true) };
+        let mut world = Self { space, scratch: Box::default(), state, records, plan, on_paths, awaited, asked: Cell::new(true) };
         if world.plan.streams {
             world.state.forces.fill_with(ForceManager::with_room);
             world.feel_zones();
@@ -112,8 +112,8 @@ impl World {
         self.plan.air |= media.air_density > 0.0 && def.feels_air && def.drag > 0.0;
         media.airy = self.plan.air;
         self.plan.bounces |= def.restitution.max(def.material.restitution) > 0.0;
-        let before = std::mem::replace(&mut *self.pile, space_of(&self.state, &self.plan));
-        self.pile.keep_previous(&before);
+        let before = std::mem::replace(&mut *self.space, Space::new(&self.state, &self.plan));
+        self.space.keep_previous(&before);
         Ok(BodyId(n))
     }
 
@@ -129,7 +129,7 @@ impl World {
 
     /// Where a body's centre was one tick ago, m: the view interpolates from here.
     pub fn previous_position(&self, id: BodyId) -> DVec2 {
-        self.pile.previous(id.index())
+        self.space.previous(id.index()).0
     }
 
     /// The surfaces: those of the definition, then the four edges (left, right, top, bottom) where there are any.
@@ -150,7 +150,7 @@ impl World {
     /// The corners of the path of a body's centre during the last tick, from where it was to where it is.
     pub fn path(&self, id: BodyId) -> impl Iterator<Item = DVec2> + '_ {
         let corners = self.records.corners.iter().filter(move |(body, ..)| *body == id.0).map(|(.., at)| *at);
-        std::iter::once(self.pile.previous(id.index())).chain(corners).chain(std::iter::once(self.body(id).position))
+        std::iter::once(self.space.previous(id.index()).0).chain(corners).chain(std::iter::once(self.body(id).position))
     }
 
     /// The parts of the model that this world uses.
@@ -231,16 +231,6 @@ impl World {
             None => self.state.surfaces[item as usize - self.state.bodies.len()].bounds,
         }
     }
-}
-
-/// The space of a state as it is.
-pub(crate) fn space_of(state: &State, plan: &Plan) -> Space {
-    let Media { gravity, air_density, .. } = state.media;
-    let air_density = if plan.air { air_density } else { 0.0 };
-    let setting = Setting { gravity, air_density, rest_speed: state.rest_speed, bounces: plan.bounces, sleep: plan.direct };
-    let mut space = Space::new(&state.bodies, &state.surfaces, setting);
-    (0..).zip(&state.forces).for_each(|(i, forces)| space.set_force(i, forces.push()));
-    space
 }
 
 /// The four solid edges around a level: left, right, top, bottom.

@@ -6,11 +6,11 @@
 //! |v⁺|² = |v_p|² + e²|v_p − v|² ≤ |v|² (Moreau 1988), and the momentum stays. What hits something that does not give way leaves with e·s, where s
 //! is the closing speed at the contact by the energy of its own fall. A bounce that would end within the step is none.
 
+use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::dense::Dense;
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::restitution::Fall;
 use crate::physics::data::plan::{Part, called};
-use crate::physics::store::bodies::Bodies;
 use glam::DVec2;
 
 /// Energy gained that is no more than rounding, as a part of the kinetic energy. Smaller: rounding slows what it should not.
@@ -39,14 +39,11 @@ impl Dense {
             self.plastic[i as usize] = velocity(bodies, i as usize);
         }
         let Self { anchors, report, bounced, .. } = self;
-        let returns = |edge: &&mut Edge| edge.restitution > 0.0;
-        for edge in anchors.edges.iter_mut().filter(returns) {
-            part(edge, &mut bodies.uy, &bodies.mass);
-            *bounced = true;
-        }
-        for edge in report.sides.iter_mut().filter(returns) {
-            part(edge, &mut bodies.ux, &bodies.mass);
-            *bounced = true;
+        for (edges, velocity) in [(&mut anchors.edges, &mut bodies.uy), (&mut report.sides, &mut bodies.ux)] {
+            for edge in edges.iter_mut().filter(|edge| edge.restitution > 0.0) {
+                part(edge, velocity, &bodies.mass);
+                *bounced = true;
+            }
         }
         for &i in members {
             let i = i as usize;
@@ -127,12 +124,9 @@ impl Balance {
         let mass = bodies.mass[i];
         let before = DVec2::new(bodies.vx[i], bodies.vy[i]).length_squared();
         let work = bodies.ax[i] * (bodies.px[i] - bodies.x[i]) + bodies.ay[i] * (bodies.py[i] - bodies.y[i]);
-        let mut had = 0.5 * before + work;
-        if bodies.is_guided[i] {
-            // What liquids and streams give it is known of its flight alone.
-            had = had.max(0.5 * DVec2::new(bodies.free_vx[i], bodies.free_vy[i]).length_squared());
-        }
-        self.had += mass * had;
+        // What liquids and streams give it is known of its flight alone.
+        let given = bodies.guided[i].unwrap_or(0.0);
+        self.had += mass * (0.5 * before + work).max(given);
         self.plastic += 0.5 * mass * plastic.length_squared();
         self.mixed += mass * plastic.dot(bounce);
         self.bounces += 0.5 * mass * bounce.length_squared();

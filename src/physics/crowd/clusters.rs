@@ -34,14 +34,10 @@ impl Node {
     }
 
     /// Its motion: as friction leaves it, spread evenly over the step, or until it stops.
-    fn motion(&self) -> Motion {
+    pub fn motion(&self) -> Motion {
         let velocity = slide(self.momentum, self.mass, self.static_limit, self.kinetic_limit);
-        if velocity == 0.0 && self.static_limit > 0.0 && self.began == 0.0 {
-            return Motion { velocity, mean: -self.offset / self.mass };
-        }
-        if velocity == 0.0 && self.kinetic_limit > 0.0 {
-            let slowed = self.began - self.momentum + self.kinetic_limit.copysign(self.began);
-            let until = if slowed == 0.0 { 1.0 } else { (self.began / slowed).clamp(0.0, 1.0) };
+        if velocity == 0.0 && (self.kinetic_limit > 0.0 || (self.static_limit > 0.0 && self.began == 0.0)) {
+            let until = time_to_stop(self.began, self.momentum - self.began, self.kinetic_limit);
             return Motion { velocity, mean: (0.5 * until * self.began - self.offset) / self.mass };
         }
         Motion { velocity, mean: (self.way - 0.5 * (self.momentum - self.mass * velocity)) / self.mass }
@@ -87,7 +83,7 @@ struct Root {
     node: Node,
     motion: Motion,
     fixed: bool,
-    /// The smallest restitution of the impacts by which it came about; 1 where there was none yet, which `hit` tells.
+    /// The smallest restitution of the impacts by which it came about; 1 where there was none yet (`hit`).
     restitution: f64,
     hit: bool,
     size: u32,
@@ -99,9 +95,8 @@ const NONE: u32 = u32::MAX;
 /// Groups of bodies that move as one along one axis. Only bodies that were merged are in one.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Clusters {
-    stamp: u32,
-    /// When a body was in a cluster last: few are, and all are asked.
-    stamps: Vec<u32>,
+    /// Whether a body is in a cluster: few are, and all are asked.
+    is_joined: Vec<bool>,
     members: Vec<Member>,
     roots: Vec<Root>,
     /// All that are in a cluster, in the order of joining.
@@ -113,8 +108,7 @@ pub(crate) struct Clusters {
 impl Clusters {
     pub fn new(all: usize) -> Self {
         Self {
-            stamp: 0,
-            stamps: vec![0; all],
+            is_joined: vec![false; all],
             members: vec![Member::default(); all],
             roots: vec![Root::default(); all],
             joined: Vec::with_capacity(all),
@@ -124,13 +118,8 @@ impl Clusters {
 
     /// Forgets all clusters.
     pub fn clear(&mut self) {
-        self.joined.clear();
         self.edges.clear();
-        self.stamp = self.stamp.wrapping_add(1);
-        if self.stamp == 0 {
-            self.stamps.fill(0);
-            self.stamp = 1;
-        }
+        self.joined.drain(..).for_each(|i| self.is_joined[i as usize] = false);
     }
 
     /// The mean velocity of a body in a cluster; of one that is in none, its own.
@@ -168,7 +157,7 @@ impl Clusters {
         self.edges.iter().map(|edge| Edge { restitution: self.restitution(edge.a as usize), ..*edge })
     }
 
-    /// Notes the restitutions of pairs of the same cluster that hit each other: `hits` tells of a pair whether it does.
+    /// Notes the restitutions of pairs of the same cluster that hit each other: `hits` says whether a pair does.
     pub fn hit<'a>(&mut self, contacts: impl Iterator<Item = &'a Contact>, hits: impl Fn(&Contact) -> Option<f64>) {
         for contact in contacts {
             let (a, b) = (contact.first as usize, contact.second as usize);
@@ -183,7 +172,7 @@ impl Clusters {
     }
 
     pub fn is_joined(&self, i: usize) -> bool {
-        self.stamps[i] == self.stamp
+        self.is_joined[i]
     }
 
     /// The impulse that the ground takes up under a joined body's cluster while it stands, and its limit.
@@ -198,7 +187,7 @@ impl Clusters {
             return;
         }
         let motion = fixed.unwrap_or_else(|| node.motion());
-        self.stamps[i] = self.stamp;
+        self.is_joined[i] = true;
         self.members[i] = Member { root: i as u32, next: NONE, offset: 0.0, fixed: fixed.is_some() };
         self.roots[i] = Root { node, motion, fixed: fixed.is_some(), restitution: 1.0, hit: false, size: 1, last: i as u32 };
         self.joined.push(i as u32);
@@ -286,6 +275,12 @@ impl Clusters {
 /// `dragged` while it slides. Friction never reverses motion.
 pub(crate) fn slide(momentum: f64, mass: f64, held: f64, dragged: f64) -> f64 {
     if momentum.abs() <= held { 0.0 } else { (momentum.abs() - dragged.min(momentum.abs())).copysign(momentum) / mass }
+}
+
+/// How long, as a part of the step, friction up to `dragged` lets something slide that it stops: `gained` is what the slide would gain without it.
+pub(crate) fn time_to_stop(slide: f64, gained: f64, dragged: f64) -> f64 {
+    let slowed = dragged.copysign(slide) - gained;
+    if slowed == 0.0 { 1.0 } else { (slide / slowed).clamp(0.0, 1.0) }
 }
 
 #[cfg(test)]

@@ -6,8 +6,7 @@
 //! What is level with another's face at the start and does not move into it belongs to the axis of that face: what slides over flush
 //! tiles, or falls along a flush wall, meets no seams.
 
-use crate::physics::store::bodies::Bodies;
-use crate::physics::store::islands::Island;
+use crate::physics::crowd::bodies::{Bodies, Group};
 
 /// Gaps within this many metres of zero are touching. Larger: visible gaps; smaller: rounding turns contacts into overlaps.
 const TOUCH: f64 = 1e-9;
@@ -62,7 +61,7 @@ pub(crate) struct Contact {
 /// The contacts of one island in one step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Contacts {
-    /// Where the supports of a member begin and end among the stacks, by slot; only members' entries hold.
+    /// Where the supports of a member begin and end among the stacks, by body; only members' entries hold.
     ranges: Vec<[u32; 2]>,
     /// Bodies over bodies or surfaces, by the upper one.
     pub stacks: Vec<Contact>,
@@ -119,29 +118,23 @@ impl Contacts {
         self.stacks.iter_mut().chain(&mut self.sides).chain(&mut self.ceilings)
     }
 
-    /// Whether a member and a surface are a contact.
-    pub fn has(&self, i: usize, surface: usize) -> bool {
-        let (i, j) = (i as u32, surface as u32);
-        self.all().any(|c| (c.first, c.second) == (i, j) || (c.first, c.second) == (j, i))
-    }
-
-    fn clear(&mut self, bodies: &Bodies, island: Island<'_>) {
+    fn clear(&mut self, bodies: &Bodies, group: Group<'_>) {
         self.stacks.clear();
         self.sides.clear();
         self.ceilings.clear();
         self.passing = false;
         self.carried = false;
-        self.tolerances = Tolerances::of(bodies, island.members);
+        self.tolerances = Tolerances::of(bodies, group.members);
     }
 
     /// Finds all contacts of an island.
-    pub fn find(&mut self, bodies: &Bodies, island: Island<'_>, dt: f64) {
-        self.clear(bodies, island);
+    pub fn find(&mut self, bodies: &Bodies, group: Group<'_>, dt: f64) {
+        self.clear(bodies, group);
         let per_second = 1.0 / dt;
-        for &i in island.members {
+        for &i in group.members {
             let begin = self.stacks.len() as u32;
-            for &j in island.near(i) {
-                self.meet(bodies, i as usize, j as usize, [dt, per_second]);
+            for j in group.near(i) {
+                self.meet(bodies, i as usize, j, [dt, per_second]);
             }
             self.ranges[i as usize] = [begin, self.stacks.len() as u32];
         }
@@ -202,7 +195,7 @@ impl Contacts {
 
 /// Whether a surface lets pass what is beside its face along `axis` towards smaller or `larger` coordinates.
 fn is_open(bodies: &Bodies, surface: usize, axis: usize, larger: bool, gap: f64, touch: f64) -> bool {
-    let sides = &bodies.sides[surface];
+    let sides = bodies.sides(surface);
     *sides != crate::physics::data::surface::Sides::ALL && (!sides.face(axis, larger) || gap < -touch)
 }
 

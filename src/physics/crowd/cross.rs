@@ -6,17 +6,17 @@
 //! the few contacts left after [`ROUNDS`], and islands in which all that together drives instead of dissipating, are merged without
 //! friction.
 
+use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::drag::Resistance;
+use crate::physics::crowd::friction::grips::gains;
 use crate::physics::crowd::friction::{Friction, Grip};
 use crate::physics::crowd::gravity::Anchors;
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::report::Report;
-use crate::physics::crowd::restitution::Bounces;
 use crate::physics::data::axis::Axis;
 use crate::physics::guards::Guards;
-use crate::physics::store::bodies::Bodies;
 
 /// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
@@ -28,8 +28,6 @@ const ROUNDS_OF_MANY: usize = 1;
 const DRIVEN: f64 = 1e-9;
 /// Speeds below this are rounding, m/s.
 pub(crate) const STILL: f64 = 1e-12;
-/// Kinetic energy gained that is no more than rounding, as a part of all.
-const ROUNDING: f64 = 1e-12;
 
 /// What one body after the other is given in a step.
 #[derive(Clone, Debug)]
@@ -38,20 +36,14 @@ pub(crate) struct Pushes {
     given: Vec<f64>,
     /// Velocities before any push, m/s.
     before: Vec<f64>,
-    /// Who is pushed, and whose way a cluster has told.
+    /// The bodies that are pushed, and those whose way a cluster has set.
     pushed: Vec<bool>,
     told: Vec<bool>,
-    pub hits: Hits,
+    /// Plastic impacts.
+    pub hits: Vec<(u32, u32)>,
     pub resistance: Resistance,
     /// Pairs side by side, and the impulses that parted them in the end.
     pub parting: Vec<Edge>,
-}
-
-/// Plastic impacts, and how fast one must close, m/s.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Hits {
-    pub all: Vec<(u32, u32)>,
-    pub impact: f64,
 }
 
 impl Pushes {
@@ -61,7 +53,7 @@ impl Pushes {
             before: vec![0.0; count],
             pushed: vec![false; count],
             told: vec![false; count],
-            hits: Hits::default(),
+            hits: Vec::new(),
             resistance: Resistance::default(),
             parting: Vec::with_capacity(count),
         }
@@ -87,14 +79,16 @@ pub(crate) struct Cross<'a> {
 impl Cross<'_> {
     /// Solves the velocities across gravity; counts where that was cut short.
     pub fn solve(&mut self, bodies: &mut Bodies, guards: &mut Guards) {
-        self.pushes.hits.all.clear();
+        self.pushes.hits.clear();
         self.pushes.resistance.restore(bodies);
         if !self.begin(bodies) && !self.contacts.carried {
             self.friction.rest(self.members);
             return;
         }
         let settled = self.rub_and_push(bodies);
-        let gained = self.gains(bodies);
+        // Friction and pushes that answer each other round by round may drive; moving surfaces may, and what slides back.
+        let may_gain = self.contacts.carried || self.friction.turned;
+        let gained = !may_gain && gains(bodies, self.members, |i| bodies.free_vx[i]);
         if settled && !gained {
             guards.friction_unsettled += u64::from(!self.polish(bodies));
             return;
@@ -103,37 +97,9 @@ impl Cross<'_> {
         if gained {
             self.reset(bodies);
         }
-        let plain = |bodies: &Bodies, i: usize| Some(Node::free(bodies.mass[i], bodies.vx[i], bodies.ux[i], bodies.mean_vx[i]));
-        if merge(bodies, self.contacts, self.clusters, self.anchors.bounces, &mut self.pushes.hits, plain) {
-            let (clusters, n) = (&*self.clusters, bodies.len());
-            let lack = |i: usize| if i < n { bodies.mass[i] * (bodies.ux[i] - clusters.velocity(i)) } else { 0.0 };
-            self.report.drain_sides(clusters, lack, n);
-            for &i in &self.clusters.joined {
-                let i = i as usize;
-                if i < bodies.len() {
-                    bodies.ux[i] = self.clusters.velocity(i);
-                    bodies.mean_vx[i] = self.clusters.mean(i, 0.0);
-                }
-            }
+        if self.merge(bodies, false) {
+            self.hand_over(bodies, false);
         }
-    }
-
-    /// Whether there is more kinetic energy than before: friction and pushes that answer each other round by round may drive. Moving
-    /// surfaces may, and what slides back.
-    fn gains(&self, bodies: &Bodies) -> bool {
-        let (mut before, mut after) = (0.0, 0.0);
-        for &i in self.members {
-            let i = i as usize;
-            before += bodies.mass[i] * bodies.free_vx[i] * bodies.free_vx[i];
-            after += bodies.mass[i] * bodies.ux[i] * bodies.ux[i];
-        }
-        after > before * (1.0 + ROUNDING) && !self.contacts.carried && !self.friction.turned
-    }
-
-    /// Back to friction alone.
-    fn reset(&mut self, bodies: &mut Bodies) {
-        self.begin(bodies);
-        self.rub(bodies);
     }
 
     /// Free flight, and nobody pushed. Returns whether anything moves.
@@ -155,25 +121,21 @@ impl Cross<'_> {
     /// Friction, and merging with friction, in turns. Returns whether nothing closes too far any more.
     fn rub_and_push(&mut self, bodies: &mut Bodies) -> bool {
         self.rub(bodies);
-        self.resist(bodies);
-        for &i in self.members {
-            let i = i as usize;
-            self.pushes.before[i] = bodies.ux[i];
+        // Drag again, with the velocities that friction leaves, and friction with that drag.
+        let Pushes { given, resistance, .. } = &mut *self.pushes;
+        if bodies.airy && resistance.across(bodies, &self.friction.gripped, given, self.dt) {
+            self.slide(bodies);
         }
+        self.members.iter().for_each(|i| self.pushes.before[*i as usize] = bodies.ux[*i as usize]);
         for _ in 0..if self.many { ROUNDS_OF_MANY } else { ROUNDS } {
             if self.stir(bodies) {
                 self.rub(bodies);
             }
-            let (friction, contacts, dt) = (&*self.friction, self.contacts, self.dt);
-            let Pushes { told, hits, .. } = &mut *self.pushes;
-            if !merge(bodies, contacts, self.clusters, self.anchors.bounces, hits, |bodies, i| {
-                node(bodies, friction, i, (told[i], dt))
-            }) {
+            if !self.merge(bodies, true) {
                 return true;
             }
-            if self.hand_over(bodies) {
-                self.friction.solve(bodies, &self.pushes.given);
-                self.friction.spread_ways(bodies, &self.pushes.told, self.dt);
+            if self.hand_over(bodies, true) {
+                self.slide(bodies);
             }
             if !self.many && self.drives(bodies) {
                 self.reset(bodies);
@@ -183,114 +145,127 @@ impl Cross<'_> {
         false
     }
 
-    /// Tells drag anew with the velocities that friction leaves, and friction with that.
-    fn resist(&mut self, bodies: &mut Bodies) {
-        if !bodies.airy {
-            return;
-        }
-        let Pushes { given, resistance, .. } = &mut *self.pushes;
-        if resistance.across(bodies, self.friction.gripped(), given, self.dt) {
-            self.friction.solve(bodies, &self.pushes.given);
-            self.friction.spread_ways(bodies, &self.pushes.told, self.dt);
-        }
+    /// Back to friction alone.
+    fn reset(&mut self, bodies: &mut Bodies) {
+        self.begin(bodies);
+        self.rub(bodies);
     }
 
-    fn rub(&mut self, bodies: &mut Bodies) {
-        let Pushes { given, pushed, told, resistance, .. } = &mut *self.pushes;
-        self.friction.wake(bodies, self.members, self.contacts, given, pushed);
-        self.friction.touch(bodies, self.contacts, self.dt);
-        if bodies.airy {
-            resistance.along(bodies, self.friction.gripped(), self.dt);
-        }
-        self.friction.load(bodies, self.held_up, self.anchors);
-        self.friction.solve(bodies, given);
-        self.friction.spread_ways(bodies, told, self.dt);
-    }
-
-    /// Whether a merged body is faster than it was and than its cluster.
+    /// Whether a merged body is faster than it was and than its cluster: friction that did not come has driven it.
     fn drives(&self, bodies: &Bodies) -> bool {
-        self.clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < bodies.len()).any(|i| {
-            let before = self.pushes.before[i].abs();
-            bodies.ux[i].abs() > before.max(self.clusters.velocity(i).abs()) * (1.0 + DRIVEN) + STILL
+        let mut joined = self.clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < bodies.len());
+        joined.any(|i| {
+            let allowed = self.pushes.before[i].abs().max(self.clusters.velocity(i).abs());
+            bodies.ux[i].abs() > allowed * (1.0 + DRIVEN) + STILL
         })
     }
 
-    /// Gives merged bodies their clusters' velocities, as pushes to those at which something rubs. Returns whether there are any.
-    fn hand_over(&mut self, bodies: &mut Bodies) -> bool {
-        let mut rubs = false;
-        let (clusters, friction, pushes, dt, n) = (&*self.clusters, &*self.friction, &*self.pushes, self.dt, bodies.len());
-        let lack = |i: usize| {
-            let node = (i < n).then(|| node(bodies, friction, i, (pushes.told[i], dt))).flatten();
-            node.map_or(0.0, |node| -push(clusters, i, &node))
-        };
-        self.report.drain_sides(clusters, lack, n);
-        for &i in &self.clusters.joined {
-            let i = i as usize;
-            let Some(node) = (i < bodies.len()).then(|| node(bodies, self.friction, i, (self.pushes.told[i], self.dt))).flatten()
-            else {
-                continue;
-            };
-            self.pushes.given[i] += push(self.clusters, i, &node);
-            self.pushes.told[i] = true;
-            let velocity = self.clusters.velocity(i);
-            bodies.mean_vx[i] = self.clusters.mean(i, 0.0);
-            if !self.friction.is_gripped(i) {
+    /// The velocities and ways that friction leaves.
+    fn slide(&mut self, bodies: &mut Bodies) {
+        self.friction.solve(bodies, &self.pushes.given);
+        self.friction.spread_ways(bodies, &self.pushes.told, self.dt);
+    }
+
+    fn rub(&mut self, bodies: &mut Bodies) {
+        let Pushes { given, pushed, resistance, .. } = &mut *self.pushes;
+        self.friction.wake(bodies, self.members, self.contacts, given, pushed);
+        self.friction.touch(bodies, self.contacts, self.dt);
+        if bodies.airy {
+            resistance.along(bodies, &self.friction.gripped, self.dt);
+        }
+        self.friction.load(bodies, self.held_up, self.anchors);
+        self.slide(bodies);
+    }
+
+    /// Merges what closes too far: with its friction where it `rubs`, else all by themselves. Returns whether anything does.
+    fn merge(&mut self, bodies: &Bodies, rubs: bool) -> bool {
+        let Self { contacts, friction, clusters, pushes, anchors, dt, .. } = self;
+        let (n, Pushes { told, hits, .. }) = (bodies.len(), &mut **pushes);
+        let brings = |i: usize| if i < n { node(bodies, friction, i, (told[i], *dt, rubs)) } else { Some(Node::default()) };
+        let pool = Pool { before: &bodies.mean_vx, slack: contacts.tolerances.hair / *dt, places: false };
+        let live = || contacts.sides.iter().filter(|side| side.live);
+        let pooled = clusters.pool(pool, live, |clusters, side| {
+            let (a, b) = (side.first as usize, side.second as usize);
+            let (Some(of_a), Some(of_b)) = (brings(a), brings(b)) else { return false };
+            let fixed = |i: usize| (i >= n).then(|| Motion { velocity: bodies.ux[i], mean: bodies.mean_vx[i] });
+            if bodies.ux[a] - bodies.ux[b] > anchors.impact && !(clusters.is_joined(a) && clusters.is_joined(b)) {
+                hits.push(if a < n { (a as u32, b as u32) } else { (b as u32, a as u32) });
+            }
+            clusters.join(a, fixed(a), of_a);
+            clusters.join(b, fixed(b), of_b);
+            true
+        });
+        if bodies.lively && pooled.any {
+            // What carries others does not bounce: friction alone would have to take them along.
+            let alone = |i: usize| i >= n || brings(i).is_none_or(|node| node.mass == bodies.mass[i]);
+            clusters.hit(live(), |side| {
+                let part = if alone(side.first as usize) && alone(side.second as usize) { 1.0 } else { 0.0 };
+                anchors.bounces.of(bodies, side, Axis::Across).map(|restitution| part * restitution)
+            });
+        }
+        pooled.any
+    }
+
+    /// Gives merged bodies their clusters' velocities, as pushes where something `rubs` at them. Returns whether anything does.
+    fn hand_over(&mut self, bodies: &mut Bodies, rubs: bool) -> bool {
+        let Self { clusters, friction, pushes, report, dt, .. } = self;
+        let (n, mut any) = (bodies.len(), false);
+        for i in clusters.joined.iter().map(|i| *i as usize) {
+            report.along[i] = 0.0;
+            let node = if i < n { node(bodies, friction, i, (pushes.told[i], *dt, rubs)) } else { None };
+            let Some(node) = node else { continue };
+            let push = push(clusters, i, &node);
+            report.along[i] = -push;
+            pushes.given[i] += push;
+            pushes.told[i] = true;
+            let velocity = clusters.velocity(i);
+            bodies.mean_vx[i] = clusters.mean(i, 0.0);
+            if !rubs || !friction.is_gripped[i] {
                 bodies.ux[i] = velocity;
                 continue;
             }
-            rubs = true;
-            self.friction.tell(i);
-            if velocity != 0.0 {
-                self.friction.drag(i);
-            }
+            any = true;
+            friction.tell(i, velocity != 0.0);
         }
-        rubs
+        report.drain_sides(clusters, n);
+        any
     }
 
     /// Wakes what stands and is about to be hit from the side, and what touches it in a row. Returns whether there was any.
     fn stir(&mut self, bodies: &Bodies) -> bool {
         let (n, pushed, friction) = (bodies.len(), &mut self.pushes.pushed, &*self.friction);
         let slack = self.contacts.tolerances.hair / self.dt;
-        let sleeps = |pushed: &[bool], i: usize| i < n && !pushed[i] && !friction.is_awake(i);
         let mut any = false;
-        for side in &self.contacts.sides {
-            let (a, b) = (side.first as usize, side.second as usize);
-            if side.live && bodies.mean_vx[a] > bodies.mean_vx[b] + side.bound + slack {
-                for i in [a, b] {
-                    if sleeps(pushed, i) {
-                        pushed[i] = true;
-                        any = true;
-                    }
-                }
-            }
-        }
-        let mut grows = any;
-        while grows {
-            grows = false;
-            for side in &self.contacts.sides {
+        loop {
+            let mut grows = false;
+            for side in self.contacts.sides.iter().filter(|side| side.live) {
                 let (a, b) = (side.first as usize, side.second as usize);
-                if side.live && side.bound == 0.0 && a < n && b < n && pushed[a] != pushed[b] {
+                let closes = bodies.mean_vx[a] > bodies.mean_vx[b] + side.bound + slack;
+                if closes || (side.bound == 0.0 && a < n && b < n && pushed[a] != pushed[b]) {
                     for i in [a, b] {
-                        if sleeps(pushed, i) {
-                            pushed[i] = true;
-                            grows = true;
+                        let sleeps = i < n && !pushed[i] && !friction.is_awake[i];
+                        if sleeps {
+                            (pushed[i], grows) = (true, true);
                         }
                     }
                 }
             }
+            if !grows {
+                return any;
+            }
+            any = true;
         }
-        any
     }
 }
 
 /// What a body brings: itself and its riders, and the friction of supports that stand still.
-/// Nothing of a body that does not take part yet.
-fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt): (bool, f64)) -> Option<Node> {
-    if !friction.is_awake(i) {
+/// Nothing of a body that does not take part yet. Where nothing `rubs`, each brings itself.
+fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt, rubs): (bool, f64, bool)) -> Option<Node> {
+    if rubs && !friction.is_awake[i] {
         return None;
     }
     let (velocity, mean) = (bodies.ux[i], bodies.mean_vx[i]);
-    if !friction.is_gripped(i) {
+    if !rubs || !friction.is_gripped[i] {
         return Some(Node::free(bodies.mass[i], bodies.vx[i], velocity, mean));
     }
     let riders = friction.riders[i];
@@ -299,7 +274,7 @@ fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt): (bool, f64))
     if tight.is_empty() || tight.iter().any(moves) {
         return Some(Node::free(riders.mass, bodies.vx[i], velocity, mean));
     }
-    let mut node = Node { began: riders.mass * bodies.vx[i], ..riders };
+    let mut node = Node { momentum: riders.momentum, ..Node::free(riders.mass, bodies.vx[i], velocity, mean) };
     for t in tight {
         if t.grip != Grip::Stick {
             node.momentum -= t.impulse;
@@ -325,39 +300,4 @@ fn push(clusters: &Clusters, i: usize, node: &Node) -> f64 {
     let (impulse, limit) = clusters.held(i);
     let part = if limit > 0.0 { node.static_limit / limit } else { 0.0 };
     impulse * part - node.momentum
-}
-
-/// Merges what closes too far, of those that `node` knows. Returns whether anything did.
-pub(crate) fn merge(
-    bodies: &Bodies,
-    contacts: &Contacts,
-    clusters: &mut Clusters,
-    bounces: Bounces,
-    hits: &mut Hits,
-    node: impl Fn(&Bodies, usize) -> Option<Node>,
-) -> bool {
-    let n = bodies.len();
-    let pool = Pool { before: &bodies.mean_vx, slack: contacts.tolerances.hair / bounces.dt, places: false };
-    let live = || contacts.sides.iter().filter(|side| side.live);
-    let pooled = clusters.pool(pool, live, |clusters, side| {
-        let (a, b) = (side.first as usize, side.second as usize);
-        let brings = |i: usize| if i < n { node(bodies, i) } else { Some(Node::default()) };
-        let (Some(of_a), Some(of_b)) = (brings(a), brings(b)) else { return false };
-        let fixed = |i: usize| (i >= n).then(|| Motion { velocity: bodies.ux[i], mean: bodies.mean_vx[i] });
-        if bodies.ux[a] - bodies.ux[b] > hits.impact && !(clusters.is_joined(a) && clusters.is_joined(b)) {
-            hits.all.push(if a < n { (a as u32, b as u32) } else { (b as u32, a as u32) });
-        }
-        clusters.join(a, fixed(a), of_a);
-        clusters.join(b, fixed(b), of_b);
-        true
-    });
-    if bodies.lively && pooled.any {
-        // What carries others does not bounce: friction alone would have to take them along.
-        let alone = |i: u32| node(bodies, i as usize).is_none_or(|node| node.mass == bodies.mass[i as usize]);
-        clusters.hit(live(), |contact| {
-            let both = [contact.first, contact.second].into_iter().all(|i| i as usize >= n || alone(i));
-            bounces.of(bodies, contact, Axis::Across).map(|restitution| if both { restitution } else { 0.0 })
-        });
-    }
-    pooled.any
 }

@@ -1,4 +1,4 @@
-//! The dense method: one step of one island, however many contacts it has.
+//! The crowd step of one island, however many contacts it has.
 //!
 //! 1. `contacts`: which pairs touch in this step, and along which axis;
 //! 2. `gravity`: ways and velocities along gravity, one pass bottom-up;
@@ -7,9 +7,10 @@
 //! 5. `place`: positions that cannot overlap, by construction;
 //! 6. `bounce`: what impacts return.
 //!
-//! It reads positions, velocities and free predictions of the members and writes their positions and velocities at the end of the step,
-//! and of nothing else, so that islands do not know of each other.
+//! The island's bodies and surfaces are gathered into [`Bodies`], where the step leaves their positions and velocities.
 
+use crate::physics::crowd::Other;
+use crate::physics::crowd::bodies::{Bodies, Group, Source};
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::cross::{Cross, Pushes};
@@ -21,7 +22,6 @@ use crate::physics::crowd::restitution::Bounces;
 use crate::physics::crowd::walls::{Along, Walls};
 use crate::physics::data::axis::Axis;
 use crate::physics::guards::Guards;
-use crate::physics::store::bodies::Bodies;
 use crate::physics::store::islands::Island;
 use glam::DVec2;
 
@@ -31,7 +31,7 @@ const LOOKS: usize = 3;
 /// contact leaves the friction of more out; smaller: more friction of what is pushed comes a step late.
 const MANY: usize = 256;
 
-/// A plastic impact is told of when it stops more than this many steps of gravity, and m/s. Smaller: what rests is reported.
+/// A plastic impact is reported if it stops more than this many steps of gravity, and m/s. Smaller: what rests is reported.
 const IMPACT: f64 = 2.0;
 const SMALLEST: f64 = 1e-6;
 
@@ -53,8 +53,62 @@ pub(crate) struct StepSize {
 pub(crate) enum Outcome {
     /// Solved.
     Done,
-    /// Some swept boxes were widened: islands have to be found anew, and those of these bodies solved again from the same start.
+    /// Some swept boxes were widened: islands have to be found again, and those of these bodies solved again from the same start.
     Grown,
+}
+
+/// The crowd step, and the island that it works on.
+#[derive(Clone, Debug)]
+pub(crate) struct Crowd {
+    pub bodies: Bodies,
+    pub dense: Dense,
+    members: Vec<u32>,
+    local: Vec<u32>,
+}
+
+impl Crowd {
+    /// Room for `n` bodies; `all` with surfaces.
+    pub fn new(n: usize, all: usize) -> Self {
+        let (bodies, dense) = (Bodies::new(n, all), Dense::new(n, all));
+        Self { bodies, dense, members: (0..n as u32).collect(), local: vec![0; all] }
+    }
+
+    /// One step of an island.
+    pub fn step(&mut self, from: Source<'_>, island: Island<'_>, size: StepSize) -> Outcome {
+        let Self { bodies, dense, members, local } = self;
+        bodies.gather(from, island);
+        let (n, count) = (bodies.len(), from.motions.len());
+        (0..).zip(&bodies.ids).for_each(|(k, i)| local[*i as usize] = k);
+        (n as u32..).zip(&bodies.surfaces).for_each(|(k, s)| local[count + *s as usize] = k);
+        dense.begin(n, n + bodies.surfaces.len());
+        dense.step(bodies, Group { members: &members[..n], island, local }, size)
+    }
+
+    /// Lists what the contacts of the step gave, in the numbers of the world.
+    pub fn finish(&mut self, down: f64, solved: impl Fn(usize) -> u32) {
+        let Self { bodies, dense, members, .. } = self;
+        let known = dense.report.list.len();
+        if dense.report.on {
+            dense.record(bodies, &members[..bodies.len()], down);
+        }
+        for contact in &mut dense.report.list[known..] {
+            contact.a = bodies.ids[contact.a] as usize;
+            contact.b = match contact.b {
+                Other::Body(b) => Other::Body(bodies.ids[b] as usize),
+                Other::Surface(s) => Other::Surface(bodies.surfaces[s] as usize),
+            };
+            contact.solved = solved(contact.a);
+        }
+    }
+
+    /// A body or surface of the island by its number in the world.
+    pub fn other(&self, i: u32) -> Other {
+        let n = self.bodies.len() as u32;
+        match i.checked_sub(n) {
+            None => Other::Body(self.bodies.ids[i as usize] as usize),
+            Some(surface) => Other::Surface(self.bodies.surfaces[surface as usize] as usize),
+        }
+    }
 }
 
 /// The solver, and all that it works on.
@@ -68,12 +122,12 @@ pub(crate) struct Dense {
     pub anchors: Anchors,
     pub pushes: Pushes,
     put_back: Vec<[bool; 2]>,
-    /// Velocities before anything bounced, m/s, by slot.
+    /// Velocities before anything bounced, m/s, by body.
     pub plastic: Vec<DVec2>,
     pub guards: Guards,
-    /// Whose swept boxes were widened; the driver clears it.
+    /// Bodies whose swept boxes were widened.
     pub grown: Vec<u32>,
-    /// Body, moving surface and closing speed (m/s) where surfaces left no room; the driver clears it.
+    /// Body, moving surface and closing speed (m/s) where surfaces left no room.
     pub squeezed: Vec<(u32, u32, f64)>,
     pub report: Report,
     pub walls: Walls,
@@ -81,16 +135,13 @@ pub(crate) struct Dense {
     pub dt: f64,
     /// Whether anything bounced.
     pub bounced: bool,
-    /// By slot: the place among the members.
-    place: Vec<u32>,
 }
 
 impl Dense {
-    pub fn new(bodies: &Bodies) -> Self {
-        let (n, all) = (bodies.len(), bodies.x.len());
+    fn new(n: usize, all: usize) -> Self {
         Self {
             contacts: Contacts::new(n),
-            friction: Friction::new(bodies),
+            friction: Friction::new(all),
             clusters: Clusters::new(all),
             hits: Vec::with_capacity(n),
             anchors: Anchors::new(n, all),
@@ -104,29 +155,35 @@ impl Dense {
             walls: Walls::new(n),
             dt: 0.0,
             bounced: false,
-            place: vec![0; n],
         }
     }
 
+    /// Begins an island of `n` bodies; `all` with surfaces.
+    fn begin(&mut self, n: usize, all: usize) {
+        self.anchors.begin(n, all);
+        self.friction.begin(all);
+        self.walls.begin(n);
+        self.pushes.resistance.begin();
+        self.grown.clear();
+        self.squeezed.clear();
+    }
+
     /// One step of an island.
-    pub fn step(&mut self, bodies: &mut Bodies, island: Island<'_>, size: StepSize) -> Outcome {
+    fn step(&mut self, bodies: &mut Bodies, group: Group<'_>, size: StepSize) -> Outcome {
         self.dt = size.dt;
         self.anchors.bounces = Bounces { dt: size.dt, rest_speed: size.rest_speed };
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
-        self.pushes.hits.impact = self.anchors.impact;
         self.report.sides.clear();
-        self.walls.begin(island.members);
         self.contacts.begin_step();
-        self.contacts.find(bodies, island, size.dt);
-        self.anchors.any_hung = false;
+        self.contacts.find(bodies, group, size.dt);
         let mut inside = true;
         for look in 0..=LOOKS {
-            self.solve_along(bodies, island.members, size.dt);
-            self.solve_across(bodies, island.members, size.dt);
-            self.rub(bodies, island.members, size.dt);
-            inside = place::advance(bodies, island.members, &self.anchors.lands, size.dt);
+            self.solve_along(bodies, group.members, size.dt);
+            self.solve_across(bodies, group.members, size.dt);
+            self.rub(bodies, group.members, size.dt);
+            inside = place::advance(bodies, group.members, &self.anchors.lands, size.dt);
             if !inside && !size.last {
-                return self.grow(bodies, island);
+                return self.grow(bodies, group.members);
             }
             self.guards.put_back += u64::from(!inside);
             if look == LOOKS {
@@ -135,48 +192,33 @@ impl Dense {
             let missed = self.contacts.miss(bodies) as u64;
             if missed > 0 {
                 self.guards.put_back += missed;
-                predict(bodies, island);
-                self.contacts.find(bodies, island, size.dt);
-            } else if !self.catch_passing(bodies, island) {
+                predict(bodies, group.members);
+                self.contacts.find(bodies, group, size.dt);
+            } else if !self.catch_passing(bodies, group.members) {
                 break;
             }
         }
         self.list_hits(bodies);
         let Self { contacts, clusters, put_back, .. } = self;
-        let mended = place::part(bodies, island.members, contacts, clusters, size.dt);
-        if mended.doubt && !size.last && !island.members.iter().all(|i| bodies.is_swept(*i as usize)) {
-            return self.grow(bodies, island);
+        let mended = place::part(bodies, group.members, contacts, clusters, size.dt);
+        if mended.doubt && !size.last && !group.members.iter().all(|i| bodies.is_swept(*i as usize)) {
+            return self.grow(bodies, group.members);
         }
         if mended.doubt || !inside {
-            self.guards.put_back += place::take_back(bodies, island.members, contacts, put_back);
+            self.guards.put_back += place::take_back(bodies, group.members, contacts, put_back);
         }
-        self.bounce(bodies, island.members);
-        self.restrain(bodies, island.members, mended.any || !inside);
+        self.bounce(bodies, group.members);
+        self.restrain(bodies, group.members, mended.any || !inside);
         if self.contacts.carried {
-            self.find_squeezed(bodies, island);
+            self.find_squeezed(bodies);
         }
         Outcome::Done
-    }
-
-    /// The place of a slot among the members; surfaces come first.
-    pub fn place_of(&self, i: u32) -> u32 {
-        self.place.get(i as usize).copied().unwrap_or(0)
     }
 
     /// How often each guard acted since this was asked last.
     pub fn take_guards(&mut self) -> Guards {
         self.guards.friction_unsettled += std::mem::take(&mut self.friction.relaxed);
         std::mem::take(&mut self.guards)
-    }
-
-    /// Records what was solved, and leaves the free velocities as flight made them, for whoever solves the island again.
-    pub fn finish(&mut self, bodies: &mut Bodies, island: Island<'_>, down: f64) {
-        if self.report.on {
-            island.members.iter().enumerate().for_each(|(k, i)| self.place[*i as usize] = k as u32);
-            self.record(bodies, island, down);
-        }
-        self.pushes.resistance.restore(bodies);
-        self.walls.restore_free(bodies);
     }
 
     fn solve_along(&mut self, bodies: &mut Bodies, members: &[u32], dt: f64) {
@@ -214,48 +256,36 @@ impl Dense {
             let speed = closing_speed((a, b), [&bodies.y, &bodies.hy, &bodies.vy, &bodies.free_vy], anchors.rests[b as usize], *dt);
             hits.extend((speed > anchors.impact).then_some((a, b, Axis::Gravity, speed)));
         }
-        for &(a, b) in &pushes.hits.all {
+        for &(a, b) in &pushes.hits {
             let speed = closing_speed((a, b), [&bodies.x, &bodies.hx, &bodies.vx, &bodies.free_vx], false, *dt);
             hits.extend((speed > anchors.impact).then_some((a, b, Axis::Across, speed)));
         }
     }
 
-    /// Tells whom a moving surface has entered: it had no way out.
-    fn find_squeezed(&mut self, bodies: &Bodies, island: Island<'_>) {
-        let (n, hair) = (bodies.len(), self.contacts.tolerances.touch);
-        for &i in island.members {
-            let i = i as usize;
-            for &j in island.near(i as u32).iter().filter(|j| **j as usize >= n) {
-                let j = j as usize;
-                let moves = bodies.vx[j] != 0.0 || bodies.vy[j] != 0.0;
-                if moves && self.contacts.has(i, j) && place::overlap(bodies, (i, j), hair) {
-                    let speed = (bodies.vx[j] * bodies.vx[j] + bodies.vy[j] * bodies.vy[j]).sqrt();
-                    self.squeezed.push((i as u32, j as u32, speed));
-                    self.guards.surfaces_stopped += 1;
-                }
+    /// Finds the bodies that a moving surface has entered: they had no way out.
+    fn find_squeezed(&mut self, bodies: &Bodies) {
+        let (n, touch) = (bodies.len(), self.contacts.tolerances.touch);
+        for contact in self.contacts.all() {
+            let (body, surface) = (contact.first.min(contact.second), contact.first.max(contact.second));
+            let (i, j) = (body as usize, surface as usize);
+            if j >= n && bodies.moves(j) && place::overlap(bodies, (i, j), touch) {
+                let speed = (bodies.vx[j] * bodies.vx[j] + bodies.vy[j] * bodies.vy[j]).sqrt();
+                self.squeezed.push((body, surface, speed));
+                self.guards.surfaces_stopped += 1;
             }
         }
     }
 
     /// Widens what was swept by those who left it.
-    fn grow(&mut self, bodies: &mut Bodies, island: Island<'_>) -> Outcome {
+    fn grow(&mut self, bodies: &mut Bodies, members: &[u32]) -> Outcome {
         self.guards.islands_grown += 1;
-        let from = self.grown.len();
-        self.grown.extend(island.members.iter().filter(|i| !bodies.is_swept(**i as usize)));
-        self.grown[from..].iter().for_each(|i| bodies.widen(*i as usize));
-        // At once, and not when the next island is solved: in between its bodies may begin elsewhere.
-        self.undo(bodies);
+        self.grown.extend(members.iter().filter(|i| !bodies.is_swept(**i as usize)));
+        self.grown.iter().for_each(|i| bodies.widen(*i as usize));
         Outcome::Grown
     }
 
-    /// As if nothing had been solved.
-    pub fn undo(&mut self, bodies: &mut Bodies) {
-        self.pushes.resistance.restore(bodies);
-        self.walls.undo(bodies, &mut self.anchors);
-    }
-
     /// Whether a pair that was expected to pass did not: then it is a contact.
-    fn catch_passing(&mut self, bodies: &mut Bodies, island: Island<'_>) -> bool {
+    fn catch_passing(&mut self, bodies: &mut Bodies, members: &[u32]) -> bool {
         if !self.contacts.passing {
             return false;
         }
@@ -268,7 +298,7 @@ impl Dense {
             }
         }
         if caught > 0 {
-            predict(bodies, island);
+            predict(bodies, members);
         }
         self.guards.put_back += caught;
         caught > 0
@@ -276,8 +306,8 @@ impl Dense {
 }
 
 /// Back to where free flight leads.
-fn predict(bodies: &mut Bodies, island: Island<'_>) {
-    island.members.iter().for_each(|i| bodies.fall_freely(*i as usize));
+fn predict(bodies: &mut Bodies, members: &[u32]) {
+    members.iter().for_each(|i| bodies.fall_freely(*i as usize));
 }
 
 /// How fast a pair closes when it touches, m/s: positions, half extents, velocities before and free velocities after along the axis. What

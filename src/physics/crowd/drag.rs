@@ -1,21 +1,25 @@
 //! Drag on what does not fly.
 //!
-//! Flight tells how the air slows a body that touches nothing: one that stands would fall within the step, and show its top to the air; one
-//! that friction brakes would be faster. So where something rubs, drag is told anew: by a flight on which what the contacts leave pulls at it
-//! besides. That is stable however light it is.
+//! The drag of free flight is that of a body that touches nothing: a body that stands would fall within the step and show its top to the air; a
+//! body that friction brakes would be faster. So drag of what rubs is found again, by a flight under the forces of its contacts as well. That is
+//! stable however light the body is.
 
+use crate::physics::crowd::bodies::Bodies;
 use crate::physics::flight::air::fly_through;
-use crate::physics::forces::air::Drag;
-use crate::physics::store::bodies::Bodies;
 use glam::DVec2;
 
-/// Free flight as it was before drag was told anew.
+/// Free flight as it was before drag was found again.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Resistance {
     saved: Vec<(u32, [f64; 2])>,
 }
 
 impl Resistance {
+    /// Begins an island.
+    pub fn begin(&mut self) {
+        self.saved.clear();
+    }
+
     /// Sets the free velocities to what flight made of them.
     pub fn restore(&mut self, bodies: &mut Bodies) {
         for (i, free) in self.saved.drain(..).rev() {
@@ -35,7 +39,7 @@ impl Resistance {
         }
     }
 
-    /// Tells drag across anew, and with it the free way; puts the free momentum into `given`. Returns whether that changed anything.
+    /// Finds drag across again, and with it the free way; puts the free momentum into `given`. Returns whether that changed anything.
     pub fn across(&mut self, bodies: &mut Bodies, of: &[u32], given: &mut [f64], dt: f64) -> bool {
         let mut any = false;
         for &i in of {
@@ -60,17 +64,5 @@ impl Resistance {
             any = true;
         }
         any
-    }
-}
-
-impl Bodies {
-    /// Whether nothing but the air slows the flight of a body, and it does.
-    pub(crate) fn meets_air(&self, i: usize) -> bool {
-        self.airy && self.drag_wide[i] + self.drag_tall[i] + self.drag_round[i] > 0.0 && !self.is_guided[i]
-    }
-
-    /// The drag of the air on a body.
-    pub(crate) fn drag_of(&self, i: usize) -> Drag {
-        Drag { tall: self.drag_tall[i], wide: self.drag_wide[i], round: self.drag_round[i] }
     }
 }

@@ -2,40 +2,39 @@
 //!
 //! Bodies come bottom-up, so one linear pass answers all that stands on the ground, at any mass ratio: a body's bound is the smallest
 //! over its *anchored* supports of their way and the gap; one that would go further takes the bound, leaves the step with its support's
-//! velocity, and is anchored itself, for pressing harder on what the ground holds does not move it. What is left are collisions in
-//! the air and what is lifted from below: those are merged ([`crate::physics::crowd::clusters`]) until nothing closes too far. The ways of the step are
-//! told by mean velocities.
+//! velocity, and is anchored itself, for pressing harder on what the ground holds does not move it. Collisions in the air and bodies that are lifted
+//! from below are merged ([`crate::physics::crowd::clusters`]) until nothing closes too far. Mean velocities stand for the ways of the step.
 
+use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::restitution::{Bounces, Fall};
 use crate::physics::data::axis::Axis;
-use crate::physics::store::bodies::Bodies;
 
-/// Relative velocities along gravity below this are none when loads are told, m/s. Larger: slow touches rub.
+/// Relative velocities along gravity below this count as none when loads are found, m/s. Larger: slow touches rub.
 pub(crate) const SLACK: f64 = 1e-12;
 
 /// Lands on nothing.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// Who is carried by the ground, by slot; surfaces always.
+/// Who is carried by the ground by body; surfaces always.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Anchors {
     pub held: Vec<bool>,
     /// Held from the start, without an impact.
     pub rests: Vec<bool>,
-    /// On what each body lands in this step, by slot; and on what those rest that rest.
+    /// On what each body lands in this step, by body; and on what those rest that rest.
     pub lands: Vec<u32>,
     pub on: Vec<u32>,
     /// What a wall can hold by friction: whether it does, and how fast the wall moves.
     pub hung: Vec<Option<f64>>,
     pub any_hung: bool,
-    /// The restitution of what hits something that does not give way, by slot.
+    /// The restitution of what hits something that does not give way, by body.
     pub bounce: Vec<f64>,
     pub any_bounces: bool,
     pub bounces: Bounces,
-    /// Who was merged in the air, by slot, and through which pairs.
+    /// Who was merged in the air, by body, and through which pairs.
     pub loose: Vec<bool>,
     pub edges: Vec<Edge>,
     /// Plastic impacts, and how fast one must close, m/s.
@@ -44,24 +43,31 @@ pub(crate) struct Anchors {
 }
 
 impl Anchors {
-    pub fn new(count: usize, all: usize) -> Self {
-        let mut held = vec![false; count];
-        held.resize(all, true);
+    /// Room for `n` bodies; `all` with surfaces.
+    pub fn new(n: usize, all: usize) -> Self {
         Self {
-            rests: held.clone(),
-            held,
-            lands: vec![NONE; count],
-            on: vec![NONE; count],
-            hung: vec![None; count],
-            any_hung: false,
-            bounce: vec![0.0; count],
-            any_bounces: false,
-            bounces: Bounces::default(),
-            loose: vec![false; count],
-            edges: Vec::with_capacity(count),
-            hits: Vec::with_capacity(count),
-            impact: 0.0,
+            held: vec![false; all],
+            rests: vec![false; all],
+            lands: vec![NONE; n],
+            on: vec![NONE; n],
+            hung: vec![None; n],
+            bounce: vec![0.0; n],
+            edges: Vec::with_capacity(n),
+            hits: Vec::with_capacity(n),
+            ..Self::default()
         }
+    }
+
+    /// Begins an island. Surfaces carry.
+    pub fn begin(&mut self, n: usize, all: usize) {
+        for held in [&mut self.held, &mut self.rests] {
+            held[..n].fill(false);
+            held[n..all].fill(true);
+        }
+        self.loose.resize(n, false);
+        self.hung.clear();
+        self.hung.resize(n, None);
+        self.any_hung = false;
     }
 }
 

@@ -25,7 +25,18 @@ pub(crate) struct ContactImpulse {
     pub solved: u32,
 }
 
-/// One contact, by slots; impulses on `a`, N·s, `normal` along the axis.
+impl ContactImpulse {
+    /// The bodies that it acts on.
+    pub fn ends(&self) -> impl Iterator<Item = usize> + use<> {
+        let other = match self.b {
+            Other::Body(b) => Some(b),
+            Other::Surface(_) => None,
+        };
+        std::iter::once(self.a).chain(other)
+    }
+}
+
+/// One contact in the island's numbers; impulses on `a`, N·s, `normal` along the axis.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Record {
     pub a: u32,
@@ -35,7 +46,7 @@ pub(crate) struct Record {
     pub friction: f64,
 }
 
-/// A contact through which a cluster was merged, by slots, and the impulse that went through it.
+/// A contact through which a cluster was merged, in the island's numbers, and the impulse that went through it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Edge {
     pub a: u32,

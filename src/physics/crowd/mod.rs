@@ -12,24 +12,24 @@
 //!    immovable leaves with e times its closing speed; a bounce that would end within the step is none. An island returns only that part of its
 //!    bounces that adds no energy.
 //!
-//! `dense` runs the stages; `report` lists what each contact gave; `flight` is the free flight of all bodies before the islands are known.
-//! `store` holds the arrays, the broad phase, the islands and the loop over them.
+//! `bodies` holds the island that the step works on; `dense` runs the stages; `loads` hands weights down; `report` lists what each contact gave.
 //!
 //! Momentum is exact, boxes do not overlap, energy rises only by work from outside, and rest is exact: a body at rest has velocity 0, and a
 //! step changes no bit of it. A crowd gives up the instant of a bounce within the step, the order of impacts in a row, and a little energy of
 //! elastic gases with gravity. A pile rests when its last ball has bounced out; a ball that falls on a resting heap bounces for up to √(2H/g)·(1 + e)/(1 − e), 20 s
 //! from 27 m at e = 0.8, by any method that keeps restitution.
 
+pub(crate) mod bodies;
 pub(crate) mod bounce;
 pub(crate) mod clusters;
 pub(crate) mod contacts;
 pub(crate) mod cross;
 pub(crate) mod dense;
 pub(crate) mod drag;
-pub(crate) mod flight;
 pub(crate) mod friction;
 pub(crate) mod gravity;
 pub(crate) mod impulses;
+pub(crate) mod loads;
 pub(crate) mod place;
 pub(crate) mod polish;
 pub(crate) mod record;

@@ -6,10 +6,10 @@
 //! across what overlaps is merged ([`crate::physics::crowd::clusters`]), the centre of mass unmoved; and where that is not enough, bodies in conflict
 //! are put back to where they were along the contact's axis, for no motion is always allowed.
 
+use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::gravity::NONE;
-use crate::physics::store::bodies::Bodies;
 
 /// Moves what something touched by the ways that were solved. Returns whether all stay within what was swept; as that holds the ways of
 /// free flight, only those need asking that something touched.
@@ -17,8 +17,8 @@ pub(crate) fn advance(bodies: &mut Bodies, members: &[u32], lands: &[u32], dt: f
     let mut inside = true;
     for &i in members {
         let i = i as usize;
-        // Drag that was told anew has changed the way of what nothing touches across.
-        let mut moved = bodies.px[i] != bodies.free_x[i];
+        // Drag that was found again has changed the way of what nothing touches across.
+        let mut moved = bodies.px[i] != bodies.free_x[i] || bodies.py[i] != bodies.free_y[i];
         if bodies.uy[i] != bodies.free_vy[i] {
             // What lands does so to the bit.
             bodies.py[i] = match lands[i] {

@@ -1,10 +1,10 @@
 //! Parts what still closes across when the solution has ended.
 
+use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::contacts::Contact;
 use crate::physics::crowd::cross::{Cross, Pushes, STILL};
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::data::axis::Axis;
-use crate::physics::store::bodies::Bodies;
 
 /// Sweeps in which what still closes in the end is parted. Fewer: a light body that heavy ones drag against a third keeps a part of its speed.
 const SWEEPS: usize = 32;
@@ -12,9 +12,8 @@ const SWEEPS: usize = 32;
 const CLOSING: f64 = 1e-12;
 
 impl Cross<'_> {
-    /// What is side by side in the end and still closes is parted, in turns with the friction under it, contact by contact: the ways are
-    /// told, but a light body between heavy ones that drag it may have been left with any velocity. Returns
-    /// whether nothing closes any more.
+    /// Parts pairs side by side that still close, in turns with the friction under them, contact by contact: the ways are known, but a light
+    /// body between heavy ones that drag it may have any velocity. Returns whether nothing closes any more.
     pub(crate) fn polish(&mut self, bodies: &mut Bodies) -> bool {
         let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
         let side_bounces = |bodies: &Bodies, side: &Contact| self.anchors.bounces.of(bodies, side, Axis::Across).is_some();

@@ -5,10 +5,10 @@
 //! impulses along the tree of its merges, from the leaves inwards; friction in a stack takes what then is left. Nothing here enters
 //! the motion. `record` lists it island by island.
 
+use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::gravity::Anchors;
 use crate::physics::crowd::impulses::{ContactImpulse, Edge, Record};
-use crate::physics::store::bodies::Bodies;
 
 /// What is recorded, and what it takes.
 #[derive(Clone, Debug, Default)]
@@ -19,7 +19,7 @@ pub(crate) struct Report {
     pub records: Vec<Record>,
     /// Side contacts of this island, with what they gave.
     pub sides: Vec<Edge>,
-    /// By slot: impulses that a body lacks along and across, and in how many edges it is.
+    /// By body: impulses that a body lacks along and across, and in how many edges it is.
     pub along: Vec<f64>,
     pub across: Vec<f64>,
     degree: Vec<u32>,
@@ -30,21 +30,13 @@ impl Report {
         Self { along: vec![0.0; all], across: vec![0.0; all], degree: vec![0; all], ..Self::default() }
     }
 
-    /// Notes what side contacts gave in one merging, by what each joined body lacks.
-    pub fn drain_sides(&mut self, clusters: &Clusters, lack: impl Fn(usize) -> f64, n: usize) {
-        let mut sides = std::mem::take(&mut self.sides);
-        self.drain_into(&mut sides, clusters, lack, n);
-        self.sides = sides;
-    }
-
-    /// Appends edges, with what goes through them.
-    pub fn drain_into(&mut self, into: &mut Vec<Edge>, clusters: &Clusters, lack: impl Fn(usize) -> f64, n: usize) {
-        let mut lacks = std::mem::take(&mut self.along);
-        let from = into.len();
-        into.extend(clusters.bouncing());
-        clusters.joined.iter().for_each(|i| lacks[*i as usize] = lack(*i as usize));
-        self.drain(&mut into[from..], &mut lacks, |i| i >= n);
-        self.along = lacks;
+    /// Notes what side contacts gave in one merging; `along` holds what each joined body lacks.
+    pub fn drain_sides(&mut self, clusters: &Clusters, n: usize) {
+        let (mut sides, mut lacks) = (std::mem::take(&mut self.sides), std::mem::take(&mut self.along));
+        let from = sides.len();
+        sides.extend(clusters.bouncing());
+        self.drain(&mut sides[from..], &mut lacks, |i| i >= n);
+        (self.sides, self.along) = (sides, lacks);
     }
 
     /// Tells what went through the edges along gravity.

@@ -1,8 +1,8 @@
 //! Which impacts of a crowd step bounce, and how fast what they hit leaves.
 
+use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::contacts::Contact;
 use crate::physics::data::axis::Axis;
-use crate::physics::store::bodies::Bodies;
 
 /// Closing speeds up to this are none, m/s. Smaller: rounding bounces.
 const SLOWEST: f64 = 1e-9;

@@ -1,4 +1,4 @@
-//! Axis-aligned boxes and the questions asked of them.
+//! Axis-aligned boxes.
 
 use glam::DVec2;
 

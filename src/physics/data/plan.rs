@@ -16,7 +16,7 @@ pub struct Plan {
     pub bounces: bool,
     /// Direct answers: what rests or keeps its contacts is not solved again.
     pub direct: bool,
-    /// The dense method takes every island. No definition asks for it; tests compare the two methods.
+    /// The crowd step takes every island. No definition asks for it; tests compare the two methods.
     pub dense: bool,
 }
 

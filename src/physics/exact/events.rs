@@ -25,7 +25,7 @@ pub(crate) struct Scene<'a> {
     pub bounces: bool,
     /// Whether what did not change is taken over from the last tick, instead of being solved once more to the same bits.
     pub direct: bool,
-    /// Whether the dense method takes every island.
+    /// Whether the crowd step takes every island.
     pub dense: bool,
     /// All surfaces of the world.
     pub surfaces: &'a [Surface],
@@ -135,6 +135,8 @@ pub(super) struct Implicit {
     pub(super) theta: DVec2,
     /// θ·h·D + θ²·h²·K.
     pub(super) response: DVec2,
+    /// Its mean acceleration before the last correction, m/s².
+    pub(super) mean: DVec2,
 }
 
 /// What a contact passed on at one instant.

@@ -54,13 +54,8 @@ impl Events {
         self.grown |= i < self.movable && !self.items[i].searched.contains(&lane, 0.0);
     }
 
-    /// Finds the next event of an item while nothing of the island moves: nothing meets, and no contact changes.
-    pub(crate) fn predict_still(&mut self, scene: &Scene, i: usize) {
-        self.nexts[i] = self.own_next(scene, i);
-    }
-
     /// The next event that an item comes to by itself.
-    fn own_next(&self, scene: &Scene, i: usize) -> Next {
+    pub(crate) fn own_next(&self, scene: &Scene, i: usize) -> Next {
         let item = &self.items[i];
         let mut next = Next::NEVER;
         if item.until < scene.tick {

@@ -101,6 +101,15 @@ impl Media {
         law.regime(self, body, x).bath(x).answer(v)
     }
 
+    /// How fast bobbing, and drag that grows with the speed, bend the path of a body that an acceleration `a` sets off, 1/s.
+    pub fn bending(&self, body: &Body, law: &Law, x: DVec2, a: DVec2) -> f64 {
+        if !law.is_near_liquid() {
+            return law.air.rate(a).sqrt();
+        }
+        let bath = law.regime(self, body, x).bath(x);
+        bath.stiffness.sqrt() + bath.drag.rate(a).sqrt()
+    }
+
     /// How fast the body's own motion changes its acceleration within `t` seconds, 1/s: an explicit step has to resolve this rate.
     pub fn rate(&self, body: &Body, law: &Law, (x, v): Pose, t: f64) -> f64 {
         let of =

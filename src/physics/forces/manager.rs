@@ -34,11 +34,15 @@ impl ForceManager {
         if vector == DVec2::ZERO || !vector.is_finite() {
             return self.remove(source, kind);
         }
-        match self.forces.binary_search_by_key(&(source, kind), |force| (force.source, force.kind)) {
-            Ok(at) if self.forces[at].vector == vector => return false,
-            Ok(at) => self.forces[at].vector = vector,
-            Err(at) => self.forces.insert(at, Force { kind, source, vector, point: DVec2::ZERO }),
+        // A list of `World::forces` has another order and may hold several forces of one source and kind: a binary search would miss them.
+        let key = (source, kind);
+        let same = |force: &Force| (force.source, force.kind) == key;
+        if self.forces.iter().filter(|force| same(force)).map(|force| force.vector).eq([vector]) {
+            return false;
         }
+        self.forces.retain(|force| !same(force));
+        let at = self.forces.iter().position(|force| (force.source, force.kind) > key).unwrap_or(self.forces.len());
+        self.forces.insert(at, Force { kind, source, vector, point: DVec2::ZERO });
         true
     }
 
@@ -74,7 +78,8 @@ impl ForceManager {
         self.sum_of(|_| true)
     }
 
-    /// The resultant without friction and the drag of air and liquids, N: static friction has to hold against this.
+    /// The resultant without friction and the drag of air and liquids, N: what static friction has to hold on a body at rest. The step itself
+    /// solves the friction of all contacts of a network together, and with drag: a crate that rides a belt through the air needs that.
     pub fn resultant_without_resistance(&self) -> DVec2 {
         self.sum_of(|kind| !kind.is_resistance())
     }

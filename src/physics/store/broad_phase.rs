@@ -1,11 +1,13 @@
-//! The broad phase: whom each body may meet.
+//! The broad phase: the bodies and surfaces that each body may meet.
 //!
 //! Each body owns a *fat box*: what it sweeps in this step, wider by a skin and by its way of the next steps (Box2D's fat AABBs). While it
 //! stays inside, the list of bodies and surfaces whose boxes overlap the fat one holds; a body that leaves gets a new box and list. Bodies are
 //! found in a grid whose cells are hashed, each body in all cells that its fat box covers; those that cover many are tested one by one.
 
-use crate::physics::store::bodies::{Bodies, MARGIN};
+use crate::physics::data::body::Body;
 use crate::physics::store::grid::{Edges, Grid, contains, overlap};
+use crate::physics::store::motions::{MARGIN, Motions, NOWHERE, SurfaceMotion};
+use glam::DVec2;
 
 /// Skin of a fat box as a part of the mean half extent. Larger: more pairs to test; smaller: more new boxes.
 const SKIN: f64 = 0.2;
@@ -15,7 +17,7 @@ const HORIZON: f64 = 4.0;
 const CELL: f64 = 2.0;
 /// A box that covers more cells is tested one by one.
 const MOST_CELLS: i64 = 64;
-/// Up to so many bodies all are tested one by one.
+/// Up to this many bodies all are tested one by one.
 const FEW_BODIES: usize = 32;
 /// Pairs for which a body has room from the start.
 const ROOM: usize = 16;
@@ -54,17 +56,16 @@ pub(crate) struct BroadPhase {
 }
 
 impl BroadPhase {
-    pub fn new(bodies: &Bodies) -> Self {
+    pub fn new(bodies: &[Body], motions: &Motions) -> Self {
         let n = bodies.len();
-        let mean = bodies.hx[..n].iter().zip(&bodies.hy[..n]).map(|(x, y)| x.min(*y)).sum::<f64>() / n.max(1) as f64;
-        let surfaces: Vec<Edges> = (n..bodies.x.len())
-            .map(|j| {
-                let (x, y, hx, hy) = (bodies.x[j], bodies.y[j], bodies.hx[j] + MARGIN, bodies.hy[j] + MARGIN);
-                [x - hx, x + hx, y - hy, y + hy]
-            })
-            .collect();
+        let mean = bodies.iter().map(|body| body.half.min_element()).sum::<f64>() / n.max(1) as f64;
+        let around = |of: &SurfaceMotion| {
+            let (min, max) = (of.from - (of.half + MARGIN), of.from + (of.half + MARGIN));
+            [min.x, max.x, min.y, max.y]
+        };
+        let surfaces: Vec<Edges> = motions.surfaces.iter().map(around).collect();
         Self {
-            fat: vec![[f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY]; n],
+            fat: vec![NOWHERE; n],
             near: vec![Vec::with_capacity(ROOM); n],
             per_metre: 1.0 / (CELL * 2.0 * mean).max(1e-6),
             skin: SKIN * mean,
@@ -83,30 +84,31 @@ impl BroadPhase {
     }
 
     /// Makes sure that the lists of these bodies hold for what they sweep.
-    pub fn update(&mut self, bodies: &Bodies, of: &[u32], dt: f64) {
-        for &i in of {
-            if !contains(&self.fat[i as usize], &bodies.swept[i as usize]) {
-                self.renew(bodies, i as usize, dt);
+    pub fn update(&mut self, bodies: &[Body], motions: &Motions, of: &[u32], dt: f64) {
+        for i in of.iter().map(|i| *i as usize) {
+            if !contains(&self.fat[i], &motions.swept[i]) {
+                // Where free flight leads it in the next steps.
+                let (velocity, ahead) = (bodies[i].velocity, HORIZON * dt);
+                let gained = DVec2::new(0.0, 0.5 * ahead * (motions.bodies[i].free.1.y - velocity.y) / dt);
+                self.renew(i, &motions.swept[i], ahead * (velocity + gained));
             }
         }
     }
 
-    /// Gives a body a new fat box, and finds who overlaps it.
-    fn renew(&mut self, bodies: &Bodies, i: usize, dt: f64) {
+    /// Gives a body a new fat box, wider by its way ahead (m), and finds the bodies that overlap it.
+    fn renew(&mut self, i: usize, swept: &Edges, DVec2 { x, y }: DVec2) {
         self.revision += 1;
         self.leave(i);
-        let ahead = HORIZON * dt;
-        let (x, y) = (ahead * bodies.vx[i], ahead * (bodies.vy[i] + 0.5 * ahead * (bodies.free_vy[i] - bodies.vy[i]) / dt));
-        let [left, right, top, bottom] = bodies.swept[i];
-        let skin = self.skin;
+        let ([left, right, top, bottom], skin) = (*swept, self.skin);
         let mine = [left - skin + x.min(0.0), right + skin + x.max(0.0), top - skin + y.min(0.0), bottom + skin + y.max(0.0)];
         self.fat[i] = mine;
         let mut near = std::mem::take(&mut self.near[i]);
         self.find(&mine, i, &mut near);
+        let n = self.fat.len();
         for &j in &near {
             self.near[j as usize].push(i as u32);
         }
-        self.grid.find(&self.surfaces, &mine, |surface| near.push((bodies.len() + surface) as u32));
+        self.grid.find(&self.surfaces, &mine, |surface| near.push((n + surface) as u32));
         self.near[i] = near;
         self.enter(i);
     }
@@ -205,7 +207,7 @@ impl Cells {
         (right >= left && count <= MOST_CELLS).then_some(Self { columns: (left, right), rows: (top, bottom) })
     }
 
-    /// Their places among so many lists, a power of two. Two cells may share one.
+    /// Their places among the lists, whose number is a power of two. Two cells may share one.
     fn all(&self, lists: usize) -> impl Iterator<Item = usize> + use<> {
         let (Self { columns, rows }, mask) = (*self, lists - 1);
         (rows.0..=rows.1).flat_map(move |row| {
@@ -218,35 +220,42 @@ impl Cells {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::data::aabb::Aabb;
+    use crate::physics::data::material::Material;
+    use crate::physics::data::surface::{Surface, SurfaceDef};
+    use crate::physics::forces::media::Media;
     use crate::random::Random;
 
     /// The lists are those that testing all against all gives, giants and fast ones included, however often boxes change.
     #[test]
     fn finds_what_brute_force_finds() {
         let (n, surfaces) = (300, 40);
-        let mut bodies = Bodies::new(n, surfaces);
         let mut generator = Random(1);
         let mut random = || generator.unit();
-        for i in 0..n + surfaces {
-            (bodies.x[i], bodies.y[i]) = (20.0 * random(), 20.0 * random());
-            let size = if i % 50 == 0 { 6.0 } else { 0.4 };
-            (bodies.hx[i], bodies.hy[i]) = (size * (0.2 + random()), size * (0.2 + random()));
-        }
-        let mut broad_phase = BroadPhase::new(&bodies);
+        let mut place = |k: usize| {
+            let size = if k.is_multiple_of(50) { 6.0 } else { 0.4 };
+            (DVec2::new(20.0 * random(), 20.0 * random()), DVec2::new(size * (0.2 + random()), size * (0.2 + random())))
+        };
+        let body = |(position, half)| Body { position, half, ..Body::default() };
+        let mut bodies: Vec<Body> = (0..n).map(|i| body(place(i))).collect();
+        let fixed = |(centre, half)| SurfaceDef::fixed(Aabb::around(centre, half), Material::WOOD);
+        let fixed: Vec<Surface> = (n..n + surfaces).map(|k| Surface::new(fixed(place(k)))).collect();
+        let media = Media::new(0.0, 0.0, (&[], &[]), Vec::new());
+        let mut motions = Motions::new(&bodies, &fixed, &media);
+        let mut broad_phase = BroadPhase::new(&bodies, &motions);
         let all: Vec<u32> = (0..n as u32).collect();
         for _ in 0..20 {
-            for i in 0..n {
-                bodies.vx[i] = if i % 40 == 7 { 3000.0 } else { 4.0 * random() - 2.0 };
-                bodies.x[i] += 0.1 * bodies.vx[i].min(2.0);
-                (bodies.px[i], bodies.py[i]) = (bodies.x[i], bodies.y[i]);
+            for (i, body) in bodies.iter_mut().enumerate() {
+                body.velocity.x = if i % 40 == 7 { 3000.0 } else { 4.0 * generator.unit() - 2.0 };
+                body.position.x += 0.1 * body.velocity.x.min(2.0);
             }
-            bodies.sweep(&all);
-            broad_phase.update(&bodies, &all, 0.01);
+            motions.fly(&bodies, &all, 0.01);
+            broad_phase.update(&bodies, &motions, &all, 0.01);
             for i in 0..n {
                 let mut found = broad_phase.near(i).to_vec();
                 found.sort_unstable();
                 let mine = broad_phase.fat[i];
-                assert!(contains(&mine, &bodies.swept[i]));
+                assert!(contains(&mine, &motions.swept[i]));
                 let others = (0..n).filter(|&j| j != i && overlap(&mine, &broad_phase.fat[j])).map(|j| j as u32);
                 let fixed = (0..surfaces).filter(|&j| overlap(&mine, &broad_phase.surfaces[j])).map(|j| (n + j) as u32);
                 assert_eq!(found, others.chain(fixed).collect::<Vec<_>>());

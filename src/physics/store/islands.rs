@@ -1,13 +1,14 @@
 //! Islands: groups of bodies that could meet within this step, each solved by itself.
 //!
 //! Bodies whose swept boxes overlap are joined (union–find); surfaces that stand join nothing. What an island's solution depends on is found here
-//! in an order that only its own bodies decide: bodies bottom-up, equal heights by their numbers outside, and each body's pairs by the
+//! in an order that only its own bodies decide: bodies bottom-up, equal heights by their numbers, and each body's pairs by the
 //! order of the other. So nothing that is added elsewhere changes one bit of it.
 
-use crate::physics::store::bodies::Bodies;
+use crate::physics::data::body::Body;
 use crate::physics::store::broad_phase::BroadPhase;
+use crate::physics::store::motions::Motions;
 
-/// After so many moves a body, insertion gives up and all is sorted anew. Either way the order is the same.
+/// After so many moves a body, insertion gives up and all is sorted. Either way the order is the same.
 const MOST_MOVES: usize = 8;
 
 /// None yet.
@@ -16,11 +17,11 @@ const NONE: u32 = u32::MAX;
 /// One island, as the solver takes it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Island<'a> {
-    /// Slots of its bodies, bottom-up.
+    /// Its bodies, bottom-up.
     pub members: &'a [u32],
-    /// What a member may touch, each a member before it or a surface: `others[from..to]`, by slot.
-    ranges: &'a [(u32, u32)],
-    others: &'a [u32],
+    /// What each body may touch, a member before it or a surface: `others[from..to]`.
+    pub ranges: &'a [(u32, u32)],
+    pub others: &'a [u32],
 }
 
 impl<'a> Island<'a> {
@@ -42,6 +43,7 @@ impl<'a> Island<'a> {
 pub(crate) struct Islands {
     /// The bodies that a step looks at, bottom-up, and the place of each among them; surfaces that stand have place 0, all others none.
     order: Vec<u32>,
+    heights: Vec<(f64, u32)>,
     place: Vec<u32>,
     parent: Vec<u32>,
     /// Bodies island by island, and where each island begins, and one more.
@@ -88,7 +90,7 @@ impl Islands {
         }
     }
 
-    /// Something else than the bodies has changed: the islands have to be found anew.
+    /// Something else than the bodies has changed: the islands have to be found again.
     pub fn forget(&mut self) {
         self.revision = 0;
     }
@@ -125,9 +127,9 @@ impl Islands {
         Island { members: &self.members[from..to], ranges: &self.ranges, others: &self.others }
     }
 
-    /// Brings the bodies into their order.
-    pub fn sort(&mut self, bodies: &Bodies) {
-        self.same_order = self.put_in_order(bodies) == 0 && self.revision != 0;
+    /// Brings the bodies into their order; `down` is the sign of gravity.
+    pub fn sort(&mut self, bodies: &[Body], down: f64) {
+        self.same_order = self.put_in_order(bodies, down) == 0 && self.revision != 0;
         if !self.same_order {
             for (k, i) in self.order.iter().enumerate() {
                 self.place[*i as usize] = k as u32;
@@ -136,56 +138,61 @@ impl Islands {
     }
 
     /// Finds the islands of all bodies, from the boxes that they sweep; `moving` surfaces carry some.
-    pub fn find(&mut self, bodies: &Bodies, broad_phase: &BroadPhase, moving: &[u32]) {
-        if self.same_order && self.revision == broad_phase.revision && moving.is_empty() && self.sweep_the_same(bodies) {
+    pub fn find(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32]) {
+        if self.same_order && self.revision == broad_phase.revision && moving.is_empty() && self.sweep_the_same(motions) {
             return;
         }
         self.revision = broad_phase.revision;
         self.swept.clear();
-        self.swept.extend(self.order.iter().map(|i| bodies.swept[*i as usize]));
-        self.join(bodies, broad_phase, moving);
+        self.swept.extend(self.order.iter().map(|i| motions.swept[*i as usize]));
+        self.join(motions, broad_phase, moving);
         self.gather();
     }
 
     /// Whether all that are looked at sweep what they did when islands were found last.
-    fn sweep_the_same(&self, bodies: &Bodies) -> bool {
+    fn sweep_the_same(&self, motions: &Motions) -> bool {
         self.swept.len() == self.order.len()
-            && self.order.iter().zip(&self.swept).all(|(i, swept)| bodies.swept[*i as usize] == *swept)
+            && self.order.iter().zip(&self.swept).all(|(i, swept)| motions.swept[*i as usize] == *swept)
     }
 
     /// Bottom-up, equal heights by the numbers of the bodies. Returns how many moves it took.
-    fn put_in_order(&mut self, bodies: &Bodies) -> usize {
-        let (y, order) = (&bodies.y, &mut self.order);
-        let above = |a: &u32, b: &u32| y[*b as usize].total_cmp(&y[*a as usize]).then(a.cmp(b));
+    fn put_in_order(&mut self, bodies: &[Body], down: f64) -> usize {
+        let Self { order, heights, .. } = self;
+        heights.clear();
+        heights.extend(order.iter().map(|i| (bodies[*i as usize].position.y * down, *i)));
+        let above = |a: &(f64, u32), b: &(f64, u32)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
         let most = MOST_MOVES * order.len();
         let mut moves = 0;
-        for i in 1..order.len() {
-            let moved = order[i];
+        for i in 1..heights.len() {
+            let moved = heights[i];
             let mut at = i;
-            while at > 0 && above(&moved, &order[at - 1]).is_lt() {
-                order[at] = order[at - 1];
+            while at > 0 && above(&moved, &heights[at - 1]).is_lt() {
+                heights[at] = heights[at - 1];
                 at -= 1;
             }
-            order[at] = moved;
+            heights[at] = moved;
             moves += i - at;
             if moves > most {
-                order.sort_unstable_by(above);
+                heights.sort_unstable_by(above);
                 break;
             }
+        }
+        if moves > 0 {
+            order.iter_mut().zip(heights).for_each(|(i, (_, sorted))| *i = *sorted);
         }
         moves
     }
 
-    /// Joins what may meet, and lists whom of those below it and which surfaces each body may meet.
-    fn join(&mut self, bodies: &Bodies, broad_phase: &BroadPhase, moving: &[u32]) {
+    /// Joins bodies that may meet, and lists for each body the bodies below it and the surfaces that it may meet.
+    fn join(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32]) {
         let Self { order, place, parent, ranges, others, links, carried, .. } = self;
-        let n = bodies.len();
+        let n = motions.len();
         others.clear();
         carried.clear();
         carried.resize(moving.len(), NONE);
         order.iter().for_each(|i| parent[*i as usize] = *i);
         for (k, &i) in order.iter().enumerate() {
-            let (from, mine) = (others.len(), bodies.swept[i as usize]);
+            let (from, mine) = (others.len(), motions.swept[i as usize]);
             let mut root = i as usize;
             // Of those that are looked at, the lower one of a pair is listed under the upper one. Without a branch: most are apart.
             let near = broad_phase.near(i as usize);
@@ -193,19 +200,19 @@ impl Islands {
             let mut end = from;
             for &j in near {
                 others[end] = j;
-                end += usize::from((place[j as usize] <= k as u32) & !apart(&mine, &bodies.swept[j as usize]));
+                end += usize::from((place[j as usize] <= k as u32) & !apart(&mine, &motions.swept[j as usize]));
             }
             others.truncate(end);
             for (first, &surface) in carried.iter_mut().zip(moving) {
                 let j = n + surface as usize;
-                if apart(&mine, &bodies.swept[j]) {
+                if apart(&mine, &motions.swept[j]) {
                     continue;
                 }
                 others.push(j as u32);
                 // What one moving surface may carry is one island: all of it decides whether the surface stops.
                 if *first == NONE {
                     *first = i;
-                } else if bodies.moves(j) {
+                } else if motions.surfaces[surface as usize].moves() {
                     join_with(parent, &mut root, *first as usize);
                 }
             }

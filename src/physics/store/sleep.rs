@@ -1,11 +1,13 @@
-//! Who sleeps: islands that a step left as they were, until something outside changes or something else comes near.
+//! Sleep: islands that a step left as they were, until something outside changes or something else comes near.
 //!
 //! What has slept through a whole step is set aside: flight, the search for neighbours and islands leave it out until something wakes it, or
-//! until the boxes that others sweep reach its own (`rouse`). All that a step would find out about it anew, it would find as it was: its box
-//! in `Bodies::swept` and its free flight stay those of the step before. So it costs nothing, and changes no bit.
+//! until the boxes that others sweep reach its own (`rouse`). A step would find about it what it found before: its box
+//! in `Motions::swept` and its free flight stay those of the step before. So it costs nothing, and changes no bit.
 
-use crate::physics::store::bodies::Bodies;
+use crate::physics::data::body::Body;
 use crate::physics::store::islands::Island;
+use crate::physics::store::motions::Motions;
+use glam::DVec2;
 
 /// Nobody is set aside while more than this part of the bodies has to be looked at: who is near them is looked up one by one then.
 const MOST_LOOKED_AT: f64 = 0.25;
@@ -15,8 +17,6 @@ const MOST_LOOKED_AT: f64 = 0.25;
 pub(crate) struct Sleep {
     asleep: Vec<bool>,
     sleepers: usize,
-    /// Bodies that slept and were woken since this was emptied.
-    pub woken: Vec<u32>,
     /// Whom a step looks at; the others are `aside`.
     looked_at: Vec<u32>,
     aside: Vec<bool>,
@@ -33,13 +33,11 @@ impl Sleep {
     pub fn wake(&mut self, body: usize) {
         if std::mem::replace(&mut self.asleep[body], false) {
             self.sleepers -= 1;
-            self.woken.push(body as u32);
         }
         self.rouse(body);
     }
 
     pub fn wake_all(&mut self) {
-        self.woken.extend((0..).zip(&self.asleep).filter(|(_, asleep)| **asleep).map(|(body, _)| body));
         self.asleep.fill(false);
         self.sleepers = 0;
         self.rouse_all();
@@ -109,30 +107,31 @@ impl Sleep {
     }
 
     /// An island of which all sleep and that nothing moving touches stays as it is.
-    pub(crate) fn stays_asleep(&mut self, bodies: &mut Bodies, island: Island<'_>) -> bool {
+    pub(crate) fn stays_asleep(&mut self, bodies: &[Body], motions: &mut Motions, island: Island<'_>) -> bool {
         if self.sleepers == 0 || !island.members.iter().all(|i| self.asleep[*i as usize]) {
             return false;
         }
-        let n = bodies.len() as u32;
-        let carries = |j: u32| j >= n && bodies.carries(j as usize);
-        if island.members.iter().any(|i| island.near(*i).iter().any(|j| carries(*j))) {
+        let n = motions.len();
+        let carries = |j: &u32| (*j as usize) >= n && motions.surfaces[*j as usize - n].carries();
+        if island.members.iter().any(|i| island.near(*i).iter().any(carries)) {
             return false;
         }
-        for &i in island.members {
-            bodies.stay(i as usize);
-            self.undisturbed[i as usize] = true;
+        for i in island.members.iter().map(|i| *i as usize) {
+            motions.bodies[i].end = (bodies[i].position, DVec2::ZERO);
+            self.undisturbed[i] = true;
         }
         true
     }
 
-    /// A step that moved nothing and left nothing moving would be followed by the same for ever.
-    pub(crate) fn finish(&mut self, bodies: &Bodies, island: Island<'_>, may_sleep: bool) {
-        let still = |i: usize| {
-            let rests = bodies.vy[i] == 0.0 && bodies.vx[i] == 0.0 && bodies.uy[i] == 0.0 && bodies.ux[i] == 0.0;
-            rests && bodies.x[i] == bodies.px[i] && bodies.y[i] == bodies.py[i]
+    /// A step that moved nothing and left nothing moving would be followed by the same for ever. Returns whether the island sleeps.
+    pub(crate) fn finish(&mut self, bodies: &[Body], motions: &Motions, (island, may_sleep): (Island<'_>, bool)) -> bool {
+        let still = |i: &u32| {
+            let (body, end) = (&bodies[*i as usize], motions.bodies[*i as usize].end);
+            body.velocity == DVec2::ZERO && end == (body.position, DVec2::ZERO)
         };
-        let sleeps = may_sleep && island.members.iter().rev().all(|i| still(*i as usize));
+        let sleeps = may_sleep && island.members.iter().rev().all(still);
         self.note(island, sleeps);
+        sleeps
     }
 
     pub(crate) fn note(&mut self, island: Island<'_>, sleeps: bool) {

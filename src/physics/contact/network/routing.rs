@@ -7,45 +7,66 @@ use crate::physics::contact::network::{Block, Carries, GROUND, NOWHERE, Network,
 /// How a search reached the nodes where it started.
 const START: u32 = u32::MAX - 1;
 
+/// Where a search begins: at all excess, at the ground, or, against the flow, at all lack.
+#[derive(Clone, Copy, PartialEq)]
+enum From {
+    Excess,
+    Ground,
+    Lack,
+}
+
 impl Network {
     /// Routes as much excess as the links allow along shortest paths: first from where it is to where it is missing or into the ground,
     /// then from the ground to where it is still missing.
     pub(super) fn route(&mut self, block: Block) {
-        while let Some(goal) = self.search(block, false) {
+        while let Some(goal) = self.search(block, From::Excess) {
             self.augment(goal);
         }
-        // What the search still reaches from unrouted excess cannot be held back by the rest.
+        // The rest cannot hold back the nodes that the search still reaches from unrouted excess.
         for at in block.begin..block.end {
-            let i = self.order[at] as usize;
-            self.notes[i].side = if self.notes[i].came_by == NOWHERE { Side::Same } else { Side::Faster };
+            self.notes[self.order[at] as usize].side = Side::Same;
         }
+        self.mark_reached(block, Side::Faster);
         if block.ground.is_some() {
-            while let Some(goal) = self.search(block, true) {
+            while let Some(goal) = self.search(block, From::Ground) {
                 self.augment(goal);
             }
         }
-        self.mark_slower(block);
+        // Every node that could still pass force on to an unmet lack shares that lack.
+        self.search(block, From::Lack);
+        self.mark_reached(block, Side::Slower);
     }
 
-    /// Breadth first from all excess (or from the ground) to the nearest lack; leaves in `came_by` how each node was reached.
-    fn search(&mut self, block: Block, from_ground: bool) -> Option<u32> {
-        let (ground, tolerance) = (self.nodes.len(), block.tolerance());
+    /// Notes the side of the nodes that the last search reached.
+    fn mark_reached(&mut self, block: Block, side: Side) {
         for at in block.begin..block.end {
-            self.notes[self.order[at] as usize].came_by = NOWHERE;
+            let note = &mut self.notes[self.order[at] as usize];
+            if note.came_by != NOWHERE && note.side == Side::Same {
+                note.side = side;
+            }
+        }
+    }
+
+    /// Breadth first to the nearest lack or, from all excess, the ground; leaves in `came_by` how each node was reached. From all lack it
+    /// goes against the flow and seeks nothing.
+    fn search(&mut self, block: Block, from: From) -> Option<u32> {
+        let (ground, tolerance) = (self.nodes.len(), block.tolerance());
+        self.queue.clear();
+        for at in block.begin..block.end {
+            let i = self.order[at];
+            let note = &mut self.notes[i as usize];
+            let starts = match from {
+                From::Excess => note.excess > tolerance,
+                From::Ground => false,
+                From::Lack => note.excess < -tolerance && note.side == Side::Same,
+            };
+            note.came_by = if starts { START } else { NOWHERE };
+            self.queue.extend(starts.then_some(i));
         }
         self.notes[ground].came_by = NOWHERE;
-        self.queue.clear();
-        if from_ground {
+        if from == From::Ground {
             self.notes[ground].came_by = START;
             self.queue.push(GROUND);
-        } else {
-            for at in block.begin..block.end {
-                let i = self.order[at];
-                if self.notes[i as usize].excess > tolerance {
-                    self.notes[i as usize].came_by = START;
-                    self.queue.push(i);
-                }
-            }
         }
         let number = self.notes[self.order[block.begin] as usize].block;
         let mut next = 0;
@@ -56,15 +77,13 @@ impl Network {
                 let index = self.around[slot];
                 let link = &self.links[index as usize];
                 let other = link.other(node);
-                if link.cut || link.room(node) <= tolerance {
-                    continue;
-                }
                 let place = self.slot(other);
-                if self.notes[place].came_by != NOWHERE {
+                let room = link.room(if from == From::Lack { other } else { node });
+                if link.cut || room <= tolerance || self.notes[place].came_by != NOWHERE {
                     continue;
                 }
                 if other == GROUND {
-                    if block.ground.is_some() {
+                    if block.ground.is_some() && from != From::Lack {
                         self.notes[place].came_by = index;
                         return Some(GROUND);
                     }
@@ -74,7 +93,7 @@ impl Network {
                     continue;
                 }
                 self.notes[place].came_by = index;
-                if self.notes[place].excess < -tolerance {
+                if from != From::Lack && self.notes[place].excess < -tolerance {
                     return Some(other);
                 }
                 self.queue.push(other);
@@ -106,34 +125,6 @@ impl Network {
         }
         if goal != GROUND {
             self.notes[goal as usize].excess += amount;
-        }
-    }
-
-    /// Whatever could still pass force on to an unmet lack shares that lack.
-    fn mark_slower(&mut self, block: Block) {
-        let tolerance = block.tolerance();
-        let number = self.notes[self.order[block.begin] as usize].block;
-        self.queue.clear();
-        for at in block.begin..block.end {
-            let i = self.order[at];
-            if self.notes[i as usize].excess < -tolerance && self.notes[i as usize].side == Side::Same {
-                self.notes[i as usize].side = Side::Slower;
-                self.queue.push(i);
-            }
-        }
-        let mut next = 0;
-        while next < self.queue.len() {
-            let node = self.queue[next];
-            next += 1;
-            for slot in self.links_of(node) {
-                let link = &self.links[self.around[slot] as usize];
-                let other = link.other(node);
-                let joined = !link.cut && other != GROUND && self.notes[other as usize].block == number;
-                if joined && self.notes[other as usize].side == Side::Same && link.room(other) > tolerance {
-                    self.notes[other as usize].side = Side::Slower;
-                    self.queue.push(other);
-                }
-            }
         }
     }
 

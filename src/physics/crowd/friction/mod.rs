@@ -11,10 +11,10 @@
 
 pub(crate) mod grips;
 
-use crate::physics::crowd::clusters::Node;
-use crate::physics::crowd::contacts::Contacts;
+use crate::physics::crowd::bodies::Bodies;
+use crate::physics::crowd::clusters::time_to_stop;
+use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::gravity::{Anchors, SLACK};
-use crate::physics::store::bodies::Bodies;
 
 /// What a contact does across.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,6 +56,14 @@ impl Tight {
     }
 }
 
+/// What a body carries, itself included: momenta across at the end of the step and at its start, N·s, and the mass, kg.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Riders {
+    pub momentum: f64,
+    pub began: f64,
+    pub mass: f64,
+}
+
 /// Loads and friction of the tight contacts along gravity.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Friction {
@@ -63,20 +71,14 @@ pub(crate) struct Friction {
     start: Vec<u32>,
     end: Vec<u32>,
     pub tight: Vec<Tight>,
-    /// What each body carries, itself included.
-    pub riders: Vec<Node>,
+    pub riders: Vec<Riders>,
     loads: Vec<f64>,
     /// Who takes part, bottom-up.
     awake: Vec<u32>,
-    is_awake: Vec<bool>,
+    pub is_awake: Vec<bool>,
     /// Who of them stands on something or carries something, bottom-up; nothing rubs at the others.
-    gripped: Vec<u32>,
-    is_gripped: Vec<bool>,
-    /// Whose sums a change of grips concerns, and who has another velocity since.
-    concerned: Vec<bool>,
-    moved: Vec<bool>,
-    /// Whether all materials are such that what stands holds what slides on it.
-    alike: bool,
+    pub gripped: Vec<u32>,
+    pub is_gripped: Vec<bool>,
     /// Whether surfaces move, which may drive.
     carried: bool,
     /// Whether something slides back within the step: friction has turned round with it, and what it did until then is not in what the
@@ -87,38 +89,29 @@ pub(crate) struct Friction {
 }
 
 impl Friction {
-    pub fn new(bodies: &Bodies) -> Self {
-        let all = bodies.x.len();
+    /// Room for `all` bodies and surfaces.
+    pub fn new(all: usize) -> Self {
         Self {
-            riders: vec![Node::default(); all],
+            riders: vec![Riders::default(); all],
             loads: vec![0.0; all],
             is_awake: vec![false; all],
             is_gripped: vec![false; all],
-            concerned: vec![false; all],
-            moved: vec![false; all],
             start: vec![0; all],
             end: vec![0; all],
             ..Self::default()
         }
     }
 
+    /// Begins an island; `all` is the number of its bodies and surfaces.
+    pub fn begin(&mut self, all: usize) {
+        for flags in [&mut self.is_awake, &mut self.is_gripped] {
+            flags[..all].fill(false);
+        }
+    }
+
     /// The tight contacts under a body that takes part.
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
         self.start[i] as usize..self.end[i] as usize
-    }
-
-    /// Who stands on something or carries something.
-    pub fn gripped(&self) -> &[u32] {
-        &self.gripped
-    }
-
-    pub fn is_awake(&self, i: usize) -> bool {
-        self.is_awake[i]
-    }
-
-    /// Whether a body that takes part stands on something or carries something.
-    pub fn is_gripped(&self, i: usize) -> bool {
-        self.is_gripped[i]
     }
 
     /// The impulse of friction between a body and one of its supports, N·s, on the upper one.
@@ -140,7 +133,8 @@ impl Friction {
         let n = bodies.len();
         let of = |i: u32| (bodies.traits[i as usize].static_friction, bodies.traits[i as usize].kinetic_friction);
         let first = members.first().map_or((0.0, 0.0), |i| of(*i));
-        self.alike = bodies.alike || members.iter().all(|i| of(*i) == first);
+        // Of bodies that are alike, what stands holds what slides on it.
+        let alike = bodies.alike || members.iter().all(|i| of(*i) == first);
         for &i in members {
             let i = i as usize;
             let under = &contacts.stacks[contacts.under(i)];
@@ -151,7 +145,7 @@ impl Friction {
                 let slippery = bodies.traits[j].static_friction < first.0.max(first.1);
                 bodies.ux[j] != 0.0 || bodies.belt[j] != 0.0 || slippery
             };
-            let awake = !self.alike
+            let awake = !alike
                 || given[i] != 0.0
                 || pushed[i]
                 || under.is_empty()
@@ -174,32 +168,11 @@ impl Friction {
             let i = self.awake[k] as usize;
             self.start[i] = self.tight.len() as u32;
             self.is_gripped[i] = false;
-            let (mean, velocity) = (bodies.mean_vy[i], bodies.uy[i]);
             for stack in &contacts.stacks[contacts.under(i)] {
-                let below = stack.second as usize;
-                let presses = (mean - bodies.mean_vy[below] - stack.bound).abs() <= slack;
-                if stack.live && presses && (velocity - bodies.uy[below]).abs() <= SLACK {
-                    let of = bodies.coefficients(i, below);
-                    // What slides stops only where kinetic friction stops it; static friction holds what stands.
-                    let stood = bodies.rides_across(i, below, bodies.belt[below]);
-                    let (dragged, holds) = (of.kinetic_friction, of.static_friction);
-                    self.tight.push(Tight {
-                        below: stack.second,
-                        grip: Grip::Stick,
-                        load: 0.0,
-                        held: if stood { holds } else { dragged },
-                        holds,
-                        sense: 1.0,
-                        dragged,
-                        impulse: 0.0,
-                        stood,
-                        above: false,
-                        skin: bodies.belt[below],
-                    });
-                }
+                self.grip(bodies, i, stack, slack);
             }
-            if !contacts.ceilings.is_empty() {
-                self.look_up(bodies, contacts, i, slack);
+            for ceiling in contacts.ceilings.iter().filter(|ceiling| ceiling.second as usize == i) {
+                self.grip(bodies, i, ceiling, slack);
             }
             self.end[i] = self.tight.len() as u32;
             for tight in &self.tight[self.start[i] as usize..] {
@@ -208,6 +181,23 @@ impl Friction {
             }
         }
         self.gripped.extend(self.awake.iter().filter(|i| self.is_gripped[**i as usize]));
+    }
+
+    /// Adds a contact of body i with what is below it, or with a ceiling, where the two press.
+    #[inline(always)]
+    fn grip(&mut self, bodies: &Bodies, i: usize, contact: &Contact, slack: f64) {
+        let (above, gains) = (contact.second as usize == i, bodies.uy[contact.first as usize] - bodies.uy[contact.second as usize]);
+        if gains.abs() > SLACK || !Contacts::closes(bodies, contact, slack) {
+            return;
+        }
+        let below = if above { contact.first } else { contact.second };
+        let (of, skin) = (bodies.coefficients(i, below as usize), bodies.skin(below as usize, 1, above));
+        let stood = bodies.rides_across(i, below as usize, skin);
+        let (dragged, holds) = (of.kinetic_friction, of.static_friction);
+        // What slides stops only where kinetic friction stops it; static friction holds what stands.
+        let held = if stood { holds } else { dragged };
+        let (grip, load, sense, impulse) = (Grip::Stick, 0.0, 1.0, 0.0);
+        self.tight.push(Tight { below, grip, load, held, dragged, impulse, stood, holds, sense, above, skin });
     }
 
     /// Adds up the loads top-down, from what the solver changed along gravity and what walls hold up, N·s. What bounces with
@@ -219,11 +209,12 @@ impl Friction {
         self.load_loose(anchors);
         for k in (0..self.gripped.len()).rev() {
             let i = self.gripped[k] as usize;
+            let under = self.under(i);
             if anchors.loose[i] {
+                self.tight[under].iter_mut().filter(|tight| tight.load == 0.0).for_each(|tight| tight.press(0.0, 0.0));
                 continue;
             }
             let load = self.loads[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
-            let under = self.under(i);
             let bears = |tight: &Tight| tight.above == (load < 0.0);
             let share = load.abs() / self.tight[under.clone()].iter().filter(|t| bears(t)).count() as f64;
             for tight in &mut self.tight[under] {
@@ -238,9 +229,6 @@ impl Friction {
 
     /// What merged in the air presses with what went through its merges.
     fn load_loose(&mut self, anchors: &Anchors) {
-        if anchors.edges.is_empty() {
-            return;
-        }
         for edge in &anchors.edges {
             let impulse = edge.impulse.max(0.0);
             for (i, other) in [(edge.a, edge.b), (edge.b, edge.a)] {
@@ -256,44 +244,9 @@ impl Friction {
                 self.loads[edge.b as usize] += impulse;
             }
         }
-        for k in 0..self.gripped.len() {
-            let i = self.gripped[k] as usize;
-            if anchors.loose[i] {
-                let under = self.under(i);
-                self.tight[under].iter_mut().filter(|tight| tight.load == 0.0).for_each(|tight| tight.press(0.0, 0.0));
-            }
-        }
     }
 
-    /// Adds the ceilings that a body presses.
-    fn look_up(&mut self, bodies: &Bodies, contacts: &Contacts, i: usize, slack: f64) {
-        for ceiling in contacts.ceilings.iter().filter(|ceiling| ceiling.second as usize == i && ceiling.live) {
-            let j = ceiling.first as usize;
-            let presses = (bodies.mean_vy[j] - bodies.mean_vy[i] - ceiling.bound).abs() <= slack;
-            if presses && (bodies.uy[i] - bodies.uy[j]).abs() <= SLACK {
-                let (of, skin) = (bodies.coefficients(i, j), bodies.skin(j, 1, true));
-                let stood = bodies.rides_across(i, j, skin);
-                let (dragged, holds) = (of.kinetic_friction, of.static_friction);
-                let held = if stood { holds } else { dragged };
-                let below = ceiling.first;
-                self.tight.push(Tight {
-                    below,
-                    grip: Grip::Stick,
-                    load: 0.0,
-                    held,
-                    holds,
-                    sense: 1.0,
-                    dragged,
-                    impulse: 0.0,
-                    stood,
-                    above: true,
-                    skin,
-                });
-            }
-        }
-    }
-
-    /// Mean velocities across of what is gripped, once the velocities are solved; those that `told` knows otherwise stay.
+    /// Mean velocities across of what is gripped, once the velocities are solved; those of bodies that are `told` stay.
     pub fn spread_ways(&self, bodies: &mut Bodies, told: &[bool], dt: f64) {
         for &i in &self.gripped {
             let i = i as usize;
@@ -315,32 +268,23 @@ impl Friction {
                     let carried = bodies.mean_vx[below] + belt;
                     let sliding = bodies.vx[i] - began - belt;
                     let gained = bodies.free_vx[i] - bodies.vx[i] - (bodies.ux[below] - began);
-                    mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * self.time_to_stop(i, sliding, gained) };
+                    let dragged: f64 = self.tight[self.under(i)].iter().map(|t| t.dragged).sum();
+                    let until = time_to_stop(sliding, gained, dragged / self.riders[i].mass);
+                    mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * until };
                 }
             }
             bodies.mean_vx[i] = mean;
         }
     }
 
-    /// How long, as a part of the step, a body that slides and stops within it slides on: `gained` is what its sliding would gain without
-    /// friction, m/s.
-    fn time_to_stop(&self, i: usize, sliding: f64, gained: f64) -> f64 {
-        let dragged: f64 = self.tight[self.under(i)].iter().map(|t| t.dragged).sum();
-        let slowed = dragged.copysign(sliding) / self.riders[i].mass - gained;
-        if slowed == 0.0 { 1.0 } else { (sliding / slowed).clamp(0.0, 1.0) }
-    }
-
-    /// Its neighbours have told a body how fast it is: it is no slide that ends by itself.
-    pub fn tell(&mut self, i: usize) {
-        let under = self.under(i);
-        self.tight[under].iter_mut().for_each(|tight| tight.stood = true);
-    }
-
-    /// From now on only kinetic friction acts under a body, for it is being pushed along.
-    pub fn drag(&mut self, i: usize) {
+    /// Neighbours have set the velocity of a body: its slide does not end by itself, and only kinetic friction acts where they push it along.
+    pub fn tell(&mut self, i: usize, slides: bool) {
         let under = self.under(i);
         for tight in &mut self.tight[under] {
-            (tight.held, tight.holds) = (tight.dragged, tight.dragged);
+            tight.stood = true;
+            if slides {
+                (tight.held, tight.holds) = (tight.dragged, tight.dragged);
+            }
         }
     }
 }
