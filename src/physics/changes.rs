@@ -101,7 +101,7 @@ impl World {
         (next.state.forces, next.state.ticks) = (forces.clone(), *ticks);
         next.state.links = self.state.links.clone();
         next.feel_zones();
-        *next.space = Space::new(&next.state, &next.plan);
+        *next.space = Space::new(&next.state);
         next.space.keep_previous(&self.space);
         next.state.contacts.clear();
         next.records = self.records.clone();

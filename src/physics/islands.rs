@@ -112,7 +112,7 @@ impl Tick<'_> {
 
     /// Takes an island, or leaves it. `round` is how often it has grown in this step.
     fn advance(&mut self, of: &mut Members<'_>, round: usize) -> Verdict {
-        let (n, island) = (of.motions.len() as u32, of.island);
+        let island = of.island;
         let count = island.members.len();
         if island.is_alone() && self.scratch.roughly[island.members[0] as usize] {
             return self.fly(of);
@@ -124,9 +124,7 @@ impl Tick<'_> {
         self.scratch.members.clear();
         self.scratch.surfaces.clear();
         self.scratch.members.extend_from_slice(island.members);
-        for others in island.members.iter().map(|i| island.near(*i)) {
-            self.scratch.surfaces.extend(others.iter().filter(|other| **other >= n).map(|other| other - n));
-        }
+        self.scratch.surfaces.extend(island.surfaces(of.motions.len()));
         if let Some(verdict) = self.leave_linked(of) {
             return verdict;
         }
@@ -256,7 +254,7 @@ impl Space {
         }
         let grows = match tick.advance(&mut Members { motions, island, grown }, round as usize) {
             Verdict::Taken { rests } => {
-                sleep.note(island, self.may_sleep && rests);
+                sleep.note(island, rests);
                 false
             }
             Verdict::Grown => true,
@@ -279,7 +277,7 @@ impl Space {
         let size = StepSize { dt, rest_speed: state.rest_speed, gravity: state.media.gravity.abs(), last };
         crowd.dense.report.on = tick.lists(island.members.len());
         for _ in 0..=self.moving.len() {
-            let from = Source { bodies: &state.bodies, surfaces: &state.surfaces, motions, down, lively: self.lively };
+            let from = Source { bodies: &state.bodies, surfaces: &state.surfaces, motions, down, bounces: tick.scene.bounces };
             if crowd.step(from, island, size) == CrowdOutcome::Grown {
                 for &k in &crowd.dense.grown {
                     let i = crowd.bodies.ids[k as usize];
@@ -304,7 +302,7 @@ impl Space {
             motions.bodies[*i as usize].end = crowd.bodies.end(k, down);
         }
         // What falls asleep is read later: its contacts are listed now.
-        let may_sleep = self.may_sleep && tick.leaves_for_good(island.members.len());
+        let may_sleep = tick.scene.direct && tick.leaves_for_good(island.members.len());
         crowd.dense.report.on |= sleep.finish(&state.bodies, motions, (island, may_sleep));
         for i in island.members {
             let motion = &mut motions.bodies[*i as usize];

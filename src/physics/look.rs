@@ -3,7 +3,7 @@
 
 use crate::physics::data::body::Body;
 use crate::physics::space::Space;
-use crate::physics::store::islands::apart;
+use crate::physics::store::edges::overlap;
 
 impl Space {
     /// Finds where all fly that a step looks at, and which of them may meet.
@@ -21,7 +21,7 @@ impl Space {
         let n = bodies.len();
         for surface in moving.iter().map(|surface| *surface as usize) {
             for i in 0..if motions.surfaces[surface].carries() && !sleep.looks_at_all() { n } else { 0 } {
-                if !apart(&motions.swept[i], &motions.swept[n + surface]) && sleep.rouse(i) {
+                if overlap(&motions.swept[i], &motions.swept[n + surface]) && sleep.rouse(i) {
                     motions.fall_freely(i);
                 }
             }
@@ -38,7 +38,7 @@ impl Space {
             let i = sleep.looked_at()[next] as usize;
             next += 1;
             for j in broad_phase.near(i).iter().map(|j| *j as usize).filter(|j| *j < n) {
-                if !apart(&motions.swept[i], &motions.swept[j]) && sleep.rouse(j) {
+                if overlap(&motions.swept[i], &motions.swept[j]) && sleep.rouse(j) {
                     motions.fall_freely(j);
                 }
             }

@@ -4,7 +4,6 @@ use crate::physics::crowd::dense::Crowd;
 use crate::physics::crowd::{CrowdImpact, Squeeze};
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::Pose;
-use crate::physics::data::plan::Plan;
 use crate::physics::state::State;
 use crate::physics::store::broad_phase::BroadPhase;
 use crate::physics::store::islands::Islands;
@@ -29,16 +28,13 @@ pub(crate) struct Space {
     pub grown: Vec<u32>,
     /// −1 if gravity points to smaller y, else 1.
     pub down: f64,
-    pub may_sleep: bool,
-    /// Whether anything bounces.
-    pub lively: bool,
     /// Length of the last step, s; 0 before the first.
     pub last_dt: f64,
 }
 
 impl Space {
     /// The space of a state as it is.
-    pub fn new(state: &State, plan: &Plan) -> Self {
+    pub fn new(state: &State) -> Self {
         let (n, surfaces) = (state.bodies.len(), state.surfaces.len());
         let motions = Motions::new(&state.bodies, &state.surfaces, &state.media);
         let mut space = Self {
@@ -51,8 +47,6 @@ impl Space {
             squeezed: Vec::new(),
             grown: Vec::with_capacity(n),
             down: if state.media.gravity < 0.0 { -1.0 } else { 1.0 },
-            may_sleep: plan.direct,
-            lively: plan.bounces,
             last_dt: 0.0,
             motions,
         };

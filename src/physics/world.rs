@@ -81,7 +81,7 @@ impl World {
             ticks: 0,
         };
         let records = Records::default();
-        let space = Box::new(Space::new(&state, &plan));
+        let space = Box::new(Space::new(&state));
         let on_paths = (0..).zip(&state.surfaces).filter(|(_, surface)| !surface.def.path.is_still()).map(|(s, _)| s).collect();
         let awaited = Vec::with_capacity(state.surfaces.len());
         let mut world = Self { space, scratch: Box::default(), state, records, plan, on_paths, awaited, asked: Cell::new(true) };
@@ -112,7 +112,7 @@ impl World {
         self.plan.air |= media.air_density > 0.0 && def.feels_air && def.drag > 0.0;
         media.airy = self.plan.air;
         self.plan.bounces |= def.restitution.max(def.material.restitution) > 0.0;
-        let before = std::mem::replace(&mut *self.space, Space::new(&self.state, &self.plan));
+        let before = std::mem::replace(&mut *self.space, Space::new(&self.state));
         self.space.keep_previous(&before);
         Ok(BodyId(n))
     }

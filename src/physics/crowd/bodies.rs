@@ -8,7 +8,7 @@ use crate::physics::data::body::Body;
 use crate::physics::data::material::Coefficients;
 use crate::physics::data::surface::{Sides, Surface};
 use crate::physics::forces::air::Drag;
-use crate::physics::store::grid::Edges;
+use crate::physics::store::edges::Edges;
 use crate::physics::store::islands::Island;
 use crate::physics::store::motions::{MARGIN, Motions, SurfaceMotion};
 use glam::DVec2;
@@ -22,7 +22,7 @@ pub(crate) struct Source<'a> {
     /// The sign of gravity.
     pub down: f64,
     /// Whether anything bounces.
-    pub lively: bool,
+    pub bounces: bool,
 }
 
 /// An island in its own numbers: bodies bottom-up from 0, then its surfaces.
@@ -82,7 +82,7 @@ pub(crate) struct Bodies {
     /// The box in which contacts of this step are looked for: left, right, top, bottom, m.
     pub swept: Vec<Edges>,
     /// Whether anything bounces, and whether all bodies have the same friction.
-    pub lively: bool,
+    pub bounces: bool,
     pub alike: bool,
     /// The speed of a belt's upper side, m/s (surfaces too; 0 of bodies).
     pub belt: Vec<f64>,
@@ -133,16 +133,14 @@ impl Bodies {
 
     /// Gathers an island and the surfaces near it.
     pub fn gather(&mut self, from: Source<'_>, island: Island<'_>) {
-        let (count, n) = (from.motions.len(), island.members.len());
+        let n = island.members.len();
         self.ids.clear();
         self.ids.extend_from_slice(island.members);
         self.surfaces.clear();
-        for others in island.members.iter().map(|i| island.near(*i)) {
-            self.surfaces.extend(others.iter().filter(|j| **j as usize >= count).map(|j| j - count as u32));
-        }
+        self.surfaces.extend(island.surfaces(from.motions.len()));
         self.surfaces.sort_unstable();
         self.surfaces.dedup();
-        self.lively = from.lively;
+        self.bounces = from.bounces;
         self.mass.resize(n, 0.0);
         self.set_bodies(from, n);
         self.belt[..n].fill(0.0);
@@ -155,7 +153,7 @@ impl Bodies {
         if self.airy {
             self.drags.extend(self.ids.iter().map(|i| from.motions.drags[*i as usize]));
         }
-        if !from.lively {
+        if !from.bounces {
             self.traits[..n + self.surfaces.len()].iter_mut().for_each(|traits| traits.restitution = 0.0);
         }
         let friction = |traits: &Coefficients| (traits.static_friction, traits.kinetic_friction);

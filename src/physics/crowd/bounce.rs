@@ -31,7 +31,7 @@ impl Dense {
     /// Returns to every impact its part of the impulse.
     pub(crate) fn bounce(&mut self, bodies: &mut Bodies, members: &[u32]) {
         self.bounced = false;
-        if !bodies.lively {
+        if !bodies.bounces {
             return;
         }
         called(Part::Bounces);

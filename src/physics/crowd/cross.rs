@@ -195,7 +195,7 @@ impl Cross<'_> {
             clusters.join(b, fixed(b), of_b);
             true
         });
-        if bodies.lively && pooled.any {
+        if bodies.bounces && pooled.any {
             // What carries others does not bounce: friction alone would have to take them along.
             let alone = |i: usize| i >= n || brings(i).is_none_or(|node| node.mass == bodies.mass[i]);
             clusters.hit(live(), |side| {

@@ -132,7 +132,7 @@ pub(crate) fn solve(
                 anchors.lands[i] = if gap > 0.0 { support as u32 } else { NONE };
                 anchors.on[i] = support as u32;
                 anchors.rests[i] = bodies.rides_along(i, support, 0.0) && mean == bodies.mean_vy[support];
-                if bodies.lively && !anchors.rests[i] {
+                if bodies.bounces && !anchors.rests[i] {
                     let bears = |stack: &&Contact| {
                         let j = stack.second as usize;
                         stack.live && anchors.held[j] && bodies.mean_vy[j] + stack.bound == bound
@@ -180,7 +180,7 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
         clusters.join(i, fixed(anchors.held[i], i), node(i));
         true
     });
-    if bodies.lively {
+    if bodies.bounces {
         clusters.hit(live(), |contact| anchors.bounces.of(bodies, contact, Axis::Gravity));
     }
     for &i in &clusters.joined {

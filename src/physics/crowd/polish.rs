@@ -21,7 +21,7 @@ impl Cross<'_> {
         let touches = |bodies: &Bodies, side: &Contact| {
             let (a, b) = (side.first as usize, side.second as usize);
             // What arrives just as the step ends bounces in the next.
-            let arrives = |side| bodies.lively && side_bounces(bodies, side);
+            let arrives = |side| bodies.bounces && side_bounces(bodies, side);
             side.live && bodies.mean_vx[a] - bodies.mean_vx[b] - side.bound >= -slack && !arrives(side)
         };
         let closes = |bodies: &Bodies, side: &Contact| {

@@ -1,12 +1,12 @@
 //! The broad phase: the bodies and surfaces that each body may meet.
 //!
 //! Each body owns a *fat box*: what it sweeps in this step, wider by a skin and by its way of the next steps (Box2D's fat AABBs). While it
-//! stays inside, the list of bodies and surfaces whose boxes overlap the fat one holds; a body that leaves gets a new box and list. Bodies are
-//! found in a grid whose cells are hashed, each body in all cells that its fat box covers; those that cover many are tested one by one.
+//! stays inside, the list of bodies and surfaces whose boxes overlap the fat one holds; a body that leaves gets a new box and list. Both are
+//! found in a grid whose cells are hashed, each in all cells that its box covers; those that cover many are tested one by one.
 
 use crate::physics::data::body::Body;
-use crate::physics::store::grid::{Edges, Grid, contains, overlap};
-use crate::physics::store::motions::{MARGIN, Motions, NOWHERE, SurfaceMotion};
+use crate::physics::store::edges::{Edges, NOWHERE, contains, overlap};
+use crate::physics::store::motions::{MARGIN, Motions, SurfaceMotion};
 use glam::DVec2;
 
 /// Skin of a fat box as a part of the mean half extent. Larger: more pairs to test; smaller: more new boxes.
@@ -17,25 +17,26 @@ const HORIZON: f64 = 4.0;
 const CELL: f64 = 2.0;
 /// A box that covers more cells is tested one by one.
 const MOST_CELLS: i64 = 64;
-/// Up to this many bodies all are tested one by one.
-const FEW_BODIES: usize = 32;
+/// Up to this many bodies and surfaces all are tested one by one.
+const FEW: usize = 32;
 /// Pairs for which a body has room from the start.
 const ROOM: usize = 16;
 
 /// No entry follows.
 const NONE: u32 = u32::MAX;
 
-/// A body in a cell, and the next one there.
+/// A body or surface in a cell, and the next one there.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
-    body: u32,
+    item: u32,
     next: u32,
 }
 
 /// The pairs that may meet, and what finds them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BroadPhase {
-    fat: Vec<Edges>,
+    /// The fat box of each body, and after them where contacts with each surface are looked for while it stands.
+    boxes: Vec<Edges>,
     /// Bodies and surfaces that overlap the fat box of each body; surfaces count on from the number of bodies.
     near: Vec<Vec<u32>>,
     /// Counts changes of the lists.
@@ -45,14 +46,11 @@ pub(crate) struct BroadPhase {
     heads: Vec<u32>,
     entries: Vec<Entry>,
     unused: Vec<u32>,
-    /// Bodies that are in no cell.
+    /// Bodies and surfaces that are in no cell.
     large: Vec<u32>,
-    /// When a body was found last, by the number of the search.
+    /// When a body or surface was found last, by the number of the search.
     found: Vec<u32>,
     search: u32,
-    /// Where contacts with surfaces that stand are looked for, and the grid of these boxes.
-    surfaces: Vec<Edges>,
-    grid: Grid,
 }
 
 impl BroadPhase {
@@ -63,19 +61,21 @@ impl BroadPhase {
             let (min, max) = (of.from - (of.half + MARGIN), of.from + (of.half + MARGIN));
             [min.x, max.x, min.y, max.y]
         };
-        let surfaces: Vec<Edges> = motions.surfaces.iter().map(around).collect();
-        Self {
-            fat: vec![NOWHERE; n],
+        let mut boxes = vec![NOWHERE; n];
+        boxes.extend(motions.surfaces.iter().map(around));
+        let all = boxes.len();
+        let mut broad_phase = Self {
+            boxes,
             near: vec![Vec::with_capacity(ROOM); n],
             per_metre: 1.0 / (CELL * 2.0 * mean).max(1e-6),
             skin: SKIN * mean,
-            heads: vec![NONE; (4 * n).next_power_of_two().max(64)],
-            entries: Vec::with_capacity(8 * n),
-            found: vec![0; n],
-            grid: Grid::of(&surfaces),
-            surfaces,
+            heads: vec![NONE; (4 * all).next_power_of_two().max(64)],
+            entries: Vec::with_capacity(8 * all),
+            found: vec![0; all],
             ..Self::default()
-        }
+        };
+        (n..all).for_each(|surface| broad_phase.enter(surface));
+        broad_phase
     }
 
     /// Bodies and surfaces that a body may meet while it sweeps no more than its fat box.
@@ -86,7 +86,7 @@ impl BroadPhase {
     /// Makes sure that the lists of these bodies hold for what they sweep.
     pub fn update(&mut self, bodies: &[Body], motions: &Motions, of: &[u32], dt: f64) {
         for i in of.iter().map(|i| *i as usize) {
-            if !contains(&self.fat[i], &motions.swept[i]) {
+            if !contains(&self.boxes[i], &motions.swept[i]) {
                 // Where free flight leads it in the next steps.
                 let (velocity, ahead) = (bodies[i].velocity, HORIZON * dt);
                 let gained = DVec2::new(0.0, 0.5 * ahead * (motions.bodies[i].free.1.y - velocity.y) / dt);
@@ -95,20 +95,20 @@ impl BroadPhase {
         }
     }
 
-    /// Gives a body a new fat box, wider by its way ahead (m), and finds the bodies that overlap it.
+    /// Gives a body a new fat box, wider by its way ahead (m), and finds what overlaps it.
     fn renew(&mut self, i: usize, swept: &Edges, DVec2 { x, y }: DVec2) {
         self.revision += 1;
         self.leave(i);
         let ([left, right, top, bottom], skin) = (*swept, self.skin);
         let mine = [left - skin + x.min(0.0), right + skin + x.max(0.0), top - skin + y.min(0.0), bottom + skin + y.max(0.0)];
-        self.fat[i] = mine;
+        self.boxes[i] = mine;
         let mut near = std::mem::take(&mut self.near[i]);
         self.find(&mine, i, &mut near);
-        let n = self.fat.len();
         for &j in &near {
-            self.near[j as usize].push(i as u32);
+            if let Some(list) = self.near.get_mut(j as usize) {
+                list.push(i as u32);
+            }
         }
-        self.grid.find(&self.surfaces, &mine, |surface| near.push((n + surface) as u32));
         self.near[i] = near;
         self.enter(i);
     }
@@ -116,21 +116,20 @@ impl BroadPhase {
     /// Takes a body out of its cells and of the lists of others.
     fn leave(&mut self, i: usize) {
         let mut near = std::mem::take(&mut self.near[i]);
-        for j in near.drain(..).map(|j| j as usize).filter(|j| *j < self.fat.len()) {
-            let list = &mut self.near[j];
-            if let Some(at) = list.iter().position(|other| *other as usize == i) {
-                list.swap_remove(at);
+        for j in near.drain(..) {
+            if let Some(list) = self.near.get_mut(j as usize) {
+                list.retain(|other| *other as usize != i);
             }
         }
         self.near[i] = near;
-        let Some(cells) = self.cells(&self.fat[i]) else {
+        let Some(cells) = self.cells(&self.boxes[i]) else {
             return self.large.retain(|other| *other as usize != i);
         };
         for head in cells.all(self.heads.len()) {
             let mut at = self.heads[head];
             let mut before = NONE;
-            while let Some(&Entry { body, next }) = self.entries.get(at as usize) {
-                if body as usize == i {
+            while let Some(&Entry { item, next }) = self.entries.get(at as usize) {
+                if item as usize == i {
                     match self.entries.get_mut(before as usize) {
                         Some(entry) => entry.next = next,
                         None => self.heads[head] = next,
@@ -144,11 +143,11 @@ impl BroadPhase {
     }
 
     fn enter(&mut self, i: usize) {
-        let Some(cells) = self.cells(&self.fat[i]) else {
+        let Some(cells) = self.cells(&self.boxes[i]) else {
             return self.large.push(i as u32);
         };
         for head in cells.all(self.heads.len()) {
-            let entry = Entry { body: i as u32, next: self.heads[head] };
+            let entry = Entry { item: i as u32, next: self.heads[head] };
             self.heads[head] = match self.unused.pop() {
                 Some(at) => {
                     self.entries[at as usize] = entry;
@@ -162,25 +161,25 @@ impl BroadPhase {
         }
     }
 
-    /// Lists the bodies besides i whose fat boxes overlap `mine`.
+    /// Lists the bodies and surfaces besides i whose boxes overlap `mine`.
     fn find(&mut self, mine: &Edges, i: usize, into: &mut Vec<u32>) {
         self.search = self.search.wrapping_add(1);
         self.found[i] = self.search;
-        let Self { fat, found, search, heads, entries, large, .. } = self;
+        let Self { boxes, found, search, heads, entries, large, .. } = self;
         let mut test = |j: u32| {
-            if std::mem::replace(&mut found[j as usize], *search) != *search && overlap(mine, &fat[j as usize]) {
+            if std::mem::replace(&mut found[j as usize], *search) != *search && overlap(mine, &boxes[j as usize]) {
                 into.push(j);
             }
         };
-        let cells = Cells::of(mine, self.per_metre).filter(|_| fat.len() > FEW_BODIES);
+        let cells = Cells::of(mine, self.per_metre).filter(|_| boxes.len() > FEW);
         let Some(cells) = cells else {
-            return (0..fat.len() as u32).for_each(test);
+            return (0..boxes.len() as u32).for_each(test);
         };
         large.iter().for_each(|j| test(*j));
         for head in cells.all(heads.len()) {
             let mut at = heads[head];
             while let Some(entry) = entries.get(at as usize) {
-                test(entry.body);
+                test(entry.item);
                 at = entry.next;
             }
         }
@@ -188,7 +187,7 @@ impl BroadPhase {
 
     /// The cells of a box; none if it is large, or none yet.
     fn cells(&self, of: &Edges) -> Option<Cells> {
-        Cells::of(of, self.per_metre).filter(|_| self.fat.len() > FEW_BODIES)
+        Cells::of(of, self.per_metre).filter(|_| self.boxes.len() > FEW)
     }
 }
 
@@ -254,10 +253,10 @@ mod tests {
             for i in 0..n {
                 let mut found = broad_phase.near(i).to_vec();
                 found.sort_unstable();
-                let mine = broad_phase.fat[i];
+                let mine = broad_phase.boxes[i];
                 assert!(contains(&mine, &motions.swept[i]));
-                let others = (0..n).filter(|&j| j != i && overlap(&mine, &broad_phase.fat[j])).map(|j| j as u32);
-                let fixed = (0..surfaces).filter(|&j| overlap(&mine, &broad_phase.surfaces[j])).map(|j| (n + j) as u32);
+                let others = (0..n).filter(|&j| j != i && overlap(&mine, &broad_phase.boxes[j])).map(|j| j as u32);
+                let fixed = (0..surfaces).filter(|&j| overlap(&mine, &broad_phase.boxes[n + j])).map(|j| (n + j) as u32);
                 assert_eq!(found, others.chain(fixed).collect::<Vec<_>>());
             }
         }

@@ -6,6 +6,7 @@
 
 use crate::physics::data::body::Body;
 use crate::physics::store::broad_phase::BroadPhase;
+use crate::physics::store::edges::{Edges, overlap};
 use crate::physics::store::motions::Motions;
 
 /// After so many moves a body, insertion gives up and all is sorted. Either way the order is the same.
@@ -36,6 +37,12 @@ impl<'a> Island<'a> {
         let (from, to) = self.ranges[member as usize];
         &self.others[from as usize..to as usize]
     }
+
+    /// The surfaces that its members may touch, some maybe twice, in a world of that many bodies.
+    pub fn surfaces(&self, bodies: usize) -> impl Iterator<Item = u32> + use<'a> {
+        let island = *self;
+        island.members.iter().flat_map(move |i| island.near(*i)).filter_map(move |j| j.checked_sub(bodies as u32))
+    }
 }
 
 /// The islands of one step.
@@ -53,7 +60,7 @@ pub(crate) struct Islands {
     ranges: Vec<(u32, u32)>,
     others: Vec<u32>,
     /// From what the islands were found last, by place: while all of it stays, so do they.
-    swept: Vec<[f64; 4]>,
+    swept: Vec<Edges>,
     revision: u64,
     same_order: bool,
     /// Bodies that share an island wherever they are.
@@ -200,12 +207,12 @@ impl Islands {
             let mut end = from;
             for &j in near {
                 others[end] = j;
-                end += usize::from((place[j as usize] <= k as u32) & !apart(&mine, &motions.swept[j as usize]));
+                end += usize::from((place[j as usize] <= k as u32) & overlap(&mine, &motions.swept[j as usize]));
             }
             others.truncate(end);
             for (first, &surface) in carried.iter_mut().zip(moving) {
                 let j = n + surface as usize;
-                if apart(&mine, &motions.swept[j]) {
+                if !overlap(&mine, &motions.swept[j]) {
                     continue;
                 }
                 others.push(j as u32);
@@ -237,55 +244,26 @@ impl Islands {
     fn gather(&mut self) {
         let Self { order, parent, members, begins, island_of_root, .. } = self;
         begins.clear();
-        begins.push(0);
         order.iter().for_each(|i| island_of_root[parent[*i as usize] as usize] = NONE);
-        members.resize(order.len(), 0);
-        // Neighbours in the order are mostly of one island: counted run by run.
-        let (mut last, mut run) = (usize::MAX, 0);
-        for &i in &*order {
-            let root = parent[i as usize] as usize;
-            if island_of_root[root] == NONE {
-                island_of_root[root] = begins.len() as u32 - 1;
+        // Counts the members of each island, sums up, and fills from the last to the first.
+        for i in &*order {
+            let island = &mut island_of_root[parent[*i as usize] as usize];
+            if *island == NONE {
+                *island = begins.len() as u32;
                 begins.push(0);
             }
-            if root != last {
-                if last != usize::MAX {
-                    begins[island_of_root[last] as usize + 1] += run;
-                }
-                (last, run) = (root, 0);
-            }
-            run += 1;
-        }
-        if last != usize::MAX {
-            begins[island_of_root[last] as usize + 1] += run;
+            begins[*island as usize] += 1;
         }
         for k in 1..begins.len() {
             begins[k] += begins[k - 1];
         }
-        if begins.len() == 2 {
-            members.copy_from_slice(order);
-            return;
+        begins.push(order.len() as u32);
+        members.resize(order.len(), 0);
+        for i in order.iter().rev() {
+            let begin = &mut begins[island_of_root[parent[*i as usize] as usize] as usize];
+            *begin -= 1;
+            members[*begin as usize] = *i;
         }
-        // While they are filled, the place after the last member of an island is kept in its own beginning.
-        let (mut last, mut at) = (u32::MAX, 0);
-        for &i in &*order {
-            let root = parent[i as usize];
-            if root != last {
-                if last != u32::MAX {
-                    begins[island_of_root[last as usize] as usize] = at;
-                }
-                (last, at) = (root, begins[island_of_root[root as usize] as usize]);
-            }
-            members[at as usize] = i;
-            at += 1;
-        }
-        if last != u32::MAX {
-            begins[island_of_root[last as usize] as usize] = at;
-        }
-        for k in (1..begins.len()).rev() {
-            begins[k] = begins[k - 1];
-        }
-        begins[0] = 0;
     }
 }
 
@@ -308,9 +286,4 @@ fn first(parent: &mut [u32], mut i: usize) -> usize {
         i = parent[i] as usize;
     }
     i
-}
-
-/// Whether two boxes do not touch.
-pub(crate) fn apart(a: &[f64; 4], b: &[f64; 4]) -> bool {
-    (a[0] > b[1]) | (b[0] > a[1]) | (a[2] > b[3]) | (b[2] > a[3])
 }

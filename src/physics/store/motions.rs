@@ -9,15 +9,12 @@ use crate::physics::flight::air::fly_through;
 use crate::physics::forces::air::Drag;
 use crate::physics::forces::media::Media;
 use crate::physics::forces::weight::fall;
-use crate::physics::store::grid::{Edges, contains};
+use crate::physics::store::edges::{Edges, NOWHERE, contains};
 use glam::DVec2;
 
 /// How much further than predicted a body may get before its contacts are sought again, m; across, its own way besides. Larger: more contacts
 /// to look at; smaller: more islands are solved again because a hit threw a body further.
 pub(crate) const MARGIN: f64 = 1e-2;
-
-/// A box that overlaps none.
-pub(crate) const NOWHERE: Edges = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
 
 /// The method that advances a body in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

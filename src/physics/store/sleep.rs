@@ -111,9 +111,7 @@ impl Sleep {
         if self.sleepers == 0 || !island.members.iter().all(|i| self.asleep[*i as usize]) {
             return false;
         }
-        let n = motions.len();
-        let carries = |j: &u32| (*j as usize) >= n && motions.surfaces[*j as usize - n].carries();
-        if island.members.iter().any(|i| island.near(*i).iter().any(carries)) {
+        if island.surfaces(motions.len()).any(|surface| motions.surfaces[surface as usize].carries()) {
             return false;
         }
         for i in island.members.iter().map(|i| *i as usize) {
