@@ -10,7 +10,7 @@ const GOLDEN: [(&str, u64); 6] = [
     ("crowd", 0xa5e0_cf1a_b6ca_5cb9),
     ("liquid", 0x1103_dc83_511a_574f),
     ("stream", 0x782a_1628_a6dc_b825),
-    ("moving surfaces", 0x9fd1_6bdd_fa07_1309),
+    ("moving surfaces", 0xbc0c_e402_14f9_f7d4),
     ("moving surfaces, dense", 0xaeea_4d8a_7248_cb72),
 ];
 

@@ -124,9 +124,9 @@ impl Balance {
         let mass = bodies.mass[i];
         let before = DVec2::new(bodies.vx[i], bodies.vy[i]).length_squared();
         let work = bodies.ax[i] * (bodies.px[i] - bodies.x[i]) + bodies.ay[i] * (bodies.py[i] - bodies.y[i]);
-        // What liquids and streams give it is known of its flight alone.
-        let given = bodies.guided[i].unwrap_or(0.0);
-        self.had += mass * (0.5 * before + work).max(given);
+        let had = 0.5 * before + work;
+        // The work of liquids and streams is known of its flight alone.
+        self.had += mass * bodies.guided[i].map_or(had, |flown| flown.max(had));
         self.plastic += 0.5 * mass * plastic.length_squared();
         self.mixed += mass * plastic.dot(bounce);
         self.bounces += 0.5 * mass * bounce.length_squared();

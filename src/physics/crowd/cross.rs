@@ -197,7 +197,7 @@ impl Cross<'_> {
         });
         if bodies.bounces && pooled.any {
             // What carries others does not bounce: friction alone would have to take them along.
-            let alone = |i: usize| i >= n || brings(i).is_none_or(|node| node.mass == bodies.mass[i]);
+            let alone = |i: usize| i >= n || !friction.carries(bodies, i);
             clusters.hit(live(), |side| {
                 let part = if alone(side.first as usize) && alone(side.second as usize) { 1.0 } else { 0.0 };
                 anchors.bounces.of(bodies, side, Axis::Across).map(|restitution| part * restitution)

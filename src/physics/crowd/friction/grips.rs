@@ -29,6 +29,15 @@ pub(crate) fn gains(bodies: &Bodies, of: &[u32], before: impl Fn(usize) -> f64) 
 }
 
 impl Friction {
+    /// Whether friction of more than the body's own weight acts at its supports.
+    pub fn carries(&self, bodies: &Bodies, i: usize) -> bool {
+        if !self.is_awake[i] || !self.is_gripped[i] {
+            return false;
+        }
+        let rubs = self.tight[self.under(i)].iter().filter(|tight| tight.held > 0.0);
+        rubs.map(|tight| tight.load).sum::<f64>() > bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]).abs() * (1.0 + ROUNDING)
+    }
+
     /// Solves the velocities across of what is gripped, from the momenta `given`; leaves in `riders` what each body carries.
     ///
     /// What slid at the start, faster than friction could stop the body alone, is expected to go on sliding: so what lies between bodies that slide over it is not taken for a part of both.
