@@ -14,7 +14,7 @@
 
 use crate::physics::crowd::bodies::Source;
 use crate::physics::crowd::dense::{Outcome as CrowdOutcome, StepSize};
-use crate::physics::crowd::{CrowdImpact, Other, Squeeze};
+use crate::physics::crowd::{CrowdImpact, Squeeze};
 use crate::physics::data::body::Body;
 use crate::physics::data::plan::{Part, called};
 use crate::physics::exact::item::Item;
@@ -182,11 +182,6 @@ impl Tick<'_> {
         crushed.retain(|(of, ..)| *of != leader);
         stops.retain(|stop| stop.leader != leader);
     }
-
-    /// A surface stands for the whole step.
-    fn stand(&mut self, surface: usize) {
-        self.scratch.stops.push(Stop { leader: NOBODY, surface: surface as u32, at: 0.0 });
-    }
 }
 
 impl Space {
@@ -222,8 +217,8 @@ impl Space {
             self.grow(&tick.state.bodies, dt);
         }
         let Self { crowd, impacts, motions, .. } = self;
-        crowd.dense.report.list.retain(|contact| contact.solved == motions.bodies[contact.a].solved);
-        impacts.retain(|hit| hit.solved == motions.bodies[hit.a].solved);
+        crowd.dense.report.list.retain(|contact| contact.solved == motions.bodies[contact.a as usize].solved);
+        impacts.retain(|hit| hit.solved == motions.bodies[hit.a as usize].solved);
     }
 
     /// Nobody is near anything: those that are awake fly.
@@ -290,15 +285,14 @@ impl Space {
                 break;
             }
             for &(body, surface, speed) in &crowd.dense.squeezed {
-                let (body, Other::Surface(surface)) = (crowd.bodies.ids[body as usize] as usize, crowd.other(surface)) else {
-                    continue;
-                };
+                let [body, item] = [body, surface].map(|k| crowd.bodies.ids[k as usize]);
+                let surface = item - motions.len() as u32;
                 squeezed.push(Squeeze { body, surface, speed });
-                tick.stand(surface);
-                motions.surfaces[surface].stand();
+                tick.scratch.stops.push(Stop { leader: NOBODY, surface, at: 0.0 });
+                motions.surfaces[surface as usize].stand();
             }
         }
-        for (k, i) in crowd.bodies.ids.iter().enumerate() {
+        for (k, i) in island.members.iter().enumerate() {
             motions.bodies[*i as usize].end = crowd.bodies.end(k, down);
         }
         // What falls asleep is read later: its contacts are listed now.
@@ -310,10 +304,10 @@ impl Space {
             motion.listed = crowd.dense.report.on;
         }
         for &(a, b, axis, speed) in &crowd.dense.hits {
-            let a = crowd.bodies.ids[a as usize] as usize;
-            impacts.push(CrowdImpact { a, b: crowd.other(b), axis, speed, solved: motions.bodies[a].solved });
+            let [a, b] = [a, b].map(|k| crowd.bodies.ids[k as usize]);
+            impacts.push(CrowdImpact { a, b, axis, speed, solved: motions.bodies[a as usize].solved });
         }
-        crowd.finish(down, |i| motions.bodies[i].solved);
+        crowd.finish(down, |i| motions.bodies[i as usize].solved);
         CrowdOutcome::Done
     }
 

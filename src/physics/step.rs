@@ -3,9 +3,9 @@
 //! Forces and surfaces first; then every awake body flies freely, the broad phase finds the pairs that may meet, and each island is advanced by
 //! the least method that is right for it (`islands`). Last, the state takes over where all bodies end.
 
-use crate::physics::crowd::Other;
+use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::impulses::ContactImpulse;
-use crate::physics::data::axis::Axis;
+use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::{Body, BodyId};
 use crate::physics::data::contact::Contact;
 use crate::physics::data::impulse::{Impulse, Obstacle};
@@ -90,7 +90,7 @@ impl World {
         scratch.begin(n);
         scratch.members.extend(0..n as u32);
         scratch.surfaces.extend(0..state.surfaces.len() as u32);
-        scratch.gather(state, &scene, |_| crate::physics::data::aabb::Aabb::around(DVec2::ZERO, DVec2::splat(f64::MAX)));
+        scratch.gather(state, &scene, |_| Aabb::around(DVec2::ZERO, DVec2::splat(f64::MAX)));
         scratch.events.begin_world(&scene);
         scratch.take_contacts(state);
         state.contacts.extend(scratch.contacts.drain(..).map(|(_, contact)| contact));
@@ -120,7 +120,7 @@ impl World {
     }
 
     /// Something about a place has changed: whatever touches it has to be looked at.
-    pub(crate) fn disturb_in(&mut self, bounds: &crate::physics::data::aabb::Aabb) {
+    pub(crate) fn disturb_in(&mut self, bounds: &Aabb) {
         for i in 0..self.state.bodies.len() {
             if self.state.bodies[i].bounds().touches(bounds, MARGIN) {
                 self.disturb(i as u32);
@@ -239,40 +239,30 @@ impl World {
         let n = state.bodies.len();
         list_crowd_hits(state, scratch, space, &mut records.events);
         let (listed, motions) = (&space.crowd.dense.report.list, &space.motions.bodies);
-        let listed = || listed.iter().filter(|contact| motions[contact.a].method == Method::Crowd);
+        let listed = || listed.iter().filter(|contact| motions[contact.a as usize].method == Method::Crowd);
+        let ends = || listed().flat_map(|contact| [contact.a as usize, contact.b as usize]).filter(|item| *item < n);
         scratch.pressed.resize(n, 0.0);
-        for contact in listed() {
-            for item in contact.ends() {
-                scratch.pressed[item] = 0.0;
-            }
-        }
-        for contact in listed() {
-            let a = contact.a;
-            let (b, other) = match contact.b {
-                Other::Body(b) => (b as u32, Obstacle::Body(BodyId(b as u32))),
-                Other::Surface(s) => ((n + s) as u32, Obstacle::Surface(s as u32)),
-            };
-            let axis = usize::from(contact.axis == Axis::Gravity);
+        ends().for_each(|body| scratch.pressed[body] = 0.0);
+        for &ContactImpulse { a, b, axis, normal, friction, point, impact, .. } in listed() {
             let mut vector = DVec2::ZERO;
-            (vector[axis], vector[1 - axis]) = (contact.normal, contact.friction);
-            if contact.impact {
-                let impulse = Impulse { a: BodyId(a as u32), b: other, vector, point: contact.point, at: dt };
+            (vector[axis], vector[1 - axis]) = (normal, friction);
+            if impact {
+                let impulse = Impulse { a: BodyId(a), b: state.obstacle(b), vector, point, at: dt };
+                let sign = normal.signum();
                 let mut normal = DVec2::ZERO;
-                normal[axis] = contact.normal.signum();
-                let at = |item: u32| state.bodies.get(item as usize).map_or(contact.point, |body| body.position);
-                let places = [at(a as u32), at(b)];
+                normal[axis] = sign;
+                let at = |item: u32| state.bodies.get(item as usize).map_or(point, |body| body.position);
+                let places = [at(a), at(b)];
                 let order = scratch.happened.len() as u32;
                 scratch.happened.push(Happened { island: u32::MAX, order, impulse, normal, speed: 0.0, places });
             } else {
-                let (lo, hi) = if contact.normal < 0.0 { (a as u32, b) } else { (b, a as u32) };
-                let sign = if contact.normal < 0.0 { -1.0 } else { 1.0 };
+                let (lo, hi, sign) = if normal < 0.0 { (a, b, -1.0) } else { (b, a, 1.0) };
                 let mut lasting = Contact { lasts: true, ..Contact::between(lo, hi, axis) };
-                (lasting.normal, lasting.friction) = (contact.normal.abs() / dt, sign * contact.friction / dt);
-                lasting.rub_with(state.coefficients(a, contact.b));
+                (lasting.normal, lasting.friction) = (normal.abs() / dt, sign * friction / dt);
+                lasting.rub_with(state.coefficients(a, b));
                 scratch.fresh.push(lasting);
-                let mut felt = DVec2::ZERO;
-                (felt[axis], felt[1 - axis]) = (contact.normal / dt, contact.friction / dt);
-                for (item, sign) in [(a, 1.0), (b as usize, -1.0)] {
+                let felt = vector / dt;
+                for (item, sign) in [(a as usize, 1.0), (b as usize, -1.0)] {
                     if let Some(body) = state.bodies.get_mut(item) {
                         scratch.pressed[item] += felt.length();
                         body.acceleration += felt * (sign / body.mass);
@@ -281,7 +271,7 @@ impl World {
             }
         }
         // What rests, rests exactly; unless part of what held it was an impact, which is no force.
-        for i in listed().flat_map(ContactImpulse::ends) {
+        for i in ends() {
             let body = &mut state.bodies[i];
             let rests = body.velocity == DVec2::ZERO && body.position == space.motions.before[i].0;
             if rests && (body.mass * body.acceleration).length() <= BALANCED * scratch.pressed[i] {
@@ -315,32 +305,42 @@ impl World {
 /// Lists the impacts of crowds, and the bodies that surfaces would have squeezed.
 fn list_crowd_hits(state: &State, scratch: &mut Scratch, space: &Space, events: &mut Vec<Event>) {
     for hit in &space.impacts {
-        if space.motions.bodies[hit.a].method == Method::Crowd && hit.speed >= REPORT_SPEED {
-            let axis = usize::from(hit.axis == Axis::Gravity);
-            let (b, at) = match hit.b {
-                Other::Body(b) => (Obstacle::Body(BodyId(b as u32)), state.bodies[b].bounds()),
-                Other::Surface(s) => (Obstacle::Surface(s as u32), state.surfaces[s].bounds),
-            };
-            let mine = state.bodies[hit.a].bounds();
+        let CrowdImpact { a, b, axis, speed, .. } = *hit;
+        if space.motions.bodies[a as usize].method == Method::Crowd && speed >= REPORT_SPEED {
+            let (mine, at) = (state.bounds_of(a), state.bounds_of(b));
             let mut normal = DVec2::ZERO;
             normal[axis] = if mine.centre()[axis] < at.centre()[axis] { -1.0 } else { 1.0 };
             let point = (mine.min.max(at.min) + mine.max.min(at.max)) * 0.5;
-            events.push(Event::Impact { a: BodyId(hit.a as u32), b, point, normal, speed: hit.speed });
+            events.push(Event::Impact { a: BodyId(a), b: state.obstacle(b), point, normal, speed });
         }
     }
     for squeeze in &space.squeezed {
-        let force = state.bodies[squeeze.body].crushing_force(squeeze.speed);
-        scratch.crushed.push((u32::MAX, squeeze.body as u32, squeeze.surface as u32, force));
+        let force = state.bodies[squeeze.body as usize].crushing_force(squeeze.speed);
+        scratch.crushed.push((u32::MAX, squeeze.body, squeeze.surface, force));
     }
 }
 
 impl State {
-    /// The coefficients of a pair.
-    fn coefficients(&self, a: usize, b: Other) -> Coefficients {
-        let mine = self.bodies[a].coefficients();
-        match b {
-            Other::Surface(s) => mine.with(self.surfaces[s].material.coefficients(), true),
-            Other::Body(b) => mine.with(self.bodies[b].coefficients(), false),
+    /// The coefficients of a body with another one or a surface.
+    fn coefficients(&self, a: u32, b: u32) -> Coefficients {
+        let mine = self.bodies[a as usize].coefficients();
+        match self.obstacle(b) {
+            Obstacle::Surface(s) => mine.with(self.surfaces[s as usize].material.coefficients(), true),
+            Obstacle::Body(b) => mine.with(self.bodies[b.index()].coefficients(), false),
+        }
+    }
+
+    /// An item of a contact.
+    pub(crate) fn obstacle(&self, item: u32) -> Obstacle {
+        let surface = item.checked_sub(self.bodies.len() as u32);
+        surface.map_or(Obstacle::Body(BodyId(item)), Obstacle::Surface)
+    }
+
+    /// The box of an item of a contact.
+    pub(crate) fn bounds_of(&self, item: u32) -> Aabb {
+        match self.obstacle(item) {
+            Obstacle::Surface(s) => self.surfaces[s as usize].bounds,
+            Obstacle::Body(b) => self.bodies[b.index()].bounds(),
         }
     }
 }

@@ -178,7 +178,7 @@ impl World {
 
     fn validate_contacts(&self) -> Result<(), String> {
         for contact in &self.state.contacts {
-            let (lo, hi) = (self.bounds_of(contact.lo), self.bounds_of(contact.hi));
+            let (lo, hi) = (self.state.bounds_of(contact.lo), self.state.bounds_of(contact.hi));
             let (axis, rounding) = (contact.axis, rounding(&lo).min(rounding(&hi)));
             let body = &self.state.bodies[contact.ends().0 as usize];
             let surface = (contact.ends().1 as usize).checked_sub(self.state.bodies.len());

@@ -5,7 +5,7 @@ use crate::physics::data::body::{Body, BodyDef, BodyId};
 use crate::physics::data::contact::Contact;
 use crate::physics::data::def::WorldDef;
 use crate::physics::data::domain::DefError;
-use crate::physics::data::impulse::Impulse;
+use crate::physics::data::impulse::{Impulse, Obstacle};
 use crate::physics::data::material::Material;
 use crate::physics::data::plan::Plan;
 use crate::physics::data::surface::{Surface, SurfaceDef};
@@ -208,10 +208,11 @@ impl World {
         let (mut normal, mut friction) = (DVec2::ZERO, DVec2::ZERO);
         normal[contact.axis] = sign * contact.normal;
         friction[1 - contact.axis] = sign * contact.friction;
-        let other = contact.other(id.0);
-        let surface = (other as usize).checked_sub(self.state.bodies.len());
-        let source = surface.map_or(Source::Body(BodyId(other)), |surface| Source::Surface(surface as u32));
-        let kind = if surface.is_some() || contact.axis == 1 { ForceKind::Reaction } else { ForceKind::Push };
+        let (source, kind) = match self.state.obstacle(contact.other(id.0)) {
+            Obstacle::Surface(surface) => (Source::Surface(surface), ForceKind::Reaction),
+            Obstacle::Body(other) if contact.axis == 1 => (Source::Body(other), ForceKind::Reaction),
+            Obstacle::Body(other) => (Source::Body(other), ForceKind::Push),
+        };
         let point = self.point_of(contact);
         for (kind, vector) in [(kind, normal), (ForceKind::Friction, friction)] {
             forces.list(Force { kind, source, vector: vector + DVec2::ZERO, point });
@@ -220,16 +221,8 @@ impl World {
 
     /// The middle of the edge that the two ends of a contact share, m.
     pub(crate) fn point_of(&self, contact: &Contact) -> DVec2 {
-        let (a, b) = (self.bounds_of(contact.lo), self.bounds_of(contact.hi));
+        let (a, b) = (self.state.bounds_of(contact.lo), self.state.bounds_of(contact.hi));
         (a.min.max(b.min) + a.max.min(b.max)) * 0.5
-    }
-
-    /// The box of a body or surface.
-    pub(crate) fn bounds_of(&self, item: u32) -> Aabb {
-        match self.state.bodies.get(item as usize) {
-            Some(body) => body.bounds(),
-            None => self.state.surfaces[item as usize - self.state.bodies.len()].bounds,
-        }
     }
 }
 

@@ -10,18 +10,19 @@ use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::dense::Dense;
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::restitution::Fall;
+use crate::physics::crowd::{ACROSS, ALONG};
 use crate::physics::data::plan::{Part, called};
 use glam::DVec2;
 
 /// Energy gained that is no more than rounding, as a part of the kinetic energy. Smaller: rounding slows what it should not.
 const ROUNDING: f64 = 1e-12;
 
-/// Lets an edge return its part.
-fn part(edge: &mut Edge, velocity: &mut [f64], mass: &[f64]) {
+/// Lets an edge along that axis return its part.
+fn part(bodies: &mut Bodies, edge: &mut Edge, axis: usize) {
     let impulse = edge.restitution * edge.impulse;
     for (i, impulse) in [(edge.a as usize, -impulse), (edge.b as usize, impulse)] {
-        if let Some(mass) = mass.get(i) {
-            velocity[i] += impulse / mass;
+        if i < bodies.len() {
+            bodies[i].end[axis] += impulse / bodies[i].mass;
         }
     }
     edge.impulse += impulse;
@@ -29,29 +30,27 @@ fn part(edge: &mut Edge, velocity: &mut [f64], mass: &[f64]) {
 
 impl Dense {
     /// Returns to every impact its part of the impulse.
-    pub(crate) fn bounce(&mut self, bodies: &mut Bodies, members: &[u32]) {
+    pub(crate) fn bounce(&mut self, bodies: &mut Bodies) {
         self.bounced = false;
         if !bodies.bounces {
             return;
         }
         called(Part::Bounces);
-        for &i in members {
-            self.plastic[i as usize] = velocity(bodies, i as usize);
+        for i in 0..bodies.len() {
+            self.plastic[i] = bodies[i].end;
         }
         let Self { anchors, report, bounced, .. } = self;
-        for (edges, velocity) in [(&mut anchors.edges, &mut bodies.uy), (&mut report.sides, &mut bodies.ux)] {
+        for (edges, axis) in [(&mut anchors.edges, ALONG), (&mut report.sides, ACROSS)] {
             for edge in edges.iter_mut().filter(|edge| edge.restitution > 0.0) {
-                part(edge, velocity, &bodies.mass);
+                part(bodies, edge, axis);
                 *bounced = true;
             }
         }
-        for &i in members {
-            let i = i as usize;
+        for i in 0..bodies.len() {
             if anchors.bounce[i] > 0.0 {
-                let fall =
-                    Fall { before: bodies.vy[i], free: bodies.free_vy[i], way: bodies.py[i] - bodies.y[i], end: bodies.uy[i] };
-                bodies.uy[i] = fall.rebound(anchors.bounce[i], anchors.bounces);
-                *bounced |= bodies.uy[i] != fall.end;
+                let fall = Fall::of(&bodies[i], bodies[i].to.y - bodies[i].from.y, bodies[i].end.y);
+                bodies[i].end.y = fall.rebound(anchors.bounce[i], anchors.bounces);
+                *bounced |= bodies[i].end.y != fall.end;
             }
         }
     }
@@ -59,16 +58,16 @@ impl Dense {
     /// The last word on energy. Impacts on both axes and of different restitution may return more than their island had: then all return the
     /// part of it that leaves none over, which keeps the momentum. What is merged and parted in a wild way may end higher even without
     /// bounces: then what was touched is slowed down by one factor. That is counted, and keeps the momentum where nothing immovable is.
-    pub(crate) fn restrain(&mut self, bodies: &mut Bodies, members: &[u32], doubt: bool) {
+    pub(crate) fn restrain(&mut self, bodies: &mut Bodies, doubt: bool) {
         let stirred = self.bounced || self.walls.any;
         if self.contacts.carried || !(stirred || doubt || !self.anchors.edges.is_empty()) {
             return;
         }
-        let touched = |bodies: &Bodies, i: usize| stirred || bodies.uy[i] != bodies.free_vy[i] || bodies.ux[i] != bodies.free_vx[i];
+        let touched = |bodies: &Bodies, i: usize| stirred || bodies[i].end != bodies[i].free;
         let mut sum = Balance::default();
-        for i in members.iter().map(|i| *i as usize) {
+        for i in 0..bodies.len() {
             if touched(bodies, i) {
-                let end = velocity(bodies, i);
+                let end = bodies[i].end;
                 let plastic = if self.bounced { self.plastic[i] } else { end };
                 sum.add(bodies, i, plastic, end - plastic);
             }
@@ -77,9 +76,8 @@ impl Dense {
             return;
         }
         let part = sum.part();
-        for i in members.iter().map(|i| *i as usize).filter(|_| self.bounced) {
-            let end = self.plastic[i] + (velocity(bodies, i) - self.plastic[i]) * part;
-            (bodies.ux[i], bodies.uy[i]) = end.into();
+        for i in (0..bodies.len()).filter(|_| self.bounced) {
+            bodies[i].end = self.plastic[i] + (bodies[i].end - self.plastic[i]) * part;
         }
         for side in self.report.sides.iter_mut().filter(|side| side.restitution > 0.0) {
             side.impulse *= (1.0 + side.restitution * part) / (1.0 + side.restitution);
@@ -92,15 +90,15 @@ impl Dense {
         // In the frame of all that was touched, where nothing immovable is: that keeps their momentum.
         let n = bodies.len();
         let afloat = self.contacts.all().all(|contact| (contact.first as usize) < n && (contact.second as usize) < n);
-        let of_touched = || members.iter().map(|i| *i as usize).filter(|i| touched(bodies, *i));
-        let mass: f64 = of_touched().map(|i| bodies.mass[i]).sum();
-        let momentum: DVec2 = of_touched().map(|i| bodies.mass[i] * velocity(bodies, i)).sum();
+        let of_touched = || (0..n).filter(|i| touched(bodies, *i));
+        let mass: f64 = of_touched().map(|i| bodies[i].mass).sum();
+        let momentum: DVec2 = of_touched().map(|i| bodies[i].mass * bodies[i].end).sum();
         let frame = if afloat { momentum / mass } else { DVec2::ZERO };
         let left = left - 0.5 * mass * frame.length_squared();
         let slower = if left > gained { (1.0 - gained / left).sqrt() } else { 0.0 };
-        for i in members.iter().map(|i| *i as usize) {
+        for i in 0..bodies.len() {
             if touched(bodies, i) {
-                (bodies.ux[i], bodies.uy[i]) = (frame + (velocity(bodies, i) - frame) * slower).into();
+                bodies[i].end = frame + (bodies[i].end - frame) * slower;
             }
         }
     }
@@ -121,12 +119,11 @@ struct Balance {
 
 impl Balance {
     fn add(&mut self, bodies: &Bodies, i: usize, plastic: DVec2, bounce: DVec2) {
-        let mass = bodies.mass[i];
-        let before = DVec2::new(bodies.vx[i], bodies.vy[i]).length_squared();
-        let work = bodies.ax[i] * (bodies.px[i] - bodies.x[i]) + bodies.ay[i] * (bodies.py[i] - bodies.y[i]);
+        let body = &bodies[i];
+        let (mass, before, work) = (body.mass, body.before.length_squared(), body.pull.dot(body.to - body.from));
         let had = 0.5 * before + work;
         // The work of liquids and streams is known of its flight alone.
-        self.had += mass * bodies.guided[i].map_or(had, |flown| flown.max(had));
+        self.had += mass * body.guided.map_or(had, |flown| flown.max(had));
         self.plastic += 0.5 * mass * plastic.length_squared();
         self.mixed += mass * plastic.dot(bounce);
         self.bounces += 0.5 * mass * bounce.length_squared();
@@ -148,8 +145,4 @@ impl Balance {
         let below = self.mixed + root;
         if over >= 0.0 || below <= 0.0 { 0.0 } else { (-2.0 * over / below).min(1.0) }
     }
-}
-
-fn velocity(bodies: &Bodies, i: usize) -> DVec2 {
-    DVec2::new(bodies.ux[i], bodies.uy[i])
 }

@@ -52,9 +52,8 @@ pub(crate) struct Motion {
 }
 
 /// Which pairs close: bodies' mean velocities (m/s) or places (m) before pooling, and how much is rounding.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Pool<'a> {
-    pub before: &'a [f64],
+pub(crate) struct Pool<Before> {
+    pub before: Before,
     pub slack: f64,
     /// Whether these are places, which have to be apart.
     pub places: bool,
@@ -196,7 +195,7 @@ impl Clusters {
     /// Merges pairs until none of the contacts closes by more than its bound; `bring` lets a pair join, or refuses.
     pub fn pool<'a, C: Iterator<Item = &'a Contact>>(
         &mut self,
-        pool: Pool<'_>,
+        pool: Pool<impl Fn(usize) -> f64>,
         contacts: impl Fn() -> C,
         mut bring: impl FnMut(&mut Self, &Contact) -> bool,
     ) -> Pooled {
@@ -211,7 +210,7 @@ impl Clusters {
                     continue;
                 }
                 let bound = if pool.places { -contact.reach } else { contact.bound };
-                if self.mean(a, pool.before[a]) > self.mean(b, pool.before[b]) + bound + pool.slack {
+                if self.mean(a, (pool.before)(a)) > self.mean(b, (pool.before)(b)) + bound + pool.slack {
                     let done = bring(self, contact) && self.merge(a, b, bound);
                     (any, merged, stuck) = (true, merged | done, stuck | !done);
                 }

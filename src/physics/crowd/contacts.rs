@@ -7,6 +7,9 @@
 //! tiles, or falls along a flush wall, meets no seams.
 
 use crate::physics::crowd::bodies::{Bodies, Group};
+use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::data::surface::Sides;
+use glam::DVec2;
 
 /// Gaps within this many metres of zero are touching. Larger: visible gaps; smaller: rounding turns contacts into overlaps.
 const TOUCH: f64 = 1e-9;
@@ -29,12 +32,12 @@ pub(crate) struct Tolerances {
 }
 
 impl Tolerances {
-    /// By the largest coordinate among the members.
-    pub fn of(bodies: &Bodies, members: &[u32]) -> Self {
+    /// By the largest coordinate among the bodies.
+    pub fn of(bodies: &Bodies) -> Self {
         // Edge by edge, so that no comparison waits for another.
         let greater = |a: f64, b: f64| if a > b { a } else { b };
-        let most = members.iter().fold([0.0; 4], |most: [f64; 4], &i| {
-            let [left, right, top, bottom] = bodies.swept[i as usize];
+        let most = bodies.all().iter().fold([0.0; 4], |most: [f64; 4], body| {
+            let [left, right, top, bottom] = body.swept;
             [greater(-left, most[0]), greater(right, most[1]), greater(-top, most[2]), greater(bottom, most[3])]
         });
         let largest = most.into_iter().fold(0.0, greater);
@@ -61,7 +64,7 @@ pub(crate) struct Contact {
 /// The contacts of one island in one step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Contacts {
-    /// Where the supports of a member begin and end among the stacks, by body; only members' entries hold.
+    /// Where the supports of a body begin and end among the stacks, by body.
     ranges: Vec<[u32; 2]>,
     /// Bodies over bodies or surfaces, by the upper one.
     pub stacks: Vec<Contact>,
@@ -103,7 +106,7 @@ impl Contacts {
         }
     }
 
-    /// The supports of a member, by their numbers among the stacks.
+    /// The supports of a body, by their numbers among the stacks.
     #[inline(always)]
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
         self.ranges[i][0] as usize..self.ranges[i][1] as usize
@@ -118,25 +121,25 @@ impl Contacts {
         self.stacks.iter_mut().chain(&mut self.sides).chain(&mut self.ceilings)
     }
 
-    fn clear(&mut self, bodies: &Bodies, group: Group<'_>) {
+    fn clear(&mut self, bodies: &Bodies) {
         self.stacks.clear();
         self.sides.clear();
         self.ceilings.clear();
         self.passing = false;
         self.carried = false;
-        self.tolerances = Tolerances::of(bodies, group.members);
+        self.tolerances = Tolerances::of(bodies);
     }
 
     /// Finds all contacts of an island.
     pub fn find(&mut self, bodies: &Bodies, group: Group<'_>, dt: f64) {
-        self.clear(bodies, group);
+        self.clear(bodies);
         let per_second = 1.0 / dt;
-        for &i in group.members {
+        for i in 0..bodies.len() {
             let begin = self.stacks.len() as u32;
             for j in group.near(i) {
-                self.meet(bodies, i as usize, j, [dt, per_second]);
+                self.meet(bodies, i, j, [dt, per_second]);
             }
-            self.ranges[i as usize] = [begin, self.stacks.len() as u32];
+            self.ranges[i] = [begin, self.stacks.len() as u32];
         }
     }
 
@@ -149,12 +152,12 @@ impl Contacts {
     /// along both axes: in the air, beside the one face and over the other. Found again, their contacts will be those of any corner.
     pub fn miss(&mut self, bodies: &Bodies) -> usize {
         let (known, touch, n) = (self.missed.len(), self.tolerances.touch, bodies.len());
-        let misses = |contact: &&Contact, p: &[f64], half: &[f64]| {
-            let (a, b) = (contact.first as usize, contact.second as usize);
-            contact.level && contact.live && (p[a] - p[b]).abs() - half[a] - half[b] > touch
+        let misses = |contact: &&Contact, axis: usize| {
+            let (a, b) = (&bodies[contact.first as usize], &bodies[contact.second as usize]);
+            contact.level && contact.live && (a.to[axis] - b.to[axis]).abs() - a.half[axis] - b.half[axis] > touch
         };
-        let along = || self.stacks.iter().chain(&self.ceilings).filter(|c| misses(c, &bodies.px, &bodies.hx));
-        let across = || self.sides.iter().filter(|c| misses(c, &bodies.py, &bodies.hy));
+        let along = || self.stacks.iter().chain(&self.ceilings).filter(|c| misses(c, ACROSS));
+        let across = || self.sides.iter().filter(|c| misses(c, ALONG));
         let holds = |c: &Contact, i: u32| (i as usize) < n && (c.first == i || c.second == i);
         let both = |a: &Contact, b: &Contact| holds(b, a.first) || holds(b, a.second);
         let mut missed = std::mem::take(&mut self.missed);
@@ -168,8 +171,8 @@ impl Contacts {
     #[inline(always)]
     fn meet(&mut self, bodies: &Bodies, i: usize, j: usize, [dt, per_second]: [f64; 2]) {
         let touch = self.tolerances.touch;
-        let (dx, dy) = (bodies.x[j] - bodies.x[i], bodies.y[j] - bodies.y[i]);
-        let (reach_x, reach_y) = (bodies.hx[i] + bodies.hx[j], bodies.hy[i] + bodies.hy[j]);
+        let (dx, dy) = (bodies[j].from.x - bodies[i].from.x, bodies[j].from.y - bodies[i].from.y);
+        let (reach_x, reach_y) = (bodies[i].half.x + bodies[j].half.x, bodies[i].half.y + bodies[j].half.y);
         let (gap_x, gap_y) = (dx.abs() - reach_x, dy.abs() - reach_y);
         let surface = j >= bodies.len();
         self.carried |= surface && bodies.carries(j);
@@ -195,8 +198,8 @@ impl Contacts {
 
 /// Whether a surface lets pass what is beside its face along `axis` towards smaller or `larger` coordinates.
 fn is_open(bodies: &Bodies, surface: usize, axis: usize, larger: bool, gap: f64, touch: f64) -> bool {
-    let sides = bodies.sides(surface);
-    *sides != crate::physics::data::surface::Sides::ALL && (!sides.face(axis, larger) || gap < -touch)
+    let sides = bodies[surface].sides;
+    sides != Sides::ALL && (!sides.face(axis, larger) || gap < -touch)
 }
 
 #[inline(always)]
@@ -215,9 +218,9 @@ fn kind(
         return Kind::of(0, true, false);
     }
     // How far they close along each axis within the step.
-    let way = |now: &[f64], then: &[f64]| (then[i] - now[i]) - (then[j] - now[j]);
-    let close_x = way(&bodies.x, &bodies.px) * if dx < 0.0 { -1.0 } else { 1.0 };
-    let close_y = way(&bodies.y, &bodies.py) * if dy < 0.0 { -1.0 } else { 1.0 };
+    let side = DVec2::new(if dx < 0.0 { -1.0 } else { 1.0 }, if dy < 0.0 { -1.0 } else { 1.0 });
+    let (a, b) = (&bodies[i], &bodies[j]);
+    let DVec2 { x: close_x, y: close_y } = ((a.to - a.from) - (b.to - b.from)) * side;
     if gap_x < -touch {
         // Over each other and apart: passes only if it has left sideways before it arrives.
         let leaves = gap_y < close_y && gap_x - close_x * (gap_y / close_y) > 0.0;
@@ -228,9 +231,8 @@ fn kind(
         return Kind::of(0, !leaves, false);
     }
     if !misses {
-        let start = |v: &[f64], d: f64| (v[i] - v[j]) * dt * if d < 0.0 { -1.0 } else { 1.0 };
-        let start = [start(&bodies.vx, dx), start(&bodies.vy, dy)];
-        if let Some(kind) = level([gap_x, gap_y], [close_x, close_y], start, touch) {
+        let start = (a.before - b.before) * dt * side;
+        if let Some(kind) = level([gap_x, gap_y], [close_x, close_y], start.to_array(), touch) {
             return kind;
         }
     }

@@ -6,6 +6,7 @@
 //! the few contacts left after [`ROUNDS`], and islands in which all that together drives instead of dissipating, are merged without
 //! friction.
 
+use crate::physics::crowd::ACROSS;
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::Contacts;
@@ -15,7 +16,6 @@ use crate::physics::crowd::friction::{Friction, Grip};
 use crate::physics::crowd::gravity::Anchors;
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::report::Report;
-use crate::physics::data::axis::Axis;
 use crate::physics::guards::Guards;
 
 /// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
@@ -62,7 +62,6 @@ impl Pushes {
 
 /// What the solution across works with.
 pub(crate) struct Cross<'a> {
-    pub members: &'a [u32],
     pub contacts: &'a Contacts,
     pub friction: &'a mut Friction,
     pub clusters: &'a mut Clusters,
@@ -82,13 +81,13 @@ impl Cross<'_> {
         self.pushes.hits.clear();
         self.pushes.resistance.restore(bodies);
         if !self.begin(bodies) && !self.contacts.carried {
-            self.friction.rest(self.members);
+            self.friction.rest(bodies.len());
             return;
         }
         let settled = self.rub_and_push(bodies);
         // Friction and pushes that answer each other round by round may drive; moving surfaces may, and what slides back.
         let may_gain = self.contacts.carried || self.friction.turned;
-        let gained = !may_gain && gains(bodies, self.members, |i| bodies.free_vx[i]);
+        let gained = !may_gain && gains(bodies, 0..bodies.len(), |i| bodies[i].free.x);
         if settled && !gained {
             guards.friction_unsettled += u64::from(!self.polish(bodies));
             return;
@@ -107,13 +106,12 @@ impl Cross<'_> {
         let per_second = 1.0 / self.dt;
         let mut moves = false;
         self.report.sides.clear();
-        for &i in self.members {
-            let i = i as usize;
-            bodies.ux[i] = bodies.free_vx[i];
-            bodies.mean_vx[i] = (bodies.px[i] - bodies.x[i]) * per_second;
-            self.pushes.given[i] = bodies.mass[i] * bodies.free_vx[i];
+        for i in 0..bodies.len() {
+            bodies[i].end.x = bodies[i].free.x;
+            bodies[i].mean.x = (bodies[i].to.x - bodies[i].from.x) * per_second;
+            self.pushes.given[i] = bodies[i].mass * bodies[i].free.x;
             (self.pushes.pushed[i], self.pushes.told[i]) = (false, false);
-            moves |= (bodies.free_vx[i] != 0.0) | (bodies.px[i] != bodies.x[i]);
+            moves |= (bodies[i].free.x != 0.0) | (bodies[i].to.x != bodies[i].from.x);
         }
         moves
     }
@@ -126,7 +124,7 @@ impl Cross<'_> {
         if bodies.airy && resistance.across(bodies, &self.friction.gripped, given, self.dt) {
             self.slide(bodies);
         }
-        self.members.iter().for_each(|i| self.pushes.before[*i as usize] = bodies.ux[*i as usize]);
+        (0..bodies.len()).for_each(|i| self.pushes.before[i] = bodies[i].end.x);
         for _ in 0..if self.many { ROUNDS_OF_MANY } else { ROUNDS } {
             if self.stir(bodies) {
                 self.rub(bodies);
@@ -156,7 +154,7 @@ impl Cross<'_> {
         let mut joined = self.clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < bodies.len());
         joined.any(|i| {
             let allowed = self.pushes.before[i].abs().max(self.clusters.velocity(i).abs());
-            bodies.ux[i].abs() > allowed * (1.0 + DRIVEN) + STILL
+            bodies[i].end.x.abs() > allowed * (1.0 + DRIVEN) + STILL
         })
     }
 
@@ -168,7 +166,7 @@ impl Cross<'_> {
 
     fn rub(&mut self, bodies: &mut Bodies) {
         let Pushes { given, pushed, resistance, .. } = &mut *self.pushes;
-        self.friction.wake(bodies, self.members, self.contacts, given, pushed);
+        self.friction.wake(bodies, self.contacts, given, pushed);
         self.friction.touch(bodies, self.contacts, self.dt);
         if bodies.airy {
             resistance.along(bodies, &self.friction.gripped, self.dt);
@@ -182,13 +180,13 @@ impl Cross<'_> {
         let Self { contacts, friction, clusters, pushes, anchors, dt, .. } = self;
         let (n, Pushes { told, hits, .. }) = (bodies.len(), &mut **pushes);
         let brings = |i: usize| if i < n { node(bodies, friction, i, (told[i], *dt, rubs)) } else { Some(Node::default()) };
-        let pool = Pool { before: &bodies.mean_vx, slack: contacts.tolerances.hair / *dt, places: false };
+        let pool = Pool { before: |i| bodies[i].mean.x, slack: contacts.tolerances.hair / *dt, places: false };
         let live = || contacts.sides.iter().filter(|side| side.live);
         let pooled = clusters.pool(pool, live, |clusters, side| {
             let (a, b) = (side.first as usize, side.second as usize);
             let (Some(of_a), Some(of_b)) = (brings(a), brings(b)) else { return false };
-            let fixed = |i: usize| (i >= n).then(|| Motion { velocity: bodies.ux[i], mean: bodies.mean_vx[i] });
-            if bodies.ux[a] - bodies.ux[b] > anchors.impact && !(clusters.is_joined(a) && clusters.is_joined(b)) {
+            let fixed = |i: usize| (i >= n).then(|| Motion { velocity: bodies[i].end.x, mean: bodies[i].mean.x });
+            if bodies[a].end.x - bodies[b].end.x > anchors.impact && !(clusters.is_joined(a) && clusters.is_joined(b)) {
                 hits.push(if a < n { (a as u32, b as u32) } else { (b as u32, a as u32) });
             }
             clusters.join(a, fixed(a), of_a);
@@ -200,7 +198,7 @@ impl Cross<'_> {
             let alone = |i: usize| i >= n || !friction.carries(bodies, i);
             clusters.hit(live(), |side| {
                 let part = if alone(side.first as usize) && alone(side.second as usize) { 1.0 } else { 0.0 };
-                anchors.bounces.of(bodies, side, Axis::Across).map(|restitution| part * restitution)
+                anchors.bounces.of(bodies, side, ACROSS).map(|restitution| part * restitution)
             });
         }
         pooled.any
@@ -219,9 +217,9 @@ impl Cross<'_> {
             pushes.given[i] += push;
             pushes.told[i] = true;
             let velocity = clusters.velocity(i);
-            bodies.mean_vx[i] = clusters.mean(i, 0.0);
+            bodies[i].mean.x = clusters.mean(i, 0.0);
             if !rubs || !friction.is_gripped[i] {
-                bodies.ux[i] = velocity;
+                bodies[i].end.x = velocity;
                 continue;
             }
             any = true;
@@ -240,7 +238,7 @@ impl Cross<'_> {
             let mut grows = false;
             for side in self.contacts.sides.iter().filter(|side| side.live) {
                 let (a, b) = (side.first as usize, side.second as usize);
-                let closes = bodies.mean_vx[a] > bodies.mean_vx[b] + side.bound + slack;
+                let closes = bodies[a].mean.x > bodies[b].mean.x + side.bound + slack;
                 if closes || (side.bound == 0.0 && a < n && b < n && pushed[a] != pushed[b]) {
                     for i in [a, b] {
                         let sleeps = i < n && !pushed[i] && !friction.is_awake[i];
@@ -264,17 +262,17 @@ fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt, rubs): (bool,
     if rubs && !friction.is_awake[i] {
         return None;
     }
-    let (velocity, mean) = (bodies.ux[i], bodies.mean_vx[i]);
+    let (velocity, mean) = (bodies[i].end.x, bodies[i].mean.x);
     if !rubs || !friction.is_gripped[i] {
-        return Some(Node::free(bodies.mass[i], bodies.vx[i], velocity, mean));
+        return Some(Node::free(bodies[i].mass, bodies[i].before.x, velocity, mean));
     }
     let riders = friction.riders[i];
     let tight = &friction.tight[friction.under(i)];
-    let moves = |t: &crate::physics::crowd::friction::Tight| bodies.ux[t.below as usize] != 0.0 || t.skin != 0.0;
+    let moves = |t: &crate::physics::crowd::friction::Tight| bodies[t.below as usize].end.x != 0.0 || t.skin != 0.0;
     if tight.is_empty() || tight.iter().any(moves) {
-        return Some(Node::free(riders.mass, bodies.vx[i], velocity, mean));
+        return Some(Node::free(riders.mass, bodies[i].before.x, velocity, mean));
     }
-    let mut node = Node { momentum: riders.momentum, ..Node::free(riders.mass, bodies.vx[i], velocity, mean) };
+    let mut node = Node { momentum: riders.momentum, ..Node::free(riders.mass, bodies[i].before.x, velocity, mean) };
     for t in tight {
         if t.grip != Grip::Stick {
             node.momentum -= t.impulse;
@@ -283,7 +281,7 @@ fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt, rubs): (bool,
         node.kinetic_limit += t.dragged;
     }
     // Its way without friction: as in flight, with what was given besides; or such that friction takes it where a cluster has.
-    let (free, of) = if told { (mean, velocity) } else { ((bodies.px[i] - bodies.x[i]) / dt, bodies.free_vx[i]) };
+    let (free, of) = if told { (mean, velocity) } else { ((bodies[i].to.x - bodies[i].from.x) / dt, bodies[i].free.x) };
     node.way = node.mass * free + 0.5 * (node.momentum - node.mass * of);
     Some(node)
 }

@@ -9,18 +9,17 @@
 //!
 //! The island's bodies and surfaces are gathered into [`Bodies`], where the step leaves their positions and velocities.
 
-use crate::physics::crowd::Other;
-use crate::physics::crowd::bodies::{Bodies, Group, Source};
+use crate::physics::crowd::bodies::{Bodies, Group, Source, Thing};
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::cross::{Cross, Pushes};
 use crate::physics::crowd::friction::Friction;
-use crate::physics::crowd::gravity::Anchors;
+use crate::physics::crowd::gravity::{Along, Anchors};
 use crate::physics::crowd::place;
 use crate::physics::crowd::report::Report;
 use crate::physics::crowd::restitution::Bounces;
-use crate::physics::crowd::walls::{Along, Walls};
-use crate::physics::data::axis::Axis;
+use crate::physics::crowd::walls::Walls;
+use crate::physics::crowd::{ACROSS, ALONG};
 use crate::physics::guards::Guards;
 use crate::physics::store::islands::Island;
 use glam::DVec2;
@@ -62,51 +61,35 @@ pub(crate) enum Outcome {
 pub(crate) struct Crowd {
     pub bodies: Bodies,
     pub dense: Dense,
-    members: Vec<u32>,
     local: Vec<u32>,
 }
 
 impl Crowd {
     /// Room for `n` bodies; `all` with surfaces.
     pub fn new(n: usize, all: usize) -> Self {
-        let (bodies, dense) = (Bodies::new(n, all), Dense::new(n, all));
-        Self { bodies, dense, members: (0..n as u32).collect(), local: vec![0; all] }
+        let (bodies, dense) = (Bodies::new(all), Dense::new(n, all));
+        Self { bodies, dense, local: vec![0; all] }
     }
 
     /// One step of an island.
     pub fn step(&mut self, from: Source<'_>, island: Island<'_>, size: StepSize) -> Outcome {
-        let Self { bodies, dense, members, local } = self;
+        let Self { bodies, dense, local } = self;
         bodies.gather(from, island);
-        let (n, count) = (bodies.len(), from.motions.len());
-        (0..).zip(&bodies.ids).for_each(|(k, i)| local[*i as usize] = k);
-        (n as u32..).zip(&bodies.surfaces).for_each(|(k, s)| local[count + *s as usize] = k);
-        dense.begin(n, n + bodies.surfaces.len());
-        dense.step(bodies, Group { members: &members[..n], island, local }, size)
+        (0..).zip(&bodies.ids).for_each(|(k, id)| local[*id as usize] = k);
+        dense.begin(bodies.len(), bodies.with_surfaces());
+        dense.step(bodies, Group { island, local }, size)
     }
 
     /// Lists what the contacts of the step gave, in the numbers of the world.
-    pub fn finish(&mut self, down: f64, solved: impl Fn(usize) -> u32) {
-        let Self { bodies, dense, members, .. } = self;
+    pub fn finish(&mut self, down: f64, solved: impl Fn(u32) -> u32) {
+        let Self { bodies, dense, .. } = self;
         let known = dense.report.list.len();
         if dense.report.on {
-            dense.record(bodies, &members[..bodies.len()], down);
+            dense.record(bodies, down);
         }
         for contact in &mut dense.report.list[known..] {
-            contact.a = bodies.ids[contact.a] as usize;
-            contact.b = match contact.b {
-                Other::Body(b) => Other::Body(bodies.ids[b] as usize),
-                Other::Surface(s) => Other::Surface(bodies.surfaces[s] as usize),
-            };
+            (contact.a, contact.b) = (bodies.ids[contact.a as usize], bodies.ids[contact.b as usize]);
             contact.solved = solved(contact.a);
-        }
-    }
-
-    /// A body or surface of the island by its number in the world.
-    pub fn other(&self, i: u32) -> Other {
-        let n = self.bodies.len() as u32;
-        match i.checked_sub(n) {
-            None => Other::Body(self.bodies.ids[i as usize] as usize),
-            Some(surface) => Other::Surface(self.bodies.surfaces[surface as usize] as usize),
         }
     }
 }
@@ -118,7 +101,7 @@ pub(crate) struct Dense {
     pub friction: Friction,
     clusters: Clusters,
     /// What hit what: pair, axis, closing speed, m/s.
-    pub hits: Vec<(u32, u32, Axis, f64)>,
+    pub hits: Vec<(u32, u32, usize, f64)>,
     pub anchors: Anchors,
     pub pushes: Pushes,
     put_back: Vec<[bool; 2]>,
@@ -178,12 +161,12 @@ impl Dense {
         self.contacts.find(bodies, group, size.dt);
         let mut inside = true;
         for look in 0..=LOOKS {
-            self.solve_along(bodies, group.members, size.dt);
-            self.solve_across(bodies, group.members, size.dt);
-            self.rub(bodies, group.members, size.dt);
-            inside = place::advance(bodies, group.members, &self.anchors.lands, size.dt);
+            self.solve_along(bodies, size.dt);
+            self.solve_across(bodies, size.dt);
+            self.rub(bodies, size.dt);
+            inside = place::advance(bodies, &self.anchors.lands, size.dt);
             if !inside && !size.last {
-                return self.grow(bodies, group.members);
+                return self.grow(bodies);
             }
             self.guards.put_back += u64::from(!inside);
             if look == LOOKS {
@@ -192,23 +175,23 @@ impl Dense {
             let missed = self.contacts.miss(bodies) as u64;
             if missed > 0 {
                 self.guards.put_back += missed;
-                predict(bodies, group.members);
+                bodies.fall_freely();
                 self.contacts.find(bodies, group, size.dt);
-            } else if !self.catch_passing(bodies, group.members) {
+            } else if !self.catch_passing(bodies) {
                 break;
             }
         }
         self.list_hits(bodies);
         let Self { contacts, clusters, put_back, .. } = self;
-        let mended = place::part(bodies, group.members, contacts, clusters, size.dt);
-        if mended.doubt && !size.last && !group.members.iter().all(|i| bodies.is_swept(*i as usize)) {
-            return self.grow(bodies, group.members);
+        let mended = place::part(bodies, contacts, clusters, size.dt);
+        if mended.doubt && !size.last && !(0..bodies.len()).all(|i| bodies.is_swept(i)) {
+            return self.grow(bodies);
         }
         if mended.doubt || !inside {
-            self.guards.put_back += place::take_back(bodies, group.members, contacts, put_back);
+            self.guards.put_back += place::take_back(bodies, contacts, put_back);
         }
-        self.bounce(bodies, group.members);
-        self.restrain(bodies, group.members, mended.any || !inside);
+        self.bounce(bodies);
+        self.restrain(bodies, mended.any || !inside);
         if self.contacts.carried {
             self.find_squeezed(bodies);
         }
@@ -221,30 +204,30 @@ impl Dense {
         std::mem::take(&mut self.guards)
     }
 
-    fn solve_along(&mut self, bodies: &mut Bodies, members: &[u32], dt: f64) {
+    fn solve_along(&mut self, bodies: &mut Bodies, dt: f64) {
         let Self { contacts, anchors, clusters, walls, report, .. } = self;
         walls.undo(bodies, anchors);
-        Along { members, contacts, anchors, clusters, dt }.solve(bodies);
+        Along { contacts, anchors, clusters, dt }.solve(bodies);
         report.drain_along(bodies, anchors);
     }
 
     /// Lets the sides rub that press, and solves along and across again if any do.
-    fn rub(&mut self, bodies: &mut Bodies, members: &[u32], dt: f64) {
+    fn rub(&mut self, bodies: &mut Bodies, dt: f64) {
         let Self { contacts, anchors, clusters, walls, report, .. } = self;
-        let mut along = Along { members, contacts, anchors, clusters, dt };
+        let mut along = Along { contacts, anchors, clusters, dt };
         if walls.solve(bodies, &mut along, &report.sides) {
             report.drain_along(bodies, anchors);
-            members.iter().for_each(|i| bodies.px[*i as usize] = bodies.free_x[*i as usize]);
-            self.solve_across(bodies, members, dt);
+            (0..bodies.len()).for_each(|i| bodies[i].to.x = bodies[i].flown.x);
+            self.solve_across(bodies, dt);
         }
     }
 
-    fn solve_across(&mut self, bodies: &mut Bodies, members: &[u32], dt: f64) {
+    fn solve_across(&mut self, bodies: &mut Bodies, dt: f64) {
         // Where some of many bounce, fewer rounds across do.
-        let many = self.anchors.any_bounces && members.len() > MANY;
+        let many = self.anchors.any_bounces && bodies.len() > MANY;
         let Self { contacts, anchors, walls, friction, clusters, pushes, report, guards, .. } = self;
         let held_up = &walls.held_up;
-        let mut cross = Cross { members, contacts, anchors, friction, clusters, pushes, held_up, report, dt, many };
+        let mut cross = Cross { contacts, anchors, friction, clusters, pushes, held_up, report, dt, many };
         cross.solve(bodies, guards);
     }
 
@@ -252,13 +235,12 @@ impl Dense {
     fn list_hits(&mut self, bodies: &Bodies) {
         let Self { anchors, pushes, hits, dt, .. } = self;
         hits.clear();
-        for &(a, b) in &anchors.hits {
-            let speed = closing_speed((a, b), [&bodies.y, &bodies.hy, &bodies.vy, &bodies.free_vy], anchors.rests[b as usize], *dt);
-            hits.extend((speed > anchors.impact).then_some((a, b, Axis::Gravity, speed)));
-        }
-        for &(a, b) in &pushes.hits {
-            let speed = closing_speed((a, b), [&bodies.x, &bodies.hx, &bodies.vx, &bodies.free_vx], false, *dt);
-            hits.extend((speed > anchors.impact).then_some((a, b, Axis::Across, speed)));
+        for (list, axis) in [(&anchors.hits, ALONG), (&pushes.hits, ACROSS)] {
+            for &(a, b) in list {
+                let rests = axis == ALONG && anchors.rests[b as usize];
+                let speed = closing_speed([&bodies[a as usize], &bodies[b as usize]], axis, rests, *dt);
+                hits.extend((speed > anchors.impact).then_some((a, b, axis, speed)));
+            }
         }
     }
 
@@ -269,23 +251,22 @@ impl Dense {
             let (body, surface) = (contact.first.min(contact.second), contact.first.max(contact.second));
             let (i, j) = (body as usize, surface as usize);
             if j >= n && bodies.moves(j) && place::overlap(bodies, (i, j), touch) {
-                let speed = (bodies.vx[j] * bodies.vx[j] + bodies.vy[j] * bodies.vy[j]).sqrt();
-                self.squeezed.push((body, surface, speed));
+                self.squeezed.push((body, surface, bodies[j].before.length()));
                 self.guards.surfaces_stopped += 1;
             }
         }
     }
 
     /// Widens what was swept by those who left it.
-    fn grow(&mut self, bodies: &mut Bodies, members: &[u32]) -> Outcome {
+    fn grow(&mut self, bodies: &mut Bodies) -> Outcome {
         self.guards.islands_grown += 1;
-        self.grown.extend(members.iter().filter(|i| !bodies.is_swept(**i as usize)));
+        self.grown.extend((0..bodies.len() as u32).filter(|i| !bodies.is_swept(*i as usize)));
         self.grown.iter().for_each(|i| bodies.widen(*i as usize));
         Outcome::Grown
     }
 
     /// Whether a pair that was expected to pass did not: then it is a contact.
-    fn catch_passing(&mut self, bodies: &mut Bodies, members: &[u32]) -> bool {
+    fn catch_passing(&mut self, bodies: &mut Bodies) -> bool {
         if !self.contacts.passing {
             return false;
         }
@@ -298,25 +279,18 @@ impl Dense {
             }
         }
         if caught > 0 {
-            predict(bodies, members);
+            bodies.fall_freely();
         }
         self.guards.put_back += caught;
         caught > 0
     }
 }
 
-/// Back to where free flight leads.
-fn predict(bodies: &mut Bodies, members: &[u32]) {
-    members.iter().for_each(|i| bodies.fall_freely(*i as usize));
-}
-
-/// How fast a pair closes when it touches, m/s: positions, half extents, velocities before and free velocities after along the axis. What
-/// `rests` does not fall along with what falls on it.
-fn closing_speed((a, b): (u32, u32), [x, half, v, free]: [&[f64]; 4], rests: bool, dt: f64) -> f64 {
-    let (a, b) = (a as usize, b as usize);
-    let side = if x[b] >= x[a] { 1.0 } else { -1.0 };
-    let gap = ((x[b] - x[a]).abs() - half[a] - half[b]).max(0.0);
-    let gained = (free[a] - v[a]) - if rests { 0.0 } else { free[b] - v[b] };
-    let before = side * (v[a] - v[b]);
+/// How fast a pair closes along an axis when it touches, m/s. If the second `rests`, it does not fall along with what falls on it.
+fn closing_speed([a, b]: [&Thing; 2], axis: usize, rests: bool, dt: f64) -> f64 {
+    let side = if b.from[axis] >= a.from[axis] { 1.0 } else { -1.0 };
+    let gap = ((b.from - a.from).abs() - a.half - b.half)[axis].max(0.0);
+    let gained = (a.free - a.before)[axis] - if rests { 0.0 } else { (b.free - b.before)[axis] };
+    let before = side * (a.before - b.before)[axis];
     (before * before.abs() + 2.0 * side * gained / dt * gap).max(0.0).sqrt()
 }

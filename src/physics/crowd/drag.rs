@@ -11,7 +11,7 @@ use glam::DVec2;
 /// Free flight as it was before drag was found again.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Resistance {
-    saved: Vec<(u32, [f64; 2])>,
+    saved: Vec<(u32, DVec2)>,
 }
 
 impl Resistance {
@@ -23,7 +23,7 @@ impl Resistance {
     /// Sets the free velocities to what flight made of them.
     pub fn restore(&mut self, bodies: &mut Bodies) {
         for (i, free) in self.saved.drain(..).rev() {
-            (bodies.free_vx[i as usize], bodies.free_vy[i as usize]) = free.into();
+            bodies[i as usize].free = free;
         }
     }
 
@@ -31,10 +31,10 @@ impl Resistance {
     pub fn along(&mut self, bodies: &mut Bodies, of: &[u32], dt: f64) {
         for &i in of {
             let i = i as usize;
-            let stands = bodies.vy[i] == 0.0 && bodies.uy[i] == 0.0 && bodies.mean_vy[i] == 0.0;
+            let stands = bodies[i].before.y == 0.0 && bodies[i].end.y == 0.0 && bodies[i].mean.y == 0.0;
             if stands && bodies.meets_air(i) {
-                self.saved.push((i as u32, [bodies.free_vx[i], bodies.free_vy[i]]));
-                bodies.free_vy[i] = bodies.ay[i] * dt;
+                self.saved.push((i as u32, bodies[i].free));
+                bodies[i].free.y = bodies[i].pull.y * dt;
             }
         }
     }
@@ -44,23 +44,19 @@ impl Resistance {
         let mut any = false;
         for &i in of {
             let i = i as usize;
-            if !bodies.meets_air(i) || (bodies.vx[i] == 0.0 && bodies.ux[i] == 0.0) {
+            if !bodies.meets_air(i) || (bodies[i].before.x == 0.0 && bodies[i].end.x == 0.0) {
                 continue;
             }
             // What contacts add to what acts from outside, as if it did so throughout the step.
-            let touched = |free: f64, now: f64| (now - free) / dt;
-            let pull = DVec2::new(
-                bodies.ax[i] + touched(bodies.free_vx[i], bodies.ux[i]),
-                bodies.ay[i] + touched(bodies.free_vy[i], bodies.uy[i]),
-            );
-            let velocity = DVec2::new(bodies.vx[i], bodies.vy[i]);
-            let (_, after) = fly_through((DVec2::ZERO, velocity), pull, &bodies.drag_of(i), dt);
-            let drag = after.x - (velocity.x + pull.x * dt);
-            let change = (velocity.x + bodies.ax[i] * dt + drag) - bodies.free_vx[i];
-            self.saved.push((i as u32, [bodies.free_vx[i], bodies.free_vy[i]]));
-            bodies.free_vx[i] += change;
-            bodies.px[i] += 0.5 * change * dt;
-            given[i] += bodies.mass[i] * change;
+            let body = &mut bodies[i];
+            let pull = body.pull + (body.end - body.free) / dt;
+            let (_, after) = fly_through((DVec2::ZERO, body.before), pull, &body.drag, dt);
+            let drag = after.x - (body.before.x + pull.x * dt);
+            let change = (body.before.x + body.pull.x * dt + drag) - body.free.x;
+            self.saved.push((i as u32, body.free));
+            body.free.x += change;
+            body.to.x += 0.5 * change * dt;
+            given[i] += body.mass * change;
             any = true;
         }
         any

@@ -5,12 +5,12 @@
 //! velocity, and is anchored itself, for pressing harder on what the ground holds does not move it. Collisions in the air and bodies that are lifted
 //! from below are merged ([`crate::physics::crowd::clusters`]) until nothing closes too far. Mean velocities stand for the ways of the step.
 
+use crate::physics::crowd::ALONG;
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::restitution::{Bounces, Fall};
-use crate::physics::data::axis::Axis;
 
 /// Relative velocities along gravity below this count as none when loads are found, m/s. Larger: slow touches rub.
 pub(crate) const SLACK: f64 = 1e-12;
@@ -71,87 +71,91 @@ impl Anchors {
     }
 }
 
-/// Solves the velocities along gravity.
-pub(crate) fn solve(
-    bodies: &mut Bodies,
-    members: &[u32],
-    contacts: &Contacts,
-    anchors: &mut Anchors,
-    clusters: &mut Clusters,
-    dt: f64,
-) {
-    let mut loose = !contacts.ceilings.is_empty();
-    anchors.edges.clear();
-    anchors.hits.clear();
-    anchors.any_bounces = false;
-    let (per_second, slack) = (1.0 / dt, contacts.tolerances.hair / dt);
-    for &i in members {
-        let i = i as usize;
-        let mut velocity = bodies.free_vy[i];
-        let mut mean = (bodies.py[i] - bodies.y[i]) * per_second;
-        if anchors.any_hung
-            && let Some(wall) = anchors.hung[i]
-        {
-            (velocity, mean) = (wall, wall);
-        }
-        let mut bound = f64::INFINITY;
-        let mut over = f64::INFINITY;
-        let mut support = i;
-        let mut gap = 0.0;
-        for stack in &contacts.stacks[contacts.under(i)] {
-            if !stack.live {
-                continue;
+/// What the solution along gravity works with.
+pub(crate) struct Along<'a> {
+    pub contacts: &'a Contacts,
+    pub anchors: &'a mut Anchors,
+    pub clusters: &'a mut Clusters,
+    pub dt: f64,
+}
+
+impl Along<'_> {
+    /// Solves the velocities along gravity.
+    pub fn solve(&mut self, bodies: &mut Bodies) {
+        let Self { contacts, anchors, dt, .. } = self;
+        let dt = *dt;
+        let mut loose = !contacts.ceilings.is_empty();
+        anchors.edges.clear();
+        anchors.hits.clear();
+        anchors.any_bounces = false;
+        let (per_second, slack) = (1.0 / dt, contacts.tolerances.hair / dt);
+        for i in 0..bodies.len() {
+            let mut velocity = bodies[i].free.y;
+            let mut mean = (bodies[i].to.y - bodies[i].from.y) * per_second;
+            if anchors.any_hung
+                && let Some(wall) = anchors.hung[i]
+            {
+                (velocity, mean) = (wall, wall);
             }
-            let j = stack.second as usize;
-            let limit = bodies.mean_vy[j] + stack.bound;
-            if anchors.held[j] {
-                if limit < bound || (limit == bound && bodies.uy[j] < bodies.uy[support]) {
-                    (bound, support, gap) = (limit, j, stack.bound);
+            let mut bound = f64::INFINITY;
+            let mut over = f64::INFINITY;
+            let mut support = i;
+            let mut gap = 0.0;
+            for stack in &contacts.stacks[contacts.under(i)] {
+                if !stack.live {
+                    continue;
                 }
-            } else {
-                over = over.min(limit);
+                let j = stack.second as usize;
+                let limit = bodies[j].mean.y + stack.bound;
+                if anchors.held[j] {
+                    if limit < bound || (limit == bound && bodies[j].end.y < bodies[support].end.y) {
+                        (bound, support, gap) = (limit, j, stack.bound);
+                    }
+                } else {
+                    over = over.min(limit);
+                }
             }
-        }
-        let hung = anchors.any_hung && anchors.hung[i].is_some();
-        anchors.held[i] = hung;
-        anchors.loose[i] = false;
-        (anchors.lands[i], anchors.on[i]) = (NONE, NONE);
-        anchors.rests[i] = hung;
-        anchors.bounce[i] = 0.0;
-        // On a surface that speeds up or slows down a body stays while it presses, though its velocity is one step late.
-        let presses = contacts.carried && gap == 0.0 && bound < f64::INFINITY && velocity >= bodies.uy[support];
-        if mean >= bound || (presses && bodies.rides_along(i, support, 0.0)) {
-            mean = bound;
-            // What leaves at the end has only touched.
-            if velocity >= bodies.uy[support] {
-                if velocity - bodies.uy[support] > anchors.impact {
-                    anchors.hits.push((i as u32, support as u32));
-                }
-                velocity = bodies.uy[support];
-                anchors.held[i] = true;
-                anchors.lands[i] = if gap > 0.0 { support as u32 } else { NONE };
-                anchors.on[i] = support as u32;
-                anchors.rests[i] = bodies.rides_along(i, support, 0.0) && mean == bodies.mean_vy[support];
-                if bodies.bounces && !anchors.rests[i] {
-                    let bears = |stack: &&Contact| {
-                        let j = stack.second as usize;
-                        stack.live && anchors.held[j] && bodies.mean_vy[j] + stack.bound == bound
-                    };
-                    let all = contacts.stacks[contacts.under(i)].iter().filter(bears);
-                    let restitution = |stack: &Contact| bodies.coefficients(i, stack.second as usize).restitution;
-                    let restitution = all.map(restitution).fold(1.0, f64::min);
-                    let fall = Fall { before: bodies.vy[i], free: bodies.free_vy[i], way: mean * dt, end: velocity };
-                    if restitution > 0.0 && fall.rebound(restitution, anchors.bounces) != velocity {
-                        (anchors.bounce[i], anchors.any_bounces) = (restitution, true);
+            let hung = anchors.any_hung && anchors.hung[i].is_some();
+            anchors.held[i] = hung;
+            anchors.loose[i] = false;
+            (anchors.lands[i], anchors.on[i]) = (NONE, NONE);
+            anchors.rests[i] = hung;
+            anchors.bounce[i] = 0.0;
+            // On a surface that speeds up or slows down a body stays while it presses, though its velocity is one step late.
+            let presses = contacts.carried && gap == 0.0 && bound < f64::INFINITY && velocity >= bodies[support].end.y;
+            if mean >= bound || (presses && bodies.rides(i, support, ALONG, 0.0)) {
+                mean = bound;
+                // What leaves at the end has only touched.
+                if velocity >= bodies[support].end.y {
+                    if velocity - bodies[support].end.y > anchors.impact {
+                        anchors.hits.push((i as u32, support as u32));
+                    }
+                    velocity = bodies[support].end.y;
+                    anchors.held[i] = true;
+                    anchors.lands[i] = if gap > 0.0 { support as u32 } else { NONE };
+                    anchors.on[i] = support as u32;
+                    anchors.rests[i] = bodies.rides(i, support, ALONG, 0.0) && mean == bodies[support].mean.y;
+                    if bodies.bounces && !anchors.rests[i] {
+                        let bears = |stack: &&Contact| {
+                            let j = stack.second as usize;
+                            stack.live && anchors.held[j] && bodies[j].mean.y + stack.bound == bound
+                        };
+                        let all = contacts.stacks[contacts.under(i)].iter().filter(bears);
+                        let restitution = |stack: &Contact| bodies.coefficients(i, stack.second as usize).restitution;
+                        let restitution = all.map(restitution).fold(1.0, f64::min);
+                        let fall = Fall::of(&bodies[i], mean * dt, velocity);
+                        if restitution > 0.0 && fall.rebound(restitution, anchors.bounces) != velocity {
+                            (anchors.bounce[i], anchors.any_bounces) = (restitution, true);
+                        }
                     }
                 }
             }
+            loose |= mean > over + slack;
+            (bodies[i].end.y, bodies[i].mean.y) = (velocity, mean);
         }
-        loose |= mean > over + slack;
-        (bodies.uy[i], bodies.mean_vy[i]) = (velocity, mean);
-    }
-    if loose {
-        merge(bodies, contacts, anchors, clusters, dt);
+        if loose {
+            merge(bodies, contacts, anchors, self.clusters, dt);
+        }
     }
 }
 
@@ -160,11 +164,11 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
     let n = bodies.len();
     let slack = contacts.tolerances.hair / dt;
     let node = |i: usize| {
-        let mean = |i: usize| (bodies.py[i] - bodies.y[i]) / dt;
-        if i < n { Node::free(bodies.mass[i], bodies.vy[i], bodies.free_vy[i], mean(i)) } else { Node::default() }
+        let mean = |i: usize| (bodies[i].to.y - bodies[i].from.y) / dt;
+        if i < n { Node::free(bodies[i].mass, bodies[i].before.y, bodies[i].free.y, mean(i)) } else { Node::default() }
     };
-    let fixed = |held: bool, i: usize| held.then(|| Motion { velocity: bodies.uy[i], mean: bodies.mean_vy[i] });
-    let pool = Pool { before: &bodies.mean_vy, slack, places: false };
+    let fixed = |held: bool, i: usize| held.then(|| Motion { velocity: bodies[i].end.y, mean: bodies[i].mean.y });
+    let pool = Pool { before: |i| bodies[i].mean.y, slack, places: false };
     let live = || contacts.stacks.iter().chain(&contacts.ceilings).filter(|contact| contact.live);
     clusters.pool(pool, live, |clusters, contact| {
         let (i, j) = (contact.first as usize, contact.second as usize);
@@ -173,7 +177,7 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
             // Pushed off its supports from below.
             (anchors.held[i], anchors.rests[i]) = (false, false);
         }
-        if bodies.free_vy[i] - bodies.free_vy[j] > anchors.impact {
+        if bodies[i].free.y - bodies[j].free.y > anchors.impact {
             anchors.hits.push(if i < n { (i as u32, j as u32) } else { (j as u32, i as u32) });
         }
         clusters.join(j, fixed(anchors.held[j], j), node(j));
@@ -181,14 +185,14 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
         true
     });
     if bodies.bounces {
-        clusters.hit(live(), |contact| anchors.bounces.of(bodies, contact, Axis::Gravity));
+        clusters.hit(live(), |contact| anchors.bounces.of(bodies, contact, ALONG));
     }
     for &i in &clusters.joined {
         let i = i as usize;
         if i < n {
             anchors.lands[i] = if clusters.came_fixed(i) { anchors.lands[i] } else { NONE };
-            bodies.mean_vy[i] = clusters.mean(i, 0.0);
-            bodies.uy[i] = clusters.velocity(i);
+            bodies[i].mean.y = clusters.mean(i, 0.0);
+            bodies[i].end.y = clusters.velocity(i);
             anchors.held[i] |= clusters.is_fixed(i);
             anchors.loose[i] = !clusters.came_fixed(i);
             if anchors.loose[i] {

@@ -1,18 +1,15 @@
 //! What contacts of a crowd step gave.
 
-use crate::physics::crowd::Other;
-use crate::physics::data::axis::Axis;
 use glam::DVec2;
 
 /// What a contact gave during the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ContactImpulse {
-    /// The body that feels it (the other one feels the opposite).
-    pub a: usize,
-    /// What exerts it.
-    pub b: Other,
+    /// The body that feels it, and the body or surface that exerts it and feels the opposite.
+    pub a: u32,
+    pub b: u32,
     /// The normal's direction.
-    pub axis: Axis,
+    pub axis: usize,
     /// The component along the normal, N·s: positive towards larger x or y.
     pub normal: f64,
     /// Friction, along the other direction, N·s.
@@ -25,23 +22,12 @@ pub(crate) struct ContactImpulse {
     pub solved: u32,
 }
 
-impl ContactImpulse {
-    /// The bodies that it acts on.
-    pub fn ends(&self) -> impl Iterator<Item = usize> + use<> {
-        let other = match self.b {
-            Other::Body(b) => Some(b),
-            Other::Surface(_) => None,
-        };
-        std::iter::once(self.a).chain(other)
-    }
-}
-
 /// One contact in the island's numbers; impulses on `a`, N·s, `normal` along the axis.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Record {
     pub a: u32,
     pub b: u32,
-    pub axis: Axis,
+    pub axis: usize,
     pub normal: f64,
     pub friction: f64,
 }

@@ -8,33 +8,26 @@ impl Contacts {
     /// Whether the solution along gravity leaves no gap between a pair; `slack` is what rounding may leave, m/s.
     pub fn closes(bodies: &Bodies, contact: &Contact, slack: f64) -> bool {
         let (first, second) = (contact.first as usize, contact.second as usize);
-        contact.live && (bodies.mean_vy[first] - bodies.mean_vy[second] - contact.bound).abs() <= slack
+        contact.live && (bodies[first].mean.y - bodies[second].mean.y - contact.bound).abs() <= slack
     }
 
     /// Adds up loads top-down, N·s: each body hands its own on to the supports that it presses and that the ground carries, in equal shares,
     /// and each share to `give`. What hangs hands on nothing.
-    pub fn hand_down(
-        &self,
-        bodies: &Bodies,
-        anchors: &Anchors,
-        members: &[u32],
-        loads: &mut [f64],
-        mut give: impl FnMut(u32, u32, f64),
-    ) {
+    pub fn hand_down(&self, bodies: &Bodies, anchors: &Anchors, loads: &mut [f64], mut give: impl FnMut(u32, u32, f64)) {
         let slack = self.tolerances.hair / anchors.bounces.dt;
-        for &i in members.iter().rev() {
-            let load = loads[i as usize];
-            if load <= 0.0 || (anchors.any_hung && anchors.hung[i as usize].is_some()) {
+        for i in (0..bodies.len()).rev() {
+            let load = loads[i];
+            if load <= 0.0 || (anchors.any_hung && anchors.hung[i].is_some()) {
                 continue;
             }
             let bears = |stack: &&Contact| anchors.held[stack.second as usize] && Self::closes(bodies, stack, slack);
-            let under = || self.stacks[self.under(i as usize)].iter().filter(bears);
+            let under = || self.stacks[self.under(i)].iter().filter(bears);
             let share = load / under().count() as f64;
             for stack in under() {
                 if let Some(below) = loads.get_mut(stack.second as usize) {
                     *below += share;
                 }
-                give(i, stack.second, share);
+                give(i as u32, stack.second, share);
             }
         }
     }

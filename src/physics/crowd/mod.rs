@@ -37,26 +37,17 @@ pub(crate) mod report;
 pub(crate) mod restitution;
 pub(crate) mod walls;
 
-use crate::physics::data::axis::Axis;
-
-/// What a body touches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Other {
-    /// The body of that number.
-    Body(usize),
-    /// The surface of that number.
-    Surface(usize),
-}
+/// The axes of boxes that do not turn: left and right; up and down.
+pub(crate) const ACROSS: usize = 0;
+pub(crate) const ALONG: usize = 1;
 
 /// Two things hit each other during the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CrowdImpact {
-    /// The body that hit.
-    pub a: usize,
-    /// What it hit.
-    pub b: Other,
-    /// Along which axis.
-    pub axis: Axis,
+    /// The body that hit, and the body or surface that it hit.
+    pub a: u32,
+    pub b: u32,
+    pub axis: usize,
     /// Closing speed when they touched, m/s, > 0.
     pub speed: f64,
     /// How often the island had been solved.
@@ -66,10 +57,8 @@ pub(crate) struct CrowdImpact {
 /// A body was squeezed between surfaces that close: the moving one was kept where it was for that step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Squeeze {
-    /// The body that had no way out.
-    pub body: usize,
-    /// The surface that was stopped.
-    pub surface: usize,
+    pub body: u32,
+    pub surface: u32,
     /// How fast the surfaces would have closed, m/s.
     pub speed: f64,
 }

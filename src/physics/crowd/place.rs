@@ -10,28 +10,29 @@ use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::gravity::NONE;
+use crate::physics::crowd::{ACROSS, ALONG};
+use glam::DVec2;
 
 /// Moves what something touched by the ways that were solved. Returns whether all stay within what was swept; as that holds the ways of
 /// free flight, only those need asking that something touched.
-pub(crate) fn advance(bodies: &mut Bodies, members: &[u32], lands: &[u32], dt: f64) -> bool {
+pub(crate) fn advance(bodies: &mut Bodies, lands: &[u32], dt: f64) -> bool {
     let mut inside = true;
-    for &i in members {
-        let i = i as usize;
+    for i in 0..bodies.len() {
         // Drag that was found again has changed the way of what nothing touches across.
-        let mut moved = bodies.px[i] != bodies.free_x[i] || bodies.py[i] != bodies.free_y[i];
-        if bodies.uy[i] != bodies.free_vy[i] {
+        let mut moved = bodies[i].to.x != bodies[i].flown.x || bodies[i].to.y != bodies[i].flown.y;
+        if bodies[i].end.y != bodies[i].free.y {
             // What lands does so to the bit.
-            bodies.py[i] = match lands[i] {
-                NONE => bodies.y[i] + dt * bodies.mean_vy[i],
-                j => bodies.py[j as usize] - (bodies.hy[i] + bodies.hy[j as usize]),
+            bodies[i].to.y = match lands[i] {
+                NONE => bodies[i].from.y + dt * bodies[i].mean.y,
+                j => bodies[j as usize].to.y - (bodies[i].half.y + bodies[j as usize].half.y),
             };
             moved = true;
         }
-        if bodies.ux[i] != bodies.free_vx[i] {
-            bodies.px[i] = bodies.x[i] + dt * bodies.mean_vx[i];
+        if bodies[i].end.x != bodies[i].free.x {
+            bodies[i].to.x = bodies[i].from.x + dt * bodies[i].mean.x;
             moved = true;
         }
-        let stays = bodies.px[i] == bodies.x[i] && bodies.py[i] == bodies.y[i];
+        let stays = bodies[i].to.x == bodies[i].from.x && bodies[i].to.y == bodies[i].from.y;
         inside &= !moved || stays || bodies.is_swept(i);
     }
     inside
@@ -47,31 +48,30 @@ pub(crate) struct Mended {
 }
 
 /// Parts what overlaps where it is predicted.
-pub(crate) fn part(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, clusters: &mut Clusters, dt: f64) -> Mended {
-    let mut any = hold_down(bodies, members, contacts, dt);
-    let mut doubt = lift(bodies, members, contacts, &mut any, dt);
+pub(crate) fn part(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters, dt: f64) -> Mended {
+    let mut any = hold_down(bodies, contacts, dt);
+    let mut doubt = lift(bodies, contacts, &mut any, dt);
     doubt |= spread(bodies, contacts, clusters);
     Mended { any: any || doubt, doubt }
 }
 
 /// Along gravity, top-down: what rises stops under what does not make way.
-fn hold_down(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, dt: f64) -> bool {
-    let rises = members.iter().any(|&i| bodies.py[i as usize] < bodies.y[i as usize]);
+fn hold_down(bodies: &mut Bodies, contacts: &Contacts, dt: f64) -> bool {
+    let rises = (0..bodies.len()).any(|i| bodies[i].to.y < bodies[i].from.y);
     if !rises {
         return false;
     }
     let mut mended = false;
     let (n, hair, touch) = (bodies.len(), contacts.tolerances.hair, contacts.tolerances.touch);
-    for &i in members.iter().rev() {
-        let i = i as usize;
+    for i in (0..bodies.len()).rev() {
         for stack in contacts.stacks[contacts.under(i)].iter().filter(|stack| stack.live && (stack.second as usize) < n) {
             let j = stack.second as usize;
-            let (rise, top) = (bodies.py[j], bodies.py[i] + stack.reach);
-            if rise < top - hair && rise < bodies.y[j] {
-                bodies.py[j] = top.min(bodies.y[j]);
+            let (rise, top) = (bodies[j].to.y, bodies[i].to.y + stack.reach);
+            if rise < top - hair && rise < bodies[j].from.y {
+                bodies[j].to.y = top.min(bodies[j].from.y);
                 mended = true;
-                if bodies.py[j] - rise > touch && bodies.ay[j] != 0.0 {
-                    bodies.uy[j] = bodies.uy[j].max((bodies.py[j] - bodies.y[j]) / dt);
+                if bodies[j].to.y - rise > touch && bodies[j].pull.y != 0.0 {
+                    bodies[j].end.y = bodies[j].end.y.max((bodies[j].to.y - bodies[j].from.y) / dt);
                 }
             }
         }
@@ -81,14 +81,13 @@ fn hold_down(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, dt: f64)
 
 /// Along gravity, bottom-up: what falls stops on what carries it. Returns whether something has to be looked at again: a body
 /// passed a corner, or hit a ceiling.
-fn lift(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, mended: &mut bool, dt: f64) -> bool {
+fn lift(bodies: &mut Bodies, contacts: &Contacts, mended: &mut bool, dt: f64) -> bool {
     let (hair, touch) = (contacts.tolerances.hair, contacts.tolerances.touch);
     let mut doubt = false;
-    for &i in members {
-        let i = i as usize;
-        let (predicted, mut y) = (bodies.py[i], bodies.py[i]);
+    for i in 0..bodies.len() {
+        let (predicted, mut y) = (bodies[i].to.y, bodies[i].to.y);
         for stack in &contacts.stacks[contacts.under(i)] {
-            let limit = bodies.py[stack.second as usize] - stack.reach;
+            let limit = bodies[stack.second as usize].to.y - stack.reach;
             if y > limit + hair {
                 if stack.live {
                     y = limit;
@@ -98,19 +97,19 @@ fn lift(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, mended: &mut 
             }
         }
         if y != predicted {
-            bodies.py[i] = y;
+            bodies[i].to.y = y;
             *mended = true;
-            if predicted - y > touch && bodies.ay[i] != 0.0 {
-                bodies.uy[i] = bodies.uy[i].min((y - bodies.y[i]).max(0.0) / dt);
+            if predicted - y > touch && bodies[i].pull.y != 0.0 {
+                bodies[i].end.y = bodies[i].end.y.min((y - bodies[i].from.y).max(0.0) / dt);
             }
             doubt |= !bodies.is_swept(i);
         }
     }
     for ceiling in &contacts.ceilings {
         let (j, i) = (ceiling.first as usize, ceiling.second as usize);
-        if bodies.py[i] - bodies.py[j] < ceiling.reach - hair {
+        if bodies[i].to.y - bodies[j].to.y < ceiling.reach - hair {
             if ceiling.live {
-                bodies.py[i] = bodies.py[j] + ceiling.reach;
+                bodies[i].to.y = bodies[j].to.y + ceiling.reach;
             }
             doubt = true;
         }
@@ -119,15 +118,14 @@ fn lift(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, mended: &mut 
 }
 
 fn overlap_along(bodies: &Bodies, i: usize, j: usize) -> bool {
-    (bodies.py[i] - bodies.py[j]).abs() < bodies.hy[i] + bodies.hy[j]
+    (bodies[i].to.y - bodies[j].to.y).abs() < bodies[i].half.y + bodies[j].half.y
 }
 
 /// Across: what overlaps is merged, in proportion to the masses. Returns whether something has to be looked at again.
 fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> bool {
     let (n, hair) = (bodies.len(), contacts.tolerances.hair);
-    let pool = Pool { before: &bodies.px, slack: hair, places: true };
     let pooled = clusters.pool(
-        pool,
+        Pool { before: |i| bodies[i].to.x, slack: hair, places: true },
         || contacts.sides.iter(),
         |clusters, side| {
             let (a, b) = (side.first as usize, side.second as usize);
@@ -135,9 +133,9 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
                 return false;
             }
             for i in [a, b] {
-                let mass = if i < n { bodies.mass[i] } else { 1.0 };
-                let fixed = (i >= n).then(|| Motion { velocity: 0.0, mean: bodies.px[i] });
-                clusters.join(i, fixed, Node::free(mass, 0.0, 0.0, bodies.px[i]));
+                let mass = if i < n { bodies[i].mass } else { 1.0 };
+                let fixed = (i >= n).then(|| Motion { velocity: 0.0, mean: bodies[i].to.x });
+                clusters.join(i, fixed, Node::free(mass, 0.0, 0.0, bodies[i].to.x));
             }
             true
         },
@@ -146,7 +144,7 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
     for &i in &clusters.joined {
         let i = i as usize;
         if i < n {
-            bodies.px[i] = clusters.mean(i, 0.0);
+            bodies[i].to.x = clusters.mean(i, 0.0);
             doubt |= !bodies.is_swept(i);
         }
     }
@@ -155,12 +153,12 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
 
 /// Puts bodies in conflict back to where they were along the contact's axis, and what they are then in the way of too, until
 /// nothing overlaps. `back` is scratch. Returns how many coordinates that are.
-pub(crate) fn take_back(bodies: &mut Bodies, members: &[u32], contacts: &Contacts, back: &mut [[bool; 2]]) -> u64 {
-    members.iter().for_each(|i| back[*i as usize] = [false; 2]);
-    for &i in members {
-        if !bodies.is_swept(i as usize) {
-            put_back(bodies, back, i as usize, ACROSS);
-            put_back(bodies, back, i as usize, ALONG);
+pub(crate) fn take_back(bodies: &mut Bodies, contacts: &Contacts, back: &mut [[bool; 2]]) -> u64 {
+    back[..bodies.len()].fill([false; 2]);
+    for i in 0..bodies.len() {
+        if !bodies.is_swept(i) {
+            put_back(bodies, back, i, ACROSS);
+            put_back(bodies, back, i, ALONG);
         }
     }
     let mut clean = false;
@@ -173,11 +171,8 @@ pub(crate) fn take_back(bodies: &mut Bodies, members: &[u32], contacts: &Contact
             clean &= !resolve(bodies, back, contact, (ACROSS, contacts.tolerances.hair));
         }
     }
-    members.iter().map(|i| back[*i as usize].iter().filter(|b| **b).count() as u64).sum()
+    back[..bodies.len()].iter().flatten().filter(|b| **b).count() as u64
 }
-
-const ACROSS: usize = 0;
-const ALONG: usize = 1;
 
 /// Puts both of a pair back if it overlaps or passed through each other. Returns whether anything was moved.
 fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &Contact, (axis, hair): (usize, f64)) -> bool {
@@ -186,16 +181,11 @@ fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &Contact, (axis
         return false;
     }
     // A pair that may pass a corner keeps an axis along which it was not quite apart: then both axes go back.
-    let started_apart = match axis {
-        ACROSS => (bodies.x[a] - bodies.x[b]).abs() >= bodies.hx[a] + bodies.hx[b] - hair,
-        _ => (bodies.y[a] - bodies.y[b]).abs() >= bodies.hy[a] + bodies.hy[b] - hair,
-    };
+    let started_apart = (bodies[a].from - bodies[b].from).abs()[axis] >= (bodies[a].half + bodies[b].half)[axis] - hair;
     let mut moved = false;
     for i in [a, b] {
-        for which in [ACROSS, ALONG] {
-            if which == axis || !started_apart {
-                moved |= put_back(bodies, back, i, which);
-            }
+        for which in [ACROSS, ALONG].into_iter().filter(|which| *which == axis || !started_apart) {
+            moved |= put_back(bodies, back, i, which);
         }
     }
     if !moved {
@@ -210,8 +200,8 @@ fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &Contact, (axis
 
 /// Whether two boxes that go straight from where they are to where they are predicted enter each other by more than `hair` on the way.
 pub(crate) fn hits(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
-    let axis = |x: &[f64], p: &[f64], h: &[f64]| [x[a] - x[b], p[a] - p[b], h[a] + h[b] - hair];
-    let (across, along) = (axis(&bodies.x, &bodies.px, &bodies.hx), axis(&bodies.y, &bodies.py, &bodies.hy));
+    let (a, b) = (&bodies[a], &bodies[b]);
+    let [across, along] = [ACROSS, ALONG].map(|k| [a.from[k] - b.from[k], a.to[k] - b.to[k], a.half[k] + b.half[k] - hair]);
     // Most stay on one side, which takes no division.
     let beside = |[from, to, reach]: [f64; 3]| from.min(to) >= reach || from.max(to) <= -reach;
     if beside(across) || beside(along) {
@@ -224,20 +214,16 @@ pub(crate) fn hits(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
 /// Whether one of two boxes has come to the far side of the other while they face each other by a quarter, before and after: whatever
 /// hit it meanwhile, it did not get there round a corner.
 fn passed(bodies: &Bodies, (a, b): (usize, usize)) -> bool {
-    let axis = |x: &[f64], p: &[f64], h: &[f64]| {
-        let (from, to, reach) = (x[a] - x[b], p[a] - p[b], h[a] + h[b] - 0.5 * h[a].min(h[b]));
-        (from * to < 0.0, from.abs() < reach && to.abs() < reach)
-    };
-    let (through_x, beside_x) = axis(&bodies.x, &bodies.px, &bodies.hx);
-    let (through_y, beside_y) = axis(&bodies.y, &bodies.py, &bodies.hy);
-    (through_x && beside_y && !beside_x) || (through_y && beside_x && !beside_y)
+    let (a, b) = (&bodies[a], &bodies[b]);
+    let (from, to, reach) = (a.from - b.from, a.to - b.to, a.half + b.half - 0.5 * a.half.min(b.half));
+    let (through, beside) = ((from * to).cmplt(DVec2::ZERO), from.abs().cmplt(reach) & to.abs().cmplt(reach));
+    (through.x && beside.y && !beside.x) || (through.y && beside.x && !beside.y)
 }
 
 /// Whether two boxes overlap where they are predicted.
 pub(crate) fn overlap(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
-    let deep_x = bodies.hx[a] + bodies.hx[b] - (bodies.px[a] - bodies.px[b]).abs();
-    let deep_y = bodies.hy[a] + bodies.hy[b] - (bodies.py[a] - bodies.py[b]).abs();
-    deep_x > hair && deep_y > hair
+    let deep = bodies[a].half + bodies[b].half - (bodies[a].to - bodies[b].to).abs();
+    deep.x > hair && deep.y > hair
 }
 
 /// Between which parts of the way from one distance to another it is less than `reach`; an empty range if never.
@@ -256,13 +242,10 @@ fn put_back(bodies: &mut Bodies, back: &mut [[bool; 2]], i: usize, axis: usize) 
         return false;
     }
     back[i][axis] = true;
-    if axis == ACROSS {
-        bodies.px[i] = bodies.x[i];
-    } else {
-        bodies.py[i] = bodies.y[i];
-        if bodies.uy[i].abs() > bodies.vy[i].abs() && bodies.ay[i] != 0.0 {
-            bodies.uy[i] = bodies.vy[i];
-        }
+    let body = &mut bodies[i];
+    body.to[axis] = body.from[axis];
+    if axis == ALONG && body.end.y.abs() > body.before.y.abs() && body.pull.y != 0.0 {
+        body.end.y = body.before.y;
     }
     true
 }

@@ -1,10 +1,10 @@
 //! Parts what still closes across when the solution has ended.
 
+use crate::physics::crowd::ACROSS;
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::contacts::Contact;
 use crate::physics::crowd::cross::{Cross, Pushes, STILL};
 use crate::physics::crowd::impulses::Edge;
-use crate::physics::data::axis::Axis;
 
 /// Sweeps in which what still closes in the end is parted. Fewer: a light body that heavy ones drag against a third keeps a part of its speed.
 const SWEEPS: usize = 32;
@@ -16,16 +16,16 @@ impl Cross<'_> {
     /// body between heavy ones that drag it may have any velocity. Returns whether nothing closes any more.
     pub(crate) fn polish(&mut self, bodies: &mut Bodies) -> bool {
         let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
-        let side_bounces = |bodies: &Bodies, side: &Contact| self.anchors.bounces.of(bodies, side, Axis::Across).is_some();
+        let side_bounces = |bodies: &Bodies, side: &Contact| self.anchors.bounces.of(bodies, side, ACROSS).is_some();
         let Pushes { parting, .. } = &mut *self.pushes;
         let touches = |bodies: &Bodies, side: &Contact| {
             let (a, b) = (side.first as usize, side.second as usize);
             // What arrives just as the step ends bounces in the next.
             let arrives = |side| bodies.bounces && side_bounces(bodies, side);
-            side.live && bodies.mean_vx[a] - bodies.mean_vx[b] - side.bound >= -slack && !arrives(side)
+            side.live && bodies[a].mean.x - bodies[b].mean.x - side.bound >= -slack && !arrives(side)
         };
         let closes = |bodies: &Bodies, side: &Contact| {
-            let (u, v) = (bodies.ux[side.first as usize], bodies.ux[side.second as usize]);
+            let (u, v) = (bodies[side.first as usize].end.x, bodies[side.second as usize].end.x);
             u - v > CLOSING * (u.abs() + v.abs()) + STILL
         };
         if !self.contacts.sides.iter().any(|side| closes(bodies, side) && touches(bodies, side)) {
@@ -39,14 +39,14 @@ impl Cross<'_> {
             let (mut most, mut fastest) = (0.0f64, 0.0f64);
             for edge in parting.iter_mut() {
                 let (a, b) = (edge.a as usize, edge.b as usize);
-                let share = |i: usize| if i < n { 1.0 / bodies.mass[i] } else { 0.0 };
+                let share = |i: usize| if i < n { 1.0 / bodies[i].mass } else { 0.0 };
                 let (of_a, of_b) = (share(a), share(b));
-                let more = (edge.impulse + (bodies.ux[a] - bodies.ux[b]) / (of_a + of_b)).max(0.0) - edge.impulse;
+                let more = (edge.impulse + (bodies[a].end.x - bodies[b].end.x) / (of_a + of_b)).max(0.0) - edge.impulse;
                 edge.impulse += more;
-                bodies.ux[a] -= more * of_a;
-                bodies.ux[b] += more * of_b;
+                bodies[a].end.x -= more * of_a;
+                bodies[b].end.x += more * of_b;
                 most = most.max(more.abs() * of_a.max(of_b));
-                fastest = fastest.max(bodies.ux[a].abs()).max(bodies.ux[b].abs());
+                fastest = fastest.max(bodies[a].end.x.abs()).max(bodies[b].end.x.abs());
             }
             most = most.max(self.friction.sweep(bodies));
             settled = most <= CLOSING * fastest + STILL;

@@ -1,20 +1,19 @@
 //! Records the contacts of an island that a crowd step has solved.
 
-use crate::physics::crowd::Other;
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::dense::Dense;
 use crate::physics::crowd::impulses::{ContactImpulse, Edge, Record};
 use crate::physics::crowd::report::Report;
-use crate::physics::data::axis::Axis;
+use crate::physics::crowd::{ACROSS, ALONG};
 use glam::DVec2;
 
 impl Dense {
     /// Records the contacts of an island that has just been solved.
-    pub fn record(&mut self, bodies: &Bodies, members: &[u32], down: f64) {
+    pub fn record(&mut self, bodies: &Bodies, down: f64) {
         let mut report = std::mem::take(&mut self.report);
         report.records.clear();
-        self.record_along(bodies, members, &mut report);
-        self.record_across(bodies, members, &mut report);
+        self.record_along(bodies, &mut report);
+        self.record_across(bodies, &mut report);
         let touch = self.contacts.tolerances.touch;
         for record in &report.records {
             if record.normal != 0.0 || record.friction != 0.0 {
@@ -24,35 +23,33 @@ impl Dense {
         self.report = report;
     }
 
-    fn record_along(&mut self, bodies: &Bodies, members: &[u32], report: &mut Report) {
+    fn record_along(&mut self, bodies: &Bodies, report: &mut Report) {
         let n = bodies.len();
         let mut lack = std::mem::take(&mut report.along);
-        for &i in members {
-            let i = i as usize;
-            lack[i] = bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]) + self.walls.held_up[i];
+        for i in 0..bodies.len() {
+            lack[i] = bodies[i].mass * (bodies[i].free.y - bodies[i].end.y) + self.walls.held_up[i];
         }
         let mut edges = std::mem::take(&mut self.anchors.edges);
         let loose = &self.anchors.loose;
         report.drain(&mut edges, &mut lack, |i| i >= n || !loose[i]);
         for edge in &edges {
-            report.records.push(Record { a: edge.a, b: edge.b, axis: Axis::Gravity, normal: -edge.impulse, friction: 0.0 });
+            report.records.push(Record { a: edge.a, b: edge.b, axis: ALONG, normal: -edge.impulse, friction: 0.0 });
         }
         self.anchors.edges = edges;
-        let passed_on = members.iter().map(|i| *i as usize).filter(|i| self.anchors.loose[*i]);
+        let passed_on = (0..n).filter(|i| self.anchors.loose[*i]);
         passed_on.for_each(|i| lack[i] = 0.0);
         let records = &mut report.records;
-        self.contacts.hand_down(bodies, &self.anchors, members, &mut lack, |a, b, share| {
-            records.push(Record { a, b, axis: Axis::Gravity, normal: -share, friction: 0.0 });
+        self.contacts.hand_down(bodies, &self.anchors, &mut lack, |a, b, share| {
+            records.push(Record { a, b, axis: ALONG, normal: -share, friction: 0.0 });
         });
         report.along = lack;
     }
 
-    fn record_across(&mut self, bodies: &Bodies, members: &[u32], report: &mut Report) {
+    fn record_across(&mut self, bodies: &Bodies, report: &mut Report) {
         let n = bodies.len();
         // What each body still needs: its change, less what its sides gave.
-        for &i in members {
-            let i = i as usize;
-            report.across[i] = bodies.mass[i] * (bodies.ux[i] - bodies.free_vx[i]);
+        for i in 0..bodies.len() {
+            report.across[i] = bodies[i].mass * (bodies[i].end.x - bodies[i].free.x);
         }
         for side in &report.sides {
             report.across[side.a as usize] += side.impulse;
@@ -81,7 +78,7 @@ impl Dense {
             }
             k = end;
         }
-        let pushes = |side: &Edge| Record { a: side.a, b: side.b, axis: Axis::Across, normal: -side.impulse, friction: 0.0 };
+        let pushes = |side: &Edge| Record { a: side.a, b: side.b, axis: ACROSS, normal: -side.impulse, friction: 0.0 };
         report.records.extend(report.sides.iter().map(pushes));
         self.walls.record(&mut report.records);
     }
@@ -94,27 +91,14 @@ fn listed(bodies: &Bodies, record: &Record, touch: f64, down: f64) -> ContactImp
     if a as usize >= n {
         (a, b, normal, friction) = (b, a, -normal, -friction);
     }
-    let (i, j) = (a as usize, b as usize);
-    let ([x, half, v, p], [far, far_half], rides) = match axis {
-        Axis::Gravity => ([&bodies.y, &bodies.hy, &bodies.vy, &bodies.py], [&bodies.px, &bodies.hx], bodies.rides_along(i, j, 0.0)),
-        Axis::Across => ([&bodies.x, &bodies.hx, &bodies.vx, &bodies.px], [&bodies.py, &bodies.hy], bodies.rides_across(i, j, 0.0)),
-    };
-    let (side, gap) = (if x[j] < x[i] { -1.0 } else { 1.0 }, (x[i] - x[j]).abs() - half[i] - half[j]);
-    let impact = gap > touch || ((v[i] - v[j]) * side > touch && !rides);
-    let (from, to) = ((far[i] - far_half[i]).max(far[j] - far_half[j]), (far[i] + far_half[i]).min(far[j] + far_half[j]));
-    let (at, middle) = (p[i] + side * half[i], 0.5 * (from + to));
-    let point = if axis == Axis::Gravity { DVec2::new(middle, at) } else { DVec2::new(at, middle) };
-    let (along, other) = if axis == Axis::Gravity { (down, 1.0) } else { (1.0, down) };
-    let b = if j < n { Other::Body(j) } else { Other::Surface(j - n) };
-    let a = i;
-    ContactImpulse {
-        a,
-        b,
-        axis,
-        normal: normal * along,
-        friction: friction * other,
-        point: point * DVec2::new(1.0, down),
-        impact,
-        solved: 0,
-    }
+    let (first, second, far) = (&bodies[a as usize], &bodies[b as usize], 1 - axis);
+    let side = if second.from[axis] < first.from[axis] { -1.0 } else { 1.0 };
+    let gap = (first.from - second.from).abs()[axis] - first.half[axis] - second.half[axis];
+    let closes = (first.before - second.before)[axis] * side > touch && !bodies.rides(a as usize, b as usize, axis, 0.0);
+    let (from, to) = ((first.to - first.half).max(second.to - second.half), (first.to + first.half).min(second.to + second.half));
+    let mut point = DVec2::ZERO;
+    (point[axis], point[far]) = (first.to[axis] + side * first.half[axis], 0.5 * (from[far] + to[far]));
+    let (along, other) = if axis == ALONG { (down, 1.0) } else { (1.0, down) };
+    let (normal, friction) = (normal * along, friction * other);
+    ContactImpulse { a, b, axis, normal, friction, point: point * DVec2::new(1.0, down), impact: gap > touch || closes, solved: 0 }
 }

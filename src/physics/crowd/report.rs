@@ -47,7 +47,7 @@ impl Report {
         }
         let mut lacks = std::mem::take(&mut self.along);
         for i in edges.iter().flat_map(|edge| [edge.a as usize, edge.b as usize]).filter(|i| *i < loose.len()) {
-            lacks[i] = bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
+            lacks[i] = bodies[i].mass * (bodies[i].free.y - bodies[i].end.y);
         }
         self.drain(edges, &mut lacks, |i| i >= loose.len() || !loose[i]);
         self.along = lacks;

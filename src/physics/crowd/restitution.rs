@@ -1,8 +1,7 @@
 //! Which impacts of a crowd step bounce, and how fast what they hit leaves.
 
-use crate::physics::crowd::bodies::Bodies;
+use crate::physics::crowd::bodies::{Bodies, Thing};
 use crate::physics::crowd::contacts::Contact;
-use crate::physics::data::axis::Axis;
 
 /// Closing speeds up to this are none, m/s. Smaller: rounding bounces.
 const SLOWEST: f64 = 1e-9;
@@ -23,14 +22,14 @@ impl Bounces {
     }
 
     /// The restitution of a pair that merges, if its impact bounces.
-    pub fn of(self, bodies: &Bodies, contact: &Contact, axis: Axis) -> Option<f64> {
+    pub fn of(self, bodies: &Bodies, contact: &Contact, axis: usize) -> Option<f64> {
         let (i, j) = (contact.first as usize, contact.second as usize);
         let restitution = bodies.coefficients(i.min(j), i.max(j)).restitution;
-        let [x, half, v, free] = bodies.along(axis);
-        let side = if x[j] < x[i] { -1.0 } else { 1.0 };
-        let gap = ((x[j] - x[i]).abs() - half[i] - half[j]).max(0.0);
-        let pull = ((free[i] - v[i]) - (free[j] - v[j])) * side / self.dt;
-        let closing = (v[i] - v[j]) * side;
+        let (a, b) = (&bodies[i], &bodies[j]);
+        let side = if b.from[axis] < a.from[axis] { -1.0 } else { 1.0 };
+        let gap = ((b.from - a.from).abs() - a.half - b.half)[axis].max(0.0);
+        let pull = ((a.free - a.before) - (b.free - b.before))[axis] * side / self.dt;
+        let closing = (a.before - b.before)[axis] * side;
         let speed = (closing * closing.abs() + 2.0 * pull * gap).max(0.0).sqrt();
         (self.leaves(restitution, speed, pull) > 0.0).then_some(restitution)
     }
@@ -46,6 +45,11 @@ pub(crate) struct Fall {
 }
 
 impl Fall {
+    /// Of a body along gravity that goes so far and ends so fast.
+    pub fn of(body: &Thing, way: f64, end: f64) -> Self {
+        Self { before: body.before.y, free: body.free.y, way, end }
+    }
+
     /// The velocity with which it leaves what has stopped it, m/s.
     pub fn rebound(&self, restitution: f64, bounces: Bounces) -> f64 {
         let side = if self.free < self.end { -1.0 } else { 1.0 };

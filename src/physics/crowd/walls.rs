@@ -8,9 +8,9 @@
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{Clusters, Node};
 use crate::physics::crowd::contacts::Contacts;
-use crate::physics::crowd::gravity::{self, Anchors};
+use crate::physics::crowd::gravity::{Along, Anchors};
 use crate::physics::crowd::impulses::{Edge, Record};
-use crate::physics::data::axis::Axis;
+use crate::physics::crowd::{ACROSS, ALONG};
 
 /// A limit exceeded by this part still holds: sums of many impulses are rounded.
 const ROUNDING: f64 = 1e-12;
@@ -55,21 +55,6 @@ pub(crate) struct Walls {
     dt: f64,
 }
 
-/// What the solution along gravity works with.
-pub(crate) struct Along<'a> {
-    pub members: &'a [u32],
-    pub contacts: &'a Contacts,
-    pub anchors: &'a mut Anchors,
-    pub clusters: &'a mut Clusters,
-    pub dt: f64,
-}
-
-impl Along<'_> {
-    pub fn solve(&mut self, bodies: &mut Bodies) {
-        gravity::solve(bodies, self.members, self.contacts, self.anchors, self.clusters, self.dt);
-    }
-}
-
 impl Walls {
     pub fn new(count: usize) -> Self {
         let none = || vec![0.0; count];
@@ -93,7 +78,7 @@ impl Walls {
     }
 
     pub fn record(&self, into: &mut Vec<Record>) {
-        let record = |grip: &Grip| Record { a: grip.body, b: grip.wall, axis: Axis::Across, normal: 0.0, friction: grip.impulse };
+        let record = |grip: &Grip| Record { a: grip.body, b: grip.wall, axis: ACROSS, normal: 0.0, friction: grip.impulse };
         into.extend(self.grips.iter().filter(|_| self.any).map(record));
     }
 
@@ -103,7 +88,7 @@ impl Walls {
             return;
         }
         for &(i, free, predicted) in self.saved.iter().rev() {
-            (bodies.free_vy[i as usize], bodies.py[i as usize]) = (free, predicted);
+            (bodies[i as usize].free.y, bodies[i as usize].to.y) = (free, predicted);
         }
         for grip in &self.grips {
             self.held_up[grip.body as usize] = 0.0;
@@ -162,8 +147,8 @@ impl Walls {
     /// Finds the bodies that may hang, first on what stands, then on each other, and the pairs that slide.
     fn find(&mut self, bodies: &Bodies, along: &mut Along<'_>) {
         let Self { edges, grips, .. } = self;
-        let Along { members, anchors, .. } = along;
-        members.iter().for_each(|i| anchors.hung[*i as usize] = None);
+        let anchors = &mut *along.anchors;
+        anchors.hung.fill(None);
         grips.clear();
         let mut last = false;
         for sweep in 0.. {
@@ -175,7 +160,7 @@ impl Walls {
                     return true;
                 }
                 let hangs = |i: u32| anchors.hung.get(i as usize).is_some_and(|hung| hung.is_some());
-                let moves = bodies.uy[grip.body as usize] != grip.skin && !(hangs(grip.body) && hangs(grip.wall) && !known);
+                let moves = bodies[grip.body as usize].end.y != grip.skin && !(hangs(grip.body) && hangs(grip.wall) && !known);
                 grips.extend(moves.then_some(grip));
                 if moves && grip.hangs {
                     anchors.hung[grip.body as usize] = Some(grip.skin);
@@ -193,8 +178,8 @@ impl Walls {
 
     /// Lets those hang that can, and slows those that slide.
     fn hang(&mut self, bodies: &mut Bodies, along: &mut Along<'_>) {
-        let Along { members, anchors, .. } = along;
-        members.iter().for_each(|i| anchors.hung[*i as usize] = None);
+        let anchors = &mut *along.anchors;
+        anchors.hung.fill(None);
         anchors.any_hung = false;
         for k in 0..self.grips.len() {
             let grip = &mut self.grips[k];
@@ -214,11 +199,13 @@ impl Walls {
     fn slow(&mut self, bodies: &mut Bodies, k: usize) {
         let Grip { body, wall, skin, held, dragged, firm, .. } = self.grips[k];
         let (i, j) = (body as usize, wall as usize);
-        let mass = if firm { bodies.mass[i] } else { 1.0 / (1.0 / bodies.mass[i] + 1.0 / bodies.mass[j]) };
-        let way = (bodies.py[i] - bodies.y[i]) / self.dt;
+        let mass = if firm { bodies[i].mass } else { 1.0 / (1.0 / bodies[i].mass + 1.0 / bodies[j].mass) };
+        let way = (bodies[i].to.y - bodies[i].from.y) / self.dt;
         let [before, after, mean] = match firm {
-            true => [bodies.vy[i] - skin, bodies.free_vy[i] - skin, way - skin],
-            false => [bodies.vy[i] - bodies.vy[j], bodies.uy[i] - bodies.uy[j], bodies.mean_vy[i] - bodies.mean_vy[j]],
+            true => [bodies[i].before.y - skin, bodies[i].free.y - skin, way - skin],
+            false => {
+                [bodies[i].before.y - bodies[j].before.y, bodies[i].end.y - bodies[j].end.y, bodies[i].mean.y - bodies[j].mean.y]
+            }
         };
         let static_limit = if !firm && before == 0.0 { held } else { 0.0 };
         let left = Node { static_limit, kinetic_limit: dragged, ..Node::free(mass, before, after, mean) }.motion();
@@ -228,27 +215,29 @@ impl Walls {
         self.give(bodies, body, [impulse, on_average]);
         self.give(bodies, wall, [-impulse, -on_average]);
         if firm && left.velocity == 0.0 {
-            bodies.free_vy[i] = skin;
+            bodies[i].free.y = skin;
         }
         self.grips[k].impulse = impulse;
     }
 
     /// Changes where a body goes along gravity by an impulse, at the end of the step and on average over it, N·s.
     fn give(&mut self, bodies: &mut Bodies, i: u32, [impulse, on_average]: [f64; 2]) {
-        let (body, i) = (i, i as usize);
-        if let Some(&mass) = bodies.mass.get(i) {
-            self.saved.push((body, bodies.free_vy[i], bodies.py[i]));
-            bodies.free_vy[i] += impulse / mass;
-            bodies.py[i] += on_average / mass * self.dt;
+        if (i as usize) < bodies.len() {
+            let body = &mut bodies[i as usize];
+            self.saved.push((i, body.free.y, body.to.y));
+            body.free.y += impulse / body.mass;
+            body.to.y += on_average / body.mass * self.dt;
             // What others rub off as well is no more than what is left.
-            bodies.uy[i] += impulse / mass;
-            bodies.mean_vy[i] += on_average / mass;
+            body.end.y += impulse / body.mass;
+            body.mean.y += on_average / body.mass;
         }
     }
 
     /// Finds who hangs and cannot be held. Returns whether there is any.
     fn slip(&mut self, bodies: &Bodies, along: &Along<'_>) -> bool {
-        along.members.iter().for_each(|i| (self.borne[*i as usize], self.holds[*i as usize]) = (0.0, 0.0));
+        for forces in [&mut self.borne, &mut self.holds] {
+            forces[..bodies.len()].fill(0.0);
+        }
         self.load(bodies, along);
         let Self { grips, holds, loads, borne, .. } = self;
         let hanging = || grips.iter().filter(|grip| grip.hangs);
@@ -276,10 +265,10 @@ impl Walls {
 
     /// Adds up what each body has to bear, top-down.
     fn load(&mut self, bodies: &Bodies, along: &Along<'_>) {
-        for i in along.members.iter().map(|i| *i as usize) {
-            self.loads[i] = self.borne[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
+        for i in 0..bodies.len() {
+            self.loads[i] = self.borne[i] + bodies[i].mass * (bodies[i].free.y - bodies[i].end.y);
         }
-        along.contacts.hand_down(bodies, along.anchors, along.members, &mut self.loads, |_, _, _| ());
+        along.contacts.hand_down(bodies, along.anchors, &mut self.loads, |_, _, _| ());
     }
 }
 
@@ -291,13 +280,13 @@ impl Grip {
         let hung = |i: usize| anchors.hung.get(i).copied().flatten();
         // The wall is what stands, or what hangs already.
         let (i, j) = if b >= n || (!stands(a) && (stands(b) || hung(a).is_none())) { (a, b) } else { (b, a) };
-        let belt = bodies.skin(j, 0, i == b);
-        let skin = hung(j).unwrap_or(if j < n { bodies.uy[j] } else { bodies.mean_vy[j] }) + belt;
-        let falls = !stands(i) && bodies.uy[i] > skin;
+        let belt = bodies.skin(j, ACROSS, i == b);
+        let skin = hung(j).unwrap_or(if j < n { bodies[j].end.y } else { bodies[j].mean.y }) + belt;
+        let falls = !stands(i) && bodies[i].end.y > skin;
         // The ground bears what presses down on it; what is drawn up is light or heavy.
         let on_firm = j >= n || (stands(j) && falls);
         let on_hung = !on_firm && hung(j).is_some() && hung(i).is_none();
-        let hangs = (on_firm || (on_hung && falls)) && bodies.rides_along(i, j, belt);
+        let hangs = (on_firm || (on_hung && falls)) && bodies.rides(i, j, ALONG, belt);
         let of = bodies.coefficients(i, j);
         let (held, dragged) = (edge.impulse * of.static_friction, edge.impulse * of.kinetic_friction);
         Self { body: i as u32, wall: j as u32, skin, held, dragged, hangs, on_hung, firm: on_firm || on_hung, impulse: 0.0 }

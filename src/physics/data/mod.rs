@@ -1,5 +1,4 @@
 pub(crate) mod aabb;
-pub(crate) mod axis;
 pub(crate) mod body;
 pub(crate) mod contact;
 pub(crate) mod def;

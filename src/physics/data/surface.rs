@@ -23,6 +23,12 @@ pub struct Sides {
     pub bottom: bool,
 }
 
+impl Default for Sides {
+    fn default() -> Self {
+        Self::ALL
+    }
+}
+
 impl Sides {
     /// Solid all around.
     pub const ALL: Self = Self { left: true, right: true, top: true, bottom: true };
@@ -198,7 +204,7 @@ impl Default for SurfaceDef {
             bounds: Aabb::new(DVec2::ZERO, DVec2::ONE),
             material: Material::ASPHALT,
             path: Path::default(),
-            sides: Sides::ALL,
+            sides: Sides::default(),
             belt: 0.0,
             present: true,
             runs: true,

@@ -5,8 +5,8 @@
 //! found in a grid whose cells are hashed, each in all cells that its box covers; those that cover many are tested one by one.
 
 use crate::physics::data::body::Body;
-use crate::physics::store::edges::{Edges, NOWHERE, contains, overlap};
-use crate::physics::store::motions::{MARGIN, Motions, SurfaceMotion};
+use crate::physics::store::edges::{Edges, NOWHERE, contains, edges, overlap};
+use crate::physics::store::motions::{MARGIN, Motions};
 use glam::DVec2;
 
 /// Skin of a fat box as a part of the mean half extent. Larger: more pairs to test; smaller: more new boxes.
@@ -57,12 +57,8 @@ impl BroadPhase {
     pub fn new(bodies: &[Body], motions: &Motions) -> Self {
         let n = bodies.len();
         let mean = bodies.iter().map(|body| body.half.min_element()).sum::<f64>() / n.max(1) as f64;
-        let around = |of: &SurfaceMotion| {
-            let (min, max) = (of.from - (of.half + MARGIN), of.from + (of.half + MARGIN));
-            [min.x, max.x, min.y, max.y]
-        };
         let mut boxes = vec![NOWHERE; n];
-        boxes.extend(motions.surfaces.iter().map(around));
+        boxes.extend(motions.surfaces.iter().map(|of| edges(of.from, of.half + MARGIN)));
         let all = boxes.len();
         let mut broad_phase = Self {
             boxes,

@@ -1,10 +1,19 @@
 //! Boxes by their edges.
 
+use glam::DVec2;
+
 /// A box as left, right, top, bottom, m.
 pub(crate) type Edges = [f64; 4];
 
 /// A box that overlaps none.
 pub(crate) const NOWHERE: Edges = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
+
+/// The box around a centre.
+#[inline(always)]
+pub(crate) fn edges(centre: DVec2, half: DVec2) -> Edges {
+    let (min, max) = (centre - half, centre + half);
+    [min.x, max.x, min.y, max.y]
+}
 
 /// Whether two boxes overlap or touch.
 pub(crate) fn overlap(a: &Edges, b: &Edges) -> bool {

@@ -9,7 +9,7 @@ use crate::physics::flight::air::fly_through;
 use crate::physics::forces::air::Drag;
 use crate::physics::forces::media::Media;
 use crate::physics::forces::weight::fall;
-use crate::physics::store::edges::{Edges, NOWHERE, contains};
+use crate::physics::store::edges::{Edges, NOWHERE, contains, edges};
 use glam::DVec2;
 
 /// How much further than predicted a body may get before its contacts are sought again, m; across, its own way besides. Larger: more contacts
@@ -173,8 +173,7 @@ impl Motions {
 
     /// Whether a body ends the step within what it was expected to sweep.
     pub fn is_swept(&self, i: usize, half: DVec2) -> bool {
-        let (min, max) = (self.bodies[i].end.0 - half, self.bodies[i].end.0 + half);
-        contains(&self.swept[i], &[min.x, max.x, min.y, max.y])
+        contains(&self.swept[i], &edges(self.bodies[i].end.0, half))
     }
 
     /// The body that names the island in which a body was advanced; none if it flew or rested by itself.

@@ -19,11 +19,11 @@ const SWEEPS: usize = 4;
 const ROUNDING: f64 = 1e-12;
 
 /// Whether bodies have more kinetic energy across than with the velocities `before`, m/s.
-pub(crate) fn gains(bodies: &Bodies, of: &[u32], before: impl Fn(usize) -> f64) -> bool {
+pub(crate) fn gains(bodies: &Bodies, of: impl Iterator<Item = usize>, before: impl Fn(usize) -> f64) -> bool {
     let (mut had, mut has) = (0.0, 0.0);
-    for i in of.iter().map(|i| *i as usize) {
-        had += bodies.mass[i] * before(i) * before(i);
-        has += bodies.mass[i] * bodies.ux[i] * bodies.ux[i];
+    for i in of {
+        had += bodies[i].mass * before(i) * before(i);
+        has += bodies[i].mass * bodies[i].end.x * bodies[i].end.x;
     }
     has > had * (1.0 + ROUNDING)
 }
@@ -35,7 +35,7 @@ impl Friction {
             return false;
         }
         let rubs = self.tight[self.under(i)].iter().filter(|tight| tight.held > 0.0);
-        rubs.map(|tight| tight.load).sum::<f64>() > bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]).abs() * (1.0 + ROUNDING)
+        rubs.map(|tight| tight.load).sum::<f64>() > bodies[i].mass * (bodies[i].free.y - bodies[i].end.y).abs() * (1.0 + ROUNDING)
     }
 
     /// Solves the velocities across of what is gripped, from the momenta `given`; leaves in `riders` what each body carries.
@@ -44,8 +44,8 @@ impl Friction {
     pub fn solve(&mut self, bodies: &mut Bodies, given: &[f64]) {
         for i in self.gripped.iter().map(|i| *i as usize) {
             for tight in &mut self.tight[self.start[i] as usize..self.end[i] as usize] {
-                let sliding = bodies.vx[i] - bodies.began_across(tight.below as usize) - tight.skin;
-                let lasts = !tight.stood && bodies.mass[i] * sliding.abs() > tight.dragged;
+                let sliding = bodies[i].before.x - bodies[tight.below as usize].was.x - tight.skin;
+                let lasts = !tight.stood && bodies[i].mass * sliding.abs() > tight.dragged;
                 tight.grip = if lasts { Grip::Slip(-sliding.signum()) } else { Grip::Stick };
                 tight.sense = 1.0;
             }
@@ -54,7 +54,7 @@ impl Friction {
         for _ in 0..ROUNDS {
             self.gather(bodies, given);
             if !self.spread(bodies) {
-                if self.carried || self.turned || !gains(bodies, &self.gripped, |i| given[i] / bodies.mass[i]) {
+                if self.carried || self.turned || !self.drives(bodies, given) {
                     // A body on several supports is not left with a slip that drives.
                     return;
                 }
@@ -64,6 +64,11 @@ impl Friction {
         self.relax(bodies, given);
     }
 
+    /// Whether what is gripped has more energy than with the momenta `given`.
+    fn drives(&self, bodies: &Bodies, given: &[f64]) -> bool {
+        gains(bodies, self.gripped.iter().map(|i| *i as usize), |i| given[i] / bodies[i].mass)
+    }
+
     /// The way out where the grips do not settle: contact by contact, friction brings its two bodies together as far as its limit allows,
     /// beginning with the impulses that the grips have come to, unless those drive. Always dissipates, but what sticks high up may be stopped
     /// only after many steps.
@@ -71,7 +76,7 @@ impl Friction {
         self.turned = false;
         self.relaxed += 1;
         self.begin_relaxing(bodies, given, 1.0);
-        if !self.carried && gains(bodies, &self.gripped, |i| given[i] / bodies.mass[i]) {
+        if !self.carried && self.drives(bodies, given) {
             self.begin_relaxing(bodies, given, 0.0);
         }
         for _ in 0..SWEEPS {
@@ -82,17 +87,17 @@ impl Friction {
     /// All bodies by themselves, with their momenta and a `part` of the impulses so far, within the limits.
     fn begin_relaxing(&mut self, bodies: &mut Bodies, given: &[f64], part: f64) {
         for i in self.gripped.iter().map(|i| *i as usize) {
-            bodies.ux[i] = given[i] / bodies.mass[i];
+            bodies[i].end.x = given[i] / bodies[i].mass;
             self.riders[i] = self.alone(bodies, i, given[i]);
         }
         for i in self.gripped.iter().map(|i| *i as usize) {
             for tight in &mut self.tight[self.start[i] as usize..self.end[i] as usize] {
                 let below = tight.below as usize;
                 (tight.grip, tight.impulse) = (Grip::Stick, part * tight.impulse.clamp(-tight.held, tight.held));
-                bodies.ux[i] += tight.impulse / bodies.mass[i];
+                bodies[i].end.x += tight.impulse / bodies[i].mass;
                 self.riders[below].momentum -= tight.impulse;
                 if below < bodies.len() && self.is_awake[below] {
-                    bodies.ux[below] -= tight.impulse / bodies.mass[below];
+                    bodies[below].end.x -= tight.impulse / bodies[below].mass;
                 }
             }
         }
@@ -107,13 +112,13 @@ impl Friction {
             for c in self.under(i) {
                 let tight = &mut self.tight[c];
                 let below = tight.below as usize;
-                let share = |i: usize, moves: bool| if moves { 1.0 / bodies.mass[i] } else { 0.0 };
+                let share = |i: usize, moves: bool| if moves { 1.0 / bodies[i].mass } else { 0.0 };
                 let (mine, other) = (share(i, true), share(below, below < n && self.is_awake[below]));
-                let wanted = tight.impulse - (bodies.ux[i] - bodies.ux[below] - tight.skin) / (mine + other);
+                let wanted = tight.impulse - (bodies[i].end.x - bodies[below].end.x - tight.skin) / (mine + other);
                 let more = wanted.clamp(-tight.held, tight.held) - tight.impulse;
                 tight.impulse += more;
-                bodies.ux[i] += more * mine;
-                bodies.ux[below] -= more * other;
+                bodies[i].end.x += more * mine;
+                bodies[below].end.x -= more * other;
                 self.riders[below].momentum -= more;
                 most = most.max(more.abs() * mine.max(other));
             }
@@ -123,8 +128,8 @@ impl Friction {
 
     /// A body by itself, with a momentum.
     fn alone(&self, bodies: &Bodies, i: usize, given: f64) -> Riders {
-        let mass = bodies.mass[i];
-        Riders { momentum: given, began: mass * bodies.vx[i], mass }
+        let mass = bodies[i].mass;
+        Riders { momentum: given, began: mass * bodies[i].before.x, mass }
     }
 
     /// Top-down: mass and momentum of all that sticks to a body, and the friction of what slides on it.
@@ -170,26 +175,26 @@ impl Friction {
                 }
             }
             let Some(&Tight { below, skin, stood, .. }) = best else {
-                bodies.ux[i] = mine.momentum / mine.mass;
+                bodies[i].end.x = mine.momentum / mine.mass;
                 for tight in &mut self.tight[under] {
-                    let slip = bodies.ux[i] - bodies.ux[tight.below as usize] - tight.skin;
+                    let slip = bodies[i].end.x - bodies[tight.below as usize].end.x - tight.skin;
                     if matches!(tight.grip, Grip::Slip(sign) if slip * sign > 0.0) {
                         (tight.grip, changed) = (Grip::Stick, true);
                     }
                 }
                 continue;
             };
-            let target = bodies.ux[below as usize] + skin;
+            let target = bodies[below as usize].end.x + skin;
             let impulse = mine.mass * target - mine.momentum;
-            bodies.ux[i] = target;
+            bodies[i].end.x = target;
             // What slid and has come to its end within the step is held by static friction then, which need not answer what it began with.
-            let first = mine.began - mine.mass * (bodies.began_across(below as usize) + skin);
+            let first = mine.began - mine.mass * (bodies[below as usize].was.x + skin);
             let ends = !stood && (impulse.abs() <= held || first * impulse > 0.0);
             let (holds, needs) = if ends { (holds, impulse + first) } else { (held, impulse) };
             // Or it slides back, for what is left of the step.
             let sense = if ends { 1.0 - 2.0 * first.abs() / (needs.abs() + held) } else { 1.0 };
             for tight in self.tight[under].iter_mut().filter(|tight| tight.grip == Grip::Stick && tight.held > 0.0) {
-                let other = bodies.ux[tight.below as usize] + tight.skin;
+                let other = bodies[tight.below as usize].end.x + tight.skin;
                 tight.impulse = impulse * (tight.held / held);
                 if other != target {
                     (tight.grip, changed) = (Grip::Slip((other - target).signum()), true);

@@ -15,6 +15,7 @@ use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::time_to_stop;
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::gravity::{Anchors, SLACK};
+use crate::physics::crowd::{ACROSS, ALONG};
 
 /// What a contact does across.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,35 +122,32 @@ impl Friction {
     }
 
     /// Nothing moves across, so nobody takes part.
-    pub fn rest(&mut self, members: &[u32]) {
+    pub fn rest(&mut self, n: usize) {
         self.awake.clear();
         self.gripped.clear();
-        members.iter().for_each(|i| self.is_awake[*i as usize] = false);
+        self.is_awake[..n].fill(false);
     }
 
     /// Chooses who takes part: what has momentum in `given`, stands on nothing, stands on what takes part, or is `pushed`.
-    pub fn wake(&mut self, bodies: &Bodies, members: &[u32], contacts: &Contacts, given: &[f64], pushed: &[bool]) {
+    pub fn wake(&mut self, bodies: &Bodies, contacts: &Contacts, given: &[f64], pushed: &[bool]) {
         self.awake.clear();
         let n = bodies.len();
-        let of = |i: u32| (bodies.traits[i as usize].static_friction, bodies.traits[i as usize].kinetic_friction);
-        let first = members.first().map_or((0.0, 0.0), |i| of(*i));
-        // Of bodies that are alike, what stands holds what slides on it.
-        let alike = bodies.alike || members.iter().all(|i| of(*i) == first);
-        for &i in members {
-            let i = i as usize;
+        let first = bodies[0].traits;
+        for i in 0..bodies.len() {
             let under = &contacts.stacks[contacts.under(i)];
             let stirs = |j: usize| {
                 if j < n {
                     return self.is_awake[j];
                 }
-                let slippery = bodies.traits[j].static_friction < first.0.max(first.1);
-                bodies.ux[j] != 0.0 || bodies.belt[j] != 0.0 || slippery
+                let slippery = bodies[j].traits.static_friction < first.static_friction.max(first.kinetic_friction);
+                bodies[j].end.x != 0.0 || bodies[j].belt != 0.0 || slippery
             };
-            let awake = !alike
+            // Of bodies that are alike, what stands holds what slides on it.
+            let awake = !bodies.alike
                 || given[i] != 0.0
                 || pushed[i]
                 || under.is_empty()
-                || bodies.uy[i] != 0.0
+                || bodies[i].end.y != 0.0
                 || under.iter().any(|stack| stirs(stack.second as usize));
             self.is_awake[i] = awake;
             if awake {
@@ -186,13 +184,14 @@ impl Friction {
     /// Adds a contact of body i with what is below it, or with a ceiling, where the two press.
     #[inline(always)]
     fn grip(&mut self, bodies: &Bodies, i: usize, contact: &Contact, slack: f64) {
-        let (above, gains) = (contact.second as usize == i, bodies.uy[contact.first as usize] - bodies.uy[contact.second as usize]);
+        let (above, gains) =
+            (contact.second as usize == i, bodies[contact.first as usize].end.y - bodies[contact.second as usize].end.y);
         if gains.abs() > SLACK || !Contacts::closes(bodies, contact, slack) {
             return;
         }
         let below = if above { contact.first } else { contact.second };
-        let (of, skin) = (bodies.coefficients(i, below as usize), bodies.skin(below as usize, 1, above));
-        let stood = bodies.rides_across(i, below as usize, skin);
+        let (of, skin) = (bodies.coefficients(i, below as usize), bodies.skin(below as usize, ALONG, above));
+        let stood = bodies.rides(i, below as usize, ACROSS, skin);
         let (dragged, holds) = (of.kinetic_friction, of.static_friction);
         // What slides stops only where kinetic friction stops it; static friction holds what stands.
         let held = if stood { holds } else { dragged };
@@ -214,7 +213,7 @@ impl Friction {
                 self.tight[under].iter_mut().filter(|tight| tight.load == 0.0).for_each(|tight| tight.press(0.0, 0.0));
                 continue;
             }
-            let load = self.loads[i] + bodies.mass[i] * (bodies.free_vy[i] - bodies.uy[i]);
+            let load = self.loads[i] + bodies[i].mass * (bodies[i].free.y - bodies[i].end.y);
             let bears = |tight: &Tight| tight.above == (load < 0.0);
             let share = load.abs() / self.tight[under.clone()].iter().filter(|t| bears(t)).count() as f64;
             for tight in &mut self.tight[under] {
@@ -253,27 +252,27 @@ impl Friction {
             if told[i] {
                 continue;
             }
-            let free = (bodies.px[i] - bodies.x[i]) / dt;
-            let mut mean = free + 0.5 * (bodies.ux[i] - bodies.free_vx[i]);
+            let free = (bodies[i].to.x - bodies[i].from.x) / dt;
+            let mut mean = free + 0.5 * (bodies[i].end.x - bodies[i].free.x);
             let strongest = self.tight[self.under(i)].iter().reduce(|a, b| if b.held > a.held { b } else { a });
             if let Some(tight) = strongest {
                 let below = tight.below as usize;
-                let (belt, began) = (tight.skin, bodies.began_across(below));
+                let (belt, began) = (tight.skin, bodies[below].was.x);
                 if tight.sense != 1.0 && tight.grip != Grip::Stick {
                     // It slid until it had the velocity of what carries it, and then slides back.
                     let part = 0.5 * (1.0 - tight.sense);
-                    let turns = began + part * (bodies.ux[below] - began) + belt;
-                    mean = 0.5 * (part * (bodies.vx[i] + turns) + (1.0 - part) * (turns + bodies.ux[i]));
-                } else if bodies.ux[i] == bodies.ux[below] + belt {
-                    let carried = bodies.mean_vx[below] + belt;
-                    let sliding = bodies.vx[i] - began - belt;
-                    let gained = bodies.free_vx[i] - bodies.vx[i] - (bodies.ux[below] - began);
+                    let turns = began + part * (bodies[below].end.x - began) + belt;
+                    mean = 0.5 * (part * (bodies[i].before.x + turns) + (1.0 - part) * (turns + bodies[i].end.x));
+                } else if bodies[i].end.x == bodies[below].end.x + belt {
+                    let carried = bodies[below].mean.x + belt;
+                    let sliding = bodies[i].before.x - began - belt;
+                    let gained = bodies[i].free.x - bodies[i].before.x - (bodies[below].end.x - began);
                     let dragged: f64 = self.tight[self.under(i)].iter().map(|t| t.dragged).sum();
                     let until = time_to_stop(sliding, gained, dragged / self.riders[i].mass);
                     mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * until };
                 }
             }
-            bodies.mean_vx[i] = mean;
+            bodies[i].mean.x = mean;
         }
     }
 
