@@ -58,6 +58,14 @@ differs() { holds "$(change "$1" "$2") >= $3"; }
 # resembles NAME OTHER MOST: at most so many percent of the pixels differ from the other picture's.
 resembles() { holds "$(change "$1" "$2") <= $3"; }
 
+# still NAME: the picture is the one before: the page has faded in, and its keys count.
+still() {
+  local before=$out/before.png same=1
+  [ -e "$before" ] && resembles "$1" before 0.01 && same=0
+  if [ $same = 0 ]; then rm "$before"; else cp "$out/$1.png" "$before"; fi
+  return $same
+}
+
 # size NAME WIDTH HEIGHT: the picture's size in pixels.
 size() { [ "$(identify -format '%w %h' "$out/$1.png")" = "$2 $3" ]; }
 

@@ -13,8 +13,11 @@ expect flights-start hud
 hold 4 space
 expect flights-score hides "$accent" 14 90 72 10 5 # the fuel bar has gone: this is the score
 expect flights-score shows "$good" 0 0 100 100 0.02
-sleep 0.8 # until the keys of the page count
-press Right Return # Save Score
+expect flights-score still
+press Right
+expect flights-chosen differs flights-score 0.1
+press Return # Save Score
+sleep 0.5 # until the field for a name is there
 type_text ann
 press Return
 expect flights-board shows "$yellow" 15 24 70 8 0.1

@@ -41,7 +41,7 @@ open_game play 1 --inputs "$inputs"
 expect flown-start shows "$accent" 14 90 6 10 15
 patience=180 expect scoring hides "$accent" 14 90 72 10 5
 expect scoring shows "$good" 0 0 100 100 0.02
-sleep 0.5 # until the keys of the page count
+expect scoring still
 press Return # the next level has the keyboard
 expect next-level hud
 [ ! -e "$data/scores/attempts.csv" ] || fail "a recording was written down as an attempt"
@@ -55,8 +55,10 @@ printf 'PLAYER,600,330,80,60,0.001\n' >"$data/levels/0/objectives.csv"
 open_game play 0
 expect done hides "$accent" 14 90 72 10 5 # the fuel bar has gone: this is the score
 expect done shows "$good" 0 0 100 100 0.02
-sleep 0.8 # until it has faded in and its keys count
-press Right Return
+expect done still
+press Right
+expect done-chosen differs done 0.1
+press Return
 expect leaderboard shows "$yellow" 22 24 56 8 0.1 # the best row
 grep -q "^$user,[0-9]*,$user-" "$data/scores/0.csv" || fail "$user is not in 0.csv: $(cat "$data/scores/0.csv")"
 grep -q "^0,$user,completed," "$data/scores/attempts.csv" || fail "the attempt is not in attempts.csv"
