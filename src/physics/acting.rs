@@ -3,6 +3,7 @@
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::Pose;
+use crate::physics::data::lists::refill;
 use crate::physics::data::tuning::SLOP;
 use crate::physics::exact::Scene;
 use crate::physics::flight::flow::flow_through;
@@ -73,8 +74,7 @@ impl World {
 
 /// Notes who begins the tick in contact with something.
 fn note_touched(state: &State, touches: &mut Vec<bool>) {
-    touches.clear();
-    touches.resize(state.bodies.len() + state.surfaces.len(), false);
+    refill(touches, state.bodies.len() + state.surfaces.len(), false);
     for contact in &state.contacts {
         (touches[contact.lo as usize], touches[contact.hi as usize]) = (true, true);
     }

@@ -7,6 +7,7 @@ use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::BodyId;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::impulse::{Impulse, Obstacle};
+use crate::physics::data::lists::refill;
 use crate::physics::data::tuning::SLOP;
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
@@ -102,8 +103,7 @@ impl Scratch {
             }
         } else {
             for flags in [&mut self.floats, &mut self.roughly] {
-                flags.clear();
-                flags.resize(bodies, false);
+                refill(flags, bodies, false);
             }
             self.pulls.clear();
             self.pulls.resize(bodies, None);

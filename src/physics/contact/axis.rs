@@ -3,6 +3,7 @@
 
 use crate::physics::contact::network::{Carries, GROUND, Network, Node};
 use crate::physics::data::contact::Contact;
+use crate::physics::data::lists::refill;
 use crate::physics::data::tuning::{LIGHT, SPEED_TOLERANCE};
 use glam::DVec2;
 
@@ -40,8 +41,7 @@ pub(crate) struct Joined {
 impl Joined {
     /// Numbers the bodies that the contacts join.
     pub(super) fn number(&mut self, contacts: &[Contact], parts: &Parts) {
-        self.node_of.clear();
-        self.node_of.resize(parts.free.len(), GROUND);
+        refill(&mut self.node_of, parts.free.len(), GROUND);
         self.body_of.clear();
         for contact in contacts {
             for item in [contact.lo, contact.hi] {

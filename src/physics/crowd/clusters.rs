@@ -11,6 +11,7 @@
 
 use crate::physics::crowd::contacts::Contact;
 use crate::physics::crowd::impulses::Edge;
+use crate::physics::data::lists::refill;
 
 /// What a body brings into its cluster.
 #[derive(Clone, Copy, Debug, Default)]
@@ -105,14 +106,12 @@ pub(crate) struct Clusters {
 }
 
 impl Clusters {
-    pub fn new(all: usize) -> Self {
-        Self {
-            is_joined: vec![false; all],
-            members: vec![Member::default(); all],
-            roots: vec![Root::default(); all],
-            joined: Vec::with_capacity(all),
-            edges: Vec::with_capacity(all),
-        }
+    /// Begins an island of `all` bodies and surfaces.
+    pub fn begin(&mut self, all: usize) {
+        self.joined.clear();
+        refill(&mut self.is_joined, all, false);
+        self.members.resize(all, Member::default());
+        self.roots.resize(all, Root::default());
     }
 
     /// Forgets all clusters.
@@ -288,8 +287,8 @@ mod tests {
 
     #[test]
     fn a_row_takes_the_common_velocity_and_its_ways_differ_by_the_gaps() {
-        let mut clusters = Clusters::new(3);
-        clusters.clear();
+        let mut clusters = Clusters::default();
+        clusters.begin(3);
         for (i, velocity) in [6.0, 0.0, 0.0].into_iter().enumerate() {
             clusters.join(i, None, Node::free(1.0, velocity, velocity, velocity));
         }
@@ -302,8 +301,8 @@ mod tests {
 
     #[test]
     fn a_wall_stops_all() {
-        let mut clusters = Clusters::new(3);
-        clusters.clear();
+        let mut clusters = Clusters::default();
+        clusters.begin(3);
         clusters.join(0, None, Node::free(5.0, 2.0, 2.0, 2.0));
         clusters.join(1, None, Node::free(1.0, 1.0, 1.0, 1.0));
         clusters.join(2, Some(Motion::default()), Node::default());
@@ -313,8 +312,8 @@ mod tests {
 
     #[test]
     fn static_friction_of_the_whole_row_holds_it() {
-        let mut clusters = Clusters::new(2);
-        clusters.clear();
+        let mut clusters = Clusters::default();
+        clusters.begin(2);
         let ground = |momentum| Node { momentum, mass: 1.0, static_limit: 1.0, kinetic_limit: 0.5, ..Node::default() };
         clusters.join(0, None, ground(1.9));
         clusters.join(1, None, ground(0.0));

@@ -95,17 +95,6 @@ impl Kind {
 }
 
 impl Contacts {
-    /// Room for what `count` bodies usually touch.
-    pub fn new(count: usize) -> Self {
-        let room = |per: usize| per * count;
-        Self {
-            ranges: vec![[0; 2]; count],
-            stacks: Vec::with_capacity(room(4)),
-            sides: Vec::with_capacity(room(4)),
-            ..Self::default()
-        }
-    }
-
     /// The supports of a body, by their numbers among the stacks.
     #[inline(always)]
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
@@ -128,6 +117,7 @@ impl Contacts {
         self.passing = false;
         self.carried = false;
         self.tolerances = Tolerances::of(bodies);
+        self.ranges.resize(bodies.len(), [0; 2]);
     }
 
     /// Finds all contacts of an island.

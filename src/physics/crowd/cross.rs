@@ -30,7 +30,7 @@ const DRIVEN: f64 = 1e-9;
 pub(crate) const STILL: f64 = 1e-12;
 
 /// What one body after the other is given in a step.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Pushes {
     /// Momenta before friction, pushes included, N·s.
     given: Vec<f64>,
@@ -47,15 +47,14 @@ pub(crate) struct Pushes {
 }
 
 impl Pushes {
-    pub fn new(count: usize) -> Self {
-        Self {
-            given: vec![0.0; count],
-            before: vec![0.0; count],
-            pushed: vec![false; count],
-            told: vec![false; count],
-            hits: Vec::new(),
-            resistance: Resistance::default(),
-            parting: Vec::with_capacity(count),
+    /// Begins an island of `n` bodies.
+    pub fn begin(&mut self, n: usize) {
+        self.resistance.begin();
+        for list in [&mut self.given, &mut self.before] {
+            list.resize(n, 0.0);
+        }
+        for flags in [&mut self.pushed, &mut self.told] {
+            flags.resize(n, false);
         }
     }
 }

@@ -67,8 +67,9 @@ pub(crate) struct Crowd {
 impl Crowd {
     /// Room for `n` bodies; `all` with surfaces.
     pub fn new(n: usize, all: usize) -> Self {
-        let (bodies, dense) = (Bodies::new(all), Dense::new(n, all));
-        Self { bodies, dense, local: vec![0; all] }
+        let mut dense = Dense::default();
+        dense.begin(n, all);
+        Self { bodies: Bodies::new(all), dense, local: vec![0; all] }
     }
 
     /// One step of an island.
@@ -95,7 +96,7 @@ impl Crowd {
 }
 
 /// The solver, and all that it works on.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Dense {
     pub contacts: Contacts,
     pub friction: Friction,
@@ -121,32 +122,16 @@ pub(crate) struct Dense {
 }
 
 impl Dense {
-    fn new(n: usize, all: usize) -> Self {
-        Self {
-            contacts: Contacts::new(n),
-            friction: Friction::new(all),
-            clusters: Clusters::new(all),
-            hits: Vec::with_capacity(n),
-            anchors: Anchors::new(n, all),
-            pushes: Pushes::new(n),
-            put_back: vec![[false; 2]; n],
-            plastic: vec![DVec2::ZERO; n],
-            guards: Guards::default(),
-            grown: Vec::with_capacity(n),
-            squeezed: Vec::new(),
-            report: Report::new(all),
-            walls: Walls::new(n),
-            dt: 0.0,
-            bounced: false,
-        }
-    }
-
     /// Begins an island of `n` bodies; `all` with surfaces.
     fn begin(&mut self, n: usize, all: usize) {
         self.anchors.begin(n, all);
         self.friction.begin(all);
         self.walls.begin(n);
-        self.pushes.resistance.begin();
+        self.pushes.begin(n);
+        self.clusters.begin(all);
+        self.report.begin(all);
+        self.put_back.resize(n, [false; 2]);
+        self.plastic.resize(n, DVec2::ZERO);
         self.grown.clear();
         self.squeezed.clear();
     }

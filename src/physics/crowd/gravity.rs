@@ -11,6 +11,7 @@ use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::restitution::{Bounces, Fall};
+use crate::physics::data::lists::refill;
 
 /// Relative velocities along gravity below this count as none when loads are found, m/s. Larger: slow touches rub.
 pub(crate) const SLACK: f64 = 1e-12;
@@ -24,9 +25,8 @@ pub(crate) struct Anchors {
     pub held: Vec<bool>,
     /// Held from the start, without an impact.
     pub rests: Vec<bool>,
-    /// On what each body lands in this step, by body; and on what those rest that rest.
+    /// On what each body lands in this step, by body.
     pub lands: Vec<u32>,
-    pub on: Vec<u32>,
     /// What a wall can hold by friction: whether it does, and how fast the wall moves.
     pub hung: Vec<Option<f64>>,
     pub any_hung: bool,
@@ -43,30 +43,16 @@ pub(crate) struct Anchors {
 }
 
 impl Anchors {
-    /// Room for `n` bodies; `all` with surfaces.
-    pub fn new(n: usize, all: usize) -> Self {
-        Self {
-            held: vec![false; all],
-            rests: vec![false; all],
-            lands: vec![NONE; n],
-            on: vec![NONE; n],
-            hung: vec![None; n],
-            bounce: vec![0.0; n],
-            edges: Vec::with_capacity(n),
-            hits: Vec::with_capacity(n),
-            ..Self::default()
-        }
-    }
-
-    /// Begins an island. Surfaces carry.
+    /// Begins an island of `n` bodies; `all` with surfaces, which carry.
     pub fn begin(&mut self, n: usize, all: usize) {
         for held in [&mut self.held, &mut self.rests] {
-            held[..n].fill(false);
-            held[n..all].fill(true);
+            refill(held, n, false);
+            held.resize(all, true);
         }
+        self.lands.resize(n, NONE);
+        self.bounce.resize(n, 0.0);
         self.loose.resize(n, false);
-        self.hung.clear();
-        self.hung.resize(n, None);
+        refill(&mut self.hung, n, None);
         self.any_hung = false;
     }
 }
@@ -118,7 +104,7 @@ impl Along<'_> {
             let hung = anchors.any_hung && anchors.hung[i].is_some();
             anchors.held[i] = hung;
             anchors.loose[i] = false;
-            (anchors.lands[i], anchors.on[i]) = (NONE, NONE);
+            anchors.lands[i] = NONE;
             anchors.rests[i] = hung;
             anchors.bounce[i] = 0.0;
             // On a surface that speeds up or slows down a body stays while it presses, though its velocity is one step late.
@@ -133,7 +119,6 @@ impl Along<'_> {
                     velocity = bodies[support].end.y;
                     anchors.held[i] = true;
                     anchors.lands[i] = if gap > 0.0 { support as u32 } else { NONE };
-                    anchors.on[i] = support as u32;
                     anchors.rests[i] = bodies.rides(i, support, ALONG, 0.0) && mean == bodies[support].mean.y;
                     if bodies.bounces && !anchors.rests[i] {
                         let bears = |stack: &&Contact| {

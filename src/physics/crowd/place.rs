@@ -154,7 +154,7 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
 /// Puts bodies in conflict back to where they were along the contact's axis, and what they are then in the way of too, until
 /// nothing overlaps. `back` is scratch. Returns how many coordinates that are.
 pub(crate) fn take_back(bodies: &mut Bodies, contacts: &Contacts, back: &mut [[bool; 2]]) -> u64 {
-    back[..bodies.len()].fill([false; 2]);
+    back.fill([false; 2]);
     for i in 0..bodies.len() {
         if !bodies.is_swept(i) {
             put_back(bodies, back, i, ACROSS);
@@ -171,7 +171,7 @@ pub(crate) fn take_back(bodies: &mut Bodies, contacts: &Contacts, back: &mut [[b
             clean &= !resolve(bodies, back, contact, (ACROSS, contacts.tolerances.hair));
         }
     }
-    back[..bodies.len()].iter().flatten().filter(|b| **b).count() as u64
+    back.iter().flatten().filter(|b| **b).count() as u64
 }
 
 /// Puts both of a pair back if it overlaps or passed through each other. Returns whether anything was moved.

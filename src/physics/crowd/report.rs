@@ -26,8 +26,11 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    pub fn new(all: usize) -> Self {
-        Self { along: vec![0.0; all], across: vec![0.0; all], degree: vec![0; all], ..Self::default() }
+    /// Begins an island of `all` bodies and surfaces.
+    pub fn begin(&mut self, all: usize) {
+        self.along.resize(all, 0.0);
+        self.across.resize(all, 0.0);
+        self.degree.resize(all, 0);
     }
 
     /// Notes what side contacts gave in one merging; `along` holds what each joined body lacks.

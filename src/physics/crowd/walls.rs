@@ -6,11 +6,11 @@
 //! by side that nothing carries rub as a pair. Only bodies that would move along the face take part: what the ground carries does not.
 
 use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::clusters::{Clusters, Node};
-use crate::physics::crowd::contacts::Contacts;
+use crate::physics::crowd::clusters::Node;
 use crate::physics::crowd::gravity::{Along, Anchors};
 use crate::physics::crowd::impulses::{Edge, Record};
 use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::data::lists::refill;
 
 /// A limit exceeded by this part still holds: sums of many impulses are rounded.
 const ROUNDING: f64 = 1e-12;
@@ -56,25 +56,12 @@ pub(crate) struct Walls {
 }
 
 impl Walls {
-    pub fn new(count: usize) -> Self {
-        let none = || vec![0.0; count];
-        Self {
-            loads: none(),
-            held_up: none(),
-            borne: none(),
-            holds: none(),
-            grips: Vec::with_capacity(2 * count),
-            edges: Vec::with_capacity(2 * count),
-            saved: Vec::with_capacity(4 * count),
-            ..Self::default()
-        }
-    }
-
     /// Begins an island of `n` bodies.
     pub fn begin(&mut self, n: usize) {
         self.any = false;
-        self.held_up[..n].fill(0.0);
-        self.loads.resize(n, 0.0);
+        for forces in [&mut self.held_up, &mut self.loads, &mut self.borne, &mut self.holds] {
+            refill(forces, n, 0.0);
+        }
     }
 
     pub fn record(&self, into: &mut Vec<Record>) {
@@ -236,7 +223,7 @@ impl Walls {
     /// Finds who hangs and cannot be held. Returns whether there is any.
     fn slip(&mut self, bodies: &Bodies, along: &Along<'_>) -> bool {
         for forces in [&mut self.borne, &mut self.holds] {
-            forces[..bodies.len()].fill(0.0);
+            forces.fill(0.0);
         }
         self.load(bodies, along);
         let Self { grips, holds, loads, borne, .. } = self;

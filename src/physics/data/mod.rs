@@ -5,6 +5,7 @@ pub(crate) mod def;
 pub(crate) mod domain;
 pub(crate) mod impact_time;
 pub(crate) mod impulse;
+pub(crate) mod lists;
 pub(crate) mod material;
 pub(crate) mod plan;
 pub(crate) mod surface;

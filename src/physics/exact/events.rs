@@ -5,6 +5,7 @@ use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::Pose;
 use crate::physics::data::contact::Contact;
 use crate::physics::data::impact_time::Cubic;
+use crate::physics::data::lists::refill;
 use crate::physics::data::plan::Plan;
 use crate::physics::data::surface::Surface;
 use crate::physics::exact::item::{Item, Next};
@@ -211,10 +212,4 @@ impl Events {
         self.lanes.extend(self.tracks.iter().map(|track| track.lane(&track.swept)));
         refill(&mut self.borders, if self.streams.is_empty() { 0 } else { self.movable }, ZoneList::default());
     }
-}
-
-/// Sets the length and all values of a list.
-fn refill<T: Clone>(list: &mut Vec<T>, count: usize, value: T) {
-    list.clear();
-    list.resize(count, value);
 }

@@ -6,6 +6,7 @@
 //! whose impulse would pull is left out, and is an impact of its own if it approaches still.
 
 use crate::physics::data::contact::Contact;
+use crate::physics::data::lists::refill;
 use crate::physics::data::tuning::EQUAL_SPEED;
 use crate::physics::exact::events::{Events, Scene, Tie};
 use glam::DVec2;
@@ -116,8 +117,7 @@ impl Events {
 
     /// What impulses along the directions of the search change of the approach speeds.
     fn find_changes(&mut self, ties: &mut [Tie]) {
-        self.means.clear();
-        self.means.resize(self.movable, DVec2::ZERO);
+        refill(&mut self.means, self.movable, DVec2::ZERO);
         for tie in &*ties {
             let Contact { lo, hi, axis, .. } = self.touching[tie.index];
             for (item, sign) in [(lo as usize, -1.0), (hi as usize, 1.0)] {

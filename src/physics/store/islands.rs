@@ -5,6 +5,7 @@
 //! order of the other. So nothing that is added elsewhere changes one bit of it.
 
 use crate::physics::data::body::Body;
+use crate::physics::data::lists::refill;
 use crate::physics::store::broad_phase::BroadPhase;
 use crate::physics::store::edges::{Edges, overlap};
 use crate::physics::store::motions::Motions;
@@ -195,8 +196,7 @@ impl Islands {
         let Self { order, place, parent, ranges, others, links, carried, .. } = self;
         let n = motions.len();
         others.clear();
-        carried.clear();
-        carried.resize(moving.len(), NONE);
+        refill(carried, moving.len(), NONE);
         order.iter().for_each(|i| parent[*i as usize] = *i);
         for (k, &i) in order.iter().enumerate() {
             let (from, mine) = (others.len(), motions.swept[i as usize]);

@@ -5,6 +5,7 @@
 
 use crate::physics::checks::{Ledger, Thing, rounding};
 use crate::physics::data::aabb::Aabb;
+use crate::physics::data::lists::refill;
 use crate::physics::data::tuning::{MICRO_SPEED, SLOP};
 use crate::physics::forces::zones::{feels, stays};
 use crate::physics::world::World;
@@ -32,8 +33,7 @@ impl World {
         moving.extend((0..self.state.surfaces.len() as u32).filter(moves));
         // A flow whose last part was one implicit step ends slower or faster than it would.
         let ended_early = self.records.guards.flows_cut_short > self.records.flows_cut_short;
-        ledgers.clear();
-        ledgers.resize(bodies.len(), Ledger::default());
+        refill(ledgers, bodies.len(), Ledger::default());
         for thing in bodies {
             let island = self.space.motions.island_of(thing.id);
             let ledger = &mut ledgers[island.unwrap_or(thing.id) as usize];

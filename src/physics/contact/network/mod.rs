@@ -24,6 +24,7 @@ pub(crate) mod grounds;
 pub(crate) mod passes;
 pub(crate) mod routing;
 
+use crate::physics::data::lists::refill;
 use crate::physics::data::tuning::{FORCE_TOLERANCE, LIGHT};
 use std::ops::Range;
 
@@ -189,8 +190,7 @@ impl Network {
     fn index_links(&mut self) {
         let n = self.nodes.len();
         // Count, sum up to where each node's links end, and fill from the back: their order stays ascending.
-        self.first.clear();
-        self.first.resize(n + 2, 0);
+        refill(&mut self.first, n + 2, 0);
         for link in &self.links {
             for end in [link.lo, link.hi] {
                 let slot = self.slot(end);
@@ -200,8 +200,7 @@ impl Network {
         for i in 0..=n {
             self.first[i + 1] += self.first[i];
         }
-        self.around.clear();
-        self.around.resize(2 * self.links.len(), 0);
+        refill(&mut self.around, 2 * self.links.len(), 0);
         for (index, link) in self.links.iter().enumerate().rev() {
             for end in [link.lo, link.hi] {
                 let slot = self.slot(end);
@@ -210,8 +209,7 @@ impl Network {
                 self.around[at] = index as u32;
             }
         }
-        self.notes.clear();
-        self.notes.resize(n + 1, Note { excess: 0.0, block: NOWHERE, waits_for: 0, came_by: NOWHERE, side: Side::Same });
+        refill(&mut self.notes, n + 1, Note { excess: 0.0, block: NOWHERE, waits_for: 0, came_by: NOWHERE, side: Side::Same });
     }
 
     fn links_of(&self, node: u32) -> Range<usize> {

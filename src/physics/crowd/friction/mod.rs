@@ -16,6 +16,7 @@ use crate::physics::crowd::clusters::time_to_stop;
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::gravity::{Anchors, SLACK};
 use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::data::lists::refill;
 
 /// What a contact does across.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,24 +91,16 @@ pub(crate) struct Friction {
 }
 
 impl Friction {
-    /// Room for `all` bodies and surfaces.
-    pub fn new(all: usize) -> Self {
-        Self {
-            riders: vec![Riders::default(); all],
-            loads: vec![0.0; all],
-            is_awake: vec![false; all],
-            is_gripped: vec![false; all],
-            start: vec![0; all],
-            end: vec![0; all],
-            ..Self::default()
-        }
-    }
-
     /// Begins an island; `all` is the number of its bodies and surfaces.
     pub fn begin(&mut self, all: usize) {
         for flags in [&mut self.is_awake, &mut self.is_gripped] {
-            flags[..all].fill(false);
+            refill(flags, all, false);
         }
+        for places in [&mut self.start, &mut self.end] {
+            places.resize(all, 0);
+        }
+        self.loads.resize(all, 0.0);
+        self.riders.resize(all, Riders::default());
     }
 
     /// The tight contacts under a body that takes part.
