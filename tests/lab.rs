@@ -136,7 +136,7 @@ fn rk4_has_no_order_at_the_apex_of_a_rise() {
     assert!(beside.iter().any(|slope| (slope - 4.0).abs() > 0.5), "{beside:?}");
 }
 
-/// What the README says of methods of first order.
+/// What docs/accuracy.md says of methods of first order.
 #[test]
 fn methods_of_first_order_need_thousands_of_steps_a_second() {
     let scene = scene("projectile");

@@ -1,4 +1,4 @@
-//! The limits that README states: each is accepted, what lies beyond is refused by file, line and column.
+//! The limits that docs/levels.md states: each is accepted, what lies beyond is refused by file, line and column.
 
 use crate::lines;
 use crate::support::Memory;

@@ -9,7 +9,7 @@ fn area_times_speed(body: &BodyDef, u: DVec2) -> f64 {
     if body.round { 0.5 * (w + h) * u.length() } else { w * u.y.abs() + h * u.x.abs() }
 }
 
-/// What the liquids do to an object by README's laws: the part of it that is dry, buoyancy and viscous drag.
+/// What the liquids do to an object by the laws of docs/accuracy.md: the part of it that is dry, buoyancy and viscous drag.
 fn baths(flown: &Flown, object: usize, row: &Row) -> (f64, DVec2, DVec2) {
     let (body, gravity, u) = (flown.body(object), flown.level.gravity, row.velocity);
     let (mass, half, drag) = (body.mass, body.half, body.drag);
