@@ -99,6 +99,7 @@ impl Bilinear {
 }
 
 /// A surface that cuts the body.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Cut {
     /// Density of its liquid, per mass of the body; and times g.
     density: f64,
@@ -178,8 +179,9 @@ pub(crate) struct Displaced {
     pub fraction: Bilinear,
     pub density: Bilinear,
     pub linear: Bilinear,
-    /// Whether the surface of a liquid cuts the body.
-    is_cut: bool,
+    /// The first surface that cuts the body, and the liquids of the others.
+    cut: Option<Cut>,
+    more: ZoneList,
 }
 
 impl Displaced {
@@ -222,7 +224,7 @@ impl Displaced {
         }
         let centre = if corner.is_finite() { corner } else { x };
         *self = Self { liquids, near, centre, within: x, places: Some(places), sliver, ..Self::default() };
-        liquids.iter().for_each(|index| self.add(media, body, &media.fluids[index as usize]));
+        liquids.iter().for_each(|index| self.add(media, body, index));
         let per_area = 1.0 / (4.0 * half.x * half.y);
         let stokes = STOKES * (half.x + half.y) / body.mass * per_area;
         (self.fraction, self.density) = (self.fraction.scaled(per_area), self.density.scaled(per_area));
@@ -231,13 +233,18 @@ impl Displaced {
 
     /// Adds the area inside a liquid, m², its mass, kg/m, and the same with its viscosity.
     #[inline]
-    fn add(&mut self, media: &Media, body: &Body, fluid: &FluidDef) {
+    fn add(&mut self, media: &Media, body: &Body, index: u32) {
+        let fluid = &media.fluids[index as usize];
         if let Some(sides) = Sides::of(body, fluid, self.within) {
             let extent = sides.extent(body, fluid, self.centre);
             self.fraction.add(1.0, &extent);
             self.density.add(fluid.density, &extent);
             self.linear.add(fluid.viscosity, &extent);
-            self.is_cut |= sides.cut(media.gravity >= 0.0).0;
+            match self.surface(media, body, fluid) {
+                Some(_) if self.cut.is_some() => self.more = self.more.with(index),
+                Some(cut) => self.cut = Some(cut),
+                None => {}
+            }
         }
     }
 
@@ -250,12 +257,12 @@ impl Displaced {
     /// The surfaces that cut the body.
     #[inline]
     pub fn cuts(&self, media: &Media, body: &Body) -> impl Iterator<Item = Cut> {
-        let near = if self.is_cut { self.liquids } else { ZoneList::default() };
-        near.iter().filter_map(move |index| self.cut(media, body, &media.fluids[index as usize]))
+        let more = self.more.iter().filter_map(move |index| self.surface(media, body, &media.fluids[index as usize]));
+        self.cut.into_iter().chain(more)
     }
 
     #[inline]
-    fn cut(&self, media: &Media, body: &Body, fluid: &FluidDef) -> Option<Cut> {
+    fn surface(&self, media: &Media, body: &Body, fluid: &FluidDef) -> Option<Cut> {
         let (sides, down) = (Sides::of(body, fluid, self.within)?, media.gravity >= 0.0);
         let (cut, leaves) = sides.cut(down);
         cut.then(|| {
@@ -271,7 +278,7 @@ impl Displaced {
 
     /// Whether the media are the same all around.
     pub fn is_same_around(&self) -> bool {
-        !self.is_cut && [self.fraction, self.density, self.linear].iter().all(|form| form.0[1..] == [0.0; 3])
+        self.cut.is_none() && [self.fraction, self.density, self.linear].iter().all(|form| form.0[1..] == [0.0; 3])
     }
 
     /// Whether the forms hold at `x`, or within `margin` of where they do.

@@ -18,12 +18,16 @@ pub(crate) struct ZoneList(u128);
 
 impl ZoneList {
     pub fn of(indices: impl Iterator<Item = u32>) -> Self {
-        Self(indices.fold(0, |bits, index| bits | 1 << index))
+        indices.fold(Self::default(), Self::with)
     }
 
     /// Of those zones that a box touches within `slop` metres.
     pub fn touching<'a>(zones: impl Iterator<Item = &'a Aabb>, near: &Aabb, slop: f64) -> Self {
         Self::of((0..).zip(zones).filter(|(_, zone)| near.touches(zone, slop)).map(|(index, _)| index))
+    }
+
+    pub fn with(self, index: u32) -> Self {
+        Self(self.0 | 1 << index)
     }
 
     pub fn is_empty(self) -> bool {
