@@ -1,10 +1,9 @@
 //! The action on each body as a tick begins, for the store: a constant force, or, near liquids and the borders of streams, the pose at the
 //! end of the tick if the body touches nothing. A body that comes near no other has then ended its tick.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::Pose;
 use crate::physics::data::lists::refill;
 use crate::physics::data::tuning::SLOP;
+use crate::physics::data::{Aabb, Pose};
 use crate::physics::exact::Scene;
 use crate::physics::flight::flow::flow_through;
 use crate::physics::flight::steps::Course;

@@ -1,10 +1,8 @@
 //! Changes of a world between ticks: engines, switched things, and for a "what if" the numbers of its definition. The engine looks again at
 //! all bodies that a change concerns.
 
-use crate::physics::data::body::{Body, BodyId};
-use crate::physics::data::def::WorldDef;
 use crate::physics::data::domain::DefError;
-use crate::physics::data::surface::Surface;
+use crate::physics::data::{Body, BodyId, Surface, WorldDef};
 use crate::physics::forces::kind::{ForceKind, Source};
 use crate::physics::forces::manager::ForceManager;
 use crate::physics::space::Space;

@@ -3,9 +3,7 @@
 //! Each part of the state is taken apart field by field, so that one that is added is either written here or left out on purpose.
 
 use crate::physics::DVec2;
-use crate::physics::data::body::Body;
-use crate::physics::data::contact::Contact;
-use crate::physics::data::surface::Surface;
+use crate::physics::data::{Body, Contact, Surface};
 use crate::physics::forces::kind::{ForceKind, Source};
 use crate::physics::forces::link::{LinkDef, LinkEnd};
 use crate::physics::forces::manager::{Force, ForceManager};

@@ -15,8 +15,7 @@
 use crate::physics::crowd::bodies::Source;
 use crate::physics::crowd::dense::{Outcome as CrowdOutcome, StepSize};
 use crate::physics::crowd::{CrowdImpact, Squeeze};
-use crate::physics::data::body::Body;
-use crate::physics::data::plan::{Part, called};
+use crate::physics::data::{Body, Part, called};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Outcome, Scene};
 use crate::physics::flight::flow::flow_through;
@@ -29,7 +28,6 @@ use crate::physics::store::islands::Island;
 use crate::physics::store::motions::{Method, Motions};
 use glam::DVec2;
 
-/// The choice of methods.
 pub(crate) struct Choice;
 
 impl Choice {
@@ -57,7 +55,6 @@ pub(crate) struct Tick<'a> {
     pub bare: bool,
 }
 
-/// What has become of an island.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
     /// It is where it is at the end of the step; whether all of it rests.

@@ -2,10 +2,9 @@
 //! mean force of its links over the tick as a constant one (its place is off by a part (ω·dt)²/12 of the force's own way), and its contacts
 //! those at the tick's end.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::Pose;
 use crate::physics::data::domain::DefError;
 use crate::physics::data::tuning::SLOP;
+use crate::physics::data::{Aabb, Pose};
 use crate::physics::flight::linked::{Group, Member};
 use crate::physics::forces::link::{LinkDef, links_on};
 use crate::physics::islands::{Members, Tick, Verdict};

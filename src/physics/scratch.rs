@@ -3,12 +3,9 @@
 
 #[cfg(all(feature = "validate", debug_assertions))]
 use crate::physics::checks::Checks;
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::BodyId;
-use crate::physics::data::contact::Contact;
-use crate::physics::data::impulse::{Impulse, Obstacle};
 use crate::physics::data::lists::refill;
 use crate::physics::data::tuning::SLOP;
+use crate::physics::data::{Aabb, BodyId, Contact, Impulse, Obstacle};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
 use crate::physics::flight::linked::Member;
@@ -197,7 +194,6 @@ impl Scratch {
         }
     }
 
-    /// Takes over the contacts of the island.
     pub fn take_contacts(&mut self, state: &State) {
         let n = state.bodies.len() as u32;
         let Self { events, contacts, members, .. } = self;
@@ -207,7 +203,6 @@ impl Scratch {
         contacts.extend(events.contacts.iter().map(|contact| (members[0], global(contact))));
     }
 
-    /// Takes over what the island came to.
     pub fn scatter(&mut self, state: &State, motions: &mut Motions) {
         self.take_contacts(state);
         let Self { events, happened, stops, crushed, members, .. } = self;

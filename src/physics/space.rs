@@ -2,8 +2,7 @@
 
 use crate::physics::crowd::dense::Crowd;
 use crate::physics::crowd::{CrowdImpact, Squeeze};
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::Pose;
+use crate::physics::data::{Aabb, Pose};
 use crate::physics::state::State;
 use crate::physics::store::broad_phase::BroadPhase;
 use crate::physics::store::islands::Islands;
@@ -33,7 +32,6 @@ pub(crate) struct Space {
 }
 
 impl Space {
-    /// The space of a state as it is.
     pub fn new(state: &State) -> Self {
         let (n, surfaces) = (state.bodies.len(), state.surfaces.len());
         let motions = Motions::new(&state.bodies, &state.surfaces, &state.media);

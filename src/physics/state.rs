@@ -1,9 +1,6 @@
 //! The state of a world, and the records of its last tick.
 
-use crate::physics::data::body::{Body, BodyId};
-use crate::physics::data::contact::Contact;
-use crate::physics::data::impulse::{Impulse, Obstacle};
-use crate::physics::data::surface::Surface;
+use crate::physics::data::{Body, BodyId, Contact, Impulse, Obstacle, Surface};
 use crate::physics::forces::link::Links;
 use crate::physics::forces::manager::ForceManager;
 use crate::physics::forces::media::Media;
@@ -59,7 +56,6 @@ impl Methods {
     }
 }
 
-/// The state of a world.
 #[derive(Clone, Debug)]
 pub(crate) struct State {
     pub bodies: Vec<Body>,

@@ -5,12 +5,8 @@
 
 use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::impulses::ContactImpulse;
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::{Body, BodyId};
-use crate::physics::data::contact::Contact;
-use crate::physics::data::impulse::{Impulse, Obstacle};
-use crate::physics::data::material::Coefficients;
 use crate::physics::data::tuning::{REPORT_SPEED, SLOP};
+use crate::physics::data::{Aabb, Body, BodyId, Coefficients, Contact, Impulse, Obstacle};
 use crate::physics::exact::Scene;
 use crate::physics::exact::item::Item;
 use crate::physics::islands::{Choice, Tick};

@@ -2,10 +2,8 @@
 //! does; the game never does.
 
 use crate::physics::checks::{Checks, Thing, rounding};
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::BodyId;
-use crate::physics::data::surface::Sides;
 use crate::physics::data::tuning::SLOP;
+use crate::physics::data::{Aabb, BodyId, Sides};
 use crate::physics::forces::manager::ForceManager;
 use crate::physics::store::motions::Method;
 use crate::physics::world::{World, edges};

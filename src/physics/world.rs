@@ -1,15 +1,10 @@
 //! The world: its content, and the questions that it answers. How a tick goes is in `step`.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::{Body, BodyDef, BodyId};
-use crate::physics::data::contact::Contact;
-use crate::physics::data::def::WorldDef;
 use crate::physics::data::domain::DefError;
-use crate::physics::data::impulse::{Impulse, Obstacle};
-use crate::physics::data::material::Material;
-use crate::physics::data::plan::Plan;
-use crate::physics::data::surface::{Surface, SurfaceDef};
 use crate::physics::data::tuning::EDGE_THICKNESS;
+use crate::physics::data::{
+    Aabb, Body, BodyDef, BodyId, Contact, Impulse, Material, Obstacle, Plan, Surface, SurfaceDef, WorldDef,
+};
 use crate::physics::forces::kind::{ForceKind, Source};
 use crate::physics::forces::link::Links;
 use crate::physics::forces::manager::{Force, ForceManager};

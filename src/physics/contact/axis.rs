@@ -7,7 +7,6 @@ use crate::physics::data::lists::refill;
 use crate::physics::data::tuning::{LIGHT, SPEED_TOLERANCE};
 use glam::DVec2;
 
-/// Which question is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Question {
     /// Forces: friction is static or kinetic by Coulomb's law.

@@ -13,7 +13,6 @@ use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::{FORCE_TOLERANCE, FRICTION_ROUNDS};
 use glam::DVec2;
 
-/// The solver and its buffers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Reactions {
     pub joined: Joined,

@@ -4,9 +4,7 @@
 //! each other, and neighbours in a pile are neighbours in memory.
 
 use crate::physics::crowd::ACROSS;
-use crate::physics::data::body::{Body, Pose};
-use crate::physics::data::material::Coefficients;
-use crate::physics::data::surface::{Sides, Surface};
+use crate::physics::data::{Body, Coefficients, Pose, Sides, Surface};
 use crate::physics::forces::air::Drag;
 use crate::physics::store::edges::{Edges, contains, edges};
 use crate::physics::store::islands::Island;
@@ -14,7 +12,6 @@ use crate::physics::store::motions::{MARGIN, Motions, SurfaceMotion};
 use glam::DVec2;
 use std::ops::{Index, IndexMut};
 
-/// Where the bodies of an island are gathered from.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Source<'a> {
     pub bodies: &'a [Body],
@@ -114,7 +111,6 @@ impl Bodies {
         Self { things: Vec::with_capacity(all), ids: Vec::with_capacity(all), ..Self::default() }
     }
 
-    /// Gathers an island and the surfaces near it.
     pub fn gather(&mut self, from: Source<'_>, island: Island<'_>) {
         let (n, all) = (island.members.len(), from.motions.len());
         self.ids.clear();
@@ -149,12 +145,10 @@ impl Bodies {
         self.count
     }
 
-    /// All bodies.
     pub fn all(&self) -> &[Thing] {
         &self.things[..self.count]
     }
 
-    /// Bodies and surfaces.
     pub fn with_surfaces(&self) -> usize {
         self.things.len()
     }

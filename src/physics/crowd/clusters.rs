@@ -114,7 +114,6 @@ impl Clusters {
         self.roots.resize(all, Root::default());
     }
 
-    /// Forgets all clusters.
     pub fn clear(&mut self) {
         self.edges.clear();
         self.joined.drain(..).for_each(|i| self.is_joined[i as usize] = false);

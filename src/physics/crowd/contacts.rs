@@ -61,7 +61,6 @@ pub(crate) struct Contact {
     pub reach: f64,
 }
 
-/// The contacts of one island in one step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Contacts {
     /// Where the supports of a body begin and end among the stacks, by body.
@@ -101,7 +100,6 @@ impl Contacts {
         self.ranges[i][0] as usize..self.ranges[i][1] as usize
     }
 
-    /// All contacts.
     pub fn all(&self) -> impl Iterator<Item = &Contact> {
         self.stacks.iter().chain(&self.sides).chain(&self.ceilings)
     }
@@ -120,7 +118,6 @@ impl Contacts {
         self.ranges.resize(bodies.len(), [0; 2]);
     }
 
-    /// Finds all contacts of an island.
     pub fn find(&mut self, bodies: &Bodies, group: Group<'_>, dt: f64) {
         self.clear(bodies);
         let per_second = 1.0 / dt;

@@ -59,7 +59,6 @@ impl Pushes {
     }
 }
 
-/// What the solution across works with.
 pub(crate) struct Cross<'a> {
     pub contacts: &'a Contacts,
     pub friction: &'a mut Friction,

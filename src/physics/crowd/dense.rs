@@ -47,10 +47,8 @@ pub(crate) struct StepSize {
     pub last: bool,
 }
 
-/// What became of an island's step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
-    /// Solved.
     Done,
     /// Some swept boxes were widened: islands have to be found again, and those of these bodies solved again from the same start.
     Grown,
@@ -72,7 +70,6 @@ impl Crowd {
         Self { bodies: Bodies::new(all), dense, local: vec![0; all] }
     }
 
-    /// One step of an island.
     pub fn step(&mut self, from: Source<'_>, island: Island<'_>, size: StepSize) -> Outcome {
         let Self { bodies, dense, local } = self;
         bodies.gather(from, island);
@@ -136,7 +133,6 @@ impl Dense {
         self.squeezed.clear();
     }
 
-    /// One step of an island.
     fn step(&mut self, bodies: &mut Bodies, group: Group<'_>, size: StepSize) -> Outcome {
         self.dt = size.dt;
         self.anchors.bounces = Bounces { dt: size.dt, rest_speed: size.rest_speed };

@@ -57,7 +57,6 @@ impl Anchors {
     }
 }
 
-/// What the solution along gravity works with.
 pub(crate) struct Along<'a> {
     pub contacts: &'a Contacts,
     pub anchors: &'a mut Anchors,
@@ -66,7 +65,6 @@ pub(crate) struct Along<'a> {
 }
 
 impl Along<'_> {
-    /// Solves the velocities along gravity.
     pub fn solve(&mut self, bodies: &mut Bodies) {
         let Self { contacts, anchors, dt, .. } = self;
         let dt = *dt;

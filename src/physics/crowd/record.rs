@@ -8,7 +8,6 @@ use crate::physics::crowd::{ACROSS, ALONG};
 use glam::DVec2;
 
 impl Dense {
-    /// Records the contacts of an island that has just been solved.
     pub fn record(&mut self, bodies: &Bodies, down: f64) {
         let mut report = std::mem::take(&mut self.report);
         report.records.clear();

@@ -50,12 +50,10 @@ impl Contact {
         }
     }
 
-    /// Sets its friction.
     pub fn rub_with(&mut self, of: Coefficients) {
         (self.static_friction, self.kinetic_friction) = (of.static_friction, of.kinetic_friction);
     }
 
-    /// Whether it is one of its ends.
     pub fn has(&self, item: u32) -> bool {
         self.lo == item || self.hi == item
     }
@@ -70,7 +68,6 @@ impl Contact {
         if axis == self.axis { &mut self.normal } else { &mut self.friction }
     }
 
-    /// Its other end.
     pub fn other(&self, item: u32) -> u32 {
         if self.lo == item { self.hi } else { self.lo }
     }

@@ -1,9 +1,8 @@
 //! What touches what at an event: contacts begin, last and end, and what meets is brought exactly together.
 
 use crate::physics::contact::axis::Parts;
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
+use crate::physics::data::{Aabb, Contact};
 use crate::physics::exact::events::{Events, Scene};
 
 impl Events {

@@ -1,9 +1,8 @@
 //! The end of a tick: contacts and accelerations of that instant, which are listed and with which the next tick begins.
 
 use crate::physics::contact::axis::Parts;
-use crate::physics::data::body::Pose;
-use crate::physics::data::contact::Contact;
 use crate::physics::data::tuning::{SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
+use crate::physics::data::{Contact, Pose};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::Motion;
 use crate::physics::forces::link::links_on;

@@ -1,13 +1,8 @@
 //! An island and the buffers of the method, what all islands of a tick share, and what an island reports.
 
 use crate::physics::contact::reactions::Reactions;
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::Pose;
-use crate::physics::data::contact::Contact;
-use crate::physics::data::impact_time::Cubic;
 use crate::physics::data::lists::refill;
-use crate::physics::data::plan::Plan;
-use crate::physics::data::surface::Surface;
+use crate::physics::data::{Aabb, Contact, Cubic, Plan, Pose, Surface};
 use crate::physics::exact::item::{Item, Next};
 use crate::physics::exact::track::Track;
 use crate::physics::forces::link::LinkDef;
@@ -35,7 +30,6 @@ pub(crate) struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    /// A tick of a world.
     pub fn of<'a>(state: &'a State, plan: &Plan, tick: f64) -> Scene<'a> {
         Scene {
             media: &state.media,
@@ -176,7 +170,6 @@ pub(crate) struct Tie {
 }
 
 impl Events {
-    /// Empties the island.
     pub fn clear(&mut self) {
         self.items.clear();
         self.contacts.clear();

@@ -7,9 +7,8 @@
 //! too, up to μ_k times the normal impulse, and never reverses the sliding.
 
 use crate::physics::contact::axis::Parts;
-use crate::physics::data::contact::Contact;
-use crate::physics::data::plan::{Part, called};
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
+use crate::physics::data::{Contact, Part, called};
 use crate::physics::exact::events::{Events, Hit, Scene, Tie};
 use glam::DVec2;
 
@@ -177,7 +176,6 @@ impl Events {
         if slow || lo.hits.min(hi.hits) > MOST_BOUNCES { 0.0 } else { e.min(1.0) }
     }
 
-    /// Counts an impact of both ends of a contact.
     pub(crate) fn count_hit(&mut self, contact: &Contact) {
         let ends = [contact.lo, contact.hi].map(|item| item as usize);
         ends.iter().for_each(|item| self.items[*item].hits += 1);
@@ -185,7 +183,6 @@ impl Events {
         self.guards.bounces_ended += u64::from(fewest == Some(MOST_BOUNCES + 1));
     }
 
-    /// One pair's impulse.
     fn bounce(&mut self, scene: &Scene, index: usize, speed: f64, e: f64) {
         let contact = self.touching[index];
         let axis = contact.axis;

@@ -1,10 +1,7 @@
 //! What takes part in an island: bodies, and the surfaces near them, each on a path of its own with a time at which it began.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::{Body, BodyDef, Pose, parabola};
-use crate::physics::data::impact_time::Cubic;
-use crate::physics::data::surface::{Sides, Surface};
 use crate::physics::data::tuning::STRAY;
+use crate::physics::data::{Aabb, Body, BodyDef, Cubic, Pose, Sides, Surface, parabola};
 use crate::physics::flight::flow::{flow, flow_while};
 use crate::physics::forces::law::Law;
 use crate::physics::forces::media::Media;
@@ -75,7 +72,6 @@ impl Kind {
     }
 }
 
-/// The next event of an item.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Next {
     /// s, from the tick's start.
@@ -190,7 +186,6 @@ impl Item {
         Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, *bounds, true) }
     }
 
-    /// Whether it does not move.
     pub fn is_still(&self) -> bool {
         self.motion == Motion::Still
     }

@@ -27,9 +27,8 @@ pub(crate) mod rest;
 pub(crate) mod ties;
 pub(crate) mod track;
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::Pose;
 use crate::physics::data::tuning::EVENTS_OF_A_BODY;
+use crate::physics::data::{Aabb, Pose};
 pub(crate) use crate::physics::exact::events::{Events, Outcome, Scene};
 use crate::physics::exact::item::{Item, Kind, Motion, Next};
 use crate::physics::flight::flow::flow;
@@ -37,7 +36,6 @@ use crate::physics::forces::law::Law;
 use glam::DVec2;
 
 impl Events {
-    /// Advances the island by a tick.
     pub fn advance(&mut self, scene: &Scene) -> Outcome {
         let outcome = self.go_through(scene);
         self.total += self.count;
@@ -178,7 +176,6 @@ impl Events {
         self.release();
     }
 
-    /// Does what an event says.
     fn happen(&mut self, scene: &Scene, i: usize, kind: Kind) {
         self.concern(i as u32);
         match kind {

@@ -7,9 +7,8 @@
 //! enters or leaves a liquid.
 
 use crate::physics::contact::axis::Parts;
-use crate::physics::data::contact::Contact;
-use crate::physics::data::impact_time::Cubic;
 use crate::physics::data::tuning::{BOBBING_REACH, SPEED_TOLERANCE};
+use crate::physics::data::{Contact, Cubic};
 use crate::physics::exact::events::{Events, Implicit, Scene};
 use crate::physics::exact::item::{Item, Motion, Next, Slide};
 use crate::physics::exact::track::Track;
@@ -148,7 +147,6 @@ impl Events {
         }
     }
 
-    /// Foresees the path of an item.
     pub(crate) fn foresee(&mut self, scene: &Scene, i: usize) {
         let way = self.items[i].foresee(scene.media);
         let track = Track::new(&self.items[i], way);

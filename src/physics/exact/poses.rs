@@ -1,8 +1,7 @@
 //! The present instant: where items are, how fast they move, and what two of them have to do with each other.
 
-use crate::physics::data::contact::Contact;
-use crate::physics::data::surface::Sides;
 use crate::physics::data::tuning::{SLOP, SPEED_ROUNDING};
+use crate::physics::data::{Contact, Sides};
 use crate::physics::exact::events::{Events, Scene};
 use glam::DVec2;
 
@@ -53,7 +52,6 @@ impl Events {
         self.speeds[item as usize]
     }
 
-    /// Whether a surface stands still.
     pub(crate) fn stands(&self, surface: u32) -> bool {
         let i = surface as usize;
         self.speeds[i] == DVec2::ZERO && self.free[i] == DVec2::ZERO

@@ -7,11 +7,8 @@
 //! Paths are cubics: exactly the parabola without drag, the Hermite interpolant of the flow with it. Whatever meets along them does so at a
 //! root of a polynomial; the pose at that time is then taken from the motion itself.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::contact::Contact;
-use crate::physics::data::impact_time::{Cubic, Polynomial, earliest, time_of_impact};
-use crate::physics::data::surface::Sides;
 use crate::physics::data::tuning::{MICRO_SPEED, SLOP, SPEED_TOLERANCE};
+use crate::physics::data::{Aabb, Contact, Cubic, Polynomial, Sides, earliest, time_of_impact};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Kind, Next};
 use crate::physics::forces::zones;

@@ -4,9 +4,8 @@
 //! everything at rest that is the whole tick. Otherwise the tick is gone through as any other.
 
 use crate::physics::contact::axis::Parts;
-use crate::physics::data::contact::Contact;
-use crate::physics::data::plan::{Part, called};
 use crate::physics::data::tuning::SLOP;
+use crate::physics::data::{Contact, Part, called};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::Motion;
 use glam::DVec2;

@@ -55,7 +55,6 @@ impl Events {
         gap <= speed * 1e-12 + 16.0 * f64::EPSILON * size
     }
 
-    /// Resolves the impacts that have been found to tie.
     pub(crate) fn resolve_ties(&mut self, scene: &Scene, speed: f64) {
         let mut ties = std::mem::take(&mut self.ties);
         loop {

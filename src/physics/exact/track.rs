@@ -1,7 +1,6 @@
 //! The path of an item up to its next event, as a search for hits needs it: a cubic and the box that it sweeps.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::impact_time::Cubic;
+use crate::physics::data::{Aabb, Cubic};
 use crate::physics::exact::item::{Item, Motion};
 use glam::DVec2;
 
@@ -20,7 +19,6 @@ pub(crate) struct Track {
 }
 
 impl Track {
-    /// Of something on a path.
     pub fn new(item: &Item, way: Cubic) -> Self {
         let Item { since, until, motion, .. } = *item;
         let (half, t) = (item.body.half, until - since);
@@ -44,7 +42,6 @@ impl Track {
         matches!(self.motion, Motion::Still | Motion::Parabola)
     }
 
-    /// The path from a later time on.
     pub fn way_from(&self, at: f64) -> Cubic {
         self.way.from(at - self.since)
     }

@@ -5,8 +5,7 @@
 //! *An Introduction to Fluid Dynamics*, 5.11; the area is the projection of the box along u). Per mass this is −s(u)·u with a rate s that
 //! is homogeneous of degree 1.
 
-use crate::physics::data::body::Body;
-use crate::physics::data::plan::{Part, called};
+use crate::physics::data::{Body, Part, called};
 use crate::physics::forces::media::Media;
 use glam::DVec2;
 
@@ -51,7 +50,6 @@ impl Drag {
         DVec2::splat(self.rate(u)) + DVec2::new(self.tall * u.x.abs(), self.wide * u.y.abs()) + u * u * round
     }
 
-    /// Whether there is none.
     pub fn is_none(&self) -> bool {
         self.tall == 0.0 && self.wide == 0.0 && self.round == 0.0
     }
@@ -61,7 +59,6 @@ impl Drag {
         Self { tall: self.tall * factor, wide: self.wide * factor, round: self.round * factor }
     }
 
-    /// Both together.
     pub fn plus(&self, other: &Self) -> Self {
         Self { tall: self.tall + other.tall, wide: self.wide + other.wide, round: self.round + other.round }
     }

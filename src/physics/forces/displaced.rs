@@ -5,11 +5,8 @@
 //! cuts the body come besides. [`Displaced`] holds these forms with the box of places in which they are the law; a little beyond it they go on
 //! smoothly, as integrators need.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::Body;
-use crate::physics::data::def::FluidDef;
-use crate::physics::data::impact_time::{Cubic, earliest};
 use crate::physics::data::tuning::WAVES;
+use crate::physics::data::{Aabb, Body, Cubic, FluidDef, earliest};
 use crate::physics::forces::media::Media;
 use crate::physics::forces::zones::ZoneList;
 use glam::{BVec2, DVec2};

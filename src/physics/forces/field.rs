@@ -1,7 +1,6 @@
 //! Fields of gravity: each gives every body that touches it the same acceleration, besides that by the world's gravity.
 
-use crate::physics::data::body::Body;
-use crate::physics::data::def::FieldDef;
+use crate::physics::data::{Body, FieldDef};
 use crate::physics::forces::kind::{ForceKind, Source};
 use crate::physics::forces::zones::Stream;
 use glam::DVec2;

@@ -1,11 +1,8 @@
 //! The law by which a body moves that touches nothing: all forces together. Gravity, drive, wind and fields are constant and form a sum; drag and
 //! buoyancy depend on place and velocity.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::{Body, Pose};
-use crate::physics::data::def::FluidDef;
-use crate::physics::data::plan::{Part, called};
 use crate::physics::data::tuning::WAVES;
+use crate::physics::data::{Aabb, Body, FluidDef, Part, Pose, called};
 use crate::physics::forces::air::Drag;
 use crate::physics::forces::displaced::{Displaced, STOKES};
 use crate::physics::forces::kind::{ForceKind, Source};
@@ -65,7 +62,6 @@ impl Media {
         law
     }
 
-    /// Renews a law in place.
     pub fn renew(&self, law: &mut Law, body: &Body, force: DVec2, t: f64) {
         (law.constant, law.air) = (self.constant(body, force), self.air(body));
         if self.fluids.is_empty() {

@@ -1,16 +1,11 @@
 //! The media of a world: gravity, air, streams, fields and liquids. Each law is a file beside this one.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::{Body, Pose};
-use crate::physics::data::def::{FieldDef, FluidDef, StreamDef};
-use crate::physics::data::impact_time::Cubic;
-use crate::physics::data::plan::{Part, called};
+use crate::physics::data::{Aabb, Body, Cubic, FieldDef, FluidDef, Part, Pose, StreamDef, called};
 use crate::physics::forces::manager::ForceManager;
 use crate::physics::forces::zones::{FAR, Stream, ZoneList};
 use glam::DVec2;
 use std::cell::Cell;
 
-/// The media of a world.
 #[derive(Clone, Debug)]
 pub(crate) struct Media {
     /// N/kg downwards.

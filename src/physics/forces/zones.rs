@@ -1,9 +1,7 @@
 //! Zones that push each body that touches them: which of them are near, whether a body is in one, and when it crosses the border.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::{Body, Pose};
-use crate::physics::data::impact_time::{Cubic, earliest};
 use crate::physics::data::tuning::SLOP;
+use crate::physics::data::{Aabb, Body, Cubic, Pose, earliest};
 use crate::physics::forces::kind::{ForceKind, Source};
 use glam::DVec2;
 

@@ -20,7 +20,6 @@ pub(crate) fn overlap(a: &Edges, b: &Edges) -> bool {
     (a[0] <= b[1]) & (b[0] <= a[1]) & (a[2] <= b[3]) & (b[2] <= a[3])
 }
 
-/// Whether the first box contains the second.
 pub(crate) fn contains(outer: &Edges, inner: &Edges) -> bool {
     (outer[0] <= inner[0]) & (inner[1] <= outer[1]) & (outer[2] <= inner[2]) & (inner[3] <= outer[3])
 }

@@ -16,7 +16,6 @@ const MOST_MOVES: usize = 8;
 /// None yet.
 const NONE: u32 = u32::MAX;
 
-/// One island, as the solver takes it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Island<'a> {
     /// Its bodies, bottom-up.
@@ -46,7 +45,6 @@ impl<'a> Island<'a> {
     }
 }
 
-/// The islands of one step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Islands {
     /// The bodies that a step looks at, bottom-up, and the place of each among them; surfaces that stand have place 0, all others none.
@@ -71,7 +69,6 @@ pub(crate) struct Islands {
 }
 
 impl Islands {
-    /// Room for `count` bodies.
     pub fn new(count: usize, surfaces: usize) -> Self {
         Self {
             place: vec![0; count + surfaces],
@@ -124,12 +121,10 @@ impl Islands {
         self.place[i as usize] != NONE
     }
 
-    /// The number of islands.
     pub fn len(&self) -> usize {
         self.begins.len().saturating_sub(1)
     }
 
-    /// An island by its number.
     pub fn get(&self, island: usize) -> Island<'_> {
         let (from, to) = (self.begins[island] as usize, self.begins[island + 1] as usize);
         Island { members: &self.members[from..to], ranges: &self.ranges, others: &self.others }

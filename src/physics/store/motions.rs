@@ -1,10 +1,7 @@
 //! How bodies and surfaces move in the present step: where free flight leads them, where they end, and what they sweep. The bodies themselves
 //! are those of the world's state.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::{Body, Pose, parabola};
-use crate::physics::data::plan::{Part, called};
-use crate::physics::data::surface::Surface;
+use crate::physics::data::{Aabb, Body, Part, Pose, Surface, called, parabola};
 use crate::physics::flight::air::fly_through;
 use crate::physics::forces::air::Drag;
 use crate::physics::forces::media::Media;
@@ -30,7 +27,6 @@ pub(crate) enum Method {
     Crowd,
 }
 
-/// How a body moves in a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Motion {
     /// Acceleration by gravity and constant forces, m/s².
@@ -55,7 +51,6 @@ pub(crate) struct Motion {
     pub solved: u32,
 }
 
-/// How a surface moves in a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SurfaceMotion {
     /// Its centre at the start and at the end of the step, m, and half its size.
@@ -94,7 +89,6 @@ impl SurfaceMotion {
     }
 }
 
-/// The motions of all bodies and surfaces.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Motions {
     pub bodies: Vec<Motion>,
@@ -111,7 +105,6 @@ pub(crate) struct Motions {
 }
 
 impl Motions {
-    /// Those of bodies and surfaces as they are.
     pub fn new(bodies: &[Body], surfaces: &[Surface], media: &Media) -> Self {
         let drags: Vec<Drag> = bodies.iter().map(|body| media.air(body)).collect();
         let rests = |body: &Body| {
@@ -165,7 +158,6 @@ impl Motions {
         }
     }
 
-    /// What a surface sweeps.
     pub fn sweep_surface(&mut self, surface: usize) {
         let of = &self.surfaces[surface];
         self.swept[self.bodies.len() + surface] = if of.present { way(of.from, of.to, of.half) } else { NOWHERE };
@@ -194,7 +186,6 @@ impl Motions {
         self.swept[i] = [left - reach.x, right + reach.x, top - reach.y, bottom + reach.y];
     }
 
-    /// Lets a body fall as if it touched nothing.
     pub fn fall_freely(&mut self, i: usize) {
         self.bodies[i].end = self.bodies[i].free;
     }

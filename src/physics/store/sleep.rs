@@ -53,7 +53,6 @@ impl Sleep {
         aside
     }
 
-    /// The same for all.
     pub(crate) fn rouse_all(&mut self) {
         self.undisturbed.fill(false);
         if self.looked_at.len() < self.aside.len() {
@@ -63,12 +62,10 @@ impl Sleep {
         }
     }
 
-    /// Whom a step looks at.
     pub fn looked_at(&self) -> &[u32] {
         &self.looked_at
     }
 
-    /// Whether a step looks at all bodies.
     pub fn looks_at_all(&self) -> bool {
         self.looked_at.len() == self.aside.len()
     }

@@ -34,7 +34,6 @@ pub(crate) const GROUND: u32 = u32::MAX;
 /// No block and no link.
 const NOWHERE: u32 = u32::MAX;
 
-/// What a link can carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Carries {
     /// Any push, never a pull.
@@ -50,7 +49,6 @@ pub(crate) struct Link {
     pub lo: u32,
     /// The body at the larger coordinate, or the ground.
     pub hi: u32,
-    /// What it can carry.
     pub carries: Carries,
     /// What the ground does, if one of the ends is it, m/s².
     pub ground: f64,
@@ -130,7 +128,6 @@ impl Block {
     }
 }
 
-/// What a solve notes about a node.
 #[derive(Clone, Copy, Debug)]
 struct Note {
     /// Force that is left to be passed on, N.
@@ -151,7 +148,6 @@ enum Side {
 }
 
 impl Network {
-    /// Empties it, keeping the buffers.
     pub fn clear(&mut self) {
         self.nodes.clear();
         self.links.clear();
