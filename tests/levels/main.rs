@@ -5,6 +5,7 @@
 
 mod anything;
 mod check_and_new;
+mod document;
 mod limits;
 mod loading;
 mod sizes;

@@ -1,4 +1,4 @@
-//! What a good level is warned about: what nobody can fly, push, press or earn. `tests/built_levels.rs` asks that what has been done is never
+//! What a good level is warned about: what nobody can fly, push, press or earn. `tests/game/built_levels.rs` asks that what has been done is never
 //! called impossible.
 
 use crate::support::{Memory, written};

@@ -1,9 +1,12 @@
 //! The screens as a player meets them, without a window: every way between them by mouse and by keyboard, one action a press.
 
+mod classics;
 mod editor;
 mod flight;
 mod flights;
+mod frames;
 mod instruments;
+mod lab;
 mod lesson;
 mod levels;
 mod loading;
@@ -16,6 +19,8 @@ mod reload;
 mod scores;
 mod settings;
 mod sitting;
+#[path = "../support/mod.rs"]
+mod support;
 mod what_if;
 
 use resultant::screens::Key;

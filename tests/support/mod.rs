@@ -9,6 +9,7 @@ pub mod lanes;
 mod levels;
 mod measure;
 pub mod memory;
+pub mod program;
 mod random;
 pub mod rooms;
 pub mod scenes;

@@ -1,4 +1,4 @@
-//! The scenes whose answers are known exactly. `tests/exact.rs` holds the engine to the answers, `tests/differential.rs` holds its two
+//! The scenes whose answers are known exactly. `tests/engine/exact.rs` holds the engine to the answers, `tests/engine/differential.rs` holds its two
 //! methods against each other.
 
 use super::build::{G, area};

@@ -1,0 +1,6 @@
+//! The classics: tile run, jumper, π.
+
+mod jumper;
+mod jumper_engine;
+mod pi;
+mod tile_run;

@@ -1,0 +1,83 @@
+//! What all subcommands share: help, version, the data folder, exit statuses.
+
+use crate::support::program::{Data, Ran, resultant};
+
+const COMMANDS: [&str; 9] = ["play", "check", "run", "chart", "tiles", "pi", "jumper", "new", "verify"];
+
+#[test]
+fn help_is_everywhere_and_a_success() {
+    let all = Ran::new(resultant().arg("--help"));
+    assert_eq!((all.status, all.err.as_str()), (0, ""));
+    for command in COMMANDS {
+        assert!(all.out.contains(&format!("\n  {command} ")), "{command} in {}", all.out);
+        let ran = Ran::new(resultant().args([command, "--help"]));
+        assert_eq!(ran.status, 0, "{command}");
+        assert!(ran.out.contains("Usage: resultant") && ran.out.contains("--data"), "{command}: {}", ran.out);
+    }
+}
+
+#[test]
+fn the_version_is_told() {
+    let ran = Ran::new(resultant().arg("--version"));
+    assert_eq!((ran.status, ran.out), (0, format!("resultant {}\n", env!("CARGO_PKG_VERSION"))));
+}
+
+#[test]
+fn what_is_not_understood_is_refused() {
+    for args in [&["fly"][..], &["--fast"], &["run"], &["run", "1", "--warp", "9"], &["verify"], &["--data"]] {
+        let ran = Ran::new(resultant().args(args));
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{args:?}");
+        assert!(ran.err.contains("--help"), "{args:?}: {}", ran.err);
+    }
+}
+
+#[test]
+fn data_is_taken_anywhere_and_must_be_there() {
+    let data = Data::new();
+    data.level("way", "gravity,0\n", &[("player.csv", "1500,1500,100,500,3000\n"), ("objectives.csv", "PLAYER,10,10,20,20\n")]);
+    let folder = data.path(".");
+    let folder = folder.to_str().unwrap();
+    for args in [
+        &["--data", folder, "run", "way", "--seconds", "0"][..],
+        &["run", "--data", folder, "way", "--seconds", "0"],
+        &["run", "way", "--seconds", "0", "--data", folder],
+    ] {
+        assert_eq!(Ran::new(resultant().args(args)).status, 0, "{args:?}");
+    }
+    assert_eq!(data.resultant(&["run", "way", "--seconds", "1"]).value("ticks"), "120");
+    let ran = Ran::new(resultant().args(["--data", "/nowhere/at/all", "run", "way"]));
+    assert_eq!((ran.status, ran.err.as_str()), (2, "--data /nowhere/at/all: there is no such folder\n"));
+}
+
+#[test]
+fn the_working_directory_is_looked_in() {
+    let data = Data::new();
+    data.level("here", "gravity,0\n", &[("player.csv", "1500,1500,100,500,3000\n"), ("objectives.csv", "PLAYER,10,10,20,20\n")]);
+    let ran = Ran::new(resultant().args(["run", "here", "--seconds", "0"]).current_dir(data.path(".")));
+    assert_eq!((ran.status, ran.value("ticks")), (0, "0"));
+}
+
+#[cfg(not(feature = "window"))]
+#[test]
+fn without_a_window_playing_says_so() {
+    for args in [&[][..], &["play", "1"]] {
+        let ran = Ran::new(resultant().args(args));
+        assert_eq!(ran.status, 2, "{args:?}");
+        assert!(ran.err.contains("no window"), "{args:?}: {}", ran.err);
+    }
+}
+
+/// Elsewhere a window would open.
+#[cfg(all(target_os = "linux", feature = "window"))]
+#[test]
+fn the_editor_asks_for_no_folder_that_it_does_not_need() {
+    let data = Data::new();
+    data.level("way", "", &[("player.csv", "1500,1500,100,500,3000\n"), ("objectives.csv", "PLAYER,10,10,20,20\n")]);
+    for args in [&["edit", "way"][..], &["edit", "way", "--original"]] {
+        let ran = data.resultant(args);
+        assert!(ran.status == 2 && ran.err.contains("there is no display"), "{args:?}: {ran:?}");
+    }
+    assert!(data.resultant(&["edit", "none"]).err.contains("no level \"none\""));
+    let names: Vec<_> = std::fs::read_dir(data.path("levels/way")).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(names.len(), 3, "nothing is left behind: {names:?}");
+}

@@ -1,0 +1,7 @@
+//! The program as it is called from a shell.
+
+mod command_line;
+mod readout;
+mod run;
+#[path = "../support/mod.rs"]
+mod support;

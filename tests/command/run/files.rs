@@ -1,0 +1,202 @@
+//! Files that are written over, and files that are read.
+
+use super::{COLUMNS, HEADER, data, read};
+use crate::support::program::{Data, Ran, resultant};
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+/// The names in the data folder.
+fn names(data: &Data) -> Vec<String> {
+    let mut names: Vec<String> =
+        std::fs::read_dir(data.path(".")).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_file_that_is_read_only_or_needed_otherwise_is_not_written_to() {
+    let data = data();
+    let inputs = data.write("in.csv", &format!("{HEADER}\n3,1,0,0,0\n"));
+    let kept = data.write("kept.csv", "kept");
+    let mut permissions = std::fs::metadata(&kept).unwrap().permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&kept, permissions).unwrap();
+    let (out, level) = (data.path("out.csv"), data.path("levels/flight/objects.csv"));
+    let [out, level] = [&out, &level].map(|path| path.to_str().unwrap());
+    for (args, message) in [
+        (["--telemetry", &kept, "--record", out], "kept.csv: the file is read-only"),
+        (["--record", out, "--telemetry", &kept], "kept.csv: the file is read-only"),
+        (["--telemetry", out, "--record", out], "--record "),
+        (["--telemetry", out, "--forces", out], "--forces "),
+        (["--forces", &inputs, "--record", out], "in.csv: this file is read by the same command"),
+        (["--telemetry", out, "--record", &inputs], "in.csv: this file is read by the same command"),
+        (["--telemetry", level, "--record", out], "objects.csv: this file is read by the same command"),
+    ] {
+        let ran = data.resultant(&[&["run", "flight", "--inputs", &inputs], &args[..]].concat());
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{args:?}");
+        assert!(ran.err.contains(message), "{args:?}: {}", ran.err);
+        assert_eq!(names(&data), ["in.csv", "kept.csv", "levels"], "{args:?}");
+    }
+    assert_eq!(read(&data, "kept.csv"), "kept");
+    assert_eq!(read(&data, "in.csv"), format!("{HEADER}\n3,1,0,0,0\n"));
+    assert!(read(&data, "levels/flight/objects.csv").starts_with("900,100,"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_that_is_written_over_keeps_its_mode_and_its_link_and_has_one_name() {
+    use std::os::unix::fs::PermissionsExt;
+    let data = data();
+    let secret = data.write("secret.csv", "old");
+    std::fs::set_permissions(&secret, std::fs::Permissions::from_mode(0o600)).unwrap();
+    std::os::unix::fs::symlink("secret.csv", data.path("link.csv")).unwrap();
+    let link = data.path("link.csv");
+    assert_eq!(data.resultant(&["run", "goal", "--telemetry", link.to_str().unwrap()]).status, 0);
+    assert_eq!(std::fs::metadata(&secret).unwrap().permissions().mode() & 0o777, 0o600);
+    assert!(std::fs::symlink_metadata(link).unwrap().is_symlink());
+    assert!(read(&data, "secret.csv").starts_with(COLUMNS));
+
+    std::fs::write(&secret, "old").unwrap();
+    std::fs::hard_link(&secret, data.path("same.csv")).unwrap();
+    let ran = data.resultant(&["run", "goal", "--telemetry", &secret]);
+    assert_eq!((ran.status, read(&data, "same.csv").as_str()), (2, "old"));
+    assert!(ran.err.contains("secret.csv: the file has 2 names (hard links)"), "{}", ran.err);
+}
+
+#[test]
+fn telemetry_goes_into_a_levels_folder_again_and_again_but_over_nothing_that_is_read() {
+    let data = data();
+    for _ in 0..2 {
+        let path = data.path("levels/goal/out.txt");
+        let ran = data.resultant(&["run", "goal", "--telemetry", path.to_str().unwrap()]);
+        assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+        assert!(read(&data, "levels/goal/out.txt").starts_with(COLUMNS));
+    }
+    for table in ["player.csv", "movers.csv", "background.png"] {
+        let path = data.path(&format!("levels/goal/{table}"));
+        let ran = data.resultant(&["run", "goal", "--telemetry", path.to_str().unwrap()]);
+        assert_eq!(ran.status, 2);
+        assert!(ran.err.ends_with("this file is read by the same command, expected another\n"), "{}", ran.err);
+    }
+}
+
+/// Under a limit of no bytes at all a write fails as on a full disk, and the signal that comes with it is ignored.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_is_told_and_changes_nothing() {
+    let data = data();
+    let old = data.write("old.csv", "old");
+    let program = env!("CARGO_BIN_EXE_resultant");
+    for (limits, to) in
+        [("trap '' XFSZ; ulimit -f 0;", ""), ("", " > /dev/full")].into_iter().take(if cfg!(target_os = "linux") { 2 } else { 1 })
+    {
+        let script = format!("{limits} exec \"$0\" \"$@\"{to}");
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &script, program, "--data"]).arg(data.path(".")).args(["run", "goal", "--telemetry", &old]);
+        let ran = Ran::new(&mut shell);
+        assert_eq!(ran.status, 2, "{}", ran.err);
+        assert!(ran.err.starts_with("cannot write the results: "), "{}", ran.err);
+        assert_eq!(ran.err.contains("old.csv: "), to.is_empty(), "{}", ran.err);
+        assert_eq!((names(&data), read(&data, "old.csv").as_str()), (vec!["levels".into(), "old.csv".into()], "old"));
+    }
+}
+
+/// A path is bytes on Linux; other systems refuse such a one themselves.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_path_need_not_be_text() {
+    use std::os::unix::ffi::OsStrExt;
+    let data = data();
+    let odd = |name: &[u8]| data.path(".").join(std::ffi::OsStr::from_bytes(name));
+    std::fs::rename(data.path("levels/goal"), odd(b"g\xf6al")).unwrap();
+    std::fs::write(odd(b"\xff.csv"), format!("{HEADER}\n2,0,0,0,0\n")).unwrap();
+    let mut run = resultant();
+    run.arg("--data").arg(data.path(".")).arg("run").arg(odd(b"g\xf6al")).arg("--inputs").arg(odd(b"\xff.csv"));
+    let ran = Ran::new(run.arg("--telemetry").arg(odd(b"\xfe.csv")));
+    assert_eq!((ran.status, ran.value("outcome")), (0, "completed"), "{}", ran.err);
+    assert!(std::fs::read_to_string(odd(b"\xfe.csv")).unwrap().starts_with(COLUMNS));
+    let ran = Ran::new(resultant().arg("check").arg(odd(b"g\xf6al")));
+    assert_eq!(ran.status, 0, "{}", ran.err);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_signal_leaves_nothing_behind() {
+    let data = data();
+    let old = data.write("old.csv", "old");
+    let new = data.path("new.csv");
+    for signal in ["-TERM", "-INT", "-KILL"] {
+        let mut child = resultant();
+        child.arg("--data").arg(data.path(".")).args(["run", "flight", "--seconds", "100000", "--telemetry", &old, "--record"]);
+        let mut child = child.arg(&new).stdout(Stdio::null()).spawn().unwrap();
+        std::thread::sleep(Duration::from_millis(300));
+        assert!(child.try_wait().unwrap().is_none(), "it is over already");
+        assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
+        // What a shell runs in the background ignores -INT, and so does all that it starts.
+        for _ in 0..400 {
+            if child.try_wait().unwrap().is_some() {
+                break;
+            }
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let _ = child.kill();
+        child.wait().unwrap();
+        assert_eq!((names(&data), read(&data, "old.csv").as_str()), (vec!["levels".into(), "old.csv".into()], "old"), "{signal}");
+    }
+}
+
+/// Standard output as a file, and the telemetry in the same: neither writes over the other.
+#[cfg(unix)]
+#[test]
+fn telemetry_and_results_can_go_to_the_same_output() {
+    let data = data();
+    let all = std::fs::File::create(data.path("all.txt")).unwrap();
+    let mut child = resultant();
+    child.arg("--data").arg(data.path(".")).args(["run", "goal", "--telemetry", "/dev/stdout"]).stdout(all);
+    assert!(child.status().unwrap().success());
+    let text = read(&data, "all.txt");
+    assert!(text.starts_with(COLUMNS), "{text}");
+    assert_eq!(text.lines().filter(|line| line.starts_with("outcome=completed")).count(), 1, "{text}");
+    assert_eq!(text.lines().count(), 4 + 10, "{text}");
+}
+
+// Files that are read
+
+#[cfg(unix)]
+#[test]
+fn what_never_ends_or_is_too_large_is_refused_at_once() {
+    let data = data();
+    let pipe = data.path("pipe");
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let sparse = data.path("sparse.csv");
+    std::fs::File::create(&sparse).unwrap().set_len(2 << 30).unwrap();
+    let [pipe, sparse] = [&pipe, &sparse].map(|path| path.to_str().unwrap());
+    for (file, message) in [
+        (pipe, "found a pipe or a device, expected a regular file"),
+        ("/dev/zero", "found a pipe or a device, expected a regular file"),
+        (sparse, "found 2147483648 bytes, expected at most 16777216 bytes"),
+    ] {
+        for args in [&["run", "flight", "--inputs", file][..], &["verify", file], &["jumper", "--inputs", file]] {
+            let ran = data.resultant(args);
+            assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{args:?}");
+            assert!(ran.err.contains(message), "{args:?}: {}", ran.err);
+        }
+        let ran = data.resultant(&["tiles", file, file]);
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{file}: {}", ran.err);
+    }
+    // What is passed on open may be a pipe.
+    let mut child = resultant();
+    child.arg("--data").arg(data.path(".")).args(["run", "flight", "--inputs", "/dev/stdin"]);
+    let mut child = child.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    std::io::Write::write_all(&mut child.stdin.take().unwrap(), format!("{HEADER}\n7,0,0,0,0\n").as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert!(String::from_utf8(output.stdout).unwrap().contains("ticks=7\n"));
+}
+
+#[test]
+fn a_level_can_be_any_folder() {
+    let data = data();
+    let folder = data.path("levels/goal");
+    let ran = Ran::new(resultant().args(["run", folder.to_str().unwrap()]));
+    assert_eq!((ran.status, ran.value("outcome")), (0, "completed"));
+}

@@ -1,0 +1,238 @@
+//! Recorded runs, and `resultant verify`.
+
+use super::{HEADER, data, read};
+use crate::support::program::{Data, resultant};
+use resultant::game::Fingerprint;
+use resultant::level;
+use std::process::Stdio;
+
+/// The data folder with a run of `goal` recorded in it, and the record's path.
+fn recorded() -> (Data, String) {
+    let data = data();
+    let path = data.path("run.csv").to_str().unwrap().to_owned();
+    data.resultant(&["run", "goal", "--record", &path]);
+    (data, path)
+}
+
+#[test]
+fn a_recorded_run_is_verified() {
+    let data = data();
+    let inputs = data.write("in.csv", &format!("{HEADER}\n60,1,0,0,1\n60,0,1,1,0\n"));
+    let (one, two) = (data.path("one.csv"), data.path("two.csv"));
+    let [one, two] = [&one, &two].map(|path| path.to_str().unwrap());
+    let ran = data.resultant(&["run", "flight", "--inputs", &inputs, "--tick", "60", "--record", one]);
+    data.resultant(&["run", "goal", "--record", two]);
+    let again = data.resultant(&["run", "flight", "--inputs", one, "--tick", "60"]);
+    assert_eq!(ran.out, again.out, "a replay is an inputs file");
+
+    let verified = data.resultant(&["verify", one, two]);
+    assert_eq!((verified.status, verified.err.as_str()), (0, ""));
+    assert_eq!(verified.out.lines().count(), 2);
+    assert!(verified.out.contains(&format!("one.csv: ok, score 0, hash {}", ran.value("hash"))), "{}", verified.out);
+    assert!(verified.out.contains("two.csv: ok, score 20983, "), "{}", verified.out);
+}
+
+#[test]
+fn a_run_that_was_tampered_with_is_found_out() {
+    let (data, path) = recorded();
+    let path = path.as_str();
+    let good = read(&data, "run.csv");
+    assert_eq!(data.resultant(&["verify", path]).status, 0);
+    for (from, to, why) in [
+        ("score: 20983", "score: 20984", "recorded score 2098"),
+        ("2,0,0,0,0", "1,1,0,0,0", "recorded score 2098"),
+        ("tick_rate: 120", "tick_rate: 60", "it ends after 1 ticks, but its keys go on for 2"),
+        ("2,0,0,0,0", "1000000000,0,0,0,0", "it ends after 2 ticks, but its keys go on for 1000000000"),
+        ("time: 0.016666666666666666", "time: 8333333", "it ends after 2 ticks, but its keys go on for 3"),
+    ] {
+        let changed = good.replace(from, to);
+        data.write("run.csv", &if from.starts_with("time") { changed + "1,0,0,0,0\n" } else { changed });
+        let ran = data.resultant(&["verify", path]);
+        assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{to}");
+        assert!(ran.err.contains(&format!("run.csv: {why}")), "{to}: {}", ran.err);
+    }
+}
+
+#[test]
+fn it_is_told_in_which_second_a_flight_departs_and_how_it_should_have_ended() {
+    let data = data();
+    let inputs = data.write("in.csv", &format!("{HEADER}\n150,1,0,0,0\n150,0,0,0,0\n100,1,0,1,0\n"));
+    let path = data.path("run.csv").to_str().unwrap().to_owned();
+    data.resultant(&["run", "flight", "--inputs", &inputs, "--record", &path]);
+    let good = read(&data, "run.csv");
+    assert_eq!(good.lines().filter(|line| line.starts_with("# hash ")).count(), 3, "{good}");
+    assert!(good.contains("\n# outcome: running\n# time: 3.3333333333333335\n# score: 0\n# hash: "), "{good}");
+    for (from, to, why) in [
+        ("150,1,0,0,0", "150,0,1,0,0", "run.csv: departs in second 1: recorded hash "),
+        ("150,0,0,0,0", "149,0,0,0,0\n1,0,0,1,0", "run.csv: departs in second 3: recorded hash "),
+        ("100,1,0,1,0", "99,1,0,1,0", "run.csv: recorded score 0 and hash "),
+        ("outcome: running", "outcome: failed", "run.csv: recorded failed at 3.333 s, flown running at 3.333 s"),
+        ("time: 3.3", "time: 4.3", "run.csv: recorded running at 4.333 s, flown running at 3.333 s"),
+        ("time: 3.3", "time: 2.3", "run.csv: it ends after 280 ticks, but its keys go on for 400"),
+    ] {
+        data.write("run.csv", &good.replace(from, to));
+        let ran = data.resultant(&["verify", &path]);
+        assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{to}");
+        assert!(ran.err.starts_with(why) || ran.err.contains(&format!("/{why}")), "{to}: {}", ran.err);
+    }
+}
+
+#[test]
+fn a_record_tells_what_recorded_it_and_in_which_level() {
+    let (data, path) = recorded();
+    let path = path.as_str();
+    let good = read(&data, "run.csv");
+    assert!(
+        good.starts_with(concat!("# program: resultant ", env!("CARGO_PKG_VERSION"), "\n# level: goal\n# level_hash: ")),
+        "{good}"
+    );
+
+    // How the level's files are written, its words and its looks do not matter.
+    let constants = read(&data, "levels/goal/constants.csv");
+    data.write("levels/goal/constants.csv", &(constants.replace('\n', "\r\n") + "title,A goal\r\n"));
+    data.write("levels/goal/texts.csv", "10,10,20,Fly!\n");
+    assert_eq!(data.resultant(&["verify", path]).status, 0);
+    data.write("levels/goal/constants.csv", &constants);
+
+    // Another level of that name: nothing in it is near the ship, so that the flight itself is the same.
+    for (file, text) in
+        [("world.csv", "10,2000,100,10\n"), ("obstacles.csv", "10,2000,100,10\n"), ("fluids.csv", "10,2000,9,9,1,1\n")]
+    {
+        let file = format!("levels/goal/{file}");
+        data.write(&file, text);
+        let ran = data.resultant(&["verify", path]);
+        assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{file}");
+        assert!(ran.err.contains("run.csv: recorded in a level with the hash "), "{}", ran.err);
+        std::fs::remove_file(data.path(&file)).unwrap();
+    }
+    assert_eq!(data.resultant(&["verify", path]).status, 0);
+
+    // What another version has recorded is flown all the same, and named where it leads elsewhere.
+    let hash = good.lines().find(|line| line.starts_with("# level_hash: ")).unwrap();
+    let older = good.replace(concat!("resultant ", env!("CARGO_PKG_VERSION")), "resultant 0.0.1");
+    data.write("run.csv", &older);
+    assert_eq!(data.resultant(&["verify", path]).status, 0);
+    data.write("run.csv", &older.replace("score: 20983", "score: 1"));
+    assert!(data.resultant(&["verify", path]).err.contains("; recorded by resultant 0.0.1, this is resultant "));
+
+    // A record with the hash that levels had before, of 64 bits.
+    let old = Fingerprint::of(&level::load(&data.path("levels/goal"), &data.path(".")).unwrap().level).hashes().nth(1).unwrap();
+    data.write("run.csv", &good.replace(hash, &format!("# level_hash: {old}")));
+    let ran = data.resultant(&["verify", path]);
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    assert!(ran.out.ends_with("; level goal, 2 ticks; carries the old 64-bit hash of the level\n"), "{}", ran.out);
+
+    // A record from before there were hashes.
+    data.write("run.csv", &good.replace(&format!("{hash}\n"), ""));
+    let ran = data.resultant(&["verify", path]);
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    assert!(ran.out.ends_with("; the record does not say which level of that name\n"), "{}", ran.out);
+}
+
+/// Whatever a record says, no folder is flown but a level's own.
+#[test]
+fn a_record_leads_to_no_folder_outside_the_levels() {
+    let (data, path) = recorded();
+    let good = read(&data, "run.csv")
+        .lines()
+        .filter(|line| !line.contains("level_hash"))
+        .fold(String::new(), |text, line| text + line + "\n");
+    let evil = data.path("evil");
+    std::fs::create_dir(&evil).unwrap();
+    for entry in std::fs::read_dir(data.path("levels/goal")).unwrap().flatten() {
+        std::fs::copy(entry.path(), evil.join(entry.file_name())).unwrap();
+    }
+    for level in ["../evil", "goal/../../evil", evil.to_str().unwrap(), "./goal", ".."] {
+        data.write("run.csv", &good.replace("level: goal", &format!("level: {level}")));
+        let ran = data.resultant(&["verify", &path]);
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{level}");
+        assert!(ran.err.contains("run.csv: found a record of the level ") && ran.err.contains("below levels/"), "{}", ran.err);
+    }
+    data.write("run.csv", &good.replace("# level: goal", "# player: ann\n# level: goal"));
+    let ran = data.resultant(&["verify", &path]);
+    assert!(ran.out.contains("; level goal, 2 ticks; saved by ann;"), "it says what was flown: {ran:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_name_with_a_line_break_writes_no_header_of_its_own() {
+    let data = data();
+    let name = "goal\n# score: 99999\n# hash: 0123456789abcdef";
+    std::fs::rename(data.path("levels/goal"), data.path("levels").join(name)).unwrap();
+    let path = data.path("run.csv");
+    let path = path.to_str().unwrap();
+    assert_eq!(data.resultant(&["run", name, "--record", path]).status, 0);
+    let ran = data.resultant(&["verify", path]);
+    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
+    assert!(ran.out.contains("ok, score 20983, "), "{}", ran.out);
+}
+
+/// A pipe whose reader has gone: of what is told nothing arrives, but how it ended does.
+#[test]
+fn a_mismatch_is_one_whoever_listens() {
+    let (data, path) = recorded();
+    let path = path.as_str();
+    data.write("wrong.csv", &read(&data, "run.csv").replace("score: 20983", "score: 20984"));
+    data.write("levels/broken/player.csv", "1,2,3\n");
+    let wrong = data.path("wrong.csv");
+    let wrong = wrong.to_str().unwrap();
+    for (args, status) in [
+        (&["verify", path, wrong][..], 1),
+        (&["verify", wrong, path], 1),
+        (&["check"], 1),
+        (&["check", "broken", "goal"], 1),
+        (&["check", "goal"], 0),
+        (&["verify", path, path], 0),
+    ] {
+        for (out_gone, err_gone) in [(true, false), (false, true), (true, true)] {
+            let stdio = |gone: bool| if gone { Stdio::from(gone_pipe()) } else { Stdio::null() };
+            let mut child = resultant();
+            child.arg("--data").arg(data.path(".")).args(args).stdout(stdio(out_gone)).stderr(stdio(err_gone));
+            assert_eq!(child.status().unwrap().code(), Some(status), "{args:?}, gone: {out_gone} {err_gone}");
+        }
+    }
+}
+
+/// The writing end of a pipe that nobody reads any more.
+fn gone_pipe() -> std::io::PipeWriter {
+    std::io::pipe().unwrap().1
+}
+
+#[test]
+fn a_long_record_tells_how_far_it_has_come() {
+    let (data, path) = recorded();
+    let path = path.as_str();
+    // Three months, of which the first seconds are watched.
+    let text = read(&data, "run.csv").replace("goal", "flight").replace("2,0,0,0,0", "1000000000,0,0,0,0");
+    let text: String = text
+        .lines()
+        .filter(|line| !["level_hash", "time"].iter().any(|note| line.starts_with(&format!("# {note}:"))))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    data.write("run.csv", &text);
+    let mut child = resultant();
+    child.arg("--data").arg(data.path(".")).args(["verify", path]).stdout(Stdio::null()).stderr(Stdio::piped());
+    let mut child = child.spawn().unwrap();
+    let mut line = String::new();
+    std::io::BufRead::read_line(&mut std::io::BufReader::new(child.stderr.take().unwrap()), &mut line).unwrap();
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(line.contains("run.csv: ") && line.ends_with(" of 1000000000 ticks flown\n"), "{line}");
+}
+
+#[test]
+fn a_replay_that_cannot_be_flown_is_refused_before_any_is() {
+    let (data, path) = recorded();
+    let path = path.as_str();
+    let good = read(&data, "run.csv");
+    let inputs = data.write("in.csv", &format!("{HEADER}\n3,1,0,0,0\n"));
+    let lost = data.write("lost.csv", &good.replace("level: goal", "level: nowhere"));
+    for (bad, message) in
+        [(&inputs, "in.csv:1: \"hash\": found no line"), (&lost, "no level \"nowhere\""), (&"no.csv".into(), "no.csv: ")]
+    {
+        let ran = data.resultant(&["verify", path, bad]);
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{message}");
+        assert!(ran.err.contains(message), "{}", ran.err);
+    }
+    assert_eq!(data.resultant(&["verify"]).status, 2);
+}

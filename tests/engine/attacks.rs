@@ -1,0 +1,224 @@
+//! Scenes in which the engine once failed, or in which engines fail: what passes through, what depends on the tick, what becomes infinite.
+
+use crate::support::{BODY, G, TICK, area, block, crate_at, floor, pool, run, world};
+use resultant::physics::{BodyDef, BodyId, DVec2, Guards, Material, StreamDef, SurfaceDef, WorldDef};
+
+/// Neighbours were once sought along weight and drive alone, and buoyancy shot a light cube through the lid.
+#[test]
+fn a_light_cube_under_water_stays_under_a_thin_lid() {
+    for mass in [0.01, 0.1, 1.0, 10.0] {
+        for below in [0.0, 0.3, 2.0, 8.0] {
+            for hz in [2.0, 10.0, 30.0, 120.0] {
+                let bodies = vec![BodyDef { half: DVec2::splat(0.2), ..crate_at(0.0, 5.3 + below, mass) }];
+                let surfaces = vec![block(-3.0, 5.0, 3.0, 5.1)];
+                let mut world = world(WorldDef { bodies, surfaces, fluids: vec![pool(1000.0, 0.001)], ..WorldDef::default() });
+                run(&mut world, 3.0, 1.0 / hz);
+                let top = world.body(BODY).bounds().min.y;
+                assert!((top - 5.1).abs() < 1e-9, "{mass} kg from {below} m below at {hz} Hz: its top is at {top} m");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_pushed_hard_stops_at_the_wall() {
+    for (force, hz) in [(1e6, 120.0), (3e3, 2.0), (1e6, 2.0), (1e9, 30.0), (1e9, 1.0)] {
+        for distance in [0.0, 0.01, 1.0, 30.0] {
+            let surfaces = vec![floor(Material::ICE), block(10.0, -5.0, 10.1, 0.0)];
+            let mut world = world(WorldDef { bodies: vec![crate_at(9.5 - distance, -0.5, 10.0)], surfaces, ..WorldDef::default() });
+            world.set_drive(BODY, DVec2::new(force, 0.0));
+            run(&mut world, 4.0, 1.0 / hz);
+            let right = world.body(BODY).bounds().max.x;
+            assert!((right - 10.0).abs() < 1e-9, "{force} N at {hz} Hz from {distance} m: its right edge is at {right} m");
+        }
+    }
+}
+
+/// A stream once lasted a tick too long where a body left it just as a tick ended.
+#[test]
+fn a_stream_that_is_left_at_the_end_of_a_tick_has_passed_on_what_it_should() {
+    for ticks in 5..=52 {
+        for (mass, way) in [(1.0, 2.0), (3.0, 0.7), (70.0, 11.3)] {
+            let time = f64::from(ticks) * TICK;
+            let pull = 2.0 * way / (time * time);
+            let zone = area(0.0, -2.0, 20.0, 2.0);
+            let bodies = vec![BodyDef { half: DVec2::splat(0.5), ..crate_at(20.5 - way, 0.0, mass) }];
+            let streams = vec![StreamDef { zone, force: DVec2::new(mass * pull, 0.0) }];
+            let def = WorldDef { gravity: 0.0, air_density: 0.0, bodies, streams, ..WorldDef::default() };
+            let mut world = world(def);
+            run(&mut world, time + 4.0 * TICK, TICK);
+            let (found, exact) = (world.body(BODY).velocity.x, pull * time);
+            assert!((found / exact - 1.0).abs() < 1e-9, "{ticks} ticks, {mass} kg, {way} m: {found} m/s, exact {exact} m/s");
+        }
+    }
+}
+
+#[test]
+fn many_streams_within_a_tick_pass_on_what_they_should() {
+    for (count, speed) in [(4, 300.0), (9, 600.0), (20, 1000.0), (60, 5000.0)] {
+        for force in [1000.0, -1000.0] {
+            let zone = |i: i32| area(2.0 + 0.1 * f64::from(i), -1.0, 2.05 + 0.1 * f64::from(i), 1.0);
+            let streams = (0..count).map(|i| StreamDef { zone: zone(i), force: DVec2::new(force, 0.0) }).collect();
+            let body = BodyDef { velocity: DVec2::new(speed, 0.0), half: DVec2::splat(0.02), mass: 2.0, ..BodyDef::default() };
+            let mut world = world(WorldDef { gravity: 0.0, air_density: 0.0, bodies: vec![body], streams, ..WorldDef::default() });
+            run(&mut world, 0.1, TICK);
+            let work = f64::from(count) * force * (0.05 + 0.04);
+            let exact = (speed * speed + work).sqrt();
+            let found = world.body(BODY).velocity.x;
+            assert!((found / exact - 1.0).abs() < 1e-12, "{count} streams of {force} N: {found} m/s, exact {exact} m/s");
+        }
+    }
+}
+
+/// Where a ball is that was let fall from `height` and keeps the part `e` of its speed at each bounce.
+fn bouncing(height: f64, e: f64, time: f64) -> f64 {
+    let fall = (2.0 * height / G).sqrt();
+    if time < fall {
+        return height - 0.5 * G * time * time;
+    }
+    let (mut speed, mut since) = (e * G * fall, time - fall);
+    while since > 2.0 * speed / G {
+        since -= 2.0 * speed / G;
+        speed *= e;
+    }
+    speed * since - 0.5 * G * since * since
+}
+
+/// Once an e < 1 ended its bounces at 1 Hz elsewhere than at 120, by up to 1.4 m.
+#[test]
+fn bounces_are_the_same_at_any_tick() {
+    for (e, height) in [(0.5, 2.0), (0.8, 1.0), (0.9, 3.0), (0.97, 0.5)] {
+        let ends = (2.0 * height / G).sqrt() * (1.0 + e) / (1.0 - e);
+        for hz in [1.0, 30.0, 120.0, 1e4] {
+            let bodies = vec![BodyDef { restitution: e, velocity: DVec2::new(3.0, 0.0), ..crate_at(0.0, -0.5 - height, 2.0) }];
+            let ice = SurfaceDef::fixed(
+                area(-1e3, 0.0, 1e3, 1.0),
+                Material { static_friction: 0.0, kinetic_friction: 0.0, ..Material::ICE },
+            );
+            let mut world = world(WorldDef { air_density: 0.0, bodies, surfaces: vec![ice], ..WorldDef::default() });
+            let mut time = 0.0;
+            while time + 1.0 < ends.min(4.0) {
+                run(&mut world, 1.0, 1.0 / hz);
+                time += 1.0;
+                let found = -0.5 - world.body(BODY).position.y;
+                let exact = bouncing(height, e, time);
+                assert!((found - exact).abs() < 1e-9, "e = {e} at {hz} Hz after {time} s: {found} m, exact {exact} m");
+                assert!((world.body(BODY).position.x - 3.0 * time).abs() < 1e-9);
+            }
+        }
+    }
+}
+
+/// Accepted numbers from which NaN once came.
+#[test]
+fn something_light_and_fast_on_something_heavy_in_thick_liquid_stays_finite() {
+    for viscosity in [0.001, 1.0, 50.0, 1e3] {
+        for density in [1.0, 1000.0] {
+            for mass in [1e-6, 1e-3, 0.01] {
+                for speed in [500.0, 1e6] {
+                    let dart =
+                        BodyDef { velocity: DVec2::new(speed, 0.1 * speed), half: DVec2::splat(0.1), ..crate_at(0.0, 3.9, mass) };
+                    let surfaces = vec![block(-20.0, 5.0, 20.0, 6.0)];
+                    let fluids = vec![pool(density, viscosity)];
+                    let mut world =
+                        world(WorldDef { bodies: vec![dart, crate_at(0.0, 4.5, 1000.0)], surfaces, fluids, ..WorldDef::default() });
+                    run(&mut world, 0.3, TICK);
+                    let fastest = world.bodies().iter().map(|body| body.velocity.length()).fold(0.0, f64::max);
+                    assert!(fastest <= 1.1 * speed, "{viscosity} Pa·s, {density} kg/m³, {mass} kg, {speed} m/s: {fastest} m/s");
+                }
+            }
+        }
+    }
+}
+
+/// At one tick a second and at a million: fall, slide and bounce end where they must.
+#[test]
+fn any_tick_rate_will_do() {
+    for hz in [1.0, 7.0, 60.0, 1e3, 1e5, 1e6] {
+        let bodies = vec![
+            BodyDef { velocity: DVec2::new(2.0, 0.0), ..crate_at(0.0, -0.5, 20.0) },
+            BodyDef { restitution: 1.0, ..crate_at(10.0, -1.5, 3.0) },
+            crate_at(2000.0, 0.0, 1.0),
+        ];
+        let mut world =
+            world(WorldDef { air_density: 0.0, bodies, surfaces: vec![floor(Material::ASPHALT)], ..WorldDef::default() });
+        (0..hz as u32).for_each(|_| world.step(1.0 / hz));
+        world.validate().unwrap();
+        let [slid, bounced, fell] = [0, 1, 2].map(|i| world.bodies()[i].position);
+        assert!((slid.x - 4.0 / (2.0 * 0.65 * G)).abs() < 1e-9, "{hz} Hz: slid {slid}");
+        assert!((-0.5 - bounced.y - bouncing(1.0, 1.0, 1.0)).abs() < 1e-8, "{hz} Hz: bounced to {bounced}");
+        assert!((fell.y - 0.5 * G).abs() < 1e-8, "{hz} Hz: fell to {fell}");
+    }
+}
+
+/// Nothing passes a wall of 5 cm, wherever it stands.
+#[test]
+fn nothing_tunnels_far_from_the_origin() {
+    for distance in [0.0, 1e4, 1e5, 1e6, 1e7] {
+        for speed in [5.0, 400.0, 1e4, 1e6] {
+            let surfaces = vec![block(distance + 10.0, distance - 5.0, distance + 10.05, distance + 5.0)];
+            let dart = BodyDef { velocity: DVec2::new(speed, 0.0), half: DVec2::splat(0.1), ..crate_at(distance, distance, 1.0) };
+            let mut world = world(WorldDef { gravity: 0.0, air_density: 0.0, bodies: vec![dart], surfaces, ..WorldDef::default() });
+            run(&mut world, 2.0, TICK);
+            let right = world.body(BODY).bounds().max.x - distance;
+            let rounding = 1e-9 + 4.0 * f64::EPSILON * distance;
+            assert!(right <= 10.0 + rounding && right > 9.0, "{speed} m/s, {distance} m away: its right edge is at {right} m");
+        }
+    }
+}
+
+/// With e = 1 nothing is lost, neither speed nor time, however often it bounces within a tick: it is where its way says, folded at the walls.
+#[test]
+fn what_goes_to_and_fro_between_walls_is_where_its_way_says_at_any_speed() {
+    for (speed, gap) in [(30.0, 1.0), (3e3, 1.0), (1e4, 2.0)] {
+        let half = DVec2::splat(0.1);
+        let body = BodyDef { restitution: 1.0, velocity: DVec2::new(speed, 0.0), half, ..crate_at(0.1 + 0.3 * gap, 0.0, 1.0) };
+        let surfaces = vec![block(-1.0, -5.0, 0.0, 5.0), block(0.2 + gap, -5.0, 1.2 + gap, 5.0)];
+        let mut world = world(WorldDef { gravity: 0.0, air_density: 0.0, bodies: vec![body], surfaces, ..WorldDef::default() });
+        for tick in 1..=60 {
+            world.step(TICK);
+            let way = (0.3 * gap + speed * TICK * f64::from(tick)).rem_euclid(2.0 * gap);
+            let (expected, ahead) = if way < gap { (way, 1.0) } else { (2.0 * gap - way, -1.0) };
+            let (place, velocity) = (world.body(BODY).bounds().min.x, world.body(BODY).velocity.x);
+            let near_a_wall = expected.min(gap - expected) < 1e-6;
+            assert!((velocity.abs() / speed - 1.0).abs() < 1e-12, "tick {tick}: {speed} m/s became {velocity} m/s");
+            assert!(near_a_wall || velocity * ahead > 0.0, "tick {tick}: {velocity} m/s at {place} m");
+            assert!((place - expected).abs() < 1e-6, "tick {tick} at {speed} m/s: at {place} m, not at {expected} m");
+        }
+        let Guards { budgets_used_up, dense_ticks, .. } = *world.guards();
+        assert_eq!((budgets_used_up, dense_ticks), (0, 0), "{speed} m/s");
+    }
+}
+
+/// Drag presses what is light against something heavy that flies behind it, and with e = 1 it bounces there without end, thousands of times a
+/// tick. Drag c·v takes (2c/3a)·w² off the speed w of each bounce, which takes 2w/a: so w falls as e^(−c·t/3), in one tick or in a thousand.
+#[test]
+fn what_bounces_in_front_of_something_heavy_keeps_what_drag_leaves_it() {
+    let (fast, bounce, time, half) = (10.0, 0.2, 1e-3, DVec2::splat(0.3));
+    let def = || {
+        let of = |x: f64, mass: f64, v: f64| BodyDef {
+            restitution: 1.0,
+            drag: 1.05,
+            velocity: DVec2::new(v, 0.0),
+            half,
+            ..crate_at(x, 0.0, mass)
+        };
+        WorldDef { gravity: 0.0, bodies: vec![of(0.0, 1e6, fast), of(0.6, 1e-3, fast + bounce)], ..WorldDef::default() }
+    };
+    let k = 0.5 * def().air_density * 1.05 * 0.6 / 1e-3;
+    let (pull, rate) = (k * fast * fast, 2.0 * k * fast);
+    let expected = bounce * (-rate * time / 3.0).exp();
+    for ticks in [1, 2, 1000] {
+        let mut world = world(def());
+        for _ in 0..ticks {
+            world.step(time / f64::from(ticks));
+        }
+        let [heavy, light] = [0, 1].map(|i| world.body(BodyId(i)));
+        let (gap, speed) = (light.position.x - heavy.position.x - 0.6, light.velocity.x - heavy.velocity.x);
+        // What it has when it is back.
+        let left = (speed * speed + 2.0 * pull * gap).sqrt();
+        assert!((left / expected - 1.0).abs() < 0.1, "{ticks} ticks: {left} m/s, not {expected} m/s");
+        assert!(ticks > 2 || world.impulses().len() < 20, "{} impacts are listed", world.impulses().len());
+        assert_eq!(world.guards().budgets_used_up, 0);
+    }
+}

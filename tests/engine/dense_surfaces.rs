@@ -1,0 +1,262 @@
+//! Surfaces that move, run belts, are solid from some sides only or not there; and what contacts are told to have given.
+
+use crate::support::dense::{G, dense, empty, restless, scene, square, surface};
+use crate::support::{Random, TICK as DT};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use resultant::physics::{BodyDef, BodyId, DVec2, Event, Leg, Material, Path, Sides, Source, SurfaceDef, World, WorldDef};
+
+fn pile(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>, gravity: f64) -> World {
+    dense(scene(bodies, surfaces, gravity))
+}
+
+/// A surface that follows legs of a duration (s), a velocity (m/s) and an acceleration (m/s²), once.
+fn led(surface: SurfaceDef, legs: &[(f64, DVec2, DVec2)]) -> SurfaceDef {
+    let leg = |&(duration, velocity, acceleration): &(f64, DVec2, DVec2)| Leg { duration, velocity, acceleration };
+    SurfaceDef { path: Path { legs: legs.iter().map(leg).collect(), repeats: false }, ..surface }
+}
+
+/// A lift carries a stack up and down, at any speed, to the bit of where it is.
+#[test]
+fn a_lift_carries_what_stands_on_it() {
+    for gravity in [G, -G] {
+        let down = gravity.signum();
+        let along = |y: f64| DVec2::new(0.0, y * down);
+        // Slower down than things fall.
+        let legs = [
+            (0.8, along(-2.0), along(-6.0)),
+            (1.2, along(-6.8), DVec2::ZERO),
+            (1.4, along(-6.8), along(6.0)),
+            (0.7, along(1.6), DVec2::ZERO),
+        ];
+        let lift = led(surface(-2.0, down.min(0.0), 2.0, down.max(0.0)), &legs);
+        let bodies = vec![square(0.0, -0.5 * down), square(0.2, -1.5 * down), square(-0.1, -2.5 * down)];
+        let mut scene = pile(bodies, vec![lift.clone()], gravity);
+        for step in 1..=480 {
+            scene.step(DT);
+            let (top, speed) = (scene.surfaces()[0].bounds.centre().y - 0.5 * down, lift.path.at(f64::from(step) * DT).velocity.y);
+            if step > 6 {
+                for (i, body) in scene.bodies().iter().enumerate() {
+                    let expected = top - (0.5 + i as f64) * down;
+                    assert!((body.position.y - expected).abs() < 1e-9, "step {step}, body {i}: {} {expected}", body.position.y);
+                    assert!((body.velocity.y - speed).abs() < 1e-6, "step {step}, body {i}: {} {speed}", body.velocity.y);
+                }
+            }
+        }
+    }
+}
+
+/// A platform that moves sideways takes along what stands on it, and what stands on that.
+#[test]
+fn a_platform_takes_its_riders_along() {
+    let legs = [(1.0, DVec2::ZERO, DVec2::new(3.0, 0.0)), (1.0, DVec2::new(3.0, 0.0), DVec2::ZERO)];
+    let mut scene = pile(vec![square(0.0, -0.5), square(0.1, -1.5)], vec![led(surface(-2.0, 0.0, 2.0, 1.0), &legs)], G);
+    (0..239).for_each(|_| scene.step(DT));
+    let x = scene.surfaces()[0].bounds.centre().x;
+    for (i, offset) in [(0, 0.0), (1, 0.1)] {
+        println!(
+            "law 7: rider {i} off by {} m, {} m/s",
+            scene.bodies()[i].position.x - x - offset,
+            scene.bodies()[i].velocity.x - 3.0
+        );
+        assert!(
+            (scene.bodies()[i].position.x - x - offset).abs() < 1e-9 && (scene.bodies()[i].velocity.x - 3.0).abs() < 1e-9,
+            "{}",
+            scene.bodies()[i].position
+        );
+    }
+}
+
+/// A belt drags with μ_k·g until its speed is reached, then carries.
+#[test]
+fn a_belt_carries() {
+    for belt in [2.0, -3.0] {
+        let mut scene = pile(vec![square(0.0, -0.5)], vec![surface(-50.0, 0.0, 50.0, 1.0)], G);
+        scene.set_belt(0, belt);
+        (0..240).for_each(|_| scene.step(DT));
+        let reach: f64 = belt.abs() / (0.65 * G);
+        let exact = (belt.abs() * (2.0 - reach) + 0.5 * belt.abs() * reach) * belt.signum();
+        println!("law 7: belt {belt}: {} m, exact {exact}", scene.bodies()[0].position.x);
+        assert!(
+            (scene.bodies()[0].velocity.x - belt).abs() < 1e-12 && (scene.bodies()[0].position.x - exact).abs() < 1e-9,
+            "{}",
+            scene.bodies()[0].position
+        );
+    }
+    // The right side runs down, the left side up.
+    for (x, press, runs) in [(1.5, -40.0, 2.0), (-1.5, 40.0, -2.0)] {
+        let mut scene = pile(vec![square(x, 0.0)], vec![surface(-1.0, -90.0, 1.0, 90.0)], G);
+        scene.set_belt(0, 2.0);
+        scene.set_drive(BodyId(0), DVec2::new(press, 0.0));
+        (0..240).for_each(|_| scene.step(DT));
+        assert!((scene.bodies()[0].velocity.y - runs).abs() < 1e-12, "{}", scene.bodies()[0].velocity);
+    }
+}
+
+/// A wall that comes along pushes and throws as a wall does; it passes nothing at any speed.
+#[test]
+fn a_moving_wall_pushes_and_passes_nothing() {
+    for speed in [1.0, 30.0, 300.0, 5000.0] {
+        for e in [0.0, 0.5, 1.0] {
+            let wall = SurfaceDef { path: Path::steady(DVec2::new(speed, 0.0)), ..surface(0.0, -3.0, 0.05, 0.0) };
+            let bodies = (0..4).map(|i| BodyDef { restitution: e, ..square(2.0 + 1.7 * f64::from(i), -0.5) }).collect();
+            let mut scene = pile(bodies, vec![surface(-1e7, 0.0, 1e7, 1.0), wall], G);
+            let mut x = 0.025;
+            for step in 0..240 {
+                x += speed * DT;
+                scene.step(DT);
+                for i in 0..4 {
+                    let left = scene.bodies()[i].position.x - 0.5;
+                    assert!(left >= x + 0.025 - 1e-9 * x.max(1.0), "{speed} m/s, e {e}, step {step}, body {i}: {left} behind {x}");
+                    assert!(
+                        i == 0 || left >= scene.bodies()[i - 1].position.x + 0.5 - 1e-9 * x.max(1.0),
+                        "{speed}, e {e}, step {step}, body {i}"
+                    );
+                }
+            }
+            if e == 0.0 {
+                assert!((scene.bodies()[0].velocity.x - speed).abs() < 1e-6 * speed, "{} {speed}", scene.bodies()[0].velocity);
+            }
+        }
+    }
+}
+
+/// A one-way platform lets pass what comes from below, and catches it when it falls.
+#[test]
+fn a_one_way_platform() {
+    let ball = BodyDef { velocity: DVec2::new(0.0, -12.0), ..square(0.0, -0.5) };
+    let mut scene =
+        pile(vec![ball], vec![surface(-5.0, 0.0, 5.0, 1.0), SurfaceDef { sides: Sides::TOP, ..surface(-5.0, -3.0, 5.0, -2.9) }], G);
+    let mut top = 0.0f64;
+    for _ in 0..480 {
+        scene.step(DT);
+        top = top.min(scene.bodies()[0].position.y);
+    }
+    println!("law 7: rose to {top}, exact {}", -0.5 - 72.0 / G);
+    assert!((top + 0.5 + 72.0 / G).abs() < 1e-3);
+    assert_eq!((scene.bodies()[0].position.y, scene.bodies()[0].velocity), (-3.5, DVec2::ZERO));
+    scene.set_present(1, false);
+    (0..240).for_each(|_| scene.step(DT));
+    assert_eq!(scene.bodies()[0].position.y, -0.5);
+}
+
+/// Between a press and the ground: reported, and the press stopped, without overlap.
+#[test]
+fn what_is_squeezed_stops_the_press() {
+    for stack in [1, 3] {
+        let bodies = (0..stack).map(|i| square(0.0, -0.5 - f64::from(i))).collect();
+        let press = SurfaceDef { path: Path::steady(DVec2::new(0.0, 5.0)), ..surface(-5.0, -10.0, 5.0, -9.0) };
+        let mut scene = pile(bodies, vec![surface(-5.0, 0.0, 5.0, 1.0), press], G);
+        let mut squeezed = 0;
+        for step in 0..240 {
+            scene.step(DT);
+            if let Some(Event::Crushed { by, force, .. }) =
+                scene.events().iter().find(|event| matches!(event, Event::Crushed { .. }))
+            {
+                squeezed += 1;
+                // 1 kg at 5 m/s over half of 0.5 m.
+                assert!((force - 25.0).abs() < 1e-7 && *by == 1, "{force} N by surface {by}");
+            }
+            let (top, press) = (scene.bodies()[stack as usize - 1].bounds().min.y, scene.surfaces()[1].bounds.max.y);
+            assert!(press <= top + 1e-9, "step {step}: the press is at {press} in {top}");
+            assert!(scene.bodies()[0].bounds().max.y <= 1e-9);
+        }
+        assert!(squeezed > 20, "{squeezed}");
+    }
+}
+
+/// Friction that is the same whether something slides or not.
+const EVEN: Material = Material { name: "", static_friction: 0.65, kinetic_friction: 0.65, restitution: 0.0 };
+
+/// A heap that a lift raises under an open sky, while more rains on it: nobody is squeezed, and the lift never waits.
+#[test]
+fn a_lift_under_the_open_sky_squeezes_nobody() {
+    // Now and then something bounces off the rising heap just as the lift begins to slow down, and gets higher than it would have flown.
+    for seed in 1..=12 {
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let bodies = (0..300).map(|i| BodyDef {
+            half: DVec2::new(random.random_range(0.15..0.3), random.random_range(0.15..0.3)),
+            velocity: DVec2::new(random.random_range(-2.0..2.0), 0.0),
+            mass: random.random_range(1.0..=1.0),
+            restitution: 0.3 * random.random_range(0.0..1.0),
+            material: EVEN,
+            ..square(0.35 + 0.7 * f64::from(i % 18), -1.0 - 0.8 * f64::from(i / 18))
+        });
+        let bodies = bodies.collect();
+        let wall = |x: f64| surface(x - 0.5, -2000.0, x + 0.5, 0.0);
+        let surfaces = [wall(-0.5), wall(13.1), surface(0.001, 0.0, 12.599, 1.0)];
+        let mut surfaces = surfaces.map(|surface| SurfaceDef { material: EVEN, ..surface });
+        // Up by 2 m in 2 s and down again, speeding up and slowing down by 2 m/s².
+        surfaces[2].path = Path::shuttle(DVec2::new(0.0, -2.0), 2.0, 1.0, 0.0);
+        let mut scene = restless(WorldDef { bodies, surfaces: surfaces.into(), ..empty() });
+        for step in 1..=300 {
+            scene.step(1.0 / 60.0);
+            let squeezes = |event: &&Event| matches!(event, Event::Crushed { .. });
+            assert_eq!(scene.events().iter().find(squeezes), None, "seed {seed}, step {step}");
+        }
+    }
+}
+
+/// For every body m·Δv is what outer forces and contacts gave, to 1e-9; in rain, heaps and closed rows; nearly always where much bounces.
+#[test]
+fn what_contacts_gave_adds_up() {
+    for (seed, restitution, walls) in [(1, 0.0, true), (2, 0.7, true), (3, 0.3, false), (4, 1.0, true)] {
+        let mut random = Random(seed);
+        let bodies: Vec<BodyDef> = (0..80)
+            .map(|i| BodyDef {
+                half: DVec2::new(0.2 + 0.25 * random.unit(), 0.2 + 0.25 * random.unit()),
+                velocity: DVec2::new(6.0 * random.unit() - 3.0, 0.0),
+                mass: 0.5 + 20.0 * random.unit(),
+                restitution: restitution * random.unit(),
+                ..square(f64::from(i % 8), -1.0 - f64::from(i / 8))
+            })
+            .collect();
+        let mut surfaces = vec![surface(-20.0, 0.0, 30.0, 1.0)];
+        if walls {
+            surfaces.extend([surface(-1.5, -100.0, -0.5, 0.0), surface(7.5, -100.0, 8.5, 0.0)]);
+        }
+        let masses: Vec<f64> = bodies.iter().map(|b| b.mass).collect();
+        let mut scene = pile(bodies, surfaces, G);
+        let push = DVec2::new(200.0, 0.0);
+        scene.set_drive(BodyId(3), push);
+        let mut worst = (0.0f64, 0);
+        let mut bad = 0;
+        for step in 0..400 {
+            let before: Vec<DVec2> = (0..80).map(|i| scene.bodies()[i].velocity).collect();
+            scene.step(DT);
+            let mut lack: Vec<DVec2> = (0..80)
+                .map(|i| {
+                    let outer = DVec2::new(0.0, G * masses[i]) + if i == 3 { push } else { DVec2::ZERO };
+                    (scene.bodies()[i].velocity - before[i]) * masses[i] - outer * DT
+                })
+                .collect();
+            let mut scale = vec![1e-3; 80];
+            for i in 0..80 {
+                let id = BodyId(i as u32);
+                let forces = scene.forces(id);
+                let given = forces.forces().iter().filter(|force| matches!(force.source, Source::Body(_) | Source::Surface(_)));
+                let passed_on = scene.impulses().iter().filter_map(|impulse| Some(impulse.on(id)?.0));
+                for given in given.map(|force| force.vector * DT).chain(passed_on) {
+                    lack[i] -= given;
+                    scale[i] += given.length();
+                }
+            }
+            for i in 0..80 {
+                let off = lack[i].length() / scale[i];
+                bad += u32::from(off > 1e-9);
+                if off > worst.0 {
+                    worst = (off, step);
+                }
+            }
+        }
+        println!(
+            "law 8: seed {seed}, e {restitution}: worst {:e} of what a body was given (step {}), {bad} of 32000 above 1e-9; {:?}",
+            worst.0,
+            worst.1,
+            scene.guards()
+        );
+        // What the last stage of a step stops on its way, because it would have overlapped, loses a speed that no contact lists.
+        // Elastic heaps differ from seed to seed: 0 to 17 of 32000 in twenty of them.
+        assert!(bad <= if restitution == 1.0 { 20 } else { 4 }, "seed {seed}: {bad} off, worst {worst:?}");
+    }
+}

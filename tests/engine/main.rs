@@ -1,0 +1,26 @@
+//! The engine by itself: forces, contacts, impacts and motion against exact answers and laws, by hand and in random scenes.
+
+mod allocations;
+mod attacks;
+mod crowd_flight;
+mod crowd_zones;
+mod crowds;
+mod dense_islands;
+mod dense_laws;
+mod dense_surfaces;
+mod differential;
+mod exact;
+mod forces;
+mod freezes;
+mod golden;
+mod links;
+mod liquids;
+mod media_in_a_tick;
+mod piles;
+mod scenes;
+mod state;
+#[path = "../support/mod.rs"]
+mod support;
+mod surfaces;
+mod ties;
+mod worst_tick;

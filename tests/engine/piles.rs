@@ -1,0 +1,374 @@
+//! Many bodies at once: nothing overlaps, nothing passes through, everything comes to rest, the same bits every time.
+
+use crate::support::dense::{all_asleep, dense, empty, restless, surface};
+use crate::support::{Random, worst_overlap};
+use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Source, World, WorldDef};
+
+const DT: f64 = 1.0 / 60.0;
+const MOST_OVERLAP: f64 = 1e-6;
+
+fn square(x: f64, y: f64, mass: f64) -> BodyDef {
+    BodyDef { position: DVec2::new(x, y), mass, ..BodyDef::default() }
+}
+
+/// Boxes of 0.3 to 0.6 m raining into a pit.
+fn rain(n: usize, masses: (f64, f64), restitution: f64) -> WorldDef {
+    rain_into(n, (n as f64).sqrt().ceil() as usize, 7, masses, restitution)
+}
+
+/// The same into a pit so many boxes wide.
+fn rain_into(n: usize, columns: usize, seed: u64, masses: (f64, f64), restitution: f64) -> WorldDef {
+    let mut random = Random(seed);
+    let width = columns as f64 * 0.7;
+    let bodies = (0..n)
+        .map(|i| BodyDef {
+            half: DVec2::new(0.15 + 0.15 * random.unit(), 0.15 + 0.15 * random.unit()),
+            position: DVec2::new(0.35 + 0.7 * (i % columns) as f64, -1.0 - 0.8 * (i / columns) as f64),
+            velocity: DVec2::new(4.0 * random.unit() - 2.0, 0.0),
+            mass: masses.0 + (masses.1 - masses.0) * random.unit(),
+            restitution: restitution * random.unit(),
+            ..BodyDef::default()
+        })
+        .collect();
+    let surfaces =
+        vec![surface(-5.0, 0.0, width + 5.0, 1.0), surface(-1.0, -900.0, 0.0, 0.0), surface(width, -900.0, width + 1.0, 0.0)];
+    WorldDef { bodies, surfaces, ..empty() }
+}
+
+fn floor(bodies: Vec<BodyDef>) -> WorldDef {
+    WorldDef { bodies, surfaces: vec![surface(-100.0, 0.0, 100.0, 1.0)], ..empty() }
+}
+
+fn energy(pile: &World, def: &WorldDef) -> f64 {
+    let of = |(i, b): (usize, &BodyDef)| {
+        b.mass * (0.5 * pile.bodies()[i].velocity.length_squared() - def.gravity * pile.bodies()[i].position.y)
+    };
+    def.bodies.iter().enumerate().map(of).sum()
+}
+
+/// Runs until all sleep; asserts that nothing ever overlaps and that energy, kinetic and potential, never rises.
+fn settles(def: WorldDef, most_steps: usize) -> World {
+    let mut pile = dense(def.clone());
+    let mut before = energy(&pile, &def);
+    let rounding = 1e-12 * before.abs();
+    for step in 0..most_steps {
+        pile.step(DT);
+        let (deepest, now) = (worst_overlap(&pile), energy(&pile, &def));
+        assert!(deepest <= MOST_OVERLAP, "step {step}: overlap {deepest}");
+        assert!(now <= before + rounding, "step {step}: energy from {before} to {now}");
+        before = now;
+        if all_asleep(&pile) {
+            assert!((0..pile.bodies().len()).all(|i| pile.bodies()[i].velocity == DVec2::ZERO));
+            return pile;
+        }
+    }
+    panic!("still awake");
+}
+
+/// How many steps the highest of the bodies would bounce all alone: T = t₀(1 + e)/(1 − e), t₀ = √(2H/g).
+fn lone_bounces(def: &WorldDef, restitution: f64) -> usize {
+    let height = def.bodies.iter().fold(0.0, |most: f64, body| most.max(-body.position.y));
+    let fall = (2.0 * height / def.gravity).sqrt();
+    (fall * (1.0 + restitution) / (1.0 - restitution) / DT) as usize
+}
+
+#[test]
+fn rain_comes_to_rest_and_never_overlaps() {
+    settles(rain(100, (1.0, 1.0), 0.0), 600);
+    settles(rain(600, (1.0, 1.0), 0.0), 600);
+}
+
+#[test]
+fn rain_of_mixed_masses_comes_to_rest() {
+    settles(rain(300, (0.5, 50.0), 0.0), 600);
+}
+
+/// With mixed restitutions a pile rests no later than the last ball would that bounces all alone.
+#[test]
+fn rain_of_mixed_restitutions_comes_to_rest() {
+    for n in [100, 300, 1000] {
+        let def = rain(n, (1.0, 1.0), 0.8);
+        let most = lone_bounces(&def, 0.8);
+        let pile = settles(def.clone(), most);
+        // Boxes that do not turn lie loosely, but they lie.
+        let top = (0..n).fold(0.0, |top: f64, i| top.min(pile.bodies()[i].bounds().min.y));
+        let area: f64 = def.bodies.iter().map(|body| 4.0 * body.half.x * body.half.y).sum();
+        let filled = area / (-top * def.surfaces[2].bounds.min.x);
+        assert!((0.4..1.0).contains(&filled), "{n}: filled to {filled}");
+    }
+}
+
+#[test]
+fn a_large_pile_of_mixed_restitutions_comes_to_rest() {
+    let def = rain(5000, (1.0, 1.0), 0.8);
+    let most = lone_bounces(&def, 0.8);
+    settles(def, most);
+}
+
+/// Friction stops a heap as soon as its layers lie on each other, however many there are: nothing creeps on inside.
+#[test]
+fn a_large_heap_does_not_creep() {
+    for seed in [7, 8] {
+        let n = 5000;
+        let mut pile = restless(rain_into(n, 71, seed, (1.0, 1.0), 0.8));
+        (0..140).for_each(|_| pile.step(DT));
+        let moving = (0..n).filter(|i| pile.bodies()[*i].velocity != DVec2::ZERO).count();
+        assert!(moving < n / 3, "seed {seed}: {moving} of {n} move");
+    }
+}
+
+/// A heavy body throws a light one up to three times as fast, so these bounce for longer than any alone.
+#[test]
+fn rain_of_mixed_masses_and_restitutions_comes_to_rest_in_pits_of_any_shape() {
+    for seed in 1..5 {
+        for columns in [6, 14, 50] {
+            settles(rain_into(200, columns, seed, (0.5, 50.0), 0.8), 3600);
+        }
+    }
+}
+
+/// What falls on a resting heap leaves it with its own part of the closing speed, as from the ground.
+#[test]
+fn a_ball_bounces_on_a_resting_heap() {
+    let mut def = rain(60, (1.0, 5.0), 0.0);
+    let heap = settles(def.clone(), 600);
+    for (i, body) in def.bodies.iter_mut().enumerate() {
+        (body.position, body.velocity) = (heap.bodies()[i].position, DVec2::ZERO);
+    }
+    let top = (0..60).fold(0.0, |top: f64, i| top.min(heap.bodies()[i].bounds().min.y));
+    let below = (0..60).find(|i| heap.bodies()[*i].bounds().min.y == top).unwrap();
+    let drop = 4.0;
+    let ball = BodyDef {
+        half: DVec2::splat(0.1),
+        position: DVec2::new(heap.bodies()[below].position.x, top - 0.1 - drop),
+        restitution: 0.9,
+        ..BodyDef::default()
+    };
+    def.bodies.push(ball);
+    let mut pile = dense(def.clone());
+    let heights: Vec<(f64, f64)> = (0..180)
+        .map(|_| {
+            pile.step(DT);
+            (top - 0.1 - pile.bodies()[60].position.y, pile.bodies()[60].velocity.y)
+        })
+        .collect();
+    let thrown = heights.iter().position(|(_, velocity)| *velocity < 0.0).unwrap();
+    let apex = heights[thrown..].iter().fold(0.0, |most: f64, (height, _)| most.max(*height));
+    assert!((apex / (0.81 * drop) - 1.0).abs() < 1e-3, "apex {apex} m after a drop of {drop} m");
+    settles(def, 3600);
+}
+
+#[test]
+fn the_same_bits_twice() {
+    let run = || {
+        let mut pile = dense(rain(200, (0.5, 50.0), 0.8));
+        (0..300).for_each(|_| pile.step(DT));
+        (0..200).map(|i| pile.bodies()[i].position.to_array().map(f64::to_bits)).collect::<Vec<_>>()
+    };
+    assert_eq!(run(), run());
+}
+
+#[test]
+fn sleep_changes_no_bit() {
+    let run = |sleep| {
+        let mut pile = {
+            let def = rain(100, (0.5, 50.0), 0.0);
+            if sleep { dense(def) } else { restless(def) }
+        };
+        (0..400).for_each(|_| pile.step(DT));
+        (0..100).map(|i| pile.bodies()[i].position.to_array().map(f64::to_bits)).collect::<Vec<_>>()
+    };
+    assert_eq!(run(true), run(false));
+}
+
+#[test]
+fn a_column_of_a_hundred_does_not_move_and_each_reaction_is_the_weight_above() {
+    let def = floor((0..100).map(|i| square(0.0, -0.5 - f64::from(i), 1.0 + f64::from(i % 7))).collect());
+    let mut pile = restless(def.clone());
+    (0..1200).for_each(|_| pile.step(DT));
+    for (i, body) in def.bodies.iter().enumerate() {
+        assert_eq!((pile.bodies()[i].position, pile.bodies()[i].velocity), (body.position, DVec2::ZERO));
+        assert_eq!(pile.bodies()[i].acceleration, DVec2::ZERO);
+    }
+    for i in 0..100 {
+        let weight = def.gravity * def.bodies[i..].iter().map(|b| b.mass).sum::<f64>();
+        let forces = pile.forces(BodyId(i as u32));
+        let up: f64 = forces
+            .forces()
+            .iter()
+            .filter(|force| force.kind == ForceKind::Reaction && force.vector.y < 0.0)
+            .map(|force| force.vector.y)
+            .sum();
+        assert!((up + weight).abs() <= 1e-9 * weight, "body {i}: {up} instead of {}", -weight);
+    }
+}
+
+#[test]
+fn ten_tonnes_rest_on_a_kilogram_and_may_drop_on_it() {
+    for gap in [0.0, 3.0] {
+        let def = floor(vec![square(0.0, -0.5, 1.0), square(0.2, -1.5 - gap, 1e4)]);
+        settles(def.clone(), 300);
+        let mut pile = dense(def);
+        (0..300).for_each(|_| pile.step(DT));
+        assert!((pile.bodies()[0].position.y + 0.5).abs() < 1e-9 && (pile.bodies()[1].position.y + 1.5).abs() < 1e-9);
+    }
+}
+
+/// a = F/Σm − μg, and what presses the last ones is their share.
+#[test]
+fn a_pushed_row_moves_as_one() {
+    for n in [1usize, 5, 20] {
+        let def = floor((0..n).map(|i| square(i as f64, -0.5, 2.0)).collect());
+        let mass = 2.0 * n as f64;
+        let force = 12.0 * mass;
+        let mut pile = dense(def);
+        pile.set_drive(BodyId(0), DVec2::new(force, 0.0));
+        (0..60).for_each(|_| pile.step(DT));
+        let a = force / mass - 0.65 * 9.81;
+        for i in 0..n {
+            assert!(
+                (pile.bodies()[i].velocity.x - a).abs() < 1e-9 * a,
+                "{n}: body {i} at {} instead of {a}",
+                pile.bodies()[i].velocity.x
+            );
+            assert!(
+                (pile.bodies()[i].position.x - i as f64 - 0.5 * a).abs() < 1e-9,
+                "{n}: body {i} at {}",
+                pile.bodies()[i].position.x
+            );
+        }
+        for i in 1..n {
+            let forces = pile.forces(BodyId(i as u32));
+            let behind = Source::Body(BodyId(i as u32 - 1));
+            let push: f64 = forces
+                .forces()
+                .iter()
+                .filter(|force| force.kind == ForceKind::Push && force.source == behind)
+                .map(|push| push.vector.x)
+                .sum();
+            let exact = force * (n - i) as f64 / n as f64;
+            assert!((push - exact).abs() < 1e-6 * exact, "{n}: {push} on body {i} instead of {exact}");
+        }
+    }
+}
+
+#[test]
+fn static_friction_holds_a_row_below_its_limit_to_the_bit() {
+    let limit = 0.9 * 9.81 * 2.0 * 5.0;
+    let def = floor((0..5).map(|i| square(f64::from(i), -0.5, 2.0)).collect());
+    let mut pile = dense(def);
+    pile.set_drive(BodyId(0), DVec2::new(0.99 * limit, 0.0));
+    (0..1200).for_each(|_| pile.step(DT));
+    (0..5).for_each(|i| assert_eq!(pile.bodies()[i].position, DVec2::new(i as f64, -0.5)));
+    pile.set_drive(BodyId(0), DVec2::new(1.02 * limit, 0.0));
+    pile.step(DT);
+    let a = (1.02 * 0.9 - 0.65) * 9.81;
+    (0..5).for_each(|i| assert!((pile.bodies()[i].velocity.x / DT - a).abs() < 1e-6 * a, "{}", pile.bodies()[i].velocity.x / DT));
+}
+
+/// What lies on a dragged box comes along, by friction alone, and none is created or lost.
+#[test]
+fn a_tower_is_dragged_along() {
+    let def = floor((0..10).map(|i| square(0.0, -0.5 - f64::from(i), 1.0)).collect());
+    let mut pile = dense(def);
+    pile.set_drive(BodyId(0), DVec2::new(10.0 * (0.65 + 0.3) * 9.81, 0.0));
+    (0..60).for_each(|_| pile.step(DT));
+    (0..10).for_each(|i| {
+        assert!((pile.bodies()[i].velocity.x - 0.3 * 9.81).abs() < 1e-9, "body {i}: {}", pile.bodies()[i].velocity.x)
+    });
+}
+
+#[test]
+fn momentum_stays_where_nothing_is_fixed() {
+    let mut random = Random(3);
+    let bodies: Vec<BodyDef> = (0..200)
+        .map(|i| BodyDef {
+            velocity: DVec2::new(8.0 * random.unit() - 4.0, 8.0 * random.unit() - 4.0),
+            restitution: random.unit(),
+            ..square(f64::from(i % 14) * 1.1, f64::from(i / 14) * 1.1, 0.5 + 10.0 * random.unit())
+        })
+        .collect();
+    let def = WorldDef { bodies, gravity: 0.0, rest_speed: 0.0, ..empty() };
+    let momentum = |pile: &World| def.bodies.iter().enumerate().map(|(i, b)| b.mass * pile.bodies()[i].velocity).sum::<DVec2>();
+    let scale: f64 = def.bodies.iter().map(|b| b.mass * b.velocity.length()).sum();
+    let mut pile = dense(def.clone());
+    let before = momentum(&pile);
+    for _ in 0..300 {
+        pile.step(DT);
+        assert!(worst_overlap(&pile) <= MOST_OVERLAP);
+        assert!((momentum(&pile) - before).length() <= 1e-12 * scale);
+    }
+}
+
+#[test]
+fn nothing_passes_through_a_thin_wall_or_another_body() {
+    for speed in [36.0, 400.0, 9.9e3] {
+        for direction in [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y] {
+            let shot = |at: f64| BodyDef {
+                half: DVec2::splat(0.1),
+                velocity: speed * direction,
+                ..BodyDef { position: direction * at, ..BodyDef::default() }
+            };
+            let wall = surface(-0.005, -0.005, 0.005, 0.005);
+            let def = WorldDef { bodies: vec![shot(-3.3)], surfaces: vec![wall], gravity: 0.0, ..empty() };
+            let mut pile = dense(def);
+            (0..60).for_each(|_| pile.step(DT));
+            assert!(pile.bodies()[0].position.dot(direction) < -0.1, "{speed} {direction}: {}", pile.bodies()[0].position);
+
+            let target = BodyDef { position: DVec2::ZERO, half: DVec2::splat(0.005), ..BodyDef::default() };
+            let def = WorldDef { bodies: vec![shot(-3.3), target], gravity: 0.0, ..empty() };
+            let mut pile = dense(def);
+            (0..60).for_each(|_| pile.step(DT));
+            assert!(pile.bodies()[0].position.dot(direction) < pile.bodies()[1].position.dot(direction), "{speed} {direction}");
+        }
+    }
+}
+
+/// Gravity upwards is gravity downwards, mirrored, to the bit.
+#[test]
+fn gravity_may_point_up() {
+    let run = |sign: f64| {
+        let mut def = rain(60, (0.5, 5.0), 0.0);
+        def.gravity *= sign;
+        for body in &mut def.bodies {
+            body.position.y *= sign;
+        }
+        for s in &mut def.surfaces {
+            let (a, b) = (s.bounds.min.y * sign, s.bounds.max.y * sign);
+            (s.bounds.min.y, s.bounds.max.y) = (a.min(b), a.max(b));
+        }
+        let mut pile = dense(def);
+        (0..200).for_each(|_| pile.step(DT));
+        (0..60).map(|i| pile.bodies()[i].position * DVec2::new(1.0, sign)).collect::<Vec<_>>()
+    };
+    assert_eq!(run(1.0), run(-1.0));
+}
+
+/// A ship that pushes into a walled-in pile from any side neither overlaps nor blows up.
+#[test]
+fn a_drive_pushes_into_the_pile_from_any_side() {
+    for direction in [DVec2::X, -DVec2::X, DVec2::Y, -DVec2::Y] {
+        let mut def = rain(80, (0.5, 5.0), 0.3);
+        def.surfaces.push(surface(-1.0, -12.0, 20.0, -11.0));
+        let mut pile = dense(def.clone());
+        pile.set_drive(BodyId(0), 200.0 * direction);
+        for step in 0..400 {
+            pile.step(DT);
+            let deepest = worst_overlap(&pile);
+            assert!(deepest <= MOST_OVERLAP, "{direction} step {step}: overlap {deepest}");
+            assert!((0..80).all(|i| pile.bodies()[i].velocity.length() < 1e3));
+        }
+    }
+}
+
+#[test]
+fn nonsense_is_refused() {
+    for body in [
+        BodyDef { mass: 0.0, ..BodyDef::default() },
+        BodyDef { half: DVec2::new(0.0, 1.0), ..BodyDef::default() },
+        BodyDef { position: DVec2::new(f64::NAN, 0.0), ..BodyDef::default() },
+        BodyDef { restitution: 1.5, ..BodyDef::default() },
+    ] {
+        assert!(World::new(WorldDef { bodies: vec![body], ..empty() }).is_err());
+    }
+}

@@ -1,0 +1,7 @@
+//! Random scenes: laws that hold whatever is drawn.
+
+mod islands;
+mod moving;
+mod plan;
+mod random;
+mod wild;

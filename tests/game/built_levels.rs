@@ -1,0 +1,205 @@
+//! Random levels of all that there is to build with: whatever moves, opens, breaks, bounces and pulls, nothing becomes non-finite, leaves the
+//! level, or depends on anything but the inputs. (What has to hold of the engine is asked after each tick of a test besides.)
+
+use crate::support::Random;
+use crate::support::written::texts;
+use resultant::game::{Controls, Game};
+use resultant::level;
+use std::fmt::Write;
+use std::sync::Arc;
+
+const LEVELS: u64 = 150;
+const TICKS: u32 = 360;
+/// Levels in which a law was broken once: what lay on a body that was put out of a surface was left in it, a little deeper each time; and friction
+/// on walls went on where nothing pressed any more.
+const FOUND: [u64; 7] = [276, 585, 1135, 2178, 2558, 3384, 3941];
+
+const MATERIALS: [&str; 5] = ["", "Ice", "Trampoline", "Rubber", "Glass"];
+
+/// The rows that are added to the room.
+fn rows(random: &mut Random) -> Vec<(&'static str, String)> {
+    let mut files: Vec<(&'static str, String)> = [
+        "world.csv",
+        "movers.csv",
+        "doors.csv",
+        "switches.csv",
+        "gravity.csv",
+        "objects.csv",
+        "hazards.csv",
+        "pods.csv",
+        "constants.csv",
+    ]
+    .into_iter()
+    .map(|file| (file, String::new()))
+    .collect();
+    let mut add = |file: &str, row: String| {
+        let text = files.iter_mut().find(|(name, _)| *name == file).map(|(_, text)| text).expect("a file of the list");
+        writeln!(text, "{row}").unwrap();
+    };
+    let mut number = |low: f64, high: f64| random.between(low, high).round();
+    // Columns of 150 pixels: blocks in one, crates above them, so that nothing starts in anything.
+    for column in 1..8 {
+        let left = 150.0 * f64::from(column);
+        let (width, top) = (number(60.0, 140.0), number(450.0, 780.0));
+        let (kind, material) = (number(0.0, 7.0), MATERIALS[number(0.0, 4.0) as usize]);
+        let belt = number(1.0, 3.0);
+        match kind as u32 {
+            0 => add(
+                "movers.csv",
+                format!("{left},{top},{width},30,{left} {},{},,0.25,0.5,,{material}", top - 150.0, number(1.0, 6.0)),
+            ),
+            1 => add(
+                "movers.csv",
+                format!(
+                    "{left},{top},60,60,{} {top};{left} {},,{},,,round,{material},,{belt},lift",
+                    left + 60.0,
+                    top - 90.0,
+                    number(2.0, 6.0)
+                ),
+            ),
+            2 => add("doors.csv", format!("{left},{top},{width},20,gate,{material}")),
+            3 => add("world.csv", format!("{left},{top},{width},20,{material},top,{belt}")),
+            4 => add("world.csv", format!("{left},{top},{width},20,{material},,{belt},,mill")),
+            5 => add("world.csv", format!("{left},{top},{width},20,{material},,,{}", number(5.0, 200.0))),
+            6 => add("switches.csv", format!("{left},{top},{width},20,NAMES,{}", number(50.0, 800.0))),
+            _ => add("gravity.csv", format!("{left},{},{width},400,{},{}", top - 350.0, number(-20.0, 20.0), number(-25.0, 5.0))),
+        }
+        for crate_ in 0..number(0.0, 4.0) as u32 {
+            let (size, weightless) = (number(12.0, 40.0), if number(0.0, 5.0) == 0.0 { "TRUE" } else { "" });
+            let (x, y) = (left + 25.0 + number(0.0, 30.0), top - 22.0 - 45.0 * f64::from(crate_));
+            add(
+                "objects.csv",
+                format!("{x},{y},box:{size}x{size},{},1,FALSE,{},,,,{weightless}", number(2.0, 80.0), number(0.0, 2.0) / 2.0),
+            );
+        }
+    }
+    add("hazards.csv", format!("1140,840,30,30,-{},0,{},0,,fan", number(100.0, 900.0), number(-900.0, 100.0)));
+    add("pods.csv", "40,700,60,30,50".into());
+    if number(0.0, 3.0) == 0.0 {
+        add("constants.csv", format!("gravity_x,{}", number(-15.0, 15.0)));
+    }
+    let named = |files: &[(&str, String)], name: &str| {
+        files.iter().any(|(_, text)| text.lines().any(|row| row.ends_with(name) || row.contains(&format!(",{name},"))))
+    };
+    let works: Vec<&str> = ["gate", "lift", "mill", "fan"].into_iter().filter(|name| named(&files, name)).collect();
+    for (file, text) in &mut files {
+        if *file == "switches.csv" {
+            *text = text.replace("NAMES", &works.join(" "));
+            writeln!(text, "0,600,120,90,!{},,ship,toggled", works.join(" ")).unwrap();
+        }
+    }
+    files.retain(|(_, text)| !text.is_empty());
+    files
+}
+
+#[test]
+fn whatever_is_built_stays_finite_inside_and_the_same() {
+    let (mut played, mut switched, mut broken) = (0, 0, 0);
+    for seed in (0..LEVELS).chain(FOUND) {
+        let files = rows(&mut Random(seed));
+        let files: Vec<(&'static str, &str)> = files.iter().map(|(file, text)| (*file, text.as_str())).collect();
+        let level = match level::read("built", &texts(&files)) {
+            Ok(loaded) => Arc::new(loaded.level),
+            Err(problems) => {
+                assert!(problems.iter().all(|problem| problem.found.contains("inside")), "seed {seed}: {problems:?}");
+                continue;
+            }
+        };
+        played += 1;
+        let mut games = [Game::new(Arc::clone(&level)).unwrap(), Game::new(level).unwrap()];
+        let mut random = Random(!seed);
+        for tick in 0..TICKS {
+            let mut key = |chance: f64| random.chance(chance);
+            let controls = Controls { thrust: key(0.6), reverse: key(0.1), left: key(0.2), right: key(0.25) };
+            games.iter_mut().for_each(|game| game.step(controls));
+            let bounds = games[0].level().bounds();
+            for (i, body) in games[0].world().bodies().iter().enumerate() {
+                assert!(body.position.is_finite() && body.velocity.is_finite(), "seed {seed}, tick {tick}: {body:?}");
+                assert!(bounds.contains(&body.bounds(), 1e-6), "seed {seed}, tick {tick}: body {i} is at {}", body.position);
+            }
+        }
+        assert_eq!(games[0].hash(), games[1].hash(), "seed {seed}");
+        switched += u32::from(games[0].mechanisms().on().contains(&true));
+        broken += (0..games[0].level().world.len()).filter(|&block| games[0].mechanisms().is_broken(block)).count();
+    }
+    assert!(played > LEVELS as u32 / 2 && switched > 10 && broken > 5, "{played} played, {switched} switched, {broken} broken");
+}
+
+/// A random level and a random flight through it; then the level in which what came of that flight is asked for. Nothing of it is called
+/// impossible.
+#[test]
+fn what_has_been_done_is_never_called_impossible() {
+    let mut asked = [0; 3];
+    for seed in 0..2 * LEVELS {
+        let mut random = Random(!seed);
+        let mut files = rows(&mut Random(seed));
+        let plain = seed % 3 != 0;
+        if plain {
+            // Where only the engine drives anything, most is known of what cannot be.
+            let driven = ["hazards.csv", "gravity.csv", "movers.csv", "switches.csv", "world.csv", "constants.csv"];
+            files.retain(|(file, _)| !driven.contains(file));
+        }
+        let red = format!("{},{},20,20\n", random.between(100.0, 1150.0).round(), random.between(0.0, 400.0).round());
+        files.push(("obstacles.csv", red));
+        let key = format!(
+            "OBJECT,{},{},box:30x30,20,1,2,3,0.2,1\n",
+            random.between(90.0, 120.0).round(),
+            random.pick(&[100.0, 500.0, 855.0])
+        );
+        let set = |memory: &mut crate::support::Memory, name: &'static str, text: String| {
+            memory.0.retain(|(file, _)| *file != name);
+            memory.0.push((name, text));
+        };
+        let borrowed: Vec<(&'static str, &str)> = files.iter().map(|(file, text)| (*file, text.as_str())).collect();
+        let mut memory = texts(&borrowed);
+        set(&mut memory, "objectives.csv", format!("PLAYER,1190,0,10,10,1e6\n{key}"));
+        let Ok(loaded) = level::read("built", &memory) else { continue };
+        let (switches, level) = (loaded.level.switches.len(), Arc::new(loaded.level));
+        let mut game = Game::new(level.clone()).unwrap();
+        let (mut held, mut pressed, mut first) = (Controls::default(), vec![false; switches], None);
+        for tick in 0..120 * (1 + random.below(6)) {
+            if tick % 20 == 0 {
+                let mut key = |chance: f64| random.chance(chance);
+                held = Controls { thrust: key(0.7), reverse: key(0.1), left: key(0.2), right: key(0.25) };
+            }
+            if held != Controls::default() {
+                first.get_or_insert(tick);
+            }
+            game.step(held);
+            (0..switches).for_each(|switch| pressed[switch] |= game.mechanisms().is_pressed(switch));
+        }
+        let Some(first) = first.filter(|_| game.killed_by().is_none()) else { continue };
+        let at = |body: usize| game.world().bodies()[body].position * level.metre;
+        let (ship, stone) = (at(0), at(level.objects.len()));
+        let seconds = (game.ticks() - first as u64) as f64 / game.tick_rate();
+        let burnt = (1.0 - game.fuel()) * level.player.fuel;
+        let goals = format!("PLAYER,{},{},2,2\nPHYS,{},{},2,2\n{key}", ship.x - 1.0, ship.y - 1.0, stone.x - 1.0, stone.y - 1.0);
+        set(&mut memory, "objectives.csv", goals);
+        let constants = memory.0.iter().find(|(file, _)| *file == "constants.csv").unwrap().1.clone();
+        let left = (100.0 * game.fuel()).floor();
+        set(&mut memory, "constants.csv", format!("{constants}silver,{seconds}\ngold,{seconds}\nmark_fuel,{left}\n"));
+        if seed % 2 == 0 {
+            set(&mut memory, "player.csv", format!("60,844.5,100,{},2000\n", burnt + 1e-6));
+        }
+        let loaded = match level::read("built", &memory) {
+            Ok(loaded) => loaded,
+            Err(problems) => {
+                assert!(problems.iter().all(|problem| problem.found.contains("met at the start")), "seed {seed}: {problems:?}");
+                continue;
+            }
+        };
+        asked[usize::from(plain) + usize::from(plain && seed % 2 == 0)] += 1;
+        for warning in &loaded.warnings {
+            let done = match warning.file.as_str() {
+                "switches.csv" => pressed[warning.line - 1],
+                "player.csv" => warning.column == "fuel",
+                // With its tank filled just so the same flight leaves nothing.
+                "constants.csv" => seed % 2 == 1 || !warning.found.contains("fuel"),
+                "objectives.csv" => !warning.found.contains("no one can reach"),
+                _ => false,
+            };
+            assert!(!done, "seed {seed}: {warning}");
+        }
+    }
+    assert!(asked.iter().all(|asked| *asked > 30), "{asked:?} levels");
+}

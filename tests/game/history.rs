@@ -1,0 +1,129 @@
+//! Flights with the way back: whatever tick one goes to, the game there is the one that was flown, to the bit.
+
+use crate::support::Random;
+use resultant::game::{Controls, Game, History, Inputs, Outcome, Reel, Replay, SHIP, TICK_RATE, Track};
+use resultant::level::{self, Level};
+use std::path::Path;
+use std::sync::Arc;
+
+fn level(name: &str) -> Arc<Level> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    Arc::new(level::load(&root.join("levels").join(name), root).unwrap().level)
+}
+
+fn record(name: &str, flight: &str) -> Replay {
+    let file = format!("{}/levels/{name}/flights/{flight}.replay.csv", env!("CARGO_MANIFEST_DIR"));
+    Replay::parse(&file, &std::fs::read_to_string(&file).unwrap()).unwrap()
+}
+
+/// The hash after every tick of inputs, from the start on.
+fn hashes(level: &Arc<Level>, inputs: &Inputs) -> Vec<u64> {
+    let mut game = Game::new(level.clone()).unwrap();
+    let mut hashes = vec![game.hash()];
+    for controls in inputs.clone() {
+        game.step(controls);
+        hashes.push(game.hash());
+    }
+    hashes
+}
+
+#[test]
+fn any_tick_of_a_recorded_flight_is_the_one_that_was_flown() {
+    let mut random = Random(11);
+    for name in ["3", "12", "15"] {
+        let (level, replay) = (level(name), record(name, "careful"));
+        let flown = hashes(&level, &replay.inputs);
+        let mut reel = Reel::new(level, &replay.inputs, TICK_RATE).unwrap();
+        reel.fly(u64::MAX);
+        assert!(reel.is_whole());
+        let last = reel.ticks();
+        assert_eq!(flown[last as usize], replay.hash, "level {name}");
+        let mut game = reel.history().at(0);
+        let near = |tick: u64| [tick.saturating_sub(1), tick, tick + 1];
+        for tick in (0..120).flat_map(|_| near((random.unit() * last as f64) as u64)).chain([last, 0, last + 500]) {
+            reel.history().seek(&mut game, tick);
+            let tick = tick.min(last);
+            assert_eq!((game.ticks(), game.hash()), (tick, flown[tick as usize]), "level {name}");
+        }
+        // From any of them it goes on as it was flown, and ends in the same way.
+        reel.history().seek(&mut game, last / 2);
+        replay.inputs.after(last / 2).for_each(|controls| game.step(controls));
+        assert_eq!((game.hash(), game.outcome()), (replay.hash, Outcome::Completed));
+    }
+}
+
+#[test]
+fn a_flight_that_is_still_flown_can_be_looked_back_into() {
+    let (level, inputs) = (level("13"), record("13", "mark").inputs);
+    let flown = hashes(&level, &inputs);
+    let mut game = Game::new(level).unwrap();
+    let mut history = History::new(&game);
+    let mut random = Random(12);
+    for controls in inputs.clone() {
+        game.step(controls);
+        history.note(&game, controls);
+        if random.unit() < 0.02 {
+            let tick = (random.unit() * game.ticks() as f64) as u64;
+            assert_eq!(history.at(tick).hash(), flown[tick as usize]);
+        }
+    }
+    assert_eq!(history.inputs(), &inputs);
+    let end = history.at(u64::MAX);
+    assert_eq!(end.hash(), game.hash());
+    assert_eq!(history.record(&game), record("13", "mark"), "as the autopilot recorded it");
+}
+
+#[test]
+fn fuel_that_lasted_for_a_while_lasts_when_it_is_flown_again() {
+    let mut game = Game::new(level("1")).unwrap();
+    let mut history = History::new(&game);
+    let mut flown = vec![game.hash()];
+    for tick in 0..400_u64 {
+        let controls = Controls { thrust: tick % 3 > 0, right: tick % 50 < 9, ..Controls::default() };
+        game.set_lasting_fuel((90..230).contains(&tick));
+        game.step(controls);
+        history.note(&game, controls);
+        flown.push(game.hash());
+    }
+    for tick in [400, 229, 230, 231, 89, 90, 91, 399, 1, 0] {
+        assert_eq!(history.at(tick).hash(), flown[tick as usize], "tick {tick}");
+    }
+}
+
+#[test]
+fn copies_stay_few_however_long_a_flight_is() {
+    let mut game = Game::new(level("1")).unwrap();
+    let mut history = History::new(&game);
+    for _ in 0..72_000 {
+        game.step(Controls::default());
+        history.note(&game, Controls::default());
+        let (copies, every) = history.copies();
+        assert!(copies <= 256 && every <= 480, "{copies} copies, every {every} ticks");
+    }
+    assert!(history.copies().0 > 128, "{:?}", history.copies());
+    assert_eq!(history.at(71_999).ticks(), 71_999);
+}
+
+#[test]
+fn a_track_is_where_the_ship_was() {
+    let (level, replay) = (level("6"), record("6", "gold"));
+    let mut game = Game::new(level.clone()).unwrap();
+    let mut track = Track::new(level, &replay.inputs).unwrap();
+    let mut first = vec![None; game.met().len()];
+    for controls in replay.inputs.clone() {
+        track.fly(1);
+        game.step(controls);
+        for index in (0..first.len()).filter(|index| game.met()[*index]) {
+            first[index].get_or_insert(game.ticks());
+        }
+        let pose = track.pose(game.ticks(), 1.0);
+        assert_eq!((pose.centre, pose.angle.to_bits()), (game.world().body(SHIP).position, game.ship().angle.to_bits()));
+        assert_eq!(track.pose(game.ticks(), 0.0).centre, game.world().previous_position(SHIP));
+    }
+    assert!(!track.is_whole(), "it does not know yet that nothing follows");
+    track.fly(10);
+    assert!(track.is_whole() && track.ticks() == game.ticks() && track.outcome() == Outcome::Completed);
+    assert_eq!((0..first.len()).map(|index| track.met(index)).collect::<Vec<_>>(), first);
+    assert!(first.len() > 1 && first.iter().all(Option::is_some), "{first:?}");
+    assert_eq!(track.pose(u64::MAX, 0.5).centre, game.world().body(SHIP).position, "it stays where it ended");
+}

@@ -1,0 +1,51 @@
+//! No test reads a clock: what a test says must not depend on what else the machine does. Work is counted instead: units of the engine's
+//! work, pauses for a lock, allocations, samples, lines.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What reads a clock, or takes the answer.
+const CLOCKS: [&str; 6] = ["Instant", "SystemTime", "ThreadTime", "ProcessTime", "get_time(", "UNIX_EPOCH"];
+/// This list, and the one measure that is no count: how many passes over a text reading it costs, both in the thread's own time.
+const MAY: [&str; 2] = ["tests/house/no_clocks.rs", "tests/files/limits.rs"];
+
+/// All Rust sources below a folder.
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// The unit tests of a source, and all of a test's.
+fn tests_of(path: &Path, text: &str) -> String {
+    if path.starts_with("tests") {
+        return text.to_owned();
+    }
+    // Unit tests stand at the end of their file.
+    text.split_once("\n#[cfg(test)]\nmod ")
+        .or_else(|| text.split_once("\n#[cfg(all(test,"))
+        .map_or("", |(_, tests)| tests)
+        .to_owned()
+}
+
+#[test]
+fn no_test_reads_a_clock() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (mut found, mut with_tests) = (Vec::new(), 0);
+    sources(&root.join("tests"), &mut found);
+    sources(&root.join("src"), &mut found);
+    for path in found {
+        let name = path.strip_prefix(root).unwrap();
+        let text = fs::read_to_string(&path).unwrap();
+        let tests = tests_of(name, &text);
+        with_tests += u32::from(!tests.is_empty());
+        let clock = CLOCKS.iter().find(|clock| tests.contains(**clock));
+        assert!(clock.is_none() || MAY.iter().any(|may| name == Path::new(may)), "{}: {clock:?}", name.display());
+    }
+    assert!(with_tests > 200, "{with_tests}");
+}

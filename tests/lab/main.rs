@@ -1,0 +1,5 @@
+//! The laboratory: methods, stress tests and the experiments.
+
+mod lessons;
+mod methods;
+mod stability;

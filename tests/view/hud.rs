@@ -1,0 +1,249 @@
+//! The head-up display covers nothing that matters, in windows of several sizes and shapes: at the start of every shipped level no hazard, no
+//! goal and no text; along every recorded flight it steps aside. Arrows point to every goal and key outside the view.
+#![cfg(feature = "window")]
+
+use crate::support::shipped::{experiment, flights, levels, load};
+use resultant::game::{Controls, Game, Outcome, SHIP};
+use resultant::level::{self, Level, ObjectiveKind};
+use resultant::physics::{Aabb, BodyId, DVec2};
+use resultant::settings::Settings;
+use resultant::view::camera::{Camera, Viewport, Window};
+use resultant::view::hud::{Hud, Part, Scene, Shown, Target, in_view};
+use resultant::view::layout::{Area, Frame, HudLayout, Vec2, nearest_size, text_room};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Between two looks at a flight, ticks of 1/120 s.
+const EVERY: u64 = 12;
+/// All parts, as in a race.
+const ALL: Shown = Shown { status: true, fuel: true, rivals: RIVALS };
+
+/// Against how many most race. More need a wider strip, which what lies behind is seen through.
+const RIVALS: usize = 2;
+/// Pixels.
+const WINDOWS: [Vec2; 4] = [Vec2::new(900.0, 500.0), Vec2::new(1280.0, 720.0), Vec2::new(1920.0, 1080.0), Vec2::new(720.0, 1280.0)];
+
+/// The view of a level as it begins.
+fn start(level: &Level, frame: &Frame) -> Viewport {
+    let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
+    let ship = level.player.position;
+    Viewport::new(Camera::new(ship).focus(), ship, level.size, level.metre, window)
+}
+
+/// What has to be seen, by name, where it lies on the canvas.
+fn shown(level: &Level, view: &Viewport, frame: &Frame) -> Vec<(String, Area)> {
+    let area = |bounds: &Aabb| {
+        let rect = view.rect(bounds);
+        Area::new(rect.x, rect.y, rect.w, rect.h)
+    };
+    let named = |name: &'static str| move |bounds: &Aabb| (format!("{name} at {}", bounds.min * level.metre), area(bounds));
+    let texts = level.texts.iter().map(|text| {
+        let height = frame.text_height(nearest_size(view.length(text.size)));
+        (text.text.clone(), Area { min: view.point(text.position), size: text_room(&text.text, height) })
+    });
+    let objectives = level.objectives.iter().map(|objective| named("the goal")(&objective.bounds));
+    let obstacles = level.obstacles.iter().map(named("the death box"));
+    let sources = level.streams.iter().map(|stream| named("the source of a stream")(&stream.source));
+    obstacles.chain(objectives).chain(sources).chain(texts).collect()
+}
+
+#[test]
+fn at_the_start_of_every_level_the_display_covers_no_hazard_no_goal_and_no_text() {
+    let project = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let names = level::list(&project.join("levels"));
+    assert!(names.len() >= 3);
+    for name in names {
+        let level = level::load(&project.join("levels").join(&name), project).unwrap_or_else(|e| panic!("{name}: {e:?}")).level;
+        for window in WINDOWS {
+            let frame = Frame::of_window(window);
+            let view = start(&level, &frame);
+            for (what, area) in shown(&level, &view, &frame) {
+                let layout = HudLayout::new(&frame);
+                for part in layout.areas().into_iter().chain([layout.race(&frame, RIVALS)]) {
+                    let apart = (part.min - area.max()).max(area.min - part.max()).max_element();
+                    assert!(apart >= 0.0, "level {name} in {window}: {what} ({area:?}) lies behind {part:?}");
+                }
+            }
+        }
+    }
+}
+
+/// A display in a window, and what is drawn below it.
+struct Onlooker {
+    frame: Frame,
+    hud: Hud,
+}
+
+impl Onlooker {
+    fn all() -> Vec<Self> {
+        WINDOWS.map(|window| Self { frame: Frame::of_window(window), hud: Hud::default() }).into()
+    }
+
+    fn look(&mut self, game: &Game, camera: &Camera, shown: Shown, frame_time: f64) -> Viewport {
+        let window = Window { size: self.frame.size.as_dvec2(), pixel: f64::from(self.frame.pixel) };
+        let ship = game.world().body(SHIP).position;
+        let view = Viewport::new(camera.focus(), ship, game.level().size, game.level().metre, window);
+        let centres: Vec<DVec2> = game.world().bodies().iter().map(|body| body.position).collect();
+        let settings = Settings::default();
+        let scene = Scene { game, centres: &centres, view: &view, frame: &self.frame, panels: &[], shown, settings: &settings };
+        self.hud.update(&scene, frame_time);
+        view
+    }
+
+    /// Every part that hides what is behind it.
+    fn solid(&self) -> Vec<Area> {
+        let aside = self.hud.aside();
+        Part::ALL.into_iter().filter(|part| aside.of(*part) < 1.0).filter_map(|part| aside.home(part)).collect()
+    }
+}
+
+fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
+    let min = view.point(bounds.min);
+    Area { min, size: view.point(bounds.max) - min }
+}
+
+fn key_box(game: &Game, index: usize) -> Aabb {
+    game.world().body(BodyId(index as u32 + 1)).bounds()
+}
+
+/// The ship, goals, keys and hazards, by name.
+fn kept_free(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
+    let level = game.level();
+    let goals = level.objectives.iter().map(|objective| ("a goal", objective.bounds));
+    let hazards = level.obstacles.iter().map(|bounds| ("a death box", *bounds));
+    let sources = level.streams.iter().map(|stream| ("the source of a stream", stream.source));
+    let keys = (0..level.objects.len()).filter(|&i| level.objects[i].key.is_some()).map(|i| ("a key", key_box(game, i)));
+    let ship = ("the ship", game.world().body(SHIP).bounds());
+    let all = goals.chain(hazards).chain(sources).chain(keys).chain([ship]);
+    all.map(|(name, bounds)| (format!("{name} at {}", bounds.centre()), on_canvas(&bounds, view))).collect()
+}
+
+/// Counts of all looks.
+#[derive(Debug, Default)]
+struct Seen {
+    looks: usize,
+    aside: usize,
+    arrows: usize,
+}
+
+fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, what: &str) {
+    let (hud, frame) = (&onlooker.hud, &onlooker.frame);
+    let what = || format!("{what} after {:.1} s in {}", game.ticks() as f64 / game.tick_rate(), (frame.size / frame.pixel).round());
+    let free = kept_free(game, view);
+    for part in onlooker.solid() {
+        for (name, area) in &free {
+            assert!(part.gap(area) >= 0.0, "{}: {name} ({area:?}) lies behind {part:?}", what());
+        }
+    }
+    seen.looks += 1;
+    seen.aside += usize::from(Part::ALL.into_iter().any(|part| hud.aside().of(part) == 1.0));
+    seen.arrows += hud.pointers().len();
+    // Arrows: inside, over no part of the display, over no other and not over the ship.
+    let ship = on_canvas(&game.world().body(SHIP).bounds(), view);
+    for (i, pointer) in hud.pointers().iter().enumerate() {
+        let area = pointer.area;
+        let inside = area.min.cmpge(Vec2::ZERO).all() && area.max().cmple(frame.size).all();
+        let others: Vec<Area> = hud.pointers()[..i].iter().map(|other| other.area).collect();
+        let homes: Vec<Area> = hud.aside().homes().collect();
+        assert!(inside, "{}: {pointer:?} leaves the window", what());
+        assert!(area.covers_none(&others) && area.covers_none(&homes) && area.gap(&ship) >= 0.0, "{}: {pointer:?}", what());
+    }
+    // What is still to be met is in view or has an arrow, and nothing else has one.
+    let level = game.level();
+    let has = |target: Target| hud.pointers().iter().find(|pointer| pointer.target == target);
+    let centre = game.world().body(SHIP).position;
+    let mut wanted = 0;
+    let mut ask = |target: Target, bounds: Aabb| {
+        let (seen, pointer) = (in_view(&on_canvas(&bounds, view), frame), has(target));
+        assert_eq!(pointer.is_none(), seen, "{}: {target:?}", what());
+        wanted += usize::from(!seen);
+        if let Some(pointer) = pointer {
+            let metres = bounds.centre().distance(centre);
+            assert_eq!(pointer.words, format!("{metres:.0} m"), "{}: {target:?}", what());
+            let along = (view.point(bounds.centre()) - pointer.area.centre()).normalize();
+            assert!(pointer.along.dot(along) > 0.999, "{}: {pointer:?}", what());
+        }
+    };
+    if game.outcome() == Outcome::Running {
+        for (index, objective) in level.objectives.iter().enumerate().filter(|(index, _)| !game.met()[*index]) {
+            ask(Target::Objective(index), objective.bounds);
+        }
+        let open = (0..level.objectives.len()).any(|i| level.objectives[i].kind == ObjectiveKind::Physics && !game.met()[i]);
+        for index in (0..level.objects.len()).filter(|&index| open && level.objects[index].key.is_some()) {
+            let (key, colour) = (key_box(game, index), level.objects[index].key.unwrap());
+            let done =
+                |i: usize| game.met()[i] && level.objectives[i].fits(colour) && key.touches(&level.objectives[i].bounds, 0.0);
+            let physics = (0..level.objectives.len()).filter(|&i| level.objectives[i].kind == ObjectiveKind::Physics);
+            if !physics.into_iter().any(done) {
+                ask(Target::Key(index), key);
+            }
+        }
+    }
+    assert_eq!(hud.pointers().len(), wanted, "{}: {:?}", what(), hud.pointers());
+}
+
+fn fly(level: &Arc<Level>, inputs: impl Iterator<Item = Controls>, seen: &mut Seen, what: &str) {
+    let mut game = Game::new(Arc::clone(level)).unwrap();
+    let mut camera = Camera::new(game.world().body(SHIP).position);
+    let mut onlookers = Onlooker::all();
+    for controls in inputs {
+        game.step(controls);
+        let ship = game.world().body(SHIP);
+        camera.follow(ship.position, ship.velocity, 1.0 / game.tick_rate());
+        if game.ticks().is_multiple_of(EVERY) {
+            for onlooker in &mut onlookers {
+                let view = onlooker.look(&game, &camera, ALL, EVERY as f64 / game.tick_rate());
+                check(onlooker, &game, &view, seen, what);
+            }
+        }
+    }
+}
+
+#[test]
+fn along_every_recorded_flight_the_display_steps_aside_and_points_to_what_is_outside() {
+    let mut seen = Seen::default();
+    for name in levels() {
+        let level = load(&name);
+        for (flight, replay) in flights(&name) {
+            fly(&level, replay.inputs.into_iter(), &mut seen, &format!("level {name}, {flight}"));
+        }
+    }
+    println!("{seen:?}");
+    assert!(seen.looks > 10_000 && seen.arrows > seen.looks / 2, "{seen:?}");
+    assert!(seen.aside > 0 && seen.aside < seen.looks / 2, "{seen:?}: it is away more than it is there");
+}
+
+#[test]
+fn at_the_start_of_every_level_the_display_is_at_home_and_its_arrows_cover_nothing() {
+    for name in levels() {
+        let level = load(&name);
+        let game = Game::new(Arc::clone(&level)).unwrap();
+        let camera = Camera::new(game.world().body(SHIP).position);
+        for mut onlooker in Onlooker::all() {
+            let view = onlooker.look(&game, &camera, Shown { rivals: 0, ..ALL }, 1.0);
+            let window = (onlooker.frame.size / onlooker.frame.pixel).round();
+            assert_eq!(onlooker.solid().len(), 2, "level {name} in {window}: {:?}", onlooker.hud.aside());
+            check(&onlooker, &game, &view, &mut Seen::default(), &format!("level {name}"));
+            for (what, area) in shown(&level, &view, &onlooker.frame) {
+                for pointer in onlooker.hud.pointers() {
+                    assert!(pointer.area.gap(&area) >= 0.0, "level {name} in {window}: {pointer:?} covers {what} ({area:?})");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn an_experiment_shows_no_display_and_a_level_without_an_engine_no_fuel() {
+    let level = experiment("free-fall");
+    let game = Game::new(Arc::clone(&level)).unwrap();
+    let camera = Camera::new(game.world().body(SHIP).position);
+    for mut onlooker in Onlooker::all() {
+        onlooker.look(&game, &camera, Shown::default(), 1.0);
+        assert!(onlooker.solid().is_empty() && onlooker.hud.pointers().is_empty() && onlooker.hud.stranded().is_none());
+    }
+    let mut player = level.player.clone();
+    assert!(player.has_engine());
+    player.fuel = 0.0;
+    assert!(!player.has_engine());
+}

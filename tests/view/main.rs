@@ -1,0 +1,11 @@
+//! Where the picture has its parts, what its words say, and the sound; nothing is drawn.
+
+mod camera;
+mod hud;
+mod overlay;
+mod overlay_places;
+mod overlay_truth;
+mod sound;
+#[path = "../support/mod.rs"]
+mod support;
+mod terrain;

@@ -1,0 +1,260 @@
+//! Along every recorded flight and through every experiment, in windows of several sizes and with words of two sizes, the details cover
+//! neither the ship nor a hazard nor a goal, nothing of them covers another, and no force is without an arrow inside the window.
+#![cfg(feature = "window")]
+
+use crate::support::shipped::{experiment, experiments, flights, levels, load};
+use resultant::game::{Controls, Game, SHIP, TICK_RATE};
+use resultant::level::Level;
+use resultant::physics::{Aabb, BodyId, DVec2};
+use resultant::view::camera::{Camera, Viewport, Window};
+use resultant::view::details::{Details, Looking};
+use resultant::view::facts::{Row, facts};
+use resultant::view::focus::Focus;
+use resultant::view::free_body::{head_area, told};
+use resultant::view::game_view::moving;
+use resultant::view::layout::{Area, Frame, HudLayout, Vec2};
+use std::sync::Arc;
+
+/// Pixels.
+const WINDOWS: [Vec2; 4] = [Vec2::new(900.0, 500.0), Vec2::new(1280.0, 720.0), Vec2::new(1920.0, 1080.0), Vec2::new(720.0, 1280.0)];
+/// Words as designed, and the largest that the settings know.
+const TEXTS: [f32; 2] = [1.0, 1.5];
+/// Between two looks at a flight, s; and for how long an experiment is looked at.
+const EVERY: f64 = 0.5;
+const WATCHED: f64 = 8.0;
+/// An arrow this short could be taken for nothing, canvas units.
+const LEAST: f32 = 12.0;
+
+/// The sizes of the forces in experiments that are pushed or carried, N.
+const USUAL: std::ops::RangeInclusive<f64> = 20.0..=75.0;
+
+/// Counts of all looks.
+#[derive(Debug, Default)]
+struct Seen {
+    looks: usize,
+    arrows: usize,
+    off_scale: usize,
+    without_place: usize,
+    labels: usize,
+    boxes: usize,
+    without_box: usize,
+    without_legend: usize,
+    /// Arrows of the forces of experiments, and how many of them are not to scale.
+    usual: usize,
+    usual_off_scale: usize,
+}
+
+/// Somebody who looks at a game in a window.
+struct Onlooker {
+    frame: Frame,
+    details: Details,
+}
+
+impl Onlooker {
+    fn all() -> Vec<Self> {
+        let frames = WINDOWS.into_iter().flat_map(|window| TEXTS.map(|text| Frame::of_window(window).with_text(text)));
+        frames.map(|frame| Self { frame, details: Details::default() }).collect()
+    }
+
+    fn look(&mut self, game: &Game, (camera, focus): (&Camera, &Focus), seen: &mut Seen, what: &str) {
+        let (world, frame) = (game.world(), self.frame);
+        let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
+        let kept = world.body(focus.followed().unwrap_or(game.lead())).position;
+        let view = camera.viewport(kept, game.level().size, game.level().metre, window);
+        let centres: Vec<DVec2> = world.bodies().iter().map(|body| body.position).collect();
+        let looking = Looking { centres: &centres, focus, pointer: None, model: false, velocity: game.level().ship_plays() };
+        self.details.arrange(game, &looking, &[], &view, &frame);
+        let what = || format!("{what} in {} with words of {}", (frame.size / frame.pixel).round(), frame.text);
+        self.check_areas(game, &view, &what);
+        self.check_arrows(game, &centres, (&view, focus), seen, &what);
+        if focus.fits() {
+            self.check_fit(game, &view, seen, &what);
+        }
+        let details = &self.details;
+        seen.looks += 1;
+        seen.labels += details.labels().len();
+        seen.boxes += details.boxes().len();
+        seen.without_box += details.left_out();
+        seen.without_legend += usize::from(details.legend().area.is_none());
+    }
+
+    /// All that is laid over the level, by name.
+    fn laid(&self) -> Vec<(String, Area)> {
+        let details = &self.details;
+        let boxes = details.boxes().iter().map(|placed| (format!("the box of {}", placed.text.title), placed.area));
+        let heads = details.arrows().arrows.iter().map(|arrow| {
+            let name = format!("the head of {} on body {}", arrow.name(), arrow.body.0);
+            (name, head_area(arrow.from, arrow.to, arrow.shown))
+        });
+        let labels = details.labels().iter().map(|label| {
+            let arrow = &details.arrows().arrows[label.arrow];
+            (format!("the label of {} on body {}", arrow.name(), arrow.body.0), label.area)
+        });
+        let legend = details.legend().area.map(|area| ("the legend".to_owned(), area));
+        boxes.chain(heads).chain(labels).chain(details.names().iter().cloned()).chain(legend).collect()
+    }
+
+    fn check_areas(&self, game: &Game, view: &Viewport, what: &dyn Fn() -> String) {
+        let laid = self.laid();
+        let hud = HudLayout::shown(&self.frame, game).into_iter().map(|area| ("the head-up display", area));
+        let kept: Vec<(&str, Area)> = kept_free(game, view).into_iter().chain(hud).collect();
+        for (i, (name, area)) in laid.iter().enumerate() {
+            let window = self.frame.area();
+            let inside = area.min.cmpge(window.min).all() && area.max().cmple(window.max()).all();
+            assert!(inside, "{}: {name} leaves the window: {area:?}", what());
+            for (other, place) in &kept {
+                assert!(area.gap(place) >= 0.0, "{}: {name} ({area:?}) covers {other} ({place:?})", what());
+            }
+            for (other, place) in &laid[i + 1..] {
+                assert!(area.gap(place) >= 0.0, "{}: {name} ({area:?}) covers {other} ({place:?})", what());
+            }
+        }
+    }
+
+    /// Every force that is told has its arrow: inside the window, never nothing, by one scale or marked.
+    fn check_arrows(
+        &self,
+        game: &Game,
+        centres: &[DVec2],
+        (view, focus): (&Viewport, &Focus),
+        seen: &mut Seen,
+        what: &dyn Fn() -> String,
+    ) {
+        let arranged = self.details.arrows();
+        let inside = |point: Vec2| self.frame.area().contains(point);
+        let mut scales = [None; 2];
+        for arrow in &arranged.arrows {
+            assert!(inside(arrow.from) && inside(arrow.to), "{}: {arrow:?} leaves the window", what());
+            assert!(arrow.length() >= LEAST, "{}: {arrow:?} is nearly nothing", what());
+            let rows = facts(game, arrow.body).rows;
+            let (_, vector) = told(&rows[arrow.row], &rows).expect("an arrow is told");
+            let ways = (arrow.to - arrow.from).normalize().dot(vector.normalize().as_vec2());
+            assert!(ways > 0.999, "{}: {arrow:?} does not point along {vector}", what());
+            if arrow.to_scale {
+                let scale = vector.length() / f64::from(arrow.length());
+                let first = *scales[usize::from(arrow.shown.is_impact())].get_or_insert(scale);
+                // The lengths are whole to half a canvas unit.
+                let within = 1.0 / f64::from(LEAST);
+                assert!((scale / first - 1.0).abs() < within, "{}: {arrow:?} has {scale}, others {first} N a unit", what());
+            }
+        }
+        if focus.followed().is_none() {
+            let visible = view.visible();
+            let in_view = (game.lead().index()..centres.len())
+                .filter(|&i| Aabb::around(centres[i], game.world().bodies()[i].half).touches(&visible, 0.0));
+            let told_of = |rows: &[Row]| rows.iter().filter(|row| told(row, rows).is_some()).count();
+            let forces: usize = in_view.map(|i| told_of(&facts(game, BodyId(i as u32)).rows)).sum();
+            assert_eq!(arranged.arrows.len() + arranged.left_out, forces, "{}", what());
+        }
+        let off = arranged.arrows.iter().filter(|arrow| !arrow.to_scale).count();
+        let marked = self.details.legend().lines.iter().any(|line| line.contains("not to scale"));
+        assert_eq!(marked, off > 0, "{}", what());
+        seen.arrows += arranged.arrows.len();
+        seen.off_scale += off;
+        seen.without_place += arranged.left_out;
+    }
+}
+
+impl Onlooker {
+    /// In a view that is fitted everything that moves is in the window, and the forces of an experiment's scale are to scale.
+    fn check_fit(&self, game: &Game, view: &Viewport, seen: &mut Seen, what: &dyn Fn() -> String) {
+        let slack = 1.0 / view.scale();
+        assert!(
+            view.visible().contains(&moving(game, 1.0), slack),
+            "{}: {:?} is not in {:?}",
+            what(),
+            moving(game, 1.0),
+            view.visible()
+        );
+        // The weights on the water are thousands of newtons.
+        let usual = game.level().fluids.is_empty();
+        for arrow in self.details.arrows().arrows.iter().filter(|arrow| usual && !arrow.shown.is_impact()) {
+            let facts = facts(game, arrow.body);
+            let (_, vector) = told(&facts.rows[arrow.row], &facts.rows).expect("an arrow is told");
+            let of_scale = USUAL.contains(&vector.length());
+            seen.usual += usize::from(of_scale);
+            seen.usual_off_scale += usize::from(of_scale && !arrow.to_scale);
+            if of_scale && !arrow.to_scale {
+                println!("{}: {} of {}, {vector} N, is not to scale", what(), arrow.name(), facts.title);
+            }
+        }
+    }
+}
+
+/// What has to be seen, by name, where it lies on the canvas.
+fn kept_free(game: &Game, view: &Viewport) -> Vec<(&'static str, Area)> {
+    let level: &Level = game.level();
+    let named = |name: &'static str| {
+        move |bounds: &Aabb| {
+            let min = view.point(bounds.min);
+            (name, Area { min, size: view.point(bounds.max) - min })
+        }
+    };
+    let goals = level.objectives.iter().map(|objective| named("a goal")(&objective.bounds));
+    let hazards = level.obstacles.iter().map(named("a death box"));
+    let sources = level.streams.iter().map(|stream| named("the source of a stream")(&stream.source));
+    let ship = named("the ship")(&game.world().body(SHIP).bounds());
+    hazards.chain(goals).chain(sources).chain([ship]).collect()
+}
+
+/// Looks at a game every half second while it is played.
+fn watch(level: &Arc<Level>, focus: &Focus, inputs: impl Iterator<Item = Controls>, name: &str, seen: &mut Seen) {
+    let mut game = Game::new(Arc::clone(level)).unwrap();
+    let lead = focus.followed().unwrap_or(game.lead());
+    let mut camera = Camera::new(game.world().body(lead).position);
+    let mut onlookers = Onlooker::all();
+    let every = (EVERY * game.tick_rate()) as u64;
+    let mut look = |game: &Game, camera: &Camera| {
+        let what = format!("{name} after {:.1} s", game.elapsed());
+        onlookers.iter_mut().for_each(|onlooker| onlooker.look(game, (camera, focus), seen, &what));
+    };
+    let turn = |camera: &mut Camera, game: &Game| {
+        camera.turn(focus.fits().then(|| moving(game, 1.0)), focus.zoom(), 1.0 / game.tick_rate());
+    };
+    turn(&mut camera, &game);
+    look(&game, &camera);
+    for controls in inputs {
+        game.step(controls);
+        let body = game.world().body(lead);
+        camera.follow(body.position, body.velocity, 1.0 / game.tick_rate());
+        turn(&mut camera, &game);
+        if game.ticks().is_multiple_of(every) {
+            look(&game, &camera);
+        }
+    }
+}
+
+/// Nearly everything has its place: what is left out is told. (Bodies behind the head-up display have the least room.)
+fn check(seen: &Seen) {
+    println!("{seen:?}");
+    assert!(seen.without_place * 100 <= seen.arrows, "{seen:?}");
+    assert!(seen.without_legend * 100 <= seen.looks, "{seen:?}");
+    assert!(seen.boxes >= seen.looks && seen.labels * 2 >= seen.arrows, "{seen:?}");
+}
+
+#[test]
+fn along_every_recorded_flight_nothing_is_covered() {
+    let mut seen = Seen::default();
+    for name in levels() {
+        let level = load(&name);
+        for (flight, replay) in flights(&name) {
+            watch(&level, &Focus::default(), replay.inputs.into_iter(), &format!("level {name}, {flight}"), &mut seen);
+        }
+    }
+    check(&seen);
+}
+
+#[test]
+fn through_every_experiment_nothing_is_covered() {
+    let mut seen = Seen::default();
+    for name in experiments() {
+        let level = experiment(&name);
+        // As it opens, and with all in view told of.
+        for focus in [Focus::fitted_on(BodyId(1)), Focus::fitted_on(BodyId(1)).on_nobody()] {
+            let nobody = (0..(WATCHED * TICK_RATE) as usize).map(|_| Controls::default());
+            watch(&level, &focus, nobody, &name, &mut seen);
+        }
+    }
+    check(&seen);
+    assert!(seen.usual > 2000 && seen.usual_off_scale == 0, "{seen:?}");
+}

@@ -1,0 +1,219 @@
+//! Lessons are played, and the text of the details is read on every frame, the very strings that are drawn: the forces add up to
+//! mass times acceleration, and what forces and impacts give in half a second is what the momentum has changed by, within what the digits
+//! that are shown leave open.
+#![cfg(feature = "window")]
+
+use crate::support::shipped::{experiment, flights, load};
+use resultant::game::{Controls, Game, READABLE};
+use resultant::level::Level;
+use resultant::physics::{BodyId, DVec2};
+use resultant::view::camera::{Viewport, Window};
+use resultant::view::details::{BoxText, Details, Line, Looking};
+use resultant::view::facts::Shown;
+use resultant::view::focus::Focus;
+use resultant::view::layout::Frame;
+use std::sync::Arc;
+
+/// Impacts that change a velocity by less are not told, m/s.
+const UNTOLD: f64 = 1e-3;
+
+/// A number or a vector as it is shown, y downwards, and half of its last digit.
+#[derive(Clone, Copy, Debug, Default)]
+struct Read {
+    value: DVec2,
+    half: f64,
+}
+
+impl Read {
+    fn add(self, other: Self) -> Self {
+        Self { value: self.value + other.value, half: self.half + other.half }
+    }
+}
+
+/// Reads what a line says.
+fn read(line: &Line) -> Read {
+    let text = line.value.replace('−', "-");
+    let text = text.trim();
+    let (numbers, unit) = match text.strip_prefix('(') {
+        Some(vector) => vector.split_once(')').expect("a bracket closes"),
+        None => text.split_once(' ').expect("a unit follows"),
+    };
+    let one = prefix(unit.trim());
+    let numbers: Vec<&str> = numbers.split(',').map(str::trim).collect();
+    let decimals = numbers.iter().filter_map(|number| Some(number.len() - number.find('.')? - 1)).max().unwrap_or(0);
+    let value = |i: usize| numbers.get(i).map_or(0.0, |number| number.parse::<f64>().expect("a number")) * one;
+    // Nothing is written for what is less than a billionth.
+    let half = if numbers.iter().all(|number| *number == "0") { 1e-9 } else { 0.5 * one * 0.1f64.powi(decimals as i32) + 1e-9 };
+    Read { value: DVec2::new(value(0), -value(1)), half }
+}
+
+/// How many plain units one of these is.
+fn prefix(unit: &str) -> f64 {
+    match unit {
+        "Mt" => return 1e9,
+        "kt" => return 1e6,
+        "t" => return 1e3,
+        "kg" | "m/s" | "m/s²" => return 1.0,
+        "g" => return 1e-3,
+        "mg" => return 1e-6,
+        _ => {}
+    }
+    let plain = ["m/s²", "m/s", "N·s", "N"].into_iter().find_map(|plain| unit.strip_suffix(plain)).expect("a unit");
+    match plain {
+        "G" => 1e9,
+        "M" => 1e6,
+        "k" => 1e3,
+        "" => 1.0,
+        "m" => 1e-3,
+        "µ" => 1e-6,
+        other => panic!("the prefix {other}"),
+    }
+}
+
+/// A box as it was read in one frame.
+#[derive(Clone, Copy, Debug)]
+struct Told {
+    mass: Read,
+    velocity: Read,
+    acceleration: Read,
+    resultant: Read,
+    forces: Read,
+    impacts: Read,
+}
+
+impl Told {
+    fn of(text: &BoxText) -> Self {
+        let named =
+            |name: &str| read(text.lines.iter().find(|line| line.label == name).unwrap_or_else(|| panic!("{name}: {text:?}")));
+        let sum = |sort: fn(Shown) -> bool| {
+            text.lines.iter().filter(|line| line.shown.is_some_and(sort)).map(read).fold(Read::default(), Read::add)
+        };
+        Self {
+            mass: named("Mass"),
+            velocity: named("Velocity"),
+            acceleration: named("Acceleration"),
+            resultant: named("Resultant"),
+            forces: sum(|shown| matches!(shown, Shown::Force(_))),
+            impacts: sum(Shown::is_impact),
+        }
+    }
+
+    /// Σ F = m·a and Σ F = the resultant, in each direction, within half of every last digit.
+    fn check_sum(&self, what: &str) {
+        let Self { mass, acceleration, resultant, forces, .. } = *self;
+        let (m, a) = (mass.value.x, acceleration.value);
+        for axis in 0..2 {
+            let off = (forces.value[axis] - resultant.value[axis]).abs();
+            assert!(off <= forces.half + resultant.half, "{what}: {forces:?} is not {resultant:?}");
+            let within = forces.half + mass.half * a[axis].abs() + m * acceleration.half + mass.half * acceleration.half;
+            let off = (forces.value[axis] - m * a[axis]).abs();
+            assert!(off <= within, "{what}: {forces:?} is not {mass:?} times {acceleration:?}: {off} N apart, {within} at most");
+        }
+    }
+}
+
+/// A body's box, frame by frame, each a tick after the other.
+struct Reader {
+    body: BodyId,
+    focus: Focus,
+    details: Details,
+    told: Vec<Told>,
+}
+
+/// What was read of a lesson.
+#[derive(Debug, Default)]
+struct Seen {
+    frames: usize,
+    moving: usize,
+    impacts: usize,
+    /// Frames in which digits alone were left open.
+    sharp: usize,
+}
+
+impl Reader {
+    fn new(body: BodyId) -> Self {
+        let mut focus = Focus::default();
+        focus.pick(Some(body), false);
+        Self { body, focus, details: Details::default(), told: Vec::new() }
+    }
+
+    fn read(&mut self, game: &Game, seen: &mut Seen, name: &str) {
+        let frame = Frame::default();
+        let centres: Vec<DVec2> = game.world().bodies().iter().map(|body| body.position).collect();
+        let (middle, level) = (centres[self.body.index()], game.level());
+        let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
+        let view = Viewport::new(middle, middle, level.size, level.metre, window);
+        let looking = Looking { centres: &centres, focus: &self.focus, pointer: None, model: false, velocity: false };
+        self.details.arrange(game, &looking, &[], &view, &frame);
+        // Partners of the one that is followed have boxes, too.
+        let own = self.details.boxes().iter().find(|placed| placed.text.body == self.body);
+        let placed = own.unwrap_or_else(|| panic!("{name}: no box of {:?}", self.body));
+        let told = Told::of(&placed.text);
+        let what = format!("{name}, tick {}, {}", game.ticks(), placed.text.title);
+        told.check_sum(&what);
+        self.told.push(told);
+        self.check_momentum(game, seen, &what);
+        seen.frames += 1;
+        seen.moving += usize::from(told.velocity.value != DVec2::ZERO);
+        seen.impacts += usize::from(told.impacts.value != DVec2::ZERO);
+    }
+
+    /// m·Δv = ∫F dt + impulses over the time in which impacts can be read. In a tick in which a force changes, it does so at some moment: its
+    /// integral lies between those of the one and the other.
+    fn check_momentum(&self, game: &Game, seen: &mut Seen, what: &str) {
+        let (dt, ticks) = (1.0 / game.tick_rate(), (READABLE * game.tick_rate()) as usize + 1);
+        let Some(start) = self.told.len().checked_sub(ticks + 1) else { return };
+        let (window, last) = (&self.told[start..], self.told[self.told.len() - 1]);
+        let (m, mass_half) = (last.mass.value.x, last.mass.half);
+        let (mut given, mut digits, mut changes) = (last.impacts.value, last.impacts.half + m * UNTOLD, DVec2::ZERO);
+        for pair in window.windows(2) {
+            let [before, after] = [pair[0].forces, pair[1].forces];
+            given += (before.value + after.value) * (0.5 * dt);
+            digits += 0.5 * (before.half + after.half) * dt;
+            changes += (after.value - before.value).abs() * (0.5 * dt);
+        }
+        let change = last.velocity.value - window[0].velocity.value;
+        let velocities = last.velocity.half + window[0].velocity.half;
+        for axis in 0..2 {
+            let within = digits + m * velocities + mass_half * (change[axis].abs() + velocities);
+            let off = (m * change[axis] - given[axis]).abs();
+            assert!(off <= within + changes[axis], "{what}: {off} N·s of {given} apart, {within} + {changes} at most");
+        }
+        seen.sharp += usize::from(changes.max_element() <= digits);
+    }
+}
+
+/// Plays a lesson and reads the boxes of some of its bodies on every frame.
+fn play(name: &str, level: Arc<Level>, inputs: impl Iterator<Item = Controls>) -> Seen {
+    let mut game = Game::new(level).unwrap();
+    let mut readers: Vec<Reader> = (0..game.world().bodies().len().min(4) as u32).map(|body| Reader::new(BodyId(body))).collect();
+    let mut seen = Seen::default();
+    readers.iter_mut().for_each(|reader| reader.read(&game, &mut seen, name));
+    for controls in inputs {
+        game.step(controls);
+        readers.iter_mut().for_each(|reader| reader.read(&game, &mut seen, name));
+    }
+    println!("{name}: {seen:?}");
+    seen
+}
+
+#[test]
+fn in_an_experiment_the_text_obeys_newtons_laws_on_every_frame() {
+    let mut all = Seen::default();
+    for name in ["third-law", "momentum", "bounce", "friction", "buoyancy"] {
+        let seen = play(name, experiment(name), (0..600).map(|_| Controls::default()));
+        assert!(seen.moving > 200, "{name}: {seen:?}");
+        all.impacts += seen.impacts;
+        all.sharp += seen.sharp;
+    }
+    assert!(all.impacts > 100 && all.sharp > 1000, "{all:?}");
+}
+
+#[test]
+fn in_a_flight_the_text_obeys_newtons_laws_on_every_frame() {
+    for name in ["1", "2"] {
+        let inputs = flights(name).remove("careful").expect("a careful flight").inputs;
+        let seen = play(&format!("level {name}"), load(name), inputs.into_iter());
+        assert!(seen.moving > 500 && seen.sharp > 1000, "{name}: {seen:?}");
+    }
+}
