@@ -35,22 +35,14 @@ impl Box2d {
         let mut world = foundation.create_world(builder.build()?)?;
         world.enable_sleeping(spec.sleep)?;
         let solid = |restitution: f64| -> boxdd::Result<ShapeDef> {
-            let material = SurfaceMaterial::default()
-                .with_friction(spec.friction as f32)?
-                .with_restitution(restitution as f32)?;
+            let material = SurfaceMaterial::default().with_friction(spec.friction as f32)?.with_restitution(restitution as f32)?;
             ShapeDef::builder().density(1.0).material(material).build()
         };
         let place = |(x, y): V| Position::new(x as f32, y as f32);
         for &(centre, half) in &spec.statics {
-            let def = world
-                .body_builder()
-                .body_type(BodyType::Static)
-                .position(place(centre))
-                .build()?;
+            let def = world.body_builder().body_type(BodyType::Static).position(place(centre)).build()?;
             let id = world.create_body(def)?;
-            world
-                .body(id)?
-                .create_polygon(&solid(0.0)?, &shapes::box_polygon(half.0 as f32, half.1 as f32)?)?;
+            world.body(id)?.create_polygon(&solid(0.0)?, &shapes::box_polygon(half.0 as f32, half.1 as f32)?)?;
         }
         let mut ids = Vec::new();
         for body in &spec.bodies {
@@ -65,10 +57,7 @@ impl Box2d {
                 .build()?;
             let id = world.create_body(def)?;
             let mut rigid = world.body(id)?;
-            rigid.create_polygon(
-                &solid(body.restitution)?,
-                &shapes::box_polygon(body.half.0 as f32, body.half.1 as f32)?,
-            )?;
+            rigid.create_polygon(&solid(body.restitution)?, &shapes::box_polygon(body.half.0 as f32, body.half.1 as f32)?)?;
             rigid.set_mass_data(MassData::new(body.mass as f32, Vec2::new(0.0, 0.0), 0.0)?)?;
             ids.push(id);
         }
@@ -77,26 +66,12 @@ impl Box2d {
         let mut platform = None;
         if let Some(lift) = &spec.lift {
             let (centre, half) = lift.place;
-            let def = world
-                .body_builder()
-                .body_type(BodyType::Kinematic)
-                .position(place(centre))
-                .build()?;
+            let def = world.body_builder().body_type(BodyType::Kinematic).position(place(centre)).build()?;
             let id = world.create_body(def)?;
-            world
-                .body(id)?
-                .create_polygon(&solid(0.0)?, &shapes::box_polygon(half.0 as f32, half.1 as f32)?)?;
+            world.body(id)?.create_polygon(&solid(0.0)?, &shapes::box_polygon(half.0 as f32, half.1 as f32)?)?;
             platform = Some((id, lift.clone()));
         }
-        Ok(Self {
-            world,
-            ids,
-            forces,
-            lift: platform,
-            water: spec.liquid.is_some().then(|| spec.clone()),
-            substeps,
-            time: 0.0,
-        })
+        Ok(Self { world, ids, forces, lift: platform, water: spec.liquid.is_some().then(|| spec.clone()), substeps, time: 0.0 })
     }
 
     /// Lets the water act, for one step.
@@ -122,9 +97,7 @@ impl Box2d {
         }
         self.float()?;
         for &(body, force) in &self.forces {
-            self.world
-                .body(self.ids[body])?
-                .apply_force_to_center(Vec2::new(force, 0.0), true)?;
+            self.world.body(self.ids[body])?.apply_force_to_center(Vec2::new(force, 0.0), true)?;
         }
         self.world.step(dt as f32, self.substeps as i32).map(|_| ())
     }
@@ -144,9 +117,7 @@ impl Engine for Box2d {
     }
 
     fn new(spec: &Spec) -> Option<Self> {
-        Self::build(spec)
-            .map_err(|error| eprintln!("Box2D refuses the scene: {error}"))
-            .ok()
+        Self::build(spec).map_err(|error| eprintln!("Box2D refuses the scene: {error}")).ok()
     }
 
     fn step(&mut self, dt: f64) {

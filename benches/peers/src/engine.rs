@@ -59,11 +59,7 @@ impl Lift {
     pub fn at(&self, t: f64) -> V {
         let way = 2.0 * (t / self.period).fract();
         let (part, back) = (way.fract(), way >= 1.0);
-        let eased = if part < 0.5 {
-            2.0 * part * part
-        } else {
-            1.0 - 2.0 * (1.0 - part) * (1.0 - part)
-        };
+        let eased = if part < 0.5 { 2.0 * part * part } else { 1.0 - 2.0 * (1.0 - part) * (1.0 - part) };
         let (x, y) = self.place.0;
         (x, y - self.rise * if back { 1.0 - eased } else { eased })
     }

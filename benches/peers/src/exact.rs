@@ -16,68 +16,24 @@ const APEXES: usize = 10;
 
 /// All of them, and those that may sleep at the usual step.
 pub fn scenes() -> Vec<Scene> {
-    let at_all_steps = |name, what, seconds, spec, error| Scene {
-        steps: &STEPS,
-        stiffly: true,
-        ..scene(name, what, seconds, spec, error)
-    };
+    let at_all_steps =
+        |name, what, seconds, spec, error| Scene { steps: &STEPS, stiffly: true, ..scene(name, what, seconds, spec, error) };
     let column = |n: usize| spec((0..n).map(|i| crate_at(0.0, i as f64, 1.0)).collect());
     let heavy = spec(vec![crate_at(0.0, 0.0, 1.0), crate_at(0.0, 1.0, 10_000.0)]);
-    let bounce = |e: f64, height: f64| {
-        spec(vec![Box {
-            restitution: e,
-            ..crate_at(0.0, height, 1.0)
-        }])
-    };
-    let fall = Spec {
-        statics: vec![],
-        ..spec(vec![crate_at(0.0, 0.0, 1.0)])
-    };
+    let bounce = |e: f64, height: f64| spec(vec![Box { restitution: e, ..crate_at(0.0, height, 1.0) }]);
+    let fall = Spec { statics: vec![], ..spec(vec![crate_at(0.0, 0.0, 1.0)]) };
     let mut scenes = vec![
         at_all_steps("fall", "position after 10 s, m", 10.0, fall, fallen),
         at_all_steps("slide", "distance, m", 10.0, slide(), slide_error),
-        at_all_steps(
-            "bounce-perfect",
-            "worst place within 60 s at e = 1, m",
-            60.0,
-            bounce(1.0, DROP),
-            path_error,
-        ),
-        at_all_steps(
-            "bounce-apexes",
-            "worst of ten apexes at e = 0.9, m",
-            6.0,
-            bounce(LOSSY, DROP),
-            apexes_error,
-        ),
-        at_all_steps(
-            "bounce-fourth",
-            "fourth apex at e = 0.5 from 20 m, relative",
-            8.0,
-            bounce(0.5, 20.0),
-            fourth_error,
-        ),
+        at_all_steps("bounce-perfect", "worst place within 60 s at e = 1, m", 60.0, bounce(1.0, DROP), path_error),
+        at_all_steps("bounce-apexes", "worst of ten apexes at e = 0.9, m", 6.0, bounce(LOSSY, DROP), apexes_error),
+        at_all_steps("bounce-fourth", "fourth apex at e = 0.5 from 20 m, relative", 8.0, bounce(0.5, 20.0), fourth_error),
         at_all_steps("head-on", "worst position 10 s after, m", 10.0, line(&HEAD_ON), head_on_error),
-        at_all_steps(
-            "cradle",
-            "worst position of five after 10 s, m",
-            10.0,
-            line(&CRADLE),
-            cradle_error,
-        ),
+        at_all_steps("cradle", "worst position of five after 10 s, m", 10.0, line(&CRADLE), cradle_error),
         at_all_steps("column", "largest movement in a column of 20, m", 10.0, column(20), sag),
-        Scene {
-            pile: true,
-            ..at_all_steps("column-100", "largest movement in a column of 100, m", 10.0, column(100), sag)
-        },
+        Scene { pile: true, ..at_all_steps("column-100", "largest movement in a column of 100, m", 10.0, column(100), sag) },
         at_all_steps("heavy-on-light", "largest movement of 10 000 kg on 1 kg, m", 10.0, heavy, sag),
-        at_all_steps(
-            "pushed-row",
-            "worst position in a row of 20 after 1 s, m",
-            1.0,
-            row(),
-            row_error,
-        ),
+        at_all_steps("pushed-row", "worst position in a row of 20 after 1 s, m", 1.0, row(), row_error),
         at_all_steps("wall-10-km-s", "position after 0.5 s, m", 0.5, thin(), wall_error),
     ];
     for name in ["slide", "column", "column-100", "heavy-on-light"] {
@@ -86,10 +42,7 @@ pub fn scenes() -> Vec<Scene> {
             name: with_sleep(name),
             steps: &[STEP],
             stiffly: false,
-            spec: Spec {
-                sleep: true,
-                ..scene.spec.clone()
-            },
+            spec: Spec { sleep: true, ..scene.spec.clone() },
             ..scene.clone()
         });
         scenes.extend(asleep);
@@ -98,20 +51,11 @@ pub fn scenes() -> Vec<Scene> {
 }
 
 fn slide() -> Spec {
-    Spec {
-        gravity: 15.0,
-        ..spec(vec![Box {
-            velocity: (10.0, 0.0),
-            ..crate_at(0.0, 0.0, 1.0)
-        }])
-    }
+    Spec { gravity: 15.0, ..spec(vec![Box { velocity: (10.0, 0.0), ..crate_at(0.0, 0.0, 1.0) }]) }
 }
 
 fn row() -> Spec {
-    let block = |i: usize| Box {
-        velocity: (1e-3, 0.0),
-        ..crate_at(i as f64, 0.0, 1.0)
-    };
+    let block = |i: usize| Box { velocity: (1e-3, 0.0), ..crate_at(i as f64, 0.0, 1.0) };
     let mut row: Vec<_> = (0..20).map(block).collect();
     row[0].force = 20.0 * (1.0 + FRICTION * G);
     spec(row)
@@ -122,35 +66,17 @@ fn thin() -> Spec {
         gravity: 0.0,
         swept: true,
         statics: vec![((2500.0, 0.0), (0.025, 10.0))],
-        ..spec(vec![Box {
-            velocity: (10_000.0, 0.0),
-            half: (0.1, 0.1),
-            ..crate_at(0.0, 0.0, 1.0)
-        }])
+        ..spec(vec![Box { velocity: (10_000.0, 0.0), half: (0.1, 0.1), ..crate_at(0.0, 0.0, 1.0) }])
     }
 }
 
 /// Place (m), velocity (m/s) and mass (kg) of blocks of 1 m on a line: the lab's head-on collision and its cradle.
 const HEAD_ON: [(f64, f64, f64); 2] = [(0.0, 25.7, 75.0), (11.0, -11.3, 150.0)];
-const CRADLE: [(f64, f64, f64); 5] = [
-    (-2.0, 3.0, 1.0),
-    (1.0, 0.0, 1.0),
-    (2.0, 0.0, 1.0),
-    (3.0, 0.0, 1.0),
-    (4.0, 0.0, 1.0),
-];
+const CRADLE: [(f64, f64, f64); 5] = [(-2.0, 3.0, 1.0), (1.0, 0.0, 1.0), (2.0, 0.0, 1.0), (3.0, 0.0, 1.0), (4.0, 0.0, 1.0)];
 
 fn line(blocks: &[(f64, f64, f64)]) -> Spec {
-    let block = |&(x, v, mass): &(f64, f64, f64)| Box {
-        velocity: (v, 0.0),
-        restitution: 1.0,
-        ..crate_at(x, 0.0, mass)
-    };
-    Spec {
-        gravity: 0.0,
-        statics: vec![],
-        ..spec(blocks.iter().map(block).collect())
-    }
+    let block = |&(x, v, mass): &(f64, f64, f64)| Box { velocity: (v, 0.0), restitution: 1.0, ..crate_at(x, 0.0, mass) };
+    Spec { gravity: 0.0, statics: vec![], ..spec(blocks.iter().map(block).collect()) }
 }
 
 /// What a scene is called when what rests may sleep.

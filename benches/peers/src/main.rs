@@ -59,11 +59,7 @@ fn measure<E: Engine>(scene: &Scene, spec: &Spec, step: f64) -> Option<Row> {
     let (overlap, speed) = (watched.overlap(), watched.speed());
     let mut time = |repeats: usize| {
         // What has settled is as good after a run as before it.
-        let mut fresh: Vec<E> = if settled {
-            Vec::new()
-        } else {
-            (0..repeats).filter_map(|_| E::new(spec)).collect()
-        };
+        let mut fresh: Vec<E> = if settled { Vec::new() } else { (0..repeats).filter_map(|_| E::new(spec)).collect() };
         let started = ThreadTime::now();
         if settled {
             (0..steps * repeats).for_each(|_| engine.step(step));
@@ -77,26 +73,13 @@ fn measure<E: Engine>(scene: &Scene, spec: &Spec, step: f64) -> Option<Row> {
     let mut times: Vec<f64> = (0..RUNS).map(|_| time(repeats)).collect();
     times.sort_by(f64::total_cmp);
     let work = times[RUNS / 2] * 1e9 / (scene.seconds * spec.bodies.len() as f64);
-    Some(Row {
-        engine: E::NAME,
-        version: E::version(),
-        settings: E::settings(spec.stiff),
-        step,
-        work,
-        error,
-        overlap,
-        speed,
-    })
+    Some(Row { engine: E::NAME, version: E::version(), settings: E::settings(spec.stiff), step, work, error, overlap, speed })
 }
 
 /// All engines on a scene at a step, Resultant first; those that can be made stiff so, too, where that is asked for.
 fn run(scene: &Scene, step: f64) -> Vec<Row> {
     let spec = &scene.spec;
-    let ours = if scene.pile {
-        measure::<ours::Crowds>(scene, spec, step)
-    } else {
-        measure::<ours::Scenes>(scene, spec, step)
-    };
+    let ours = if scene.pile { measure::<ours::Crowds>(scene, spec, step) } else { measure::<ours::Scenes>(scene, spec, step) };
     let mut rows = vec![
         ours,
         measure::<rapier::single::Rapier>(scene, spec, step),
@@ -104,10 +87,7 @@ fn run(scene: &Scene, step: f64) -> Vec<Row> {
         measure::<box2d::Box2d>(scene, spec, step),
     ];
     if scene.stiffly {
-        let stiff = Spec {
-            stiff: true,
-            ..spec.clone()
-        };
+        let stiff = Spec { stiff: true, ..spec.clone() };
         rows.push(measure::<rapier::double::Rapier>(scene, &stiff, step));
         rows.push(measure::<box2d::Box2d>(scene, &stiff, step));
     }
@@ -118,19 +98,11 @@ fn run(scene: &Scene, step: f64) -> Vec<Row> {
 fn shortfall(scene: &Scene, ours: &Row, peer: &Row, text: &mut String) {
     let (faster, better) = (peer.work / ours.work, peer.error / ours.error);
     if faster < FASTER {
-        let _ = writeln!(
-            text,
-            "{}: {faster:.1} times as fast as {}, {}",
-            scene.name, peer.engine, peer.settings
-        );
+        let _ = writeln!(text, "{}: {faster:.1} times as fast as {}, {}", scene.name, peer.engine, peer.settings);
     }
     // Two errors of nothing are alike.
     if better < BETTER {
-        let _ = writeln!(
-            text,
-            "{}: {better:.1} times as accurate as {}, {}",
-            scene.name, peer.engine, peer.settings
-        );
+        let _ = writeln!(text, "{}: {better:.1} times as accurate as {}, {}", scene.name, peer.engine, peer.settings);
     }
 }
 
@@ -164,11 +136,7 @@ fn tell(scene: &Scene, rows: &[Row]) -> String {
         );
         let numbers = [row.step, row.work, row.error, row.overlap, row.speed, times];
         let numbers = numbers.map(|number| format!("{number:e}")).join(",");
-        let _ = writeln!(
-            lines,
-            "{},{},{},\"{}\",{numbers}",
-            scene.name, row.engine, row.version, row.settings
-        );
+        let _ = writeln!(lines, "{},{},{},\"{}\",{numbers}", scene.name, row.engine, row.version, row.settings);
     }
     lines
 }

@@ -12,12 +12,7 @@ fn rectangle(&(centre, half): &(V, V)) -> Aabb {
 }
 
 fn material(spec: &Spec) -> Material {
-    Material {
-        name: "",
-        static_friction: spec.friction,
-        kinetic_friction: spec.friction,
-        restitution: 0.0,
-    }
+    Material { name: "", static_friction: spec.friction, kinetic_friction: spec.friction, restitution: 0.0 }
 }
 
 /// [`World`]. It skips ticks while nothing moves and nothing is changed; where nothing may sleep, a drive that comes and goes and is
@@ -64,11 +59,8 @@ impl Engine for Scenes {
             },
             ..BodyDef::default()
         });
-        let fluids = spec.liquid.iter().map(|liquid| FluidDef {
-            zone: rectangle(&liquid.zone),
-            density: liquid.density,
-            viscosity: WATER,
-        });
+        let fluids =
+            spec.liquid.iter().map(|liquid| FluidDef { zone: rectangle(&liquid.zone), density: liquid.density, viscosity: WATER });
         let surfaces = spec.statics.iter().map(|rect| SurfaceDef::fixed(rectangle(rect), material));
         let def = WorldDef {
             gravity: spec.gravity,
@@ -84,12 +76,7 @@ impl Engine for Scenes {
         for (i, body) in spec.bodies.iter().enumerate() {
             world.set_drive(BodyId(i as u32), DVec2::new(body.force, 0.0));
         }
-        Some(Self {
-            world,
-            restless: !spec.sleep,
-            nudged: false,
-            force: spec.bodies[0].force,
-        })
+        Some(Self { world, restless: !spec.sleep, nudged: false, force: spec.bodies[0].force })
     }
 
     fn step(&mut self, dt: f64) {
@@ -157,11 +144,7 @@ impl Engine for Crowds {
             surfaces: still.chain(lift).collect(),
             ..WorldDef::default()
         };
-        let plan = Plan {
-            dense: true,
-            direct: spec.sleep,
-            ..Plan::of(&def)
-        };
+        let plan = Plan { dense: true, direct: spec.sleep, ..Plan::of(&def) };
         let mut world = World::with_plan(def, plan).ok()?;
         for (i, body) in spec.bodies.iter().enumerate() {
             world.set_drive(BodyId(i as u32), DVec2::new(body.force, 0.0));

@@ -79,18 +79,9 @@ macro_rules! rapier {
                         let rigid = RigidBodyBuilder::kinematic_velocity_based().translation(vector(lift.place.0));
                         (world.insert(rigid, solid(lift.place.1, 0.0)).0, lift)
                     });
-                    let water = spec.liquid.clone().map(|liquid| Water {
-                        liquid,
-                        bodies: spec.bodies.clone(),
-                        gravity: spec.gravity,
-                    });
-                    Some(Self {
-                        world,
-                        handles,
-                        lift,
-                        water,
-                        time: 0.0,
-                    })
+                    let water =
+                        spec.liquid.clone().map(|liquid| Water { liquid, bodies: spec.bodies.clone(), gravity: spec.gravity });
+                    Some(Self { world, handles, lift, water, time: 0.0 })
                 }
 
                 fn step(&mut self, dt: f64) {

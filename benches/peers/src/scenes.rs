@@ -46,17 +46,7 @@ pub fn all() -> Vec<Scene> {
 
 /// A scene at the usual step and with the usual settings.
 pub fn scene(name: &'static str, what: &'static str, seconds: f64, spec: Spec, error: Error) -> Scene {
-    Scene {
-        name,
-        what,
-        spec,
-        settle: 0.0,
-        seconds,
-        steps: &[STEP],
-        stiffly: false,
-        pile: false,
-        error,
-    }
+    Scene { name, what, spec, settle: 0.0, seconds, steps: &[STEP], stiffly: false, pile: false, error }
 }
 
 /// Bodies over a floor.
@@ -77,14 +67,7 @@ pub fn spec(bodies: Vec<Box>) -> Spec {
 
 /// A box of 1 m and `mass` kg whose lower side is at height `y` over the floor.
 pub fn crate_at(x: f64, y: f64, mass: f64) -> Box {
-    Box {
-        position: (x, -0.5 - y),
-        velocity: (0.0, 0.0),
-        half: (0.5, 0.5),
-        mass,
-        restitution: 0.0,
-        force: 0.0,
-    }
+    Box { position: (x, -0.5 - y), velocity: (0.0, 0.0), half: (0.5, 0.5), mass, restitution: 0.0, force: 0.0 }
 }
 
 /// Lets it run.

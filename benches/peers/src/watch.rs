@@ -32,14 +32,7 @@ impl<'a, E: Engine> Watched<'a, E> {
     /// Begins to look on.
     pub fn new(engine: &'a mut E, spec: &'a Spec) -> Self {
         let n = spec.bodies.len();
-        Self {
-            time: 0.0,
-            engine,
-            spec,
-            worst: 0.0,
-            order: (0..n).collect(),
-            places: vec![(0.0, 0.0); n],
-        }
+        Self { time: 0.0, engine, spec, worst: 0.0, order: (0..n).collect(), places: vec![(0.0, 0.0); n] }
     }
 
     /// The speed of the fastest body, m/s.
@@ -62,10 +55,7 @@ impl<'a, E: Engine> Watched<'a, E> {
         for (at, &i) in self.order.iter().enumerate() {
             let ((x, y), (w, h)) = (places[i], bodies[i].half);
             let near = self.order[at + 1..].iter().take_while(|&&j| left(j) < x + w);
-            let others = near
-                .map(|&j| (places[j], bodies[j].half))
-                .chain(self.spec.statics.iter().copied())
-                .chain(lift);
+            let others = near.map(|&j| (places[j], bodies[j].half)).chain(self.spec.statics.iter().copied()).chain(lift);
             for (place, half) in others {
                 let depth = (w + half.0 - (x - place.0).abs()).min(h + half.1 - (y - place.1).abs());
                 self.worst = self.worst.max(depth);
