@@ -13,6 +13,7 @@
 //! - [`settings`]: what a player has set, and the file that keeps it.
 //! - [`classics`]: a tile run, a jumper, and π from collisions, each with just the model that it needs.
 //! - [`lab`]: accuracy against speed: scenes with exact answers, methods, stress tests, charts.
+//! - [`draw`]: a frame as a list of shapes, and the pens that play it.
 //! - [`screens`]: the screens as a state machine, one file a screen; it is tested without a window.
 //! - [`view`]: drawing only: it reads the game and changes nothing in it.
 //! - [`cli`]: one file a subcommand.
@@ -23,6 +24,7 @@
 
 pub mod classics;
 pub mod cli;
+pub mod draw;
 pub mod files;
 pub mod game;
 pub mod instruments;

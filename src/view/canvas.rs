@@ -2,12 +2,11 @@
 //! are drawn, because each change between shapes and text costs a draw call.
 
 use super::fonts::{Face, Fonts, font_size, glyph_size, runs};
-use super::layout::{Area, Frame, LINE, Vec2};
+use super::layout::{Frame, LINE, Vec2};
 use super::theme;
 use macroquad::camera::{Camera2D, set_camera, set_default_camera};
 use macroquad::color::{Color, WHITE};
 use macroquad::material::{Material, MaterialParams, gl_use_default_material, gl_use_material, load_material};
-use macroquad::math::Rect;
 use macroquad::miniquad::ShaderSource;
 use macroquad::text::{TextParams, draw_text_ex, measure_text};
 use macroquad::texture::{DrawTextureParams, FilterMode, Image, Texture2D, draw_texture_ex};
@@ -257,10 +256,4 @@ fn copying() -> Option<Material> {
         uniform sampler2D Texture;
         void main() { gl_FragColor = vec4(texture2D(Texture, at).rgb, 1.0); }";
     load_material(ShaderSource::Glsl { vertex: VERTEX, fragment: FRAGMENT }, MaterialParams::default()).ok()
-}
-
-impl From<Area> for Rect {
-    fn from(area: Area) -> Self {
-        Self::new(area.min.x, area.min.y, area.size.x, area.size.y)
-    }
 }

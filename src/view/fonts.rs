@@ -103,17 +103,6 @@ fn face(name: &str, bytes: &[u8]) -> Result<Font, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::layout::words_width;
-
-    #[test]
-    fn words_are_as_wide_as_the_layout_takes_them_for() {
-        let face = ttf_parser::Face::parse(epaint_default_fonts::UBUNTU_LIGHT, 0).expect("the face that comes with the game");
-        for sign in ' '..='~' {
-            let advance = face.glyph_index(sign).and_then(|glyph| face.glyph_hor_advance(glyph)).expect("it has all of ASCII");
-            let width = f32::from(advance) / f32::from(face.units_per_em());
-            assert!((words_width(&sign.to_string(), 1.0) - width).abs() < 1e-4, "{sign}: {width}");
-        }
-    }
 
     #[test]
     fn signs_that_the_words_lack_are_set_in_the_other_face() {

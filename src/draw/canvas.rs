@@ -1,0 +1,230 @@
+//! The canvas: every drawing goes through it. It records shapes in canvas units and needs no window.
+
+use super::colour::Colour;
+use super::layout::{Area, Frame, LINE, Vec2};
+use super::shape::{Align, Image, Outline, Quad, Shape, Style};
+use super::text;
+use std::cell::{Ref, RefCell};
+
+/// From the top of a line to its baseline, in heights of the text (both faces within 1 %).
+const ASCENT: f32 = 0.93;
+/// Half the height of a capital, in heights of the text.
+const HALF_CAPITAL: f32 = 0.355;
+
+/// The shapes of one frame, and the frame that they are laid out in.
+#[derive(Debug)]
+pub struct Canvas {
+    frame: Frame,
+    /// Width and height of the whole window, canvas units.
+    window: Vec2,
+    /// Physical pixels a logical one, in which a system reports the mouse and text is set.
+    dpi: f32,
+    shapes: RefCell<Vec<Shape>>,
+}
+
+impl Canvas {
+    /// An empty canvas.
+    pub const fn new(frame: Frame) -> Self {
+        Self { frame, window: frame.size, dpi: 1.0, shapes: RefCell::new(Vec::new()) }
+    }
+
+    /// Begins a frame with nothing drawn, in a window of `dpi` physical pixels a logical one.
+    pub fn begin(&mut self, frame: Frame, dpi: f32) {
+        (self.frame, self.window, self.dpi) = (frame, frame.size, dpi);
+        self.clear();
+    }
+
+    /// Forgets what was drawn.
+    pub fn clear(&mut self) {
+        self.shapes.get_mut().clear();
+    }
+
+    /// What was drawn, in order.
+    pub fn shapes(&self) -> Ref<'_, [Shape]> {
+        Ref::map(self.shapes.borrow(), Vec::as_slice)
+    }
+
+    /// Lays what follows out on another part of the canvas, from its top left corner; returns the frame before, to be given back.
+    pub const fn use_frame(&mut self, frame: Frame) -> Frame {
+        std::mem::replace(&mut self.frame, frame)
+    }
+
+    /// Width and height of the canvas, and its scale.
+    pub const fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    /// Width and height of the canvas in canvas units: at least 1280 × 720.
+    pub const fn size(&self) -> Vec2 {
+        self.frame.size
+    }
+
+    /// Width and height of the whole window in canvas units.
+    pub const fn window(&self) -> Vec2 {
+        self.window
+    }
+
+    /// Physical pixels a logical one.
+    pub const fn dpi(&self) -> f32 {
+        self.dpi
+    }
+
+    /// A point of the window, in logical pixels, on the canvas.
+    pub fn to_canvas(&self, logical: Vec2) -> Vec2 {
+        logical * self.dpi * self.frame.pixel
+    }
+
+    /// Ends a layer: what is drawn from now on lies above it and its text.
+    pub fn end_layer(&self) {
+        self.add(Shape::Layer);
+    }
+
+    /// Writes one line of text; `at` is the top of the line (or the middle of its capitals) at its left, middle or right end.
+    pub fn text(&self, text: &str, at: Vec2, style: Style) {
+        if !text.is_empty() {
+            self.add(Shape::Text { text: text.to_owned(), at, style });
+        }
+    }
+
+    /// The width of a line of text in canvas units.
+    pub fn width(&self, text: &str, style: Style) -> f32 {
+        text::width(text, style.face, self.glyph_height(style.size)) * self.frame.pixel
+    }
+
+    /// Where the baseline of a line of text begins, canvas units.
+    pub fn baseline(&self, text: &str, at: Vec2, style: Style) -> Vec2 {
+        let left = match style.align {
+            Align::Left => at.x,
+            Align::Centre => at.x - self.width(text, style) / 2.0,
+            Align::Right => at.x - self.width(text, style),
+        };
+        let height = self.glyph_height(style.size) * self.frame.pixel;
+        Vec2::new(left, at.y + height * if style.middle { HALF_CAPITAL } else { ASCENT })
+    }
+
+    /// The height of text of that size in whole logical pixels.
+    pub fn font_size(&self, size: f32) -> u16 {
+        (self.frame.text_height(size) / self.frame.pixel / self.dpi).ceil() as u16
+    }
+
+    /// The height of its glyphs in whole physical pixels.
+    pub fn glyph_height(&self, size: f32) -> f32 {
+        (f32::from(self.font_size(size)) * self.dpi).ceil()
+    }
+
+    /// From one line to the next in canvas units.
+    pub fn line_height(&self, size: f32) -> f32 {
+        self.frame.text_height(size) * LINE
+    }
+
+    /// A filled convex outline (its corners in order, either way round).
+    pub fn convex(&self, corners: &[Vec2], colour: Colour) {
+        if corners.len() >= 3 {
+            self.add(Shape::Fill { outline: Outline::Convex(corners.to_vec()), colour });
+        }
+    }
+
+    /// The outline of convex corners, `width` wide, inside them.
+    pub fn convex_edge(&self, corners: &[Vec2], width: f32, colour: Colour) {
+        if corners.len() >= 3 {
+            self.add(Shape::Edge { outline: Outline::Convex(corners.to_vec()), width, colour });
+        }
+    }
+
+    /// A filled box with round corners.
+    pub fn rounded(&self, area: Area, radius: f32, colour: Colour) {
+        self.add(Shape::Fill { outline: Outline::Rounded(area, radius), colour });
+    }
+
+    /// The edge of a box with round corners, inside it.
+    pub fn rounded_edge(&self, area: Area, radius: f32, width: f32, colour: Colour) {
+        self.add(Shape::Edge { outline: Outline::Rounded(area, radius), width, colour });
+    }
+
+    /// A filled circle.
+    pub fn disc(&self, centre: Vec2, radius: f32, colour: Colour) {
+        self.add(Shape::Fill { outline: Outline::Circle(centre, radius), colour });
+    }
+
+    /// A circle's edge, inside it.
+    pub fn ring(&self, centre: Vec2, radius: f32, width: f32, colour: Colour) {
+        self.add(Shape::Edge { outline: Outline::Circle(centre, radius), width, colour });
+    }
+
+    /// A straight line with blunt ends.
+    pub fn line(&self, from: Vec2, to: Vec2, width: f32, colour: Colour) {
+        self.add(Shape::Fill { outline: Outline::Line(from, to, width), colour });
+    }
+
+    /// A line along an axis, one physical pixel wide and exactly on one.
+    pub fn hairline(&self, from: Vec2, to: Vec2, colour: Colour) {
+        self.add(Shape::Hairline { from, to, colour });
+    }
+
+    /// A box without soft edges: for what lies on whole pixels, and what adjoins.
+    pub fn rectangle(&self, area: Area, colour: Colour) {
+        self.add(Shape::Rectangle { area, colour });
+    }
+
+    /// The edge of such a box, inside it.
+    pub fn rectangle_edge(&self, area: Area, width: f32, colour: Colour) {
+        self.add(Shape::RectangleEdge { area, width, colour });
+    }
+
+    /// Quadrangles without soft edges.
+    pub fn quads(&self, quads: Vec<Quad>) {
+        if !quads.is_empty() {
+            self.add(Shape::Quads(quads));
+        }
+    }
+
+    /// A triangle without soft edges.
+    pub fn triangle(&self, corners: [Vec2; 3], colour: Colour) {
+        self.quads(vec![Quad::triangle(corners, colour)]);
+    }
+
+    /// An image over a whole area.
+    pub fn image(&self, image: &Image, area: Area, tint: Colour) {
+        self.picture(image, None, area, (0.0, tint));
+    }
+
+    /// A part of an image (its own pixels) over an area, turned clockwise by so many radians around the area's middle, and multiplied
+    /// by a colour.
+    pub fn picture(&self, image: &Image, part: Option<Area>, area: Area, (turn, tint): (f32, Colour)) {
+        self.add(Shape::Picture { image: image.clone(), part, area, turn, tint });
+    }
+
+    fn add(&self, shape: Shape) {
+        self.shapes.borrow_mut().push(shape);
+    }
+}
+
+impl Quad {
+    /// A triangle of one colour.
+    pub const fn triangle([a, b, c]: [Vec2; 3], colour: Colour) -> Self {
+        Self { corners: [a, b, c, c], colours: [colour; 4] }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::layout::TEXT;
+
+    #[test]
+    fn a_canvas_records_what_is_drawn_and_begins_empty() {
+        let mut canvas = Canvas::new(Frame::default());
+        let style = Style::new(TEXT, Colour::hex(0xFF_9F1C)).right();
+        canvas.text("", Vec2::ZERO, style);
+        canvas.convex(&[Vec2::ZERO, Vec2::ONE], style.colour);
+        canvas.text("words", Vec2::new(100.0, 20.0), style);
+        canvas.end_layer();
+        let words = Shape::Text { text: "words".into(), at: Vec2::new(100.0, 20.0), style };
+        assert_eq!(*canvas.shapes(), [words, Shape::Layer], "nothing is recorded that shows nothing");
+        let from = canvas.baseline("words", Vec2::new(100.0, 20.0), style);
+        assert_eq!(from.x + canvas.width("words", style), 100.0);
+        canvas.begin(Frame::default(), 2.0);
+        assert!(canvas.shapes().is_empty());
+        assert_eq!((canvas.font_size(TEXT), canvas.glyph_height(TEXT)), (9, 18.0));
+    }
+}

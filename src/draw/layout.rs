@@ -1,0 +1,279 @@
+//! Where things go: sizes and boxes on the virtual canvas. Plain arithmetic, without a window.
+
+use super::text;
+pub use glam::Vec2;
+
+/// The canvas on which every screen is designed; a window of another shape gets more of it along one axis, never less.
+pub const DESIGN: Vec2 = Vec2::new(1280.0, 720.0);
+/// No text is drawn smaller than this, physical pixels.
+pub const SMALLEST_TEXT: f32 = 12.0;
+
+/// Height of the text in details boxes.
+pub const DETAILS: f32 = 13.0;
+/// Height of running text.
+pub const TEXT: f32 = 18.0;
+/// Height of the words on buttons.
+pub const BUTTON_TEXT: f32 = 24.0;
+/// Height of headings.
+pub const HEADING: f32 = 40.0;
+/// Height of the title.
+pub const TITLE: f32 = 84.0;
+/// Every size of text that is used: their glyphs are made ready before they are drawn.
+pub const TEXT_SIZES: [f32; 5] = [DETAILS, TEXT, BUTTON_TEXT, HEADING, TITLE];
+/// From one line of text to the next, in heights of the text.
+pub const LINE: f32 = 1.35;
+/// Width of every glyph of the monospaced face, in heights of the text.
+pub const MONO_ADVANCE: f32 = 0.602;
+
+/// Width of the widest usual line of words, in heights of the text and for each character: a bound that needs no typeface.
+const WIDE_ADVANCE: f32 = 0.62;
+
+/// A line of words reaches from here above the middle of its capitals to there below it, in heights of the text.
+const LINE_REACH: (f32, f32) = (0.37, 0.57);
+
+/// The width of a line of words in the unit of `height`, the height of its letters.
+pub fn words_width(words: &str, height: f32) -> f32 {
+    text::width(words, text::Face::Sans, height)
+}
+
+/// The box of a line of words, from the left end of the middle of its capitals.
+pub fn words_box(words: &str, height: f32, from: Vec2) -> Area {
+    let (above, below) = LINE_REACH;
+    Area { min: from - Vec2::new(0.0, above * height), size: Vec2::new(words_width(words, height), (above + below) * height) }
+}
+
+/// The size of type next to one that is wanted.
+pub fn nearest_size(wanted: f32) -> f32 {
+    TEXT_SIZES.into_iter().min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(wanted)
+}
+
+/// Width and height of the room that a line of words may need at most, in the unit of `height`, the height of its letters.
+pub fn text_room(words: &str, height: f32) -> Vec2 {
+    Vec2::new(words.chars().count() as f32 * WIDE_ADVANCE, LINE) * height
+}
+
+/// A text in lines of at most `columns` characters, cut between words where it can be; those after the first are set in by `indent`.
+pub fn wrapped(text: &str, columns: usize, indent: usize) -> Vec<String> {
+    let mut lines = Vec::new();
+    let (mut line, mut length) = (String::new(), 0);
+    let mut end = |line: &mut String, length: &mut usize| {
+        lines.push(line.trim_end().to_owned());
+        *line = " ".repeat(indent);
+        *length = indent;
+    };
+    for word in text.split_inclusive(' ') {
+        if !line.trim().is_empty() && length + word.trim_end().chars().count() > columns {
+            end(&mut line, &mut length);
+        }
+        for character in word.chars() {
+            // A line takes one character at least, however far it is set in.
+            if length >= columns && character != ' ' && !line.trim().is_empty() {
+                end(&mut line, &mut length);
+            }
+            line.push(character);
+            length += 1;
+        }
+    }
+    end(&mut line, &mut length);
+    lines
+}
+
+/// The step of the grid on which everything stands.
+pub const GRID: f32 = 8.0;
+/// Radius of a panel's corners.
+pub const CORNER: f32 = 8.0;
+/// From a panel's edge to what is in it.
+pub const PADDING: f32 = 16.0;
+/// Width of a panel's edge.
+pub const EDGE: f32 = 2.0;
+/// A button in a column.
+pub const WIDE_BUTTON: Vec2 = Vec2::new(320.0, 48.0);
+/// A button in a row.
+pub const ROW_BUTTON: Vec2 = Vec2::new(200.0, 48.0);
+/// Between two buttons.
+pub const GAP: f32 = 16.0;
+
+/// A box on the canvas, y down.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Area {
+    /// Its top left corner.
+    pub min: Vec2,
+    /// Its width and height.
+    pub size: Vec2,
+}
+
+impl Area {
+    /// The box of that corner and size.
+    pub const fn new(x: f32, y: f32, width: f32, height: f32) -> Self {
+        Self { min: Vec2::new(x, y), size: Vec2::new(width, height) }
+    }
+
+    /// The box of that size around a point.
+    pub fn around(centre: Vec2, size: Vec2) -> Self {
+        Self { min: centre - size / 2.0, size }
+    }
+
+    /// Its bottom right corner.
+    pub fn max(&self) -> Vec2 {
+        self.min + self.size
+    }
+
+    /// Its middle.
+    pub fn centre(&self) -> Vec2 {
+        self.min + self.size / 2.0
+    }
+
+    /// Whether a point lies in it.
+    pub fn contains(&self, point: Vec2) -> bool {
+        point.cmpge(self.min).all() && point.cmplt(self.max()).all()
+    }
+
+    /// The gap to another box; negative where they overlap.
+    pub fn gap(&self, other: &Self) -> f32 {
+        (other.min - self.max()).max(self.min - other.max()).max_element()
+    }
+
+    /// Whether it overlaps none of the others.
+    pub fn covers_none(&self, others: &[Self]) -> bool {
+        others.iter().all(|other| self.gap(other) >= 0.0)
+    }
+
+    /// From where to where, seen from its start, a line is inside; `None` where it passes by.
+    pub fn stretch(&self, from: Vec2, along: Vec2, length: f32) -> Option<(f32, f32)> {
+        let (mut enters, mut leaves) = (0.0_f32, length);
+        for axis in 0..2 {
+            let (low, high) = (self.min[axis] - from[axis], self.max()[axis] - from[axis]);
+            if along[axis] == 0.0 {
+                if low > 0.0 || high < 0.0 {
+                    return None;
+                }
+                continue;
+            }
+            let (a, b) = (low / along[axis], high / along[axis]);
+            (enters, leaves) = (enters.max(a.min(b)), leaves.min(a.max(b)));
+        }
+        (enters < leaves).then_some((enters, leaves))
+    }
+
+    /// The box whose edges lie `by` further in (or out, where negative).
+    pub fn inset(&self, by: f32) -> Self {
+        Self { min: self.min + by, size: self.size - 2.0 * by }
+    }
+}
+
+/// The canvas as the window shows it now.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// Its width and height in canvas units: at least [`DESIGN`].
+    pub size: Vec2,
+    /// Canvas units a physical pixel.
+    pub pixel: f32,
+    /// How large words are, 1 as designed.
+    pub text: f32,
+}
+
+impl Frame {
+    /// The canvas in a window of so many physical pixels: one scale for both axes, so that all of [`DESIGN`] is in view.
+    pub fn of_window(pixels: Vec2) -> Self {
+        let pixels = pixels.max(Vec2::ONE);
+        let pixel = (DESIGN / pixels).max_element();
+        Self { size: pixels * pixel, pixel, text: 1.0 }
+    }
+
+    /// The same with words `text` times as large as designed.
+    #[must_use]
+    pub const fn with_text(self, text: f32) -> Self {
+        Self { text, ..self }
+    }
+
+    /// The whole canvas as a box.
+    pub fn area(&self) -> Area {
+        Area { min: Vec2::ZERO, size: self.size }
+    }
+
+    /// The height at which text of that size is drawn: itself, or what is legible in a small window.
+    pub fn text_height(&self, size: f32) -> f32 {
+        (size * self.text / self.pixel).round().max(SMALLEST_TEXT) * self.pixel
+    }
+
+    /// A column of `count` wide buttons whose top is at `top`, in the middle of the canvas.
+    pub fn column(&self, count: usize, top: f32) -> Vec<Area> {
+        let left = (self.size.x - WIDE_BUTTON.x) / 2.0;
+        let pitch = WIDE_BUTTON.y + GAP;
+        (0..count).map(|i| Area::new(left, top + i as f32 * pitch, WIDE_BUTTON.x, WIDE_BUTTON.y)).collect()
+    }
+
+    /// A row of `count` buttons with their tops at `top`, in the middle of the canvas.
+    pub fn row(&self, count: usize, top: f32) -> Vec<Area> {
+        let pitch = ROW_BUTTON.x + GAP;
+        let left = (self.size.x - (count as f32 * pitch - GAP)) / 2.0;
+        (0..count).map(|i| Area::new(left + i as f32 * pitch, top, ROW_BUTTON.x, ROW_BUTTON.y)).collect()
+    }
+}
+
+impl Default for Frame {
+    fn default() -> Self {
+        Self { size: DESIGN, pixel: 1.0, text: 1.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_window_shows_the_whole_design_at_one_scale() {
+        for (w, h) in [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0), (500.0, 1200.0), (2560.0, 400.0)] {
+            let frame = Frame::of_window(Vec2::new(w, h));
+            assert!(frame.size.x >= DESIGN.x - 1e-3 && frame.size.y >= DESIGN.y - 1e-3, "{w} × {h}: {frame:?}");
+            assert!((frame.size / Vec2::new(w, h) - frame.pixel).abs().max_element() < 1e-5, "{w} × {h}: {frame:?}");
+        }
+    }
+
+    #[test]
+    fn text_stays_legible_in_a_small_window() {
+        let small = Frame::of_window(Vec2::new(900.0, 500.0));
+        for size in TEXT_SIZES {
+            assert!(small.text_height(size) / small.pixel >= SMALLEST_TEXT - 1e-3);
+        }
+        assert_eq!(Frame::default().text_height(DETAILS), DETAILS);
+    }
+
+    #[test]
+    fn a_line_is_inside_of_a_box_from_where_it_enters_to_where_it_leaves() {
+        let area = Area::new(0.0, 0.0, 1000.0, 500.0);
+        let stretch = |x: f32, y: f32, along: Vec2, length: f32| area.stretch(Vec2::new(x, y), along, length);
+        assert_eq!(stretch(100.0, 100.0, Vec2::X, 50.0), Some((0.0, 50.0)));
+        assert_eq!(stretch(100.0, 100.0, Vec2::X, 1e9), Some((0.0, 900.0)));
+        assert_eq!(stretch(100.0, 900.0, -Vec2::Y, 1e9), Some((400.0, 900.0)));
+        assert_eq!(stretch(-100.0, 100.0, -Vec2::X, 1e9), None);
+        assert_eq!(stretch(100.0, 900.0, Vec2::X, 1e9), None);
+    }
+
+    #[test]
+    fn long_lines_are_cut_between_words_and_lose_nothing() {
+        assert_eq!(wrapped("· one two three", 46, 2), ["· one two three"]);
+        assert_eq!(wrapped("· one two three four", 9, 2), ["· one two", "  three", "  four"]);
+        assert_eq!(wrapped("· incompressible", 16, 2), ["· incompressible"]);
+        assert_eq!(wrapped("ab cdefgh", 3, 0), ["ab", "cde", "fgh"]);
+        assert_eq!(wrapped("", 3, 2), [""]);
+        assert_eq!(wrapped("abc", 1, 4), ["a", "    b", "    c"], "no room is still room for one character");
+        let text = "world.csv:3: column \"width\": found a-word-that-is-longer-than-the-whole-panel, expected > 0";
+        for columns in [20, 30, 200] {
+            let lines = wrapped(text, columns, 4);
+            assert!(lines.iter().all(|line| line.chars().count() <= columns), "{lines:?}");
+            assert_eq!(lines.concat().replace(' ', ""), text.replace(' ', ""));
+        }
+    }
+
+    #[test]
+    fn a_row_and_a_column_stand_in_the_middle() {
+        let frame = Frame::default();
+        let row = frame.row(3, 600.0);
+        assert_eq!(row[0].min.x, frame.size.x - row[2].max().x);
+        assert_eq!(row[1].min.x - row[0].max().x, GAP);
+        let column = frame.column(2, 100.0);
+        assert_eq!(column[0].min.x, frame.size.x - column[0].max().x);
+        assert_eq!(column[1].min.y - column[0].max().y, GAP);
+    }
+}

@@ -1,0 +1,16 @@
+//! What a frame shows, as a list of [`Shape`]s: a [`Canvas`] records it without a window, and a pen plays it. [`pen`] draws on the screen.
+//! Where things go is in [`layout`]; how wide words are, from the typefaces themselves, in [`text`].
+
+pub mod canvas;
+pub mod colour;
+pub mod layout;
+#[cfg(feature = "window")]
+pub mod pen;
+pub mod shape;
+pub mod soft;
+pub mod text;
+
+pub use canvas::Canvas;
+pub use colour::Colour;
+pub use shape::{Align, Image, Outline, Quad, Shape, Style};
+pub use text::Face;
