@@ -6,9 +6,11 @@
 //! at all: [`replace`], [`create`], [`create_folder`], and [`Replacement`] for content that is written piece by piece.
 
 mod lock;
+mod rows;
 mod staged;
 
 pub use lock::{Lock, PATIENCE, pauses, share};
+pub use rows::{CsvFile, CsvRow, RowFault};
 pub use staged::{Replacement, behind_links, copy, create, create_folder, put, replace, sync_folder, target};
 
 use std::fs::{self, File, Metadata, OpenOptions};

@@ -2,7 +2,7 @@
 
 use super::files::read_text;
 use super::{Project, Status, Stop};
-use crate::classics::jumper::inputs::{Row, parse};
+use crate::classics::jumper::inputs::{Climb, parse};
 use crate::classics::jumper::scene::{Keys, Scene};
 use crate::files::INPUTS;
 use crate::game::TICK_RATE;
@@ -36,8 +36,8 @@ pub struct Args {
 /// Inputs that cannot be read or are refused, with file and line.
 pub fn run(args: &Args, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let rows = match &args.inputs {
-        Some(path) => parse(&read_text(path, INPUTS)?).map_err(|problem| Stop::Refused(format!("{}:{problem}", path.display())))?,
-        None => vec![Row { ticks: TICKS_WITHOUT_INPUTS, keys: [Keys::default(); 2] }],
+        Some(path) => parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(Stop::Refused)?,
+        None => vec![Climb { ticks: TICKS_WITHOUT_INPUTS, keys: [Keys::default(); 2] }],
     };
     let mut scene = Scene::new(args.seed, args.players == 2);
     for row in rows {

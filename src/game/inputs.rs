@@ -10,8 +10,9 @@
 //! with `#` are skipped; CRLF, a byte-order mark and spaces around a cell are accepted.
 
 use super::Controls;
-use csv::{ReaderBuilder, StringRecord, Terminator, Trim, WriterBuilder};
-use serde::{Deserialize, Serialize, Serializer};
+use crate::files::{CsvFile, CsvRow};
+use csv::WriterBuilder;
+use serde::{Serialize, Serializer};
 use std::fmt;
 
 /// The columns of the file, which are its first row.
@@ -36,20 +37,10 @@ impl std::error::Error for BadFile {}
 
 /// Keys held for a number of ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-struct Row {
+struct Held {
     ticks: u64,
     #[serde(serialize_with = "as_keys")]
     controls: Controls,
-}
-
-/// A row as it stands in the file: nothing of it is judged yet, so that every problem in it can be told.
-#[derive(Deserialize)]
-struct Cells<'a> {
-    ticks: &'a str,
-    thrust: &'a str,
-    reverse: &'a str,
-    left: &'a str,
-    right: &'a str,
 }
 
 /// Keys as four cells, 0 or 1.
@@ -61,7 +52,7 @@ fn as_keys<S: Serializer>(controls: &Controls, to: S) -> Result<S::Ok, S::Error>
 /// The controls of every tick, from the first one on.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Inputs {
-    rows: Vec<Row>,
+    rows: Vec<Held>,
 }
 
 impl Inputs {
@@ -71,34 +62,35 @@ impl Inputs {
     /// A missing header, a wrong number of cells, ticks that are no whole number from 1, a key that is neither 0 nor 1, more than
     /// [`MOST_TICKS`] in all.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
-        let mut lines = lines(file, text);
-        let names: Vec<&str> = HEADER.split(',').collect();
-        match lines.next() {
+        let columns: Vec<&str> = HEADER.split(',').collect();
+        let mut rows = CsvFile { name: file, columns: &columns, comments: true }.rows(text.as_bytes());
+        match rows.next() {
+            Some(row) if row.is_header(columns.len()) && row.len() == columns.len() => {}
+            Some(row) => return Err(BadFile(vec![row.problem("ticks", format_args!("{:?}", row.joined()), HEADER_ROW)])),
             None => {
-                let nothing = Line { file, number: 1, cells: StringRecord::new() };
-                return Err(BadFile(vec![nothing.problem("ticks", "nothing", HEADER_ROW)]));
+                return Err(BadFile(vec![format!("{file}:1: column \"ticks\": found nothing, expected {HEADER_ROW}")]));
             }
-            Some(line) if line.cells != names => {
-                let found = line.cells.iter().collect::<Vec<_>>().join(",");
-                return Err(BadFile(vec![line.problem("ticks", &format!("{found:?}"), HEADER_ROW)]));
-            }
-            Some(_) => {}
         }
 
         let (mut inputs, mut problems) = (Self::default(), Vec::new());
         let mut total: u64 = 0;
-        for line in lines {
+        for row in rows {
             if problems.len() >= MOST_PROBLEMS {
-                problems.push(line.problem("ticks", "more problems from here on", &format!("at most {MOST_PROBLEMS} in a file")));
+                problems.push(row.problem(
+                    "ticks",
+                    "more problems from here on",
+                    format_args!("at most {MOST_PROBLEMS} in a file"),
+                ));
                 break;
             }
-            let Some(row) = line.row(&names, &mut problems) else { continue };
-            total += row.ticks;
+            let Some(held) = held(&row, &columns, &mut problems) else { continue };
+            total += held.ticks;
             if total > MOST_TICKS {
-                problems.push(line.problem("ticks", &format!("{total} ticks up to here"), &format!("at most {MOST_TICKS} in all")));
+                let found = format_args!("{total} ticks up to here");
+                problems.push(row.problem("ticks", found, format_args!("at most {MOST_TICKS} in all")));
                 break;
             }
-            inputs.rows.push(row);
+            inputs.rows.push(held);
         }
         if problems.is_empty() { Ok(inputs) } else { Err(BadFile(problems)) }
     }
@@ -107,7 +99,7 @@ impl Inputs {
     pub fn record(&mut self, controls: Controls) {
         match self.rows.last_mut() {
             Some(row) if row.controls == controls => row.ticks += 1,
-            _ => self.rows.push(Row { ticks: 1, controls }),
+            _ => self.rows.push(Held { ticks: 1, controls }),
         }
     }
 
@@ -149,16 +141,16 @@ impl IntoIterator for Inputs {
     type IntoIter = Playback;
 
     fn into_iter(self) -> Playback {
-        Playback { rows: self.rows.into_iter(), row: Row { ticks: 0, controls: Controls::default() } }
+        Playback { rows: self.rows.into_iter(), row: Held { ticks: 0, controls: Controls::default() } }
     }
 }
 
 /// The controls of one tick after the other, until the inputs end.
 #[derive(Clone, Debug)]
 pub struct Playback {
-    rows: std::vec::IntoIter<Row>,
+    rows: std::vec::IntoIter<Held>,
     /// What is left of the current row.
-    row: Row,
+    row: Held,
 }
 
 impl Iterator for Playback {
@@ -173,67 +165,29 @@ impl Iterator for Playback {
     }
 }
 
-/// What a file without its first row is told.
+/// The first row, as a message expects it.
 const HEADER_ROW: &str = "the header ticks,thrust,reverse,left,right";
 
-/// A line of the file that holds something. No cell of these files needs quotes: each comma parts two cells.
-struct Line<'a> {
-    file: &'a str,
-    number: usize,
-    cells: StringRecord,
-}
-
-/// The cells of each line, without the spaces around them. No cell of these files needs quotes, so that each line is one record; none may
-/// be empty.
-pub(crate) fn records(lines: &str) -> Vec<StringRecord> {
-    let mut reader = ReaderBuilder::new();
-    reader.has_headers(false).flexible(true).quoting(false).trim(Trim::All).terminator(Terminator::Any(b'\n'));
-    reader.from_reader(lines.as_bytes()).records().map(Result::unwrap_or_default).collect()
-}
-
-/// The lines that hold something: neither blank nor a comment, one after the other, as a file may have millions. They keep the numbers that
-/// an editor gives them; those of the `csv` crate are off behind blank lines and comments. Empty cells at a line's end, as spreadsheets leave
-/// them, are none.
-fn lines<'a>(file: &'a str, text: &'a str) -> impl Iterator<Item = Line<'a>> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let cut = text.lines().map(|line| line.trim().trim_end_matches([',', ' ', '\t']));
-    let used = (1..).zip(cut).filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-    used.map(move |(number, line)| Line { file, number, cells: line.split(',').map(str::trim).collect() })
-}
-
-impl Line<'_> {
-    fn problem(&self, column: &str, found: &str, expected: &str) -> String {
-        format!("{}:{}: column {column:?}: found {found}, expected {expected}", self.file, self.number)
+/// The keys of a row, unless it adds to the problems.
+fn held(row: &CsvRow<'_>, columns: &[&str], problems: &mut Vec<String>) -> Option<Held> {
+    let last = columns.len() - 1;
+    if let Err(fault) = row.cells {
+        let (found, expected) = fault.words();
+        problems.push(row.row_problem(found, expected));
+        return None;
     }
-
-    fn row(&self, names: &[&str], problems: &mut Vec<String>) -> Option<Row> {
-        let cells = self.cells.deserialize(None).ok().filter(|_| self.cells.len() == names.len());
-        let Some(Cells { ticks, thrust, reverse, left, right }) = cells else {
-            let column = names.get(self.cells.len()).unwrap_or(&"right");
-            let expected = format!("{} cells for {HEADER}", names.len());
-            problems.push(self.problem(column, &format!("{} cells in the row", self.cells.len()), &expected));
-            return None;
-        };
-        let before = problems.len();
-        let ticks = ticks.parse().ok().filter(|ticks| (1..=MOST_TICKS).contains(ticks)).unwrap_or_else(|| {
-            let expected = format!("a whole number from 1 to {MOST_TICKS}");
-            problems.push(self.problem("ticks", &format!("{ticks:?}"), &expected));
-            0
-        });
-        let mut key = |column: &str, cell: &str| {
-            if cell != "0" && cell != "1" {
-                problems.push(self.problem(column, &format!("{cell:?}"), "0 or 1"));
-            }
-            cell == "1"
-        };
-        let controls = Controls {
-            thrust: key("thrust", thrust),
-            reverse: key("reverse", reverse),
-            left: key("left", left),
-            right: key("right", right),
-        };
-        (problems.len() == before).then_some(Row { ticks, controls })
+    if row.len() != columns.len() {
+        let expected = format_args!("{} cells for {HEADER}", columns.len());
+        problems.push(row.problem(columns[row.len().min(last)], format_args!("{} cells in the row", row.len()), expected));
+        return None;
     }
+    let before = problems.len();
+    let mut noted = |problem| problems.push(problem);
+    let expected = format!("a whole number from 1 to {MOST_TICKS}");
+    let ticks = row.parse("ticks", &expected, |ticks| (1..=MOST_TICKS).contains(ticks)).map_err(&mut noted).unwrap_or(0);
+    let mut key = |column| row.bit(column).map_err(&mut noted).unwrap_or(false);
+    let controls = Controls { thrust: key("thrust"), reverse: key("reverse"), left: key("left"), right: key("right") };
+    (problems.len() == before).then_some(Held { ticks, controls })
 }
 
 #[cfg(test)]

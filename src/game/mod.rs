@@ -40,7 +40,6 @@ pub use event::{GameError, GameEvent, Outcome};
 pub use fingerprint::{Fingerprint, LevelHash, level_hash};
 pub use history::{History, Reel};
 pub use impacts::{Felt, READABLE};
-pub(crate) use inputs::records;
 pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
 pub use latch::Latch;
 pub use mechanisms::{Change, Mechanisms};

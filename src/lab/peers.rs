@@ -4,7 +4,7 @@
 
 use super::TOLERANCE;
 use super::curve::{Curve, MOST_CURVES, Measured, NUMBERS, Origin, Point};
-use super::rows::rows;
+use super::rows::{above_zero, error, rows};
 
 /// The columns of the file that `benches/peers` writes.
 pub const PEERS_HEAD: [&str; 10] = ["scene", "engine", "version", "settings", "step", "work", "error", "overlap", "speed", "times"];
@@ -87,16 +87,16 @@ impl Family {
 pub fn add_peers(file: &str, text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String> {
     let mut families = FAMILIES.map(|family| (family, None::<Measured>));
     for row in rows(file, text, &PEERS_HEAD)? {
-        let (scene, ours) = (row.word(0), row.word(1) == OURS);
-        let (step, work, error) = (row.above_zero(4)?, row.above_zero(5)?, row.error(6)?);
-        let too_many = |()| row.problem(1, &format!("at most {MOST_CURVES} curves in a diagram"));
+        let (scene, ours) = (row.get("scene"), row.get("engine") == OURS);
+        let (step, work, error) = (above_zero(&row, "step")?, above_zero(&row, "work")?, error(&row)?);
+        let too_many = |()| row.bad_cell("engine", format_args!("at most {MOST_CURVES} curves in a diagram"));
         let (scene, sleeps) = match scene.strip_suffix(SLEEP) {
             // Ours with sleep is what the lab measures.
             Some(_) if ours => continue,
             Some(scene) => (scene, true),
-            None => (scene.as_str(), false),
+            None => (scene, false),
         };
-        let engine = curve_name(&row.word(1), &row.word(2), &row.word(3), sleeps);
+        let engine = curve_name(row.get("engine"), row.get("version"), row.get("settings"), sleeps);
         if let Some(measured) = diagrams.iter_mut().find(|measured| measured.name == scene) {
             // In the scenes of the lab the shipped engine is measured here and now.
             if !ours {

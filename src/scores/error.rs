@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::Name;
-use super::records::Fault;
+use crate::files::RowFault;
 
 /// A place in a scores file that could not be read as a row. Its text is
 /// `file:line: column "name": what was found, what is expected`.
@@ -59,9 +59,9 @@ impl<'a> Report<'a> {
         }
     }
 
-    pub fn fault(&mut self, line: usize, fault: Fault) {
+    pub fn fault(&mut self, line: usize, fault: RowFault) {
         let (found, expected) = fault.words();
-        self.add(line, None, found, expected);
+        self.add(line, None, found, format!("expected {expected}"));
     }
 
     /// The name in a cell, or a report about it.

@@ -14,7 +14,6 @@ mod judge;
 mod name;
 mod origin;
 mod players;
-mod records;
 pub mod table;
 
 pub use crate::files::PATIENCE;

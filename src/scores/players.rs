@@ -17,15 +17,15 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
 
-use csv::StringRecord;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::error::Report;
-use super::{Damage, Name, records};
+use super::{Damage, Name};
+use crate::files::{CsvFile, CsvRow};
 use crate::game::{Medal, Medals};
 
 /// The columns of the file, which are its first row.
-const HEADER: [&str; 5] = ["player", "level", "time", "medal", "mark"];
+const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["player", "level", "time", "medal", "mark"], comments: false };
 /// How many of them there were before there were medals.
 const OLD_COLUMNS: usize = 3;
 /// Thousandths of a second: more than any two ticks of the game need to be told apart.
@@ -155,13 +155,11 @@ impl Players {
     }
 }
 
-/// A row of the file, as it stands there.
-#[derive(Serialize, Deserialize)]
+/// A row of the file, as it is written.
+#[derive(Serialize)]
 struct Cells<'a> {
     player: &'a str,
-    #[serde(borrow)]
     level: Cow<'a, str>,
-    #[serde(borrow)]
     time: Cow<'a, str>,
     medal: &'a str,
     mark: &'a str,
@@ -171,33 +169,25 @@ struct Cells<'a> {
 pub(super) fn read(path: &Path, bytes: &[u8]) -> (Players, Vec<Damage>) {
     let mut players = Players::default();
     let mut damage = Report::of(path);
-    for (index, (line, record)) in records::read(bytes).into_iter().enumerate() {
-        match record {
-            Ok(record) if index == 0 && is_header(&record) => {}
-            Ok(record) => row(&mut players, line, record, &mut damage),
-            Err(fault) => damage.fault(line, fault),
+    for (index, row) in FILE.rows(bytes).enumerate() {
+        match &row.cells {
+            Ok(_) if index == 0 && row.is_header(OLD_COLUMNS) => {}
+            Ok(_) => take(&mut players, &row, &mut damage),
+            Err(fault) => damage.fault(row.line, *fault),
         }
     }
     (players, damage.into_all())
 }
 
-/// Whether a row names the columns, those of today or those of before there were medals.
-fn is_header(record: &StringRecord) -> bool {
-    let used = record.iter().map(str::trim).filter(|cell| !cell.is_empty());
-    used.clone().eq(HEADER) || used.eq(HEADER.into_iter().take(OLD_COLUMNS))
-}
-
 /// Takes in one row. Spreadsheets leave empty cells at its end or cut them off.
-fn row(players: &mut Players, line: usize, mut record: StringRecord, damage: &mut Report) {
-    let used = record.iter().zip(1..).filter(|(cell, _)| !cell.trim().is_empty()).last().map_or(0, |(_, number)| number);
-    if used > HEADER.len() {
-        return damage.add(line, None, format!("{used} cells"), format!("expected at most {}: {}", HEADER.len(), HEADER.join(",")));
+fn take(players: &mut Players, row: &CsvRow<'_>, damage: &mut Report<'_>) {
+    let (line, used, most) = (row.line, row.len(), FILE.columns.len());
+    if used > most {
+        return damage.add(line, None, format!("{used} cells"), format!("expected at most {most}: {}", FILE.header()));
     }
-    record.truncate(used);
-    (used..HEADER.len()).for_each(|_| record.push_field(""));
-    let Ok(Cells { player, level, time, medal, mark }) = record.deserialize(None) else { return };
-    let Some(name) = damage.name(line, HEADER[0], player.trim()) else { return };
-    let (level, time, medal, mark) = (unharmed(level.trim()), time.trim(), medal.trim(), mark.trim());
+    let Some(name) = damage.name(line, "player", row.get("player")) else { return };
+    let (level, time) = (unharmed(row.get("level")), row.get("time"));
+    let (medal, mark) = (row.get("medal"), row.get("mark"));
     let seconds = seconds(time);
     if level.is_empty() {
         let beside = [("time", time), ("medal", medal), ("mark", mark)].into_iter().find(|(_, cell)| !cell.is_empty());
@@ -240,7 +230,7 @@ fn seconds(cell: &str) -> Option<f64> {
 /// Those of the CSV writer, none of which writing to memory is known to cause.
 pub(super) fn write(players: &Players) -> io::Result<Vec<u8>> {
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    writer.write_record(HEADER)?;
+    writer.write_record(FILE.columns)?;
     for Player { name, done } in &players.players {
         let player = name.as_str();
         writer.serialize(Cells { player, level: "".into(), time: "".into(), medal: "", mark: "" })?;

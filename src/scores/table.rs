@@ -8,22 +8,18 @@ use std::collections::hash_map::Entry;
 use std::io;
 use std::path::Path;
 
-use csv::StringRecord;
-use serde::Deserialize;
-
 use super::error::Report;
-use super::{Board, Damage, Name, Row, records};
+use super::{Board, Damage, Name, Row};
+use crate::files::{CsvFile, CsvRow};
 
 /// The columns that every scores file has.
-const COLUMNS: [&str; 2] = ["name", "score"];
+const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["name", "score"], comments: false };
+
 /// The board that stands in `bytes`, and every place that could not be read. `path` is only named in those.
 pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<Damage>) {
     let mut reading = Reading { more_columns: Vec::new(), rows: Vec::new(), lines: HashMap::new(), damage: Report::of(path) };
-    for (index, (line, record)) in records::read(bytes).into_iter().enumerate() {
-        match record {
-            Ok(cells) => reading.record(line, &cells, index == 0),
-            Err(fault) => reading.damage.fault(line, fault),
-        }
+    for (index, row) in FILE.rows(bytes).enumerate() {
+        reading.take(&row, index == 0);
     }
     (Board::new(reading.more_columns, reading.rows), reading.damage.into_all())
 }
@@ -35,20 +31,11 @@ pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<Damage>) {
 pub fn write(board: &Board) -> io::Result<Vec<u8>> {
     // The names of the further columns are not in the rows' type, so that the header is written apart.
     let mut writer = csv::WriterBuilder::new().flexible(true).has_headers(false).from_writer(Vec::new());
-    writer.write_record(COLUMNS.into_iter().chain(board.more_columns().iter().map(String::as_str)))?;
+    writer.write_record(FILE.columns.iter().copied().chain(board.more_columns().iter().map(String::as_str)))?;
     for row in board.rows() {
         writer.serialize(row)?;
     }
     writer.into_inner().map_err(|error| error.into_error())
-}
-
-/// A row as it stands in the file: nothing of it is judged yet.
-#[derive(Deserialize)]
-struct Cells<'a> {
-    name: &'a str,
-    score: &'a str,
-    #[serde(default, borrow)]
-    more: Vec<&'a str>,
 }
 
 /// What has been understood so far.
@@ -61,19 +48,22 @@ struct Reading<'a> {
 }
 
 impl Reading<'_> {
-    /// Takes in one record, which starts at `line`; the `first` one may be the header.
-    fn record(&mut self, line: usize, record: &StringRecord, first: bool) {
-        let Ok(Cells { name, score, more }) = record.deserialize(None) else {
-            return self.damage.add(line, None, "1 cell", "expected at least 2: name,score");
+    /// Takes in one row; the `first` one may be the header.
+    fn take(&mut self, row: &CsvRow<'_>, first: bool) {
+        let line = row.line;
+        let cells = match &row.cells {
+            Ok(cells) if cells.len() >= FILE.columns.len() => cells,
+            Ok(_) => return self.damage.add(line, None, "1 cell", "expected at least 2: name,score"),
+            Err(fault) => return self.damage.fault(line, *fault),
         };
-        let (name, score) = (name.trim(), score.trim());
-        let more: Vec<String> = more.into_iter().map(str::to_owned).collect();
-        // Both are looked at: a user may be called "name".
-        if first && name.eq_ignore_ascii_case(COLUMNS[0]) && score.eq_ignore_ascii_case(COLUMNS[1]) {
+        let more: Vec<String> = cells.iter().skip(FILE.columns.len()).map(str::to_owned).collect();
+        // Both names are looked at: a user may be called "name".
+        if first && row.is_header(FILE.columns.len()) {
             self.more_columns = more;
             return;
         }
-        let valid_name = self.damage.name(line, "name", name);
+        let valid_name = self.damage.name(line, "name", row.get("name"));
+        let score = row.get("score");
         let valid_score = points(score);
         if valid_score.is_none() {
             self.damage.add(line, Some("score"), format!("{score:?}"), "expected a whole number of 1 or more, digits only");

@@ -1,10 +1,10 @@
-//! Whoever looks on while a level is flown, to learn from it: stops the world, takes it a tick on or back, slows it down or speeds it up,
-//! and picks out whom the details tell of.
+//! The observer of a flight stops the world, takes it a tick on or back, slows it down or speeds it up, and picks out the bodies that the
+//! details are about.
 
 use super::{Input, Key};
 use crate::game::Game;
 use crate::instruments::stop_clock::seconds;
-use crate::settings::Action;
+use crate::settings::{Action, Bindings};
 use crate::view::focus::Focus;
 
 /// How fast the world can go.
@@ -12,36 +12,27 @@ pub const PACES: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.
 /// As it is.
 const AS_IT_IS: usize = 6;
 
-/// Whether a key went down to which the player has given no work of its own.
-pub(super) fn pressed(input: &Input, key: Key) -> bool {
-    input.pressed(key) && !Action::ALL.iter().any(|action| input.settings.keys.of(*action).contains(&Some(key)))
-}
-
-/// The keys for more and for less.
-const MORE: [Key; 2] = [Key::Equal, Key::KpAdd];
-const LESS: [Key; 2] = [Key::Minus, Key::KpSubtract];
 /// How much closer a key brings the view, where a notch of the wheel is one.
 const KEY_ZOOM: i8 = 2;
 
 /// One for more, minus one for less, 0 for neither.
 fn more_or_less(input: &Input) -> i8 {
-    let any = |keys: [Key; 2]| i8::from(keys.into_iter().any(|key| pressed(input, key)));
-    any(MORE) - any(LESS)
+    i8::from(input.acts(Action::Closer)) - i8::from(input.acts(Action::Wider))
 }
 
-/// Brings the view closer or makes it wider by + and − or the wheel, and fits it to everything that moves, or follows again, by F.
+/// Brings the view closer or makes it wider by keys or the wheel, and fits it to everything that moves, or follows again.
 pub(super) fn zoom(focus: &mut Focus, input: &Input) {
-    if pressed(input, Key::F) {
+    if input.acts(Action::Fit) {
         focus.fit();
     }
     let by_keys = if input.held.has(Key::Control) { 0 } else { KEY_ZOOM * more_or_less(input) };
     focus.zoom_by(by_keys + input.wheel.round() as i8);
 }
 
-/// Picks out one of a game's bodies, or two, by N or by a click (with Shift or Ctrl: to compare), and makes arrows longer or shorter by
-/// Ctrl with + and −.
+/// Picks out one of a game's bodies, or two, by a key or by a click (with Shift or Ctrl: to compare), and makes arrows longer or shorter by
+/// Ctrl with the keys that zoom.
 pub(super) fn look(focus: &mut Focus, input: &Input, game: &Game) {
-    if pressed(input, Key::N) {
+    if input.acts(Action::Next) {
         focus.next(game.lead(), game.world().bodies().len());
     }
     if input.click && (input.pointed.is_some() || focus.followed().is_some()) {
@@ -58,31 +49,32 @@ pub struct Observer {
     frozen: bool,
     pace: usize,
     focus: Focus,
+    /// The keys that its words name.
+    keys: Bindings,
 }
 
 impl Default for Observer {
     fn default() -> Self {
-        Self { frozen: false, pace: AS_IT_IS, focus: Focus::default() }
+        Self { frozen: false, pace: AS_IT_IS, focus: Focus::default(), keys: Bindings::default() }
     }
 }
 
 impl Observer {
-    /// One frame of a game whose details are open or not; how many ticks a world that stands still is to go on, or back where negative. A
-    /// key to which the player has given other work does that.
+    /// One frame of a game whose details are open or not; how many ticks a world that stands still is to go on, or back where negative.
     pub fn update(&mut self, input: &Input, game: &Game, details: bool) -> i64 {
-        let pressed = |key: Key| pressed(input, key);
+        self.keys = input.settings.keys;
         zoom(&mut self.focus, input);
-        self.frozen ^= pressed(Key::B);
-        if pressed(Key::LeftBracket) {
+        self.frozen ^= input.acts(Action::Freeze);
+        if input.acts(Action::Slower) {
             self.pace = self.pace.saturating_sub(1);
         }
-        if pressed(Key::RightBracket) {
+        if input.acts(Action::Faster) {
             self.pace = (self.pace + 1).min(PACES.len() - 1);
         }
         if details {
             look(&mut self.focus, input, game);
         }
-        if self.frozen { i64::from(pressed(Key::Period)) - i64::from(pressed(Key::Comma)) } else { 0 }
+        if self.frozen { i64::from(input.acts(Action::TickOn)) - i64::from(input.acts(Action::TickBack)) } else { 0 }
     }
 
     /// Whether the world stands still.
@@ -115,15 +107,18 @@ impl Observer {
         &self.focus
     }
 
-    /// What is said of the time, where it does not go as it does.
+    /// The line about the time, where the world does not go at its own pace.
     pub fn words(&self, ticks: u64, rate: f64) -> Option<String> {
         let pace = self.pace();
         let how = if pace < 1.0 { format!("1/{:.0}", 1.0 / pace) } else { format!("{pace} times") };
+        let [freeze, on, back, slower, faster] = [Action::Freeze, Action::TickOn, Action::TickBack, Action::Slower, Action::Faster]
+            .map(|action| self.keys.label(action));
         match (self.frozen, pace == 1.0) {
             (true, _) => {
-                Some(format!("Frozen at {} s: B goes on, “.” a tick on, “,” a tick back", seconds(ticks.cast_signed(), rate)))
+                let at = seconds(ticks.cast_signed(), rate);
+                Some(format!("Frozen at {at} s: {freeze} goes on, “{on}” a tick on, “{back}” a tick back"))
             }
-            (false, false) => Some(format!("{how} as fast: [ slower, ] faster")),
+            (false, false) => Some(format!("{how} as fast: {slower} slower, {faster} faster")),
             (false, true) => None,
         }
     }

@@ -5,12 +5,12 @@ use crate::settings::{Action, Item, Key, Settings};
 use crate::view::layout::{Area, Frame, ROW_BUTTON, Vec2};
 
 /// What the list of values and that of the keys take up, and a row of either.
-const VALUES: Vec2 = Vec2::new(560.0, 36.0);
-const KEYS: Vec2 = Vec2::new(560.0, 44.0);
+const VALUES: Vec2 = Vec2::new(560.0, 34.0);
+const KEYS: Vec2 = Vec2::new(560.0, 29.0);
 /// Between the two lists.
 const BETWEEN: f32 = 40.0;
 /// From the canvas' top to the first row.
-const TOP: f32 = 120.0;
+const TOP: f32 = 92.0;
 /// How wide a value and a key are.
 const VALUE_WIDTH: f32 = 200.0;
 const KEY_WIDTH: f32 = 150.0;
@@ -157,7 +157,7 @@ fn places(frame: &Frame) -> Vec<Area> {
     let key = |i: usize| {
         let (row, slot) = (i / SLOTS, i % SLOTS);
         let x = keys.x + KEYS.x - (SLOTS - slot) as f32 * (KEY_WIDTH + 8.0) + 8.0;
-        Area::new(x, keys.y + row as f32 * KEYS.y, KEY_WIDTH, KEYS.y - 8.0)
+        Area::new(x, keys.y + row as f32 * KEYS.y, KEY_WIDTH, KEYS.y - 4.0)
     };
     let below = frame.row(LABELS.len(), frame.size.y - ROW_BUTTON.y - 32.0);
     rows.chain((0..SLOTS * Action::ALL.len()).map(key)).chain(below).collect()
@@ -186,13 +186,13 @@ mod drawing {
                     }
                 }
             }
-            let (_, keys) = corners(canvas.frame());
+            let (values, keys) = corners(canvas.frame());
             let quiet = Style::new(TEXT, theme::quiet()).middle();
             for (row, action) in Action::ALL.iter().enumerate() {
                 let y = self.buttons.areas().get(FIRST_KEY + 2 * row).map_or(0.0, |area| area.centre().y);
                 canvas.text(action.label(), Vec2::new(keys.x, y), quiet);
             }
-            self.draw_hints(canvas, keys);
+            self.draw_hints(canvas, values);
         }
 
         fn draw_value(&self, canvas: &Canvas, i: usize, item: Item, row: Area) {
@@ -226,10 +226,10 @@ mod drawing {
         }
 
         /// What the keys do here, and what is wrong.
-        fn draw_hints(&self, canvas: &Canvas, keys: Vec2) {
-            let mut y = self.buttons.areas().get(FIRST_BELOW - 1).map_or(0.0, |area| area.max().y + 28.0);
+        fn draw_hints(&self, canvas: &Canvas, corner: Vec2) {
+            let mut y = self.buttons.areas().get(FIRST_KEY - 1).map_or(0.0, |area| area.max().y + 16.0);
             let mut line = |text: &str, colour| {
-                canvas.text(text, Vec2::new(keys.x, y), Style::new(DETAILS, colour).middle());
+                canvas.text(text, Vec2::new(corner.x, y), Style::new(DETAILS, colour).middle());
                 y += 20.0;
             };
             line("Tab goes to the other list, ← → change a value; Enter sets a key, Del clears it.", theme::quiet());

@@ -4,24 +4,16 @@
 //! line as it is: comments, rows of other players, and what it did not understand.
 
 use super::{Action, Item, Key, Settings};
-use crate::files::{self, Links, Lock, PATIENCE, SETTINGS};
-use serde::{Deserialize, Serialize};
+use crate::files::{self, CsvFile, CsvRow, Links, Lock, PATIENCE, SETTINGS};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// A row of the file.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-struct Row {
-    setting: String,
-    #[serde(default)]
-    value: String,
-    #[serde(default)]
-    player: String,
-}
-
-const HEADER: &str = "setting,value,player";
+/// The cells that a row has at least: the player may be left out.
+const LEAST_CELLS: usize = 2;
+/// The file's columns.
+const FILE: CsvFile<'_> = CsvFile { name: "settings.csv", columns: &["setting", "value", "player"], comments: true };
 
 /// What one row sets.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -85,96 +77,64 @@ impl Target {
 /// The settings of `text` for a player (`""` for nobody in particular), and what of it was refused, a line each.
 pub fn read(text: &str, player: &str) -> (Settings, Vec<String>) {
     let (mut settings, mut problems) = (Settings::default(), Vec::new());
-    // First what holds for everyone, wherever it stands.
+    // First the rows that hold for everyone, wherever they stand.
     for own in [false, true] {
-        for (line, row) in rows(text) {
-            let row = match row {
-                Ok(row) => row,
-                Err(found) if !own => {
-                    problems.push(format!("settings.csv:{line}: found {found}, expected {HEADER}"));
-                    continue;
-                }
-                Err(_) => continue,
-            };
-            if row.player.is_empty() == own {
+        for row in FILE.rows(text.as_bytes()).filter(|row| !row.is_header(LEAST_CELLS)) {
+            let owner = row.get("player");
+            if owner.is_empty() == own {
                 continue;
             }
-            match check(&row) {
-                Err(problem) => problems.push(format!("settings.csv:{line}: {problem}")),
-                Ok(()) if !own || row.player == player => drop(set(&row, &mut settings)),
+            match set(&row, &mut Settings::default()) {
+                Err(problem) => problems.push((row.line, problem)),
+                Ok(()) if !own || owner == player => drop(set(&row, &mut settings)),
                 Ok(()) => {}
             }
         }
     }
-    problems.sort_by_key(|problem| problem.split(':').nth(1).and_then(|line| line.parse::<usize>().ok()));
-    (settings, problems)
-}
-
-/// What is wrong with a row.
-fn check(row: &Row) -> Result<(), String> {
-    set(row, &mut Settings::default())
+    problems.sort_by_key(|(line, _)| *line);
+    (settings, problems.into_iter().map(|(_, problem)| problem).collect())
 }
 
 /// Sets what a row says.
-fn set(row: &Row, settings: &mut Settings) -> Result<(), String> {
-    let Some(target) = Target::named(&row.setting) else {
-        let names: Vec<&str> = Target::all().map(Target::setting).collect();
-        return Err(format!("column \"setting\": found {:?}, expected one of {}", row.setting, names.join(", ")));
-    };
-    let expected = |expected| format!("column \"value\" of {}: found {:?}, expected {expected}", target.setting(), row.value);
-    target.read(&row.value, settings).map_err(expected)
-}
-
-/// The rows of a text, with the lines on which they stand; no cell of this file goes over several lines.
-fn rows(text: &str) -> impl Iterator<Item = (usize, Result<Row, String>)> {
-    let lines = text.strip_prefix('\u{feff}').unwrap_or(text).lines().enumerate();
-    lines.filter_map(|(i, line)| Some((i + 1, row_of(line)?)))
-}
-
-/// The row on a line; `None` for blank lines, comments and the header.
-fn row_of(line: &str) -> Option<Result<Row, String>> {
-    let line = line.trim();
-    if line.trim_matches(',').is_empty() || line.starts_with('#') || line.eq_ignore_ascii_case(HEADER) {
-        return None;
+fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
+    match &row.cells {
+        Err(fault) => return Err(row.row_problem(fault.words().0, FILE.header())),
+        Ok(cells) if cells.len() < LEAST_CELLS => return Err(row.row_problem(format_args!("{:?}", row.joined()), FILE.header())),
+        Ok(_) => {}
     }
-    let headers = csv::StringRecord::from(vec!["setting", "value", "player"]);
-    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).trim(csv::Trim::All).from_reader(line.as_bytes());
-    let mut record = csv::StringRecord::new();
-    let row = match reader.read_record(&mut record) {
-        Ok(_) if record.len() < 2 => Err(format!("{line:?}")),
-        Ok(_) => {
-            // The player may be left out.
-            record.push_field("");
-            record.truncate(headers.len());
-            record.deserialize(Some(&headers)).map_err(|_| format!("{line:?}"))
-        }
-        Err(error) => Err(error.to_string()),
+    let (setting, value) = (row.get("setting"), row.get("value"));
+    let Some(target) = Target::named(setting) else {
+        let names: Vec<&str> = Target::all().map(Target::setting).collect();
+        return Err(row.bad_cell("setting", format_args!("one of {}", names.join(", "))));
     };
-    Some(row)
+    let place = format!("{}:{}: column \"value\" of {}", FILE.name, row.line, target.setting());
+    target.read(value, settings).map_err(|expected| format!("{place}: found {value:?}, expected {expected}"))
 }
 
 /// `text` with the settings of a player set in it.
 fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
-    let stale = |row: &Row| Target::named(&row.setting).is_some_and(|target| row.player == target.owner(player));
+    let stale = |row: &CsvRow<'_>| {
+        let target = Target::named(row.get("setting"));
+        target.is_some_and(|target| row.get("player") == target.owner(player)) && set(row, &mut Settings::default()).is_ok()
+    };
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut out = String::new();
-    if !text.lines().any(|line| line.trim().eq_ignore_ascii_case(HEADER)) {
-        out = format!("{HEADER}\n");
-    }
+    let (mut lines, mut headed) = (String::new(), false);
+    // No cell of this file goes over several lines.
     for line in text.lines() {
-        let is_stale = matches!(row_of(line), Some(Ok(row)) if stale(&row) && check(&row).is_ok());
-        if !is_stale {
-            out.push_str(line);
-            out.push('\n');
+        let row = FILE.rows(line.as_bytes()).next();
+        headed |= row.as_ref().is_some_and(|row| row.is_header(LEAST_CELLS));
+        if !row.as_ref().is_some_and(stale) {
+            lines.push_str(line);
+            lines.push('\n');
         }
     }
+    let header = if headed { String::new() } else { FILE.header() + "\n" };
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
     for target in Target::all() {
-        let (setting, value, player) = (target.setting().into(), target.written(settings), target.owner(player).into());
-        writer.serialize(Row { setting, value, player })?;
+        writer.write_record([target.setting(), &target.written(settings), target.owner(player)])?;
     }
     let fresh = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
-    Ok(out + &String::from_utf8_lossy(&fresh))
+    Ok(header + &lines + &String::from_utf8_lossy(&fresh))
 }
 
 /// From a write that failed to the next try, s.

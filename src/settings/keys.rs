@@ -75,6 +75,12 @@ impl Key {
             Self::RightBracket => "]".into(),
             Self::Backslash => "\\".into(),
             Self::GraveAccent => "`".into(),
+            Self::KpAdd => "Num +".into(),
+            Self::KpSubtract => "Num -".into(),
+            Self::PadL1 => "left shoulder".into(),
+            Self::PadR1 => "right shoulder".into(),
+            Self::PadL2 => "left trigger".into(),
+            Self::PadR2 => "right trigger".into(),
             other => {
                 let name = other.to_string();
                 let of = |start: &str, words: &str| name.strip_prefix(start).map(|rest| format!("{words}{rest}"));
@@ -161,76 +167,92 @@ impl FromIterator<Key> for Keys {
     }
 }
 
-/// What a key can do in flight.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Action {
-    /// Along the nose.
-    Thrust,
-    /// Against it.
-    Reverse,
-    /// Anticlockwise.
-    Left,
-    /// Clockwise.
-    Right,
-    /// The level from its beginning.
-    Restart,
-    /// Forces as numbers and arrows.
-    Details,
-    /// Hitboxes and costs.
-    Hitboxes,
-    /// The pause panel.
-    Pause,
+/// An action of the flight: all that is known of it.
+struct About {
+    setting: &'static str,
+    label: &'static str,
+    does: &'static str,
+    /// The keyboard's keys at first, up to two.
+    keys: &'static [Key],
+    pads: &'static [Key],
 }
 
-/// How many actions there are.
-const ACTIONS: usize = 8;
+/// The list of actions: the row in the settings' file, the label in the settings, the sentence in docs/playing.md, the keys at first, and
+/// the gamepad's buttons.
+macro_rules! actions {
+    ($($name:ident $setting:literal $label:literal $does:literal [$($key:ident)*] [$($pad:ident)*];)*) => {
+        /// What a key can do in flight.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[repr(u8)]
+        pub enum Action {
+            $(#[doc = $does] $name,)*
+        }
+
+        /// The number of actions.
+        const ACTIONS: usize = [$($setting),*].len();
+
+        impl Action {
+            /// All of them, in the order in which the settings show them.
+            pub const ALL: [Self; ACTIONS] = [$(Self::$name),*];
+        }
+
+        static ABOUT: [About; ACTIONS] = [
+            $(About { setting: $setting, label: $label, does: $does, keys: &[$(Key::$key),*], pads: &[$(Key::$pad),*] },)*
+        ];
+    };
+}
+
+actions! {
+    Thrust "key_thrust" "Thrust" "thrusts along the ship's nose" [Space W] [PadR2 PadA];
+    Reverse "key_reverse" "Reverse thrust" "thrusts backwards" [Shift S] [PadL2 PadB];
+    Left "key_left" "Turn left" "turns the ship anticlockwise" [Left A] [PadLeft PadL1];
+    Right "key_right" "Turn right" "turns the ship clockwise" [Right D] [PadRight PadR1];
+    Restart "key_restart" "Restart level" "restarts the level" [R] [PadY];
+    Details "key_details" "Show forces" "opens and closes the details: the forces and impacts on everything" [Tab] [PadX PadSelect];
+    Hitboxes "key_hitboxes" "Hitboxes, costs" "shows hitboxes, frames a second and the cost of a tick" [F3] [];
+    Pause "key_pause" "Pause" "pauses; in menus Esc and B go back" [Escape P] [PadStart];
+    Fit "key_fit" "Fit the view" "fits everything that moves into the view; again: follows the ship" [F] [];
+    Closer "key_closer" "Zoom in" "zooms in, as the wheel does; with Ctrl: longer arrows" [Equal KpAdd] [];
+    Wider "key_wider" "Zoom out" "zooms out; with Ctrl: shorter arrows" [Minus KpSubtract] [];
+    Next "key_next" "Next body" "shows the details of the next body" [N] [];
+    Freeze "key_freeze" "Freeze" "freezes the world, or lets it go on" [B] [];
+    TickOn "key_tick_on" "One tick on" "takes the frozen world one tick on" [Period] [];
+    TickBack "key_tick_back" "One tick back" "takes the frozen world one tick back" [Comma] [];
+    Slower "key_slower" "Slower" "slows the world down" [LeftBracket] [];
+    Faster "key_faster" "Faster" "speeds the world up" [RightBracket] [];
+    Instruments "key_instruments" "Instruments" "opens and closes the instruments" [I] [];
+}
+
+/// The actions that fly; the others look on.
+const FLYING: usize = Action::Pause as usize + 1;
 
 impl Action {
-    /// All of them, in the order in which the settings show them.
-    pub const ALL: [Self; ACTIONS] =
-        [Self::Thrust, Self::Reverse, Self::Left, Self::Right, Self::Restart, Self::Details, Self::Hitboxes, Self::Pause];
-
     /// Its row in the settings' file.
     pub const fn setting(self) -> &'static str {
-        match self {
-            Self::Thrust => "key_thrust",
-            Self::Reverse => "key_reverse",
-            Self::Left => "key_left",
-            Self::Right => "key_right",
-            Self::Restart => "key_restart",
-            Self::Details => "key_details",
-            Self::Hitboxes => "key_hitboxes",
-            Self::Pause => "key_pause",
-        }
+        self.about().setting
     }
 
     /// Its name as it is shown.
     pub const fn label(self) -> &'static str {
-        match self {
-            Self::Thrust => "Thrust",
-            Self::Reverse => "Reverse thrust",
-            Self::Left => "Turn left",
-            Self::Right => "Turn right",
-            Self::Restart => "Restart level",
-            Self::Details => "Show forces",
-            Self::Hitboxes => "Hitboxes, costs",
-            Self::Pause => "Pause",
-        }
+        self.about().label
     }
 
-    /// What does it on a gamepad: triggers thrust, the stick and the cross turn.
-    const fn pads(self) -> [Option<Key>; 2] {
-        match self {
-            Self::Thrust => [Some(Key::PadR2), Some(Key::PadA)],
-            Self::Reverse => [Some(Key::PadL2), Some(Key::PadB)],
-            Self::Left => [Some(Key::PadLeft), Some(Key::PadL1)],
-            Self::Right => [Some(Key::PadRight), Some(Key::PadR1)],
-            Self::Restart => [Some(Key::PadY), None],
-            Self::Details => [Some(Key::PadX), Some(Key::PadSelect)],
-            Self::Hitboxes => [None, None],
-            Self::Pause => [Some(Key::PadStart), None],
-        }
+    /// A sentence without its subject, the key.
+    pub const fn does(self) -> &'static str {
+        self.about().does
+    }
+
+    /// The gamepad's buttons for it: triggers thrust, the stick and the cross turn.
+    pub const fn pads(self) -> &'static [Key] {
+        self.about().pads
+    }
+
+    const fn flies(self) -> bool {
+        (self as usize) < FLYING
+    }
+
+    const fn about(self) -> &'static About {
+        &ABOUT[self as usize]
     }
 }
 
@@ -239,19 +261,8 @@ impl Action {
 pub struct Bindings([[Option<Key>; 2]; ACTIONS]);
 
 impl Default for Bindings {
-    /// The arrows with Space and Shift, and W A S D.
     fn default() -> Self {
-        let both = |a, b| [Some(a), Some(b)];
-        Self([
-            both(Key::Space, Key::W),
-            both(Key::Shift, Key::S),
-            both(Key::Left, Key::A),
-            both(Key::Right, Key::D),
-            [Some(Key::R), None],
-            [Some(Key::Tab), None],
-            [Some(Key::F3), None],
-            both(Key::Escape, Key::P),
-        ])
+        Self(Action::ALL.map(|action| [0, 1].map(|slot| action.about().keys.get(slot).copied())))
     }
 }
 
@@ -266,10 +277,15 @@ impl Bindings {
         self.0[action as usize] = keys;
     }
 
-    /// Whether one of those keys does it. Esc always pauses too, so that nobody locks himself in.
+    /// Whether one of those keys does it. Esc always pauses too, so that no player is locked in. A key that flies does nothing else.
     pub fn does(&self, action: Action, keys: Keys) -> bool {
         let escapes = action == Action::Pause && keys.has(Key::Escape);
-        escapes || self.of(action).into_iter().chain(action.pads()).flatten().any(|key| keys.has(key))
+        let own = self.of(action).into_iter().flatten().filter(|key| action.flies() || !self.flies(*key));
+        escapes || own.chain(action.pads().iter().copied()).any(|key| keys.has(key))
+    }
+
+    fn flies(&self, key: Key) -> bool {
+        self.0[..FLYING].iter().flatten().any(|known| *known == Some(key))
     }
 
     /// Another action that the key does as well.
@@ -314,6 +330,36 @@ mod tests {
                 assert_eq!(others, 1, "{key} does one thing");
             }
         }
+    }
+
+    #[test]
+    fn a_key_that_flies_does_not_look_on_as_well() {
+        let mut bindings = Bindings::default();
+        let f = || [Key::F].into_iter().collect();
+        assert!(bindings.does(Action::Fit, f()));
+        bindings.set(Action::Thrust, [Some(Key::F), None]);
+        assert!(bindings.does(Action::Thrust, f()) && !bindings.does(Action::Fit, f()));
+        bindings.set(Action::Fit, [Some(Key::V), None]);
+        assert!(bindings.does(Action::Fit, [Key::V].into_iter().collect()));
+    }
+
+    /// `UPDATE_DOCS=1 cargo test --lib settings::keys` writes the table.
+    #[test]
+    fn the_page_about_playing_lists_every_key() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/playing.md");
+        let head = "| key | gamepad | does |\n|---|---|---|\n";
+        let row = |action: Action| {
+            let pads: Vec<String> = action.pads().iter().map(|pad| pad.label()).collect();
+            format!("| {} | {} | {} |\n", Bindings::default().label(action), pads.join(", "), action.does())
+        };
+        let table = head.to_owned() + &Action::ALL.map(row).concat();
+        let page = std::fs::read_to_string(path).unwrap().replace("\r\n", "\n");
+        if std::env::var_os("UPDATE_DOCS").is_some() {
+            let (before, rest) = page.split_once(head).unwrap();
+            let (_, after) = rest.split_once("| wheel |").unwrap();
+            return std::fs::write(path, format!("{before}{table}| wheel |{after}")).unwrap();
+        }
+        assert!(page.contains(&table), "docs/playing.md is stale; expected\n{table}");
     }
 
     #[test]

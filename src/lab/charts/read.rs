@@ -4,11 +4,15 @@ use super::{
     COURSES_HEAD, Charts, LATER, MOST_SCENES, POINTS_HEAD, SCENES, SCENES_HEAD, SETTING, SETTING_HEAD, STRESS, STRESS_HEAD,
     Setting, courses_file, origin_word, points_file,
 };
+use crate::files::CsvRow;
 use crate::lab::course::{Course, Moment, OverTime};
 use crate::lab::curve::{Curve, MOST_CURVES, Measured, Origin, Point};
 use crate::lab::report::PI;
-use crate::lab::rows::{Row, rows};
+use crate::lab::rows::{above_zero, error, rows};
 use crate::lab::stress::Survival;
+
+/// The words of a cell that is a switch, as a message expects them.
+const FLAG: &str = "true or false";
 
 impl Charts {
     /// Reads them again; `file` gives the text of a file, or says why it cannot.
@@ -18,8 +22,12 @@ impl Charts {
     pub fn read(file: impl Fn(&str) -> Result<String, String>) -> Result<Self, String> {
         let setting = rows(SETTING, &file(SETTING)?, &SETTING_HEAD)?;
         let Some(row) = setting.first() else { return Err(format!("{SETTING}: expected a row below the head, found none")) };
-        let commit = Some(row.word(1)).filter(|commit| !commit.is_empty());
-        let setting = Setting { machine: row.word(0), commit, profile: row.word(2), quick: row.flag(3)? };
+        let setting = Setting {
+            machine: row.get("machine").to_owned(),
+            commit: Some(row.get("commit").to_owned()).filter(|commit| !commit.is_empty()),
+            profile: row.get("profile").to_owned(),
+            quick: row.parse("quick", FLAG, |_| true)?,
+        };
         let diagrams = rows(SCENES, &file(SCENES)?, &SCENES_HEAD)?;
         if let Some(row) = diagrams.get(MOST_SCENES) {
             return Err(format!("{SCENES}:{}: found a scene more, expected at most {MOST_SCENES}", row.line));
@@ -35,38 +43,50 @@ impl Charts {
 }
 
 /// A scene's row and the file of its points.
-fn diagram(row: &Row<'_>, file: &impl Fn(&str) -> Result<String, String>) -> Result<Measured, String> {
-    let name = row.word(0);
+fn diagram(row: &CsvRow<'_>, file: &impl Fn(&str) -> Result<String, String>) -> Result<Measured, String> {
+    let name = row.get("scene").to_owned();
     // It names a file in the same folder, and none elsewhere.
     if name.is_empty() || !name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-') {
-        return Err(row.problem(0, "a name of letters a to z, digits and -"));
+        return Err(row.bad_cell("scene", "a name of letters a to z, digits and -"));
     }
     let points_file = points_file(&name);
     let mut curves: Vec<Curve> = Vec::new();
     for row in rows(&points_file, &file(&points_file)?, &POINTS_HEAD)? {
-        let origin = origin(&row)?;
-        let point = Point { step: row.above_zero(2)?, work: row.above_zero(3)?, error: row.error(4)? };
-        let known = curves.iter().position(|curve| curve.name == row.word(0) && curve.origin == origin);
+        let (origin, method) = (origin(&row)?, row.get("method"));
+        let point = Point { step: above_zero(&row, "step")?, work: above_zero(&row, "work")?, error: error(&row)? };
+        let known = curves.iter().position(|curve| curve.name == method && curve.origin == origin);
         match known {
             Some(index) => curves[index].points.push(point),
-            None if curves.len() == MOST_CURVES => return Err(row.problem(0, &format!("at most {MOST_CURVES} methods"))),
-            None => curves.push(Curve { name: row.word(0), origin, points: vec![point] }),
+            None if curves.len() == MOST_CURVES => {
+                return Err(row.bad_cell("method", format_args!("at most {MOST_CURVES} methods")));
+            }
+            None => curves.push(Curve { name: method.to_owned(), origin, points: vec![point] }),
         }
     }
     if name == PI {
         check_steps(&points_file, &curves)?;
     }
-    let (title, error, work) = (row.word(1), row.word(2), row.word(3));
-    let (tolerance, shipped_step) = (row.above_zero(4)?, row.above_zero(5)?);
-    let step = if row.word(8).is_empty() { None } else { Some(row.above_zero(8)?) };
+    let step = if row.get("over_time").is_empty() { None } else { Some(above_zero(row, "over_time")?) };
     let over_time = step.map(|step| over_time(&name, step, file)).transpose()?;
-    Ok(Measured { name, title, error, work, tolerance, shipped_step, alike: row.flag(6)?, note: row.word(7), curves, over_time })
+    let word = |column| row.get(column).to_owned();
+    Ok(Measured {
+        name,
+        title: word("title"),
+        error: word("error"),
+        work: word("work"),
+        tolerance: above_zero(row, "tolerance")?,
+        shipped_step: above_zero(row, "shipped_step")?,
+        alike: row.parse("alike", FLAG, |_| true)?,
+        note: word("note"),
+        curves,
+        over_time,
+    })
 }
 
-fn origin(row: &Row<'_>) -> Result<Origin, String> {
+fn origin(row: &CsvRow<'_>) -> Result<Origin, String> {
     let origins = [Origin::Lab, Origin::Shipped, Origin::Peer];
-    let found = origins.into_iter().find(|origin| origin_word(*origin) == row.word(1));
-    found.ok_or_else(|| row.problem(1, "lab, shipped or peer"))
+    let found = origins.into_iter().find(|origin| origin_word(*origin) == row.get("origin"));
+    found.ok_or_else(|| row.bad_cell("origin", "lab, shipped or peer"))
 }
 
 /// The courses of a scene that was followed at that step.
@@ -74,17 +94,19 @@ fn over_time(scene: &str, step: f64, file: &impl Fn(&str) -> Result<String, Stri
     let name = courses_file(scene);
     let mut courses: Vec<Course> = Vec::new();
     for row in rows(&name, &file(&name)?, &COURSES_HEAD)? {
-        let origin = origin(&row)?;
-        let energy = if row.word(4).is_empty() { None } else { Some(row.number(4, "a number, or nothing", |_| true)?) };
-        let time = row.number(2, LATER, |time| time.is_finite() && time >= 0.0)?;
-        let moment = Moment { time, error: row.error(3)?, energy };
-        match courses.iter().position(|course| course.name == row.word(0) && course.origin == origin) {
+        let (origin, method) = (origin(&row)?, row.get("method"));
+        let energy = if row.get("energy").is_empty() { None } else { Some(row.parse("energy", "a number, or nothing", |_| true)?) };
+        let time = row.parse("time", LATER, |time: &f64| time.is_finite() && *time >= 0.0)?;
+        let moment = Moment { time, error: error(&row)?, energy };
+        match courses.iter().position(|course| course.name == method && course.origin == origin) {
             Some(index) if courses[index].moments.last().is_some_and(|last| last.time >= time) => {
-                return Err(row.problem(2, LATER));
+                return Err(row.bad_cell("time", LATER));
             }
             Some(index) => courses[index].moments.push(moment),
-            None if courses.len() == MOST_CURVES => return Err(row.problem(0, &format!("at most {MOST_CURVES} methods"))),
-            None => courses.push(Course { name: row.word(0), origin, moments: vec![moment] }),
+            None if courses.len() == MOST_CURVES => {
+                return Err(row.bad_cell("method", format_args!("at most {MOST_CURVES} methods")));
+            }
+            None => courses.push(Course { name: method.to_owned(), origin, moments: vec![moment] }),
         }
     }
     Ok(OverTime { step, courses })
@@ -101,8 +123,15 @@ fn check_steps(file: &str, curves: &[Curve]) -> Result<(), String> {
     }
 }
 
-fn survival(row: &Row<'_>) -> Result<Survival, String> {
-    let number = |column| row.number(column, "a number of 0 or more", |value| value.is_finite() && value >= 0.0);
-    let (test, parameter, method) = (row.word(0), row.word(1), row.word(2));
-    Ok(Survival { test, parameter, method, largest: number(3)?, tried: number(4)?, shipped: row.flag(5)? })
+fn survival(row: &CsvRow<'_>) -> Result<Survival, String> {
+    let number = |column| row.parse(column, "a number of 0 or more", |value: &f64| value.is_finite() && *value >= 0.0);
+    let word = |column| row.get(column).to_owned();
+    Ok(Survival {
+        test: word("test"),
+        parameter: word("parameter"),
+        method: word("method"),
+        largest: number("largest")?,
+        tried: number("tried")?,
+        shipped: row.parse("shipped", FLAG, |_| true)?,
+    })
 }

@@ -16,9 +16,9 @@ mod ruler;
 pub mod vary;
 mod vectors;
 
-use super::observer::pressed;
-use super::{Buttons, Input, Key, Keys, NewFile};
+use super::{Buttons, Input, Keys, NewFile};
 use crate::game::{Game, History};
+use crate::settings::Action;
 use crate::view::focus::Focus;
 use crate::view::layout::{Area, Frame};
 pub use figures::Table;
@@ -106,7 +106,7 @@ impl Instruments {
         // The plot has the foot of the canvas, everything else what is above it.
         let above = Input { frame: self.room(&whole), ..input.clone() };
         let input = Input { frame: whole, ..self.vary.update(&above, stage, self.uses(Tool::Vary)) };
-        self.open ^= pressed(&input, Key::I);
+        self.open ^= input.acts(Action::Instruments);
         let input = if self.uses(Tool::Plot) { self.plot.update(&input, stage) } else { input };
         if !self.open {
             return Input { frame: whole, ..input };
