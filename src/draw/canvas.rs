@@ -2,7 +2,8 @@
 
 use super::colour::Colour;
 use super::layout::{Area, Frame, LINE, Vec2};
-use super::shape::{Align, Image, Outline, Quad, Shape, Style};
+use super::quads::Quads;
+use super::shape::{Align, Image, Outline, Shape, Style};
 use super::text;
 use std::cell::{Ref, RefCell};
 
@@ -172,37 +173,32 @@ impl Canvas {
     }
 
     /// Quadrangles without soft edges.
-    pub fn quads(&self, quads: Vec<Quad>) {
-        if !quads.is_empty() {
+    pub fn quads(&self, quads: Quads) {
+        if !quads.0.is_empty() {
             self.add(Shape::Quads(quads));
         }
     }
 
     /// A triangle without soft edges.
     pub fn triangle(&self, corners: [Vec2; 3], colour: Colour) {
-        self.quads(vec![Quad::triangle(corners, colour)]);
+        let mut quads = Quads::default();
+        quads.triangle(corners, colour);
+        self.quads(quads);
     }
 
     /// An image over a whole area.
     pub fn image(&self, image: &Image, area: Area, tint: Colour) {
-        self.picture(image, None, area, (0.0, tint));
+        self.picture(image, Area::new(0.0, 0.0, 1.0, 1.0), area, (0.0, tint));
     }
 
-    /// A part of an image (its own pixels) over an area, turned clockwise by so many radians around the area's middle, and multiplied
-    /// by a colour.
-    pub fn picture(&self, image: &Image, part: Option<Area>, area: Area, (turn, tint): (f32, Colour)) {
+    /// A part of an image (0 … 1 along both axes) over an area, turned clockwise by so many radians around the area's middle, and
+    /// multiplied by a colour.
+    pub fn picture(&self, image: &Image, part: Area, area: Area, (turn, tint): (f32, Colour)) {
         self.add(Shape::Picture { image: image.clone(), part, area, turn, tint });
     }
 
     fn add(&self, shape: Shape) {
         self.shapes.borrow_mut().push(shape);
-    }
-}
-
-impl Quad {
-    /// A triangle of one colour.
-    pub const fn triangle([a, b, c]: [Vec2; 3], colour: Colour) -> Self {
-        Self { corners: [a, b, c, c], colours: [colour; 4] }
     }
 }
 

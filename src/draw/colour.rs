@@ -13,10 +13,10 @@ pub struct Colour {
     pub a: f32,
 }
 
-/// It leaves a picture that is drawn with it unchanged.
-pub const WHITE: Colour = Colour::new(1.0, 1.0, 1.0, 1.0);
-
 impl Colour {
+    /// A picture that is drawn with it keeps its colours.
+    pub const WHITE: Self = Self::new(1.0, 1.0, 1.0, 1.0);
+
     /// A colour by its parts, 0 … 1.
     pub const fn new(r: f32, g: f32, b: f32, a: f32) -> Self {
         Self { r, g, b, a }

@@ -123,6 +123,12 @@ impl Area {
         self.min + self.size / 2.0
     }
 
+    /// Its corners in order round, from the top left.
+    pub fn corners(&self) -> [Vec2; 4] {
+        let (a, b) = (self.min, self.max());
+        [a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)]
+    }
+
     /// Whether a point lies in it.
     pub fn contains(&self, point: Vec2) -> bool {
         point.cmpge(self.min).all() && point.cmplt(self.max()).all()

@@ -6,11 +6,13 @@ pub mod colour;
 pub mod layout;
 #[cfg(feature = "window")]
 pub mod pen;
+pub mod quads;
 pub mod shape;
 pub mod soft;
 pub mod text;
 
 pub use canvas::Canvas;
 pub use colour::Colour;
-pub use shape::{Align, Image, Outline, Quad, Shape, Style};
+pub use quads::{Quad, Quads};
+pub use shape::{Align, Image, Outline, Shape, Style};
 pub use text::Face;

@@ -3,8 +3,9 @@
 
 use super::canvas::Canvas;
 use super::colour::Colour;
-use super::layout::{Area, Frame, TEXT_SIZES, Vec2};
-use super::shape::{Image, Quad, Shape};
+use super::layout::{Frame, TEXT_SIZES, Vec2};
+use super::quads::Quad;
+use super::shape::{Image, Shape};
 use super::soft::Soft;
 use super::text::{self, Face};
 use macroquad::camera::{Camera2D, set_camera, set_default_camera};
@@ -112,15 +113,13 @@ impl Pen {
             Shape::RectangleEdge { area, width, colour } => {
                 draw_rectangle_lines(area.min.x, area.min.y, area.size.x, area.size.y, 2.0 * width, (*colour).into());
             }
-            Shape::Quads(quads) => quads.chunks(MOST_QUADS).for_each(|quads| self.draw_quads(quads)),
+            Shape::Quads(quads) => quads.0.chunks(MOST_QUADS).for_each(|quads| self.draw_quads(quads)),
             Shape::Picture { image, part, area, turn, tint } => {
-                let params = DrawTextureParams {
-                    dest_size: Some(area.size),
-                    source: part.map(Rect::from),
-                    rotation: *turn,
-                    ..DrawTextureParams::default()
-                };
                 if let Some(texture) = self.texture(image) {
+                    let (at, size) = (part.min * texture.size(), part.size * texture.size());
+                    let source = Some(Rect::new(at.x, at.y, size.x, size.y));
+                    let params =
+                        DrawTextureParams { dest_size: Some(area.size), source, rotation: *turn, ..DrawTextureParams::default() };
                     draw_texture_ex(texture, area.min.x, area.min.y, (*tint).into(), params);
                 }
             }
@@ -234,12 +233,6 @@ fn copying() -> Option<Material> {
 impl From<Colour> for Color {
     fn from(colour: Colour) -> Self {
         Self::new(colour.r, colour.g, colour.b, colour.a)
-    }
-}
-
-impl From<Area> for Rect {
-    fn from(area: Area) -> Self {
-        Self::new(area.min.x, area.min.y, area.size.x, area.size.y)
     }
 }
 

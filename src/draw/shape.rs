@@ -2,6 +2,7 @@
 
 use super::colour::Colour;
 use super::layout::{Area, Vec2};
+use super::quads::Quads;
 use super::text::Face;
 use std::sync::Arc;
 
@@ -19,12 +20,12 @@ pub enum Shape {
     /// Its edge, inside it.
     RectangleEdge { area: Area, width: f32, colour: Colour },
     /// Quadrangles without soft edges, whose colours run from corner to corner.
-    Quads(Vec<Quad>),
+    Quads(Quads),
     /// One line of words. It lies above all other shapes of its layer.
     Text { text: String, at: Vec2, style: Style },
-    /// A part of an image (in the image's own pixels; `None`: all of it) stretched over an area, turned around the area's middle
-    /// (radians, clockwise), multiplied by a colour.
-    Picture { image: Image, part: Option<Area>, area: Area, turn: f32, tint: Colour },
+    /// A part of an image (0 … 1 along both axes) stretched over an area, turned around the area's middle (radians, clockwise),
+    /// multiplied by a colour.
+    Picture { image: Image, part: Area, area: Area, turn: f32, tint: Colour },
     /// What follows lies above all before it.
     Layer,
 }
@@ -40,15 +41,6 @@ pub enum Outline {
     Circle(Vec2, f32),
     /// A straight line with blunt ends: where it begins and ends, and its width.
     Line(Vec2, Vec2, f32),
-}
-
-/// Four corners in order round, each with its colour.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quad {
-    /// The corners.
-    pub corners: [Vec2; 4],
-    /// Their colours.
-    pub colours: [Colour; 4],
 }
 
 /// Pixels to draw from.

@@ -127,7 +127,6 @@ fn normals(corners: &[Vec2], normals: &mut Vec<Vec2>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::draw::colour::WHITE;
 
     #[test]
     fn an_outline_grows_the_same_way_whichever_way_round_it_is_given() {
@@ -137,7 +136,7 @@ mod tests {
         for corners in [square, back] {
             let mut soft = Soft::default();
             soft.begin(2.0);
-            soft.fill(&Outline::Convex(corners.to_vec()), WHITE);
+            soft.fill(&Outline::Convex(corners.to_vec()), Colour::WHITE);
             let outermost = &soft.vertices[soft.vertices.len() - 4..];
             for (corner, (point, colour)) in corners.iter().zip(outermost) {
                 assert_eq!((*point, colour.a), (*corner + (*corner - Vec2::ONE), 0.0));

@@ -169,10 +169,9 @@ fn in_metres(area: &Area) -> Aabb {
     Aabb::new(metres(area.min), metres(area.max()))
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::Balls;
-    use crate::view::canvas::Canvas;
+    use crate::draw::Canvas;
     use crate::view::layout::Vec2;
     use crate::view::theme;
 
@@ -183,7 +182,7 @@ mod drawing {
                 let (centre, radius) = (area.centre(), area.size.x / 2.0);
                 let colour = [theme::player_objective(), theme::physics_objective(), theme::good(), theme::accent()][i % 4];
                 canvas.disc(centre, radius, colour);
-                canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::faded(theme::text(), 0.7));
+                canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::text().faded(0.7));
             }
         }
     }

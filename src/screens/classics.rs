@@ -60,10 +60,9 @@ fn places(frame: &Frame) -> Vec<Area> {
     frame.column(LABELS.len(), (frame.size.y * BUTTONS_AT).round())
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{Classics, LABELS};
-    use crate::view::canvas::{Canvas, Style};
+    use crate::draw::{Canvas, Style};
     use crate::view::layout::{TEXT, Vec2};
     use crate::view::{theme, widgets};
 

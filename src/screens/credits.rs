@@ -147,10 +147,9 @@ fn line_height(frame: &Frame) -> f32 {
     frame.text_height(TEXT) * LINE
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{Credits, LEFT, Line, MARGIN, RIGHT, line_height};
-    use crate::view::canvas::{Canvas, Style};
+    use crate::draw::{Canvas, Style};
     use crate::view::layout::{DETAILS, PADDING, TEXT, Vec2};
     use crate::view::{theme, widgets};
 

@@ -228,11 +228,10 @@ fn panel(frame: &Frame) -> Area {
     Area { min: Vec2::new((frame.size.x - WIDTH) / 2.0, top), size: Vec2::new(WIDTH, HEAD + PAGE as f32 * ROW + 16.0) }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{Flights, HEAD, LABELS, ROW};
+    use crate::draw::{Canvas, Style};
     use crate::number::clock;
-    use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, HEADING, TEXT, Vec2};
     use crate::view::{theme, widgets};
 

@@ -233,19 +233,17 @@ fn first_button(frame: &Frame, count: usize) -> f32 {
     ((frame.size.y - column + HEAD) / 2.0).round()
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{HEAD, Jumper, Panel, first_button};
     use crate::classics::jumper::engine::{Cuboid, Kind};
     use crate::classics::jumper::scene::{PLAYER_SIZE, VISIBLE};
     use crate::classics::jumper::tower::WIDTH;
-    use crate::view::canvas::{Canvas, Style};
+    use crate::draw::{Canvas, Colour, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
     use crate::view::{theme, widgets};
-    use macroquad::color::Color;
 
     /// The colour of each player; the number above them tells them apart without it.
-    fn colour_of(player: usize) -> Color {
+    fn colour_of(player: usize) -> Colour {
         if player == 0 { theme::accent() } else { theme::text() }
     }
     /// Below the view's lower edge, canvas units: the ground, or what is left behind.
@@ -301,7 +299,7 @@ mod drawing {
                 // What is left behind is out: the edge is as red as everything that ends an attempt.
                 canvas.rounded(foot, 0.0, theme::panel());
                 for (height, alpha) in [(0.45, 0.12), (0.25, 0.2), (0.08, 0.9)] {
-                    canvas.rounded(view.area(0.0, view.bottom, WIDTH, height), 0.0, theme::faded(theme::bad(), alpha));
+                    canvas.rounded(view.area(0.0, view.bottom, WIDTH, height), 0.0, theme::bad().faded(alpha));
                 }
             } else {
                 canvas.rounded(foot, 0.0, theme::solid());

@@ -173,10 +173,9 @@ fn body(frame: &Frame) -> Area {
     Area::new(MARGIN, TOP, frame.size.x - 2.0 * MARGIN, frame.size.y - TOP - FOOT)
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{Lab, PAGES, Page};
-    use crate::view::canvas::{Canvas, Style};
+    use crate::draw::{Canvas, Style};
     use crate::view::layout::{Area, TEXT, Vec2};
     use crate::view::{theme, widgets};
 

@@ -282,14 +282,13 @@ fn panel(frame: &Frame) -> Area {
     Area { min: Vec2::new((frame.size.x - WIDTH) / 2.0, top), size: Vec2::new(WIDTH, HEAD + PAGE as f32 * ROW + 16.0) }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{BoardLine, HEAD, Leaderboard, PAGE, ROW, panel};
+    use crate::draw::{Canvas, Style};
     use crate::game::{Medal, Prize};
     use crate::level::Awards;
     use crate::number::clock;
     use crate::scores::{Origin, Standing};
-    use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
     use crate::view::{medals, theme, widgets};
 

@@ -11,7 +11,6 @@ use places::cards;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-#[cfg(feature = "window")]
 mod drawing;
 mod entry;
 mod places;

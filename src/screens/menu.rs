@@ -160,14 +160,12 @@ fn places(frame: &Frame) -> Vec<Area> {
     frame.column(LABELS.len(), top).into_iter().chain([player, credits]).collect()
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{BESIDE_FOOT, FOOT, HINT, LABELS, Line, Menu, NAME};
+    use crate::draw::{Canvas, Colour, Style};
     use crate::physics::{DVec2, ForceKind};
     use crate::screens::balls::METRE;
-    use crate::view::art::Art;
     use crate::view::camera::{Viewport, Window};
-    use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, PADDING, TEXT, TITLE, Vec2};
     use crate::view::{arrows, theme, things, widgets};
 
@@ -183,7 +181,7 @@ mod drawing {
 
     impl Menu {
         /// Draws the menu.
-        pub fn draw(&self, art: &Art, canvas: &Canvas) {
+        pub fn draw(&self, canvas: &Canvas) {
             widgets::graph_paper(canvas);
             for (i, area) in self.buttons.areas().iter().enumerate() {
                 let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
@@ -201,7 +199,7 @@ mod drawing {
                 }
             }
             self.balls.draw(canvas);
-            self.draw_ship(art, canvas);
+            self.draw_ship(canvas);
         }
 
         /// The name, and the arrows that add up to the one beneath it.
@@ -244,18 +242,18 @@ mod drawing {
             canvas.text(self.facts.player.as_str(), Vec2::new(area.max().x - PADDING, y), name.right());
         }
 
-        fn draw_ship(&self, art: &Art, canvas: &Canvas) {
+        fn draw_ship(&self, canvas: &Canvas) {
             let Some((centre, angle, burning)) = self.balls.ship() else { return };
             let frame = canvas.frame();
             let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
             let metre = f64::from(METRE);
             let view = Viewport::new(DVec2::ZERO, DVec2::ZERO, window.size / metre, metre, window);
             things::draw_ship(
-                &things::ShipPose { centre, angle, squash: 0.0, light: macroquad::color::WHITE, room: f64::INFINITY },
+                &things::ShipPose { centre, angle, squash: 0.0, light: Colour::WHITE, room: f64::INFINITY },
                 (burning, 1.0),
                 0.5,
-                art,
                 &view,
+                canvas,
             );
         }
     }

@@ -68,16 +68,13 @@ impl Miniature {
     }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{Miniature, Part};
+    use crate::draw::{Canvas, Colour};
     use crate::physics::DVec2;
-    use crate::view::canvas::Canvas;
     use crate::view::layout::{Area, Vec2};
     use crate::view::terrain::Tint;
-    use crate::view::theme::{self, faded};
-    use macroquad::color::Color;
-    use macroquad::shapes::draw_rectangle;
+    use crate::view::theme;
 
     /// What can be acted upon is drawn at least this large, canvas units: a ship in a level of kilometres is still to be seen.
     const LEAST: f32 = 4.0;
@@ -95,17 +92,17 @@ mod drawing {
                 let least = if matches!(part, Part::Solid | Part::Liquid(_) | Part::Stream) { canvas.frame().pixel } else { LEAST };
                 let size = (b - a).max(Vec2::splat(least).min(paper.size));
                 let min = ((a + b - size) / 2.0).clamp(paper.min, paper.max() - size);
-                draw_rectangle(min.x, min.y, size.x, size.y, colour(*part, tint));
+                canvas.rectangle(Area::new(min.x, min.y, size.x, size.y), colour(*part, tint));
             }
         }
     }
 
-    fn colour(part: Part, tint: &Tint) -> Color {
-        let own = |[r, g, b]: [u8; 3]| Color::from_rgba(r, g, b, 255);
+    fn colour(part: Part, tint: &Tint) -> Colour {
+        let own = |[r, g, b]: [u8; 3]| Colour::of([r, g, b]);
         match part {
             Part::Solid => tint.map,
-            Part::Liquid(colour) => faded(own(colour), 0.55),
-            Part::Stream => faded(theme::text(), 0.16),
+            Part::Liquid(colour) => own(colour).faded(0.55),
+            Part::Stream => theme::text().faded(0.16),
             Part::Deadly => theme::bad(),
             Part::PlayerObjective => theme::player_objective(),
             Part::PhysicsObjective => theme::physics_objective(),

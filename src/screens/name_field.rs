@@ -128,10 +128,9 @@ fn field_area(frame: &Frame) -> Area {
     Area::around(frame.size / 2.0 - Vec2::new(0.0, ROW_BUTTON.y / 2.0), FIELD)
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::NameField;
-    use crate::view::canvas::{Canvas, Style};
+    use crate::draw::{Canvas, Style};
     use crate::view::layout::{BUTTON_TEXT, PADDING, TEXT, Vec2};
     use crate::view::{theme, widgets};
 

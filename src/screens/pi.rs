@@ -113,14 +113,12 @@ impl Pi {
     }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{DIGITS, Pi};
     use crate::classics::pi::mass_ratio;
-    use crate::view::canvas::{Canvas, Style};
+    use crate::draw::{Canvas, Colour, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, MONO_ADVANCE, TEXT, TITLE, Vec2};
     use crate::view::{theme, widgets};
-    use macroquad::color::Color;
 
     /// How long the counter shows that there was a collision, s.
     const FLASH: f64 = 0.12;
@@ -166,7 +164,7 @@ mod drawing {
             self.draw_block(canvas, WALL + light_side + heavy as f32 * METRE, mass_ratio(self.n), theme::accent());
         }
 
-        fn draw_block(&self, canvas: &Canvas, left: f32, mass: f64, colour: Color) {
+        fn draw_block(&self, canvas: &Canvas, left: f32, mass: f64, colour: Colour) {
             let side = SIDE * side(mass);
             let area = Area::new(left, canvas.size().y - FLOOR - side, side, side);
             canvas.rounded(area, 2.0, theme::panel());
@@ -197,7 +195,7 @@ mod drawing {
             }
             let width = advance * counter.len() as f32;
             let bar = Area::new(middle - width / 2.0, 156.0, width, 4.0);
-            canvas.rounded(bar, 2.0, theme::faded(theme::accent(), 0.15 + 0.85 * flash));
+            canvas.rounded(bar, 2.0, theme::accent().faded(0.15 + 0.85 * flash));
             let digits = &DIGITS[..counter.len()];
             let words = match (self.blocks.next_time(), self.behind) {
                 (None, _) => format!("No more will come: the first {} of π", plural(counter.len())),

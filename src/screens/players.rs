@@ -153,10 +153,9 @@ fn list(frame: &Frame) -> Area {
     Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{Candidate, Players, list};
-    use crate::view::canvas::{Canvas, Style};
+    use crate::draw::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, PADDING, TEXT, Vec2};
     use crate::view::{theme, widgets};
 

@@ -83,10 +83,9 @@ impl Problems {
     }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{HEAD, LEFT, Problems};
-    use crate::view::canvas::{Canvas, Style};
+    use crate::draw::{Canvas, Style};
     use crate::view::layout::{BUTTON_TEXT, DETAILS, PADDING, Vec2};
     use crate::view::{theme, widgets};
 

@@ -106,10 +106,9 @@ impl Prompt {
     }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::Prompt;
-    use crate::view::canvas::Canvas;
+    use crate::draw::Canvas;
     use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
     use crate::view::{theme, widgets};
 

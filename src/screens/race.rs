@@ -145,14 +145,12 @@ impl Gap {
     }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{Gap, Race};
+    use crate::draw::{Canvas, Style};
     use crate::game::Game;
-    use crate::view::canvas::{Canvas, Style};
     use crate::view::hud::{self, Aside, Part};
     use crate::view::layout::{DETAILS, GRID, TEXT, Vec2};
-    use crate::view::theme::faded;
     use crate::view::{Ghost, theme, widgets};
 
     impl Race {
@@ -167,12 +165,12 @@ mod drawing {
         pub fn draw(&self, aside: &Aside, canvas: &Canvas) {
             let Some(area) = aside.home(Part::Race) else { return };
             let (ground, strong) = hud::left(aside.of(Part::Race));
-            widgets::panel_in(canvas, area, faded(theme::panel(), 0.7 * ground), faded(theme::panel_edge(), ground));
+            widgets::panel_in(canvas, area, theme::panel().faded(0.7 * ground), theme::panel_edge().faded(ground));
             let column = area.size.x / self.all().len() as f32;
             for (i, ghost) in self.all().iter().enumerate() {
                 let middle = area.min.x + column * (i as f32 + 0.5);
                 let at = |part: f32| Vec2::new(middle, area.min.y + area.size.y * part);
-                widgets::fitted(canvas, &ghost.name, at(0.3), column - GRID, &[TEXT, DETAILS], faded(theme::quiet(), strong));
+                widgets::fitted(canvas, &ghost.name, at(0.3), column - GRID, &[TEXT, DETAILS], theme::quiet().faded(strong));
                 let gap = self.splits().last().map(|split| self.gap(ghost, *split));
                 let colour = match gap {
                     Some(Gap::Seconds(seconds)) if seconds > 0.0 => theme::bad(),
@@ -180,7 +178,7 @@ mod drawing {
                     Some(Gap::Unknown) | None => theme::quiet(),
                 };
                 let told = gap.map_or_else(|| "–".to_owned(), Gap::words);
-                canvas.text(&told, at(0.72), Style::new(TEXT, faded(colour, strong)).mono().centred().middle());
+                canvas.text(&told, at(0.72), Style::new(TEXT, colour.faded(strong)).mono().centred().middle());
             }
         }
     }

@@ -65,10 +65,9 @@ impl SaveScore {
     }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::SaveScore;
-    use crate::view::canvas::Canvas;
+    use crate::draw::Canvas;
     use crate::view::widgets;
 
     impl SaveScore {

@@ -278,11 +278,10 @@ fn signed(points: i64) -> String {
     }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{Effect, Scoring};
+    use crate::draw::{Canvas, Style};
     use crate::game::Outcome;
-    use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
     use crate::view::{medals, theme, widgets};
 

@@ -163,11 +163,10 @@ fn places(frame: &Frame) -> Vec<Area> {
     rows.chain((0..SLOTS * Action::ALL.len()).map(key)).chain(below).collect()
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{FIRST_BELOW, FIRST_KEY, LABELS, SettingsPanel, corners, key_place, value_area};
+    use crate::draw::{Canvas, Style};
     use crate::settings::{Action, Item, Key};
-    use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, DETAILS, TEXT, Vec2};
     use crate::view::{theme, widgets};
 

@@ -136,10 +136,9 @@ impl TextField {
     }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::TextField;
-    use crate::view::canvas::{Canvas, Style};
+    use crate::draw::{Canvas, Style};
     use crate::view::layout::{Area, Vec2};
     use crate::view::theme;
 

@@ -158,12 +158,11 @@ impl TileRun {
     }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::TileRun;
     use crate::classics::tile_run::Command;
+    use crate::draw::{Canvas, Style};
     use crate::number::fixed;
-    use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, TEXT, Vec2};
     use crate::view::{theme, widgets};
 
@@ -190,7 +189,7 @@ mod drawing {
             self.draw_map(canvas, corner, side);
             for (age, &(x, y)) in self.trail.iter().rev().enumerate() {
                 let fading = 1.0 - age as f32 / super::TRAIL as f32;
-                canvas.disc(at(x, y - RUNNER), side * 0.12, theme::faded(theme::accent(), 0.6 * fading));
+                canvas.disc(at(x, y - RUNNER), side * 0.12, theme::accent().faded(0.6 * fading));
             }
             let (x, y) = self.drawn_place();
             canvas.disc(at(x, y - RUNNER), side * RUNNER as f32, theme::accent());
@@ -227,11 +226,11 @@ mod drawing {
             }
             for column in 1..widest {
                 let line = tile(column, 0, 0, rows.len() as f32);
-                canvas.hairline(line.min, line.max(), theme::faded(theme::grid_heavy(), 0.7));
+                canvas.hairline(line.min, line.max(), theme::grid_heavy().faded(0.7));
             }
             for row in 1..rows.len() {
                 let line = tile(0, row, widest, 0.0);
-                canvas.hairline(line.min, line.max(), theme::faded(theme::grid_heavy(), 0.7));
+                canvas.hairline(line.min, line.max(), theme::grid_heavy().faded(0.7));
                 for (from, to, top) in runs(widest, |column| is_solid(row, column) && !is_solid(row - 1, column)) {
                     if top {
                         canvas.rounded(tile(from, row, to - from, 0.14), 0.0, theme::solid_top());

@@ -38,10 +38,9 @@ fn places(frame: &Frame, count: usize) -> Vec<Area> {
     (0..count).map(|i| Area { min: Vec2::new(left + i as f32 * pitch, top), size }).collect()
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::Toolbar;
-    use crate::view::canvas::Canvas;
+    use crate::draw::Canvas;
     use crate::view::widgets;
 
     impl Toolbar {

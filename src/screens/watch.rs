@@ -303,11 +303,10 @@ fn line(frame: &Frame) -> Area {
     Area { min: Vec2::new(SIDES, frame.size.y - FOOT + 44.0), size: Vec2::new(frame.size.x - 2.0 * SIDES, 12.0) }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{FOOT, Watch};
+    use crate::draw::{Canvas, Style};
     use crate::number::clock;
-    use crate::view::canvas::{Canvas, Style};
     use crate::view::layout::{Area, TEXT, Vec2};
     use crate::view::{theme, widgets};
 

@@ -1,22 +1,23 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
-use super::editor::{self, Sheets};
+use super::Editor;
 use super::pad::Pads;
 use super::watch::above;
 use super::{
     Answer, App, Attempt, Flight, Input, Instruments, Key, Keyed, Keys, Noise, Picture, Places, Request, Screen, Spectator, Watch,
     Worker, pace,
 };
+use crate::draw::Canvas;
+use crate::draw::pen::Pen;
 use crate::game::Game;
 use crate::level::{self, Level};
 use crate::physics::{BodyId, DVec2};
 use crate::settings::{Settings, plain_keys};
-use crate::view::canvas::Canvas;
 use crate::view::focus::Focus;
 use crate::view::hud::Shown;
-use crate::view::layout::{Area, BUTTON_TEXT, DESIGN, TEXT, Vec2};
+use crate::view::layout::{Area, BUTTON_TEXT, DESIGN, Frame, TEXT, Vec2};
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
-use crate::view::{Art, GameView, Overlays, icon, theme, widgets};
+use crate::view::{GameView, Overlays, art, theme, widgets};
 use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, get_dropped_files, is_key_down, is_key_pressed, is_mouse_button_down,
@@ -24,7 +25,7 @@ use macroquad::input::{
 };
 use macroquad::miniquad::EventHandler;
 use macroquad::miniquad::KeyMods;
-use macroquad::miniquad::conf::Conf;
+use macroquad::miniquad::conf::{Conf, Icon};
 use macroquad::window::{next_frame, set_fullscreen};
 use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
@@ -109,7 +110,8 @@ pub fn open(places: Places, start: Option<Start>) -> Result<(), String> {
 }
 
 async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
-    let mut canvas = Canvas::new()?;
+    let mut pen = Pen::new(&art::sheet())?;
+    let mut canvas = Canvas::new(Frame::default());
     let mut theatre = Theatre::new(Speaker::new());
     let mut app = App::with_worker(places, Worker::beside());
     app.clipboard.of_system = true;
@@ -127,7 +129,8 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     let typist = utils::register_input_subscriber();
     loop {
         theme::wear(app.settings().palette);
-        canvas.begin(text_scale(&app, canvas.frame().pixel))?;
+        let text = text_scale(&app, canvas.frame().pixel);
+        pen.begin(&mut canvas, text)?;
         let mut typed = Typist::default();
         utils::repeat_all_miniquad_input(&mut typed, typist);
         let mut input = Input { away: focus.is_away(), ..read_input(&canvas, pads.read(), typed) };
@@ -147,10 +150,11 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
             set_fullscreen(fullscreen);
         }
         theatre.frame_cost += (input.frame_time - theatre.frame_cost) * FRAME_WEIGHT;
-        if app.picture() != Picture::Again || !canvas.show_kept() {
+        if app.picture() != Picture::Again || !pen.show_kept(&canvas) {
             draw(&app, &mut theatre, input.frame_time, &mut canvas);
+            pen.play(&canvas, theme::ground());
             if app.picture() == Picture::Kept {
-                canvas.keep();
+                pen.keep(&canvas);
             }
         }
         theatre.speaker.set_volumes(volumes(app.settings()));
@@ -163,7 +167,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
 /// window to the picture; the others stand in panels made for them.
 fn text_scale(app: &App, pixel: f32) -> f32 {
     if let Screen::Editor(_) = app.screen() {
-        return editor::text_scale(pixel);
+        return Editor::text_scale(pixel);
     }
     let scale = f32::from(app.settings().scale) / 100.0;
     let flown = matches!(app.screen(), Screen::Flight(flight) if flight.pause().is_none());
@@ -226,11 +230,10 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), Typist { t
 }
 
 fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) {
-    canvas.clear();
     match app.screen() {
-        Screen::Menu(screen) => screen.draw(&theatre.art, canvas),
+        Screen::Menu(screen) => screen.draw(canvas),
         Screen::LevelSelect(screen) => screen.draw(canvas, app.shown_for()),
-        Screen::Editor(screen) => screen.draw(&mut theatre.sheets, canvas, app.shown_for()),
+        Screen::Editor(screen) => screen.draw(canvas, app.shown_for(), 1.0 / theatre.frame_cost),
         Screen::Flight(screen) => {
             theatre.set_panels(screen.panels(canvas.frame()));
             let whole = canvas.use_frame(screen.instruments().room(canvas.frame()));
@@ -269,7 +272,15 @@ fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) 
     if veil > 0.0 {
         widgets::curtain(canvas, veil as f32);
     }
-    canvas.end_layer();
+}
+
+/// The window's icon, at the three sizes that a desktop asks for.
+fn icon() -> Icon {
+    fn of<const N: usize>(side: usize) -> [u8; N] {
+        let bytes = art::icon(side);
+        std::array::from_fn(|i| bytes[i])
+    }
+    Icon { small: of(16), medium: of(32), big: of(64) }
 }
 
 /// What is loading, above the screen that waits for it.
@@ -284,8 +295,6 @@ fn draw_loading(what: &str, canvas: &Canvas) {
 
 /// What watches the attempt that is on the screen: its view, its sounds, and how long its ticks take.
 struct Theatre {
-    art: Rc<Art>,
-    sheets: Sheets,
     speaker: Speaker,
     ear: Ear,
     view: Option<GameView>,
@@ -329,16 +338,7 @@ impl EventHandler for WindowFocus {
 
 impl Theatre {
     fn new(speaker: Speaker) -> Self {
-        Self {
-            art: Rc::new(Art::new()),
-            sheets: Sheets::default(),
-            speaker,
-            ear: Ear::default(),
-            view: None,
-            tick_started: Instant::now(),
-            tick_cost: 0.0,
-            frame_cost: pace::EASY,
-        }
+        Self { speaker, ear: Ear::default(), view: None, tick_started: Instant::now(), tick_cost: 0.0, frame_cost: pace::EASY }
     }
 
     /// The body under the pointer, and the place in the level, m, where a game is shown.
@@ -479,7 +479,7 @@ fn music(screen: &Screen) -> Option<&str> {
 impl Spectator for Theatre {
     fn begins(&mut self, game: &Game) {
         self.ear = Ear::default();
-        self.view = Some(GameView::new(game, self.art.clone(), &|path| level::read_picture(path).ok()));
+        self.view = Some(GameView::new(game, &|path| level::read_picture(path).ok()));
         self.tick_cost = 0.0;
     }
 

@@ -1,13 +1,12 @@
 //! Free-body arrows: what each kind of force looks like - its colour, its dash, its head - and how an arrow and its label are drawn.
 
-use super::canvas::{Canvas, Style};
 pub use super::facts::Shown;
 use super::free_body::Label;
 use super::layout::{Area, DETAILS, Vec2};
-use super::theme::{self, faded};
+use super::theme;
+use crate::draw::{Canvas, Colour, Style};
 use crate::game::SHIP;
 use crate::physics::{BodyId, ForceKind};
-use macroquad::color::Color;
 
 /// Width of a force's arrow and of the resultant's, canvas units.
 const WIDTH: f32 = 2.6;
@@ -86,7 +85,7 @@ pub const fn head_length(shown: Shown) -> Vec2 {
 }
 
 /// The colour of what a line or an arrow stands for.
-pub const fn colour(shown: Shown) -> Color {
+pub const fn colour(shown: Shown) -> Colour {
     match shown {
         Shown::Resultant => theme::RESULTANT,
         Shown::Force(kind) => theme::force(kind),
@@ -105,7 +104,7 @@ pub fn draw(arrows: &[Arrow], lit: impl Fn(&Arrow) -> bool, canvas: &Canvas) {
     for arrow in arrows {
         let lit = lit(arrow);
         if lit {
-            canvas.line(arrow.from, arrow.to, 3.5 * WIDTH, faded(colour(arrow.shown), 0.35));
+            canvas.line(arrow.from, arrow.to, 3.5 * WIDTH, colour(arrow.shown).faded(0.35));
         }
         draw_arrow(canvas, arrow, seen(lit, any));
         if !arrow.to_scale {
@@ -124,18 +123,18 @@ fn draw_break(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
     canvas.line(middle - along * BREAK_GAP * 0.5, middle + along * BREAK_GAP * 0.5, RESULTANT_WIDTH + 2.0, theme::ground());
     for side in [-0.5, 0.5] {
         let at = middle + along * (BREAK_GAP * side);
-        canvas.line(at - stroke * half, at + stroke * half, 1.6, faded(colour(arrow.shown), alpha));
+        canvas.line(at - stroke * half, at + stroke * half, 1.6, colour(arrow.shown).faded(alpha));
     }
 }
 
 fn draw_arrow(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
     let resultant = arrow.shown == Shown::Resultant;
     let width = if resultant { RESULTANT_WIDTH } else { WIDTH };
-    let ((head, dash), colour) = (style(arrow.shown), faded(colour(arrow.shown), alpha));
+    let ((head, dash), colour) = (style(arrow.shown), colour(arrow.shown).faded(alpha));
     let along = (arrow.to - arrow.from).normalize_or_zero();
     let tip_length = head_length(arrow.shown).y.min(arrow.length());
     let neck = arrow.to - along * tip_length * 0.8;
-    canvas.line(arrow.from, neck, width + 2.0, faded(theme::ground(), 0.55 * alpha));
+    canvas.line(arrow.from, neck, width + 2.0, theme::ground().faded(0.55 * alpha));
     if dash.is_empty() {
         canvas.line(arrow.from, neck, width, colour);
     } else {
@@ -170,7 +169,7 @@ const fn style(shown: Shown) -> (Head, &'static [f32]) {
     }
 }
 
-fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, pattern: &[f32], width: f32, colour: Color) {
+fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, pattern: &[f32], width: f32, colour: Colour) {
     let along = (to - from).normalize_or_zero();
     let (length, mut at) = ((to - from).length(), 0.0);
     for (i, step) in pattern.iter().cycle().enumerate() {
@@ -185,7 +184,7 @@ fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, pattern: &[f32], width: f32, co
     }
 }
 
-fn draw_head(canvas: &Canvas, head: Head, tip: Vec2, along: Vec2, length: f32, width: f32, colour: Color) {
+fn draw_head(canvas: &Canvas, head: Head, tip: Vec2, along: Vec2, length: f32, width: f32, colour: Colour) {
     let side = along.perp() * length * HEAD_SPREAD;
     let triangle = |tip: Vec2| {
         let base = tip - along * length;
@@ -224,8 +223,8 @@ pub fn draw_labels(arrows: &[Arrow], labels: &[Label], lit: impl Fn(&Arrow) -> b
     for label in labels {
         let arrow = &arrows[label.arrow];
         let seen = seen(lit(arrow), any);
-        canvas.rounded(label.area, 3.0, faded(theme::ground(), 0.85 * seen));
-        let style = Style::new(DETAILS, faded(colour(arrow.shown), seen)).centred().middle();
+        canvas.rounded(label.area, 3.0, theme::ground().faded(0.85 * seen));
+        let style = Style::new(DETAILS, colour(arrow.shown).faded(seen)).centred().middle();
         canvas.text(arrow.name(), label.area.centre(), style);
     }
 }

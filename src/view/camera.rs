@@ -1,7 +1,7 @@
 //! Which part of the level the window shows: pure arithmetic from the ship, the level and the canvas to one [`Viewport`].
 
+use super::layout::{Area, Vec2};
 use crate::physics::{Aabb, DVec2};
-use macroquad::math::{Rect, Vec2};
 
 /// Time in which the camera closes in on the ship to 1/e of the distance, s. Longer swims behind, shorter jerks at every bump.
 const EASE_TIME: f64 = 0.12;
@@ -226,10 +226,10 @@ impl Viewport {
     }
 
     /// Where a box of the level lies, its edges on whole physical pixels so that boxes that adjoin leave no seam.
-    pub fn rect(&self, bounds: &Aabb) -> Rect {
+    pub fn rect(&self, bounds: &Aabb) -> Area {
         let min = self.snap(bounds.min * self.scale - self.origin).as_vec2();
         let max = self.snap(bounds.max * self.scale - self.origin).as_vec2();
-        Rect::new(min.x, min.y, max.x - min.x, max.y - min.y)
+        Area { min, size: max - min }
     }
 
     /// The level, m.

@@ -1,15 +1,14 @@
 //! Draws a work–precision diagram: the same picture as `resultant chart` makes, with one curve or point picked out.
 
-use super::canvas::{Canvas, Style};
 use super::layout::{Area, DETAILS, TEXT, Vec2};
 use super::plot::{Plot, dashes};
 use super::{theme, widgets};
+use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
 use crate::lab::curve::{Measured, Point};
 use crate::lab::diagram::with_order;
 use crate::lab::look::{FRAME, Look, Marker, RING, TOLERANCE_DASH};
-use macroquad::color::Color;
 
 /// Powers of ten that an axis names, at most.
 const NAMED: i32 = 9;
@@ -38,7 +37,7 @@ pub fn draw(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
     dashed(canvas, &ends, TOLERANCE_DASH, 2.0, theme::good());
     for (index, curve) in measured.curves.iter().enumerate() {
         let look = Look::of(index, curve.origin);
-        let colour = shade(theme::rgb(look.colour), picked.curve.is_none_or(|picked| picked == index));
+        let colour = shade(Colour::hex(look.colour), picked.curve.is_none_or(|picked| picked == index));
         let line: Vec<Vec2> = curve.points.iter().filter(|point| !point.blew_up()).map(|point| plot.at(point)).collect();
         stroke(canvas, &line, &look, colour);
         for point in &curve.points {
@@ -60,10 +59,10 @@ pub fn draw(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
 }
 
 /// A colour, or what is left of it on a panel.
-pub(super) fn shade(colour: Color, whole: bool) -> Color {
+pub(super) fn shade(colour: Colour, whole: bool) -> Colour {
     let part = if whole { 1.0 } else { QUIETED };
     let mix = |a: f32, b: f32| a * part + b * (1.0 - part);
-    Color::new(mix(colour.r, theme::panel().r), mix(colour.g, theme::panel().g), mix(colour.b, theme::panel().b), 1.0)
+    Colour::new(mix(colour.r, theme::panel().r), mix(colour.g, theme::panel().g), mix(colour.b, theme::panel().b), 1.0)
 }
 
 fn axes(canvas: &Canvas, plot: &Plot, measured: &Measured) {
@@ -95,7 +94,7 @@ fn axes(canvas: &Canvas, plot: &Plot, measured: &Measured) {
 }
 
 /// A line as a curve looks.
-pub fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Color) {
+pub fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Colour) {
     let width = look.width as f32;
     match look.dash {
         None => line.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], width, colour)),
@@ -103,14 +102,14 @@ pub fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Color) {
     }
 }
 
-pub(super) fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), width: f32, colour: Color) {
+pub(super) fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), width: f32, colour: Colour) {
     for (from, to) in dashes(line, on as f32, off as f32) {
         canvas.line(from, to, width, colour);
     }
 }
 
 /// A curve's marker.
-pub fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Color) {
+pub fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Colour) {
     for piece in shape.pieces() {
         let corners: Vec<Vec2> = piece.into_iter().map(|corner| at + Vec2::from(corner)).collect();
         canvas.convex(&corners, colour);
@@ -137,7 +136,7 @@ pub(super) fn legend_of_curves(canvas: &Canvas, plot: &Plot, measured: &Measured
         }
         let whole = picked.is_none_or(|picked| picked == index);
         let look = Look::of(index, curve.origin);
-        let colour = shade(theme::rgb(look.colour), whole);
+        let colour = shade(Colour::hex(look.colour), whole);
         stroke(canvas, &[Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y)], &look, colour);
         marker(canvas, middle, look.marker, colour);
         let (name, room) = (with_order(curve), area.max().x - words.x);

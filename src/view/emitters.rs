@@ -2,10 +2,10 @@
 
 use super::particles::{Look, Particle, Particles};
 use super::theme;
+use crate::draw::Colour;
 use crate::game::{Game, Outcome, SHIP};
 use crate::level::{Level, ObjectiveKind, SHIP_HALF};
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind};
-use macroquad::color::Color;
 
 /// Particles of the plume a second, at full thrust.
 const PLUME_RATE: f64 = 110.0;
@@ -157,7 +157,7 @@ pub fn dust(particles: &mut Particles, point: DVec2, normal: DVec2, speed: f64) 
 }
 
 /// The colour of an objective: its kind's, or green while it is met.
-pub fn objective_colour(game: &Game, index: usize) -> Color {
+pub fn objective_colour(game: &Game, index: usize) -> Colour {
     match game.level().objectives[index].kind {
         _ if game.met()[index] => theme::good(),
         // Its turn has not come.
@@ -204,7 +204,7 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
             let body = game.world().body(body(i));
             let (position, out) = on_outline(&body.bounds(), particles);
             let velocity = body.velocity * 0.3 + out * particles.between(0.3, 0.9);
-            spark(particles, position, velocity, Color::from_rgba(r, g, b, 255));
+            spark(particles, position, velocity, Colour::of([r, g, b]));
         }
         Emitter::Stream(i) => {
             let stream = &level.streams[i];
@@ -239,7 +239,7 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
     }
 }
 
-fn spark(particles: &mut Particles, position: DVec2, velocity: DVec2, colour: Color) {
+fn spark(particles: &mut Particles, position: DVec2, velocity: DVec2, colour: Colour) {
     let life = particles.between(0.6, 1.3) as f32;
     particles.add(Particle { position, velocity, age: 0.0, life, look: Look::Spark, colour });
 }

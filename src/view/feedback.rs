@@ -2,13 +2,10 @@
 //! the praise that float up, the ring of an objective met.
 
 use super::camera::Viewport;
-use super::canvas::{Canvas, Style};
-use super::layout::BUTTON_TEXT;
-use super::theme::{self, faded};
+use super::layout::{Area, BUTTON_TEXT, Vec2};
+use super::theme;
+use crate::draw::{Canvas, Colour, Style};
 use crate::physics::DVec2;
-use macroquad::color::Color;
-use macroquad::math::Vec2;
-use macroquad::shapes::draw_rectangle;
 
 /// How long a damaging hit shakes the screen, s.
 const SHAKE_TIME: f64 = 0.2;
@@ -34,14 +31,14 @@ pub struct Feedback {
     hit: Option<f64>,
     death: Option<f64>,
     floats: Vec<Float>,
-    rings: Vec<(DVec2, Color, f64)>,
+    rings: Vec<(DVec2, Colour, f64)>,
 }
 
 /// Words that float up from a point (m).
 struct Float {
     point: DVec2,
     words: String,
-    colour: Color,
+    colour: Colour,
     age: f64,
 }
 
@@ -59,12 +56,12 @@ impl Feedback {
     }
 
     /// Words that float up from a point (m).
-    pub fn float(&mut self, point: DVec2, words: String, colour: Color) {
+    pub fn float(&mut self, point: DVec2, words: String, colour: Colour) {
         self.floats.push(Float { point, words, colour, age: 0.0 });
     }
 
     /// A ring that spreads once from a point (m).
-    pub fn ring(&mut self, centre: DVec2, colour: Color) {
+    pub fn ring(&mut self, centre: DVec2, colour: Colour) {
         self.rings.push((centre, colour, 0.0));
     }
 
@@ -95,7 +92,7 @@ impl Feedback {
         for (centre, colour, age) in &self.rings {
             let t = age / RING_TIME;
             let spread = 1.0 - (1.0 - t).powi(3);
-            canvas.ring(view.point(*centre), view.length(0.5 + RING_REACH * spread), 4.0, faded(*colour, 1.0 - t as f32));
+            canvas.ring(view.point(*centre), view.length(0.5 + RING_REACH * spread), 4.0, colour.faded(1.0 - t as f32));
         }
         for Float { point, words, colour, age } in &self.floats {
             let t = (age / FLOAT_TIME) as f32;
@@ -104,7 +101,7 @@ impl Feedback {
             let beside = if at.y < TOP { FLOAT_ASIDE * (canvas.size().x / 2.0 - at.x).signum() } else { 0.0 };
             let low = Vec2::new(48.0, TOP);
             let at = (at + Vec2::new(beside, 0.0)).clamp(low, (canvas.size() - low).max(low));
-            let style = Style::new(BUTTON_TEXT, faded(*colour, (2.0 - 2.0 * t).min(1.0))).mono().centred().middle();
+            let style = Style::new(BUTTON_TEXT, colour.faded((2.0 - 2.0 * t).min(1.0))).mono().centred().middle();
             canvas.text(words, at, style);
         }
     }
@@ -114,19 +111,19 @@ impl Feedback {
         const BANDS: usize = 12;
         if let Some(age) = self.death {
             let left = (1.0 - age / DEATH_FLASH) as f32;
-            draw_rectangle(0.0, 0.0, canvas.size().x, canvas.size().y, faded(theme::text(), 0.7 * left));
+            canvas.rectangle(Area::new(0.0, 0.0, canvas.size().x, canvas.size().y), theme::text().faded(0.7 * left));
         }
         let Some(age) = self.hit else { return };
         let left = (1.0 - age / FLASH_TIME).max(0.0) as f32;
         let (size, step) = (canvas.size(), 7.0);
         for band in 0..BANDS {
             let (inset, fall) = (band as f32 * step, 1.0 - band as f32 / BANDS as f32);
-            let colour = faded(theme::bad(), 0.6 * left * fall * fall);
+            let colour = theme::bad().faded(0.6 * left * fall * fall);
             let (w, h) = (size.x - 2.0 * inset, size.y - 2.0 * inset - 2.0 * step);
-            draw_rectangle(inset, inset, w, step, colour);
-            draw_rectangle(inset, size.y - inset - step, w, step, colour);
-            draw_rectangle(inset, inset + step, step, h, colour);
-            draw_rectangle(size.x - inset - step, inset + step, step, h, colour);
+            canvas.rectangle(Area::new(inset, inset, w, step), colour);
+            canvas.rectangle(Area::new(inset, size.y - inset - step, w, step), colour);
+            canvas.rectangle(Area::new(inset, inset + step, step, h), colour);
+            canvas.rectangle(Area::new(size.x - inset - step, inset + step, step, h), colour);
         }
     }
 }

@@ -1,9 +1,7 @@
 //! The game's picture, put together: what lies below is drawn first, words after the shapes of their layer.
 
-use super::art::Art;
 use super::barriers::Barriers;
 use super::camera::{Camera, Viewport, Window};
-use super::canvas::Canvas;
 use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
@@ -13,19 +11,17 @@ use super::layout::{Area, Frame, Vec2};
 use super::particles::Particles;
 use super::pictures::Pictures;
 use super::terrain::Terrain;
-use super::theme::faded;
 use super::things::Brushes;
 use super::touchdown::{GENTLE, Touchdown};
 use super::wreck::Wreck;
 use super::{decoration, hitboxes, hud, mechanisms, theme, things, world, zones};
+use crate::draw::{Canvas, Colour};
 use crate::game::{Game, GameEvent, Outcome, Pose, SHIP};
 use crate::level::{SHIP_HALF, SurfaceOf};
 use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::Settings;
-use macroquad::color::Color;
 use std::path::Path;
-use std::rc::Rc;
 
 /// Canvas units. What is smaller is as easy to point at as something with half such sides.
 const GRAB: f32 = 12.0;
@@ -49,7 +45,6 @@ const NAMED_APART: f64 = 2.5;
 
 /// The view of one attempt: what is drawn besides the game's own state.
 pub struct GameView {
-    art: Rc<Art>,
     pictures: Pictures,
     terrain: Terrain,
     camera: Camera,
@@ -109,9 +104,9 @@ impl Overlays {
 }
 
 impl GameView {
-    /// The view of a game that begins. `art` is painted once and shared; `read` hands over the bytes of a picture that the
+    /// The view of a game that begins. `read` hands over the bytes of a picture that the
     /// level names.
-    pub fn new(game: &Game, art: Rc<Art>, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
+    pub fn new(game: &Game, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
         let level = game.level();
         let pictures = Pictures::new(level, read);
         let over_picture = level.background.as_ref().is_some_and(|path| pictures.get(path).is_some());
@@ -119,7 +114,6 @@ impl GameView {
         let lamps = lamps.chain(level.obstacles.iter().map(|bounds| (*bounds, OBSTACLE_REACH)));
         let terrain = Terrain::new(level, lamps, &world::text_areas(level), over_picture);
         Self {
-            art,
             pictures,
             terrain,
             camera: Camera::new(game.world().body(game.lead()).position),
@@ -141,7 +135,7 @@ impl GameView {
     /// The same for a game that goes on in another level: it looks where it looked.
     #[must_use]
     pub fn goes_on(&self, game: &Game, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
-        Self { camera: self.camera, time: self.time, ..Self::new(game, self.art.clone(), read) }
+        Self { camera: self.camera, time: self.time, ..Self::new(game, read) }
     }
 
     /// Takes up what happened in the tick just made. To be called once a tick.
@@ -301,34 +295,34 @@ impl GameView {
         if overlays.settings.flash {
             self.feedback.draw_flash(canvas);
         }
-        self.hud.draw(game, &overlays.settings, !overlays.watched, &self.art, canvas);
+        self.hud.draw(game, &overlays.settings, !overlays.watched, canvas);
         canvas.end_layer();
     }
 
     fn draw_level(&self, game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas) {
-        let (level, art, time) = (game.level(), &*self.art, self.time);
+        let (level, time) = (game.level(), self.time);
         let (ship, plume) = ((centre(game, SHIP, alpha), angle(game, alpha)), self.emitters.plume());
         let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
         world::draw_ground(level, self.terrain.tint(), &self.pictures, view, canvas);
-        decoration::draw(level, false, &self.pictures, view);
+        decoration::draw(level, false, &self.pictures, (view, canvas));
         mechanisms::draw_fields(level, view, canvas, time);
         zones::draw_streams(game, view, canvas, time);
         // Below everything that could be in them: see there.
         zones::draw_fluids(level, view, canvas, time);
-        zones::draw_objectives(game, art, view, canvas, time);
+        zones::draw_objectives(game, view, canvas, time);
         mechanisms::draw_areas(game, view, canvas, time);
         // Smoke and dust vanish behind what is solid.
-        self.particles.draw(art, view);
-        self.terrain.draw(art, view, canvas);
-        decoration::draw_on_rock(level, &self.terrain, &self.pictures, view);
-        self.draw_lights(game, alpha, flicker, view);
+        self.particles.draw(view, canvas);
+        self.terrain.draw(view, canvas);
+        decoration::draw_on_rock(level, &self.terrain, &self.pictures, (view, canvas));
+        self.draw_lights(game, alpha, flicker, (view, canvas));
         zones::draw_sources(level, view, canvas);
-        mechanisms::draw(game, alpha, art, view, canvas, time);
-        zones::draw_obstacles(level, art, view, time);
+        mechanisms::draw(game, alpha, view, canvas, time);
+        zones::draw_obstacles(level, view, canvas, time);
         world::draw_texts(level, view, canvas);
         // What moves hides the words on walls, pads and plates.
         canvas.end_layer();
-        let brushes = Brushes { art, pictures: &self.pictures, view, canvas };
+        let brushes = Brushes { pictures: &self.pictures, view, canvas };
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
             let at = centre(game, id, alpha);
             things::draw_object(object, at, zones::in_liquid(&level.fluids, &Aabb::around(at, object.size * 0.5)), brushes);
@@ -346,33 +340,33 @@ impl GameView {
             things::draw_ghost(apart.then_some(ghost.name.as_str()), pose, brushes);
         }
         match &self.wreck {
-            Some(wreck) if !wreck.is_whole() => wreck.draw(view),
+            Some(wreck) if !wreck.is_whole() => wreck.draw(view, canvas),
             _ => {
                 let light = zones::in_liquid(&level.fluids, &Aabb::around(ship.0, SHIP_HALF));
                 let (sin, cos) = ship.1.to_radians().sin_cos();
                 let room = self.particles.barriers().room(ship.0, DVec2::new(-sin, cos) * plume.1, FLAME_REACH);
                 let pose = things::ShipPose { centre: ship.0, angle: ship.1, squash: self.touchdown.squash(), light, room };
-                things::draw_ship(&pose, plume, flicker, art, view);
+                things::draw_ship(&pose, plume, flicker, view, canvas);
             }
         }
         zones::draw_holds(game, ship.0, view, canvas);
-        decoration::draw(level, true, &self.pictures, view);
+        decoration::draw(level, true, &self.pictures, (view, canvas));
         self.feedback.draw_in_level(view, canvas);
     }
 
     /// The light of objectives, death boxes, key objects and the engine on the rock near them.
-    fn draw_lights(&self, game: &Game, alpha: f64, flicker: f64, view: &Viewport) {
+    fn draw_lights(&self, game: &Game, alpha: f64, flicker: f64, (view, canvas): (&Viewport, &Canvas)) {
         let level = game.level();
         for index in 0..level.objectives.len() {
-            self.terrain.draw_lamp(index, faded(objective_colour(game, index), OBJECTIVE_LIGHT), view);
+            self.terrain.draw_lamp(index, objective_colour(game, index).faded(OBJECTIVE_LIGHT), (view, canvas));
         }
         for index in 0..level.obstacles.len() {
-            self.terrain.draw_lamp(level.objectives.len() + index, faded(theme::bad(), OBSTACLE_LIGHT), view);
+            self.terrain.draw_lamp(level.objectives.len() + index, theme::bad().faded(OBSTACLE_LIGHT), (view, canvas));
         }
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
             if let Some([r, g, b]) = object.key {
-                let colour = faded(Color::from_rgba(r, g, b, 255), KEY_LIGHT);
-                self.terrain.draw_moving_light(centre(game, id, alpha), KEY_REACH, colour, view);
+                let colour = Colour::of([r, g, b]).faded(KEY_LIGHT);
+                self.terrain.draw_moving_light(centre(game, id, alpha), KEY_REACH, colour, (view, canvas));
             }
         }
         let (strength, way) = self.emitters.plume();
@@ -380,7 +374,12 @@ impl GameView {
             let (sin, cos) = angle(game, alpha).to_radians().sin_cos();
             let flame = centre(game, SHIP, alpha) + DVec2::new(-sin, cos) * (way * (SHIP_HALF.y + 0.3));
             let light = strength * (0.8 + 0.2 * flicker);
-            self.terrain.draw_moving_light(flame, ENGINE_REACH * light, faded(theme::accent(), ENGINE_LIGHT * light as f32), view);
+            self.terrain.draw_moving_light(
+                flame,
+                ENGINE_REACH * light,
+                theme::accent().faded(ENGINE_LIGHT * light as f32),
+                (view, canvas),
+            );
         }
     }
 

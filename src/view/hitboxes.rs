@@ -2,20 +2,18 @@
 //! figures.
 
 use super::camera::Viewport;
-use super::canvas::{Canvas, Style};
 use super::layout::{Area, DETAILS, Frame, GRID, HudLayout, LINE, MONO_ADVANCE, Vec2};
-use super::theme::{self, faded, rgb};
+use super::theme;
+use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
 use crate::level::ship_body;
 use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind, Source};
-use macroquad::color::Color;
-use macroquad::shapes::draw_rectangle_lines;
 
 /// The colours of bodies, solid surfaces and zones.
-const BODY: Color = rgb(0x7CFF6B);
-const SURFACE: Color = rgb(0x56B4E9);
-const ZONE: Color = rgb(0xE6EBF2);
+const BODY: Colour = Colour::hex(0x7CFF6B);
+const SURFACE: Colour = Colour::hex(0x56B4E9);
+const ZONE: Colour = Colour::hex(0xE6EBF2);
 /// The characters that a line of figures has room for at least: the panel keeps its width while they change.
 const FIGURES: usize = 46;
 /// Two boxes count as touching for this drawing within so many metres.
@@ -24,10 +22,10 @@ const NEAR: f64 = 1e-3;
 /// Draws the outlines and the line of `figures` (frames a second, cost of a tick), which the caller has measured.
 pub fn draw(game: &Game, figures: &str, view: &Viewport, canvas: &Canvas) {
     let (level, world) = (game.level(), game.world());
-    let outline = |bounds: &Aabb, colour: Color| {
+    let outline = |bounds: &Aabb, colour: Colour| {
         if bounds.touches(&view.visible(), 0.0) {
             let area = view.rect(bounds);
-            draw_rectangle_lines(area.x, area.y, area.w, area.h, 2.0, colour);
+            canvas.rectangle_edge(area, 1.0, colour);
         }
     };
     for surface in world.surfaces() {
@@ -104,7 +102,7 @@ fn draw_figures(game: &Game, figures: &str, canvas: &Canvas) {
     let angle = fixed(game.ship().angle, 1);
     let place = format!("tick {}  ship {}, {} m  {angle}°", game.ticks(), fixed(x, 3), fixed(y, 3));
     let (line, area) = (canvas.line_height(DETAILS), figures_area(game, canvas.frame()));
-    canvas.rounded(area, GRID, faded(theme::ground(), 0.8));
+    canvas.rounded(area, GRID, theme::ground().faded(0.8));
     for (i, text) in [figures.to_owned(), place].into_iter().chain(counts(game)).enumerate() {
         let at = area.min + Vec2::new(GRID, GRID * 0.5 + i as f32 * line);
         canvas.text(&text, at, Style::new(DETAILS, theme::text()).mono());

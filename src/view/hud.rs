@@ -6,26 +6,24 @@ mod pointers;
 pub use aside::{Aside, Part, Shown};
 pub use pointers::{Pointer, Target, in_view, targets};
 
-use super::art::{Art, Tile};
+use super::art::{self, Tile};
 use super::camera::Viewport;
-use super::canvas::{Canvas, Style};
 use super::details::on_canvas;
 use super::emitters::objective_colour;
 use super::layout::{Area, DETAILS, Frame, GRID, HudLayout, TEXT, Vec2, text_room};
-use super::theme::{self, faded, rgb};
+use super::theme;
 use super::widgets::panel_in;
 use super::zones::diamond;
+use crate::draw::{Canvas, Colour, Style};
 use crate::game::{DAMAGING_SPEED, Game, SHIP};
 use crate::level::ObjectiveKind;
 use crate::number::{clock, fixed};
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::{Action, Settings};
-use macroquad::color::{Color, WHITE};
-use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
 
 /// The fuel bar's colour when full; it runs to [`FUEL_EMPTY`].
-const FUEL_FULL: Color = rgb(0xFFB01C);
-const FUEL_EMPTY: Color = rgb(0xF2302F);
+const FUEL_FULL: Colour = Colour::hex(0xFFB01C);
+const FUEL_EMPTY: Colour = Colour::hex(0xF2302F);
 /// How much of the level a part hides at home; and how much of its words is left where it has stepped aside.
 const HIDES: f32 = 0.9;
 const WORDS_ASIDE: f32 = 0.3;
@@ -110,15 +108,15 @@ impl Hud {
     }
 
     /// Draws all of it but the strip of a race; whether the keys of the flight are `told` at the start of the first level.
-    pub fn draw(&self, game: &Game, settings: &Settings, told: bool, art: &Art, canvas: &Canvas) {
+    pub fn draw(&self, game: &Game, settings: &Settings, told: bool, canvas: &Canvas) {
         for pointer in &self.pointers {
-            draw_pointer(pointer, game, art, canvas);
+            draw_pointer(pointer, game, canvas);
         }
         if let Some(area) = self.aside.home(Part::Status) {
             draw_status(game, settings, area, self.aside.of(Part::Status), canvas);
         }
         if let Some((words, area)) = &self.stranded {
-            panel_in(canvas, *area, faded(theme::panel(), HIDES), theme::panel_edge());
+            panel_in(canvas, *area, theme::panel().faded(HIDES), theme::panel_edge());
             canvas.text(words, area.centre(), Style::new(TEXT, theme::text()).centred().middle());
         }
         if let Some(bar) = self.aside.fuel_bar(canvas.frame()) {
@@ -160,7 +158,7 @@ fn stranded(scene: &Scene, ship: Area, others: &[Area]) -> (String, Area) {
 
 /// An arrow at the window's edge: its head towards the target, the target's sign and the distance. A goal's sign is a box, with the ship's
 /// picture or a diamond in it; a key's is the key with its diamond.
-fn draw_pointer(pointer: &Pointer, game: &Game, art: &Art, canvas: &Canvas) {
+fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
     let level = game.level();
     let panel = pointer.panel();
     let sign = Area::around(Vec2::new(panel.min.x + GRID + pointers::SIGN / 2.0, panel.centre().y), Vec2::splat(pointers::SIGN));
@@ -174,13 +172,13 @@ fn draw_pointer(pointer: &Pointer, game: &Game, art: &Art, canvas: &Canvas) {
     let (tip, across) = (panel.centre() + pointer.along * (reach + pointers::HEAD), pointer.along.perp() * (0.4 * pointers::HEAD));
     let root = tip - pointer.along * (1.5 * pointers::HEAD);
     canvas.convex(&[tip, root + across, root - across], colour);
-    panel_in(canvas, panel, faded(theme::panel(), HIDES), colour);
+    panel_in(canvas, panel, theme::panel().faded(HIDES), colour);
     match pointer.target {
         Target::Objective(index) => {
-            draw_rectangle(sign.min.x, sign.min.y, sign.size.x, sign.size.y, faded(colour, 0.30));
-            draw_rectangle_lines(sign.min.x, sign.min.y, sign.size.x, sign.size.y, 3.0, colour);
+            canvas.rectangle(sign, colour.faded(0.30));
+            canvas.rectangle_edge(sign, 1.5, colour);
             match level.objectives[index].kind {
-                ObjectiveKind::Player => art.draw(Tile::Ship, middle, sign.size * 0.8, 0.0, WHITE),
+                ObjectiveKind::Player => art::draw(canvas, Tile::Ship, Area::around(middle, sign.size * 0.8), 0.0, Colour::WHITE),
                 ObjectiveKind::Physics => diamond(canvas, middle, 5.0, key_colour(level.objectives[index].colour)),
             }
         }
@@ -188,9 +186,9 @@ fn draw_pointer(pointer: &Pointer, game: &Game, art: &Art, canvas: &Canvas) {
             if level.objects[index].circular {
                 canvas.disc(middle, sign.size.x / 2.0, colour);
             } else {
-                draw_rectangle(sign.min.x, sign.min.y, sign.size.x, sign.size.y, colour);
+                canvas.rectangle(sign, colour);
             }
-            diamond(canvas, middle, 5.0, WHITE);
+            diamond(canvas, middle, 5.0, Colour::WHITE);
         }
     }
     let words = Style::new(DETAILS, theme::text()).mono().middle().right();
@@ -198,8 +196,8 @@ fn draw_pointer(pointer: &Pointer, game: &Game, art: &Art, canvas: &Canvas) {
 }
 
 /// The colour of a key, or of what takes any.
-fn key_colour(key: Option<[u8; 3]>) -> Color {
-    key.map_or(theme::physics_objective(), |[r, g, b]| Color::from_rgba(r, g, b, 255))
+fn key_colour(key: Option<[u8; 3]>) -> Colour {
+    key.map_or(theme::physics_objective(), Colour::of)
 }
 
 /// What the keys do, as the first level tells at its start: in the fuel bar, where it hides nothing.
@@ -219,9 +217,9 @@ pub const fn left(aside: f32) -> (f32, f32) {
 
 fn draw_status(game: &Game, settings: &Settings, area: Area, aside: f32, canvas: &Canvas) {
     let (ground, words) = left(aside);
-    panel_in(canvas, area, faded(theme::panel(), HIDES * ground), faded(theme::panel_edge(), ground));
+    panel_in(canvas, area, theme::panel().faded(HIDES * ground), theme::panel_edge().faded(ground));
     let middle = area.min.y + area.size.y * 0.29;
-    let number = Style::new(TEXT, faded(theme::text(), words)).mono().middle();
+    let number = Style::new(TEXT, theme::text().faded(words)).mono().middle();
     let left = area.min.x + 2.0 * GRID;
     if settings.timer {
         canvas.text(&clock(if game.is_idle() { 0.0 } else { game.time() }), Vec2::new(left, middle), number);
@@ -231,16 +229,16 @@ fn draw_status(game: &Game, settings: &Settings, area: Area, aside: f32, canvas:
     let colour = if met == all { theme::good() } else { theme::text() };
     let right = area.max().x - 2.0 * GRID;
     let count = format!("{met}/{all}");
-    let style = Style::new(TEXT, faded(colour, words)).mono().middle().right();
+    let style = Style::new(TEXT, colour.faded(words)).mono().middle().right();
     canvas.text(&count, Vec2::new(right, middle), style);
     let name = Vec2::new(right - canvas.width(&count, style) - GRID, middle);
-    canvas.text("Objectives", name, Style::new(TEXT, faded(theme::quiet(), words)).middle().right());
+    canvas.text("Objectives", name, Style::new(TEXT, theme::quiet().faded(words)).middle().right());
 }
 
 /// The ship's speed as a number and as a bar with a mark where it damages, so `strong` (0 … 1).
 fn draw_speed(game: &Game, area: Area, strong: f32, canvas: &Canvas) {
     let speed = game.world().body(SHIP).velocity.length();
-    let colour = faded(speed_colour(speed), strong);
+    let colour = speed_colour(speed).faded(strong);
     let y = area.min.y + area.size.y * 0.72;
     let left = area.min.x + 2.0 * GRID;
     let words = format!("{:>5} m/s", fixed(speed, 1));
@@ -249,14 +247,14 @@ fn draw_speed(game: &Game, area: Area, strong: f32, canvas: &Canvas) {
     let start = left + canvas.width(&words, style) + 1.5 * GRID;
     let (length, height) = (area.max().x - 2.0 * GRID - start, GRID);
     let share = (speed / GAUGE_END).min(1.0) as f32;
-    draw_rectangle(start, y - height / 2.0, length, height, faded(theme::ground(), strong));
-    draw_rectangle(start, y - height / 2.0, length * share, height, colour);
+    canvas.rectangle(Area::new(start, y - height / 2.0, length, height), theme::ground().faded(strong));
+    canvas.rectangle(Area::new(start, y - height / 2.0, length * share, height), colour);
     let mark = start + length * (DAMAGING_SPEED / GAUGE_END) as f32;
-    draw_rectangle(mark - 1.0, y - height, 2.0, 2.0 * height, faded(theme::bad(), strong));
+    canvas.rectangle(Area::new(mark - 1.0, y - height, 2.0, 2.0 * height), theme::bad().faded(strong));
 }
 
 /// Red where a hit would damage.
-fn speed_colour(speed: f64) -> Color {
+fn speed_colour(speed: f64) -> Colour {
     if speed >= DAMAGING_SPEED { theme::bad() } else { theme::text() }
 }
 
@@ -279,7 +277,7 @@ pub fn velocity_tip(velocity: DVec2, centre: DVec2, view: &Viewport) -> Option<A
 /// Draws it.
 pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &Canvas) {
     let Some((from, to)) = velocity_arrow(velocity, centre, view) else { return };
-    let colour = faded(speed_colour(velocity.length()), 0.85);
+    let colour = speed_colour(velocity.length()).faded(0.85);
     let (way, head) = ((to - from).normalize_or_zero(), VELOCITY_HEAD);
     canvas.line(from, to - way * head * 0.6, 3.0, colour);
     canvas.convex(&[to, to - way * head + way.perp() * head * 0.5, to - way * head - way.perp() * head * 0.5], colour);
@@ -288,8 +286,8 @@ pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &C
 /// The bar at `area`; where it has stepped `aside` it is a line without words.
 fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
     let (at, size) = (area.min, area.size);
-    draw_rectangle(at.x, at.y, size.x, size.y, faded(theme::panel(), HIDES));
-    draw_rectangle(at.x, at.y, size.x * share, size.y, fuel_colour(share));
+    canvas.rectangle(Area::new(at.x, at.y, size.x, size.y), theme::panel().faded(HIDES));
+    canvas.rectangle(Area::new(at.x, at.y, size.x * share, size.y), fuel_colour(share));
     // Dark words on the bright bar; where the bar has gone, light ones.
     let style = Style::new(DETAILS, theme::ground()).mono().middle();
     let width = canvas.width(words, style);
@@ -301,18 +299,18 @@ fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
     for quarter in 1..4_u8 {
         let x = at.x + size.x * f32::from(quarter) / 4.0;
         if !named.contains(&x) {
-            draw_rectangle(x - 1.0, at.y, 2.0, size.y, faded(theme::ground(), 0.6));
+            canvas.rectangle(Area::new(x - 1.0, at.y, 2.0, size.y), theme::ground().faded(0.6));
         }
     }
-    draw_rectangle_lines(at.x, at.y, size.x, size.y, 4.0 * (1.0 - aside), faded(theme::panel_edge(), 1.0 - aside));
-    let style = Style { colour: faded(colour, (1.0 - 2.0 * aside).max(0.0)), ..style };
+    canvas.rectangle_edge(Area::new(at.x, at.y, size.x, size.y), 2.0 * (1.0 - aside), theme::panel_edge().faded(1.0 - aside));
+    let style = Style { colour: colour.faded((1.0 - 2.0 * aside).max(0.0)), ..style };
     canvas.text(words, Vec2::new(x, area.centre().y), style);
 }
 
 /// From yellow-orange when full to red when empty.
-pub fn fuel_colour(share: f32) -> Color {
+pub fn fuel_colour(share: f32) -> Colour {
     let mix = |empty: f32, full: f32| empty + (full - empty) * share.clamp(0.0, 1.0);
-    Color::new(mix(FUEL_EMPTY.r, FUEL_FULL.r), mix(FUEL_EMPTY.g, FUEL_FULL.g), mix(FUEL_EMPTY.b, FUEL_FULL.b), 1.0)
+    Colour::new(mix(FUEL_EMPTY.r, FUEL_FULL.r), mix(FUEL_EMPTY.g, FUEL_FULL.g), mix(FUEL_EMPTY.b, FUEL_FULL.b), 1.0)
 }
 
 #[cfg(test)]

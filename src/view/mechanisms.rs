@@ -2,25 +2,22 @@
 //! have a dashed track with a tick at each way point; doors are barred; belts run with chevrons; what is solid from one side has one thick
 //! side; what is fragile is cracked.
 
-use super::art::{Art, Tile};
+use super::art::{self, Tile};
 use super::camera::Viewport;
-use super::canvas::{Canvas, Style};
 use super::layout::{Area, DETAILS, Vec2};
 use super::particles::{Look, Particle, Particles};
 use super::terrain::material_edge;
-use super::theme::{self, faded, rgb};
+use super::theme;
 use super::things::exact;
+use crate::draw::{Canvas, Colour, Style};
 use crate::game::Game;
 use crate::level::{Level, Mover, Route, Solid, SurfaceOf, Worked};
 use crate::number::fixed;
 use crate::physics::{Aabb, DVec2, ForceKind, Material, Sides};
-use macroquad::color::Color;
-use macroquad::math::Rect;
-use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
 
 /// The body of what moves or opens: bluer and lighter than any rock.
-const WORKS: Color = rgb(0x3D5878);
-const WORKS_EDGE: Color = rgb(0x9CC3EE);
+const WORKS: Colour = Colour::hex(0x3D5878);
+const WORKS_EDGE: Colour = Colour::hex(0x9CC3EE);
 /// A dash and the gap after it, canvas units.
 const DASH: [f32; 2] = [7.0, 5.0];
 /// Between two chevrons of a belt, m, and their height.
@@ -34,8 +31,8 @@ pub fn draw_fields(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     let (visible, colour) = (view.visible(), theme::force(ForceKind::Weight));
     for field in level.fields.iter().filter(|field| field.zone.touches(&visible, 0.0)) {
         let area = view.rect(&field.zone);
-        draw_rectangle(area.x, area.y, area.w, area.h, faded(colour, 0.07));
-        dashed_outline(canvas, &area, faded(colour, 0.6));
+        canvas.rectangle(area, colour.faded(0.07));
+        dashed_outline(canvas, area, colour.faded(0.6));
         let pull = field.strength + DVec2::new(level.gravity_x, level.gravity);
         let way = pull.normalize_or_zero();
         let drift = way * ((time * 0.8).rem_euclid(1.0) * ARROW_STEP * 0.25);
@@ -44,9 +41,9 @@ pub fn draw_fields(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
             for y in marks(shown.min.y, shown.max.y) {
                 let at = DVec2::new(x, y) + drift;
                 if way == DVec2::ZERO {
-                    canvas.ring(view.point(DVec2::new(x, y)), 4.0, 1.5, faded(colour, 0.5));
+                    canvas.ring(view.point(DVec2::new(x, y)), 4.0, 1.5, colour.faded(0.5));
                 } else if field.zone.contains(&Aabb::around(at, DVec2::splat(0.3)), 0.0) {
-                    arrow(canvas, view, at, way * 0.5, faded(colour, 0.5));
+                    arrow(canvas, view, at, way * 0.5, colour.faded(0.5));
                 }
             }
         }
@@ -67,25 +64,24 @@ pub fn draw_areas(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
             continue;
         }
         let (area, colour) = (view.rect(&switch.bounds), lamp_colour(game, index));
-        draw_rectangle(area.x, area.y, area.w, area.h, faded(colour, if game.mechanisms().on()[index] { 0.22 } else { 0.08 }));
-        dashed_outline(canvas, &area, colour);
-        lamp(canvas, area.center(), colour, game.mechanisms().is_pressed(index));
+        canvas.rectangle(area, colour.faded(if game.mechanisms().on()[index] { 0.22 } else { 0.08 }));
+        dashed_outline(canvas, area, colour);
+        lamp(canvas, area.centre(), colour, game.mechanisms().is_pressed(index));
     }
     for (index, pod) in level.pods.iter().enumerate() {
         if !game.mechanisms().is_taken(index) && pod.bounds.touches(&visible, 1.0) {
-            draw_pod(&view.rect(&pod.bounds), canvas, time);
+            draw_pod(view.rect(&pod.bounds), canvas, time);
         }
     }
 }
 
 /// A canister with a drop on it, which glows.
-fn draw_pod(area: &Rect, canvas: &Canvas, time: f64) {
+fn draw_pod(area: Area, canvas: &Canvas, time: f64) {
     let pulse = 0.5 + 0.5 * (time * 3.1).sin() as f32;
-    let round = (area.w.min(area.h) * 0.3).min(10.0);
-    let all = Area { min: area.point(), size: area.size() };
-    canvas.rounded(all, round, faded(theme::accent(), 0.25 + 0.15 * pulse));
-    canvas.rounded_edge(all, round, 2.5, theme::accent());
-    let (middle, size) = (area.center(), area.w.min(area.h) * 0.24);
+    let round = (area.size.x.min(area.size.y) * 0.3).min(10.0);
+    canvas.rounded(area, round, theme::accent().faded(0.25 + 0.15 * pulse));
+    canvas.rounded_edge(area, round, 2.5, theme::accent());
+    let (middle, size) = (area.centre(), area.size.x.min(area.size.y) * 0.24);
     canvas.disc(middle + Vec2::new(0.0, size * 0.35), size * 0.8, theme::accent());
     canvas.convex(
         &[middle + Vec2::new(0.0, -size * 1.3), middle + Vec2::new(size * 0.72, 0.0), middle + Vec2::new(-size * 0.72, 0.0)],
@@ -94,7 +90,7 @@ fn draw_pod(area: &Rect, canvas: &Canvas, time: f64) {
 }
 
 /// Everything that is solid and no rock. `alpha` is how far the frame lies between the last tick but one and the last.
-pub fn draw(game: &Game, alpha: f64, art: &Art, view: &Viewport, canvas: &Canvas, time: f64) {
+pub fn draw(game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas, time: f64) {
     let level = game.level();
     for mover in &level.movers {
         draw_track(mover, view, canvas);
@@ -105,10 +101,10 @@ pub fn draw(game: &Game, alpha: f64, art: &Art, view: &Viewport, canvas: &Canvas
         }
         let area = view.rect(&solid.bounds);
         if solid.sides != Sides::ALL {
-            draw_one_way(solid, &area, canvas);
+            draw_one_way(solid, area, canvas);
         } else if solid.breaks.is_some() {
-            art.fill(Tile::Material(solid.material.name), &solid.bounds, view, faded(theme::text(), 0.8));
-            draw_cracks(solid, &area, canvas);
+            art::fill(canvas, Tile::Material(solid.material.name), &solid.bounds, view, theme::text().faded(0.8));
+            draw_cracks(solid, area, canvas);
         }
         let runs = game.mechanisms().is_on(Worked::Belt(index));
         draw_skin(solid, &solid.bounds, runs, (view, canvas), time);
@@ -126,12 +122,12 @@ pub fn draw(game: &Game, alpha: f64, art: &Art, view: &Viewport, canvas: &Canvas
     for (index, switch) in level.switches.iter().enumerate() {
         if let Some(weight) = switch.weight {
             let area = view.rect(&switch.bounds);
-            draw_plate(&area, lamp_colour(game, index), game.mechanisms().is_pressed(index), canvas);
+            draw_plate(area, lamp_colour(game, index), game.mechanisms().is_pressed(index), canvas);
             let style = Style::new(DETAILS, theme::text()).mono().centred().middle();
-            let (words, at) = (format!("> {} N", fixed(weight, 0)), Vec2::new(area.center().x, area.bottom() + 13.0));
+            let (words, at) = (format!("> {} N", fixed(weight, 0)), Vec2::new(area.centre().x, area.max().y + 13.0));
             // On a ground of its own: edges and hatching of the rock lie behind it.
             let sign = Area::around(at, Vec2::new(canvas.width(&words, style) + 8.0, canvas.line_height(DETAILS)));
-            canvas.rounded(sign, 3.0, faded(theme::ground(), 0.8));
+            canvas.rounded(sign, 3.0, theme::ground().faded(0.8));
             canvas.text(&words, at, style);
         }
     }
@@ -139,7 +135,7 @@ pub fn draw(game: &Game, alpha: f64, art: &Art, view: &Viewport, canvas: &Canvas
 
 /// The way of a mover: dashed, with a tick at each stop.
 fn draw_track(mover: &Mover, view: &Viewport, canvas: &Canvas) {
-    let colour = faded(WORKS_EDGE, 0.55);
+    let colour = WORKS_EDGE.faded(0.55);
     let closes = (mover.route == Route::Round).then(|| mover.stops[0]);
     let stops: Vec<DVec2> = mover.stops.iter().copied().chain(closes).collect();
     for pair in stops.windows(2) {
@@ -158,16 +154,16 @@ fn draw_mover(mover: &Mover, bounds: &Aabb, (view, canvas): (&Viewport, &Canvas)
     }
     let area = exact(bounds, view);
     if mover.solid.sides == Sides::ALL {
-        draw_rectangle(area.x, area.y, area.w, area.h, WORKS);
-        draw_rectangle_lines(area.x, area.y, area.w, area.h, 5.0, edge_of(mover.solid.material));
+        canvas.rectangle(area, WORKS);
+        canvas.rectangle_edge(area, 2.5, edge_of(mover.solid.material));
         // Two corner marks, as on a sliding carriage.
-        let reach = (area.w.min(area.h) * 0.22).min(9.0);
-        for (corner, side) in [(area.point(), 1.0), (area.point() + area.size(), -1.0)] {
+        let reach = (area.size.x.min(area.size.y) * 0.22).min(9.0);
+        for (corner, side) in [(area.min, 1.0), (area.max(), -1.0)] {
             let at = corner + Vec2::splat(6.0) * side;
-            canvas.convex(&[at, at + Vec2::new(reach * side, 0.0), at + Vec2::new(0.0, reach * side)], faded(WORKS_EDGE, 0.8));
+            canvas.convex(&[at, at + Vec2::new(reach * side, 0.0), at + Vec2::new(0.0, reach * side)], WORKS_EDGE.faded(0.8));
         }
     } else {
-        draw_one_way(&mover.solid, &area, canvas);
+        draw_one_way(&mover.solid, area, canvas);
     }
     draw_skin(&mover.solid, bounds, true, (view, canvas), time);
 }
@@ -178,47 +174,47 @@ fn draw_door(door: &Solid, closed: bool, view: &Viewport, canvas: &Canvas) {
         return;
     }
     let area = view.rect(&door.bounds);
-    let upright = area.h >= area.w;
-    let (long, thin) = if upright { (area.h, area.w) } else { (area.w, area.h) };
+    let upright = area.size.y >= area.size.x;
+    let (long, thin) = if upright { (area.size.y, area.size.x) } else { (area.size.x, area.size.y) };
     let piece = |from: f32, length: f32| match upright {
-        true => Rect::new(area.x, area.y + from, area.w, length),
-        false => Rect::new(area.x + from, area.y, length, area.h),
+        true => Area::new(area.min.x, area.min.y + from, area.size.x, length),
+        false => Area::new(area.min.x + from, area.min.y, length, area.size.y),
     };
     if !closed {
-        dashed_outline(canvas, &area, faded(WORKS_EDGE, 0.55));
+        dashed_outline(canvas, area, WORKS_EDGE.faded(0.55));
         // What is left of the leaves.
         for leaf in [piece(0.0, thin.min(long * 0.1)), piece(long - thin.min(long * 0.1), thin.min(long * 0.1))] {
-            draw_rectangle(leaf.x, leaf.y, leaf.w, leaf.h, WORKS);
-            draw_rectangle_lines(leaf.x, leaf.y, leaf.w, leaf.h, 3.0, WORKS_EDGE);
+            canvas.rectangle(leaf, WORKS);
+            canvas.rectangle_edge(leaf, 1.5, WORKS_EDGE);
         }
         return;
     }
-    draw_rectangle(area.x, area.y, area.w, area.h, WORKS);
+    canvas.rectangle(area, WORKS);
     let bars = (long / 14.0).floor().max(1.0);
     for bar in 0..bars as usize {
         let at = piece(long / bars * (bar as f32 + 0.3), long / bars * 0.4);
-        draw_rectangle(at.x, at.y, at.w, at.h, rgb(0x22334A));
+        canvas.rectangle(at, Colour::hex(0x22334A));
     }
-    draw_rectangle_lines(area.x, area.y, area.w, area.h, 4.0, edge_of(door.material));
+    canvas.rectangle_edge(area, 2.0, edge_of(door.material));
     let seam = piece(long * 0.5 - 1.5, 3.0);
-    draw_rectangle(seam.x, seam.y, seam.w, seam.h, theme::ground());
+    canvas.rectangle(seam, theme::ground());
 }
 
 /// A plate: its cap stands out above it until it is pressed.
-fn draw_plate(area: &Rect, colour: Color, pressed: bool, canvas: &Canvas) {
-    draw_rectangle(area.x, area.y, area.w, area.h, rgb(0x2A3344));
-    draw_rectangle_lines(area.x, area.y, area.w, area.h, 3.0, WORKS_EDGE);
-    let cap = if pressed { 3.0 } else { (area.h * 0.45).clamp(4.0, 9.0) };
-    draw_rectangle(area.x + 3.0, area.y, area.w - 6.0, cap, colour);
-    lamp(canvas, Vec2::new(area.center().x, area.y + area.h * 0.68), colour, pressed);
+fn draw_plate(area: Area, colour: Colour, pressed: bool, canvas: &Canvas) {
+    canvas.rectangle(area, Colour::hex(0x2A3344));
+    canvas.rectangle_edge(area, 1.5, WORKS_EDGE);
+    let cap = if pressed { 3.0 } else { (area.size.y * 0.45).clamp(4.0, 9.0) };
+    canvas.rectangle(Area::new(area.min.x + 3.0, area.min.y, area.size.x - 6.0, cap), colour);
+    lamp(canvas, Vec2::new(area.centre().x, area.min.y + area.size.y * 0.68), colour, pressed);
 }
 
 /// The colour of a switch: green while it is on.
-fn lamp_colour(game: &Game, switch: usize) -> Color {
+fn lamp_colour(game: &Game, switch: usize) -> Colour {
     if game.mechanisms().on()[switch] { theme::good() } else { WORKS_EDGE }
 }
 
-fn lamp(canvas: &Canvas, at: Vec2, colour: Color, pressed: bool) {
+fn lamp(canvas: &Canvas, at: Vec2, colour: Colour, pressed: bool) {
     canvas.ring(at, 6.0, 2.0, colour);
     if pressed {
         canvas.disc(at, 3.5, colour);
@@ -226,10 +222,10 @@ fn lamp(canvas: &Canvas, at: Vec2, colour: Color, pressed: bool) {
 }
 
 /// One thick side, from which it is solid, and teeth that point the way through.
-fn draw_one_way(solid: &Solid, area: &Rect, canvas: &Canvas) {
-    let (a, b) = (area.point(), area.point() + area.size());
+fn draw_one_way(solid: &Solid, area: Area, canvas: &Canvas) {
+    let (a, b) = (area.min, area.max());
     let colour = edge_of(solid.material);
-    draw_rectangle(area.x, area.y, area.w, area.h, faded(WORKS, 0.30));
+    canvas.rectangle(area, WORKS.faded(0.30));
     let Sides { left, right, top, .. } = solid.sides;
     let (from, to, through) = match (left, right, top) {
         (true, ..) => (a, Vec2::new(a.x, b.y), Vec2::new(-1.0, 0.0)),
@@ -243,7 +239,7 @@ fn draw_one_way(solid: &Solid, area: &Rect, canvas: &Canvas) {
     for tooth in 0..teeth as usize {
         let at = from.lerp(to, (tooth as f32 + 0.5) / teeth) - through * 12.0;
         for side in [-1.0, 1.0] {
-            canvas.line(at + through * 4.0, at + along * (4.0 * side), 1.5, faded(colour, 0.7));
+            canvas.line(at + through * 4.0, at + along * (4.0 * side), 1.5, colour.faded(0.7));
         }
     }
 }
@@ -253,17 +249,17 @@ fn draw_skin(solid: &Solid, bounds: &Aabb, runs: bool, (view, canvas): (&Viewpor
     if solid.belt != 0.0 {
         let drift = if runs { (time * solid.belt).rem_euclid(CHEVRON_STEP) } else { 0.0 };
         let colour = if runs { theme::text() } else { theme::quiet() };
-        draw_chevrons(bounds, (bounds.min.y + CHEVRON * 0.75, drift, solid.belt.signum()), (view, canvas), faded(colour, 0.75));
+        draw_chevrons(bounds, (bounds.min.y + CHEVRON * 0.75, drift, solid.belt.signum()), (view, canvas), colour.faded(0.75));
         if bounds.size().y > 4.0 * CHEVRON {
             let back = (CHEVRON_STEP - drift).rem_euclid(CHEVRON_STEP);
             let place = (bounds.max.y - CHEVRON * 0.75, back, -solid.belt.signum());
-            draw_chevrons(bounds, place, (view, canvas), faded(colour, 0.75));
+            draw_chevrons(bounds, place, (view, canvas), colour.faded(0.75));
         }
     }
     if solid.belt != 0.0 {
         let area = exact(bounds, view);
-        for y in [area.y + 1.0, area.bottom() - 1.0] {
-            canvas.line(Vec2::new(area.x, y), Vec2::new(area.right(), y), 2.0, edge_of(solid.material));
+        for y in [area.min.y + 1.0, area.max().y - 1.0] {
+            canvas.line(Vec2::new(area.min.x, y), Vec2::new(area.max().x, y), 2.0, edge_of(solid.material));
         }
     }
     if solid.material.restitution > 0.0 {
@@ -278,14 +274,14 @@ fn draw_skin(solid: &Solid, bounds: &Aabb, runs: bool, (view, canvas): (&Viewpor
 }
 
 /// Chevrons along a height (m) that point to a side, each so far from the place that it has at rest (m).
-fn draw_chevrons(bounds: &Aabb, (y, drift, side): (f64, f64, f64), (view, canvas): (&Viewport, &Canvas), colour: Color) {
+fn draw_chevrons(bounds: &Aabb, (y, drift, side): (f64, f64, f64), (view, canvas): (&Viewport, &Canvas), colour: Colour) {
     let visible = view.visible();
     let strip = Aabb::new(DVec2::new(bounds.min.x, y - CHEVRON * 0.7), DVec2::new(bounds.max.x, y + CHEVRON * 0.7));
     if !strip.touches(&visible, 0.0) {
         return;
     }
     let band = view.rect(&strip);
-    draw_rectangle(band.x, band.y, band.w, band.h, rgb(0x10151E));
+    canvas.rectangle(band, Colour::hex(0x10151E));
     let mut x = bounds.min.x + drift;
     while x < bounds.max.x {
         let tip = DVec2::new(x + side * CHEVRON * 0.3, y);
@@ -301,10 +297,10 @@ fn draw_chevrons(bounds: &Aabb, (y, drift, side): (f64, f64, f64), (view, canvas
 }
 
 /// Cracks from the middle to the sides, always the same in one block.
-fn draw_cracks(solid: &Solid, area: &Rect, canvas: &Canvas) {
+fn draw_cracks(solid: &Solid, area: Area, canvas: &Canvas) {
     const CRACKS: [[f32; 2]; 5] = [[0.05, 0.0], [0.95, 0.12], [1.0, 0.85], [0.3, 1.0], [0.0, 0.6]];
-    let colour = rgb(0x0A0D12);
-    let at = |[x, y]: [f32; 2]| area.point() + area.size() * Vec2::new(x, y);
+    let colour = Colour::hex(0x0A0D12);
+    let at = |[x, y]: [f32; 2]| area.min + area.size * Vec2::new(x, y);
     let middle = [0.47, 0.52];
     for (i, end) in CRACKS.into_iter().enumerate() {
         let bend = if i % 2 == 0 { 0.09 } else { -0.07 };
@@ -328,11 +324,11 @@ pub fn debris(particles: &mut Particles, block: &Aabb) {
 }
 
 /// The colour of an edge by its material.
-fn edge_of(material: Material) -> Color {
+fn edge_of(material: Material) -> Colour {
     material_edge(material.name).unwrap_or(WORKS_EDGE)
 }
 
-fn arrow(canvas: &Canvas, view: &Viewport, at: DVec2, way: DVec2, colour: Color) {
+fn arrow(canvas: &Canvas, view: &Viewport, at: DVec2, way: DVec2, colour: Colour) {
     let [tail, tip] = [at - way * 0.5, at + way * 0.5].map(|end| view.point(end));
     let back = (tail - tip) * 0.4;
     canvas.line(tail, tip, 1.5, colour);
@@ -341,15 +337,14 @@ fn arrow(canvas: &Canvas, view: &Viewport, at: DVec2, way: DVec2, colour: Color)
     }
 }
 
-fn dashed_outline(canvas: &Canvas, area: &Rect, colour: Color) {
-    let (a, b) = (area.point(), area.point() + area.size());
-    let corners = [a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)];
+fn dashed_outline(canvas: &Canvas, area: Area, colour: Colour) {
+    let corners = area.corners();
     for i in 0..4 {
         dashed(canvas, corners[i], corners[(i + 1) % 4], colour);
     }
 }
 
-fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, colour: Color) {
+fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, colour: Colour) {
     let (length, way) = ((to - from).length(), (to - from).normalize_or_zero());
     let mut at = 0.0;
     while at < length {

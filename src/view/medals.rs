@@ -1,31 +1,30 @@
 //! Medals, made of arrows: a ring, and in it one, two or three of them that lead up, so that colour is not the only cue; for a level's own
 //! mark four that lead out.
 
-use super::canvas::Canvas;
 use super::layout::Vec2;
 use super::theme;
+use crate::draw::{Canvas, Colour};
 use crate::game::{Medal, Medals, Prize};
 use crate::level::Awards;
-use macroquad::color::Color;
 
 /// From one to the next in a row, in radii.
 const APART: f32 = 2.4;
 
 /// The colour of a medal.
-fn colour(prize: Prize) -> Color {
+fn colour(prize: Prize) -> Colour {
     match prize {
-        Prize::Medal(Medal::Bronze) => theme::rgb(0xC98A4B),
-        Prize::Medal(Medal::Silver) => theme::rgb(0xBCC7D1),
-        Prize::Medal(Medal::Gold) => theme::rgb(0xF4C542),
-        Prize::Mark => theme::rgb(0x6FD3C1),
+        Prize::Medal(Medal::Bronze) => Colour::hex(0xC98A4B),
+        Prize::Medal(Medal::Silver) => Colour::hex(0xBCC7D1),
+        Prize::Medal(Medal::Gold) => Colour::hex(0xF4C542),
+        Prize::Mark => Colour::hex(0x6FD3C1),
     }
 }
 
 /// Draws a medal around a point; one that is not earned yet is a shadow of itself.
 pub fn draw(canvas: &Canvas, prize: Prize, earned: bool, centre: Vec2, radius: f32) {
-    let colour = if earned { colour(prize) } else { theme::faded(theme::quiet(), 0.45) };
+    let colour = if earned { colour(prize) } else { theme::quiet().faded(0.45) };
     if earned {
-        canvas.disc(centre, radius, theme::faded(colour, 0.25));
+        canvas.disc(centre, radius, colour.faded(0.25));
     }
     canvas.ring(centre, radius, radius * 0.2, colour);
     let up = Vec2::new(0.0, -1.0);

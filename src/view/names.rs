@@ -1,13 +1,12 @@
 //! The names of mechanisms, written beside them while the details are open.
 
 use super::camera::Viewport;
-use super::canvas::{Canvas, Style};
 use super::layout::{Area, DETAILS, MONO_ADVANCE, Vec2};
-use super::theme::{self, faded};
+use super::theme;
+use crate::draw::{Canvas, Style};
 use crate::game::{Game, told_name};
 use crate::level::SurfaceOf;
 use crate::physics::{Aabb, DVec2, Source};
-use macroquad::shapes::draw_rectangle;
 
 /// Around a name, canvas units.
 const AROUND: Vec2 = Vec2::new(5.0, 2.0);
@@ -18,8 +17,7 @@ pub fn told(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
     let mut told: Vec<(String, Area)> = Vec::new();
     let mut write_name = |words: &str, bounds: &Aabb| {
         if bounds.touches(&view.visible(), 0.0) {
-            let rect = view.rect(bounds);
-            told.push((words.to_owned(), Area::new(rect.x, rect.y, rect.w, rect.h)));
+            told.push((words.to_owned(), view.rect(bounds)));
         }
     };
     let called = |of: SurfaceOf, name: Option<&str>| {
@@ -77,6 +75,6 @@ pub fn place(told: Vec<(String, Area)>, text: f32, window: Area, taken: &mut Vec
 
 /// Writes a name in its place.
 pub fn draw(name: &str, area: Area, canvas: &Canvas) {
-    draw_rectangle(area.min.x, area.min.y, area.size.x, area.size.y, faded(theme::ground(), 0.8));
+    canvas.rectangle(area, theme::ground().faded(0.8));
     canvas.text(name, area.centre(), Style::new(DETAILS, theme::text()).mono().centred().middle());
 }

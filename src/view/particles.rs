@@ -1,12 +1,11 @@
 //! Particles: a pool of short-lived dots and streaks. They are for show: their chance is their own and nothing reads them back.
 
-use super::art::{Art, Tile};
+use super::art::{self, Tile};
 use super::barriers::Barriers;
 use super::camera::Viewport;
-use super::theme::faded;
+use super::layout::{Area, Vec2};
+use crate::draw::{Canvas, Colour};
 use crate::physics::DVec2;
-use macroquad::color::Color;
-use macroquad::math::Vec2;
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 use std::f32::consts::FRAC_PI_2;
@@ -47,20 +46,20 @@ pub struct Particle {
     /// How it looks.
     pub look: Look,
     /// Its colour (the plume has its own).
-    pub colour: Color,
+    pub colour: Colour,
 }
 
 impl Particle {
     /// Its radius now, canvas units, and its colour.
-    pub fn appearance(&self) -> (f32, Color) {
+    pub fn appearance(&self) -> (f32, Colour) {
         let t = (self.age / self.life).clamp(0.0, 1.0);
         let mix = |from: f32, to: f32| from + (to - from) * t;
         match self.look {
-            Look::Plume => (mix(2.0, 5.0), Color::new(1.0, mix(174.0, 255.0) / 255.0, mix(0.0, 255.0) / 255.0, 0.85 * (1.0 - t))),
-            Look::Dust => (mix(1.5, 4.5), faded(self.colour, 0.7 * (1.0 - t))),
-            Look::Spark => (mix(2.2, 0.8), faded(self.colour, 0.9 * (1.0 - t))),
+            Look::Plume => (mix(2.0, 5.0), Colour::new(1.0, mix(174.0, 255.0) / 255.0, mix(0.0, 255.0) / 255.0, 0.85 * (1.0 - t))),
+            Look::Dust => (mix(1.5, 4.5), self.colour.faded(0.7 * (1.0 - t))),
+            Look::Spark => (mix(2.2, 0.8), self.colour.faded(0.9 * (1.0 - t))),
             // Fades in as well, for it appears in the middle of the stream.
-            Look::Streak => (1.1, faded(self.colour, 0.75 * (t * 4.0).min(1.0) * ((1.0 - t) * 3.0).min(1.0))),
+            Look::Streak => (1.1, self.colour.faded(0.75 * (t * 4.0).min(1.0) * ((1.0 - t) * 3.0).min(1.0))),
         }
     }
 
@@ -169,7 +168,7 @@ impl Particles {
     }
 
     /// Draws those in view.
-    pub fn draw(&self, art: &Art, view: &Viewport) {
+    pub fn draw(&self, view: &Viewport, canvas: &Canvas) {
         let visible = view.visible();
         for particle in &self.all {
             if particle.position.cmpge(visible.min - 1.0).all() && particle.position.cmple(visible.max + 1.0).all() {
@@ -181,7 +180,8 @@ impl Particles {
                     ),
                     Look::Plume | Look::Dust | Look::Spark => (2.0 * radius, FRAC_PI_2),
                 };
-                art.draw(Tile::Disc, view.point(particle.position), Vec2::new(2.0 * radius, length), rotation, colour);
+                let area = Area::around(view.point(particle.position), Vec2::new(2.0 * radius, length));
+                art::draw(canvas, Tile::Disc, area, rotation, colour);
             }
         }
     }
@@ -197,10 +197,9 @@ impl Default for Particles {
 mod tests {
     use super::*;
     use crate::physics::{Aabb, Material, SurfaceDef, World, WorldDef};
-    use macroquad::color::WHITE;
 
     fn particle(look: Look, life: f32) -> Particle {
-        Particle { position: DVec2::ZERO, velocity: DVec2::X, age: 0.0, life, look, colour: WHITE }
+        Particle { position: DVec2::ZERO, velocity: DVec2::X, age: 0.0, life, look, colour: Colour::WHITE }
     }
 
     #[test]

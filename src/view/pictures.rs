@@ -1,35 +1,24 @@
 //! The pictures that a level brings along: its background and its objects' sprites. Their bytes are handed in.
 
+use crate::draw::Image;
 use crate::level::Level;
-use macroquad::texture::{FilterMode, Image, Texture2D};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// The textures of a level's pictures, by path.
+/// The pictures of a level, by path.
 #[derive(Default)]
-pub struct Pictures {
-    textures: BTreeMap<PathBuf, Texture2D>,
-}
+pub struct Pictures(BTreeMap<PathBuf, Image>);
 
 impl Pictures {
-    /// Asks `read` for the bytes of each picture that the level names. What cannot be had or is no picture is left out: the loader has
-    /// checked them all, and a file that vanished since is no reason to stop the game.
+    /// Asks `read` for the bytes of each picture that the level names. A picture that cannot be read is left out: the loader has checked
+    /// them all, and a file that vanished since is no reason to stop the game.
     pub fn new(level: &Level, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
-        let mut textures = BTreeMap::new();
-        for path in level.pictures().chain(&level.background) {
-            if !textures.contains_key(path)
-                && let Some(image) = read(path).and_then(|bytes| Image::from_file_with_format(&bytes, None).ok())
-            {
-                let texture = Texture2D::from_image(&image);
-                texture.set_filter(FilterMode::Linear);
-                textures.insert(path.clone(), texture);
-            }
-        }
-        Self { textures }
+        let paths = level.pictures().chain(&level.background);
+        Self(paths.filter_map(|path| Some((path.clone(), Image::File(read(path)?.into())))).collect())
     }
 
-    /// The texture of a picture.
-    pub fn get(&self, path: &Path) -> Option<&Texture2D> {
-        self.textures.get(path)
+    /// The picture of that path.
+    pub fn get(&self, path: &Path) -> Option<&Image> {
+        self.0.get(path)
     }
 }

@@ -48,16 +48,14 @@ impl Plane {
     }
 }
 
-#[cfg(feature = "window")]
 pub use drawing::draw;
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{LINE, Plane};
+    use crate::draw::{Canvas, Colour, Style};
     use crate::lab::look::Look;
     use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
     use crate::lab::stability_diagram::{look, shipped_look};
-    use crate::view::canvas::{Canvas, Style};
     use crate::view::diagram::{marker, shade, stroke};
     use crate::view::layout::{Area, DETAILS, TEXT, Vec2};
     use crate::view::{theme, widgets};
@@ -86,7 +84,7 @@ mod drawing {
         }
         for (index, region) in regions.iter().enumerate() {
             let look = look(index);
-            let colour = shade(theme::rgb(look.colour), picked.is_none_or(|picked| picked == index));
+            let colour = shade(Colour::hex(look.colour), picked.is_none_or(|picked| picked == index));
             for line in &region.edge {
                 stroke(canvas, &line.iter().map(|z| plane.at(*z)).collect::<Vec<_>>(), &look, colour);
             }
@@ -104,7 +102,7 @@ mod drawing {
 
     /// All cells in whose middle a method is stable: its outline says where exactly they end.
     fn fill(canvas: &Canvas, plane: &Plane, region: &Region) {
-        let colour = theme::faded(theme::good(), 0.16);
+        let colour = theme::good().faded(0.16);
         for (row, cells) in region.inside.chunks(CELLS.0).enumerate() {
             let mut column = 0;
             for run in cells.chunk_by(|a, b| a == b) {
@@ -151,7 +149,7 @@ mod drawing {
         limits(head, ["h/τ", "ω·h"], quiet);
         let line = |line: usize, look: &Look, (name, [drag, swing]): (&str, [f64; 2]), whole: bool| {
             let area = plane.legend(line);
-            let (y, colour) = (area.centre().y, shade(theme::rgb(look.colour), whole));
+            let (y, colour) = (area.centre().y, shade(Colour::hex(look.colour), whole));
             let sample = [area.min.x, area.min.x + SAMPLE].map(|x| Vec2::new(x, y));
             stroke(canvas, &sample, look, colour);
             marker(canvas, Vec2::new(area.min.x + SAMPLE / 2.0, y), look.marker, colour);

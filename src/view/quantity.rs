@@ -1,7 +1,6 @@
 //! How quantities are written for players: three significant digits, a unit with a prefix, a true minus sign, and y upwards as in
 //! school. The engine and the level's files count y downwards.
 
-#[cfg(feature = "window")]
 use super::facts::{Row, Value};
 use crate::lab::axes;
 use crate::number::fixed;
@@ -89,7 +88,6 @@ pub fn round_up(value: f64) -> f64 {
 }
 
 /// The largest number of a row.
-#[cfg(feature = "window")]
 fn largest(row: &Row) -> f64 {
     match row.value {
         Value::Scalar(value) => value.abs(),
@@ -98,7 +96,6 @@ fn largest(row: &Row) -> f64 {
 }
 
 /// The numbers of a row as they are written beside those of other rows, y upwards: each quantity in one unit, so that a column adds up.
-#[cfg(feature = "window")]
 fn numbers(row: &Row, beside: &[Row]) -> (Vec<String>, Scale) {
     let values = match row.value {
         Value::Scalar(value) => vec![value],
@@ -109,14 +106,12 @@ fn numbers(row: &Row, beside: &[Row]) -> (Vec<String>, Scale) {
 }
 
 /// How a row is written beside others.
-#[cfg(feature = "window")]
 fn scale(row: &Row, beside: &[Row]) -> Scale {
     let of_all = beside.iter().filter(|other| other.unit == row.unit).map(largest).fold(largest(row), f64::max);
     Scale::of(of_all, row.unit).finer(largest(row))
 }
 
 /// Whether all numbers of a row are written as zeros beside those of other rows.
-#[cfg(feature = "window")]
 pub fn reads_as_nothing(row: &Row, beside: &[Row]) -> bool {
     let scale = scale(row, beside);
     let least = scale.one.map_or(0.0, |one| 0.5 * one / 10f64.powi(scale.decimals as i32));
@@ -124,7 +119,6 @@ pub fn reads_as_nothing(row: &Row, beside: &[Row]) -> bool {
 }
 
 /// The numbers of a row beside others, each in a field of `width` characters, and the unit.
-#[cfg(feature = "window")]
 pub fn quantity(row: &Row, beside: &[Row], width: usize) -> String {
     let (numbers, scale) = numbers(row, beside);
     match &numbers[..] {
@@ -134,7 +128,6 @@ pub fn quantity(row: &Row, beside: &[Row], width: usize) -> String {
 }
 
 /// The width of the longest number in the rows, but at least `least`, characters.
-#[cfg(feature = "window")]
 pub fn number_width(rows: &[Row], least: usize) -> usize {
     rows.iter().flat_map(|row| numbers(row, rows).0).map(|number| number.chars().count()).fold(least, usize::max)
 }
@@ -175,7 +168,6 @@ mod tests {
         }
     }
 
-    #[cfg(feature = "window")]
     #[test]
     fn vectors_share_a_unit_and_count_y_upwards() {
         use crate::physics::DVec2;
@@ -194,7 +186,6 @@ mod tests {
         assert_eq!(number_width(&all[..1], 3), 5);
     }
 
-    #[cfg(feature = "window")]
     #[test]
     fn forces_beside_each_other_share_a_unit_so_that_they_add_up() {
         use crate::physics::DVec2;

@@ -1,75 +1,75 @@
 //! The palette: a physicist's notebook at night. A colour always means the same; sizes are in [`super::layout`].
 
+use crate::draw::Colour;
 use crate::instruments::look;
 use crate::physics::ForceKind;
 use crate::settings::Palette;
-use macroquad::color::Color;
 use std::sync::atomic::{AtomicU8, Ordering};
 
 /// The colours of one palette.
 struct Colours {
-    ground: Color,
-    panel: Color,
-    button: Color,
-    panel_hover: Color,
-    panel_edge: Color,
-    grid_fine: Color,
-    grid_heavy: Color,
-    solid: Color,
-    solid_top: Color,
-    text: Color,
-    quiet: Color,
-    accent: Color,
-    good: Color,
-    bad: Color,
-    player_objective: Color,
-    physics_objective: Color,
+    ground: Colour,
+    panel: Colour,
+    button: Colour,
+    panel_hover: Colour,
+    panel_edge: Colour,
+    grid_fine: Colour,
+    grid_heavy: Colour,
+    solid: Colour,
+    solid_top: Colour,
+    text: Colour,
+    quiet: Colour,
+    accent: Colour,
+    good: Colour,
+    bad: Colour,
+    player_objective: Colour,
+    physics_objective: Colour,
 }
 
 /// Those of the art direction.
 const STANDARD: Colours = Colours {
-    ground: rgb(0x10141B),
-    panel: rgb(0x1B2230),
-    button: rgb(0x212B3D),
-    panel_hover: rgb(0x2F3C57),
-    panel_edge: rgb(0x2C3648),
-    grid_fine: rgb(0x1A2130),
-    grid_heavy: rgb(0x232C3D),
-    solid: rgb(0x3A4456),
-    solid_top: rgb(0x566379),
-    text: rgb(0xE6EBF2),
-    quiet: rgb(0x93A0B4),
-    accent: rgb(0xFF9F1C),
-    good: rgb(0x4CC38A),
-    bad: rgb(0xF2555A),
-    player_objective: rgb(0xF2C744),
-    physics_objective: rgb(0xD65DB1),
+    ground: Colour::hex(0x10141B),
+    panel: Colour::hex(0x1B2230),
+    button: Colour::hex(0x212B3D),
+    panel_hover: Colour::hex(0x2F3C57),
+    panel_edge: Colour::hex(0x2C3648),
+    grid_fine: Colour::hex(0x1A2130),
+    grid_heavy: Colour::hex(0x232C3D),
+    solid: Colour::hex(0x3A4456),
+    solid_top: Colour::hex(0x566379),
+    text: Colour::hex(0xE6EBF2),
+    quiet: Colour::hex(0x93A0B4),
+    accent: Colour::hex(0xFF9F1C),
+    good: Colour::hex(0x4CC38A),
+    bad: Colour::hex(0xF2555A),
+    player_objective: Colour::hex(0xF2C744),
+    physics_objective: Colour::hex(0xD65DB1),
 };
 
 /// What carries a meaning is told apart in normal sight and in the three common kinds of colour blindness by 15 units of CIEDE2000 at least
 /// (simulated after Machado, Oliveira and Fernandes, 2009), from each other, from words, rock and ground.
 const SAFE: Colours = Colours {
-    accent: rgb(0xDC7603),
-    good: rgb(0x63C09A),
-    bad: rgb(0xBA1617),
-    player_objective: rgb(0xF7D960),
-    physics_objective: rgb(0x9E52A5),
+    accent: Colour::hex(0xDC7603),
+    good: Colour::hex(0x63C09A),
+    bad: Colour::hex(0xBA1617),
+    player_objective: Colour::hex(0xF7D960),
+    physics_objective: Colour::hex(0x9E52A5),
     ..STANDARD
 };
 
 /// The same on black, with white edges.
 const HIGH_CONTRAST: Colours = Colours {
-    ground: rgb(0x000000),
-    panel: rgb(0x000000),
-    button: rgb(0x000000),
-    panel_hover: rgb(0x20304A),
-    panel_edge: rgb(0xC8D2E0),
-    grid_fine: rgb(0x10141B),
-    grid_heavy: rgb(0x1B2230),
-    solid: rgb(0x4A566B),
-    solid_top: rgb(0xFFFFFF),
-    text: rgb(0xFFFFFF),
-    quiet: rgb(0xD5DDE8),
+    ground: Colour::hex(0x000000),
+    panel: Colour::hex(0x000000),
+    button: Colour::hex(0x000000),
+    panel_hover: Colour::hex(0x20304A),
+    panel_edge: Colour::hex(0xC8D2E0),
+    grid_fine: Colour::hex(0x10141B),
+    grid_heavy: Colour::hex(0x1B2230),
+    solid: Colour::hex(0x4A566B),
+    solid_top: Colour::hex(0xFFFFFF),
+    text: Colour::hex(0xFFFFFF),
+    quiet: Colour::hex(0xD5DDE8),
     ..SAFE
 };
 
@@ -90,109 +90,99 @@ fn colours() -> &'static Colours {
 }
 
 /// What everything lies on.
-pub fn ground() -> Color {
+pub fn ground() -> Colour {
     colours().ground
 }
 
 /// Panels.
-pub fn panel() -> Color {
+pub fn panel() -> Colour {
     colours().panel
 }
 
 /// Buttons: they stand out from the ground and from panels.
-pub fn button() -> Color {
+pub fn button() -> Colour {
     colours().button
 }
 
 /// A button under the pointer, and a row that is picked out.
-pub fn panel_hover() -> Color {
+pub fn panel_hover() -> Colour {
     colours().panel_hover
 }
 
 /// The edge of a panel.
-pub fn panel_edge() -> Color {
+pub fn panel_edge() -> Colour {
     colours().panel_edge
 }
 
 /// A line of the graph paper every metre.
-pub fn grid_fine() -> Color {
+pub fn grid_fine() -> Colour {
     colours().grid_fine
 }
 
 /// A line of the graph paper every ten metres.
-pub fn grid_heavy() -> Color {
+pub fn grid_heavy() -> Colour {
     colours().grid_heavy
 }
 
 /// Whatever is solid and never moves.
-pub fn solid() -> Color {
+pub fn solid() -> Colour {
     colours().solid
 }
 
 /// Its top edge.
-pub fn solid_top() -> Color {
+pub fn solid_top() -> Colour {
     colours().solid_top
 }
 
 /// Words.
-pub fn text() -> Color {
+pub fn text() -> Colour {
     colours().text
 }
 
 /// Words of less weight.
-pub fn quiet() -> Color {
+pub fn quiet() -> Colour {
     colours().quiet
 }
 
 /// The title, the ship's trim, keyboard focus, fuel.
-pub fn accent() -> Color {
+pub fn accent() -> Colour {
     colours().accent
 }
 
 /// What helped.
-pub fn good() -> Color {
+pub fn good() -> Colour {
     colours().good
 }
 
 /// What cost, and what kills.
-pub fn bad() -> Color {
+pub fn bad() -> Colour {
     colours().bad
 }
 
 /// An objective for the ship; the best score.
-pub fn player_objective() -> Color {
+pub fn player_objective() -> Colour {
     colours().player_objective
 }
 
 /// An objective for a key object.
-pub fn physics_objective() -> Color {
+pub fn physics_objective() -> Colour {
     colours().physics_objective
 }
 
 /// The resultant force.
-pub const RESULTANT: Color = rgb(look::RESULTANT);
+pub const RESULTANT: Colour = Colour::hex(look::RESULTANT);
 
 /// Velocity and acceleration, wherever they are drawn.
-pub const VELOCITY: Color = rgb(0x2EE6D6);
-pub const ACCELERATION: Color = rgb(0xFF8FB1);
+pub const VELOCITY: Colour = Colour::hex(0x2EE6D6);
+pub const ACCELERATION: Colour = Colour::hex(0xFF8FB1);
 
 /// An impact. Told apart from every force, in normal sight and in the three common kinds of colour blindness, by 11 units of CIEDE2000
 /// at least (colours simulated after Machado, Oliveira and Fernandes, 2009).
-pub const IMPACT: Color = rgb(0xAE62FF);
+pub const IMPACT: Colour = Colour::hex(0xAE62FF);
 
 /// The colour of a force, wherever it is shown.
-pub const fn force(kind: ForceKind) -> Color {
-    rgb(look::force(kind))
-}
-
-/// A colour that lets `alpha` (0 … 1) of itself cover what is below.
-pub const fn faded(colour: Color, alpha: f32) -> Color {
-    Color::new(colour.r, colour.g, colour.b, colour.a * alpha)
-}
-
-/// A colour written as 0xRRGGBB.
-pub const fn rgb(hex: u32) -> Color {
-    Color::new(((hex >> 16) & 0xFF) as f32 / 255.0, ((hex >> 8) & 0xFF) as f32 / 255.0, (hex & 0xFF) as f32 / 255.0, 1.0)
+pub const fn force(kind: ForceKind) -> Colour {
+    Colour::hex(look::force(kind))
 }
 
 #[cfg(test)]
@@ -208,7 +198,7 @@ mod tests {
     ];
 
     /// CIELAB (D65) of a colour, seen with that sight.
-    fn lab(colour: Color, sight: &[[f64; 3]; 3]) -> [f64; 3] {
+    fn lab(colour: Colour, sight: &[[f64; 3]; 3]) -> [f64; 3] {
         let linear = [colour.r, colour.g, colour.b].map(|c| {
             let c = f64::from(c);
             if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }

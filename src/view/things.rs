@@ -1,22 +1,18 @@
 //! What moves: the objects and the ship with its flame. Nothing that moves looks like the static world.
 
-use super::art::{Art, Tile};
+use super::art::{self, Tile};
 use super::camera::Viewport;
-use super::canvas::{Canvas, Style};
-use super::layout::{DETAILS, Vec2};
+use super::layout::{Area, DETAILS, Vec2};
 use super::pictures::Pictures;
-use super::theme::{self, faded, rgb};
+use super::theme;
 use super::zones::diamond;
+use crate::draw::{Canvas, Colour, Style};
 use crate::game::Pose;
 use crate::level::{Look, Object, SHIP_HALF};
 use crate::physics::{Aabb, DVec2};
-use macroquad::color::{Color, WHITE};
-use macroquad::math::Rect;
-use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
-use macroquad::texture::{DrawTextureParams, draw_texture_ex};
 
 /// The colour of plain movable things: brighter than anything that stands still.
-const PLAIN: Color = rgb(0xB9C6DA);
+const PLAIN: Colour = Colour::hex(0xB9C6DA);
 /// Length of the fully grown flame, m.
 const FLAME: f64 = 1.25;
 /// What is left of a flame close to a deck, m, and how many times as wide it spreads there at most.
@@ -28,9 +24,7 @@ const RETRO: (f64, f64) = (0.36, 0.50);
 /// What things are drawn with.
 #[derive(Clone, Copy)]
 pub struct Brushes<'a> {
-    /// The game's pictures.
-    pub art: &'a Art,
-    /// The level's.
+    /// The level's pictures.
     pub pictures: &'a Pictures,
     /// Where the level lies.
     pub view: &'a Viewport,
@@ -40,68 +34,62 @@ pub struct Brushes<'a> {
 
 /// An object around `centre` (m): its picture, or a plain box or ball; key objects in their colour, with a glow and their sign. The
 /// colours of all others are multiplied by `light`.
-pub fn draw_object(object: &Object, centre: DVec2, light: Color, brushes: Brushes<'_>) {
-    let Brushes { art, pictures, view, canvas } = brushes;
+pub fn draw_object(object: &Object, centre: DVec2, light: Colour, brushes: Brushes<'_>) {
+    let Brushes { pictures, view, canvas } = brushes;
     let bounds = Aabb::around(centre, object.size * 0.5);
     if !bounds.touches(&view.visible(), 1.0) {
         return;
     }
     let area = exact(&bounds, view);
-    let key = object.key.map(|[r, g, b]| Color::from_rgba(r, g, b, 255));
+    let key = object.key.map(Colour::of);
     let round = object.circular || object.look == Look::Ball;
     match key {
-        Some(colour) if round => art.draw(Tile::Glow, area.center(), area.size() * 1.3 + 40.0, 0.0, faded(colour, 0.75)),
-        Some(colour) => art.halo(area, 20.0, faded(colour, 0.55)),
+        Some(colour) if round => {
+            art::draw(canvas, Tile::Glow, Area::around(area.centre(), area.size * 1.3 + 40.0), 0.0, colour.faded(0.75))
+        }
+        Some(colour) => art::halo(canvas, area, 20.0, colour.faded(0.55)),
         None => {}
     }
     let picture = match &object.look {
         Look::Image(path) => pictures.get(path),
         Look::Box | Look::Ball => None,
     };
-    let plain = Color::new(PLAIN.r * light.r, PLAIN.g * light.g, PLAIN.b * light.b, 1.0);
+    let plain = Colour::new(PLAIN.r * light.r, PLAIN.g * light.g, PLAIN.b * light.b, 1.0);
     match picture {
-        Some(texture) => {
-            let params = DrawTextureParams { dest_size: Some(area.size()), ..DrawTextureParams::default() };
-            draw_texture_ex(texture, area.x, area.y, if key.is_some() { WHITE } else { light }, params);
-        }
-        None if round => ball(canvas, &area, key.unwrap_or(plain)),
-        None => crate_box(canvas, &area, key.unwrap_or(plain)),
+        Some(image) => canvas.image(image, area, if key.is_some() { Colour::WHITE } else { light }),
+        None if round => ball(canvas, area, key.unwrap_or(plain)),
+        None => crate_box(canvas, area, key.unwrap_or(plain)),
     }
     if key.is_some() && picture.is_none() {
-        diamond(canvas, area.center(), area.w.min(area.h) * 0.20, WHITE);
+        diamond(canvas, area.centre(), area.size.x.min(area.size.y) * 0.20, Colour::WHITE);
     }
 }
 
 /// A box with a frame and a brace.
-fn crate_box(canvas: &Canvas, area: &Rect, colour: Color) {
+fn crate_box(canvas: &Canvas, area: Area, colour: Colour) {
     let dark = shaded(colour, 0.45);
-    let frame = (area.w.min(area.h) * 0.14).clamp(1.5, 6.0);
-    draw_rectangle(area.x, area.y, area.w, area.h, shaded(colour, 0.78));
-    let (a, b) = (area.point() + frame, area.point() + area.size() - frame);
+    let frame = (area.size.x.min(area.size.y) * 0.14).clamp(1.5, 6.0);
+    canvas.rectangle(area, shaded(colour, 0.78));
+    let (a, b) = (area.min + frame, area.max() - frame);
     canvas.line(a, b, frame * 0.8, shaded(colour, 0.6));
     canvas.line(Vec2::new(b.x, a.y), Vec2::new(a.x, b.y), frame * 0.8, shaded(colour, 0.6));
-    draw_rectangle_lines(area.x, area.y, area.w, area.h, frame * 2.0, colour);
-    draw_rectangle_lines(area.x, area.y, area.w, area.h, 2.0, dark);
+    canvas.rectangle_edge(area, frame, colour);
+    canvas.rectangle_edge(area, 1.0, dark);
 }
 
 /// A ball with a rim, a band and a light on it.
-fn ball(canvas: &Canvas, area: &Rect, colour: Color) {
-    const SIDES: usize = 40;
-    let (centre, half) = (area.center(), area.size() / 2.0);
-    let outline = |scale: f32, offset: Vec2| -> Vec<Vec2> {
-        (0..SIDES)
-            .map(|i| centre + offset + Vec2::from_angle(std::f32::consts::TAU * i as f32 / SIDES as f32) * half * scale)
-            .collect()
-    };
+fn ball(canvas: &Canvas, area: Area, colour: Colour) {
+    let half = area.size / 2.0;
+    let outline = |scale: f32, offset: Vec2| ellipse(Area::around(area.centre() + offset, area.size * scale));
     canvas.convex(&outline(1.0, Vec2::ZERO), shaded(colour, 0.42));
     canvas.convex(&outline(0.9, Vec2::ZERO), shaded(colour, 0.82));
     canvas.convex(&outline(0.66, half * Vec2::new(-0.14, -0.16)), colour);
-    canvas.convex(&outline(0.18, half * Vec2::new(-0.34, -0.40)), faded(WHITE, 0.85));
+    canvas.convex(&outline(0.18, half * Vec2::new(-0.34, -0.40)), Colour::WHITE.faded(0.85));
 }
 
 /// A colour with so much of its light.
-fn shaded(colour: Color, light: f32) -> Color {
-    Color::new(colour.r * light, colour.g * light, colour.b * light, colour.a)
+fn shaded(colour: Colour, light: f32) -> Colour {
+    Colour::new(colour.r * light, colour.g * light, colour.b * light, colour.a)
 }
 
 /// Tilted further than by this cosine the ship does not stand on its legs.
@@ -117,13 +105,13 @@ pub struct ShipPose {
     /// How far its legs are pressed down, as a part of its height.
     pub squash: f64,
     /// What its colours are multiplied by.
-    pub light: Color,
+    pub light: Colour,
     /// From its centre to the first solid in the way of its flame, m.
     pub room: f64,
 }
 
 /// The ship, its plume grown to `strength`, out of the tail (`way` 1) or of the nose (−1); `flicker` (0 … 1) varies the flame.
-pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, art: &Art, view: &Viewport) {
+pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, view: &Viewport, canvas: &Canvas) {
     let (centre, rotation) = (ship.centre, ship.angle.to_radians());
     let (sin, cos) = rotation.sin_cos();
     let (nose, right) = (DVec2::new(sin, -cos), DVec2::new(cos, sin));
@@ -137,10 +125,16 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, art
             let spread = (whole / length).sqrt().min(FLAME_SPREAD);
             let root = centre + right * side - nose * (out * way);
             let middle = root - nose * (way * length * 0.5);
-            art.draw(Tile::Glow, view.point(middle), Vec2::splat(view.length(2.2 * length)), 0.0, faded(rgb(0xFF9F1C), 0.35));
+            art::draw(
+                canvas,
+                Tile::Glow,
+                Area::around(view.point(middle), Vec2::splat(view.length(2.2 * length))),
+                0.0,
+                Colour::hex(0xFF9F1C).faded(0.35),
+            );
             let turn = if way > 0.0 { rotation } else { rotation + std::f64::consts::PI };
             let size = Vec2::new(view.length(0.75 * size * spread), view.length(length));
-            art.draw(Tile::Flame, view.point(middle), size, turn as f32, WHITE);
+            art::draw(canvas, Tile::Flame, Area::around(view.point(middle), size), turn as f32, Colour::WHITE);
         }
     }
     // It stands where it stood: only its top comes down, and only where it stands on its legs.
@@ -148,49 +142,49 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, art
     let height = 2.0 * SHIP_HALF.y * (1.0 - squash);
     let standing = centre + DVec2::new(0.0, SHIP_HALF.y * squash);
     let size = Vec2::new(view.length(2.0 * SHIP_HALF.y), view.length(height));
-    art.draw(Tile::Ship, view.point(standing), size, rotation as f32, ship.light);
+    art::draw(canvas, Tile::Ship, Area::around(view.point(standing), size), rotation as f32, ship.light);
 }
 
 /// A ghost is pale and blue, and a ring goes round it: enough to follow it, too little to be taken for the ship.
-const PALE: Color = Color::new(0.72, 0.84, 1.0, 0.7);
+const PALE: Colour = Colour::new(0.72, 0.84, 1.0, 0.7);
 /// How much of its ring, its outline and its name is seen.
 const GHOST_EDGE: f32 = 0.75;
 /// From its centre to the ring, in halves of the ship.
 const GHOST_RING: f64 = 1.2;
 
 /// A ship of another time: pale, without light or flame, and its name below it where that is given.
-pub fn draw_ghost(name: Option<&str>, pose: Pose, Brushes { art, view, canvas, .. }: Brushes<'_>) {
+pub fn draw_ghost(name: Option<&str>, pose: Pose, Brushes { view, canvas, .. }: Brushes<'_>) {
     let size = Vec2::splat(view.length(2.0 * SHIP_HALF.y));
-    art.draw(Tile::Ship, view.point(pose.centre), size, pose.angle.to_radians() as f32, PALE);
-    canvas.ring(view.point(pose.centre), view.length(SHIP_HALF.y * GHOST_RING), 1.5, faded(PALE, GHOST_EDGE));
+    art::draw(canvas, Tile::Ship, Area::around(view.point(pose.centre), size), pose.angle.to_radians() as f32, PALE);
+    canvas.ring(view.point(pose.centre), view.length(SHIP_HALF.y * GHOST_RING), 1.5, PALE.faded(GHOST_EDGE));
     if let Some(name) = name {
         let below = view.point(pose.centre + DVec2::new(0.0, SHIP_HALF.y * GHOST_RING + 0.4));
-        canvas.text(name, below, Style::new(DETAILS, faded(theme::text(), 0.85)).centred().middle());
+        canvas.text(name, below, Style::new(DETAILS, theme::text().faded(0.85)).centred().middle());
     }
 }
 
 /// An object of another time: its pale outline, and its name below it where that is given.
 pub fn draw_ghost_object(name: Option<&str>, (object, centre): (&Object, DVec2), Brushes { view, canvas, .. }: Brushes<'_>) {
-    const SIDES: usize = 32;
     let area = exact(&Aabb::around(centre, object.size * 0.5), view);
-    let (fill, edge) = (faded(PALE, 0.30), Color::new(PALE.r, PALE.g, PALE.b, 1.0));
-    let corners: Vec<Vec2> = if object.circular || object.look == Look::Ball {
-        let turn = |i: usize| Vec2::from_angle(std::f32::consts::TAU * i as f32 / SIDES as f32);
-        (0..SIDES).map(|i| area.center() + turn(i) * area.size() / 2.0).collect()
-    } else {
-        let (min, max) = (area.point(), area.point() + area.size());
-        vec![min, Vec2::new(max.x, min.y), max, Vec2::new(min.x, max.y)]
-    };
+    let (fill, edge) = (PALE.faded(0.30), Colour::new(PALE.r, PALE.g, PALE.b, 1.0));
+    let corners: Vec<Vec2> = if object.circular || object.look == Look::Ball { ellipse(area) } else { area.corners().to_vec() };
     canvas.convex(&corners, fill);
     canvas.convex_edge(&corners, 1.5, edge);
     if let Some(name) = name {
         let below = view.point(centre + DVec2::new(0.0, object.size.y / 2.0)) + Vec2::new(0.0, canvas.line_height(DETAILS) * 0.6);
-        canvas.text(name, below, Style::new(DETAILS, faded(theme::text(), 0.85)).centred().middle());
+        canvas.text(name, below, Style::new(DETAILS, theme::text().faded(0.85)).centred().middle());
     }
 }
 
 /// Where a moving box lies, not rounded to pixels: it glides.
-pub fn exact(bounds: &Aabb, view: &Viewport) -> Rect {
+pub fn exact(bounds: &Aabb, view: &Viewport) -> Area {
     let (min, max) = (view.point(bounds.min), view.point(bounds.max));
-    Rect::new(min.x, min.y, max.x - min.x, max.y - min.y)
+    Area { min, size: max - min }
+}
+
+/// The corners of an ellipse that fills an area.
+pub fn ellipse(area: Area) -> Vec<Vec2> {
+    const SIDES: usize = 40;
+    let turn = |i: usize| Vec2::from_angle(std::f32::consts::TAU * i as f32 / SIDES as f32);
+    (0..SIDES).map(|i| area.centre() + turn(i) * area.size / 2.0).collect()
 }

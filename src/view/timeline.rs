@@ -1,11 +1,11 @@
 //! Draws a scene over time: the error of every method above, the energy that it has kept below. The same picture as `resultant chart`
 //! makes, with one method picked out.
 
-use super::canvas::{Canvas, Style};
 use super::diagram::{dashed, legend_of_curves, shade, stroke};
 use super::layout::{Area, DETAILS, TEXT, Vec2};
 use super::plot::Plot;
 use super::{theme, widgets};
+use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{number, power};
 use crate::lab::course::{Moment, OverTime};
@@ -86,7 +86,7 @@ pub fn draw(canvas: &Canvas, plot: &Plot, (measured, over_time): (&Measured, &Ov
             continue;
         };
         let look = Look { width: 2, ..Look::of(index, curve.origin) };
-        let colour = shade(theme::rgb(look.colour), picked.is_none_or(|picked| picked == index));
+        let colour = shade(Colour::hex(look.colour), picked.is_none_or(|picked| picked == index));
         let line: Vec<Vec2> = course.moments.iter().map(|moment| upper.at(axes.error_at(moment))).collect();
         stroke(canvas, &line, &look, colour);
         if let Some(lower) = &lower {

@@ -1,10 +1,8 @@
 //! What the screens are made of: panels, buttons, headings.
 
-use super::canvas::{Canvas, Style};
 use super::layout::{Area, BUTTON_TEXT, CORNER, DETAILS, EDGE, GRID, HEADING, TEXT, Vec2};
 use super::theme;
-use macroquad::color::Color;
-use macroquad::shapes::draw_rectangle;
+use crate::draw::{Canvas, Colour, Style};
 
 /// From a button's edge out to its focus ring.
 const RING_GAP: f32 = 4.0;
@@ -15,7 +13,7 @@ pub fn panel(canvas: &Canvas, area: Area) {
 }
 
 /// A panel of other colours.
-pub fn panel_in(canvas: &Canvas, area: Area, fill: Color, edge: Color) {
+pub fn panel_in(canvas: &Canvas, area: Area, fill: Colour, edge: Colour) {
     canvas.rounded(area, CORNER, fill);
     canvas.rounded_edge(area, CORNER, EDGE, edge);
 }
@@ -60,7 +58,7 @@ pub fn heading(canvas: &Canvas, text: &str, y: f32) {
 }
 
 /// A line of text around its middle that is at most `widest` wide: in the first of `sizes` that fits, else cut off with an ellipsis.
-pub fn fitted(canvas: &Canvas, text: &str, middle: Vec2, widest: f32, sizes: &[f32], colour: Color) {
+pub fn fitted(canvas: &Canvas, text: &str, middle: Vec2, widest: f32, sizes: &[f32], colour: Colour) {
     let style = |size: f32| Style::new(size, colour).centred().middle();
     if let Some(size) = sizes.iter().find(|size| canvas.width(text, style(**size)) <= widest) {
         return canvas.text(text, middle, style(*size));
@@ -88,14 +86,14 @@ pub fn cut(canvas: &Canvas, text: &str, widest: f32, style: Style) -> String {
 }
 
 /// A tick, as large as a letter of twice that height.
-pub fn tick(canvas: &Canvas, middle: Vec2, size: f32, colour: Color) {
+pub fn tick(canvas: &Canvas, middle: Vec2, size: f32, colour: Colour) {
     let at = |x: f32, y: f32| middle + Vec2::new(x, y) * size;
     canvas.line(at(-0.9, 0.0), at(-0.25, 0.7), 3.0, colour);
     canvas.line(at(-0.25, 0.7), at(0.95, -0.7), 3.0, colour);
 }
 
 /// A cross of that size.
-pub fn cross(canvas: &Canvas, middle: Vec2, size: f32, colour: Color) {
+pub fn cross(canvas: &Canvas, middle: Vec2, size: f32, colour: Colour) {
     let reach = Vec2::splat(0.8 * size);
     canvas.line(middle - reach, middle + reach, 3.0, colour);
     canvas.line(middle + reach * Vec2::new(-1.0, 1.0), middle + reach * Vec2::new(1.0, -1.0), 3.0, colour);
@@ -128,5 +126,5 @@ pub fn graph_paper(canvas: &Canvas) {
 /// Darkens everything so far and starts a layer above it.
 pub fn curtain(canvas: &Canvas, alpha: f32) {
     canvas.end_layer();
-    draw_rectangle(0.0, 0.0, canvas.size().x, canvas.size().y, theme::faded(theme::ground(), alpha));
+    canvas.rectangle(Area::new(0.0, 0.0, canvas.size().x, canvas.size().y), theme::ground().faded(alpha));
 }

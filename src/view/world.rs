@@ -1,16 +1,13 @@
 //! What the level is drawn on, and the words written in it. What is solid is drawn by [`super::terrain`].
 
 use super::camera::Viewport;
-use super::canvas::{Canvas, Style};
-use super::layout::{nearest_size, text_room};
+use super::layout::{Area, nearest_size, text_room};
 use super::pictures::Pictures;
 use super::terrain::Tint;
-use super::theme::{self, faded};
+use super::theme;
+use crate::draw::{Canvas, Colour, Style};
 use crate::level::{Level, Text};
 use crate::physics::{Aabb, DVec2};
-use macroquad::color::{Color, WHITE};
-use macroquad::shapes::draw_rectangle;
-use macroquad::texture::{DrawTextureParams, draw_texture_ex};
 
 /// How much of the graph paper shows over an author's picture.
 const PAPER_OVER_PICTURE: f32 = 0.45;
@@ -24,33 +21,32 @@ const SNAPPED: f64 = 1.25;
 pub fn draw_ground(level: &Level, tint: &Tint, pictures: &Pictures, view: &Viewport, canvas: &Canvas) {
     let all = view.rect(&Aabb::new(DVec2::ZERO, level.size));
     let picture = level.background.as_ref().and_then(|path| pictures.get(path));
-    if let Some(texture) = picture {
-        let params = DrawTextureParams { dest_size: Some(all.size()), ..DrawTextureParams::default() };
-        draw_texture_ex(texture, all.x, all.y, WHITE, params);
+    if let Some(image) = picture {
+        canvas.image(image, all, Colour::WHITE);
     }
     let strength = if picture.is_some() { PAPER_OVER_PICTURE } else { 1.0 };
     let fine = view.scale() >= FINEST_PAPER;
     for heavy in [false, true] {
         if heavy || fine {
-            let colour = faded(if heavy { tint.heavy } else { tint.fine }, strength);
+            let colour = (if heavy { tint.heavy } else { tint.fine }).faded(strength);
             paper_lines(view, canvas, heavy, colour);
         }
     }
 }
 
-fn paper_lines(view: &Viewport, canvas: &Canvas, heavy: bool, colour: Color) {
+fn paper_lines(view: &Viewport, canvas: &Canvas, heavy: bool, colour: Colour) {
     let (visible, level) = (view.visible(), view.level());
     let (from, to) = (visible.min.max(level.min), visible.max.min(level.max));
     let shown = view.rect(&Aabb::new(from, to));
     let width = canvas.frame().pixel * if heavy { 2.0 } else { 1.0 };
     let lines = |from: f64, to: f64| (from.ceil() as i64..=to.floor() as i64).filter(move |i| (i % 10 == 0) == heavy);
     for x in lines(from.x, to.x) {
-        let at = view.rect(&Aabb::around(DVec2::new(x as f64, 0.0), DVec2::ZERO)).x;
-        draw_rectangle(at - (width * 0.5).floor(), shown.y, width, shown.h, colour);
+        let at = view.rect(&Aabb::around(DVec2::new(x as f64, 0.0), DVec2::ZERO)).min.x;
+        canvas.rectangle(Area::new(at - (width * 0.5).floor(), shown.min.y, width, shown.size.y), colour);
     }
     for y in lines(from.y, to.y) {
-        let at = view.rect(&Aabb::around(DVec2::new(0.0, y as f64), DVec2::ZERO)).y;
-        draw_rectangle(shown.x, at - (width * 0.5).floor(), shown.w, width, colour);
+        let at = view.rect(&Aabb::around(DVec2::new(0.0, y as f64), DVec2::ZERO)).min.y;
+        canvas.rectangle(Area::new(shown.min.x, at - (width * 0.5).floor(), shown.size.x, width), colour);
     }
 }
 
@@ -58,7 +54,7 @@ fn paper_lines(view: &Viewport, canvas: &Canvas, heavy: bool, colour: Color) {
 pub fn draw_texts(level: &Level, view: &Viewport, canvas: &Canvas) {
     for text in &level.texts {
         let size = nearest_size(view.length(text.size));
-        let colour = text.colour.map_or_else(theme::text, |[r, g, b]| Color::from_rgba(r, g, b, 255));
+        let colour = text.colour.map_or_else(theme::text, Colour::of);
         canvas.text(&text.text, view.point(text.position), Style::new(size, colour));
     }
 }

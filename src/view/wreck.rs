@@ -2,12 +2,11 @@
 //! the game changes.
 
 use super::camera::Viewport;
-use super::theme::{self, rgb};
+use super::theme;
+use crate::draw::{Canvas, Colour};
 use crate::game::Game;
 use crate::level::{Level, SHIP_HALF};
 use crate::physics::{BodyDef, BodyId, DVec2, World, WorldDef};
-use macroquad::color::{Color, WHITE};
-use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
 
 /// How long the game holds its breath before the ship breaks, s.
 const HIT_STOP: f64 = 0.09;
@@ -58,22 +57,22 @@ impl Wreck {
     }
 
     /// Draws the pieces.
-    pub fn draw(&self, view: &Viewport) {
+    pub fn draw(&self, view: &Viewport, canvas: &Canvas) {
         for (i, body) in self.world.bodies().iter().enumerate() {
             let area = view.rect(&body.bounds());
-            draw_rectangle(area.x, area.y, area.w, area.h, colour(i as u32));
-            draw_rectangle_lines(area.x, area.y, area.w, area.h, 2.0, theme::ground());
+            canvas.rectangle(area, colour(i as u32));
+            canvas.rectangle_edge(area, 1.0, theme::ground());
         }
     }
 }
 
 /// The hull is white, the belly slate, the trim orange.
-fn colour(piece: u32) -> Color {
+fn colour(piece: u32) -> Colour {
     match (piece % PIECES, piece / PIECES) {
         (1, 0) => theme::accent(),
-        (_, 0) => WHITE,
-        (1, 1) => rgb(0x6FB7E8),
-        (_, 1) => rgb(0xE6EBF2),
+        (_, 0) => Colour::WHITE,
+        (1, 1) => Colour::hex(0x6FB7E8),
+        (_, 1) => Colour::hex(0xE6EBF2),
         _ => theme::solid_top(),
     }
 }

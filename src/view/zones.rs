@@ -1,18 +1,14 @@
 //! What acts on what touches it: objectives, death boxes, air streams and liquids.
 
-use super::art::{Art, Tile};
+use super::art::{self, Tile};
 use super::camera::Viewport;
-use super::canvas::{Canvas, Style};
 use super::emitters::objective_colour;
-use super::layout::{DETAILS, Vec2};
-use super::terrain::Batch;
-use super::theme::{self, faded, rgb};
+use super::layout::{Area, DETAILS, Vec2};
+use super::theme;
+use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::game::Game;
 use crate::level::{Fluid, Level, ObjectiveKind, Solid};
 use crate::physics::{Aabb, DVec2};
-use macroquad::color::{Color, WHITE};
-use macroquad::math::Rect;
-use macroquad::shapes::{draw_rectangle, draw_rectangle_lines, draw_triangle};
 
 /// From an objective's edge to its label, canvas units.
 const LABEL_GAP: f32 = 14.0;
@@ -33,7 +29,7 @@ const CHEVRON_STEP: f64 = 2.0;
 const CHEVRON_SPEED: f64 = 2.5;
 
 /// The objective blocks with their labels: the ship's with its outline, the key object's with a diamond, a met one with a tick.
-pub fn draw_objectives(game: &Game, art: &Art, view: &Viewport, canvas: &Canvas, time: f64) {
+pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
     for (index, objective) in game.level().objectives.iter().enumerate() {
         if !objective.bounds.touches(&view.visible(), 2.0) {
             continue;
@@ -41,12 +37,12 @@ pub fn draw_objectives(game: &Game, art: &Art, view: &Viewport, canvas: &Canvas,
         let colour = objective_colour(game, index);
         let area = view.rect(&objective.bounds);
         let pulse = 0.5 + 0.5 * (time * 2.6).sin() as f32;
-        art.halo(area, 26.0, faded(colour, 0.28 + 0.14 * pulse));
+        art::halo(canvas, area, 26.0, colour.faded(0.28 + 0.14 * pulse));
         // Nothing behind it, no liquid and no picture, may change its colour.
-        draw_rectangle(area.x, area.y, area.w, area.h, theme::ground());
-        draw_rectangle(area.x, area.y, area.w, area.h, faded(colour, 0.30));
-        draw_rectangle_lines(area.x, area.y, area.w, area.h, 4.0, colour);
-        let label = label_place(&area, view);
+        canvas.rectangle(area, theme::ground());
+        canvas.rectangle(area, colour.faded(0.30));
+        canvas.rectangle_edge(area, 2.0, colour);
+        let label = label_place(area, view);
         let name = match objective.kind {
             ObjectiveKind::Player => "Ship",
             ObjectiveKind::Physics => "Key",
@@ -61,17 +57,17 @@ pub fn draw_objectives(game: &Game, art: &Art, view: &Viewport, canvas: &Canvas,
             canvas.line(middle + Vec2::new(-1.5, 5.0), middle + Vec2::new(7.0, -5.0), 3.0, colour);
         } else {
             match objective.kind {
-                ObjectiveKind::Player => art.draw(Tile::Ship, middle, Vec2::splat(20.0), 0.0, WHITE),
+                ObjectiveKind::Player => art::draw(canvas, Tile::Ship, Area::around(middle, Vec2::splat(20.0)), 0.0, Colour::WHITE),
                 ObjectiveKind::Physics => match objective.colour {
                     Some([r, g, b]) => {
                         diamond(canvas, middle, 9.0, colour);
-                        diamond(canvas, middle, 6.5, Color::from_rgba(r, g, b, 255));
+                        diamond(canvas, middle, 6.5, Colour::of([r, g, b]));
                     }
                     None => diamond(canvas, middle, 7.0, colour),
                 },
             }
             if objective.hold > 0.0 {
-                ring(canvas, (middle, ICON_RING), 1.0, faded(colour, 0.35));
+                ring(canvas, (middle, ICON_RING), 1.0, colour.faded(0.35));
                 ring(canvas, (middle, ICON_RING), game.held(index) as f32, theme::good());
             }
         }
@@ -90,14 +86,14 @@ pub fn draw_holds(game: &Game, ship: DVec2, view: &Viewport, canvas: &Canvas) {
                 ObjectiveKind::Physics => objective.bounds.centre(),
             };
             let place = (view.point(at), view.length(HOLD_RING));
-            ring(canvas, place, 1.0, faded(objective_colour(game, index), 0.3));
+            ring(canvas, place, 1.0, objective_colour(game, index).faded(0.3));
             ring(canvas, place, held, theme::good());
         }
     }
 }
 
 /// A part (0 … 1) of a ring of some radius round a point, clockwise from the top.
-fn ring(canvas: &Canvas, (centre, radius): (Vec2, f32), part: f32, colour: Color) {
+fn ring(canvas: &Canvas, (centre, radius): (Vec2, f32), part: f32, colour: Colour) {
     const SIDES: usize = 36;
     let at = |side: usize| {
         let angle = std::f32::consts::TAU * (side as f32 / SIDES as f32).min(part) - std::f32::consts::FRAC_PI_2;
@@ -109,37 +105,37 @@ fn ring(canvas: &Canvas, (centre, radius): (Vec2, f32), part: f32, colour: Color
 }
 
 /// The middle of an objective's label: in the block where it has the room, else above it, or below at the top of the window.
-fn label_place(area: &Rect, view: &Viewport) -> Vec2 {
-    let centre = area.center();
-    let above = area.y - LABEL_GAP;
+fn label_place(area: Area, view: &Viewport) -> Vec2 {
+    let centre = area.centre();
+    let above = area.min.y - LABEL_GAP;
     let y = match () {
-        () if area.w >= 72.0 && area.h >= 28.0 => centre.y,
+        () if area.size.x >= 72.0 && area.size.y >= 28.0 => centre.y,
         () if above > LABEL_GAP => above,
-        () => area.bottom() + LABEL_GAP,
+        () => area.max().y + LABEL_GAP,
     };
     Vec2::new(centre.x.clamp(36.0, (view.size().x - 36.0).max(36.0)), y)
 }
 
 /// The sign of key objects.
-pub fn diamond(canvas: &Canvas, centre: Vec2, reach: f32, colour: Color) {
+pub fn diamond(canvas: &Canvas, centre: Vec2, reach: f32, colour: Colour) {
     let corners = [Vec2::new(0.0, -reach), Vec2::new(reach, 0.0), Vec2::new(0.0, reach), Vec2::new(-reach, 0.0)];
     canvas.convex(&corners.map(|corner| centre + corner), colour);
 }
 
 /// The death boxes: hatched, edged and glowing red.
-pub fn draw_obstacles(level: &Level, art: &Art, view: &Viewport, time: f64) {
+pub fn draw_obstacles(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     let visible = view.visible();
     let pulse = 0.5 + 0.5 * (time * 4.2).sin() as f32;
     let in_view = || level.obstacles.iter().filter(|bounds| bounds.touches(&visible, 1.0));
     for bounds in in_view() {
-        art.halo(view.rect(bounds), 22.0, faded(theme::bad(), 0.42 + 0.2 * pulse));
+        art::halo(canvas, view.rect(bounds), 22.0, theme::bad().faded(0.42 + 0.2 * pulse));
     }
     for bounds in in_view() {
-        art.fill(Tile::Hatching, bounds, view, WHITE);
+        art::fill(canvas, Tile::Hatching, bounds, view, Colour::WHITE);
     }
     for bounds in in_view() {
         let area = view.rect(bounds);
-        draw_rectangle_lines(area.x, area.y, area.w, area.h, 4.0, rgb(0xFF7A7E));
+        canvas.rectangle_edge(area, 2.0, Colour::hex(0xFF7A7E));
     }
 }
 
@@ -150,7 +146,7 @@ pub fn draw_streams(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
     for (_, stream) in blowing.filter(|(_, stream)| stream.zone.touches(&visible, 0.0)) {
         let zone = view.rect(&stream.zone);
         let colour = theme::force(crate::physics::ForceKind::Wind);
-        draw_rectangle(zone.x, zone.y, zone.w, zone.h, faded(colour, 0.055));
+        canvas.rectangle(zone, colour.faded(0.055));
         let way = if stream.force.x.abs() > stream.force.y.abs() {
             DVec2::new(stream.force.x.signum(), 0.0)
         } else {
@@ -168,7 +164,7 @@ pub fn draw_streams(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
             let arm = (across * 0.18).min(0.6);
             for side in [-1.0, 1.0] {
                 let back = tip - way * arm + way.perp() * (arm * side);
-                canvas.line(view.point(tip), view.point(back), 2.5, faded(colour, 0.28 * strength));
+                canvas.line(view.point(tip), view.point(back), 2.5, colour.faded(0.28 * strength));
             }
             along += CHEVRON_STEP;
         }
@@ -180,19 +176,23 @@ pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
     let visible = view.visible();
     for stream in level.streams.iter().filter(|stream| stream.source.touches(&visible, 0.0)) {
         let area = view.rect(&stream.source);
-        draw_rectangle(area.x, area.y, area.w, area.h, rgb(0x55647C));
-        draw_rectangle_lines(area.x, area.y, area.w, area.h, 4.0, rgb(0x8FA3BF));
-        let inner = Rect::new(area.x + 5.0, area.y + 5.0, area.w - 10.0, area.h - 10.0);
+        canvas.rectangle(area, Colour::hex(0x55647C));
+        canvas.rectangle_edge(area, 2.0, Colour::hex(0x8FA3BF));
+        let inner = Area::new(area.min.x + 5.0, area.min.y + 5.0, area.size.x - 10.0, area.size.y - 10.0);
         let upright = stream.force.x.abs() > stream.force.y.abs();
-        let slats = ((if upright { inner.h } else { inner.w }) / 9.0).floor().max(0.0) as usize;
+        let slats = ((if upright { inner.size.y } else { inner.size.x }) / 9.0).floor().max(0.0) as usize;
         for i in 0..slats {
             let at = 2.0 + 9.0 * i as f32;
-            let (x, y, w, h) = if upright { (inner.x, inner.y + at, inner.w, 4.0) } else { (inner.x + at, inner.y, 4.0, inner.h) };
-            draw_rectangle(x, y, w.max(0.0), h.max(0.0), rgb(0x2A3344));
+            let (x, y, w, h) = if upright {
+                (inner.min.x, inner.min.y + at, inner.size.x, 4.0)
+            } else {
+                (inner.min.x + at, inner.min.y, 4.0, inner.size.y)
+            };
+            canvas.rectangle(Area::new(x, y, w.max(0.0), h.max(0.0)), Colour::hex(0x2A3344));
         }
         let way = stream.force.normalize_or_zero().as_vec2();
-        let reach = area.w.min(area.h) * 0.32;
-        let centre = area.center();
+        let reach = area.size.x.min(area.size.y) * 0.32;
+        let centre = area.centre();
         let corners = [centre + way * reach, centre - way * reach + way.perp() * reach, centre - way * reach - way.perp() * reach];
         canvas.convex(&corners, theme::text());
     }
@@ -208,35 +208,38 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
         let shown = Aabb::new(fluid.zone.min.max(visible.min - 1.0), fluid.zone.max.min(visible.max + 1.0));
         let all = view.rect(&fluid.zone);
         let area = view.rect(&shown);
-        let top = (all.y + WAVE_HEIGHT).max(area.y);
-        let thick = |y: f32| faded(colour, SHALLOW + (DEEP - SHALLOW) * ((y - all.y) / all.h.max(1.0)).clamp(0.0, 1.0));
-        let (a, b) = (Vec2::new(area.x, top), Vec2::new(area.right(), area.bottom()));
-        let mut batch = Batch::default();
-        batch.quad([a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)], [thick(a.y), thick(a.y), thick(b.y), thick(b.y)]);
+        let top = (all.min.y + WAVE_HEIGHT).max(area.min.y);
+        let thick = |y: f32| colour.faded(SHALLOW + (DEEP - SHALLOW) * ((y - all.min.y) / all.size.y.max(1.0)).clamp(0.0, 1.0));
+        let (a, b) = (Vec2::new(area.min.x, top), Vec2::new(area.max().x, area.max().y));
+        let mut quads = Quads::default();
+        quads.quad([a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)], [thick(a.y), thick(a.y), thick(b.y), thick(b.y)]);
         // Where something lies on it, it is filled to its edge; elsewhere it has waves.
         let open = open_surface(&level.fluids, &level.world, index);
         let ends = [fluid.zone.min.x].into_iter().chain(open.iter().map(|span| span.1));
         let starts = open.iter().map(|span| span.0).chain([fluid.zone.max.x]);
         for (from, to) in ends.zip(starts).filter(|(from, to)| from < to) {
             let lid = view.rect(&Aabb::new(DVec2::new(from, fluid.zone.min.y), DVec2::new(to, fluid.zone.max.y)));
-            let (a, b) = (Vec2::new(lid.x.max(area.x), all.y), Vec2::new(lid.right().min(area.right()), all.y + WAVE_HEIGHT));
+            let (a, b) = (
+                Vec2::new(lid.min.x.max(area.min.x), all.min.y),
+                Vec2::new(lid.max().x.min(area.max().x), all.min.y + WAVE_HEIGHT),
+            );
             if a.x < b.x {
-                batch.quad([a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)], [thick(a.y); 4]);
-                batch.stroke([a, Vec2::new(b.x, a.y)], 1.5, [faded(mixed(colour), 0.5); 2]);
+                quads.quad([a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)], [thick(a.y); 4]);
+                quads.stroke([a, Vec2::new(b.x, a.y)], 1.5, [mixed(colour).faded(0.5); 2]);
             }
         }
-        batch.draw();
+        canvas.quads(quads);
         for (from, to) in open {
             let span = view.rect(&Aabb::new(DVec2::new(from, fluid.zone.min.y), DVec2::new(to, fluid.zone.max.y)));
-            let shown = (span.x.max(area.x), span.right().min(area.right()));
-            surface(canvas, shown, &all, colour, time);
+            let shown = (span.min.x.max(area.min.x), span.max().x.min(area.max().x));
+            surface(canvas, shown, all, colour, time);
         }
         // Two faint bands of light that drift below the surface.
         for band in 0..2_u8 {
             let depth = 18.0 + 26.0 * f32::from(band);
-            let y = all.y + depth + 3.0 * (time * 0.9 + f64::from(band) * 2.0).sin() as f32;
-            if y + 4.0 < area.bottom() {
-                draw_rectangle(area.x, y, area.w, 2.0, faded(WHITE, 0.06));
+            let y = all.min.y + depth + 3.0 * (time * 0.9 + f64::from(band) * 2.0).sin() as f32;
+            if y + 4.0 < area.max().y {
+                canvas.rectangle(Area::new(area.min.x, y, area.size.x, 2.0), Colour::WHITE.faded(0.06));
             }
         }
     }
@@ -264,26 +267,26 @@ fn open_surface(fluids: &[Fluid], world: &[Solid], index: usize) -> Vec<(f64, f6
 
 /// The colour by which a picture is multiplied where it is drawn: white in the air, some of a liquid's colour in it, by the share of
 /// the box that is in it.
-pub fn in_liquid(fluids: &[Fluid], bounds: &Aabb) -> Color {
+pub fn in_liquid(fluids: &[Fluid], bounds: &Aabb) -> Colour {
     let all = bounds.size().x * bounds.size().y;
-    fluids.iter().fold(WHITE, |light, fluid| {
+    fluids.iter().fold(Colour::WHITE, |light, fluid| {
         let shared = (bounds.max.min(fluid.zone.max) - bounds.min.max(fluid.zone.min)).max(DVec2::ZERO);
         let share = STAIN * (shared.x * shared.y / all) as f32;
         let colour = liquid_colour(fluid);
         let stained = |light: f32, colour: f32| light * (1.0 - share + share * colour);
-        Color::new(stained(light.r, colour.r), stained(light.g, colour.g), stained(light.b, colour.b), 1.0)
+        Colour::new(stained(light.r, colour.r), stained(light.g, colour.g), stained(light.b, colour.b), 1.0)
     })
 }
 
-fn liquid_colour(fluid: &Fluid) -> Color {
+fn liquid_colour(fluid: &Fluid) -> Colour {
     let [r, g, b] = fluid.colour;
-    Color::from_rgba(r, g, b, 255)
+    Colour::of([r, g, b])
 }
 
 /// The top of a liquid: columns under a wave, and the bright line along it.
-fn surface(canvas: &Canvas, (left, right): (f32, f32), all: &Rect, colour: Color, time: f64) {
+fn surface(canvas: &Canvas, (left, right): (f32, f32), all: Area, colour: Colour, time: f64) {
     const STEP: f32 = 8.0;
-    let level = all.y;
+    let level = all.min.y;
     let bottom = level + WAVE_HEIGHT;
     let height = |x: f32| {
         let wave = (f64::from(x / WAVE_LENGTH) * std::f64::consts::TAU + time * 2.2).sin() * 0.7
@@ -291,20 +294,19 @@ fn surface(canvas: &Canvas, (left, right): (f32, f32), all: &Rect, colour: Color
         level + WAVE_HEIGHT * 0.5 * (1.0 + wave as f32)
     };
     // The wave is fixed to the level, wherever the part of it in view begins.
-    let mut x = left;
+    let (mut x, mut columns) = (left, Quads::default());
     while x < right {
-        let next = (x + STEP - (x - all.x).rem_euclid(STEP)).min(right);
-        let (a, b) = (Vec2::new(x, height(x - all.x)), Vec2::new(next, height(next - all.x)));
-        draw_triangle(a, b, Vec2::new(x, bottom), faded(colour, SHALLOW));
-        draw_triangle(b, Vec2::new(next, bottom), Vec2::new(x, bottom), faded(colour, SHALLOW));
-        canvas.line(a, b, 2.0, faded(mixed(colour), 0.85));
+        let next = (x + STEP - (x - all.min.x).rem_euclid(STEP)).min(right);
+        let (a, b) = (Vec2::new(x, height(x - all.min.x)), Vec2::new(next, height(next - all.min.x)));
+        columns.quad([a, b, Vec2::new(next, bottom), Vec2::new(x, bottom)], [colour.faded(SHALLOW); 4]);
+        canvas.line(a, b, 2.0, mixed(colour).faded(0.85));
         x = next;
     }
 }
 
 /// The colour half way to white.
-fn mixed(colour: Color) -> Color {
-    Color::new(0.5 + colour.r * 0.5, 0.5 + colour.g * 0.5, 0.5 + colour.b * 0.5, 1.0)
+fn mixed(colour: Colour) -> Colour {
+    Colour::new(0.5 + colour.r * 0.5, 0.5 + colour.g * 0.5, 0.5 + colour.b * 0.5, 1.0)
 }
 
 #[cfg(test)]
@@ -331,8 +333,8 @@ mod tests {
         let bounds = |top: f64| Aabb::new(DVec2::new(0.0, top), DVec2::new(2.0, top + 2.0));
         let (density, viscosity) = (1.0, 1.0);
         let fluids = [Fluid { zone: bounds(10.0), density, viscosity, colour: [255, 0, 0] }];
-        assert_eq!(in_liquid(&fluids, &bounds(7.0)), WHITE);
-        assert_eq!(in_liquid(&fluids, &bounds(10.0)), Color::new(1.0, 1.0 - STAIN, 1.0 - STAIN, 1.0));
+        assert_eq!(in_liquid(&fluids, &bounds(7.0)), Colour::WHITE);
+        assert_eq!(in_liquid(&fluids, &bounds(10.0)), Colour::new(1.0, 1.0 - STAIN, 1.0 - STAIN, 1.0));
         let half = in_liquid(&fluids, &bounds(9.0));
         assert!((half.g - (1.0 - STAIN / 2.0)).abs() < 1e-6 && half.r == 1.0);
     }

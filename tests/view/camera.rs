@@ -1,5 +1,4 @@
 //! The camera: it follows the ship, shows nothing outside of the level, and never loses the ship, in windows and levels of any size.
-#![cfg(feature = "window")]
 
 use resultant::physics::{Aabb, DVec2};
 use resultant::view::camera::{Camera, Viewport, Window};

@@ -1,6 +1,5 @@
 //! The head-up display covers nothing that matters, in windows of several sizes and shapes: at the start of every shipped level no hazard, no
 //! goal and no text; along every recorded flight it steps aside. Arrows point to every goal and key outside the view.
-#![cfg(feature = "window")]
 
 use crate::support::shipped::{experiment, flights, levels, load};
 use resultant::game::{Controls, Game, Outcome, SHIP};
@@ -32,10 +31,7 @@ fn start(level: &Level, frame: &Frame) -> Viewport {
 
 /// What has to be seen, by name, where it lies on the canvas.
 fn shown(level: &Level, view: &Viewport, frame: &Frame) -> Vec<(String, Area)> {
-    let area = |bounds: &Aabb| {
-        let rect = view.rect(bounds);
-        Area::new(rect.x, rect.y, rect.w, rect.h)
-    };
+    let area = |bounds: &Aabb| view.rect(bounds);
     let named = |name: &'static str| move |bounds: &Aabb| (format!("{name} at {}", bounds.min * level.metre), area(bounds));
     let texts = level.texts.iter().map(|text| {
         let height = frame.text_height(nearest_size(view.length(text.size)));

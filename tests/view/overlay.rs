@@ -1,5 +1,4 @@
 //! The details overlay tells the truth: what its boxes show is what the world says, on every tick.
-#![cfg(feature = "window")]
 
 use crate::support::rooms::{area, crate_at, room};
 use resultant::game::{Controls, Game, READABLE, SHIP};

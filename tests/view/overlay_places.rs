@@ -1,6 +1,5 @@
 //! Along every recorded flight and through every experiment, in windows of several sizes and with words of two sizes, the details cover
 //! neither the ship nor a hazard nor a goal, nothing of them covers another, and no force is without an arrow inside the window.
-#![cfg(feature = "window")]
 
 use crate::support::shipped::{experiment, experiments, flights, levels, load};
 use resultant::game::{Controls, Game, SHIP, TICK_RATE};

@@ -1,7 +1,6 @@
 //! Lessons are played, and the text of the details is read on every frame, the very strings that are drawn: the forces add up to
 //! mass times acceleration, and what forces and impacts give in half a second is what the momentum has changed by, within what the digits
 //! that are shown leave open.
-#![cfg(feature = "window")]
 
 use crate::support::shipped::{experiment, flights, load};
 use resultant::game::{Controls, Game, READABLE};

@@ -70,7 +70,6 @@ impl Ask {
     }
 
     /// The lines that it says.
-    #[cfg(feature = "window")]
     pub fn lines(&self) -> &[(String, bool)] {
         &self.lines
     }

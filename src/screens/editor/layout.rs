@@ -22,7 +22,6 @@ pub const PROBLEM_LINES: usize = 4;
 /// How many pictures are offered at most.
 pub const OFFERS: usize = 8;
 /// How large words are in a window with `pixel` canvas units a pixel: in a large window they need not grow with it.
-#[cfg(any(test, feature = "window"))]
 pub fn text_scale(pixel: f32) -> f32 {
     (1.25 * pixel).clamp(0.75, 1.0)
 }

@@ -4,18 +4,12 @@
 
 mod ask;
 mod commands;
-#[cfg(feature = "window")]
 mod drawing;
 mod hand;
 mod layout;
 mod panel;
 mod snap;
 mod view;
-
-#[cfg(feature = "window")]
-pub use drawing::Sheets;
-#[cfg(feature = "window")]
-pub use layout::text_scale;
 
 use super::folder_watch::FolderWatch;
 use super::input::Repeat;
@@ -27,8 +21,9 @@ use crate::physics::DVec2;
 use crate::view::layout::{Area, Frame, Vec2};
 use ask::{Ask, Question};
 use hand::Drag;
-use layout::{OFFERS, PROBLEM_LINES, Parts};
+use layout::{OFFERS, PROBLEM_LINES, Parts, text_scale};
 use panel::{Panel, Write};
+use std::cell::RefCell;
 use std::path::Path;
 use std::sync::Arc;
 use view::View;
@@ -98,8 +93,8 @@ pub struct Editor {
     repeat: Repeat,
     /// The view that shows all of the level, and the canvas in which it does, until another one is chosen.
     fitted: Option<(View, Frame)>,
-    /// Counts how often the pictures may have changed.
-    pictures: u64,
+    /// The pictures that were drawn, until one may have changed.
+    sheets: RefCell<drawing::Sheets>,
     /// The pictures that are there, as cells name them.
     offered: Vec<String>,
     /// Where the pointer is, canvas units.
@@ -109,6 +104,11 @@ pub struct Editor {
 }
 
 impl Editor {
+    /// How large words are in a window with `pixel` canvas units a pixel.
+    pub fn text_scale(pixel: f32) -> f32 {
+        text_scale(pixel)
+    }
+
     /// Opens the level in that folder; images are looked up there, then under `root`.
     ///
     /// # Errors
@@ -141,7 +141,7 @@ impl Editor {
             checked: (None, 0.0),
             repeat: Repeat::default(),
             fitted: None,
-            pictures: 0,
+            sheets: RefCell::default(),
             pointer: Vec2::ZERO,
             figures: false,
         };
@@ -208,7 +208,8 @@ impl Editor {
         let (taken, both) = self.folder.take_over(&mut self.document);
         self.folder.measure(&mut self.document);
         self.offered = self.folder.pictures();
-        (self.pictures, self.checked.0) = (self.pictures + 1, None);
+        self.checked.0 = None;
+        self.sheets.take();
         if !both.is_empty() {
             self.ask = Some(Ask::new(Question::Theirs(both)));
         } else if taken {

@@ -45,7 +45,6 @@ impl View {
     }
 
     /// Where a rectangle of the picture is shown.
-    #[cfg(feature = "window")]
     pub fn rect(&self, place: &Place) -> Area {
         let (min, max) = (self.point(place.min), self.point(place.max()));
         Area { min, size: max - min }

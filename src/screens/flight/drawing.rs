@@ -1,8 +1,8 @@
 //! Draws what a flight tells above the game: how its time goes, what became of the level's files, the pause panel.
 
 use super::{Flight, News, PAUSE_TOP};
+use crate::draw::{Canvas, Style};
 use crate::game::Outcome;
-use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{
     Area, DETAILS, Frame, GRID, HEADING, HudLayout, LINE, MONO_ADVANCE, PADDING, TEXT, Vec2, WIDE_BUTTON, text_room, wrapped,
 };
@@ -67,7 +67,7 @@ impl Flight {
     fn draw_lost(&self, canvas: &Canvas) {
         let Some((words, area)) = self.lost_sign(canvas.frame()) else { return };
         canvas.end_layer();
-        widgets::panel_in(canvas, area, theme::faded(theme::panel(), 0.9), theme::panel_edge());
+        widgets::panel_in(canvas, area, theme::panel().faded(0.9), theme::panel_edge());
         canvas.text(&words, area.centre(), Style::new(TEXT, theme::accent()).middle().centred());
     }
 
@@ -140,7 +140,7 @@ fn draw_news(news: &News, canvas: &Canvas) {
     };
     let (panel, lines) = news_panel(news, canvas.frame());
     widgets::curtain(canvas, 0.0);
-    widgets::panel_in(canvas, panel, theme::faded(theme::panel(), 0.95), colour);
+    widgets::panel_in(canvas, panel, theme::panel().faded(0.95), colour);
     let top = panel.min + Vec2::new(PADDING, 0.75 * PADDING);
     canvas.text(words, top, Style::new(TEXT, colour));
     for (i, words) in lines.iter().enumerate() {

@@ -1,9 +1,7 @@
 //! The game screen: one attempt at a level, its keys and its pause panel.
 
-#[cfg(feature = "window")]
 mod drawing;
 mod what_if;
-#[cfg(feature = "window")]
 mod what_if_drawing;
 
 use super::instruments::vary::Wish;

@@ -1,7 +1,6 @@
 //! "What if": the level with other numbers, flown again by the same controls or on from where it is, beside the run before as a ghost. Nothing
 //! of it counts: only a fresh attempt at the level as it is does.
 
-#[cfg(feature = "window")]
 use super::END_PAUSE;
 use super::Flight;
 use crate::game::{Again, Controls, Game, History, Outcome, Tape};
@@ -230,7 +229,6 @@ impl Flight {
     }
 
     /// Whether it is said that the run has ended, and what leads on.
-    #[cfg(feature = "window")]
     pub(super) fn tells_of_the_end(&self) -> bool {
         self.what_if.is_some() && self.game.outcome() != Outcome::Running && self.ended >= END_PAUSE
     }

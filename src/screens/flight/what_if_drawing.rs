@@ -1,10 +1,10 @@
 //! Draws what tells that a level is varied: a sign with what is, the ghost of the run before, and how to go on at its end.
 
 use super::Flight;
+use crate::draw::{Canvas, Style};
 use crate::game::{Game, Pose, SHIP, body_title};
 use crate::physics::{BodyId, DVec2};
 use crate::screens::instruments::vary::written;
-use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, DETAILS, GRID, HudLayout, PADDING, TEXT, Vec2};
 use crate::view::{Ghost, theme, widgets};
 
@@ -66,7 +66,7 @@ impl Flight {
         let line = canvas.line_height(DETAILS);
         let widest = lines.iter().map(|line| canvas.width(line, style)).fold(0.0, f32::max);
         let area = Area::new(left, hud.min.y, widest + 2.0 * PADDING, lines.len() as f32 * line + PADDING);
-        widgets::panel_in(canvas, area, theme::faded(theme::panel(), 0.9), theme::accent());
+        widgets::panel_in(canvas, area, theme::panel().faded(0.9), theme::accent());
         for (i, text) in lines.iter().enumerate() {
             canvas.text(text, area.min + Vec2::new(PADDING, PADDING / 2.0 + i as f32 * line), style);
         }

@@ -5,16 +5,15 @@ use super::figures::told;
 use super::measure::Measures;
 use super::ruler::{End, Reading};
 use super::vectors::Vector;
+use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
 use crate::instruments::trail::{DOTS_A_SECOND, LASTS};
 use crate::number::fixed;
 use crate::physics::{BodyId, DVec2};
 use crate::view::camera::Viewport;
-use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, DETAILS, GRID, HudLayout, Vec2};
 use crate::view::quantity::{Scale, round_up, scalar};
-use crate::view::theme::{self, faded};
-use macroquad::color::Color;
+use crate::view::theme;
 
 /// Radius of a trail's dots, and of those at whole seconds, canvas units.
 const DOT: f32 = 3.0;
@@ -40,12 +39,12 @@ pub fn pair(vector: DVec2, unit: &str) -> String {
 }
 
 /// Words on a dark ground, their left end at a point as far as the window has room.
-pub fn label(lines: &[String], at: Vec2, colour: Color, canvas: &Canvas) {
+pub fn label(lines: &[String], at: Vec2, colour: Colour, canvas: &Canvas) {
     let style = Style::new(DETAILS, colour).mono();
     let (line, size) = (canvas.line_height(DETAILS), label_size(lines, canvas));
     let most = (canvas.size() - size - MARGIN).max(Vec2::splat(MARGIN));
     let min = (at - Vec2::new(0.0, size.y / 2.0)).clamp(Vec2::splat(MARGIN), most);
-    canvas.rounded(Area { min, size }, 4.0, faded(theme::ground(), 0.85));
+    canvas.rounded(Area { min, size }, 4.0, theme::ground().faded(0.85));
     for (i, words) in lines.iter().enumerate() {
         canvas.text(words, min + Vec2::new(0.5 * GRID, 0.25 * GRID + i as f32 * line), style);
     }
@@ -99,8 +98,8 @@ impl Measures {
                 let age = (now * DOTS_A_SECOND as f64 - dots.number as f64) / lasts;
                 let alpha = 1.0 - 0.85 * age as f32;
                 let radius = if dots.number % DOTS_A_SECOND == 0 { WHOLE } else { DOT };
-                canvas.disc(at, radius + 1.0, faded(theme::ground(), 0.6 * alpha));
-                canvas.disc(at, radius, faded(colour, alpha));
+                canvas.disc(at, radius + 1.0, theme::ground().faded(0.6 * alpha));
+                canvas.disc(at, radius, colour.faded(alpha));
             }
         }
     }
@@ -176,7 +175,7 @@ impl Measures {
         let [from, to] = ends.map(|end| view.point(place(end)));
         let along = (to - from).normalize_or_zero();
         let (across, colour) = (along.perp(), theme::accent());
-        canvas.line(from, to, 5.0, faded(theme::ground(), 0.7));
+        canvas.line(from, to, 5.0, theme::ground().faded(0.7));
         canvas.line(from, to, 2.0, colour);
         let step = if view.length(1.0) >= MARKS_APART { 1.0 } else { round_up(f64::from(MARKS_APART / view.length(1.0))) };
         // Too long a ruler has none: they are no more than what a window shows.
@@ -221,7 +220,7 @@ impl Vector {
     }
 }
 
-pub(super) const fn colour(vector: Vector) -> Color {
+pub(super) const fn colour(vector: Vector) -> Colour {
     match vector {
         Vector::Velocity => theme::VELOCITY,
         Vector::Acceleration => theme::ACCELERATION,
@@ -238,11 +237,11 @@ fn reading_lines(reading: &Reading) -> Vec<String> {
     ]
 }
 
-fn draw_arrow(canvas: &Canvas, (from, to): (Vec2, Vec2), colour: Color) {
+fn draw_arrow(canvas: &Canvas, (from, to): (Vec2, Vec2), colour: Colour) {
     let along = (to - from).normalize_or_zero();
     let head = HEAD * ((to - from).length() / HEAD.x).min(1.0);
     let neck = to - along * head.x;
-    canvas.line(from, neck, ARROW + 2.0, faded(theme::ground(), 0.6));
+    canvas.line(from, neck, ARROW + 2.0, theme::ground().faded(0.6));
     canvas.line(from, neck, ARROW, colour);
     canvas.convex(&[to, neck + along.perp() * head.y, neck - along.perp() * head.y], colour);
 }

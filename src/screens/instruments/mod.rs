@@ -2,13 +2,10 @@
 //! that are its own; the flight has the rest.
 
 mod dock;
-#[cfg(feature = "window")]
 mod drawing;
 mod figures;
 mod measure;
-#[cfg(feature = "window")]
 mod measured;
-#[cfg(feature = "window")]
 mod panels;
 pub mod places;
 mod plot;

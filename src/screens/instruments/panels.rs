@@ -6,16 +6,15 @@ use super::figures::{Line, Subject, told};
 use super::measure::{CLOCK_BUTTONS, Measures, WORK_BUTTONS};
 use super::measured::{colour, drawn};
 use super::vectors::Vector;
+use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
 use crate::instruments::stop_clock::seconds;
 use crate::screens::Buttons;
 use crate::view::camera::Viewport;
-use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, DETAILS, GRID, TEXT, Vec2};
 use crate::view::quantity::scalar;
-use crate::view::theme::{self, faded};
+use crate::view::theme;
 use crate::view::widgets;
-use macroquad::color::Color;
 
 /// How much a panel hides of what is below it, and of the ship and whoever is followed.
 const HIDES: f32 = 0.95;
@@ -34,7 +33,7 @@ impl Measures {
                 max.cmpgt(area.min).all() && min.cmplt(area.max()).all()
             });
             let hides = if over { OVER_SHIP } else { HIDES };
-            widgets::panel_in(canvas, area, faded(theme::panel(), hides), theme::panel_edge());
+            widgets::panel_in(canvas, area, theme::panel().faded(hides), theme::panel_edge());
             match tool {
                 Tool::Vectors => self.draw_scales(scene, area, (view, canvas)),
                 Tool::StopClock => self.draw_clock(scene.0, area, canvas),
@@ -90,7 +89,7 @@ impl Measures {
     }
 }
 
-fn line_colour(line: &Line) -> Color {
+fn line_colour(line: &Line) -> Colour {
     match line.subject {
         Subject::Quantity | Subject::Sum => theme::text(),
         Subject::Words => theme::quiet(),

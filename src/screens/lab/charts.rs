@@ -167,10 +167,9 @@ fn panel(frame: &Frame) -> Area {
     Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - WORDS)
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{ChartsPage, panel};
-    use crate::view::canvas::{Canvas, Style};
+    use crate::draw::{Canvas, Style};
     use crate::view::diagram::{self, Picked};
     use crate::view::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
     use crate::view::timeline;

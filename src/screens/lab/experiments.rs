@@ -125,13 +125,11 @@ fn places(frame: &Frame, count: usize) -> Vec<Area> {
     (0..count).map(line).collect()
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::{ExperimentsPage, LIST, body};
-    use crate::view::canvas::{Canvas, Style};
+    use crate::draw::{Canvas, Colour, Style};
     use crate::view::layout::{Area, BUTTON_TEXT, Frame, PADDING, TEXT, Vec2};
     use crate::view::{theme, widgets};
-    use macroquad::color::Color;
 
     /// Between the list and what is told of an experiment.
     const BETWEEN: f32 = 24.0;
@@ -182,7 +180,7 @@ mod drawing {
     }
 
     impl Pen<'_> {
-        fn write(&mut self, words: &str, size: f32, colour: Color) {
+        fn write(&mut self, words: &str, size: f32, colour: Colour) {
             let style = Style::new(size, colour);
             let mut line = String::new();
             for word in words.split(' ') {

@@ -69,11 +69,10 @@ impl StabilityPage {
     }
 }
 
-#[cfg(feature = "window")]
 mod drawing {
     use super::StabilityPage;
+    use crate::draw::Canvas;
     use crate::lab::stability_diagram::TITLE;
-    use crate::view::canvas::Canvas;
     use crate::view::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
     use crate::view::{plane, theme, widgets};
 

@@ -2,8 +2,8 @@
 
 use super::places::{FOOT, FOOT_BUTTON, HEAD, SIDE};
 use super::{Entry, LevelSelect, Pick, Press, Purpose};
+use crate::draw::{Canvas, Style};
 use crate::number::clock;
-use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, ROW_BUTTON, TEXT, Vec2};
 use crate::view::terrain::Tint;
 use crate::view::{medals, theme, widgets};

@@ -5,7 +5,7 @@ use super::paint::{Picture, noise};
 /// How many metres a pattern covers before it repeats.
 pub const TILE_METRES: f64 = 4.0;
 /// Width and height of a pattern, pixels: 48 a metre.
-const SIZE: usize = 192;
+pub const SIZE: usize = 192;
 
 type Rgb = [f32; 3];
 

@@ -1,32 +1,34 @@
-//! The art: every picture of the game is painted by this code at the start, onto one texture, so that whatever is drawn with it goes
-//! to the graphics card in one batch. What an author brings along (sprites, a background) is in [`super::pictures`].
+//! The art: the game paints every picture of its own onto one sheet, so that all that is drawn with it goes to the graphics card in one
+//! batch. The pictures of a level's author (sprites, a background) are in [`super::pictures`].
 
 mod materials;
 mod paint;
 mod shapes;
 mod ship;
 
+use crate::draw::layout::Area;
+use crate::draw::{Canvas, Colour, Image};
 use crate::level::SHIP_PIXELS;
 use crate::physics::{Aabb, DVec2, Material};
 use crate::view::camera::Viewport;
-use macroquad::color::Color;
-use macroquad::math::{Rect, Vec2};
-use macroquad::texture::{DrawTextureParams, FilterMode, Texture2D, draw_texture_ex};
 use materials::TILE_METRES;
 use paint::Picture;
+use std::sync::LazyLock;
 
-/// Width and height of the texture, pixels.
+/// Width and height of the sheet, pixels.
 const SHEET: usize = 1024;
 /// Pixels round each picture that filtering may reach.
 const GUTTER: usize = 2;
-/// The ship is painted at this many times the size at which it is usually drawn.
-const SHIP_DETAIL: usize = 4;
+/// Width and height of the ship, pixels: four times the size at which it is usually drawn.
+const SHIP: usize = 4 * SHIP_PIXELS as usize;
 
 /// A picture on the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tile {
     /// The ship, nose up.
     Ship,
+    /// The ship at half the size: filtering takes the mean of four pixels and no more, so that a ship drawn small needs it.
+    SmallShip,
     /// A disc with a soft edge.
     Disc,
     /// A light that falls off to its rim.
@@ -35,121 +37,117 @@ pub enum Tile {
     Flame,
     /// Stripes of danger: a pattern that tiles.
     Hatching,
-    /// What a surface is made of: a pattern that tiles.
+    /// The material of that name: a pattern that tiles.
     Material(&'static str),
 }
 
-/// The texture and where on it each picture lies.
-pub struct Art {
-    texture: Texture2D,
-    ship: Rect,
-    /// The ship at half the size: filtering takes the mean of four pixels and no more, so that a ship drawn small needs it.
-    small_ship: Rect,
-    disc: Rect,
-    glow: Rect,
-    flame: Rect,
-    hatching: Rect,
-    materials: Vec<(&'static str, Rect)>,
-}
-
-impl Art {
-    /// Paints everything.
-    pub fn new() -> Self {
-        let mut sheet = Sheet::new();
-        let pixels = SHIP_PIXELS as usize * SHIP_DETAIL;
-        let materials =
-            Material::ALL.iter().map(|material| (material.name, sheet.add(&materials::pattern(material.name), true))).collect();
-        let hatching = sheet.add(&shapes::hatching(192), true);
-        let large = ship::ship(pixels);
-        let (ship, small_ship) = (sheet.add(&large, false), sheet.add(&large.halved(), false));
-        let glow = sheet.add(&shapes::glow(128), false);
-        let flame = sheet.add(&shapes::flame(64, 128), false);
-        let disc = sheet.add(&shapes::disc(24), false);
-        let texture = Texture2D::from_rgba8(SHEET as u16, SHEET as u16, sheet.picture.bytes());
-        texture.set_filter(FilterMode::Linear);
-        Self { texture, ship, small_ship, disc, glow, flame, hatching, materials }
-    }
-
-    /// Draws a picture around `centre`, turned clockwise by `rotation` radians. `pixel` is the size of a physical pixel.
-    pub fn draw(&self, tile: Tile, centre: Vec2, size: Vec2, rotation: f32, colour: Color) {
-        self.quad(self.source(tile, size), centre - size / 2.0, size, rotation, colour);
-    }
-
-    /// Fills a box of the level with a pattern that lies fixed in the level: boxes that adjoin show no seam.
-    pub fn fill(&self, tile: Tile, bounds: &Aabb, view: &Viewport, colour: Color) {
-        let shown = Aabb::new(bounds.min.max(view.visible().min), bounds.max.min(view.visible().max));
-        let source = self.source(tile, Vec2::ZERO);
-        for piece in pieces(&shown) {
-            let offset = (piece.min - (piece.min / TILE_METRES).floor() * TILE_METRES) / TILE_METRES;
-            let part = piece.size() / TILE_METRES;
-            let target = view.rect(&piece);
-            let source = Rect::new(
-                source.x + source.w * offset.x as f32,
-                source.y + source.h * offset.y as f32,
-                source.w * part.x as f32,
-                source.h * part.y as f32,
-            );
-            self.quad(source, target.point(), target.size(), 0.0, colour);
+impl Tile {
+    /// Width and height, pixels.
+    const fn size(self) -> (usize, usize) {
+        match self {
+            Self::Ship => (SHIP, SHIP),
+            Self::SmallShip => (SHIP / 2, SHIP / 2),
+            Self::Disc => (24, 24),
+            Self::Glow => (128, 128),
+            Self::Flame => (64, 128),
+            Self::Hatching => (192, 192),
+            Self::Material(_) => (materials::SIZE, materials::SIZE),
         }
     }
 
-    /// A glow around a box, reaching `reach` beyond each of its sides.
-    pub fn halo(&self, around: Rect, reach: f32, colour: Color) {
-        let g = self.glow;
-        let half = g.w / 2.0;
-        // Columns and rows of the picture: its left half, its middle stretched along the box, its right half.
-        let columns = [
-            (around.x - reach, reach, g.x, half),
-            (around.x, around.w, g.x + half, 0.0),
-            (around.right(), reach, g.x + half, half),
-        ];
-        let rows = [
-            (around.y - reach, reach, g.y, half),
-            (around.y, around.h, g.y + half, 0.0),
-            (around.bottom(), reach, g.y + half, half),
-        ];
-        for (x, w, u, du) in columns {
-            for (y, h, v, dv) in rows {
-                if w > 0.0 && h > 0.0 {
-                    self.quad(Rect::new(u, v, du, dv), Vec2::new(x, y), Vec2::new(w, h), 0.0, colour);
-                }
+    /// Paints it; the ship, which takes longest, is painted once and handed in.
+    fn paint(self, ship: &Picture) -> Picture {
+        let (width, height) = self.size();
+        match self {
+            Self::Ship => ship.clone(),
+            Self::SmallShip => ship.halved(),
+            Self::Disc => shapes::disc(width),
+            Self::Glow => shapes::glow(width),
+            Self::Flame => shapes::flame(width, height),
+            Self::Hatching => shapes::hatching(width),
+            Self::Material(name) => materials::pattern(name),
+        }
+    }
+}
+
+/// Where each picture lies on the sheet, pixels: in rows from the top.
+static PLACES: LazyLock<Vec<(Tile, Area)>> = LazyLock::new(|| {
+    let others = [Tile::Hatching, Tile::Ship, Tile::SmallShip, Tile::Glow, Tile::Flame, Tile::Disc];
+    let (mut next, mut row) = ((0, 0), 0);
+    let place = |tile: Tile| {
+        let (width, height) = tile.size();
+        if next.0 + width + 2 * GUTTER > SHEET {
+            next = (0, next.1 + row);
+            row = 0;
+        }
+        let at = [next.0 + GUTTER, next.1 + GUTTER, width, height].map(|pixels| pixels as f32);
+        next.0 += width + 2 * GUTTER;
+        row = row.max(height + 2 * GUTTER);
+        (tile, Area::new(at[0], at[1], at[2], at[3]))
+    };
+    Material::ALL.iter().map(|material| Tile::Material(material.name)).chain(others).map(place).collect()
+});
+
+/// The bytes of the sheet, RGBA: painted afresh.
+pub fn sheet() -> Vec<u8> {
+    let mut sheet = Picture::new(SHEET, SHEET, [255; 3]);
+    let ship = ship::ship(SHIP);
+    for (tile, area) in PLACES.iter() {
+        let tiles = matches!(tile, Tile::Hatching | Tile::Material(_));
+        sheet.place(&tile.paint(&ship), (area.min.x as usize, area.min.y as usize), GUTTER, tiles);
+    }
+    sheet.into_bytes()
+}
+
+/// The part of the sheet on which a picture lies. A material without a picture of its own looks like the first.
+fn place(tile: Tile) -> Area {
+    let found = PLACES.iter().find(|(known, _)| *known == tile).unwrap_or(&PLACES[0]).1;
+    Area { min: found.min / SHEET as f32, size: found.size / SHEET as f32 }
+}
+
+/// Draws a picture over an area, turned clockwise around its middle by `turn` radians, its colours multiplied by `tint`.
+pub fn draw(canvas: &Canvas, tile: Tile, area: Area, turn: f32, tint: Colour) {
+    let small = tile == Tile::Ship && area.size.x * 1.5 <= (SHIP / 2) as f32;
+    let part = place(if small { Tile::SmallShip } else { tile });
+    canvas.picture(&Image::Sheet, part, area, (turn, tint));
+}
+
+/// Fills a box of the level with a pattern that lies fixed in the level: boxes that adjoin show no seam.
+pub fn fill(canvas: &Canvas, tile: Tile, bounds: &Aabb, view: &Viewport, tint: Colour) {
+    let shown = Aabb::new(bounds.min.max(view.visible().min), bounds.max.min(view.visible().max));
+    let all = place(tile);
+    for piece in pieces(&shown) {
+        let offset = (piece.min - (piece.min / TILE_METRES).floor() * TILE_METRES) / TILE_METRES;
+        let size = piece.size() / TILE_METRES;
+        let part = Area { min: all.min + all.size * offset.as_vec2(), size: all.size * size.as_vec2() };
+        canvas.picture(&Image::Sheet, part, view.rect(&piece), (0.0, tint));
+    }
+}
+
+/// A glow around a box, reaching `reach` beyond each of its sides.
+pub fn halo(canvas: &Canvas, around: Area, reach: f32, tint: Colour) {
+    let glow = place(Tile::Glow);
+    // Along each axis: the picture's first half, its middle stretched along the box, its second half.
+    let stretches = |axis: usize| {
+        let (middle, half) = (glow.centre()[axis], glow.size[axis] / 2.0);
+        [
+            (around.min[axis] - reach, reach, glow.min[axis], half),
+            (around.min[axis], around.size[axis], middle, 0.0),
+            (around.max()[axis], reach, middle, half),
+        ]
+    };
+    for (x, w, u, du) in stretches(0) {
+        for (y, h, v, dv) in stretches(1) {
+            if w > 0.0 && h > 0.0 {
+                canvas.picture(&Image::Sheet, Area::new(u, v, du, dv), Area::new(x, y, w, h), (0.0, tint));
             }
         }
     }
-
-    fn source(&self, tile: Tile, size: Vec2) -> Rect {
-        match tile {
-            Tile::Ship if size.x * 1.5 > self.small_ship.w => self.ship,
-            Tile::Ship => self.small_ship,
-            Tile::Disc => self.disc,
-            Tile::Glow => self.glow,
-            Tile::Flame => self.flame,
-            Tile::Hatching => self.hatching,
-            Tile::Material(name) => {
-                self.materials.iter().find(|(material, _)| *material == name).map_or(self.materials[0].1, |(_, rect)| *rect)
-            }
-        }
-    }
-
-    fn quad(&self, source: Rect, at: Vec2, size: Vec2, rotation: f32, colour: Color) {
-        let params = DrawTextureParams { dest_size: Some(size), source: Some(source), rotation, ..DrawTextureParams::default() };
-        draw_texture_ex(&self.texture, at.x, at.y, colour, params);
-    }
 }
 
-impl Default for Art {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-/// The window's icon: the ship at the three sizes that a desktop asks for.
-pub fn icon() -> macroquad::miniquad::conf::Icon {
-    fn bytes<const N: usize>(size: usize) -> [u8; N] {
-        let picture = ship::ship(2 * size).halved();
-        std::array::from_fn(|i| picture.bytes()[i])
-    }
-    macroquad::miniquad::conf::Icon { small: bytes(16), medium: bytes(32), big: bytes(64) }
+/// The ship as a picture of so many pixels a side, RGBA: for the window's icon.
+pub fn icon(side: usize) -> Vec<u8> {
+    ship::ship(2 * side).halved().into_bytes()
 }
 
 /// Cuts a box at the lines where a pattern begins anew.
@@ -173,32 +171,6 @@ fn pieces(bounds: &Aabb) -> Vec<Aabb> {
     pieces
 }
 
-/// Pictures laid out in rows on one large one.
-struct Sheet {
-    picture: Picture,
-    next: (usize, usize),
-    row_height: usize,
-}
-
-impl Sheet {
-    fn new() -> Self {
-        Self { picture: Picture::new(SHEET, SHEET, [255; 3]), next: (0, 0), row_height: 0 }
-    }
-
-    fn add(&mut self, picture: &Picture, tiles: bool) -> Rect {
-        let (width, height) = (picture.width() + 2 * GUTTER, picture.height() + 2 * GUTTER);
-        if self.next.0 + width > SHEET {
-            self.next = (0, self.next.1 + self.row_height);
-            self.row_height = 0;
-        }
-        let (x, y) = (self.next.0 + GUTTER, self.next.1 + GUTTER);
-        self.picture.place(picture, x, y, GUTTER, tiles);
-        self.next.0 += width;
-        self.row_height = self.row_height.max(height);
-        Rect::new(x as f32, y as f32, picture.width() as f32, picture.height() as f32)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -216,9 +188,19 @@ mod tests {
     }
 
     #[test]
+    fn every_picture_has_its_own_place_on_the_sheet() {
+        let ship = ship::ship(SHIP);
+        for (i, (tile, area)) in PLACES.iter().enumerate() {
+            assert!(area.min.min_element() > 0.0 && area.max().max_element() < SHEET as f32, "{tile:?}: {area:?}");
+            assert!(PLACES[..i].iter().all(|(_, other)| area.gap(other) >= 2.0 * GUTTER as f32), "{tile:?}: {area:?}");
+            assert_eq!(tile.paint(&ship).size(), tile.size(), "{tile:?}");
+        }
+    }
+
+    #[test]
     fn the_icon_is_the_ship_and_not_blank() {
-        let icon = icon();
-        assert!(icon.big.chunks(4).filter(|p| p[3] > 200).count() > 64 * 64 / 3);
-        assert!(icon.small.chunks(4).filter(|p| p[3] > 200).count() > 16 * 16 / 3);
+        for side in [16, 64] {
+            assert!(icon(side).chunks(4).filter(|p| p[3] > 200).count() > side * side / 3);
+        }
     }
 }

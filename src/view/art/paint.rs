@@ -24,19 +24,15 @@ impl Picture {
         Self { width, height, bytes }
     }
 
-    /// Pixels.
-    pub const fn width(&self) -> usize {
-        self.width
-    }
-
-    /// Pixels.
-    pub const fn height(&self) -> usize {
-        self.height
+    /// Width and height, pixels.
+    #[cfg(test)]
+    pub const fn size(&self) -> (usize, usize) {
+        (self.width, self.height)
     }
 
     /// Four bytes a pixel.
-    pub fn bytes(&self) -> &[u8] {
-        &self.bytes
+    pub fn into_bytes(self) -> Vec<u8> {
+        self.bytes
     }
 
     /// The colour at a pixel.
@@ -82,7 +78,7 @@ impl Picture {
 
     /// Copies another picture into this one, its top left corner at (x, y), with its outermost pixels repeated (or, for a pattern
     /// that tiles, continued) `gutter` pixels further out, so that filtering at its edge finds the right neighbours.
-    pub fn place(&mut self, other: &Self, x: usize, y: usize, gutter: usize, tiles: bool) {
+    pub fn place(&mut self, other: &Self, (x, y): (usize, usize), gutter: usize, tiles: bool) {
         let pick = |i: usize, size: usize| {
             let i = i as isize - gutter as isize;
             if tiles { i.rem_euclid(size as isize) as usize } else { i.clamp(0, size as isize - 1) as usize }
@@ -134,9 +130,9 @@ mod tests {
     fn a_tiling_gutter_continues_the_pattern() {
         let tile = Picture::of(4, 4, |x, _| [x as u8, 0, 0, 255]);
         let mut sheet = Picture::new(10, 10, [0; 3]);
-        sheet.place(&tile, 2, 2, 1, true);
+        sheet.place(&tile, (2, 2), 1, true);
         assert_eq!((sheet.at(1, 3)[0], sheet.at(2, 3)[0], sheet.at(5, 3)[0], sheet.at(6, 3)[0]), (3, 0, 3, 0));
-        sheet.place(&tile, 2, 2, 1, false);
+        sheet.place(&tile, (2, 2), 1, false);
         assert_eq!((sheet.at(1, 3)[0], sheet.at(6, 3)[0]), (0, 3));
     }
 }

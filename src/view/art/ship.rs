@@ -78,7 +78,7 @@ mod tests {
     /// How far the picture reaches along both axes when it is turned, in halves of its box: to the far corners of every pixel that shows
     /// anything, and half a pixel more, over which filtering spreads it.
     fn reaches(picture: &Picture, degrees: f32) -> [f32; 4] {
-        let size = picture.width();
+        let size = picture.size().0;
         let (sin, cos) = degrees.to_radians().sin_cos();
         let mut reaches = [0.0_f32; 4];
         for y in 0..size {
@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn nothing_drawn_of_the_ship_leaves_its_box_at_any_angle_and_it_fills_it_well() {
-        let pixels = crate::level::SHIP_PIXELS as usize * super::super::SHIP_DETAIL;
+        let pixels = super::super::SHIP;
         for picture in [ship(pixels), ship(pixels).halved()] {
             for degrees in (0..360).step_by(5) {
                 for reach in reaches(&picture, degrees as f32) {
@@ -112,8 +112,8 @@ mod tests {
     fn what_red_kills_is_what_is_drawn_within_half_a_pixel() {
         use crate::level::{SHIP_BODY, SHIP_HALF, SHIP_PIXELS};
         const HALF_A_PIXEL: f64 = 0.5;
-        let picture = ship(SHIP_PIXELS as usize * super::super::SHIP_DETAIL);
-        let size = picture.width();
+        let picture = ship(super::super::SHIP);
+        let size = picture.size().0;
         // Pixels of the box that is 51 of them wide, from its centre.
         let pixels = |i: usize| ((i as f64 + 0.5) / size as f64 - 0.5) * SHIP_PIXELS;
         let drawn: Vec<DVec2> = (0..size * size)

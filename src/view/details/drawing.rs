@@ -1,11 +1,11 @@
 //! Draws the overlay as it is arranged.
 
 use super::{Details, Note, PADDING, Placed};
+use crate::draw::{Canvas, Colour, Style};
 use crate::view::arrows::{self, Arrow};
-use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, CORNER, DETAILS, MONO_ADVANCE, Vec2};
 use crate::view::names;
-use crate::view::theme::{self, faded};
+use crate::view::theme;
 
 impl Details {
     /// Draws the shapes and the words.
@@ -15,7 +15,7 @@ impl Details {
         }
         for placed in &self.boxes {
             let near = placed.object.clamp(placed.area.min, placed.area.max());
-            canvas.line(near, placed.object, 1.5, faded(theme::quiet(), 0.6));
+            canvas.line(near, placed.object, 1.5, theme::quiet().faded(0.6));
             canvas.disc(near, 3.0, theme::quiet());
         }
         let lit = |arrow: &Arrow| self.lit.contains(&(arrow.body, arrow.row));
@@ -41,7 +41,7 @@ impl Details {
             let (bar, colour) = (placed.line(i), line.shown.map_or(theme::quiet(), arrows::colour));
             if self.lit.contains(&(text.body, line.row)) {
                 let bar = Area { min: bar.min + Vec2::X * PADDING.x * 0.5, size: bar.size - Vec2::X * PADDING.x };
-                canvas.rounded(bar, 3.0, faded(colour, 0.3));
+                canvas.rounded(bar, 3.0, colour.faded(0.3));
             }
             let at = bar.min + Vec2::X * PADDING.x;
             canvas.text(&line.label, at, Style::new(DETAILS, colour).mono());
@@ -51,7 +51,7 @@ impl Details {
     }
 }
 
-fn draw_note(note: &Note, colour: macroquad::color::Color, canvas: &Canvas) {
+fn draw_note(note: &Note, colour: Colour, canvas: &Canvas) {
     let Some(area) = note.area else { return };
     panel(canvas, area);
     for (i, line) in note.lines.iter().enumerate() {
@@ -61,6 +61,6 @@ fn draw_note(note: &Note, colour: macroquad::color::Color, canvas: &Canvas) {
 }
 
 fn panel(canvas: &Canvas, area: Area) {
-    canvas.rounded(area, CORNER, faded(theme::panel(), 0.97));
+    canvas.rounded(area, CORNER, theme::panel().faded(0.97));
     canvas.rounded_edge(area, CORNER, 1.5, theme::panel_edge());
 }

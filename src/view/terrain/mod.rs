@@ -6,18 +6,10 @@ pub mod light;
 pub mod silhouette;
 mod sweep;
 
-#[cfg(feature = "window")]
-mod batch;
-#[cfg(feature = "window")]
 mod paint;
-#[cfg(feature = "window")]
 mod tint;
 
-#[cfg(feature = "window")]
-pub use batch::Batch;
-#[cfg(feature = "window")]
 pub use paint::{Lamp, Terrain, material_edge};
-#[cfg(feature = "window")]
 pub use tint::Tint;
 
 use crate::level::Level;

@@ -3,17 +3,13 @@
 use super::drafting::{self, Dimension, Grain, Stroke};
 use super::light::{Lit, cast};
 use super::silhouette::{Corner, Edge, Silhouette};
-use super::{Batch, ROCK, Tint, kind, mass, parts};
+use super::{ROCK, Tint, kind, mass, parts};
+use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::level::Level;
 use crate::physics::{Aabb, DVec2, Material};
-use crate::view::art::{Art, Tile};
+use crate::view::art::{self, Tile};
 use crate::view::camera::Viewport;
-use crate::view::canvas::{Canvas, Style};
-use crate::view::layout::{DETAILS, Vec2};
-use crate::view::theme::{faded, rgb};
-use macroquad::color::{Color, WHITE};
-use macroquad::math::Rect;
-use macroquad::shapes::draw_rectangle;
+use crate::view::layout::{Area, DETAILS, Vec2};
 
 /// How much of the rock covers an author's picture; materials cover more of it, so that they can be told.
 const ROCK_OVER_PICTURE: f32 = 0.45;
@@ -95,16 +91,16 @@ impl Terrain {
     }
 
     /// Draws what is in view. Words (of the dimensions) come with the layer's words.
-    pub fn draw(&self, art: &Art, view: &Viewport, canvas: &Canvas) {
-        self.draw_mass(art, view, canvas);
-        let mut batch = Batch::default();
-        self.draw_sheen(view, &mut batch);
-        self.draw_grains(view, &mut batch);
-        self.draw_hatching(view, canvas.frame().pixel, &mut batch);
-        self.draw_crosses(view, canvas.frame().pixel, &mut batch);
-        self.draw_dimensions(view, canvas, &mut batch);
-        batch.draw();
-        self.draw_edges(view);
+    pub fn draw(&self, view: &Viewport, canvas: &Canvas) {
+        self.draw_mass(view, canvas);
+        let mut quads = Quads::default();
+        self.draw_sheen(view, &mut quads);
+        self.draw_grains(view, &mut quads);
+        self.draw_hatching(view, canvas.frame().pixel, &mut quads);
+        self.draw_crosses(view, canvas.frame().pixel, &mut quads);
+        self.draw_dimensions(view, canvas, &mut quads);
+        canvas.quads(quads);
+        self.draw_edges(view, canvas);
     }
 
     /// The parts of a box that are solid ground.
@@ -113,24 +109,24 @@ impl Terrain {
     }
 
     /// Draws the light of the lamp of that index in the order in which they were given.
-    pub fn draw_lamp(&self, index: usize, colour: Color, view: &Viewport) {
+    pub fn draw_lamp(&self, index: usize, colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
         if let Some(lit) = self.lit.get(index) {
-            draw_lit(lit, colour, view);
+            draw_lit(lit, colour, (view, canvas));
         }
     }
 
     /// Draws the light of something that moves: a point (m) that shines up to `reach` metres far.
-    pub fn draw_moving_light(&self, at: DVec2, reach: f64, colour: Color, view: &Viewport) {
+    pub fn draw_moving_light(&self, at: DVec2, reach: f64, colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
         let source = Aabb::around(at, DVec2::ZERO);
         if Aabb::around(at, DVec2::splat(reach)).touches(&view.visible(), 0.0) {
-            draw_lit(&cast(self.mass.edges(), &source, reach, &self.opaque), colour, view);
+            draw_lit(&cast(self.mass.edges(), &source, reach, &self.opaque), colour, (view, canvas));
         }
     }
 
-    fn draw_mass(&self, art: &Art, view: &Viewport, canvas: &Canvas) {
+    fn draw_mass(&self, view: &Viewport, canvas: &Canvas) {
         let visible = view.visible();
         let (rock, material) = if self.over_picture {
-            (faded(self.tint.rock, ROCK_OVER_PICTURE), MATERIAL_OVER_PICTURE)
+            (self.tint.rock.faded(ROCK_OVER_PICTURE), MATERIAL_OVER_PICTURE)
         } else {
             (self.tint.rock, 1.0)
         };
@@ -140,25 +136,25 @@ impl Terrain {
         let in_view = || self.mass.pieces().filter(|(bounds, _)| bounds.overlaps(&in_level, 0.0));
         for (bounds, _) in in_view().filter(|(_, kind)| *kind == ROCK) {
             let area = view.rect(&Aabb::new(bounds.min.max(in_level.min), bounds.max.min(in_level.max)));
-            draw_rectangle(area.x, area.y, area.w, area.h, rock);
+            canvas.rectangle(area, rock);
         }
         for (bounds, kind) in in_view().filter(|(_, kind)| *kind != ROCK) {
-            art.fill(Tile::Material(Material::ALL[kind].name), &bounds, view, faded(WHITE, material));
+            art::fill(canvas, Tile::Material(Material::ALL[kind].name), &bounds, view, Colour::WHITE.faded(material));
         }
         // Beyond the edge of a level that is smaller than the window there is rock.
         let (all, size) = (view.rect(&level), canvas.size());
         let around = [
-            Rect::new(0.0, 0.0, size.x, all.y),
-            Rect::new(0.0, all.bottom(), size.x, size.y - all.bottom()),
-            Rect::new(0.0, all.y, all.x, all.h),
-            Rect::new(all.right(), all.y, size.x - all.right(), all.h),
+            Area::new(0.0, 0.0, size.x, all.min.y),
+            Area::new(0.0, all.max().y, size.x, size.y - all.max().y),
+            Area::new(0.0, all.min.y, all.min.x, all.size.y),
+            Area::new(all.max().x, all.min.y, size.x - all.max().x, all.size.y),
         ];
-        for area in around.iter().filter(|area| area.w > 0.0 && area.h > 0.0) {
-            draw_rectangle(area.x, area.y, area.w, area.h, self.tint.rock);
+        for area in around.into_iter().filter(|area| area.size.x > 0.0 && area.size.y > 0.0) {
+            canvas.rectangle(area, self.tint.rock);
         }
         let width = canvas.frame().pixel.max(1.5);
         for edge in self.seams.iter().filter(|edge| edge.bounds().touches(&visible, 0.0)) {
-            draw_side(edge, width, faded(rgb(0x05070A), 0.55), view);
+            draw_side(edge, width, Colour::hex(0x05070A).faded(0.55), (view, canvas));
         }
     }
 
@@ -168,49 +164,49 @@ impl Terrain {
     }
 
     /// A light that falls off from the edge into the rock.
-    fn draw_sheen(&self, view: &Viewport, batch: &mut Batch) {
+    fn draw_sheen(&self, view: &Viewport, quads: &mut Quads) {
         for edge in self.edges_in_view(view).filter(|edge| edge.kind == ROCK) {
             let light = if edge.inward.y > 0.0 { 1.5 } else { 1.0 } * SHEEN_LIGHT;
-            let colour = faded(self.tint.ink, light);
-            batch.quad(band(edge, SHEEN.min(edge.depth * 0.5), view), [colour, colour, faded(colour, 0.0), faded(colour, 0.0)]);
+            let colour = self.tint.ink.faded(light);
+            quads.quad(band(edge, SHEEN.min(edge.depth * 0.5), view), [colour, colour, colour.faded(0.0), colour.faded(0.0)]);
         }
     }
 
-    fn draw_hatching(&self, view: &Viewport, pixel: f32, batch: &mut Batch) {
+    fn draw_hatching(&self, view: &Viewport, pixel: f32, quads: &mut Quads) {
         let visible = view.visible();
-        let colour = faded(self.tint.ink, HATCHING);
+        let colour = self.tint.ink.faded(HATCHING);
         for Stroke { from, to } in &self.strokes {
             if from.cmpge(visible.min - 1.5).all() && from.cmple(visible.max + 1.5).all() {
-                batch.stroke([view.point(*from), view.point(*to)], pixel.max(1.2), [colour, faded(colour, 0.0)]);
+                quads.stroke([view.point(*from), view.point(*to)], pixel.max(1.2), [colour, colour.faded(0.0)]);
             }
         }
     }
 
-    fn draw_grains(&self, view: &Viewport, batch: &mut Batch) {
+    fn draw_grains(&self, view: &Viewport, quads: &mut Quads) {
         let visible = view.visible();
         for Grain { at, size } in &self.grains {
             if at.cmpge(visible.min).all() && at.cmple(visible.max).all() {
                 let half = 0.6 + 0.7 * *size as f32;
-                let (centre, colour) = (view.point(*at), faded(self.tint.ink, GRAIN * (0.4 + 0.6 * *size as f32)));
+                let (centre, colour) = (view.point(*at), self.tint.ink.faded(GRAIN * (0.4 + 0.6 * *size as f32)));
                 let corners = [Vec2::new(-half, -half), Vec2::new(half, -half), Vec2::new(half, half), Vec2::new(-half, half)];
-                batch.quad(corners.map(|corner| centre + corner), [colour; 4]);
+                quads.quad(corners.map(|corner| centre + corner), [colour; 4]);
             }
         }
     }
 
-    fn draw_crosses(&self, view: &Viewport, pixel: f32, batch: &mut Batch) {
-        let colour = faded(self.tint.ink, CROSS);
+    fn draw_crosses(&self, view: &Viewport, pixel: f32, quads: &mut Quads) {
+        let colour = self.tint.ink.faded(CROSS);
         for at in self.crosses.iter().filter(|at| Aabb::around(**at, DVec2::ONE).touches(&view.visible(), 0.0)) {
             for arm in [DVec2::X, DVec2::Y] {
                 let ends = [view.point(*at - arm * CROSS_REACH), view.point(*at + arm * CROSS_REACH)];
-                batch.stroke(ends, pixel.max(1.2), [colour; 2]);
+                quads.stroke(ends, pixel.max(1.2), [colour; 2]);
             }
         }
     }
 
-    fn draw_dimensions(&self, view: &Viewport, canvas: &Canvas, batch: &mut Batch) {
-        let colour = faded(self.tint.ink, DIMENSION);
-        let style = Style::new(DETAILS, faded(self.tint.ink, 0.85)).mono().centred().middle();
+    fn draw_dimensions(&self, view: &Viewport, canvas: &Canvas, quads: &mut Quads) {
+        let colour = self.tint.ink.faded(DIMENSION);
+        let style = Style::new(DETAILS, self.tint.ink.faded(0.85)).mono().centred().middle();
         let (reach, arrow) = (canvas.frame().pixel.max(1.1), 9.0);
         for (line, words) in self.dimensions.iter().filter(|(line, _)| line.bounds().touches(&view.visible(), 0.0)) {
             let (from, to, back) = (view.point(line.from), view.point(line.to), line.to_edge.normalize_or_zero().as_vec2());
@@ -221,28 +217,28 @@ impl Terrain {
             if (to - from).length() < 2.0 * (gap + arrow) {
                 continue; // In a far view the words have no room between the arrows.
             }
-            batch.stroke([from, middle - way * gap], reach, [colour; 2]);
-            batch.stroke([middle + way * gap, to], reach, [colour; 2]);
+            quads.stroke([from, middle - way * gap], reach, [colour; 2]);
+            quads.stroke([middle + way * gap, to], reach, [colour; 2]);
             for (tip, way) in [(from, way), (to, -way)] {
-                batch.triangle([tip, tip + way * arrow + across * 3.2, tip + way * arrow - across * 3.2], colour);
+                quads.triangle([tip, tip + way * arrow + across * 3.2, tip + way * arrow - across * 3.2], colour);
                 // From a little off the edge to a little beyond the line.
                 let edge = back * view.length(line.to_edge.length());
-                batch.stroke([tip - back * 6.0, tip + edge - back * 8.0], reach, [faded(colour, 0.7), faded(colour, 0.35)]);
+                quads.stroke([tip - back * 6.0, tip + edge - back * 8.0], reach, [colour.faded(0.7), colour.faded(0.35)]);
             }
             canvas.text(words, middle, style);
         }
     }
 
     /// The edge, inside the mass: what faces up last and brightest.
-    fn draw_edges(&self, view: &Viewport) {
+    fn draw_edges(&self, view: &Viewport, canvas: &Canvas) {
         let up = |edge: &&Edge| edge.inward.y > 0.5;
         for edge in self.edges_in_view(view).filter(|edge| !up(edge)) {
             let bright = edge_colour(edge.kind, &self.tint);
             let shade = if Material::ALL[edge.kind].name == "Glass" { 1.0 } else { 0.85 };
-            draw_side(edge, SIDE_WIDTH, Color::new(bright.r * shade, bright.g * shade, bright.b * shade, 1.0), view);
+            draw_side(edge, SIDE_WIDTH, Colour::new(bright.r * shade, bright.g * shade, bright.b * shade, 1.0), (view, canvas));
         }
         for edge in self.edges_in_view(view).filter(up) {
-            draw_side(edge, TOP_WIDTH, edge_colour(edge.kind, &self.tint), view);
+            draw_side(edge, TOP_WIDTH, edge_colour(edge.kind, &self.tint), (view, canvas));
         }
     }
 }
@@ -258,35 +254,45 @@ fn border(size: DVec2) -> [Aabb; 4] {
 }
 
 /// The brightest colour of a material's edge: it tells the material where it is only seen from the side.
-fn edge_colour(kind: usize, tint: &Tint) -> Color {
+fn edge_colour(kind: usize, tint: &Tint) -> Colour {
     material_edge(Material::ALL[kind].name).unwrap_or(tint.edge)
 }
 
 /// The same by a material's name; `None` for plain rock.
-pub fn material_edge(name: &str) -> Option<Color> {
+pub fn material_edge(name: &str) -> Option<Colour> {
     Some(match name {
-        "Glass" => rgb(0xCDEBFF),
-        "Ice" => rgb(0xE4F6FF),
-        "Wood" => rgb(0xC9A27C),
-        "Rubber" => rgb(0x6B7487),
-        "Steel" => rgb(0xB4C2D6),
-        "Trampoline" => rgb(0xE39AD0),
+        "Glass" => Colour::hex(0xCDEBFF),
+        "Ice" => Colour::hex(0xE4F6FF),
+        "Wood" => Colour::hex(0xC9A27C),
+        "Rubber" => Colour::hex(0x6B7487),
+        "Steel" => Colour::hex(0xB4C2D6),
+        "Trampoline" => Colour::hex(0xE39AD0),
         _ => return None,
     })
 }
 
 /// A line along an edge, inside the mass, on whole pixels; where the open space has a corner it goes round it.
-fn draw_side(edge: &Edge, width: f32, colour: Color, view: &Viewport) {
+fn draw_side(edge: &Edge, width: f32, colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
     let line = view.rect(&edge.bounds());
     let reaches = |end: usize| if edge.corners[end] == Corner::Inner { width } else { 0.0 };
     // The mass is on the right hand: edges that face up and right begin at their smaller end.
     let (low, high) = if edge.along().element_sum() > 0.0 { (reaches(0), reaches(1)) } else { (reaches(1), reaches(0)) };
     let area = if edge.inward.x == 0.0 {
-        Rect::new(line.x - low, if edge.inward.y > 0.0 { line.y } else { line.y - width }, line.w + low + high, width)
+        Area::new(
+            line.min.x - low,
+            if edge.inward.y > 0.0 { line.min.y } else { line.min.y - width },
+            line.size.x + low + high,
+            width,
+        )
     } else {
-        Rect::new(if edge.inward.x > 0.0 { line.x } else { line.x - width }, line.y - low, width, line.h + low + high)
+        Area::new(
+            if edge.inward.x > 0.0 { line.min.x } else { line.min.x - width },
+            line.min.y - low,
+            width,
+            line.size.y + low + high,
+        )
     };
-    draw_rectangle(area.x, area.y, area.w, area.h, colour);
+    canvas.rectangle(area, colour);
 }
 
 /// The corners of a band behind an edge, mitred where it meets others: its outer side, then its inner one.
@@ -302,26 +308,26 @@ fn band(edge: &Edge, depth: f64, view: &Viewport) -> [Vec2; 4] {
     [view.point(edge.from), view.point(edge.to), inner(edge.to, b), inner(edge.from, a)]
 }
 
-fn draw_lit(lit: &[Lit], colour: Color, view: &Viewport) {
+fn draw_lit(lit: &[Lit], colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
     let visible = view.visible();
-    let mut batch = Batch::default();
+    let mut quads = Quads::default();
     for piece in lit {
         let Lit { from, to, inward, depth, strength } = *piece;
         if !Aabb::new(from.min(to), from.max(to)).touches(&visible, LIT_DEPTH) {
             continue;
         }
         let corner = |at: DVec2, deep: f64| view.point(at + inward * deep);
-        let [a, b] = strength.map(|s| faded(colour, s));
+        let [a, b] = strength.map(|s| colour.faded(s));
         let deep = LIT_DEPTH.min(depth * 0.75);
-        let half = |c: Color| faded(c, 0.5);
-        batch.quad(
+        let half = |c: Colour| c.faded(0.5);
+        quads.quad(
             [corner(from, 0.0), corner(to, 0.0), corner(to, deep), corner(from, deep)],
-            [half(a), half(b), faded(b, 0.0), faded(a, 0.0)],
+            [half(a), half(b), b.faded(0.0), a.faded(0.0)],
         );
         let line = inward.as_vec2() * TOP_WIDTH;
-        batch.quad([corner(from, 0.0), corner(to, 0.0), corner(to, 0.0) + line, corner(from, 0.0) + line], [a, b, b, a]);
+        quads.quad([corner(from, 0.0), corner(to, 0.0), corner(to, 0.0) + line, corner(from, 0.0) + line], [a, b, b, a]);
     }
-    batch.draw();
+    canvas.quads(quads);
 }
 
 /// A length as it stands on a drawing: metres, a decimal only where there is one.

@@ -1,27 +1,35 @@
 //! The ink of a level: its rock and its paper are of one tint, so that a level is known again at a glance.
 
-use crate::view::theme::{self, rgb};
-use macroquad::color::{Color, WHITE};
+use crate::draw::Colour;
+use crate::view::theme;
 
 /// The inks, pale and calm: none is near a colour with a meaning (objectives, hazards, forces are all far more vivid).
-const INKS: [Color; 8] =
-    [rgb(0x8FA8CC), rgb(0x86B8B4), rgb(0xA9A0CF), rgb(0xB9AE94), rgb(0x9DB48E), rgb(0xC09FA6), rgb(0x8DB3C9), rgb(0xA8AAB4)];
+const INKS: [Colour; 8] = [
+    Colour::hex(0x8FA8CC),
+    Colour::hex(0x86B8B4),
+    Colour::hex(0xA9A0CF),
+    Colour::hex(0xB9AE94),
+    Colour::hex(0x9DB48E),
+    Colour::hex(0xC09FA6),
+    Colour::hex(0x8DB3C9),
+    Colour::hex(0xA8AAB4),
+];
 
 /// The colours of one level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tint {
     /// The rock.
-    pub rock: Color,
+    pub rock: Colour,
     /// The rock on a map of the level, which has no edges.
-    pub map: Color,
+    pub map: Colour,
     /// Its edge, where it catches the light.
-    pub edge: Color,
+    pub edge: Colour,
     /// Hatching and dimension lines.
-    pub ink: Color,
+    pub ink: Colour,
     /// A line of the paper every metre.
-    pub fine: Color,
+    pub fine: Colour,
     /// A line of the paper every ten metres.
-    pub heavy: Color,
+    pub heavy: Colour,
 }
 
 impl Tint {
@@ -33,11 +41,11 @@ impl Tint {
         Self::from_ink(INKS[number.wrapping_sub(1) % INKS.len()])
     }
 
-    fn from_ink(ink: Color) -> Self {
+    fn from_ink(ink: Colour) -> Self {
         Self {
             rock: mixed(theme::ground(), ink, 0.17),
             map: mixed(theme::ground(), ink, 0.64),
-            edge: mixed(ink, WHITE, 0.12),
+            edge: mixed(ink, Colour::WHITE, 0.12),
             ink,
             fine: mixed(theme::ground(), ink, 0.065),
             heavy: mixed(theme::ground(), ink, 0.14),
@@ -46,9 +54,9 @@ impl Tint {
 }
 
 /// So much of the second colour mixed into the first.
-fn mixed(a: Color, b: Color, share: f32) -> Color {
+fn mixed(a: Colour, b: Colour, share: f32) -> Colour {
     let mix = |a: f32, b: f32| a + (b - a) * share;
-    Color::new(mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 1.0)
+    Colour::new(mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 1.0)
 }
 
 #[cfg(test)]
@@ -69,11 +77,11 @@ mod tests {
     #[test]
     fn words_on_rock_and_its_edge_against_the_air_are_easy_to_see() {
         // Contrast after WCAG 2: (brighter + 0.05) / (darker + 0.05) of relative luminances; words want 4.5, shapes 3.
-        let luminance = |c: Color| {
+        let luminance = |c: Colour| {
             let linear = |v: f32| if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) };
             0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b)
         };
-        let contrast = |a: Color, b: Color| {
+        let contrast = |a: Colour, b: Colour| {
             let (a, b) = (luminance(a), luminance(b));
             (a.max(b) + 0.05) / (a.min(b) + 0.05)
         };

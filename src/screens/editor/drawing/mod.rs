@@ -8,41 +8,20 @@ use super::ask::Ask;
 use super::hand::{Drag, Handle, stream_zone};
 use super::layout::{BETWEEN, INSIDE, PROBLEM_LINES};
 use super::{AT_LEFT, COMMANDS, Editor, Tool};
+use crate::draw::{Canvas, Colour, Image, Style};
 use crate::level::document::{Kind, Place, RowId, choices, number, unit};
-use crate::level::read_picture;
 use crate::physics::DVec2;
-use crate::view::canvas::{Canvas, Style};
-use crate::view::layout::{Area, BUTTON_TEXT, DESIGN, DETAILS, PADDING, TEXT, Vec2};
+use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
 use crate::view::{theme, widgets};
-use macroquad::color::{Color, WHITE};
-use macroquad::shapes::{draw_rectangle, draw_rectangle_lines};
-use macroquad::texture::{DrawTextureParams, FilterMode, Image, Texture2D, draw_texture_ex};
-use macroquad::window::{screen_height, screen_width};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-/// The pictures of the level that is edited, read when they are first drawn and again when files have changed.
-#[derive(Default)]
-pub struct Sheets {
-    version: u64,
-    textures: BTreeMap<PathBuf, Option<Texture2D>>,
-}
-
-impl Sheets {
-    fn get(&mut self, path: &Path) -> Option<Texture2D> {
-        let read = || {
-            let image = Image::from_file_with_format(&read_picture(path).ok()?, None).ok()?;
-            let texture = Texture2D::from_image(&image);
-            texture.set_filter(FilterMode::Linear);
-            Some(texture)
-        };
-        self.textures.entry(path.to_path_buf()).or_insert_with(read).clone()
-    }
-}
+/// The pictures of the level that is edited, read when they are first drawn; `None` is no picture.
+pub type Sheets = BTreeMap<PathBuf, Option<Image>>;
 
 /// The colours of kinds: those of the game, where it has one.
-fn colour(kind: Kind) -> Color {
-    let of = |r, g, b| Color::from_rgba(r, g, b, 255);
+fn colour(kind: Kind) -> Colour {
+    let of = |r, g, b| Colour::of([r, g, b]);
     match kind {
         Kind::Setting | Kind::Text => theme::text(),
         Kind::Ship => theme::text(),
@@ -64,8 +43,8 @@ fn colour(kind: Kind) -> Color {
 }
 
 /// What a block is made of, as a shade of its fill.
-fn material(name: &str) -> Color {
-    let of = |r, g, b| Color::from_rgba(r, g, b, 255);
+fn material(name: &str) -> Colour {
+    let of = |r, g, b| Colour::of([r, g, b]);
     match name.to_ascii_lowercase().as_str() {
         "steel" => of(92, 106, 124),
         "ice" => of(120, 160, 180),
@@ -77,14 +56,9 @@ fn material(name: &str) -> Color {
     }
 }
 
-fn fill(area: Area, colour: Color) {
-    draw_rectangle(area.min.x, area.min.y, area.size.x, area.size.y, colour);
-}
-
-/// A rectangle's edge, half of which lies inside: at least a pixel of the window.
-fn edge(area: Area, width: f32, colour: Color) {
-    let pixel = (DESIGN / Vec2::new(screen_width(), screen_height())).max_element();
-    draw_rectangle_lines(area.min.x, area.min.y, area.size.x, area.size.y, 2.0 * width.max(pixel), colour);
+/// A rectangle's edge, inside it: at least a pixel of the window.
+fn edge(canvas: &Canvas, area: Area, width: f32, colour: Colour) {
+    canvas.rectangle_edge(area, width.max(canvas.frame().pixel), colour);
 }
 
 /// What there was no room for, where it is pointed at: it is shown in whole.
@@ -105,21 +79,18 @@ impl Tip {
 }
 
 impl Editor {
-    /// Draws all of it; `time` (s) makes the caret blink.
-    pub fn draw(&self, sheets: &mut Sheets, canvas: &Canvas, time: f64) {
-        if sheets.version != self.pictures {
-            *sheets = Sheets { version: self.pictures, ..Sheets::default() };
-        }
-        self.draw_picture(sheets, canvas);
+    /// Draws all of it; `time` (s) makes the caret blink, and `fps` is how often it is drawn, 1/s.
+    pub fn draw(&self, canvas: &Canvas, time: f64, fps: f64) {
+        self.draw_picture(canvas);
         canvas.end_layer();
         self.draw_selection(canvas);
         canvas.end_layer();
-        self.draw_map();
+        self.draw_map(canvas);
         let mut tip = Tip { pointer: self.pointer, whole: None };
         self.draw_commands(canvas, &mut tip);
         self.draw_tools(canvas);
         self.draw_panel(canvas, time, &mut tip);
-        self.draw_problems(canvas, &mut tip);
+        self.draw_problems(canvas, fps, &mut tip);
         if let Some(words) = &tip.whole {
             self.draw_banner(canvas, words);
         }
@@ -129,19 +100,8 @@ impl Editor {
     }
 }
 
-fn draw_picture(texture: &Texture2D, area: Area) {
-    let size = macroquad::math::Vec2::new(area.size.x, area.size.y);
-    draw_texture_ex(
-        texture,
-        area.min.x,
-        area.min.y,
-        WHITE,
-        DrawTextureParams { dest_size: Some(size), ..DrawTextureParams::default() },
-    );
-}
-
 /// A short arrow around a point.
-fn arrow(canvas: &Canvas, middle: Vec2, way: Vec2, colour: Color) {
+fn arrow(canvas: &Canvas, middle: Vec2, way: Vec2, colour: Colour) {
     let (tip, tail) = (middle + way * 16.0, middle - way * 16.0);
     canvas.line(tail, tip - way * 6.0, 2.0, colour);
     let side = Vec2::new(-way.y, way.x) * 5.0;

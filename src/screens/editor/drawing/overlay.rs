@@ -6,20 +6,20 @@ impl Editor {
     pub(super) fn draw_selection(&self, canvas: &Canvas) {
         let visible = self.view.visible();
         for place in self.selection.iter().filter_map(|row| self.document.place(*row)).filter(|place| place.meets(&visible)) {
-            edge(self.view.rect(&place).inset(-2.0), 1.5, theme::accent());
+            edge(canvas, self.view.rect(&place).inset(-2.0), 1.5, theme::accent());
         }
         for (handle, point) in self.handles() {
             let at = self.view.point(point);
             match handle {
                 Handle::Size(_) => {
-                    fill(Area::around(at, Vec2::splat(8.0)), theme::accent());
-                    fill(Area::around(at, Vec2::splat(5.0)), theme::ground());
+                    canvas.rectangle(Area::around(at, Vec2::splat(8.0)), theme::accent());
+                    canvas.rectangle(Area::around(at, Vec2::splat(5.0)), theme::ground());
                 }
                 Handle::Way(_) | Handle::Reach => canvas.disc(at, 6.0, theme::accent()),
                 Handle::MoreWay => {
                     canvas.ring(at, 8.0, 1.5, theme::accent());
-                    fill(Area::around(at, Vec2::new(9.0, 1.5)), theme::accent());
-                    fill(Area::around(at, Vec2::new(1.5, 9.0)), theme::accent());
+                    canvas.rectangle(Area::around(at, Vec2::new(9.0, 1.5)), theme::accent());
+                    canvas.rectangle(Area::around(at, Vec2::new(1.5, 9.0)), theme::accent());
                 }
                 Handle::Wire => {
                     canvas.disc(at, 6.0, colour(Kind::Switch));
@@ -31,14 +31,14 @@ impl Editor {
             Some(Drag::Frame(from, _)) => {
                 let to = self.pointed();
                 let area = self.view.rect(&Place::between(*from, to));
-                fill(area, theme::faded(theme::accent(), 0.1));
-                edge(area, 0.75, theme::accent());
+                canvas.rectangle(area, theme::accent().faded(0.1));
+                edge(canvas, area, 0.75, theme::accent());
             }
             Some(Drag::Draw(kind, from)) => {
                 let to = self.pointed().round();
                 let area = self.view.rect(&Place::between(*from, to));
-                fill(area, theme::faded(colour(*kind), 0.5));
-                edge(area, 1.0, colour(*kind));
+                canvas.rectangle(area, colour(*kind).faded(0.5));
+                edge(canvas, area, 1.0, colour(*kind));
                 let size = (to - *from).abs();
                 let words = format!("{} × {} px", number(size.x.round()), number(size.y.round()));
                 canvas.text(&words, area.max() + Vec2::new(8.0, -8.0), Style::new(DETAILS, theme::text()).mono());
@@ -53,15 +53,15 @@ impl Editor {
     }
 
     /// The level in small, with the part in view.
-    pub(super) fn draw_map(&self) {
+    pub(super) fn draw_map(&self, canvas: &Canvas) {
         if !self.map_is_shown() {
             return;
         }
         let (scale, corner) = self.map();
         let size = self.document.size().as_vec2() * scale;
         let paper = Area { min: corner, size };
-        fill(paper.inset(-3.0), theme::panel_edge());
-        fill(paper, theme::ground());
+        canvas.rectangle(paper.inset(-3.0), theme::panel_edge());
+        canvas.rectangle(paper, theme::ground());
         let point = |pixels: DVec2| (corner + pixels.as_vec2() * scale).clamp(paper.min, paper.max());
         let between = |place: &Place| {
             let (min, max) = (point(place.min), point(place.max()));
@@ -71,11 +71,11 @@ impl Editor {
             let Some(kind) = self.document.kind(row).filter(|kind| *kind != Kind::Text) else { continue };
             let area = between(&place);
             let least = if matches!(kind, Kind::Ship | Kind::Pad | Kind::KeyPad | Kind::Key) { 3.0 } else { 1.0 };
-            fill(
+            canvas.rectangle(
                 Area::around(area.centre(), area.size.max(Vec2::splat(least))),
                 if kind == Kind::Solid { theme::solid() } else { colour(kind) },
             );
         }
-        edge(between(&self.view.visible()), 0.75, theme::accent());
+        edge(canvas, between(&self.view.visible()), 0.75, theme::accent());
     }
 }

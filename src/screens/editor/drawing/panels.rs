@@ -2,11 +2,10 @@
 
 use super::*;
 use crate::view::layout::wrapped;
-use macroquad::time::get_fps;
 
 impl Editor {
     pub(super) fn draw_commands(&self, canvas: &Canvas, tip: &mut Tip) {
-        fill(self.parts.top, theme::panel());
+        canvas.rectangle(self.parts.top, theme::panel());
         for (i, (label, key)) in COMMANDS.iter().enumerate() {
             let area = self.commands.areas()[i];
             let on = *label == "Snap" && self.snapping;
@@ -37,7 +36,7 @@ impl Editor {
     }
 
     pub(super) fn draw_tools(&self, canvas: &Canvas) {
-        fill(self.parts.left, theme::panel());
+        canvas.rectangle(self.parts.left, theme::panel());
         for (i, area) in self.tools.areas().iter().enumerate() {
             let tool = if i == 0 { Tool::Select } else { Tool::Add(Kind::ADDED[i - 1]) };
             let ground = if self.tools.hover() == Some(i) { theme::panel_hover() } else { theme::ground() };
@@ -48,9 +47,9 @@ impl Editor {
                 Tool::Add(kind) => (kind.name(), colour(kind)),
             };
             if tool == Tool::Select {
-                edge(mark, 0.75, colour);
+                edge(canvas, mark, 0.75, colour);
             } else {
-                fill(mark, colour);
+                canvas.rectangle(mark, colour);
             }
             let at = Vec2::new(mark.max().x + INSIDE, area.centre().y);
             canvas.text(label, at, Style::new(DETAILS, theme::text()).middle());
@@ -59,7 +58,7 @@ impl Editor {
 
     pub(super) fn draw_panel(&self, canvas: &Canvas, time: f64, tip: &mut Tip) {
         let area = self.parts.right;
-        fill(area, theme::panel());
+        canvas.rectangle(area, theme::panel());
         let left = area.min.x + INSIDE;
         let widest = area.size.x - 2.0 * INSIDE;
         let (heading, place) = match (&self.selection[..], self.panel.kind) {
@@ -130,7 +129,7 @@ impl Editor {
         for (index, picture) in offers.iter().enumerate() {
             let area = self.parts.offer(fields, index);
             if area.contains(self.pointer) {
-                fill(area, theme::panel_hover());
+                canvas.rectangle(area, theme::panel_hover());
             }
             let taken = self.selection.iter().all(|row| self.document.cell(*row, "image") == Some(picture));
             let style = Style { colour: if taken { theme::accent() } else { theme::text() }, ..style };
@@ -157,13 +156,13 @@ impl Editor {
         }
     }
 
-    pub(super) fn draw_problems(&self, canvas: &Canvas, tip: &mut Tip) {
+    pub(super) fn draw_problems(&self, canvas: &Canvas, fps: f64, tip: &mut Tip) {
         let area = self.parts.bottom;
-        fill(area, theme::panel());
+        canvas.rectangle(area, theme::panel());
         let style = Style::new(DETAILS, theme::text()).mono();
         let at = self.pointed();
         let metre = self.document.metre();
-        let fps = if self.figures { format!("{} fps   ", get_fps().max(0)) } else { String::new() };
+        let fps = if self.figures { format!("{fps:.0} fps   ") } else { String::new() };
         let zoom = self.view.scale() * 100.0;
         let place = format!("{fps}{:.0}, {:.0} px   {:.2}, {:.2} m   {zoom:.0} %", at.x, at.y, at.x / metre, at.y / metre);
         let head = area.min + Vec2::new(INSIDE, INSIDE * 0.75);
@@ -188,7 +187,7 @@ impl Editor {
             let Some((problem, refused)) = self.problems.get(index) else { break };
             let at = self.parts.problem(line);
             if at.contains(self.pointer) {
-                fill(at, theme::panel_hover());
+                canvas.rectangle(at, theme::panel_hover());
             }
             let style = Style { colour: if *refused { theme::text() } else { theme::quiet() }, ..style };
             canvas.text(&tip.cut(canvas, &problem.to_string(), at, at.size.x, style), at.min, style);

@@ -1,15 +1,16 @@
 //! The author's picture and what lies on it.
 
 use super::*;
+use crate::level::read_picture;
 
 impl Editor {
-    pub(super) fn draw_picture(&self, sheets: &mut Sheets, canvas: &Canvas) {
+    pub(super) fn draw_picture(&self, canvas: &Canvas) {
         let level = self.view.rect(&Place { min: DVec2::ZERO, size: self.document.size() });
-        fill(self.parts.middle, theme::panel());
-        fill(level, theme::ground());
-        let background = self.folder.background().and_then(|path| sheets.get(&path));
+        canvas.rectangle(self.parts.middle, theme::panel());
+        canvas.rectangle(level, theme::ground());
+        let background = self.folder.background().and_then(|path| self.picture(path));
         match background {
-            Some(texture) => draw_picture(&texture, level),
+            Some(image) => canvas.image(&image, level, Colour::WHITE),
             None => self.draw_grid(canvas, level),
         }
         let visible = self.view.visible();
@@ -33,12 +34,12 @@ impl Editor {
         };
         things.sort_by_key(|(_, kind, _)| depth(*kind));
         for (row, kind, place) in &things {
-            self.draw_thing(sheets, canvas, *row, *kind, place);
+            self.draw_thing(canvas, *row, *kind, place);
         }
-        edge(level, 1.0, theme::quiet());
+        edge(canvas, level, 1.0, theme::quiet());
         for wire in self.document.wires() {
             if let (Some(from), Some(to)) = (self.document.place(wire.switch), self.document.place(wire.thing)) {
-                let colour = theme::faded(colour(Kind::Switch), 0.8);
+                let colour = colour(Kind::Switch).faded(0.8);
                 let (a, b) = (self.view.point(from.centre()), self.view.point(to.centre()));
                 canvas.line(a, b, if wire.inverted { 1.0 } else { 2.0 }, colour);
                 canvas.disc(b, 3.5, if wire.inverted { theme::bad() } else { colour });
@@ -49,7 +50,7 @@ impl Editor {
     /// Paper with a square a metre, a heavy line every ten, where there is no picture.
     fn draw_grid(&self, canvas: &Canvas, level: Area) {
         let metre = self.document.metre() * self.view.scale();
-        let steps: &[(f64, Color)] = &[(1.0, theme::grid_fine()), (10.0, theme::grid_heavy())];
+        let steps: &[(f64, Colour)] = &[(1.0, theme::grid_fine()), (10.0, theme::grid_heavy())];
         for (metres, colour) in steps.iter().filter(|(metres, _)| metres * metre > 6.0) {
             let step = (metres * metre) as f32;
             let seen = |from: f32, least: f32| ((least - from) / step).ceil().max(0.0) as i32;
@@ -65,27 +66,30 @@ impl Editor {
         }
     }
 
-    fn draw_thing(&self, sheets: &mut Sheets, canvas: &Canvas, row: RowId, kind: Kind, place: &Place) {
+    fn draw_thing(&self, canvas: &Canvas, row: RowId, kind: Kind, place: &Place) {
         let (area, own) = (self.view.rect(place), colour(kind));
         let cell = |column: &str| self.document.cell(row, column).unwrap_or_default();
         match kind {
             Kind::Solid => {
                 // Two rectangles instead of one and four lines: a level has thousands of blocks.
-                fill(area, own);
-                fill(area.inset(canvas.frame().pixel.max(1.0).min(area.size.min_element() * 0.25)), material(cell("material")));
+                canvas.rectangle(area, own);
+                canvas.rectangle(
+                    area.inset(canvas.frame().pixel.max(1.0).min(area.size.min_element() * 0.25)),
+                    material(cell("material")),
+                );
                 self.draw_one_way(canvas, area, cell("one_way"));
             }
             Kind::Mover | Kind::Door => {
-                fill(area, theme::faded(own, if kind == Kind::Door { 0.5 } else { 0.75 }));
-                edge(area, 1.5, own);
+                canvas.rectangle(area, own.faded(if kind == Kind::Door { 0.5 } else { 0.75 }));
+                edge(canvas, area, 1.5, own);
                 self.draw_way(canvas, row, place);
             }
             Kind::Stream => {
                 let (zone, end) = stream_zone(&self.document, row, *place);
-                fill(self.view.rect(&zone), theme::faded(own, 0.12));
-                edge(self.view.rect(&zone), 0.5, theme::faded(own, 0.5));
-                fill(area, theme::solid());
-                edge(area, 1.5, own);
+                canvas.rectangle(self.view.rect(&zone), own.faded(0.12));
+                edge(canvas, self.view.rect(&zone), 0.5, own.faded(0.5));
+                canvas.rectangle(area, theme::solid());
+                edge(canvas, area, 1.5, own);
                 let force = DVec2::new(
                     self.document.number(row, "force_x").unwrap_or(0.0),
                     self.document.number(row, "force_y").unwrap_or(0.0),
@@ -97,8 +101,8 @@ impl Editor {
             }
             Kind::Fluid | Kind::Gravity => {
                 let own = self.given_colour(row).unwrap_or(own);
-                fill(area, theme::faded(own, 0.3));
-                edge(area, 1.0, own);
+                canvas.rectangle(area, own.faded(0.3));
+                edge(canvas, area, 1.0, own);
                 if kind == Kind::Gravity {
                     let field = DVec2::new(
                         self.document.number(row, "field_x").unwrap_or(0.0),
@@ -109,10 +113,10 @@ impl Editor {
                     }
                 }
             }
-            Kind::Object | Kind::Key => self.draw_object(sheets, canvas, (row, area), colour(Kind::Object)),
-            Kind::Picture => self.draw_object(sheets, canvas, (row, area), theme::faded(theme::solid(), 0.6)),
+            Kind::Object | Kind::Key => self.draw_object(canvas, (row, area), colour(Kind::Object)),
+            Kind::Picture => self.draw_object(canvas, (row, area), theme::solid().faded(0.6)),
             Kind::Ship => {
-                canvas.rounded(area, area.size.x * 0.25, theme::faded(own, 0.9));
+                canvas.rounded(area, area.size.x * 0.25, own.faded(0.9));
                 let centre = area.centre();
                 canvas.disc(centre - Vec2::new(0.0, area.size.y * 0.12), area.size.x * 0.16, theme::ground());
                 let angle = self.document.number(row, "angle").unwrap_or(0.0).to_radians();
@@ -124,38 +128,43 @@ impl Editor {
                 if area.size.y > 10.0 {
                     canvas.text(cell("text"), area.min, Style::new(size, own));
                 } else {
-                    fill(area, theme::faded(own, 0.5));
+                    canvas.rectangle(area, own.faded(0.5));
                 }
             }
             Kind::Switch | Kind::Pad | Kind::KeyPad | Kind::Deadly | Kind::Pod | Kind::Setting => {
                 let plate = kind != Kind::Switch || !cell("weight").is_empty();
-                fill(area, theme::faded(own, if plate { 0.7 } else { 0.25 }));
-                edge(area, 1.0, own);
+                canvas.rectangle(area, own.faded(if plate { 0.7 } else { 0.25 }));
+                edge(canvas, area, 1.0, own);
             }
         }
     }
 
     /// The colour in a row's cells, where there is one.
-    fn given_colour(&self, row: RowId) -> Option<Color> {
+    fn given_colour(&self, row: RowId) -> Option<Colour> {
         let [r, g, b] = ["r", "g", "b"].map(|name| self.document.number(row, name).map(|value| value as u8));
-        Some(Color::from_rgba(r?, g?, b?, 255))
+        Some(Colour::of([r?, g?, b?]))
     }
 
-    fn draw_object(&self, sheets: &mut Sheets, canvas: &Canvas, (row, area): (RowId, Area), plain: Color) {
+    fn draw_object(&self, canvas: &Canvas, (row, area): (RowId, Area), plain: Colour) {
         let image = self.document.cell(row, "image").unwrap_or_default();
         let own = self.given_colour(row).unwrap_or(plain);
         let round = image.to_ascii_lowercase().starts_with("ball:")
             || self.document.cell(row, "circular").is_some_and(|cell| cell.eq_ignore_ascii_case("true"));
         if !image.contains(':')
-            && let Some(texture) = sheets.get(&self.folder.picture(image))
+            && let Some(image) = self.picture(self.folder.picture(image))
         {
-            return draw_picture(&texture, area);
+            return canvas.image(&image, area, Colour::WHITE);
         }
         if round && (area.size.x - area.size.y).abs() < 0.01 * area.size.x {
             canvas.disc(area.centre(), area.size.x / 2.0, own);
         } else {
-            fill(area, own);
+            canvas.rectangle(area, own);
         }
+    }
+
+    fn picture(&self, path: PathBuf) -> Option<Image> {
+        let read = |path: &PathBuf| Some(Image::File(read_picture(path).ok()?.into()));
+        self.sheets.borrow_mut().entry(path).or_insert_with_key(read).clone()
     }
 
     fn draw_one_way(&self, canvas: &Canvas, area: Area, side: &str) {
@@ -176,8 +185,8 @@ impl Editor {
         let mut from = place.centre();
         for stop in self.document.way_points(row) {
             let to = stop + half;
-            canvas.line(self.view.point(from), self.view.point(to), 1.5, theme::faded(colour(Kind::Mover), 0.9));
-            edge(self.view.rect(&Place { min: stop, size: place.size }), 0.75, theme::faded(colour(Kind::Mover), 0.6));
+            canvas.line(self.view.point(from), self.view.point(to), 1.5, colour(Kind::Mover).faded(0.9));
+            edge(canvas, self.view.rect(&Place { min: stop, size: place.size }), 0.75, colour(Kind::Mover).faded(0.6));
             from = to;
         }
     }

@@ -3,6 +3,7 @@
 use super::panel::Action;
 use super::places::SAMPLE;
 use super::{Plot, PlotPlaces};
+use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::instruments::chart::{Chart, Lane};
 use crate::instruments::curve::Curve;
 use crate::instruments::look;
@@ -10,13 +11,9 @@ use crate::instruments::quantity::Quantity;
 use crate::instruments::track::Track;
 use crate::lab::linear::Linear;
 use crate::lab::look::Look;
-use crate::view::canvas::{Canvas, Style};
 use crate::view::diagram::{marker, stroke};
 use crate::view::layout::{Area, DETAILS, GRID, Vec2};
 use crate::view::{quantity, theme, widgets};
-use macroquad::color::Color;
-use macroquad::math::Vec2 as Point;
-use macroquad::shapes::draw_triangle;
 use std::ops::Range;
 
 /// From one named number to the next, at least, in heights of the text: to the right and upwards.
@@ -125,7 +122,7 @@ impl Plot {
                 canvas.rounded(area.inset(-1.0), 4.0, theme::panel_hover());
             }
             let look = look::of(i, self.lines[i].up);
-            let colour = theme::rgb(look.colour);
+            let colour = Colour::hex(look.colour);
             let middle = Vec2::new(area.min.x, area.min.y + line / 2.0 + 2.0);
             stroke(canvas, &[middle, middle + Vec2::new(SAMPLE, 0.0)], &look, colour);
             marker(canvas, middle + Vec2::new(SAMPLE / 2.0, 0.0), look.marker, colour);
@@ -193,7 +190,7 @@ impl Plot {
         let (name, style) = (lane.name(|number| self.lines[number].up.symbol()), Style::new(DETAILS, theme::text()).middle());
         let size = Vec2::new(canvas.width(&name, style) + GRID, 1.4 * text);
         let under = Area { min: area.min + Vec2::new(GRID / 2.0, 1.0), size };
-        canvas.rounded(under, 4.0, theme::faded(theme::ground(), 0.85));
+        canvas.rounded(under, 4.0, theme::ground().faded(0.85));
         canvas.text(&name, Vec2::new(under.min.x + GRID / 2.0, under.centre().y), style);
     }
 
@@ -201,18 +198,18 @@ impl Plot {
         let line = &self.lines[number];
         let object = &self.objects[line.whose];
         let look = look::of(number, line.up);
-        let colour = theme::rgb(look.colour);
+        let colour = Colour::hex(look.colour);
         let window = self.window();
         if let Some(track) = object.before() {
             let pale = Look { dash: None, width: 1, ..look };
-            self.draw_ways(&line.before, track.places(window), (scale, &pale, theme::faded(colour, PALE)), canvas);
+            self.draw_ways(&line.before, track.places(window), (scale, &pale, colour.faded(PALE)), canvas);
         }
         if let Some(track) = object.track() {
             self.draw_ways(&line.now, track.places(window), (scale, &look, colour), canvas);
         }
     }
 
-    fn draw_ways(&self, curve: &Curve, places: Range<usize>, (scale, look, colour): (&Scale, &Look, Color), canvas: &Canvas) {
+    fn draw_ways(&self, curve: &Curve, places: Range<usize>, (scale, look, colour): (&Scale, &Look, Colour), canvas: &Canvas) {
         for way in curve.drawn(places, scale.grain()) {
             stroke(canvas, &scale.within(way), look, colour);
         }
@@ -224,16 +221,14 @@ impl Plot {
         if !lane.curves.contains(&number) {
             return;
         }
-        let colour = theme::faded(theme::rgb(look::of(number, line.up).colour), SHADE);
+        let colour = Colour::hex(look::of(number, line.up).colour).faded(SHADE);
         let (from, to) = self.stretch(track);
         let within = track.places(self.window());
         let stretch = from.max(within.start)..(to + 1).min(within.end);
         let zero = scale.at((0.0, 0.0)).y.clamp(scale.area.min.y, scale.area.max().y);
         let foot = |at: Vec2| Vec2::new(at.x, zero);
-        let triangle = |corners: [Vec2; 3]| {
-            let [a, b, c] = corners.map(|corner| Point::new(corner.x, corner.y));
-            draw_triangle(a, b, c, colour);
-        };
+        let mut quads = Quads::default();
+        let mut triangle = |corners: [Vec2; 3]| quads.triangle(corners, colour);
         for way in line.now.drawn(stretch.start..stretch.end.max(stretch.start), scale.grain()) {
             for pair in scale.within(way).windows(2) {
                 let (a, b) = (pair[0], pair[1]);
@@ -247,6 +242,7 @@ impl Plot {
                 }
             }
         }
+        canvas.quads(quads);
         if self.span.is_some() && self.across == Quantity::Time {
             for place in [from, to] {
                 let x = scale.at((track.time(place), 0.0)).x;
@@ -302,7 +298,7 @@ impl Plot {
                 continue;
             }
             let look = look::of(number, line.up);
-            let colour = theme::rgb(look.colour);
+            let colour = Colour::hex(look.colour);
             if let (true, Some(slope)) = (number == self.selected, line.now.slope(track, place(track))) {
                 let size = scale.area.size;
                 let right = f64::from(size.x) / (scale.right.to - scale.right.from);

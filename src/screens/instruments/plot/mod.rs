@@ -2,7 +2,6 @@
 //! first tick, however late they are asked for. An upright line stands at the moment that the world shows, and leads to another one.
 
 mod choices;
-#[cfg(feature = "window")]
 mod drawing;
 mod hand;
 mod object;

@@ -106,7 +106,6 @@ impl Plot {
     }
 
     /// What the list to choose from covers.
-    #[cfg(feature = "window")]
     pub(super) fn picker(&self, places: &PlotPlaces) -> Option<Area> {
         let blocks = self.choices(self.pick?);
         Some(places.picker(&blocks.each_ref().map(Vec::len), choices::NAME, choices::MOST_OF_A_ROW).0)

@@ -77,7 +77,6 @@ impl Layout {
         Area::new(begins, self.top + line as f32 * self.line, ends - begins, self.line)
     }
 
-    #[cfg(feature = "window")]
     pub fn name(&self, line: usize) -> Area {
         self.cell(line, 0)
     }
@@ -95,7 +94,6 @@ impl Layout {
     }
 
     /// Of the panel's name.
-    #[cfg(feature = "window")]
     pub fn heading(&self) -> Area {
         Area::new(self.columns[0].0, self.panel.min.y + INSIDE, self.panel.size.x - 2.0 * INSIDE, self.line)
     }

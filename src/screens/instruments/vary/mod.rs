@@ -1,11 +1,9 @@
 //! "What if": a panel with a slider and a number for all that can be varied of the object that is followed, and of the level. What it asks
 //! for is flown by whoever shows the flight.
 
-#[cfg(feature = "window")]
 mod drawing;
 mod layout;
 
-#[cfg(feature = "window")]
 pub use drawing::written;
 
 use super::Stage;

@@ -1,13 +1,12 @@
 //! Draws the two halves, the errors so far and the words around them.
 
 use super::{Half, SideBySide, panels};
+use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
 use crate::physics::{Aabb, DVec2};
-use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::view::{theme, widgets};
-use macroquad::color::Color;
 
 /// Height of the line at a half's foot: its error.
 const FOOT: f32 = 40.0;
@@ -16,7 +15,7 @@ const PLAIN: f64 = 1e-3;
 /// What the buttons of the choices say: left half, right half.
 const CHOICES: [(&str, &str); 4] = [("‹", "A"), ("›", "D"), ("‹", "←"), ("›", "→")];
 /// The colours of the two halves' boxes.
-fn colour_of(half: usize) -> Color {
+fn colour_of(half: usize) -> Colour {
     if half == 0 { theme::player_objective() } else { theme::accent() }
 }
 
@@ -88,7 +87,7 @@ impl SideBySide {
         }
     }
 
-    fn draw_half(&self, canvas: &Canvas, half: &Half<'_>, panel: Area, colour: Color) {
+    fn draw_half(&self, canvas: &Canvas, half: &Half<'_>, panel: Area, colour: Colour) {
         widgets::panel(canvas, panel);
         let name = Vec2::new(panel.centre().x, panel.min.y - super::HEAD + super::CHOICE.y / 2.0);
         widgets::fitted(canvas, half.method, name, panel.size.x - 2.0 * super::CHOICE.x - 32.0, &[BUTTON_TEXT, TEXT], colour);
@@ -104,11 +103,11 @@ impl SideBySide {
         let moments: Vec<&Vec<DVec2>> = half.trail.iter().chain([&now]).collect();
         for pair in moments.windows(2) {
             for (from, to) in pair[0].iter().zip(pair[1]) {
-                place.stroke(canvas, (*from, *to), theme::faded(colour, 0.5));
+                place.stroke(canvas, (*from, *to), colour.faded(0.5));
             }
         }
         for body in half.boxes {
-            place.fill(canvas, body, theme::faded(colour, 0.35));
+            place.fill(canvas, body, colour.faded(0.35));
             place.edge(canvas, body, colour);
         }
         canvas.hairline(
@@ -160,7 +159,7 @@ impl Placing {
     }
 
     /// A line, where both of its ends are inside the panel.
-    fn stroke(&self, canvas: &Canvas, (from, to): (DVec2, DVec2), colour: Color) {
+    fn stroke(&self, canvas: &Canvas, (from, to): (DVec2, DVec2), colour: Colour) {
         let (from, to) = (self.at(from), self.at(to));
         let inside = |point: Vec2| point.cmpge(self.panel.min).all() && point.cmple(self.panel.max()).all();
         if from != to && inside(from) && inside(to) {
@@ -168,13 +167,13 @@ impl Placing {
         }
     }
 
-    fn fill(&self, canvas: &Canvas, body: &Aabb, colour: Color) {
+    fn fill(&self, canvas: &Canvas, body: &Aabb, colour: Colour) {
         if let Some(area) = self.seen(body) {
             canvas.rounded(area, 0.0, colour);
         }
     }
 
-    fn edge(&self, canvas: &Canvas, body: &Aabb, colour: Color) {
+    fn edge(&self, canvas: &Canvas, body: &Aabb, colour: Colour) {
         if let Some(area) = self.seen(body) {
             canvas.rounded_edge(area, 0.0, 2.0, colour);
         }

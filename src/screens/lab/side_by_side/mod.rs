@@ -1,7 +1,6 @@
 //! Two methods on the same scene at the same time, one in each half of the screen, how far each is from the truth, and how far it was
 //! all the while.
 
-#[cfg(feature = "window")]
 mod drawing;
 
 use super::body;

@@ -1,12 +1,11 @@
 //! Draws the table, and beside it the failure of the line that is asked.
 
 use super::{Line, ROW, SurvivalPage, TABLE, WIDEST, body, line_of, panel};
+use crate::draw::{Canvas, Colour, Style};
 use crate::lab::axes::number;
 use crate::lab::stress::Survival;
-use crate::view::canvas::{Canvas, Style};
 use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, Frame, PADDING, TEXT, Vec2};
 use crate::view::{picture, theme, widgets};
-use macroquad::color::Color;
 
 /// From the panel's left edge to tests and to methods, and from its right edge to the values.
 const COLUMNS: [f32; 3] = [24.0, 48.0, 48.0];
@@ -108,11 +107,11 @@ fn draw_test(canvas: &Canvas, line: Area, (test, parameter): (&str, &str), ruled
 }
 
 /// The colour of what a method makes of it.
-fn line_colour(row: &Survival) -> Color {
+fn line_colour(row: &Survival) -> Colour {
     if row.shipped { theme::accent() } else { theme::player_objective() }
 }
 
-fn value_colour(row: &Survival) -> Color {
+fn value_colour(row: &Survival) -> Colour {
     match row.largest {
         largest if largest >= row.tried => theme::good(),
         0.0 => theme::bad(),

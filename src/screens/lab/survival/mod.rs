@@ -1,6 +1,5 @@
 //! What each method survives: the table of the stress tests, a small picture of each failure, and a large one of the line that is asked.
 
-#[cfg(feature = "window")]
 mod drawing;
 
 use super::body;
