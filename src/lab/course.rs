@@ -44,9 +44,10 @@ impl OverTime {
     }
 }
 
-/// The largest of some errors, 0 where there are none; not a number where one is not.
+/// The largest of some errors of 0 or more; not a number where one is not, or where there are none.
 pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
-    errors.into_iter().fold(0.0, |worst: f64, error| if worst.is_nan() || error <= worst { worst } else { error })
+    let larger = |worst: f64, error: f64| if worst.is_nan() || error <= worst { worst } else { error };
+    errors.into_iter().reduce(larger).unwrap_or(f64::NAN)
 }
 
 /// A few of many moments, evenly spaced, the last one among them. Between two of them the largest error counts, and the energy that is

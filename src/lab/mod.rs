@@ -2,6 +2,7 @@
 //! survives, and the charts that show it. Nothing here reads a clock or a file: `resultant chart` measures, this draws.
 //!
 //! - [`methods`]: the methods, written by hand, each a small pure function.
+//! - [`contract`]: the one contract between methods, the shipped engine, and all that runs them.
 //! - [`scenes`]: what they are run on, one file a family; each scene knows its exact answer.
 //! - [`stress`]: where methods fail: the largest value that each survives.
 //! - [`stability`]: where methods are stable, on the complex plane; [`stability_diagram`]: as SVG and CSV.
@@ -14,6 +15,7 @@
 
 pub mod axes;
 pub mod charts;
+pub mod contract;
 pub mod course;
 pub mod course_diagram;
 pub mod curve;

@@ -1,6 +1,7 @@
 //! A scene: a question with an exact answer, and the methods that are to answer it.
 
 use super::TOLERANCE;
+use super::contract::{By, contenders};
 use super::course::Moment;
 
 /// The ladder of steps, s. The game's tick is among them.
@@ -86,24 +87,41 @@ impl Scene {
     }
 
     /// With one method more.
-    pub(super) fn method(self, name: impl Into<String>, run: impl Fn(f64) -> f64 + 'static) -> Self {
-        self.with(name.into(), false, Box::new(run))
-    }
-
-    /// With the engine as it is shipped.
-    pub(super) fn shipped(self, run: impl Fn(f64) -> f64 + 'static) -> Self {
-        self.with("shipped engine".to_owned(), true, Box::new(run))
-    }
-
-    fn with(mut self, name: String, shipped: bool, run: Box<dyn Fn(f64) -> f64>) -> Self {
-        self.methods.push(Method { name, shipped, run, course: None });
+    pub(super) fn method(mut self, name: impl Into<String>, run: impl Fn(f64) -> f64 + 'static) -> Self {
+        self.methods.push(Method { name: name.into(), shipped: false, run: Box::new(run), course: None });
         self
     }
 
-    /// The last of the methods tells how it fares while the scene runs.
-    pub(super) fn over_time(mut self, course: impl Fn(f64) -> Vec<Moment> + 'static) -> Self {
+    /// With methods by hand and the shipped engine; `error` runs the whole scene at a step (s).
+    pub(super) fn by<S: Copy + 'static>(
+        mut self,
+        by_hand: impl IntoIterator<Item = (&'static str, S)>,
+        error: impl Fn(By<S>, f64) -> f64 + Clone + 'static,
+    ) -> Self {
+        for (name, by) in contenders(by_hand) {
+            let error = error.clone();
+            self = self.method(name, move |h| error(by, h));
+        }
+        self.shipped()
+    }
+
+    /// The last method is the engine as it is shipped.
+    pub(super) fn shipped(mut self) -> Self {
         if let Some(method) = self.methods.last_mut() {
-            method.course = Some(Box::new(course));
+            method.shipped = true;
+        }
+        self
+    }
+
+    /// The same methods by hand and the shipped engine, followed over time.
+    pub(super) fn followed<S: Copy + 'static>(
+        mut self,
+        by_hand: impl IntoIterator<Item = (&'static str, S)>,
+        course: impl Fn(By<S>, f64) -> Vec<Moment> + Clone + 'static,
+    ) -> Self {
+        for (method, (_, by)) in self.methods.iter_mut().zip(contenders(by_hand)) {
+            let course = course.clone();
+            method.course = Some(Box::new(move |h| course(by, h)));
         }
         self
     }

@@ -1,31 +1,8 @@
-//! The engine as it is shipped, set up for the lab's scenes. Its defaults are the game's.
+//! Worlds of the shipped engine for the lab's models. Their defaults are the game's.
 
 use super::methods::impact::Block;
 use super::methods::motion::{Law, Point};
-use crate::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, SurfaceDef, World, WorldDef};
-
-/// Steps a world of such a definition for `seconds` in steps of `h`. A definition that is refused answers nothing.
-pub(super) fn run(def: WorldDef, seconds: f64, h: f64) -> Option<World> {
-    let mut world = World::new(def).ok()?;
-    for _ in 0..(seconds / h).round() as u64 {
-        world.step(h);
-    }
-    Some(world)
-}
-
-/// Place and velocity of every body of a world of such a definition after each of so many steps of `h` s. Nothing where it is refused.
-pub(super) fn places(def: WorldDef, steps: usize, h: f64) -> Vec<Vec<Point>> {
-    World::new(def).map(|world| places_in(world, steps, h)).unwrap_or_default()
-}
-
-/// The same of a world.
-pub(super) fn places_in(mut world: World, steps: usize, h: f64) -> Vec<Vec<Point>> {
-    let after_step = |_| {
-        world.step(h);
-        world.bodies().iter().map(|body| Point { x: body.position, v: body.velocity }).collect()
-    };
-    (0..steps).map(after_step).collect()
-}
+use crate::physics::{Aabb, BodyDef, DVec2, FluidDef, Material, SurfaceDef, WorldDef};
 
 /// A floor whose top is at y = 0.
 pub(super) fn floor() -> SurfaceDef {
@@ -63,14 +40,6 @@ pub(super) fn on_water(gravity: f64, density: f64, body: BodyDef) -> WorldDef {
     let zone = Aabb::new(DVec2::new(-1e3, 0.0), DVec2::new(1e3, 1e3));
     let fluid = FluidDef { zone, density, viscosity: 0.0 };
     WorldDef { gravity, air_density: 0.0, bodies: vec![body], fluids: vec![fluid], ..WorldDef::default() }
-}
-
-/// Where that body is after `seconds`, in the ground's frame.
-pub(super) fn flight(law: &Law, start: Point, seconds: f64, h: f64) -> Point {
-    run(in_air(law, start), seconds, h).map_or(Point { x: DVec2::NAN, v: DVec2::NAN }, |world| {
-        let body = world.body(BodyId(0));
-        Point { x: body.position + law.wind * seconds, v: body.velocity + law.wind }
-    })
 }
 
 /// A line of blocks without gravity and air; what has infinite mass is a wall.

@@ -10,7 +10,7 @@
 //! pair: how far each method goes on that ray is asked of it by itself.
 
 use super::methods::motion::{ADAPTIVE, Law, METHODS, Point, Step, third_order};
-use super::scenes::drag::LIGHT;
+use super::scenes::flight::LIGHT;
 use super::scenes::oscillator;
 use super::stress::{G, TICK, largest_to};
 use crate::physics::DVec2;
@@ -100,8 +100,7 @@ impl Region {
     }
 }
 
-/// What the shipped engine is called.
-pub const SHIPPED: &str = "shipped engine";
+pub use super::contract::SHIPPED;
 /// Its limits on the two rays: none.
 pub const SHIPPED_LIMITS: [f64; 2] = [FAR; 2];
 

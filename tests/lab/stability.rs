@@ -2,12 +2,14 @@
 //! holds there and far beyond.
 
 use resultant::lab::TOLERANCE;
+use resultant::lab::contract::By;
 use resultant::lab::methods::motion::{
     Step, exact_decay, exact_fall, explicit_euler, linearised_drag, rk4, semi_implicit_euler, semi_implicit_euler_f32, strang,
 };
 use resultant::lab::methods::{bounce, chain::sweeps_needed, friction, impact};
-use resultant::lab::scenes::{bouncing as bounces, stacks};
-use resultant::lab::stress::motion::{Fall, fall, gust, shipped_fall_error, shipped_gust};
+use resultant::lab::scenes::bouncing as bounces;
+use resultant::lab::scenes::stacks::{ContactChain, SOLVERS};
+use resultant::lab::stress::motion::{Fall, fall, gust, shipped_fall_error};
 use resultant::lab::stress::{G, TICK, bouncing, contacts, robustness, standing};
 
 #[test]
@@ -37,19 +39,19 @@ fn terminal_velocity() {
 #[test]
 fn a_gust() {
     // k·h·u > 1 turns u round: 24.5 m/s; > 2 makes it grow: 48.9 m/s.
-    assert!(gust(explicit_euler, 24.0).iter().all(|v| *v > 0.0));
-    assert!(gust(explicit_euler, 25.0)[0] < 0.0);
-    assert!(gust(explicit_euler, 48.5).iter().all(|v| v.abs() < 48.5));
-    assert!(gust(explicit_euler, 49.5)[1].abs() > 49.5);
-    assert!(gust(semi_implicit_euler, 60.0).iter().any(|v| !v.is_finite() || v.abs() > 1e3));
+    assert!(gust(By::Hand(explicit_euler), 24.0).iter().all(|v| *v > 0.0));
+    assert!(gust(By::Hand(explicit_euler), 25.0)[0] < 0.0);
+    assert!(gust(By::Hand(explicit_euler), 48.5).iter().all(|v| v.abs() < 48.5));
+    assert!(gust(By::Hand(explicit_euler), 49.5)[1].abs() > 49.5);
+    assert!(gust(By::Hand(semi_implicit_euler), 60.0).iter().any(|v| !v.is_finite() || v.abs() > 1e3));
     for speed in [24.0, 49.0, 100.0, 1e4] {
-        for velocities in [shipped_gust(speed), gust(linearised_drag, speed), gust(exact_decay, speed)] {
+        for velocities in [By::Engine, By::Hand(linearised_drag as Step), By::Hand(exact_decay)].map(|by| gust(by, speed)) {
             assert!(velocities.iter().all(|v| *v > 0.0), "{speed}");
             assert!(velocities.is_sorted_by(|a, b| a > b) && velocities[0] < speed, "{speed}");
         }
         // Exactly u/(1 + k·u·t).
         let k = resultant::lab::stress::motion::gust_law().drag;
-        let v = shipped_gust(speed)[59];
+        let v = gust(By::Engine, speed)[59];
         let exact = speed / (1.0 + k * speed);
         assert!((v / exact - 1.0).abs() < 1e-6, "{speed}: {v}, exact {exact}");
     }
@@ -59,12 +61,12 @@ fn a_gust() {
 fn tunnelling() {
     for mass in [f64::INFINITY, 3.0] {
         // 0.1 m and 0.5 m in one tick: 36 m/s.
-        assert!(contacts::stays_out(impact::discrete, 35.9, mass));
-        assert!(!contacts::stays_out(impact::discrete, 40.0, mass));
+        assert!(contacts::stays_out(By::Hand(impact::discrete), 35.9, mass));
+        assert!(!contacts::stays_out(By::Hand(impact::discrete), 40.0, mass));
         for speed in [10.0, 36.1, 40.0, 400.0, 10_000.0, 30_000.0, 1e6] {
-            assert!(contacts::stays_out(impact::swept, speed, mass), "{speed}");
-            assert!(contacts::stays_out(impact::exact, speed, mass), "{speed}");
-            assert!(contacts::shipped_stays_out(speed, mass), "{speed} m/s, {mass} kg");
+            assert!(contacts::stays_out(By::Hand(impact::swept), speed, mass), "{speed}");
+            assert!(contacts::stays_out(By::Hand(impact::exact), speed, mass), "{speed}");
+            assert!(contacts::stays_out(By::Engine, speed, mass), "{speed} m/s, {mass} kg");
         }
     }
 }
@@ -87,8 +89,8 @@ fn columns() {
         assert_eq!(sweeps_needed(&vec![1.0; n], 0.01, 10_000), Some(sweeps), "N = {n}");
     }
     // What that looks like: with four sweeps a step a column of twenty sinks into itself.
-    let (_, four) = stacks::SOLVERS[0];
-    assert!(stacks::sag_by_hand(&[1.0; 20], four, 10.0, TICK) > 0.5);
+    let (_, four) = SOLVERS[0];
+    assert!(ContactChain::standing(vec![1.0; 20]).sag(By::Hand(four), 10.0, TICK) > 0.5);
     for n in [2, 10, 50, 100] {
         assert!(standing::stands(&vec![1.0; n]), "N = {n}");
     }
@@ -98,24 +100,24 @@ fn columns() {
 fn resting_jitter() {
     // e·g·h/(1+e) is left: 0.073 m/s at e = 0.8.
     for e in [0.3, 0.8, 0.9] {
-        let left = bouncing::jitter(bounce::every_tick, e);
+        let left = bouncing::jitter(By::Hand(bounce::every_tick), e);
         assert!((left / (e * G * TICK / (1.0 + e)) - 1.0).abs() < 1e-9, "e = {e}: {left}");
-        assert_eq!(bouncing::shipped_jitter(e), 0.0, "e = {e}");
+        assert_eq!(bouncing::jitter(By::Engine, e), 0.0, "e = {e}");
     }
-    assert!((bouncing::jitter(bounce::every_tick, 0.8) - 0.073).abs() < 5e-4);
+    assert!((bouncing::jitter(By::Hand(bounce::every_tick), 0.8) - 0.073).abs() < 5e-4);
 }
 
 #[test]
 fn coulomb_stop() {
-    let distance = 100.0 / (2.0 * bouncing::brake());
+    let distance = 100.0 / (2.0 * bouncing::SLIDING.brake());
     for h in [1.0 / 30.0, TICK, 1.0 / 120.0] {
         // By sign: never at rest, within ±μgh.
-        let (_, v) = bouncing::slide(friction::by_sign, h);
-        assert!(v != 0.0 && v.abs() <= bouncing::brake() * h, "{v}");
+        let (_, v) = bouncing::slide(By::Hand(friction::by_sign), h);
+        assert!(v != 0.0 && v.abs() <= bouncing::SLIDING.brake() * h, "{v}");
         // Clamped: dead, but short by v₀h/2.
-        let (x, v) = bouncing::slide(friction::clamped, h);
+        let (x, v) = bouncing::slide(By::Hand(friction::clamped), h);
         assert!(v == 0.0 && ((distance - x) / (5.0 * h) - 1.0).abs() < 0.01, "{x}");
-        let (x, v) = bouncing::shipped_slide(h);
+        let (x, v) = bouncing::slide(By::Engine, h);
         assert!(v == 0.0 && (x - distance).abs() < 1e-9, "{x}");
     }
 }
@@ -125,10 +127,10 @@ fn endless_bounces() {
     let end = bounces::series_end(0.9);
     assert!((end - 8.578_949_178_7).abs() < 1e-9);
     assert_eq!(bounce::event_loop((bounces::HEIGHT, 0.0), G, 0.9, 10.0, bouncing::ENDLESS), bouncing::ENDLESS);
-    let snapped = bouncing::end_by_hand(bounce::snap, 0.9);
+    let snapped = bouncing::end_of_bounces(By::Hand(bounce::snap), 0.9);
     assert!((snapped - 5.75).abs() < 0.1, "snapping ends the bounces after {snapped} s");
     for e in [0.5, 0.9, 0.97] {
-        let (found, end) = (bouncing::end_by_engine(e), bounces::series_end(e));
+        let (found, end) = (bouncing::end_of_bounces(By::Engine, e), bounces::series_end(e));
         assert!((found - end).abs() <= TICK, "e = {e}: over after {found} s, the series after {end} s");
     }
 }
@@ -136,19 +138,19 @@ fn endless_bounces() {
 #[test]
 fn a_minute_of_perfect_bouncing() {
     for (bounce, kept) in [(bounce::snap as bounce::Bounce, 0.875), (bounce::reflect, 1.011), (bounce::verlet_snap, 5.935)] {
-        let found = bouncing::minute_by_hand(bounce, TICK);
+        let found = bouncing::minute(By::Hand(bounce), TICK);
         assert!((found - kept).abs() < 1e-3, "{found}, measured before {kept}");
     }
     for h in [1.0 / 15.0, 1.0 / 30.0, TICK, 1.0 / 120.0] {
-        assert!((bouncing::minute_by_hand(bounce::exact, h) - 1.0).abs() < 1e-9);
-        let found = bouncing::minute_by_engine(h);
+        assert!((bouncing::minute(By::Hand(bounce::exact), h) - 1.0).abs() < 1e-9);
+        let found = bouncing::minute(By::Engine, h);
         assert!((found - 1.0).abs() < 1e-6, "{h} s: {found}");
     }
 }
 
 #[test]
 fn simultaneous_impacts() {
-    let found = contacts::cradle_by_hand(impact::at_once, 3);
+    let found = contacts::cradle(By::Hand(impact::at_once), 3);
     for (found, exact) in found.iter().zip([-1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]) {
         assert!((found - exact).abs() < 1e-12);
     }
@@ -157,19 +159,19 @@ fn simultaneous_impacts() {
     for n in [3, 5, 10] {
         let mut pattern = vec![0.0; n];
         pattern[n - 1] = 1.0;
-        assert_eq!(contacts::cradle_by_engine(n), pattern);
+        assert_eq!(contacts::cradle(By::Engine, n), pattern);
     }
 }
 
 #[test]
 fn far_from_the_origin() {
     // f32 has steps of 1 m at 1e7 m: something at 1 m/s stands still.
-    assert_eq!(robustness::drift(semi_implicit_euler_f32, 1e7), 10.0);
-    assert!(robustness::drift(semi_implicit_euler_f32, 1e4) > TOLERANCE);
+    assert_eq!(robustness::drift(By::Hand(semi_implicit_euler_f32), 1e7), 10.0);
+    assert!(robustness::drift(By::Hand(semi_implicit_euler_f32), 1e4) > TOLERANCE);
     for distance in [1e4, 1e7, 1e9] {
         // Half a unit in the last place, 600 times.
         let rounding = 600.0 * distance * f64::EPSILON;
-        let error = robustness::shipped_drift(distance);
+        let error = robustness::drift(By::Engine, distance);
         assert!(error <= rounding, "{distance} m: {error} m");
     }
 }

@@ -25,6 +25,22 @@ pub enum Solver {
     Direct,
 }
 
+impl Solver {
+    /// Parts into which a step is cut.
+    pub const fn parts(self) -> u32 {
+        if let Self::Substeps(parts) = self { parts } else { 1 }
+    }
+
+    /// Sweeps in each part.
+    const fn sweeps(self) -> u32 {
+        match self {
+            Self::Sweeps { sweeps, .. } => sweeps,
+            Self::Substeps(_) => 1,
+            Self::Direct => 0,
+        }
+    }
+}
+
 /// Bodies along an axis, in its order; gravity and pushes are accelerations along it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chain {
@@ -49,13 +65,8 @@ impl Chain {
 
     /// One step under these accelerations (m/s², one a body).
     pub fn step(&mut self, accelerations: &[f64], solver: Solver, h: f64) {
-        let (parts, sweeps) = match solver {
-            Solver::Sweeps { sweeps, .. } => (1, sweeps),
-            Solver::Substeps(parts) => (parts, 1),
-            Solver::Direct => (1, 0),
-        };
-        let h = h / f64::from(parts);
-        for _ in 0..parts {
+        let h = h / f64::from(solver.parts());
+        for _ in 0..solver.parts() {
             for (v, a) in self.velocities.iter_mut().zip(accelerations) {
                 *v += a * h;
             }
@@ -64,7 +75,7 @@ impl Chain {
                 Solver::Sweeps { warm: false, .. } => self.impulses.fill(0.0),
                 Solver::Sweeps { warm: true, .. } | Solver::Substeps(_) => self.warm_start(),
             }
-            for _ in 0..sweeps {
+            for _ in 0..solver.sweeps() {
                 self.sweep(h);
             }
             for (x, v) in self.places.iter_mut().zip(&self.velocities) {

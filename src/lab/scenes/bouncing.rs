@@ -1,5 +1,6 @@
 //! Bouncing on a floor from H = 1 m. Exact, with t₀ = √(2H/g): the n-th apex at H·e^(2n), all bounces over at t₀(1+e)/(1−e).
 
+use crate::lab::contract::{By, Model};
 use crate::lab::course::{Moment, sampled, worst};
 use crate::lab::methods::bounce::{Ball, Bounce, energy, every_tick, exact, reflect, snap, swept, verlet_snap};
 use crate::lab::{Scene, shipped};
@@ -22,7 +23,7 @@ const JITTER: f64 = 2.0;
 /// J/kg. Less than this counts as rest.
 const REST: f64 = 1e-12;
 
-/// The hand-written ways.
+/// The methods by hand.
 pub const METHODS: [(&str, Bounce); 6] = [
     ("snap to the floor", snap),
     ("reflect", reflect),
@@ -32,38 +33,66 @@ pub const METHODS: [(&str, Bounce); 6] = [
     ("exact time of impact", exact),
 ];
 
-/// The times after each step and the ball then.
-pub fn by_hand(bounce: Bounce, e: f64, seconds: f64, h: f64) -> impl Iterator<Item = (f64, Ball)> {
-    let steps = (seconds / h).round() as u64;
-    let mut ball = (HEIGHT, 0.0);
-    (1..=steps).map(move |step| {
-        ball = bounce(ball, G, e, h);
-        (step as f64 * h, ball)
-    })
+/// A ball, or a box, that is let go over a floor.
+#[derive(Clone, Copy, Debug)]
+pub struct BouncingBall {
+    /// m.
+    pub height: f64,
+    /// Restitution, 0 … 1.
+    pub e: f64,
+    /// m/s. Slower impacts of the engine do not bounce.
+    pub rest_speed: f64,
 }
 
-/// The same with the shipped engine, every bounce kept.
-pub fn by_engine(e: f64, seconds: f64, h: f64) -> impl Iterator<Item = (f64, Ball)> {
-    let body = BodyDef { restitution: e, ..shipped::crate_at(0.0, HEIGHT, 1.0) };
-    let mut world = World::new(shipped::on_floor(G, 0.0, vec![body])).ok();
-    let steps = (seconds / h).round() as u64;
-    (1..=steps).map(move |step| {
-        let ball = world.as_mut().map_or((f64::NAN, f64::NAN), |world| {
-            world.step(h);
-            let body = world.body(BodyId(0));
-            (-0.5 - body.position.y, -body.velocity.y)
-        });
-        (step as f64 * h, ball)
-    })
+impl Model for BouncingBall {
+    type State = Ball;
+    type Method = Bounce;
+
+    fn start(&self) -> Ball {
+        (self.height, 0.0)
+    }
+
+    fn step(&self, method: Bounce, ball: &mut Ball, h: f64) {
+        *ball = method(*ball, G, self.e, h);
+    }
+
+    fn world(&self) -> Option<World> {
+        let body = BodyDef { restitution: self.e, ..shipped::crate_at(0.0, self.height, 1.0) };
+        World::new(shipped::on_floor(G, self.rest_speed, vec![body])).ok()
+    }
+
+    fn read(&self, world: &World, _: f64, ball: &mut Ball) {
+        let body = world.body(BodyId(0));
+        *ball = (-0.5 - body.position.y, -body.velocity.y);
+    }
+}
+
+impl BouncingBall {
+    /// From 1 m, every bounce kept.
+    pub fn of(e: f64) -> Self {
+        Self { height: HEIGHT, e, rest_speed: 0.0 }
+    }
+
+    /// The time after each step (s) and the ball then.
+    pub fn path(self, by: By<Bounce>, seconds: f64, h: f64) -> impl Iterator<Item = (f64, Ball)> {
+        self.running(by, h).each(seconds, |time, ball| (time, *ball))
+    }
+
+    /// Height of a ball that loses nothing after `t` s, m: from floor to floor it takes twice the fall.
+    pub fn height_at(&self, t: f64) -> f64 {
+        let fall = (2.0 * self.height / G).sqrt();
+        let since = (t + fall) % (2.0 * fall);
+        G * since * (fall - 0.5 * since)
+    }
 }
 
 /// Energy at the end over that at the start.
-pub fn energy_kept(balls: impl Iterator<Item = (f64, Ball)>) -> f64 {
-    balls.last().map_or(f64::NAN, |(_, ball)| energy(ball, G)) / (G * HEIGHT)
+pub fn energy_kept(by: By<Bounce>, seconds: f64, h: f64) -> f64 {
+    BouncingBall::of(1.0).end(by, seconds, h).map_or(f64::NAN, |ball| energy(ball, G)) / (G * HEIGHT)
 }
 
 /// The first apexes: the height that the energy reaches where the ball turns, which needs no tick just there.
-pub fn apex_heights(balls: impl Iterator<Item = (f64, Ball)>) -> Vec<f64> {
+fn apex_heights(balls: impl Iterator<Item = (f64, Ball)>) -> Vec<f64> {
     let mut rising = false;
     let turns = balls.filter(|(_, ball)| {
         let turned = rising && ball.1 <= 0.0;
@@ -73,7 +102,7 @@ pub fn apex_heights(balls: impl Iterator<Item = (f64, Ball)>) -> Vec<f64> {
     turns.map(|(_, ball)| energy(ball, G) / G).take(APEXES).collect()
 }
 
-/// When the bouncing was over, s: from then on the ball has no more energy than at the very end, which is none, or the jitter that the
+/// The end of the bouncing, s: from then on the ball has no more energy than at the very end, which is none, or the jitter that the
 /// method keeps for ever.
 pub fn bounces_until(balls: impl Iterator<Item = (f64, Ball)>) -> f64 {
     let energies: Vec<(f64, f64)> = balls.map(|(t, ball)| (t, energy(ball, G))).collect();
@@ -82,16 +111,9 @@ pub fn bounces_until(balls: impl Iterator<Item = (f64, Ball)>) -> f64 {
     energies.iter().rev().find(|(_, energy)| *energy > JITTER * kept).map_or(0.0, |(t, _)| *t)
 }
 
-/// When all bounces are over, s.
+/// The end of all bounces, s.
 pub fn series_end(e: f64) -> f64 {
     (2.0 * HEIGHT / G).sqrt() * (1.0 + e) / (1.0 - e)
-}
-
-/// Where a ball that loses nothing is after `t` seconds: from floor to floor it takes twice the fall.
-pub fn height_at(t: f64) -> f64 {
-    let fall = (2.0 * HEIGHT / G).sqrt();
-    let since = (t + fall) % (2.0 * fall);
-    G * since * (fall - 0.5 * since)
 }
 
 /// How high a ball of restitution `e` below 1 reaches in the flight that it is in after `t` seconds, m: 0 once the series is over.
@@ -112,35 +134,22 @@ pub fn lossy_apex_at(e: f64, t: f64) -> f64 {
     G * flight * flight / 8.0
 }
 
-/// How far a ball that loses nothing is from its place at the worst of all steps, m. A height alone would forgive one that is late.
-pub fn worst_place(balls: impl Iterator<Item = (f64, Ball)>) -> f64 {
-    worst(balls.map(|(t, ball)| (ball.0 - height_at(t)).abs()))
-}
-
-fn moments(balls: impl Iterator<Item = (f64, Ball)>) -> Vec<Moment> {
-    let full = G * HEIGHT;
-    sampled(balls.map(|(time, ball)| {
-        let energy = Some(energy(ball, G) / full);
-        Moment { time, error: (ball.0 - height_at(time)).abs(), energy }
-    }))
-}
-
-/// For a minute without loss.
+/// For a minute without loss. A height alone would forgive a ball that is late, so the error is that of the place at all steps.
 pub fn perfect() -> Scene {
-    let mut scene = Scene::new("bounce-perfect", "Perfect bouncing (e = 1) for 60 s", PERFECT_SECONDS, 1)
-        .measuring("worst error of the place at any time, m");
-    for (name, bounce) in METHODS {
-        scene = scene
-            .method(name, move |h| worst_place(by_hand(bounce, 1.0, PERFECT_SECONDS, h)))
-            .over_time(move |h| moments(by_hand(bounce, 1.0, PERFECT_SECONDS, h)));
-    }
-    scene
-        .shipped(move |h| worst_place(by_engine(1.0, PERFECT_SECONDS, h)))
-        .over_time(move |h| moments(by_engine(1.0, PERFECT_SECONDS, h)))
+    let ball = BouncingBall::of(1.0);
+    let error = move |t: f64, height: f64| (height - ball.height_at(t)).abs();
+    let moment = move |time: f64, at: &Ball| {
+        let energy = Some(energy(*at, G) / (G * HEIGHT));
+        Moment { time, error: error(time, at.0), energy }
+    };
+    Scene::new("bounce-perfect", "Perfect bouncing (e = 1) for 60 s", PERFECT_SECONDS, 1)
+        .measuring("worst error of the place at any time, m")
+        .by(METHODS, move |by, h| worst(ball.running(by, h).each(PERFECT_SECONDS, |t, at| error(t, at.0))))
+        .followed(METHODS, move |by, h| sampled(ball.running(by, h).each(PERFECT_SECONDS, moment)))
 }
 
 /// The worst of the first ten apexes, m; the whole height where there are fewer.
-pub fn apexes_error(found: &[f64]) -> f64 {
+fn apexes_error(found: &[f64]) -> f64 {
     if found.len() < APEXES {
         return HEIGHT;
     }
@@ -150,10 +159,8 @@ pub fn apexes_error(found: &[f64]) -> f64 {
 
 /// Ten bounces at e = 0.9.
 pub fn apexes() -> Scene {
-    let mut scene = Scene::new("bounce-apexes", "Ten bounces at restitution 0.9", LOSSY_SECONDS, 1)
-        .measuring("worst error of the first ten apexes, m");
-    for (name, bounce) in METHODS {
-        scene = scene.method(name, move |h| apexes_error(&apex_heights(by_hand(bounce, LOSSY, LOSSY_SECONDS, h))));
-    }
-    scene.shipped(move |h| apexes_error(&apex_heights(by_engine(LOSSY, LOSSY_SECONDS, h))))
+    let ball = BouncingBall::of(LOSSY);
+    Scene::new("bounce-apexes", "Ten bounces at restitution 0.9", LOSSY_SECONDS, 1)
+        .measuring("worst error of the first ten apexes, m")
+        .by(METHODS, move |by, h| apexes_error(&apex_heights(ball.path(by, LOSSY_SECONDS, h))))
 }

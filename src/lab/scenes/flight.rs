@@ -1,31 +1,155 @@
-//! Free flight without drag. Exact: x = x₀ + v₀·t + g·t²/2.
+//! Flight: without drag, where x = x₀ + v₀·t + g·t²/2; a fall, a rise, drag alone and a thick liquid, whose flows are exact; a throw into
+//! the wind, and a gust on a light body, which have no closed form (see [`crate::lab::reference`]).
 
-use crate::lab::methods::motion::{Law, METHODS, Point, follow};
-use crate::lab::{Scene, shipped};
-use crate::physics::DVec2;
+use crate::lab::contract::{By, Model};
+use crate::lab::methods::flow::{drag_alone, in_liquid, rise_and_fall};
+use crate::lab::methods::motion::{Law, METHODS, Point, Step, exact_fall};
+use crate::lab::{Scene, reference, shipped};
+use crate::physics::{BodyId, DVec2, World, WorldDef};
 
-/// s.
-const SECONDS: f64 = 10.0;
 /// N/kg.
 const G: f64 = 9.81;
+/// s.
+const SECONDS: f64 = 10.0;
+/// 1/m. Drag of all bodies but the light one: a terminal velocity of 14 m/s.
+const DRAG: f64 = 0.05;
+/// m/s. Terminal velocity of the body in the gust.
+pub const LIGHT: f64 = 0.18;
+/// s. A gust is over in no time; a fall at terminal velocity follows.
+const GUST_SECONDS: f64 = 1.0;
+
+/// A body under a law of motion.
+#[derive(Clone, Debug)]
+pub struct FlyingBody {
+    /// The law.
+    pub law: Law,
+    /// Place and velocity at 0 s.
+    pub start: Point,
+    def: WorldDef,
+    /// m. The law's origin in the world.
+    origin: DVec2,
+}
+
+impl FlyingBody {
+    /// In air.
+    pub fn in_air(law: Law, start: Point) -> Self {
+        Self { law, start, def: shipped::in_air(&law, start), origin: DVec2::ZERO }
+    }
+
+    /// In a world of its own, which has the law's origin at `origin` (m).
+    pub(in crate::lab) fn in_world(law: Law, start: Point, def: WorldDef, origin: DVec2) -> Self {
+        Self { law, start, def, origin }
+    }
+
+    /// The distance from `exact` after `seconds`, m.
+    fn error(&self, by: By<Step>, seconds: f64, h: f64, exact: DVec2) -> f64 {
+        self.end(by, seconds, h).map_or(f64::NAN, |point| (point.x - exact).length())
+    }
+}
+
+impl Model for FlyingBody {
+    type State = Point;
+    type Method = Step;
+
+    fn start(&self) -> Point {
+        self.start
+    }
+
+    fn step(&self, method: Step, point: &mut Point, h: f64) {
+        *point = method(&self.law, *point, h);
+    }
+
+    fn world(&self) -> Option<World> {
+        World::new(self.def.clone()).ok()
+    }
+
+    /// Back to the ground's frame from that of the air.
+    fn read(&self, world: &World, time: f64, point: &mut Point) {
+        let body = world.body(BodyId(0));
+        *point = Point { x: body.position - self.origin + self.law.wind * time, v: body.velocity + self.law.wind };
+    }
+}
+
+/// A scene of `seconds` that ends at `exact` (m).
+fn scene(name: &'static str, title: &str, seconds: f64, body: FlyingBody, exact: DVec2, flow: Option<Step>) -> Scene {
+    let methods = METHODS.into_iter().chain(flow.map(|flow| ("exact flow", flow)));
+    Scene::new(name, title, seconds, 1).by(methods, move |by, h| body.error(by, seconds, h, exact))
+}
+
+/// A scene whose flow is known.
+fn with_flow(name: &'static str, title: &str, body: FlyingBody, flow: Step) -> Scene {
+    let exact = flow(&body.law, body.start, SECONDS).x;
+    scene(name, title, SECONDS, body, exact, Some(flow))
+}
+
+/// Without drag, from the origin at `v` (m/s).
+fn free(name: &'static str, title: &str, v: DVec2) -> Scene {
+    let law = Law { constant: DVec2::new(0.0, G), ..Law::default() };
+    let exact = v * SECONDS + law.constant * (0.5 * SECONDS * SECONDS);
+    scene(name, title, SECONDS, FlyingBody::in_air(law, Point { x: DVec2::ZERO, v }), exact, None)
+}
 
 /// From rest.
 pub fn fall() -> Scene {
-    scene("fall", "Fall without drag, 10 s", DVec2::ZERO)
+    free("fall", "Fall without drag, 10 s", DVec2::ZERO)
 }
 
 /// Thrown.
 pub fn parabola() -> Scene {
-    scene("parabola", "A throw without drag, 10 s", DVec2::new(20.0, -30.0))
+    free("parabola", "A throw without drag, 10 s", DVec2::new(20.0, -30.0))
 }
 
-fn scene(name: &'static str, title: &str, v: DVec2) -> Scene {
-    let law = Law { constant: DVec2::new(0.0, G), ..Law::default() };
-    let start = Point { x: DVec2::ZERO, v };
-    let exact = v * SECONDS + law.constant * (0.5 * SECONDS * SECONDS);
-    let mut scene = Scene::new(name, title, SECONDS, 1);
-    for (name, step) in METHODS {
-        scene = scene.method(name, move |h| (follow(step, &law, start, SECONDS, h).x - exact).length());
-    }
-    scene.shipped(move |h| (shipped::flight(&law, start, SECONDS, h).x - exact).length())
+/// From rest, with drag.
+pub fn fall_with_drag() -> Scene {
+    let law = Law { constant: DVec2::new(0.0, G), drag: DRAG, ..Law::default() };
+    let title = "Fall with drag (terminal velocity 14 m/s), 10 s";
+    with_flow("fall-with-drag", title, FlyingBody::in_air(law, Point::default()), exact_fall)
+}
+
+/// Thrown up, and falling again.
+pub fn rise() -> Scene {
+    let law = Law { constant: DVec2::new(0.0, G), drag: DRAG, ..Law::default() };
+    let start = Point { x: DVec2::ZERO, v: DVec2::new(0.0, -20.0) };
+    let title = "Thrown up at 20 m/s with drag, and down again, 10 s";
+    with_flow("rise-with-drag", title, FlyingBody::in_air(law, start), rise_and_fall)
+        .noting("At the apex the second derivative of drag jumps: no order above 3 shows there.")
+}
+
+/// Without weight.
+pub fn drag_without_weight() -> Scene {
+    let law = Law { drag: DRAG, ..Law::default() };
+    let start = Point { x: DVec2::ZERO, v: DVec2::new(20.0, -15.0) };
+    with_flow("drag-alone", "Drag alone, from 25 m/s, 10 s", FlyingBody::in_air(law, start), drag_alone)
+}
+
+/// Sinking through a liquid so thick that its drag is in proportion to the velocity.
+pub fn liquid() -> Scene {
+    let (mass, density, viscous) = (1500.0, 1000.0, 0.5);
+    let law = Law { constant: DVec2::new(0.0, G * (1.0 - density / mass)), viscous, ..Law::default() };
+    let start = Point { x: DVec2::ZERO, v: DVec2::new(2.0, -3.0) };
+    let body = FlyingBody::in_world(law, start, shipped::in_liquid(viscous, density, mass, G, start), DVec2::ZERO);
+    with_flow("liquid", "Sinking through a thick liquid (linear drag, buoyancy), 10 s", body, in_liquid)
+}
+
+/// The body of the throw into the wind.
+pub fn thrown() -> FlyingBody {
+    let law = Law { constant: DVec2::new(0.0, G), drag: DRAG, wind: DVec2::new(4.0, 0.0), ..Law::default() };
+    FlyingBody::in_air(law, Point { x: DVec2::ZERO, v: DVec2::new(20.0, -20.0) })
+}
+
+/// Thrown, with the wind.
+pub fn projectile() -> Scene {
+    by_reference("projectile", "A throw with drag and wind in two dimensions, 10 s", SECONDS, thrown())
+}
+
+/// A body that falls at 0.18 m/s, in a wind of 40 m/s.
+pub fn gust() -> Scene {
+    let law = Law { constant: DVec2::new(0.0, G), drag: G / (LIGHT * LIGHT), wind: DVec2::new(40.0, 0.0), ..Law::default() };
+    let title = "A gust of 40 m/s on something light (terminal velocity 0.18 m/s), 1 s";
+    by_reference("gust", title, GUST_SECONDS, FlyingBody::in_air(law, Point::default()))
+}
+
+fn by_reference(name: &'static str, title: &str, seconds: f64, body: FlyingBody) -> Scene {
+    let exact = reference::drag_in_two_dimensions(&body.law, body.start, seconds).x;
+    scene(name, title, seconds, body, exact, None)
 }

@@ -2,7 +2,6 @@
 
 pub mod bouncing;
 pub mod collisions;
-pub mod drag;
 pub mod flight;
 pub mod oscillator;
 pub mod pi;
@@ -17,12 +16,12 @@ pub fn all() -> Vec<Scene> {
     vec![
         flight::fall(),
         flight::parabola(),
-        drag::fall(),
-        drag::rise(),
-        drag::alone(),
-        drag::liquid(),
-        drag::projectile(),
-        drag::gust(),
+        flight::fall_with_drag(),
+        flight::rise(),
+        flight::drag_without_weight(),
+        flight::liquid(),
+        flight::projectile(),
+        flight::gust(),
         oscillator::swing(),
         oscillator::energy_kept(),
         sliding::to_a_stop(),

@@ -1,10 +1,12 @@
 //! What floats in a liquid without drag swings for ever: K = ρ·g·A, ω = √(K/m). Exact: y = y₀·cos ωt. Here symplectic methods show
 //! their strength: their energy swings about the right one, where that of others grows or fades.
 
+use super::flight::FlyingBody;
+use crate::lab::contract::{By, Model};
 use crate::lab::course::{Moment, sampled, worst};
 use crate::lab::methods::motion::{INTEGRATORS, Law, Point, Step};
 use crate::lab::{Scene, shipped};
-use crate::physics::{BodyDef, BodyId, DVec2, World};
+use crate::physics::{BodyDef, DVec2};
 
 /// N/kg.
 pub const G: f64 = 9.81;
@@ -53,70 +55,50 @@ fn energy_of(point: &Point) -> f64 {
     energy(point, stiffness(), SWING)
 }
 
-/// The times after each step and the place then.
-fn by_hand(step: Step, seconds: f64, h: f64) -> impl Iterator<Item = (f64, Point)> {
-    let law = Law { spring: stiffness(), ..Law::default() };
-    let mut point = Point { x: DVec2::new(0.0, SWING), v: DVec2::ZERO };
-    (1..=(seconds / h).round() as u64).map(move |i| {
-        point = step(&law, point, h);
-        (i as f64 * h, point)
-    })
-}
-
-/// The same with the shipped engine and a box of such a mass (kg): y counts from where it would rest, and begins at `swing` m.
-pub fn by_engine(mass: f64, swing: f64, seconds: f64, h: f64) -> impl Iterator<Item = (f64, Point)> {
+/// A box of such a mass (kg), let go `swing` m below its place at rest, from which y counts. By hand ω² is `stiffness` 1/s².
+pub fn afloat(stiffness: f64, mass: f64, swing: f64) -> FlyingBody {
+    let (law, start) = (Law { spring: stiffness, ..Law::default() }, DVec2::new(0.0, swing));
     let rest = DVec2::new(0.0, -0.5 + mass / DENSITY);
-    let body = BodyDef { position: rest + DVec2::new(0.0, swing), mass, drag: 0.0, ..BodyDef::default() };
-    let mut world = World::new(shipped::on_water(G, DENSITY, body)).ok();
-    (1..=(seconds / h).round() as u64).map(move |i| {
-        let point = world.as_mut().map_or(Point { x: DVec2::NAN, v: DVec2::NAN }, |world| {
-            world.step(h);
-            let body = world.body(BodyId(0));
-            Point { x: body.position - rest, v: body.velocity }
-        });
-        (i as f64 * h, point)
-    })
+    let body = BodyDef { position: rest + start, mass, drag: 0.0, ..BodyDef::default() };
+    FlyingBody::in_world(law, Point { x: start, v: DVec2::ZERO }, shipped::on_water(G, DENSITY, body), rest)
 }
 
-fn error_at_end(points: impl Iterator<Item = (f64, Point)>) -> f64 {
-    points.last().map_or(f64::NAN, |(t, point)| (point.x.y - place_at(t)).abs())
+/// This scene's box.
+fn swinging() -> FlyingBody {
+    afloat(stiffness(), MASS, SWING)
 }
 
-fn worst_energy(points: impl Iterator<Item = (f64, Point)>) -> f64 {
-    worst(points.map(|(_, point)| (energy_of(&point) - 1.0).abs()))
+fn error_at_end(by: By<Step>, h: f64) -> f64 {
+    let steps_end = (SECONDS / h).round() * h;
+    swinging().end(by, SECONDS, h).map_or(f64::NAN, |point| (point.x.y - place_at(steps_end)).abs())
 }
 
-fn moments(points: impl Iterator<Item = (f64, Point)>) -> Vec<Moment> {
-    sampled(points.map(|(time, point)| {
-        let energy = Some(energy_of(&point));
+fn worst_energy(by: By<Step>, seconds: f64, h: f64) -> f64 {
+    worst(swinging().running(by, h).each(seconds, |_, point| (energy_of(point) - 1.0).abs()))
+}
+
+fn moments(by: By<Step>, seconds: f64, h: f64) -> Vec<Moment> {
+    sampled(swinging().running(by, h).each(seconds, |time, point| {
+        let energy = Some(energy_of(point));
         Moment { time, error: (point.x.y - place_at(time)).abs(), energy }
     }))
 }
 
 /// For ten seconds.
 pub fn swing() -> Scene {
-    let mut scene = Scene::new("oscillator", "A floating box swings without drag (ω = √(ρgA/m)), 10 s", SECONDS, 1);
-    for &(name, step) in INTEGRATORS {
-        scene = scene.method(name, move |h| error_at_end(by_hand(step, SECONDS, h)));
-    }
-    scene.shipped(|h| error_at_end(by_engine(MASS, SWING, SECONDS, h)))
+    let title = "A floating box swings without drag (ω = √(ρgA/m)), 10 s";
+    Scene::new("oscillator", title, SECONDS, 1).by(INTEGRATORS.iter().copied(), error_at_end)
 }
 
-/// For a thousand periods, of which the energy is asked.
+/// The energy over a thousand periods.
 pub fn energy_kept() -> Scene {
     let seconds = PERIODS * period();
-    let mut scene = Scene::new("oscillator-energy", "The energy of a floating box in 1000 swings without drag", seconds, 1)
+    Scene::new("oscillator-energy", "The energy of a floating box in 1000 swings without drag", seconds, 1)
         .measuring("worst error of the energy at any time, parts of 1")
         .within(SEEN)
-        .at_steps(&STEPS);
-    for &(name, step) in INTEGRATORS {
-        scene = scene
-            .method(name, move |h| worst_energy(by_hand(step, seconds, h)))
-            .over_time(move |h| moments(by_hand(step, seconds, h)));
-    }
-    scene
-        .shipped(move |h| worst_energy(by_engine(MASS, SWING, seconds, h)))
-        .over_time(move |h| moments(by_engine(MASS, SWING, seconds, h)))
+        .at_steps(&STEPS)
+        .by(INTEGRATORS.iter().copied(), move |by, h| worst_energy(by, seconds, h))
+        .followed(INTEGRATORS.iter().copied(), move |by, h| moments(by, seconds, h))
 }
 
 #[cfg(test)]
@@ -130,11 +112,11 @@ mod tests {
     fn symplectic_methods_keep_the_energy_that_others_lose() {
         let (h, seconds) = (1.0 / 60.0, PERIODS * period());
         let part = stiffness() * h * h;
-        let verlet = worst_energy(by_hand(velocity_verlet, seconds, h));
+        let verlet = worst_energy(By::Hand(velocity_verlet), seconds, h);
         assert!(verlet < part / 3.9 && verlet > part / 4.1, "{verlet:e}, {:e}", part / 4.0);
         let faded = 1.0 - (-(part * part * part) / 72.0 * seconds / h).exp();
-        let kutta = worst_energy(by_hand(rk4, seconds, h));
+        let kutta = worst_energy(By::Hand(rk4), seconds, h);
         assert!((kutta / faded - 1.0).abs() < 0.05, "{kutta:e}, {faded:e}");
-        assert!(worst_energy(by_hand(explicit_euler, 60.0, h)) > 10.0);
+        assert!(worst_energy(By::Hand(explicit_euler), 60.0, h) > 10.0);
     }
 }

@@ -33,13 +33,10 @@ pub fn digits() -> Scene {
         scene = scene.method(format!("time steps, N = {n}"), move |h| stepped(n, h).map_or(f64::NAN, |count| error(n, count)));
     }
     let last = *DIGITS.end();
-    scene = scene.shipped(move |_| {
+    let exact = move |_| {
         let mut blocks = Blocks::new(last);
         while blocks.collide().is_some() {}
         error(last, blocks.collisions())
-    });
-    if let Some(method) = scene.methods.last_mut() {
-        method.name = format!("exact times of impact, N = {last}");
-    }
-    scene
+    };
+    scene.method(format!("exact times of impact, N = {last}"), exact).shipped()
 }

@@ -1,8 +1,9 @@
 //! Sliding to a stop on a floor. Exact: d = v₀²/2μg.
 
-use crate::lab::methods::friction::{Slide, by_sign, clamped, exact};
+use crate::lab::contract::Model;
+use crate::lab::methods::friction::{Slide, Slider, by_sign, clamped, exact};
 use crate::lab::{Scene, shipped};
-use crate::physics::{BodyDef, BodyId, DVec2, Material};
+use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 
 /// N/kg.
 const G: f64 = 15.0;
@@ -11,22 +12,59 @@ const SPEED: f64 = 10.0;
 /// s.
 const SECONDS: f64 = 10.0;
 
-/// From 10 m/s on Asphalt: 5.13 m.
-pub fn to_a_stop() -> Scene {
-    let brake = Material::ASPHALT.kinetic_friction * G;
-    let distance = SPEED * SPEED / (2.0 * brake);
-    let methods: [(&str, Slide); 3] = [("friction by sign", by_sign), ("friction clamped", clamped), ("exact stop", exact)];
-    let mut scene = Scene::new("slide", "Sliding 5.13 m to a stop, 10 s", SECONDS, 1);
-    for (name, slide) in methods {
-        scene = scene.method(name, move |h| {
-            let steps = (SECONDS / h).round() as u64;
-            let (x, _) = (0..steps).fold((0.0, SPEED), |slider, _| slide(slider, brake, h));
-            (x - distance).abs()
-        });
+/// The methods by hand.
+pub const METHODS: [(&str, Slide); 3] = [("friction by sign", by_sign), ("friction clamped", clamped), ("exact stop", exact)];
+
+/// A box at 10 m/s on asphalt.
+#[derive(Clone, Copy, Debug)]
+pub struct SlidingBox {
+    /// N/kg.
+    pub gravity: f64,
+}
+
+impl SlidingBox {
+    /// Deceleration, m/s².
+    pub fn brake(&self) -> f64 {
+        Material::ASPHALT.kinetic_friction * self.gravity
     }
-    scene.shipped(move |h| {
+
+    /// The place of the stop, m.
+    pub fn stop(&self) -> f64 {
+        SPEED * SPEED / (2.0 * self.brake())
+    }
+
+    /// The time of the stop, s.
+    pub fn stops_after(&self) -> f64 {
+        SPEED / self.brake()
+    }
+}
+
+impl Model for SlidingBox {
+    type State = Slider;
+    type Method = Slide;
+
+    fn start(&self) -> Slider {
+        (0.0, SPEED)
+    }
+
+    fn step(&self, method: Slide, slider: &mut Slider, h: f64) {
+        *slider = method(*slider, self.brake(), h);
+    }
+
+    fn world(&self) -> Option<World> {
         let body = BodyDef { velocity: DVec2::new(SPEED, 0.0), ..shipped::crate_at(0.0, 0.0, 1.0) };
-        let world = shipped::run(shipped::on_floor(G, 1.0, vec![body]), SECONDS, h);
-        world.map_or(f64::NAN, |world| (world.body(BodyId(0)).position.x - distance).abs())
-    })
+        World::new(shipped::on_floor(self.gravity, 1.0, vec![body])).ok()
+    }
+
+    fn read(&self, world: &World, _: f64, slider: &mut Slider) {
+        let body = world.body(BodyId(0));
+        *slider = (body.position.x, body.velocity.x);
+    }
+}
+
+/// From 10 m/s on asphalt: 5.13 m.
+pub fn to_a_stop() -> Scene {
+    let sliding = SlidingBox { gravity: G };
+    Scene::new("slide", "Sliding 5.13 m to a stop, 10 s", SECONDS, 1)
+        .by(METHODS, move |by, h| sliding.end(by, SECONDS, h).map_or(f64::NAN, |(x, _)| (x - sliding.stop()).abs()))
 }

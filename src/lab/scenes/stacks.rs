@@ -1,6 +1,8 @@
 //! Bodies in contact along an axis: a column, something heavy on something light, a row pushed along a floor. Exact: what rests,
 //! stays; the row accelerates with F/Σm − μg, all of it alike.
 
+use crate::lab::contract::{By, Model};
+use crate::lab::course::worst;
 use crate::lab::methods::chain::{Chain, Solver};
 use crate::lab::{Scene, shipped};
 use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
@@ -26,39 +28,93 @@ pub const SOLVERS: [(&str, Solver); 6] = [
     ("direct", Solver::Direct),
 ];
 
-/// The largest distance by which a body of a standing column of these masses ever leaves its place, m.
-pub fn sag_by_hand(masses: &[f64], solver: Solver, seconds: f64, h: f64) -> f64 {
-    let mut chain = Chain::new(masses, true);
-    let mut accelerations = vec![-G; masses.len() + 1];
-    accelerations[0] = 0.0;
-    let mut worst = 0.0;
-    for _ in 0..(seconds / h).round() as u64 {
-        chain.step(&accelerations, solver, h);
-        worst = chain.places.iter().fold(worst, |worst: f64, x| if x.is_finite() { worst.max(x.abs()) } else { f64::INFINITY });
-    }
-    worst
+/// Bodies in contact along an axis, 1 m apart: standing on a floor, or a row of blocks of 1 kg that slide along it.
+#[derive(Clone, Debug)]
+pub struct ContactChain {
+    /// kg, from the floor or from the pushed end.
+    pub masses: Vec<f64>,
+    /// Of each body along the axis, m/s²; of an immovable floor first.
+    accelerations: Vec<f64>,
+    standing: bool,
 }
 
-/// The same with the shipped engine.
-pub fn sag_by_engine(masses: &[f64], seconds: f64, h: f64) -> f64 {
-    let bodies = masses.iter().enumerate().map(|(i, &mass)| shipped::crate_at(0.0, i as f64, mass));
-    let Ok(mut world) = World::new(shipped::on_floor(G, 1.0, bodies.collect())) else { return f64::NAN };
-    let mut worst: f64 = 0.0;
-    for _ in 0..(seconds / h).round() as u64 {
-        world.step(h);
-        let moved = world.bodies().iter().enumerate().map(|(i, body)| (body.position.y + 0.5 + i as f64).abs());
-        worst = moved.fold(worst, f64::max);
+impl ContactChain {
+    /// A column of these masses (kg).
+    pub fn standing(masses: Vec<f64>) -> Self {
+        let accelerations = std::iter::once(0.0).chain(masses.iter().map(|_| -G)).collect();
+        Self { masses, accelerations, standing: true }
     }
-    worst
+
+    /// A row of `n` blocks that is pushed from behind. Every block slides from the first step on.
+    fn pushed(n: usize) -> Self {
+        let mut accelerations = vec![-Material::ASPHALT.kinetic_friction * G; n];
+        accelerations[0] += push(n);
+        Self { masses: vec![1.0; n], accelerations, standing: false }
+    }
+
+    /// The largest distance by which a body of a standing column ever leaves its place, m.
+    pub fn sag(&self, by: By<Solver>, seconds: f64, h: f64) -> f64 {
+        let size = |x: &f64| if x.is_finite() { x.abs() } else { f64::INFINITY };
+        worst(self.running(by, h).each(seconds, |_, chain| chain.places.iter().map(size).fold(0.0, f64::max)))
+    }
+
+    /// The worst error of a place in the pushed row, m.
+    fn row_error(&self, by: By<Solver>, seconds: f64, h: f64) -> f64 {
+        let exact = |t: f64| match by {
+            // Of a method of first order only the solver's error counts: its steps are a parabola of h more.
+            By::Hand(solver) => 0.5 * ROW_ACCELERATION * t * (t + h / f64::from(solver.parts())),
+            By::Engine => ROW_START * t + 0.5 * ROW_ACCELERATION * t * t,
+        };
+        let error = |t: f64, chain: &Chain| chain.places.iter().map(|x| (x - exact(t)).abs()).fold(0.0, f64::max);
+        worst(self.running(by, h).each(seconds, error))
+    }
+}
+
+/// m/s. The engine's row is in motion already, so that kinetic friction acts from the first tick on, as in the chain.
+const ROW_START: f64 = 1e-3;
+
+impl Model for ContactChain {
+    type State = Chain;
+    type Method = Solver;
+
+    fn start(&self) -> Chain {
+        Chain::new(&self.masses, self.standing)
+    }
+
+    fn step(&self, solver: Solver, chain: &mut Chain, h: f64) {
+        chain.step(&self.accelerations, solver, h);
+    }
+
+    fn world(&self) -> Option<World> {
+        if self.standing {
+            let bodies = self.masses.iter().enumerate().map(|(i, &mass)| shipped::crate_at(0.0, i as f64, mass));
+            return World::new(shipped::on_floor(G, 1.0, bodies.collect())).ok();
+        }
+        let n = self.masses.len();
+        let velocity = DVec2::new(ROW_START, 0.0);
+        let row = (0..n).map(|i| BodyDef { velocity, ..shipped::crate_at(i as f64, 0.0, 1.0) });
+        let mut world = World::new(shipped::on_floor(G, 1.0, row.collect())).ok()?;
+        world.set_drive(BodyId(0), DVec2::new(push(n), 0.0));
+        Some(world)
+    }
+
+    fn read(&self, world: &World, _: f64, chain: &mut Chain) {
+        let anchor = usize::from(self.standing);
+        for (i, (place, body)) in chain.places[anchor..].iter_mut().zip(world.bodies()).enumerate() {
+            *place = if self.standing { -(body.position.y + 0.5 + i as f64) } else { body.position.x - i as f64 };
+        }
+    }
+}
+
+/// The force on the first block of 1 kg that makes `n` of them move with [`ROW_ACCELERATION`], N.
+fn push(n: usize) -> f64 {
+    n as f64 * (ROW_ACCELERATION + Material::ASPHALT.kinetic_friction * G)
 }
 
 fn standing(name: &'static str, title: String, masses: Vec<f64>) -> Scene {
-    let mut scene = Scene::new(name, title, SECONDS, masses.len()).measuring("largest movement of a body at rest, m");
-    for (name, solver) in SOLVERS {
-        let masses = masses.clone();
-        scene = scene.method(name, move |h| sag_by_hand(&masses, solver, SECONDS, h));
-    }
-    scene.shipped(move |h| sag_by_engine(&masses, SECONDS, h))
+    let scene = Scene::new(name, title, SECONDS, masses.len()).measuring("largest movement of a body at rest, m");
+    let column = ContactChain::standing(masses);
+    scene.by(SOLVERS, move |by, h| column.sag(by, SECONDS, h))
 }
 
 /// Equal blocks, one on the other.
@@ -71,58 +127,10 @@ pub fn heavy_on_light() -> Scene {
     standing("heavy-on-light", "10 000 kg resting on 1 kg, 10 s".to_owned(), vec![1.0, 10_000.0])
 }
 
-/// The worst error of a place in a row that is pushed along a floor, by hand. Every block slides from the first step on.
-pub fn row_by_hand(n: usize, solver: Solver, seconds: f64, h: f64) -> f64 {
-    let friction = Material::ASPHALT.kinetic_friction * G;
-    let mut chain = Chain::new(&vec![1.0; n], false);
-    let mut accelerations = vec![-friction; n];
-    accelerations[0] += push(n);
-    let mut worst = 0.0;
-    let steps = (seconds / h).round() as u64;
-    for step in 1..=steps {
-        chain.step(&accelerations, solver, h);
-        // Of a method of first order only what the solver adds shall count: its steps are a parabola of h more.
-        let t = step as f64 * h;
-        let exact = 0.5 * ROW_ACCELERATION * t * (t + h / substeps(solver));
-        worst = chain.places.iter().fold(worst, |worst: f64, x| worst.max((x - exact).abs()));
-    }
-    worst
-}
-
-fn substeps(solver: Solver) -> f64 {
-    if let Solver::Substeps(parts) = solver { f64::from(parts) } else { 1.0 }
-}
-
-/// The force on the first block of 1 kg that makes `n` of them move with [`ROW_ACCELERATION`], N.
-fn push(n: usize) -> f64 {
-    n as f64 * (ROW_ACCELERATION + Material::ASPHALT.kinetic_friction * G)
-}
-
-/// The same with the shipped engine.
-pub fn row_by_engine(n: usize, seconds: f64, h: f64) -> f64 {
-    // In motion already, so that it is kinetic friction that acts from the first tick on, as in the chain.
-    let start = 1e-3;
-    let row = (0..n).map(|i| BodyDef { velocity: DVec2::new(start, 0.0), ..shipped::crate_at(i as f64, 0.0, 1.0) });
-    let Ok(mut world) = World::new(shipped::on_floor(G, 1.0, row.collect())) else { return f64::NAN };
-    world.set_drive(BodyId(0), DVec2::new(push(n), 0.0));
-    let mut worst = 0.0;
-    for step in 1..=(seconds / h).round() as u64 {
-        world.step(h);
-        let t = step as f64 * h;
-        let exact = start * t + 0.5 * ROW_ACCELERATION * t * t;
-        let errors = world.bodies().iter().enumerate().map(|(i, body)| (body.position.x - i as f64 - exact).abs());
-        worst = errors.fold(worst, f64::max);
-    }
-    worst
-}
-
 /// Twenty blocks pushed from behind.
 pub fn pushed_row() -> Scene {
-    let seconds = 1.0;
-    let mut scene = Scene::new("pushed-row", format!("A row of {ROW} blocks pushed along a floor, 1 s"), seconds, ROW)
-        .measuring("worst error of a position, m");
-    for (name, solver) in SOLVERS {
-        scene = scene.method(name, move |h| row_by_hand(ROW, solver, seconds, h));
-    }
-    scene.shipped(move |h| row_by_engine(ROW, seconds, h))
+    let (seconds, row) = (1.0, ContactChain::pushed(ROW));
+    Scene::new("pushed-row", format!("A row of {ROW} blocks pushed along a floor, 1 s"), seconds, ROW)
+        .measuring("worst error of a position, m")
+        .by(SOLVERS, move |by, h| row.row_error(by, seconds, h))
 }

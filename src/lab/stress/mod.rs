@@ -11,6 +11,7 @@ pub mod standing;
 use picture::Picture;
 
 use super::axes::number;
+use super::contract::{By, SHIPPED, contenders};
 
 /// s. The tick of the figures that physics engines are usually compared at.
 pub const TICK: f64 = 1.0 / 60.0;
@@ -83,9 +84,26 @@ impl Test {
         self
     }
 
+    /// With methods by hand and the shipped engine; each survives a value or not, and shows its run at one.
+    fn by<S: Copy + 'static>(
+        mut self,
+        by_hand: impl IntoIterator<Item = (&'static str, S)>,
+        survives: impl Fn(By<S>, f64) -> bool + Clone + 'static,
+        picture: impl Fn(By<S>, f64) -> Picture + Clone + 'static,
+    ) -> Self {
+        for (name, by) in contenders(by_hand) {
+            let (survives, picture) = (survives.clone(), picture.clone());
+            self = self.method(name, move |value| survives(by, value)).drawn(move |value| picture(by, value));
+        }
+        self.last_is_shipped()
+    }
+
     /// With the shipped engine.
-    fn shipped(mut self, survives: impl Fn(f64) -> bool + 'static) -> Self {
-        self = self.method("shipped engine", survives);
+    fn shipped(self, survives: impl Fn(f64) -> bool + 'static) -> Self {
+        self.method(SHIPPED, survives).last_is_shipped()
+    }
+
+    fn last_is_shipped(mut self) -> Self {
         if let Some(method) = self.methods.last_mut() {
             method.shipped = true;
         }

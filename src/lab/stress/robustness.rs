@@ -3,57 +3,37 @@
 use super::picture::Picture;
 use super::{G, TICK, Test};
 use crate::game::{Clock, TICK_RATE};
+use crate::lab::contract::{By, Model};
 use crate::lab::methods::motion::{Law, Point, Step, semi_implicit_euler, semi_implicit_euler_f32};
+use crate::lab::scenes::flight::FlyingBody;
 use crate::lab::{TOLERANCE, shipped};
 use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
 
 /// s.
 const DRIFT: f64 = 10.0;
 
-/// How far from its place (m) something is that drifts for 10 s at 1 m/s, so many metres from the origin: the time after each step and
-/// that, by hand.
-fn drifts(step: Step, distance: f64) -> impl Iterator<Item = (f64, f64)> {
-    let mut point = Point { x: DVec2::new(distance, 0.0), v: DVec2::new(1.0, 0.0) };
-    (1..=(DRIFT / TICK) as u32).map(move |tick| {
-        point = step(&Law::default(), point, TICK);
-        let time = f64::from(tick) * TICK;
-        (time, point.x.x - distance - time)
-    })
-}
-
-/// The same by the shipped engine.
-fn shipped_drifts(distance: f64) -> impl Iterator<Item = (f64, f64)> {
+/// A body that drifts at 1 m/s, `distance` m from the origin: the time after each step, and the error of its place, m.
+fn drifts(by: By<Step>, distance: f64) -> impl Iterator<Item = (f64, f64)> {
     let start = Point { x: DVec2::new(distance, 0.0), v: DVec2::new(1.0, 0.0) };
-    let bodies = shipped::places(shipped::in_air(&Law::default(), start), (DRIFT / TICK) as usize, TICK).into_iter();
-    bodies.enumerate().map(move |(i, bodies)| {
-        let time = (i + 1) as f64 * TICK;
-        (time, bodies[0].x.x - distance - time)
-    })
+    let body = FlyingBody::in_air(Law::default(), start);
+    body.running(by, TICK).each(DRIFT, move |time, point| (time, point.x.x - distance - time))
 }
 
-/// The error (m) at the end, by hand.
-pub fn drift(step: Step, distance: f64) -> f64 {
-    drifts(step, distance).last().map_or(f64::NAN, |(_, off)| off.abs())
-}
-
-/// The same by the shipped engine.
-pub fn shipped_drift(distance: f64) -> f64 {
-    shipped_drifts(distance).last().map_or(f64::NAN, |(_, off)| off.abs())
+/// The error at the end, m.
+pub fn drift(by: By<Step>, distance: f64) -> f64 {
+    drifts(by, distance).last().map_or(f64::NAN, |(_, off)| off.abs())
 }
 
 /// Places keep their tenth of a pixel.
 pub fn far_from_the_origin() -> Test {
-    let picture = |drifts: &mut dyn Iterator<Item = (f64, f64)>| {
-        Picture::of("time, s", "off its place, m").found(drifts).within(0.0, TOLERANCE)
-    };
+    let methods: [(&str, Step); 2] =
+        [("semi-implicit Euler, f32", semi_implicit_euler_f32), ("semi-implicit Euler, f64", semi_implicit_euler)];
     let name = "drift of 10 s at 1 m/s to a tenth of a pixel";
-    Test::of(name, "distance from the origin, m, at h = 1/60 s", (1.0, 1e11))
-        .method("semi-implicit Euler, f32", |distance| drift(semi_implicit_euler_f32, distance) <= TOLERANCE)
-        .drawn(move |distance| picture(&mut drifts(semi_implicit_euler_f32, distance)))
-        .method("semi-implicit Euler, f64", |distance| drift(semi_implicit_euler, distance) <= TOLERANCE)
-        .drawn(move |distance| picture(&mut drifts(semi_implicit_euler, distance)))
-        .shipped(|distance| shipped_drift(distance) <= TOLERANCE)
-        .drawn(move |distance| picture(&mut shipped_drifts(distance)))
+    Test::of(name, "distance from the origin, m, at h = 1/60 s", (1.0, 1e11)).by(
+        methods,
+        |by, distance| drift(by, distance) <= TOLERANCE,
+        |by, distance| Picture::of("time, s", "off its place, m").found(drifts(by, distance)).within(0.0, TOLERANCE),
+    )
 }
 
 /// A box falls from 1 m onto a floor of 0.5 m; then one frame takes long.
@@ -120,8 +100,9 @@ pub fn shipped_hitch(frame: f64) -> Hitch {
 
 /// The engine alone, given the whole frame as one step.
 pub fn shipped_step(frame: f64) -> Hitch {
-    let world = shipped::run(box_over_floor(), frame, frame);
-    Hitch { height: world.map_or(f64::NAN, |world| -0.5 - world.body(BodyId(0)).position.y), ticks: 1 }
+    let Ok(mut world) = World::new(box_over_floor()) else { return Hitch { height: f64::NAN, ticks: 0 } };
+    world.step(frame);
+    Hitch { height: -0.5 - world.body(BodyId(0)).position.y, ticks: 1 }
 }
 
 /// The box before the frame and after it, beside how it would have fallen.

@@ -2,9 +2,9 @@
 
 use super::picture::Picture;
 use super::{G, TICK, Test};
-use crate::lab::methods::chain::{Chain, Solver, sweeps_needed, swept_loads, weights, worst_load};
-use crate::lab::scenes::stacks;
-use crate::lab::shipped;
+use crate::lab::contract::{By, Model};
+use crate::lab::methods::chain::{Solver, sweeps_needed, swept_loads, weights, worst_load};
+use crate::lab::scenes::stacks::ContactChain;
 use crate::physics::{BodyId, ForceKind, World};
 
 /// m. The overlap that a resting pair may show at any tick.
@@ -26,13 +26,7 @@ const RESTING: f64 = 2.0;
 /// What every picture shows upwards.
 const LOAD: &str = "worst force / right one";
 
-/// A column of these masses with the shipped engine, if it takes it.
-fn column(masses: &[f64]) -> Option<World> {
-    let bodies = masses.iter().enumerate().map(|(i, &mass)| shipped::crate_at(0.0, i as f64, mass));
-    World::new(shipped::on_floor(G, 1.0, bodies.collect())).ok()
-}
-
-/// What carries a body of it, N: its reaction from below without what it hands on from above, which is the weight of what it carries.
+/// The force that carries a body itself, N: the reaction from below without the push of the bodies above, which is their weight.
 fn carried(world: &World, body: usize) -> f64 {
     let forces = world.forces(BodyId(body as u32));
     -forces.total(ForceKind::Reaction).y - forces.total(ForceKind::Push).y
@@ -40,7 +34,7 @@ fn carried(world: &World, body: usize) -> f64 {
 
 /// Whether a column of these masses stands with the shipped engine: nothing moves, and every reaction is the weight above.
 pub fn stands(masses: &[f64]) -> bool {
-    let Some(mut world) = column(masses) else { return false };
+    let Some(mut world) = ContactChain::standing(masses.to_vec()).world() else { return false };
     let above = weights(masses);
     (0..(RESTING / TICK) as u32).all(|_| {
         world.step(TICK);
@@ -53,7 +47,7 @@ pub fn stands(masses: &[f64]) -> bool {
 
 /// The load furthest from right after each tick, with its time (s), by the shipped engine.
 fn shipped_loads(masses: &[f64]) -> Vec<(f64, f64)> {
-    let Some(mut world) = column(masses) else { return Vec::new() };
+    let Some(mut world) = ContactChain::standing(masses.to_vec()).world() else { return Vec::new() };
     let exact: Vec<f64> = masses.iter().map(|mass| mass * G).collect();
     let after_step = |tick: u32| {
         world.step(TICK);
@@ -63,18 +57,11 @@ fn shipped_loads(masses: &[f64]) -> Vec<(f64, f64)> {
     (1..=(RESTING / TICK) as u32).map(after_step).collect()
 }
 
-/// The same of a column that rests for a while, solved by hand.
+/// The same by hand.
 fn loads(masses: &[f64], solver: Solver) -> Vec<(f64, f64)> {
-    let mut chain = Chain::new(masses, true);
-    let mut accelerations = vec![-G; masses.len() + 1];
-    accelerations[0] = 0.0;
-    let parts = if let Solver::Substeps(parts) = solver { f64::from(parts) } else { 1.0 };
-    let exact: Vec<f64> = weights(masses).iter().map(|mass| mass * G * TICK / parts).collect();
-    let after_step = |tick: u32| {
-        chain.step(&accelerations, solver, TICK);
-        (f64::from(tick) * TICK, worst_load(&chain.impulses, &exact))
-    };
-    (1..=(RESTING / TICK) as u32).map(after_step).collect()
+    let exact: Vec<f64> = weights(masses).iter().map(|mass| mass * G * TICK / f64::from(solver.parts())).collect();
+    let column = ContactChain::standing(masses.to_vec());
+    column.running(By::Hand(solver), TICK).each(RESTING, |t, chain| (t, worst_load(&chain.impulses, &exact))).collect()
 }
 
 /// Whether a column of these masses that has rested for a while is carried by the right impulses, to 1 %, solved by hand.
@@ -115,5 +102,5 @@ pub fn columns() -> Test {
 
 /// The sag of a resting pair of 1 kg and `ratio` kg with the shipped engine, m.
 pub fn shipped_sag(ratio: f64) -> f64 {
-    stacks::sag_by_engine(&[1.0, ratio], RESTING, TICK)
+    ContactChain::standing(vec![1.0, ratio]).sag(By::Engine, RESTING, TICK)
 }

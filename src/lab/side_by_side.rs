@@ -1,0 +1,259 @@
+//! Methods on the same scene at the same time, to be watched: boxes that move, a step at a time, and their exact places. Their drawing is
+//! not here.
+
+use super::contract::{By, Model, contenders};
+use super::methods::chain::Chain;
+use super::methods::impact::Block;
+use super::methods::motion::{METHODS, Point};
+use super::reference;
+use super::scenes::bouncing::{self, BouncingBall};
+use super::scenes::collisions::{self, BlockLine};
+use super::scenes::flight;
+use super::scenes::stacks::{self, ContactChain};
+use crate::physics::{Aabb, DVec2};
+
+/// s. The steps that can be chosen.
+pub const STEPS: [f64; 5] = [1.0 / 15.0, 1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0];
+/// Which of them comes first: the one at which physics engines are usually run.
+pub const USUAL_STEP: usize = 2;
+
+/// Something that moves: makes one step and says where everything is, m.
+pub type Motion = Box<dyn FnMut() -> Vec<Aabb>>;
+
+/// What starts a motion from the beginning, in steps of so many seconds.
+pub type Start = Box<dyn Fn(f64) -> Motion>;
+
+/// A scene and the methods that can be watched on it.
+pub struct Exhibit {
+    /// Its heading.
+    pub title: &'static str,
+    /// What of the world is seen, m.
+    pub view: Aabb,
+    /// What does not move, m.
+    pub solid: Vec<Aabb>,
+    /// Where everything is at the beginning, m.
+    pub start: Vec<Aabb>,
+    /// How it really moves.
+    pub exact: Start,
+    /// By name; the last one is the shipped engine.
+    pub methods: Vec<(&'static str, Start)>,
+    /// The one to begin with: it is seen to fail.
+    pub first: usize,
+    /// How long it lasts, s.
+    pub seconds: f64,
+    /// Seconds of the scene a second: what is fast is slowed down.
+    pub speed: f64,
+}
+
+impl std::fmt::Debug for Exhibit {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Exhibit").field("title", &self.title).finish_non_exhaustive()
+    }
+}
+
+/// m/s. Of the box that meets a thin wall: it travels further in a step than both are thick.
+const FAST: f64 = 43.0;
+/// m. From where a box falls to bounce for ever.
+const DROP: f64 = 2.0;
+/// m. All below y = 0.
+const GROUND: Aabb = Aabb { min: DVec2::new(-1e3, 0.0), max: DVec2::new(1e3, 1e3) };
+
+/// All scenes.
+pub fn exhibits() -> Vec<Exhibit> {
+    vec![bounce(), throw(), wall(), cradle(), column(), heavy_on_light()]
+}
+
+/// The largest distance by which a box is not where it should be, m; infinite where one is nowhere.
+pub fn error(found: &[Aabb], exact: &[Aabb]) -> f64 {
+    if found.len() != exact.len() {
+        return f64::INFINITY;
+    }
+    let distances = found.iter().zip(exact).map(|(found, exact)| (found.centre() - exact.centre()).length());
+    distances.fold(0.0, |worst: f64, distance| if distance.is_finite() { worst.max(distance) } else { f64::INFINITY })
+}
+
+impl Exhibit {
+    /// A model with methods by hand and the shipped engine; `boxes` shows a state, and `exact` the boxes at a time, s.
+    fn of<M: Model + 'static>(
+        title: &'static str,
+        model: M,
+        by_hand: impl IntoIterator<Item = (&'static str, M::Method)>,
+        boxes: impl Fn(&M::State) -> Vec<Aabb> + Copy + 'static,
+        exact: impl Fn(f64) -> Vec<Aabb> + Clone + 'static,
+    ) -> Self
+    where
+        M::Method: 'static,
+    {
+        let start = boxes(&model.start());
+        let methods = contenders(by_hand).map(|(name, by)| {
+            let model = model.clone();
+            let begin = move |h: f64| -> Motion {
+                let mut running = model.running(by, h);
+                Box::new(move || running.step().map_or_else(Vec::new, |(_, state)| boxes(state)))
+            };
+            (name, Box::new(begin) as Start)
+        });
+        let methods = methods.collect();
+        Self { title, view: GROUND, solid: Vec::new(), start, exact: known(exact), methods, first: 0, seconds: 20.0, speed: 1.0 }
+    }
+}
+
+/// Boxes whose places are known at any time, s.
+fn known(places: impl Fn(f64) -> Vec<Aabb> + Clone + 'static) -> Start {
+    Box::new(move |h| {
+        let (places, mut steps) = (places.clone(), 0.0);
+        Box::new(move || {
+            steps += 1.0;
+            places(steps * h)
+        })
+    })
+}
+
+fn area(left: f64, top: f64, right: f64, bottom: f64) -> Aabb {
+    Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
+}
+
+fn bounce() -> Exhibit {
+    let ball = BouncingBall { height: DROP, e: 1.0, rest_speed: 0.0 };
+    let at = |height: f64| vec![Aabb::around(DVec2::new(0.0, -0.5 - height), DVec2::splat(0.5))];
+    let exact = move |t| at(ball.height_at(t));
+    Exhibit {
+        view: area(-4.0, -3.4, 4.0, 0.5),
+        solid: vec![GROUND],
+        seconds: 60.0,
+        ..Exhibit::of("A box bounces without loss", ball, bouncing::METHODS, move |ball| at(ball.0), exact)
+    }
+}
+
+/// Blocks that stand on each other, and shall.
+fn standing(title: &'static str, view: Aabb, masses: Vec<f64>) -> Exhibit {
+    let at = |(i, moved): (usize, &f64)| Aabb::around(DVec2::new(0.0, -0.5 - i as f64 - moved), DVec2::splat(0.5));
+    let places: Vec<Aabb> = masses.iter().map(|_| &0.0).enumerate().map(at).collect();
+    let boxes = move |chain: &Chain| chain.places[1..].iter().enumerate().map(at).collect();
+    let exhibit = Exhibit::of(title, ContactChain::standing(masses), stacks::SOLVERS, boxes, move |_| places.clone());
+    Exhibit { view, solid: vec![GROUND], ..exhibit }
+}
+
+fn column() -> Exhibit {
+    standing("A column of 20 blocks stands", area(-11.0, -21.0, 11.0, 1.0), vec![1.0; 20])
+}
+
+fn heavy_on_light() -> Exhibit {
+    standing("10 000 kg rest on 1 kg", area(-2.0, -2.5, 2.0, 0.25), vec![1.0, 10_000.0])
+}
+
+/// Blocks on a line that hit each other; `places` are those of all blocks at a time, s.
+fn line(title: &'static str, line: BlockLine, places: impl Fn(f64) -> Vec<f64> + Clone + 'static) -> Exhibit {
+    let boxes = |blocks: &Vec<Block>| -> Vec<Aabb> {
+        let movable = blocks.iter().filter(|block| block.mass.is_finite());
+        movable.map(|block| Aabb::around(DVec2::new(block.x, 0.0), DVec2::new(block.half, 0.5))).collect()
+    };
+    let blocks = line.blocks.clone();
+    let exact = move |t| boxes(&blocks.iter().zip(places(t)).map(|(block, x)| Block { x, ..*block }).collect());
+    Exhibit::of(title, line, collisions::METHODS, boxes, exact)
+}
+
+fn wall() -> Exhibit {
+    let flying = Block { x: -14.7, v: FAST, mass: 1.0, half: 0.25 };
+    let wall = Block { x: 0.0, v: 0.0, mass: f64::INFINITY, half: 0.05 };
+    let touch = wall.x - wall.half - flying.half;
+    let places = move |t| {
+        let free = flying.x + FAST * t;
+        vec![if free > touch { 2.0 * touch - free } else { free }, wall.x]
+    };
+    Exhibit {
+        view: area(-15.2, -5.2, 4.8, 5.2),
+        solid: vec![area(-wall.half, -1e3, wall.half, 1e3)],
+        seconds: 0.6,
+        speed: 0.1,
+        ..line("A fast box meets a thin wall", BlockLine::of(vec![flying, wall]), places)
+    }
+}
+
+fn cradle() -> Exhibit {
+    let blocks = BlockLine::cradle(5);
+    let known = blocks.clone();
+    let places = move |t| (0..5).map(|block| known.cradle_place(block, t)).collect();
+    Exhibit {
+        view: area(-2.8, -3.6, 10.8, 3.6),
+        first: 2,
+        seconds: 2.5,
+        speed: 0.5,
+        ..line("Newton's cradle of five blocks", blocks, places)
+    }
+}
+
+fn throw() -> Exhibit {
+    let body = flight::thrown();
+    // Twice its size, to be seen from afar.
+    let at = |point: &Point| vec![Aabb::around(point.x, DVec2::ONE)];
+    let exact = body.clone();
+    let exhibit = Exhibit::of("A throw with drag and wind", body, METHODS, at, |_| Vec::new());
+    let exact = move |h: f64| -> Motion {
+        let mut running = exact.running(By::Hand(reference::drag_in_two_dimensions), h);
+        Box::new(move || running.step().map_or_else(Vec::new, |(_, point)| at(point)))
+    };
+    Exhibit { view: area(-2.0, -14.0, 34.0, 8.0), exact: Box::new(exact), first: 1, seconds: 3.0, ..exhibit }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lab::contract::SHIPPED;
+
+    /// s.
+    const STEP: f64 = STEPS[USUAL_STEP];
+
+    /// How far a method is from the truth, at the worst of all ticks up to the end.
+    fn worst_at(exhibit: &Exhibit, method: &str, h: f64) -> f64 {
+        let (_, start) = exhibit.methods.iter().find(|(name, _)| *name == method).unwrap();
+        let (mut motion, mut exact) = (start(h), (exhibit.exact)(h));
+        (0..(exhibit.seconds / h) as usize).map(|_| error(&motion(), &exact())).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn the_methods_part_and_the_shipped_engine_stays_with_the_truth() {
+        let apart = [0.5, 0.1, 5.0, 1.0, 0.5, 0.5];
+        let exhibits = exhibits();
+        assert_eq!(exhibits.len(), apart.len());
+        for (exhibit, apart) in exhibits.iter().zip(apart) {
+            for (step, h) in STEPS.into_iter().enumerate() {
+                let ours = worst_at(exhibit, SHIPPED, h);
+                assert!(ours < 1e-6, "{}: {ours} m at step {step}", exhibit.title);
+            }
+            let method = exhibit.methods[exhibit.first].0;
+            let theirs = worst_at(exhibit, method, STEP);
+            assert!(theirs > apart, "{}, {method}: {theirs} m", exhibit.title);
+        }
+    }
+
+    /// What moves fills its view, and does not leave it while it is right.
+    #[test]
+    fn what_moves_is_seen_all_the_while_and_no_speck() {
+        for exhibit in exhibits() {
+            let mut exact = (exhibit.exact)(STEP);
+            let mut met = exhibit.start[0];
+            for _ in 0..(exhibit.seconds / STEP) as usize {
+                met = exact().iter().fold(met, |met, body| met.union(body));
+            }
+            // What is solid goes on beyond the view.
+            let seen = |body: &Aabb| Aabb::new(body.min.max(exhibit.view.min), body.max.min(exhibit.view.max));
+            met = exhibit.start.iter().copied().chain(exhibit.solid.iter().map(seen)).fold(met, |met, body| met.union(&body));
+            let (used, whole) = (met.size(), exhibit.view.size());
+            assert!(used.x > 0.6 * whole.x || used.y > 0.6 * whole.y, "{}: {used} of {whole}", exhibit.title);
+        }
+    }
+
+    #[test]
+    fn all_begin_in_the_same_place_and_in_view() {
+        for exhibit in exhibits() {
+            let first = (exhibit.exact)(STEP)();
+            assert_eq!(exhibit.start.len(), first.len());
+            let most = FAST * STEP + 1e-9;
+            assert!(error(&exhibit.start, &first) <= most, "{}", exhibit.title);
+            for body in &exhibit.start {
+                assert!(body.min.cmpge(exhibit.view.min).all() && body.max.cmple(exhibit.view.max).all(), "{}", exhibit.title);
+            }
+        }
+    }
+}
