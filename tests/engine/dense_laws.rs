@@ -18,24 +18,6 @@ fn energy(pile: &World, masses: &[f64], gravity: f64) -> f64 {
         .sum()
 }
 
-/// Law 1: a body that is pressed against a wall by N with N·μ_s above its weight does not move a bit, else it slides.
-#[test]
-fn a_wall_holds_by_friction() {
-    for (press, holds) in [(1.02 * G / 0.9, true), (0.98 * G / 0.9, false), (40.0, true)] {
-        let mut one = pile(vec![square(-0.5, 0.0)], vec![surface(0.0, -100.0, 1.0, 100.0)], G);
-        one.set_drive(BodyId(0), DVec2::new(press, 0.0));
-        run(&mut one, 1.0);
-        let (x, v) = (one.bodies()[0].position, one.bodies()[0].velocity);
-        if holds {
-            assert_eq!((x, v), (DVec2::new(-0.5, 0.0), DVec2::ZERO), "{press} N");
-        } else {
-            let a = G - 0.65 * press;
-            assert!((v.y - a).abs() < 1e-9 && (x.y - 0.5 * a).abs() < 1e-9, "{press} N: {x} {v}, expected {a}");
-            println!("law 1: slides along a wall with {} of {a} m/s²", v.y);
-        }
-    }
-}
-
 #[test]
 fn a_wall_holds_what_is_stacked_on_what_it_holds() {
     let mut tower = pile((0..3).map(|i| square(-0.5, -f64::from(i))).collect(), vec![surface(0.0, -100.0, 1.0, 100.0)], G);
@@ -230,23 +212,6 @@ fn an_elastic_bounce_never_ends() {
         println!("law 3: e = 1 from {height} m: {} of it after 60 s", apex / height);
         // A part in a million, or a picometre after ten thousands of bounces.
         assert!((apex - height).abs() < (1e-6 * height).max(1e-12), "{height}: {apex}");
-    }
-}
-
-/// Law 4.
-#[test]
-fn a_slide_ends_within_the_tick() {
-    for v in [1.0, 9.6, 20.0] {
-        let mut one =
-            pile(vec![BodyDef { velocity: DVec2::new(v, 0.0), ..square(0.0, -0.5) }], vec![surface(-5.0, 0.0, 100.0, 1.0)], G);
-        run(&mut one, 8.0);
-        let way = v * v / (2.0 * 0.65 * G);
-        println!("law 4: {} of {way} m", one.bodies()[0].position.x);
-        assert!(
-            (one.bodies()[0].position.x - way).abs() < 1e-12 * way + 1e-13 && one.bodies()[0].velocity == DVec2::ZERO,
-            "{}",
-            one.bodies()[0].position.x - way
-        );
     }
 }
 

@@ -5,8 +5,9 @@
 
 use crate::support::lanes::Lane;
 use crate::support::scenes::{Scene, exact_scenes};
+use crate::support::turned::{mirrored, reversed, shifted};
 use crate::support::{Random, TICK, block, crowd};
-use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Plan, World, WorldDef};
+use resultant::physics::{BodyId, DVec2, ForceKind, Plan, World, WorldDef};
 
 /// The same scene event by event and dense.
 fn twins(scene: &Scene) -> [World; 2] {
@@ -207,41 +208,13 @@ fn a_tick_in_which_nothing_happens_is_the_same_tick() {
 /// A scene seen otherwise, and how what is found there is seen from here.
 type View = (&'static str, fn(&WorldDef) -> WorldDef, fn(Vec<DVec2>) -> Vec<DVec2>);
 
-fn shifted(def: &WorldDef, by: DVec2) -> WorldDef {
-    let mut def = def.clone();
-    def.bodies.iter_mut().for_each(|body| body.position += by);
-    for surface in &mut def.surfaces {
-        (surface.bounds.min, surface.bounds.max) = (surface.bounds.min + by, surface.bounds.max + by);
-    }
-    def
-}
-
-fn mirrored(def: &WorldDef) -> WorldDef {
-    let mut def = def.clone();
-    let turned = DVec2::new(-1.0, 1.0);
-    for BodyDef { position, velocity, .. } in &mut def.bodies {
-        (*position, *velocity) = (*position * turned, *velocity * turned);
-    }
-    for surface in &mut def.surfaces {
-        (surface.bounds.min.x, surface.bounds.max.x) = (-surface.bounds.max.x, -surface.bounds.min.x);
-    }
-    def
-}
-
-fn in_another_order(def: &WorldDef) -> WorldDef {
-    let mut def = def.clone();
-    def.bodies.reverse();
-    def.surfaces.reverse();
-    def
-}
-
 /// The dense method knows no left, no place and no order of rows: from the same state a tick is the same but for rounding.
 #[test]
 fn a_dense_tick_is_the_same_mirrored_shifted_and_in_another_order() {
     let views: [View; 3] = [
         ("mirrored", mirrored, |v| v.into_iter().map(|v| v * DVec2::new(-1.0, 1.0)).collect()),
         ("shifted by 100 km", |def| shifted(def, DVec2::new(131_072.0, -65_536.0)), |v| v),
-        ("in another order", in_another_order, |v| v.into_iter().rev().collect()),
+        ("in another order", reversed, |v| v.into_iter().rev().collect()),
     ];
     for (name, view, back) in views {
         let (mut ticks, mut off, mut worst) = (0u32, 0u32, 0.0f64);

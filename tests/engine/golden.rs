@@ -1,17 +1,15 @@
 //! The golden numbers of the engine: each comes out of the force manager or of a step, never from a copy of the formula.
 
-use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, ForceKind, Material, StreamDef, SurfaceDef, World, WorldDef};
+use crate::support::{BODY, TICK, area, block, crate_at};
+use resultant::physics::{BodyDef, BodyId, DVec2, Event, ForceKind, StreamDef, SurfaceDef, World, WorldDef};
 
-const TICK: f64 = 1.0 / 120.0;
-const BODY: BodyId = BodyId(0);
-
+/// A floor with its middle at x = 0.
 fn floor(width: f64) -> SurfaceDef {
-    SurfaceDef::fixed(Aabb::new(DVec2::new(-width / 2.0, 0.0), DVec2::new(width / 2.0, 1.0)), Material::ASPHALT)
+    block(-width / 2.0, 0.0, width / 2.0, 1.0)
 }
 
-/// A body of 1 m × 1 m standing on the floor at y = 0.
 fn standing(mass: f64, velocity: f64) -> BodyDef {
-    BodyDef { position: DVec2::new(0.0, -0.5), velocity: DVec2::new(velocity, 0.0), mass, ..BodyDef::default() }
+    BodyDef { velocity: DVec2::new(velocity, 0.0), ..crate_at(0.0, -0.5, mass) }
 }
 
 fn world(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>) -> World {
@@ -75,19 +73,8 @@ fn all_masses_fall_alike() {
 fn the_original_proof_comes_out() {
     // An exposed height of 1.1163 m at 1 m depth.
     let half = DVec2::new(0.5, 1.1163 / 2.0);
-    let mut world = World::new(WorldDef {
-        bodies: vec![BodyDef {
-            position: DVec2::new(0.0, -half.y),
-            velocity: DVec2::new(23.49957, 0.0),
-            half,
-            mass: 100.0,
-            drag: 1.15,
-            ..BodyDef::default()
-        }],
-        surfaces: vec![floor(1000.0)],
-        ..WorldDef::default()
-    })
-    .unwrap();
+    let ship = BodyDef { velocity: DVec2::new(23.49957, 0.0), half, drag: 1.15, ..crate_at(0.0, -half.y, 100.0) };
+    let mut world = World::new(WorldDef { bodies: vec![ship], surfaces: vec![floor(1000.0)], ..WorldDef::default() }).unwrap();
     let up = -683.5;
     world.set_drive(BODY, DVec2::new((2000.0f64 * 2000.0 - up * up).sqrt(), up));
     world.step(1e-9);
@@ -128,13 +115,8 @@ fn air_resistance_is_that_of_the_area_shown() {
 
 #[test]
 fn a_stream_gives_everything_the_same_wind() {
-    let stream = StreamDef { zone: Aabb::new(DVec2::splat(-5.0), DVec2::splat(5.0)), force: DVec2::new(1200.0, 0.0) };
-    let bodies = [1.0, 75.0, 500.0].map(|mass| BodyDef {
-        position: DVec2::new(0.0, mass / 200.0),
-        mass,
-        half: DVec2::splat(0.1),
-        ..BodyDef::default()
-    });
+    let stream = StreamDef { zone: area(-5.0, -5.0, 5.0, 5.0), force: DVec2::new(1200.0, 0.0) };
+    let bodies = [1.0, 75.0, 500.0].map(|mass| BodyDef { half: DVec2::splat(0.1), ..crate_at(0.0, mass / 200.0, mass) });
     let world = World::new(WorldDef { streams: vec![stream], bodies: bodies.to_vec(), ..WorldDef::default() }).unwrap();
     for id in 0..3 {
         assert_eq!(world.forces(BodyId(id)).total(ForceKind::Wind), DVec2::new(1200.0, 0.0));
@@ -143,23 +125,10 @@ fn a_stream_gives_everything_the_same_wind() {
 
 #[test]
 fn an_elastic_collision_conserves_momentum_and_energy() {
-    let body = |x: f64, v: f64, mass| BodyDef {
-        position: DVec2::new(x, 0.0),
-        velocity: DVec2::new(v, 0.0),
-        mass,
-        restitution: 1.0,
-        ..BodyDef::default()
-    };
-    let mut world = World::new(WorldDef {
-        gravity: 0.0,
-        air_density: 0.0,
-        bodies: vec![body(-1.0, 25.7, 75.0), body(1.0, -11.3, 150.0)],
-        ..WorldDef::default()
-    })
-    .unwrap();
-    for _ in 0..60 {
-        world.step(TICK);
-    }
+    let body = |x: f64, v: f64, mass| BodyDef { velocity: DVec2::new(v, 0.0), restitution: 1.0, ..crate_at(x, 0.0, mass) };
+    let bodies = vec![body(-1.0, 25.7, 75.0), body(1.0, -11.3, 150.0)];
+    let mut world = World::new(WorldDef { gravity: 0.0, air_density: 0.0, bodies, ..WorldDef::default() }).unwrap();
+    (0..60).for_each(|_| world.step(TICK));
     let v = [0, 1].map(|id| world.body(BodyId(id)).velocity.x);
     assert!((v[0] + 23.0 + 19.0 / 30.0).abs() < 1e-12 && (v[1] - 13.0 - 11.0 / 30.0).abs() < 1e-12, "{v:?}");
 }
@@ -173,7 +142,7 @@ fn a_ball_at_5_m_per_s_and_restitution_a_half_leaves_at_2_5() {
         let before = world.body(BODY).velocity.y;
         world.step(TICK);
         if hit.is_none() && world.body(BODY).velocity.y < 0.0 {
-            let resultant::physics::Event::Impact { speed, .. } = world.events()[0] else { panic!("{:?}", world.events()) };
+            let Event::Impact { speed, .. } = world.events()[0] else { panic!("{:?}", world.events()) };
             let fallen = (5.0 - before) / 15.0;
             hit = Some((speed, world.body(BODY).velocity.y - 15.0 * (TICK - fallen)));
         }
@@ -186,14 +155,8 @@ fn a_ball_at_5_m_per_s_and_restitution_a_half_leaves_at_2_5() {
 fn a_slow_rebound_ends_the_bounce_unless_the_scene_asks_for_every_one() {
     for (rest_speed, bounces) in [(1.0, false), (0.0, true)] {
         let ball = BodyDef { position: DVec2::new(0.0, -0.5 - 1.5 * 1.5 / 30.0), restitution: 0.5, ..BodyDef::default() };
-        let mut world = World::new(WorldDef {
-            air_density: 0.0,
-            rest_speed,
-            surfaces: vec![floor(10.0)],
-            bodies: vec![ball],
-            ..WorldDef::default()
-        })
-        .unwrap();
+        let def = WorldDef { air_density: 0.0, rest_speed, surfaces: vec![floor(10.0)], bodies: vec![ball], ..WorldDef::default() };
+        let mut world = World::new(def).unwrap();
         let rose = (0..40).any(|_| {
             world.step(TICK);
             world.body(BODY).velocity.y < -0.1

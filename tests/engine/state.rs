@@ -1,6 +1,7 @@
 //! The next tick follows from the state alone: a flush contact begins and ends at an instant, whatever tick rate, history, order of rows or side
 //! a scene comes with, and carries its share of the load from then on.
 
+use crate::support::turned::{mirrored, reversed};
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, ForceKind, Leg, Material, Path, Source, SurfaceDef, World, WorldDef};
 
 /// m and m/s.
@@ -117,41 +118,18 @@ fn the_tick_rate_decides_nothing() {
 }
 
 #[test]
-fn the_order_of_rows_decides_nothing() {
-    for (name, def, drive) in scenes() {
-        let mut turned = def.clone();
-        turned.surfaces.reverse();
-        turned.bodies.reverse();
-        let (mut a, mut b) = (begun(&def, drive), World::new(turned).unwrap());
-        let last = def.bodies.len() - 1;
-        b.set_drive(BodyId(last as u32), drive);
-        run(&mut a, 2.0, 120.0);
-        run(&mut b, 2.0, 120.0);
-        for (mine, other) in a.bodies().iter().zip(b.bodies().iter().rev()) {
-            assert!((mine.position - other.position).length() <= EXACT, "{name}: {} and {}", mine.position, other.position);
-        }
-    }
-}
-
-#[test]
-fn a_mirror_decides_nothing() {
+fn neither_the_order_of_rows_nor_the_side_decides_anything() {
     let turn = |x: DVec2| v(-x.x, x.y);
     for (name, def, drive) in scenes() {
-        let mut mirrored = def.clone();
-        for body in &mut mirrored.bodies {
-            (body.position, body.velocity) = (turn(body.position), turn(body.velocity));
-        }
-        for surface in &mut mirrored.surfaces {
-            let (min, max) = (surface.bounds.min, surface.bounds.max);
-            surface.bounds = Aabb::new(v(-max.x, min.y), v(-min.x, max.y));
-            surface.belt = -surface.belt;
-            surface.path.legs.iter_mut().for_each(|leg| leg.velocity = turn(leg.velocity));
-        }
-        let (mut a, mut b) = (begun(&def, drive), begun(&mirrored, turn(drive)));
-        run(&mut a, 2.0, 120.0);
-        run(&mut b, 2.0, 120.0);
-        for (mine, other) in a.bodies().iter().zip(b.bodies()) {
-            assert!((turn(mine.position) - other.position).length() <= EXACT, "{name}: {} and {}", mine.position, other.position);
+        let (mut here, mut mirror, mut other) =
+            (begun(&def, drive), begun(&mirrored(&def), turn(drive)), begun(&reversed(&def), v(0.0, 0.0)));
+        other.set_drive(BodyId(def.bodies.len() as u32 - 1), drive);
+        [&mut here, &mut mirror, &mut other].into_iter().for_each(|world| run(world, 2.0, 120.0));
+        let rows = mirror.bodies().iter().zip(other.bodies().iter().rev());
+        for (mine, (mirrored, moved)) in here.bodies().iter().zip(rows) {
+            for seen in [turn(mirrored.position), moved.position] {
+                assert!(mine.position.distance(seen) <= EXACT, "{name}: {} and {seen}", mine.position);
+            }
         }
     }
 }

@@ -1,25 +1,13 @@
 //! Scores that are earned: a row leads to its flight, and what was forged, taken from elsewhere or flown in another version of the level
 //! is found.
 
+use crate::support::shipped::{load as level, record};
 use resultant::game::{Controls, Fingerprint, Game, LevelHash, Mismatch, Recorder, Replay, level_hash};
-use resultant::level::{self, Level};
+use resultant::level::Level;
 use resultant::scores::{Doubt, IN_TURN, Judge, Name, PATIENCE, Placement, Score, Scores, Standing, TURN};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-fn level(name: &str) -> Arc<Level> {
-    Arc::new(level::load(&root().join("levels").join(name), root()).unwrap().level)
-}
-
-fn record(level: &str, flight: &str) -> Replay {
-    let file = root().join(format!("levels/{level}/flights/{flight}.replay.csv"));
-    Replay::parse("flight", &fs::read_to_string(file).unwrap()).unwrap()
-}
 
 fn name(text: &str) -> Name {
     Name::new(text).unwrap()

@@ -1,15 +1,14 @@
 //! However a file is made, as long as it is no larger than its kind may be, reading it takes work in proportion to its length: what it
 //! takes here is far from what it would take if it grew with the square, as it did before there were limits.
 
+use crate::support::Memory;
 use cpu_time::ThreadTime;
 use resultant::lab::charts::Charts;
 use resultant::lab::{diagram, kept, peers, report};
-use resultant::level::{self, Files};
+use resultant::level;
 use resultant::scores::table;
 use resultant::{files, game};
-use std::collections::BTreeMap;
 use std::hint::black_box;
-use std::io;
 use std::path::Path;
 
 /// The most that reading a text may cost, in passes over its bytes. The dearest one here costs a tenth of it; what grew with the square
@@ -51,19 +50,6 @@ fn scores() {
     assert_eq!((board.rows().len(), damage.len()), (25_000, 0));
 }
 
-/// A level's tables in memory.
-struct Memory(BTreeMap<&'static str, String>);
-
-impl Files for Memory {
-    fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
-        self.0.get(name).map(|text| text.clone().into_bytes()).ok_or_else(|| io::ErrorKind::NotFound.into())
-    }
-
-    fn project_file(&self, _: &str) -> io::Result<Vec<u8>> {
-        Err(io::ErrorKind::NotFound.into())
-    }
-}
-
 #[test]
 fn level_tables() {
     let size = files::LEVEL_TABLE;
@@ -87,12 +73,13 @@ fn level_tables() {
     ];
     for (file, text) in tables {
         let begins: String = text.lines().next().unwrap_or_default().chars().take(40).collect();
-        let mut all = BTreeMap::from([
+        let all = vec![
+            (file, text.clone()),
             ("constants.csv", "width,3000\nheight,3000\n".to_owned()),
             ("player.csv", "1500,1500,100,500,3000\n".to_owned()),
             ("objectives.csv", "PLAYER,10,10,20,20\n".to_owned()),
-        ]);
-        all.insert(file, text.clone());
+        ];
+        // The first of a name is read.
         let problems = quick(&begins, &text, || level::read("l", &Memory(all))).map_or_else(|problems| problems.len(), |_| 0);
         assert!(problems <= 1001, "{begins}: {problems} problems");
     }

@@ -1,5 +1,6 @@
 //! A level as one file: what is packed comes back whole, and nothing that is made to do harm leaves a trace.
 
+use crate::support::shipped::{levels as shipped_levels, project as root};
 use resultant::game::level_hash;
 use resultant::level::{self, Level};
 use resultant::pack::{self, Installed, Package};
@@ -9,10 +10,6 @@ use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
 
 fn load(levels: &Path, name: &str, project: &Path) -> Level {
     level::load(&levels.join(name), project).unwrap().level
@@ -68,7 +65,7 @@ fn tree(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 fn every_shipped_level_comes_back_whole_where_nothing_else_is() {
     let elsewhere = tempfile::tempdir().unwrap();
     let levels = elsewhere.path().join("levels");
-    for name in level::list(&root().join("levels")) {
+    for name in shipped_levels() {
         let (package, left) = pack::gather(&root().join("levels").join(&name), root()).unwrap();
         assert_eq!(left, [""; 0], "level {name}");
         let bytes = pack::write(&package).unwrap();

@@ -1,50 +1,23 @@
 //! The files of players and of attempts on disk: what is left there when files are damaged, writes fail, many processes write at once, or
 //! one is killed in the middle.
 
+use super::fixture::{Fixture, UNTIL_ITS_TURN, Worker, confirmed, kill_within, make_read_only, name, work};
 use resultant::game::Medals;
-use resultant::scores::{AttemptRow, Deed, Name, PATIENCE, Scores, ScoresError};
+use resultant::scores::{AttemptRow, Deed, PATIENCE, ScoresError};
 use std::fs;
-use std::io::{BufRead, BufReader, Write};
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::process::Command;
 use std::time::Duration;
 
-/// A scores folder of its own for a test, removed with it.
-struct Fixture {
-    root: tempfile::TempDir,
+/// An empty scores folder.
+fn empty() -> Fixture {
+    let fixture = Fixture::new();
+    fs::create_dir(fixture.folder()).unwrap();
+    fixture
 }
 
-impl Fixture {
-    fn new() -> Self {
-        let root = tempfile::tempdir().unwrap();
-        fs::create_dir(root.path().join("scores")).unwrap();
-        Self { root }
-    }
-
-    fn file(&self, name: &str) -> PathBuf {
-        self.root.path().join("scores").join(name)
-    }
-
-    fn text(&self, name: &str) -> String {
-        fs::read_to_string(self.file(name)).unwrap()
-    }
-
-    fn scores(&self) -> Scores {
-        Scores::new(self.root.path().join("scores"))
-    }
-
-    /// What there is but for locks.
-    fn names(&self) -> Vec<String> {
-        let names = fs::read_dir(self.root.path().join("scores")).unwrap();
-        let mut names: Vec<_> = names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-        names.retain(|name| !name.ends_with(".lock"));
-        names.sort();
-        names
-    }
-}
-
-fn name(text: &str) -> Name {
-    Name::new(text).unwrap()
+/// All that there is but for locks.
+fn names(fixture: &Fixture) -> Vec<String> {
+    fixture.names().into_iter().filter(|name| !name.ends_with(".lock")).collect()
 }
 
 fn done(player: &str, level: &str, time: f64) -> Deed {
@@ -69,7 +42,7 @@ const ROW: &str = "1,ann,failed,1.250,0.500,1,obstacle 2,false\r\n";
 
 #[test]
 fn deeds_of_two_games_are_merged() {
-    let fixture = Fixture::new();
+    let fixture = empty();
     let (one, two) = (fixture.scores(), fixture.scores());
     one.record_within(PATIENCE, &[Deed::Chosen(name("ann")), done("ann", "1", 9.0)]).unwrap();
     two.record_within(PATIENCE, &[Deed::Chosen(name("bob")), done("ann", "1", 8.0), done("bob", "2", 5.0)]).unwrap();
@@ -79,12 +52,12 @@ fn deeds_of_two_games_are_merged() {
         "player,level,time,medal,mark\nbob,,,,\nbob,2,5.000,bronze,\nann,,,,\nann,1,8.000,bronze,\nann,3,1.000,bronze,\n";
     assert_eq!(fixture.text("players.csv"), expected);
     assert_eq!(one.players().unwrap(), (players, vec![]));
-    assert_eq!(fixture.names(), ["players.csv"]);
+    assert_eq!(names(&fixture), ["players.csv"]);
 }
 
 #[test]
 fn a_damaged_file_of_players_is_kept_aside_and_no_sound_row_is_lost() {
-    let fixture = Fixture::new();
+    let fixture = empty();
     let damaged = "player,level,time\r\nann,1,7\r\n=cmd|' /C calc'!A0,1,5\r\n\"bob,1,5\r\ncid,2,8\r\n";
     fs::write(fixture.file("players.csv"), damaged).unwrap();
     let (players, damage) = fixture.scores().players().unwrap();
@@ -106,7 +79,7 @@ fn lines_are_added_whole_whatever_an_editor_left() {
         (Some(format!("{HEADER}torn,li")), format!("{HEADER}torn,li\r\n{ROW}")),
         (Some(format!("\u{feff}{}", HEADER.replace('\r', ""))), format!("\u{feff}{}{ROW}", HEADER.replace('\r', ""))),
     ] {
-        let fixture = Fixture::new();
+        let fixture = empty();
         if let Some(before) = before {
             fs::write(fixture.file("attempts.csv"), before).unwrap();
         }
@@ -117,7 +90,7 @@ fn lines_are_added_whole_whatever_an_editor_left() {
 
 #[test]
 fn a_file_that_is_no_list_of_attempts_is_kept_aside() {
-    let fixture = Fixture::new();
+    let fixture = empty();
     for (number, other) in ["level;player\n1;ann\n", "x"].into_iter().enumerate() {
         fs::write(fixture.file("attempts.csv"), other).unwrap();
         let kept = fixture.scores().append_within(PATIENCE, &attempt("ann", "1")).unwrap().unwrap();
@@ -129,7 +102,7 @@ fn a_file_that_is_no_list_of_attempts_is_kept_aside() {
 
 #[test]
 fn what_a_spreadsheet_reads_is_what_was_flown() {
-    let fixture = Fixture::new();
+    let fixture = empty();
     let levels = ["1", "Höhle, \"tief\"", "=cmd|' /C calc'!A0", "two\nlines"];
     for level in levels {
         fixture.scores().append_within(PATIENCE, &attempt("ann", level)).unwrap();
@@ -142,19 +115,17 @@ fn what_a_spreadsheet_reads_is_what_was_flown() {
 
 #[test]
 fn read_only_files_and_what_is_no_file_are_left_alone() {
-    let fixture = Fixture::new();
+    let fixture = empty();
     for file in ["players.csv", "attempts.csv"] {
         fs::write(fixture.file(file), "").unwrap();
-        let mut permissions = fs::metadata(fixture.file(file)).unwrap().permissions();
-        permissions.set_readonly(true);
-        fs::set_permissions(fixture.file(file), permissions).unwrap();
+        make_read_only(&fixture.file(file));
     }
     let deeds = [done("ann", "1", 1.0)];
     assert!(matches!(fixture.scores().record_within(PATIENCE, &deeds), Err(ScoresError::ReadOnly(_))));
     assert!(matches!(fixture.scores().append_within(PATIENCE, &attempt("ann", "1")), Err(ScoresError::ReadOnly(_))));
     assert_eq!((fixture.text("players.csv"), fixture.text("attempts.csv")), (String::new(), String::new()));
 
-    let fixture = Fixture::new();
+    let fixture = empty();
     for file in ["players.csv", "attempts.csv"] {
         fs::create_dir(fixture.file(file)).unwrap();
     }
@@ -167,7 +138,7 @@ fn read_only_files_and_what_is_no_file_are_left_alone() {
 #[cfg(unix)]
 #[test]
 fn pipes_are_not_written_to_and_links_are_followed() {
-    let fixture = Fixture::new();
+    let fixture = empty();
     assert!(Command::new("mkfifo").arg(fixture.file("attempts.csv")).status().unwrap().success());
     assert!(fixture.scores().append_within(PATIENCE, &attempt("ann", "1")).is_err());
     fs::remove_file(fixture.file("attempts.csv")).unwrap();
@@ -181,7 +152,7 @@ fn pipes_are_not_written_to_and_links_are_followed() {
 
 #[test]
 fn a_lock_that_is_held_is_told() {
-    let fixture = Fixture::new();
+    let fixture = empty();
     let held = [".players.csv.lock", ".attempts.csv.lock"].map(|file| fs::File::create(fixture.file(file)).unwrap());
     held.iter().for_each(|file| file.lock().unwrap());
     let (scores, none) = (fixture.scores(), Duration::ZERO);
@@ -192,24 +163,24 @@ fn a_lock_that_is_held_is_told() {
 /// A sitting that ends while another program holds the locks: its rows are taken up by the next one, once, with those of others between.
 #[test]
 fn what_was_put_by_is_taken_up_once() {
-    let fixture = Fixture::new();
+    let fixture = empty();
     let deeds = [Deed::Chosen(name("ann")), done("ann", "1", 7.0)];
     let scores = fixture.scores();
     scores.put_by(&deeds, [attempt("ann", "1"), attempt("ann", "2")]).unwrap();
     scores.put_by(&[done("ann", "1", 8.0)], [attempt("bob", "1")]).unwrap();
     assert_eq!(
-        fixture.names(),
+        names(&fixture),
         ["attempts.csv.waiting-1", "attempts.csv.waiting-2", "players.csv.waiting-1", "players.csv.waiting-2"]
     );
     let held = fs::File::create(fixture.file(".players.csv.lock")).unwrap();
     held.lock().unwrap();
     assert!(matches!(scores.take_up(Duration::ZERO), Err(ScoresError::Busy(_))));
-    assert_eq!(fixture.names().len(), 4);
+    assert_eq!(names(&fixture).len(), 4);
     drop(held);
     scores.record_within(PATIENCE, &[Deed::Chosen(name("cid"))]).unwrap();
     scores.take_up(PATIENCE).unwrap();
     scores.take_up(PATIENCE).unwrap();
-    assert_eq!(fixture.names(), ["attempts.csv", "players.csv"]);
+    assert_eq!(names(&fixture), ["attempts.csv", "players.csv"]);
     let two = ROW.replacen("1,ann", "2,ann", 1);
     assert_eq!(fixture.text("attempts.csv"), format!("{HEADER}{ROW}{two}{}", ROW.replacen("1,ann", "1,bob", 1)));
     assert_eq!(fixture.text("players.csv"), "player,level,time,medal,mark\ncid,,,,\nann,,,,\nann,1,7.000,bronze,\n");
@@ -217,88 +188,47 @@ fn what_was_put_by_is_taken_up_once() {
 
 #[test]
 fn no_board_takes_the_place_of_another_file() {
-    let fixture = Fixture::new();
+    let fixture = empty();
     for board in ["players", "Players", "ATTEMPTS"] {
         assert!(matches!(fixture.scores().save(board, &name("ann"), 5), Err(ScoresError::LevelName(_))), "{board}");
     }
-    assert_eq!(fixture.names(), [""; 0]);
+    assert_eq!(names(&fixture), [""; 0]);
 }
 
-/// How long a process waits for its turn, also where other programs keep every core busy.
-const UNTIL_ITS_TURN: Duration = Duration::from_secs(600);
+const WORKER: &str = "players::writing_process";
 
-/// The scores folder a worker writes to; set only in the processes that [`worker`] starts.
-const WORKER_FOLDER: &str = "RESULTANT_TEST_PLAYERS_FOLDER";
-/// Who a worker is.
-const WORKER_PLAYER: &str = "RESULTANT_TEST_PLAYERS_PLAYER";
-/// How many levels a worker completes before it ends by itself.
-const WORKER_LEVELS: &str = "RESULTANT_TEST_PLAYERS_LEVELS";
-/// What a worker prints before each level that is safely written down.
-const DONE: &str = "done ";
-
-/// Starts this test program again as a process that runs nothing but [`writing_process`].
-fn worker(fixture: &Fixture, player: &str, levels: u32) -> Child {
-    Command::new(std::env::current_exe().unwrap())
-        .args(["--exact", "players::writing_process", "--nocapture", "--test-threads=1"])
-        .env(WORKER_FOLDER, fixture.root.path().join("scores"))
-        .env(WORKER_PLAYER, player)
-        .env(WORKER_LEVELS, levels.to_string())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap()
-}
-
-/// The body of a worker; in the ordinary run of the tests there is nothing for it to do.
 #[test]
+#[ignore = "the body of a worker, which other tests start"]
 fn writing_process() {
-    let Some(folder) = std::env::var_os(WORKER_FOLDER) else { return };
-    let player = std::env::var(WORKER_PLAYER).unwrap();
-    let levels: u32 = std::env::var(WORKER_LEVELS).unwrap().parse().unwrap();
-    let scores = Scores::new(Path::new(&folder));
-    for level in 1..=levels {
-        scores.record_within(UNTIL_ITS_TURN, &[done(&player, &level.to_string(), 1.0)]).unwrap();
-        scores.append_within(UNTIL_ITS_TURN, &attempt(&player, &level.to_string())).unwrap();
-        let mut out = std::io::stdout().lock();
-        writeln!(out, "\n{DONE}{level}").unwrap();
-        out.flush().unwrap();
-    }
-}
-
-fn confirmed(worker: &mut Child) -> impl Iterator<Item = u32> + use<> {
-    let lines = BufReader::new(worker.stdout.take().unwrap()).lines().map_while(Result::ok);
-    lines.filter_map(|line| line.strip_prefix(DONE)?.parse().ok())
+    work(|scores, player, level| {
+        scores.record_within(UNTIL_ITS_TURN, &[done(player, &level.to_string(), 1.0)]).unwrap();
+        scores.append_within(UNTIL_ITS_TURN, &attempt(player, &level.to_string())).unwrap();
+    });
 }
 
 #[test]
 fn processes_that_write_at_once_lose_nothing() {
     const LEVELS: u32 = 15;
-    let fixture = Fixture::new();
-    let names = ["ann", "bob", "cid", "dan"];
-    let mut workers = names.map(|player| worker(&fixture, player, LEVELS));
+    let fixture = empty();
+    let users = ["ann", "bob", "cid", "dan"];
+    let mut workers = users.map(|player| Worker::start(WORKER, &fixture.folder(), player, LEVELS));
     assert!(workers.iter_mut().all(|worker| confirmed(worker).count() == LEVELS as usize));
     assert!(workers.iter_mut().all(|worker| worker.wait().unwrap().success()));
     let (players, damage) = fixture.scores().players().unwrap();
     assert_eq!(damage, []);
-    assert!(names.iter().all(|player| players.get(&name(player)).unwrap().done() == LEVELS as usize));
+    assert!(users.iter().all(|player| players.get(&name(player)).unwrap().done() == LEVELS as usize));
     let text = fixture.text("attempts.csv");
-    assert!(text.starts_with(HEADER) && text.lines().count() == 1 + names.len() * LEVELS as usize);
-    assert_eq!(fixture.names(), ["attempts.csv", "players.csv"]);
+    assert!(text.starts_with(HEADER) && text.lines().count() == 1 + users.len() * LEVELS as usize);
+    assert_eq!(names(&fixture), ["attempts.csv", "players.csv"]);
 }
 
 #[test]
 fn a_kill_at_any_moment_loses_nothing_that_was_confirmed() {
     const ROUNDS: u64 = 20;
-    let fixture = Fixture::new();
+    let fixture = empty();
     for round in 0..ROUNDS {
         let player = format!("r{round}");
-        let mut process = worker(&fixture, &player, u32::MAX);
-        let mut levels = confirmed(&mut process);
-        let first = levels.next().unwrap();
-        // Steps that share no factor with the length of a write reach every part of one.
-        std::thread::sleep(Duration::from_micros(round * 1_733 % 20_011));
-        process.kill().unwrap();
-        process.wait().unwrap();
-        let last = levels.last().unwrap_or(first);
+        let last = kill_within(Worker::start(WORKER, &fixture.folder(), &player, u32::MAX), round);
         let (players, damage) = fixture.scores().players().unwrap();
         assert_eq!(damage, [], "round {round}");
         let known = players.get(&name(&player)).unwrap();

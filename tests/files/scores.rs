@@ -1,64 +1,18 @@
 //! Scores on disk: what a save leaves in the folder, also when files are damaged, writes fail, many processes save at once, or
 //! one is killed in the middle.
 
+use super::fixture::{Fixture, UNTIL_ITS_TURN, Worker, confirmed, kill_within, make_read_only, name, work};
+use resultant::files::{self, pauses};
+use resultant::scores::{PATIENCE, Placement, Score, Scores, ScoresError};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
-use std::io::{BufRead, BufReader, Write};
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::path::Path;
+use std::process::Command;
 use std::time::Duration;
 
-use resultant::files;
-use resultant::files::pauses;
-use resultant::scores::{Name, PATIENCE, Placement, Score, Scores, ScoresError};
-
-/// How long a save waits that must come to its turn, also where other programs keep every core busy.
-const UNTIL_ITS_TURN: Duration = Duration::from_secs(600);
-
-/// A scores folder of its own for a test, removed with it.
-struct Fixture {
-    root: tempfile::TempDir,
-}
-
-impl Fixture {
-    fn new() -> Self {
-        Self { root: tempfile::tempdir().unwrap() }
-    }
-
-    /// One that holds `1.csv` with this text.
-    fn with(text: &str) -> Self {
-        let fixture = Self::new();
-        fs::create_dir(fixture.folder()).unwrap();
-        fs::write(fixture.file("1.csv"), text).unwrap();
-        fixture
-    }
-
-    fn folder(&self) -> PathBuf {
-        self.root.path().join("scores")
-    }
-
-    fn file(&self, name: &str) -> PathBuf {
-        self.folder().join(name)
-    }
-
-    fn text(&self, name: &str) -> String {
-        fs::read_to_string(self.file(name)).unwrap()
-    }
-
-    fn scores(&self) -> Scores {
-        Scores::new(self.folder())
-    }
-
-    fn names(&self) -> Vec<String> {
-        let mut names: Vec<_> =
-            fs::read_dir(self.folder()).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-        names.sort();
-        names
-    }
-}
-
-fn name(text: &str) -> Name {
-    Name::new(text).unwrap()
+/// A folder that holds `1.csv` with this text.
+fn with(text: &str) -> Fixture {
+    Fixture::with("1.csv", text)
 }
 
 #[test]
@@ -75,7 +29,7 @@ fn the_first_save_makes_the_folder_and_the_file() {
 
 #[test]
 fn robert_and_jim_are_sorted_in() {
-    let fixture = Fixture::with("name,score\nNewPlayer,13087\nJames,12933\nRobert,12754\n");
+    let fixture = with("name,score\nNewPlayer,13087\nJames,12933\nRobert,12754\n");
     fixture.scores().save("1", &name("Robert"), 12_954).unwrap();
     let saved = fixture.scores().save("1", &name("Jim"), 13_052).unwrap();
     assert_eq!(saved.placement.rank(), 2);
@@ -85,7 +39,7 @@ fn robert_and_jim_are_sorted_in() {
 #[test]
 fn a_lower_score_leaves_the_file_as_it_is() {
     let text = "name,score\nann,30\nbob,20\n";
-    let fixture = Fixture::with(text);
+    let fixture = with(text);
     let saved = fixture.scores().save("1", &name("bob"), 20).unwrap();
     assert_eq!(saved.placement, Placement::Kept { rank: 2, best: 20 });
     assert_eq!(fixture.text("1.csv"), text);
@@ -120,7 +74,7 @@ fn a_level_name_never_leaves_the_folder() {
 
 #[test]
 fn further_columns_and_their_header_survive_a_save() {
-    let fixture = Fixture::with("name,score,class,remark\r\nbob,20,7b\r\nann,30,7a,\"a, b\"\r\n");
+    let fixture = with("name,score,class,remark\r\nbob,20,7b\r\nann,30,7a,\"a, b\"\r\n");
     fixture.scores().save("1", &name("bob"), 40).unwrap();
     fixture.scores().save("1", &name("cid"), 35).unwrap();
     assert_eq!(fixture.text("1.csv"), "name,score,class,remark\nbob,40,7b\ncid,35\nann,30,7a,\"a, b\"\n");
@@ -128,7 +82,7 @@ fn further_columns_and_their_header_survive_a_save() {
 
 #[test]
 fn a_file_without_header_or_order_is_read_and_comes_back_with_both() {
-    let fixture = Fixture::with("bob,20\nann,30\ncid,30\n");
+    let fixture = with("bob,20\nann,30\ncid,30\n");
     let before = fixture.scores().load("1").unwrap();
     assert_eq!(before.board.rows().iter().map(|row| row.name.as_str()).collect::<Vec<_>>(), ["ann", "cid", "bob"]);
     assert_eq!(fixture.text("1.csv"), "bob,20\nann,30\ncid,30\n", "looking changes nothing");
@@ -140,7 +94,7 @@ fn a_file_without_header_or_order_is_read_and_comes_back_with_both() {
 #[test]
 fn a_damaged_file_is_reported_and_kept_aside_and_no_sound_row_is_lost() {
     let damaged = "name,score\nann,30\n=HYPERLINK(1),99999\nbob,2O\ncid,10\n";
-    let fixture = Fixture::with(damaged);
+    let fixture = with(damaged);
     let path = fixture.file("1.csv");
     let reports = [
         format!(
@@ -170,7 +124,7 @@ fn a_damaged_file_is_reported_and_kept_aside_and_no_sound_row_is_lost() {
 
 #[test]
 fn bytes_that_are_no_text_are_kept_to_the_last_one() {
-    let fixture = Fixture::with("");
+    let fixture = with("");
     let damaged = b"ann,30\nb\xFF\xFEb,20\n\0\0\0";
     fs::write(fixture.file("1.csv"), damaged).unwrap();
     let rescue = fixture.scores().save("1", &name("dan"), 40).unwrap().rescue.unwrap();
@@ -180,7 +134,7 @@ fn bytes_that_are_no_text_are_kept_to_the_last_one() {
 
 #[test]
 fn a_damaged_file_is_kept_aside_even_when_the_score_changes_nothing() {
-    let fixture = Fixture::with("ann,30\nbob\n");
+    let fixture = with("ann,30\nbob\n");
     let saved = fixture.scores().save("1", &name("ann"), 10).unwrap();
     assert_eq!(saved.placement, Placement::Kept { rank: 1, best: 30 });
     assert_eq!(fs::read_to_string(saved.rescue.unwrap().kept).unwrap(), "ann,30\nbob\n");
@@ -190,11 +144,9 @@ fn a_damaged_file_is_kept_aside_even_when_the_score_changes_nothing() {
 #[test]
 fn a_read_only_file_is_left_alone() {
     let text = "name,score\nann,30\n";
-    let fixture = Fixture::with(text);
+    let fixture = with(text);
     let path = fixture.file("1.csv");
-    let mut permissions = fs::metadata(&path).unwrap().permissions();
-    permissions.set_readonly(true);
-    fs::set_permissions(&path, permissions).unwrap();
+    make_read_only(&path);
     let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
     assert_eq!(error.to_string(), format!("{}: the file is read-only, expected one that may be replaced", path.display()));
     assert_eq!(fixture.text("1.csv"), text);
@@ -204,7 +156,7 @@ fn a_read_only_file_is_left_alone() {
 #[test]
 fn whatever_the_system_refuses_is_an_error_with_its_place_and_leaves_the_old_file_whole() {
     let text = "name,score\nann,30\nbroken\n";
-    let fixture = Fixture::with(text);
+    let fixture = with(text);
     fs::create_dir(fixture.file(".1.csv.lock")).unwrap();
     let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
     let place = format!("{}: cannot lock the scores: found a folder", fixture.file(".1.csv.lock").display());
@@ -228,12 +180,8 @@ fn whatever_the_system_refuses_is_an_error_with_its_place_and_leaves_the_old_fil
 #[test]
 fn a_full_disk_loses_nothing_and_leaves_no_litter() {
     let text = "name,score\nann,30\nbroken\n";
-    let fixture = Fixture::with(text);
-    let mut shell = Command::new("sh");
-    shell.args(["-c", "trap '' XFSZ; ulimit -f 0; exec \"$0\" --exact scores::saving_process --nocapture"]);
-    shell.arg(std::env::current_exe().unwrap());
-    shell.env(WORKER_FOLDER, fixture.folder()).env(WORKER_PREFIX, "a").env(WORKER_SAVES, "1");
-    let saved = shell.output().unwrap();
+    let fixture = with(text);
+    let saved = Worker::through("trap '' XFSZ; ulimit -f 0; exec \"$@\"", WORKER, &fixture.folder()).output();
     let said = String::from_utf8_lossy(&[saved.stdout, saved.stderr].concat()).into_owned();
     assert!(!saved.status.success() && said.contains("write the new scores"), "{said}");
     assert_eq!(fixture.text("1.csv"), text);
@@ -246,7 +194,7 @@ fn a_full_disk_loses_nothing_and_leaves_no_litter() {
 #[cfg(unix)]
 #[test]
 fn no_link_that_somebody_laid_is_written_through() {
-    let fixture = Fixture::with("name,score\nann,30\n");
+    let fixture = with("name,score\nann,30\n");
     let mine = fixture.root.path().join("mine");
     fs::write(&mine, "mine").unwrap();
     for link in [".1.csv.new", ".players.csv.new", ".resultant-aB3dE6gH.new"] {
@@ -270,19 +218,16 @@ fn a_folder_that_is_shared_has_locks_that_are_shared() {
     use std::os::unix::fs::PermissionsExt;
     let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
     for (folder, lock) in [(0o777, 0o666), (0o775, 0o660), (0o770, 0o660), (0o755, 0o600)] {
-        let fixture = Fixture::with("name,score\nann,30\n");
+        let fixture = with("name,score\nann,30\n");
         fs::set_permissions(fixture.folder(), fs::Permissions::from_mode(folder)).unwrap();
         fixture.scores().save("1", &name("bob"), 40).unwrap();
         assert_eq!(mode(&fixture.file(".1.csv.lock")), lock, "in a folder of mode {folder:o}");
     }
     // The first board of a user who shares nothing by default, in a folder that is shared.
-    let fixture = Fixture::with("");
+    let fixture = with("");
     fs::remove_file(fixture.file("1.csv")).unwrap();
     fs::set_permissions(fixture.folder(), fs::Permissions::from_mode(0o775)).unwrap();
-    let mut shell = Command::new("sh");
-    shell.args(["-c", "umask 077; exec \"$0\" --exact scores::saving_process"]).arg(std::env::current_exe().unwrap());
-    shell.env(WORKER_FOLDER, fixture.folder()).env(WORKER_PREFIX, "a").env(WORKER_SAVES, "1").stdout(Stdio::null());
-    assert!(shell.status().unwrap().success());
+    assert!(Worker::through("umask 077; exec \"$@\"", WORKER, &fixture.folder()).output().status.success());
     assert_eq!((mode(&fixture.file("1.csv")), mode(&fixture.file(".1.csv.lock"))), (0o660, 0o660));
 }
 
@@ -291,7 +236,7 @@ fn a_folder_that_is_shared_has_locks_that_are_shared() {
 #[test]
 fn a_lock_file_that_may_only_be_read_locks_as_well() {
     use std::os::unix::fs::PermissionsExt;
-    let fixture = Fixture::with("name,score\nann,30\n");
+    let fixture = with("name,score\nann,30\n");
     fs::write(fixture.file(".1.csv.lock"), "").unwrap();
     fs::set_permissions(fixture.file(".1.csv.lock"), fs::Permissions::from_mode(0o444)).unwrap();
     fixture.scores().save("1", &name("bob"), 40).unwrap();
@@ -300,7 +245,7 @@ fn a_lock_file_that_may_only_be_read_locks_as_well() {
 
 #[test]
 fn a_lock_that_is_held_is_waited_for_and_then_told() {
-    let fixture = Fixture::with("name,score\nann,30\n");
+    let fixture = with("name,score\nann,30\n");
     let held = File::create(fixture.file(".1.csv.lock")).unwrap();
     held.lock().unwrap();
 
@@ -332,7 +277,7 @@ fn a_lock_that_is_held_is_waited_for_and_then_told() {
 #[cfg(unix)]
 #[test]
 fn a_board_that_is_a_link_is_followed_and_stays_one() {
-    let fixture = Fixture::with("name,score\nann,30\n");
+    let fixture = with("name,score\nann,30\n");
     let elsewhere = fixture.root.path().join("elsewhere");
     fs::create_dir(&elsewhere).unwrap();
     fs::rename(fixture.file("1.csv"), elsewhere.join("shared.csv")).unwrap();
@@ -351,7 +296,7 @@ fn a_board_that_is_a_link_is_followed_and_stays_one() {
 #[cfg(unix)]
 #[test]
 fn what_is_no_file_is_refused_at_once() {
-    let fixture = Fixture::with("");
+    let fixture = with("");
     for (level, pipe) in [("2", "2.csv"), ("3", ".3.csv.lock")] {
         assert!(Command::new("mkfifo").arg(fixture.file(pipe)).status().unwrap().success());
         let error = fixture.scores().save(level, &name("bob"), 40).unwrap_err();
@@ -376,7 +321,7 @@ fn a_board_that_is_too_large_is_neither_read_nor_written() {
         })
         .collect();
     let full = format!("name,score\n{rows}");
-    let fixture = Fixture::with(&full);
+    let fixture = with(&full);
     assert!(full.len() > files::SCORES as usize - 30);
     assert!(fixture.scores().load("1").is_ok());
     let error = fixture.scores().save("1", &name("one-row-too-man"), 1_000_000_000_000).unwrap_err();
@@ -392,7 +337,7 @@ fn a_board_that_is_too_large_is_neither_read_nor_written() {
 #[test]
 fn a_file_shared_with_a_group_stays_shared() {
     use std::os::unix::fs::PermissionsExt;
-    let fixture = Fixture::with("name,score\nann,30\n");
+    let fixture = with("name,score\nann,30\n");
     fs::set_permissions(fixture.file("1.csv"), fs::Permissions::from_mode(0o664)).unwrap();
     // Only the administrator may give a file to a group that is not the own one.
     let given = std::os::unix::fs::chown(fixture.file("1.csv"), None, Some(12_345)).is_ok();
@@ -405,7 +350,7 @@ fn a_file_shared_with_a_group_stays_shared() {
 /// What a killed process can leave behind is removed, and its lock is gone with it.
 #[test]
 fn leftovers_of_a_killed_process_are_no_obstacle() {
-    let fixture = Fixture::with("name,score\nann,30\n");
+    let fixture = with("name,score\nann,30\n");
     fs::write(fixture.file(".resultant-aB3dE6gH.new"), "name,sco").unwrap();
     fs::write(fixture.file(".1.csv.lock"), "").unwrap();
     fixture.scores().save("1", &name("bob"), 40).unwrap();
@@ -413,49 +358,16 @@ fn leftovers_of_a_killed_process_are_no_obstacle() {
     assert_eq!(fixture.names(), [".1.csv.lock", "1.csv"]);
 }
 
-/// The scores folder a worker saves to; set only in the processes that [`worker`] starts.
-const WORKER_FOLDER: &str = "RESULTANT_TEST_SCORES_FOLDER";
-/// The beginning of the names a worker saves.
-const WORKER_PREFIX: &str = "RESULTANT_TEST_SCORES_PREFIX";
-/// How many names a worker saves before it ends by itself.
-const WORKER_SAVES: &str = "RESULTANT_TEST_SCORES_SAVES";
-/// What a worker prints before each name that is safely saved.
-const SAVED: &str = "saved ";
+const WORKER: &str = "scores::saving_process";
 
-/// Starts this test program again as a process that runs nothing but [`saving_process`].
-fn worker(folder: &Path, prefix: &str, saves: u32) -> Child {
-    Command::new(std::env::current_exe().unwrap())
-        .args(["--exact", "scores::saving_process", "--nocapture", "--test-threads=1"])
-        .env(WORKER_FOLDER, folder)
-        .env(WORKER_PREFIX, prefix)
-        .env(WORKER_SAVES, saves.to_string())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap()
-}
-
-/// The body of a worker; in the ordinary run of the tests there is nothing for it to do.
 #[test]
+#[ignore = "the body of a worker, which other tests start"]
 fn saving_process() {
-    let Some(folder) = std::env::var_os(WORKER_FOLDER) else { return };
-    let prefix = std::env::var(WORKER_PREFIX).unwrap();
-    let saves: u32 = std::env::var(WORKER_SAVES).unwrap().parse().unwrap();
-    let scores = Scores::new(folder);
-    for number in 1..=saves {
-        let user = format!("{prefix}-{number}");
-        let score = Score { name: &name(&user), points: i64::from(number), flight: None, version: None };
+    work(|scores: &Scores, prefix, number| {
+        let user = name(&format!("{prefix}-{number}"));
+        let score = Score { name: &user, points: i64::from(number), flight: None, version: None };
         scores.save_within(UNTIL_ITS_TURN, "1", score).unwrap();
-        let mut out = std::io::stdout().lock();
-        writeln!(out, "\n{SAVED}{user}").unwrap();
-        out.flush().unwrap();
-    }
-}
-
-fn saved_names(worker: &mut Child) -> impl Iterator<Item = String> + use<> {
-    BufReader::new(worker.stdout.take().unwrap())
-        .lines()
-        .map_while(Result::ok)
-        .filter_map(|line| line.strip_prefix(SAVED).map(str::to_owned))
+    });
 }
 
 #[test]
@@ -463,8 +375,9 @@ fn processes_that_save_at_once_lose_nothing() {
     const PROCESSES: u32 = 6;
     const SAVES: u32 = 25;
     let fixture = Fixture::new();
-    let mut workers: Vec<_> = (0..PROCESSES).map(|process| worker(&fixture.folder(), &format!("p{process}"), SAVES)).collect();
-    let confirmed: u32 = workers.iter_mut().map(|worker| saved_names(worker).count() as u32).sum();
+    let start = |process| Worker::start(WORKER, &fixture.folder(), &format!("p{process}"), SAVES);
+    let mut workers: Vec<_> = (0..PROCESSES).map(start).collect();
+    let confirmed: u32 = workers.iter_mut().map(|worker| confirmed(worker).count() as u32).sum();
     assert!(workers.iter_mut().all(|worker| worker.wait().unwrap().success()));
     assert_eq!(confirmed, PROCESSES * SAVES);
 
@@ -483,15 +396,8 @@ fn a_kill_at_any_moment_leaves_a_whole_file_with_every_confirmed_score() {
     let fixture = Fixture::new();
     let mut known = BTreeSet::new();
     for round in 0..ROUNDS {
-        let mut process = worker(&fixture.folder(), &format!("r{round}"), u32::MAX);
-        let mut confirmed = saved_names(&mut process);
-        known.insert(confirmed.next().unwrap());
-        // Steps that share no factor with the length of a save reach every part of one.
-        std::thread::sleep(Duration::from_micros(round * 1_733 % 20_011));
-        process.kill().unwrap();
-        process.wait().unwrap();
-        known.extend(confirmed);
-
+        let last = kill_within(Worker::start(WORKER, &fixture.folder(), &format!("r{round}"), u32::MAX), round);
+        known.extend((1..=last).map(|number| format!("r{round}-{number}")));
         let loaded = fixture.scores().load("1").unwrap();
         assert_eq!(loaded.damage, [], "round {round}");
         let there: BTreeSet<_> = loaded.board.rows().iter().map(|row| row.name.to_string()).collect();

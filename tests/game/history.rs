@@ -1,20 +1,10 @@
 //! Flights with the way back: whatever tick one goes to, the game there is the one that was flown, to the bit.
 
 use crate::support::Random;
-use resultant::game::{Controls, Game, History, Inputs, Outcome, Reel, Replay, SHIP, TICK_RATE, Track};
-use resultant::level::{self, Level};
-use std::path::Path;
+use crate::support::shipped::{load as level, record};
+use resultant::game::{Controls, Game, History, Inputs, Outcome, Reel, SHIP, TICK_RATE, Track};
+use resultant::level::Level;
 use std::sync::Arc;
-
-fn level(name: &str) -> Arc<Level> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    Arc::new(level::load(&root.join("levels").join(name), root).unwrap().level)
-}
-
-fn record(name: &str, flight: &str) -> Replay {
-    let file = format!("{}/levels/{name}/flights/{flight}.replay.csv", env!("CARGO_MANIFEST_DIR"));
-    Replay::parse(&file, &std::fs::read_to_string(&file).unwrap()).unwrap()
-}
 
 /// The hash after every tick of inputs, from the start on.
 fn hashes(level: &Arc<Level>, inputs: &Inputs) -> Vec<u64> {

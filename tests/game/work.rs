@@ -1,12 +1,12 @@
 //! The work of each force, against exact answers, and the law of work and energy for whatever happens.
 
+use crate::support::shipped::{experiment, load, record};
 use crate::support::written::{begun, written};
-use resultant::game::{Controls, Game, History, Replay};
+use resultant::game::{Controls, Game, History};
 use resultant::instruments::energy::State;
 use resultant::instruments::ledger::{Account, Ledger};
-use resultant::level::{self, Level};
+use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2, ForceKind};
-use std::path::Path;
 use std::sync::Arc;
 
 /// A flight, and the game at its end.
@@ -199,15 +199,9 @@ fn within_a_pushed_row_the_pushes_pass_on_what_they_take() {
     assert_near(push(&second) + second.by(ForceKind::Friction), flown.gained(2), 2000.0 * way);
 }
 
-fn level_of(folder: &str) -> Arc<Level> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    Arc::new(level::load(&root.join(folder), root).unwrap().level)
-}
-
 fn recorded(level: &str, flight: &str) -> Flown {
-    let file = format!("{}/levels/{level}/flights/{flight}.replay.csv", env!("CARGO_MANIFEST_DIR"));
-    let replay = Replay::parse(&file, &std::fs::read_to_string(&file).unwrap()).unwrap();
-    let mut game = Game::new(level_of(&format!("levels/{level}"))).unwrap();
+    let replay = record(level, flight);
+    let mut game = Game::new(load(level)).unwrap();
     let mut history = History::new(&game);
     for controls in replay.inputs.clone() {
         game.step(controls);
@@ -230,9 +224,9 @@ fn the_law_of_work_and_energy_holds_in_every_level() {
         let ticks = flown.history.ticks();
         for tick in [ticks / 2, ticks / 2 - 1, 17, 0, ticks] {
             assert!(ledger.go(&flown.history, tick, u64::MAX));
-            let mut anew = Ledger::default();
-            anew.go(&flown.history, tick, u64::MAX);
-            assert_eq!(ledger.accounts(), anew.accounts(), "level {level}, tick {tick}");
+            let mut fresh = Ledger::default();
+            fresh.go(&flown.history, tick, u64::MAX);
+            assert_eq!(ledger.accounts(), fresh.accounts(), "level {level}, tick {tick}");
         }
         assert_eq!(ledger.accounts(), last);
     }
@@ -241,11 +235,9 @@ fn the_law_of_work_and_energy_holds_in_every_level() {
 /// What each force does at 120 ticks a second is what it does at 3840: no part of the sum is another's.
 #[test]
 fn no_force_gets_the_work_of_another() {
-    for folder in
-        ["experiments/buoyancy", "experiments/wind-and-friction", "experiments/terminal-velocity", "experiments/projectile"]
-    {
+    for folder in ["buoyancy", "wind-and-friction", "terminal-velocity", "projectile"] {
         let at =
-            |rate: f64| Flown::of(Game::with_tick_rate(level_of(folder), rate).unwrap(), 4.0, |_| Controls::default()).ledger();
+            |rate: f64| Flown::of(Game::with_tick_rate(experiment(folder), rate).unwrap(), 4.0, |_| Controls::default()).ledger();
         let (coarse, fine) = (at(120.0), at(3840.0));
         for (coarse, fine) in coarse.accounts().iter().zip(fine.accounts()) {
             let size = fine.by_force.iter().fold(1.0, |size: f64, work| size.max(work.abs()));

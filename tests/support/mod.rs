@@ -16,6 +16,7 @@ pub mod scenes;
 pub mod shipped;
 pub mod slow;
 pub mod strategies;
+pub mod turned;
 pub mod written;
 
 pub use build::{BODY, G, TICK, area, block, crate_at, crowd, floor, pool, world};

@@ -53,3 +53,8 @@ pub fn flights(name: &str) -> BTreeMap<String, Replay> {
     };
     files.map(|entry| flight(entry.unwrap().path())).collect()
 }
+
+/// A flight of a level by its name.
+pub fn record(level: &str, flight: &str) -> Replay {
+    flights(level).remove(flight).unwrap_or_else(|| panic!("level {level} has no flight {flight}"))
+}

@@ -3,13 +3,12 @@
 
 use crate::support::shipped::{experiment, flights, levels, load};
 use resultant::game::{Controls, Game, Outcome, SHIP};
-use resultant::level::{self, Level, ObjectiveKind};
+use resultant::level::{Level, ObjectiveKind};
 use resultant::physics::{Aabb, BodyId, DVec2};
 use resultant::settings::Settings;
 use resultant::view::camera::{Camera, Viewport, Window};
 use resultant::view::hud::{Hud, Part, Scene, Shown, Target, in_view};
 use resultant::view::layout::{Area, Frame, HudLayout, Vec2, nearest_size, text_room};
-use std::path::Path;
 use std::sync::Arc;
 
 /// Between two looks at a flight, ticks of 1/120 s.
@@ -45,11 +44,8 @@ fn shown(level: &Level, view: &Viewport, frame: &Frame) -> Vec<(String, Area)> {
 
 #[test]
 fn at_the_start_of_every_level_the_display_covers_no_hazard_no_goal_and_no_text() {
-    let project = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let names = level::list(&project.join("levels"));
-    assert!(names.len() >= 3);
-    for name in names {
-        let level = level::load(&project.join("levels").join(&name), project).unwrap_or_else(|e| panic!("{name}: {e:?}")).level;
+    for name in levels() {
+        let level = load(&name);
         for window in WINDOWS {
             let frame = Frame::of_window(window);
             let view = start(&level, &frame);

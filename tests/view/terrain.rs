@@ -1,13 +1,12 @@
 //! The drawn world's geometry: the outline round solid rectangles, the hatching and the dimension lines within it, the light on its edges.
 
+use crate::support::shipped::{levels, load};
 use proptest::prelude::*;
-use resultant::level::{self, Level};
 use resultant::physics::{Aabb, DVec2};
 use resultant::view::terrain::drafting::{Dimension, crosses, dimensions, grains, hatching};
 use resultant::view::terrain::light::cast;
 use resultant::view::terrain::silhouette::{Corner, Silhouette};
 use resultant::view::terrain::{ROCK, kind, mass, parts};
-use std::path::Path;
 
 /// A box by its top left corner and its size, m.
 fn area(x: f64, y: f64, width: f64, height: f64) -> Aabb {
@@ -151,7 +150,7 @@ proptest! {
 /// The sails of the windmill of level 15 turn before its cap: what is behind lies on the rock as well.
 #[test]
 fn a_picture_behind_lies_once_on_all_of_the_rock_that_it_covers() {
-    let level = crate::support::shipped::load("15");
+    let level = load("15");
     let (mass, picture) = (mass(&level), level.decoration[0].bounds);
     assert!(!level.decoration[0].in_front);
     let (mut on_rock, step) = (0, picture.size() / 61.0);
@@ -236,16 +235,9 @@ fn crosses_stand_where_the_heavy_lines_would_meet_deep_in_rock() {
     assert!(crosses(&mass, ROCK, DVec2::splat(1e6), &[]).is_empty());
 }
 
-fn levels() -> Vec<Level> {
-    let project = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let found = level::list(&project.join("levels"));
-    let load = |name: &String| level::load(&project.join("levels").join(name), project).unwrap_or_else(|e| panic!("{name}: {e:?}"));
-    found.iter().map(|name| load(name).level).collect()
-}
-
 #[test]
 fn the_shipped_levels_are_of_few_pieces_whatever_they_are_built_of() {
-    for level in levels() {
+    for level in levels().iter().map(|name| load(name)) {
         let mass = mass(&level);
         assert!(mass.edges().iter().all(|edge| edge.bounds().touches(&level.bounds(), 0.0)), "level {}", level.name);
         assert!(mass.edges().len() < 150 && !dimensions(&mass, ROCK, &[]).is_empty(), "level {}", level.name);

@@ -2,6 +2,7 @@
 //! no order of rows: those change nothing but rounding.
 
 use crate::support::strategies::cases;
+use crate::support::turned::{mirrored, shifted};
 use crate::support::{G, Random, TICK, area, bits_of_body, block, crate_at, crowd, world};
 use proptest::prelude::*;
 use resultant::physics::{
@@ -193,21 +194,9 @@ fn assert_alike(found: &[[DVec2; 3]], expected: &[[DVec2; 3]], tolerance: f64, w
 
 #[test]
 fn left_is_as_right() {
-    let mut def = yard(true);
-    let expected = played(def.clone(), PUSHER, PUSH);
-    let mirror = DVec2::new(-1.0, 1.0);
-    let turn = |zone: &mut resultant::physics::Aabb| (zone.min.x, zone.max.x) = (-zone.max.x, -zone.min.x);
-    for body in &mut def.bodies {
-        (body.position, body.velocity) = (body.position * mirror, body.velocity * mirror);
-    }
-    def.surfaces.iter_mut().for_each(|surface| turn(&mut surface.bounds));
-    def.fluids.iter_mut().for_each(|fluid| turn(&mut fluid.zone));
-    for stream in &mut def.streams {
-        turn(&mut stream.zone);
-        stream.force *= mirror;
-    }
-    let found: Vec<[DVec2; 3]> = played(def, PUSHER, PUSH * mirror).iter().map(|of| of.map(|v| v * mirror)).collect();
-    assert_alike(&found, &expected, 1e-9, "mirrored");
+    let (def, mirror) = (yard(true), DVec2::new(-1.0, 1.0));
+    let found: Vec<[DVec2; 3]> = played(mirrored(&def), PUSHER, PUSH * mirror).iter().map(|of| of.map(|v| v * mirror)).collect();
+    assert_alike(&found, &played(def, PUSHER, PUSH), 1e-9, "mirrored");
 }
 
 #[test]
@@ -217,15 +206,10 @@ fn here_is_as_there() {
     let far = [(DVec2::new(1e5, 1e5), 1e-7, 1e-4), (DVec2::new(-1e7, 1e7), 1e-5, 1e-2)];
     let cases = near.into_iter().chain(far).flat_map(|(shift, dry, wet)| [(shift, false, dry), (shift, true, wet)]);
     for (shift, wet, tolerance) in cases {
-        let mut def = yard(wet);
-        let expected = played(def.clone(), PUSHER, PUSH);
-        let move_by = |zone: &mut resultant::physics::Aabb| (zone.min, zone.max) = (zone.min + shift, zone.max + shift);
-        def.bodies.iter_mut().for_each(|body| body.position += shift);
-        def.surfaces.iter_mut().for_each(|surface| move_by(&mut surface.bounds));
-        def.fluids.iter_mut().for_each(|fluid| move_by(&mut fluid.zone));
-        def.streams.iter_mut().for_each(|stream| move_by(&mut stream.zone));
-        let found: Vec<[DVec2; 3]> = played(def, PUSHER, PUSH).iter().map(|[x, v, a]| [*x - shift, *v, *a]).collect();
-        assert_alike(&found, &expected, tolerance, &format!("{shift} m away"));
+        let def = yard(wet);
+        let found = played(shifted(&def, shift), PUSHER, PUSH);
+        let found: Vec<[DVec2; 3]> = found.iter().map(|[x, v, a]| [*x - shift, *v, *a]).collect();
+        assert_alike(&found, &played(def, PUSHER, PUSH), tolerance, &format!("{shift} m away"));
     }
 }
 

@@ -4,4 +4,3 @@ mod islands;
 mod moving;
 mod plan;
 mod random;
-mod wild;

@@ -1,8 +1,8 @@
 //! No more than a scene needs: a part that a plan leaves out because the scene has nothing of it changes no bit of any motion or force.
 
+use crate::support::shipped::{levels, load};
 use proptest::prelude::*;
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, Plan, StreamDef, SurfaceDef, World, WorldDef};
-use std::path::Path;
 
 /// The bits of every tick of a flight under a drive that comes and goes: of all motion, and of the forces shown with it.
 fn flight(mut world: World, drive: DVec2, ticks: u32) -> Vec<u64> {
@@ -36,10 +36,8 @@ fn assert_alike(def: WorldDef, drive: DVec2) {
 
 #[test]
 fn no_shipped_level_moves_otherwise_with_every_part_switched_on() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for name in resultant::level::list(&root.join("levels")) {
-        let level = resultant::level::load(&root.join("levels").join(name), root).unwrap().level;
-        let def = level.world_def();
+    for name in levels() {
+        let def = load(&name).world_def();
         let mut bare = def.clone();
         bare.air_density = 0.0;
         assert_ne!(Plan::of(&bare), Plan::EVERYTHING);
@@ -132,7 +130,7 @@ type Found = (usize, [bool; 7], f64, (f64, f64));
 
 #[test]
 fn no_scene_that_once_moved_otherwise_does() {
-    let scenes: [Found; 9] = [
+    let scenes: [Found; 12] = [
         (2, [false, false, false, false, true, false, false], 0.2, (0.0, 0.0)),
         (3, [true, false, true, false, false, false, true], 0.6571204581323454, (0.0, 0.0)),
         (4, [false, true, false, false, false, false, false], 0.8808486075585757, (-558.7939711854967, -1619.6453955824775)),
@@ -142,16 +140,7 @@ fn no_scene_that_once_moved_otherwise_does() {
         (5, [false, false, false, false, false, true, true], 0.33754087645647723, (325.9054972658572, -975.2940460826879)),
         (1, [false, false, true, false, false, true, false], 0.3609074652031587, (-659.7195958010861, -42.01592976884453)),
         (5, [false, true, true, true, false, false, true], 0.2, (-67.28984883419689, -951.4372542945619)),
-    ];
-    for (count, parts, size, drive) in scenes {
-        assert_alike(scene(count, parts, size), drive.into());
-    }
-}
-
-/// The same for islands of few bodies in which many events fall into a tick.
-#[test]
-fn no_scene_whose_budget_is_used_up_moves_otherwise() {
-    let scenes: [Found; 3] = [
+        // Islands of few bodies in which many events fall into a tick.
         (4, [false, false, true, true, false, false, true], 0.2, (215.87334787478702, -254.36179881306316)),
         (4, [false, false, false, true, true, false, false], 0.5494936621590705, (565.1879914489944, -635.2353359923281)),
         (5, [true, false, true, false, false, false, true], 0.4179520886772193, (464.569865895534, -622.387819802416)),

@@ -2,10 +2,10 @@
 
 use super::hearing::{Listener, RATE};
 use crate::support::Memory;
-use resultant::game::{Controls, Game, Inputs};
+use crate::support::shipped::{load, record};
+use resultant::game::{Controls, Game};
 use resultant::level;
 use resultant::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, desk, tune};
-use std::path::Path;
 use std::sync::Arc;
 
 fn game(files: &[(&'static str, &'static str)]) -> Game {
@@ -36,16 +36,13 @@ fn listen(game: &mut Game, ticks: usize) -> Vec<Sound> {
 
 #[test]
 fn the_recorded_flight_is_heard_from_its_engine_to_its_success() {
-    let project = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let level = level::load(&project.join("levels/1"), project).unwrap_or_else(|problems| panic!("{problems:?}")).level;
-    let mut game = Game::new(Arc::new(level)).unwrap();
-    let text = std::fs::read_to_string(project.join("tests/inputs/1.csv")).unwrap();
+    let mut game = Game::new(load("1")).unwrap();
     let (desk, feed) = desk();
     let (mut speaker, mut ear) = (Speaker::at(desk), Ear::default());
     let mut mixer = resultant::view::sound::Mixer::new(RATE, feed);
     let (mut cues, mut power, mut count) = (Vec::new(), 0.0, 0);
     let mut tick = [0.0; 2 * RATE as usize / 120];
-    for controls in Inputs::parse("1.csv", &text).unwrap() {
+    for controls in record("1", "careful").inputs {
         game.step(controls);
         ear.listen(&game, |sound| {
             cues.push(sound.cue);

@@ -1,24 +1,17 @@
 //! How loud the game is as a whole, and that nothing is ever too loud for a device.
 
 use super::hearing::{FULL, Heard, Listener, RATE};
-use resultant::game::{Game, Replay};
-use resultant::level;
+use crate::support::shipped::{load, record};
+use resultant::game::Game;
 use resultant::view::sound::{Ambience, Cue, Ear, Mixer, Sound, Speaker, Volumes, desk, tune};
 use std::f64::consts::PI;
-use std::path::Path;
-use std::sync::Arc;
 
 /// Flights that come with the levels: winds, knocks, a mill, water, a landing.
 const FLIGHTS: [&str; 6] = ["1", "2", "3", "7", "12", "14"];
 
 /// What is heard of a flight of that level with those volumes, from its first tick to a second after its last.
 fn flight(name: &str, volumes: Volumes) -> Heard {
-    let project = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folder = project.join("levels").join(name);
-    let level = level::load(&folder, project).unwrap_or_else(|problems| panic!("{problems:?}")).level;
-    let text = std::fs::read_to_string(folder.join("flights/careful.replay.csv")).unwrap();
-    let replay = Replay::parse("careful.replay.csv", &text).unwrap();
-    let mut game = Game::new(Arc::new(level)).unwrap();
+    let mut game = Game::new(load(name)).unwrap();
     let (desk, feed) = desk();
     desk.set_volumes(volumes);
     let (mut speaker, mut ear, mut mixer) = (Speaker::at(desk), Ear::default(), Mixer::new(RATE, feed));
@@ -30,7 +23,7 @@ fn flight(name: &str, volumes: Volumes) -> Heard {
         mixer.render(&mut tick);
         samples.extend_from_slice(tick.as_chunks().0);
     };
-    for controls in replay.inputs {
+    for controls in record(name, "careful").inputs {
         game.step(controls);
         ear.listen(&game, |sound| speaker.play(sound));
         hear(&game, &mut speaker);
