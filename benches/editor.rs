@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::hint::black_box;
 
-/// A level of so many blocks and objects, in rows that leave room between them.
+/// A level of `count` blocks and as many objects, in rows that leave room between them.
 fn level(blocks: usize, objects: usize) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let (mut world, mut things) = ("x,y,width,height,material\n".to_owned(), String::new());

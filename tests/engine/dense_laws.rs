@@ -119,7 +119,7 @@ fn a_bounce_rubs() {
     }
 }
 
-/// Law 2: where all are elastic, a crowd step gives back all energy and all momentum. Which block leaves is told by the exact method alone.
+/// Law 2: where all are elastic, a crowd step gives back all energy and all momentum. Only the exact method says which block leaves.
 #[test]
 fn an_elastic_row_keeps_momentum_and_energy() {
     for gap in [0.0, 0.013] {

@@ -1,4 +1,4 @@
-//! Surfaces that move, run belts, are solid from some sides only or not there; and what contacts are told to have given.
+//! Surfaces that move, run belts, are solid from some sides only or not there; and the impulses that contacts list.
 
 use crate::support::dense::{G, dense, empty, restless, scene, square, surface};
 use crate::support::{Random, TICK as DT};

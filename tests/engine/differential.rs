@@ -64,7 +64,7 @@ fn scenes_with_exact_answers_have_them_by_either_method() {
         let found = compare(&scene);
         println!("{}: {found:?}", scene.name);
         assert!(found.dense > 0 || scene.name == "thrown", "{}: nothing was dense", scene.name);
-        // Drag is taken by Simpson's rule where something rubs; a slide or a fall that ends within a tick is told by its mean forces.
+        // Drag is taken by Simpson's rule where something rubs; a slide or a fall that ends within a tick lists its mean forces.
         let in_air = scene.name == "slide in air";
         // A crowd step gives each bounce the rest of its tick.
         let bounces = scene.name.starts_with("bounces");
@@ -75,7 +75,7 @@ fn scenes_with_exact_answers_have_them_by_either_method() {
         } else {
             (ROUNDING, 2)
         };
-        // Bounces without end are soon out of step, and who of a cradle leaves is told by the order of impacts, which a crowd step does not
+        // Bounces without end are soon out of step, and the order of impacts decides which block of a cradle leaves, which a crowd step does not
         // follow: `dense_laws` holds apexes, momentum and energy of these.
         if scene.name == "bounces without end" || scene.name.starts_with("cradle") {
             continue;
@@ -95,7 +95,7 @@ fn bounds(lane: Lane) -> (f64, f64) {
         Lane::Landing => (0.05, ROUNDING),
         // A bounce takes the rest of its tick, and goes on late.
         Lane::Bounces => (0.2, 2.0),
-        // Who of a row leaves, and how fast, is told by the order of impacts.
+        // The order of impacts decides which body of a row leaves, and how fast.
         Lane::Row => (9.0, 9.0),
         // Edges carry to the end of a tick, and borders of streams begin there for what slides.
         Lane::SlideThroughStreams => (5e-3, 1e-3),

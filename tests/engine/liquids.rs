@@ -22,7 +22,7 @@ fn run(mut world: World, seconds: f64, hz: f64) -> World {
     world
 }
 
-/// What acts on a box in the pool, N, written anew.
+/// The force on a box in the pool, N, written a second time.
 fn force(body: &BodyDef, pool: &FluidDef, y: f64, v: DVec2) -> DVec2 {
     let (w, h) = (2.0 * body.half.x, 2.0 * body.half.y);
     let (top, bottom) = (y - body.half.y, y + body.half.y);

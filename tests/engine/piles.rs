@@ -16,7 +16,7 @@ fn rain(n: usize, masses: (f64, f64), restitution: f64) -> WorldDef {
     rain_into(n, (n as f64).sqrt().ceil() as usize, 7, masses, restitution)
 }
 
-/// The same into a pit so many boxes wide.
+/// The same into a pit that is `columns` boxes wide.
 fn rain_into(n: usize, columns: usize, seed: u64, masses: (f64, f64), restitution: f64) -> WorldDef {
     let mut random = Random(seed);
     let width = columns as f64 * 0.7;

@@ -12,7 +12,7 @@ fn boxed(position: DVec2, half: DVec2, mass: f64, velocity: DVec2, restitution: 
     BodyDef { position, half, mass, velocity, restitution, ..BodyDef::default() }
 }
 
-/// All orders of so many rows.
+/// All orders of `count` rows.
 fn orders(count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];

@@ -211,7 +211,7 @@ fn no_link_that_somebody_laid_is_written_through() {
     );
 }
 
-/// Whoever may write in the folder may save, whatever the umask of the first who did: a test of modes, as another user cannot be had here.
+/// A user who may write in the folder may save, whatever umask the first user has. Modes stand for a second user, who cannot be had here.
 #[cfg(unix)]
 #[test]
 fn a_folder_that_is_shared_has_locks_that_are_shared() {

@@ -263,7 +263,7 @@ fn a_level_is_complete_when_all_are_met_at_once() {
         fly(&mut game, NONE, 120);
         assert_eq!(game.outcome(), outcome, "the key object starts at {start_x} m");
         if outcome == Outcome::Completed {
-            assert!(game.events().is_empty(), "what happened is told once");
+            assert!(game.events().is_empty(), "an event is listed once");
             assert_eq!((game.result().objectives_met, game.result().objectives_all), (2, 2));
         }
     }

@@ -1,3 +1,4 @@
-//! What holds of the sources themselves.
+//! Rules that the sources keep.
 
 mod no_clocks;
+mod sources;

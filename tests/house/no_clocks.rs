@@ -1,25 +1,14 @@
 //! No test reads a clock: what a test says must not depend on what else the machine does. Work is counted instead: units of the engine's
 //! work, pauses for a lock, allocations, samples, lines.
 
+use super::sources::{files, root};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// What reads a clock, or takes the answer.
 const CLOCKS: [&str; 6] = ["Instant", "SystemTime", "ThreadTime", "ProcessTime", "get_time(", "UNIX_EPOCH"];
 /// This list, and the one measure that is no count: how many passes over a text reading it costs, both in the thread's own time.
 const MAY: [&str; 2] = ["tests/house/no_clocks.rs", "tests/files/limits.rs"];
-
-/// All Rust sources below a folder.
-fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            sources(&path, found);
-        } else if path.extension().is_some_and(|ending| ending == "rs") {
-            found.push(path);
-        }
-    }
-}
 
 /// The unit tests of a source, and all of a test's.
 fn tests_of(path: &Path, text: &str) -> String {
@@ -35,12 +24,9 @@ fn tests_of(path: &Path, text: &str) -> String {
 
 #[test]
 fn no_test_reads_a_clock() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let (mut found, mut with_tests) = (Vec::new(), 0);
-    sources(&root.join("tests"), &mut found);
-    sources(&root.join("src"), &mut found);
-    for path in found {
-        let name = path.strip_prefix(root).unwrap();
+    let mut with_tests = 0;
+    for path in ["tests", "src"].iter().flat_map(|folder| files(&root().join(folder), &["rs"])) {
+        let name = path.strip_prefix(root()).unwrap();
         let text = fs::read_to_string(&path).unwrap();
         let tests = tests_of(name, &text);
         with_tests += u32::from(!tests.is_empty());

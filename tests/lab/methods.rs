@@ -222,7 +222,7 @@ fn chart_writes_diagrams_tables_and_a_summary() {
         assert!(text("shipped.csv").contains(&row), "{row}");
         assert!(summary.contains(&format!("| {} at ", curve.name)));
     }
-    // Every file is told of, and nothing else is there.
+    // The output names every file, and no other file is there.
     assert_eq!(told.lines().count(), files(&out).len());
     assert!(told.lines().all(|line| Path::new(line).is_file()));
 }

@@ -18,7 +18,7 @@ fn a_ship_and_a_size_are_enough_and_no_pad_is_ever_met() {
     let files = files(&[CONSTANTS, PLAYER]);
     let refused = level::read("l", &files).unwrap_err();
     let loaded = level::read_unfinished("l", &files).unwrap();
-    assert_eq!(lines(&loaded.warnings), lines(&refused), "what is missing is told as it is elsewhere");
+    assert_eq!(lines(&loaded.warnings), lines(&refused), "the warnings are the problems of a finished level");
     let mut game = Game::new(Arc::new(loaded.level)).unwrap();
     (0..240).for_each(|_| game.step(Controls { thrust: true, ..Controls::default() }));
     assert_eq!((game.outcome(), game.ticks()), (Outcome::Running, 240));

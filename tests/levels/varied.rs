@@ -206,7 +206,7 @@ fn a_flight_that_goes_on_in_a_varied_level_has_a_history_over_the_change() {
     }
 }
 
-/// At its start a world that is told other numbers is the world that begins with them.
+/// At its start a world that takes over other numbers is the world that begins with them.
 #[test]
 fn to_go_on_by_other_numbers_from_the_start_is_to_begin_with_them() {
     for folder in FOLDERS.iter() {

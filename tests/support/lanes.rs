@@ -145,7 +145,7 @@ fn body(random: &mut Random, x: f64, height: f64) -> BodyDef {
     BodyDef { position: DVec2::new(x, -half.y - height), half, mass, material: random.pick(&Material::FIRM), ..BodyDef::default() }
 }
 
-/// A stack of so many.
+/// A stack of `count` bodies.
 fn stack(def: &mut WorldDef, random: &mut Random, count: usize) {
     let mut height = 0.0;
     for _ in 0..count {

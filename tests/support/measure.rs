@@ -9,7 +9,7 @@ pub fn bits(world: &World) -> Vec<u64> {
     bits
 }
 
-/// All bits of what is told of a body: its motion, the forces on it by kind and vector, its impacts.
+/// All bits of a body's motion, of the forces on it by kind and vector, and of its impacts.
 pub fn bits_of_body(world: &World, id: BodyId) -> Vec<u64> {
     let (body, forces) = (world.body(id), world.forces(id));
     let motion = [body.position, body.velocity, body.acceleration, forces.resultant()];

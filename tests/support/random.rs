@@ -38,7 +38,7 @@ impl Random {
         of[self.below(of.len())]
     }
 
-    /// True in so many of all cases.
+    /// True with that probability.
     pub fn chance(&mut self, part: f64) -> bool {
         self.unit() < part
     }

@@ -18,7 +18,7 @@ fn scene(name: impl Into<String>, def: WorldDef, drive: DVec2, seconds: f64) -> 
     Scene { name: name.into(), def, drive, seconds }
 }
 
-/// 1 m × 1 m of so many kg, standing on y = 0.
+/// 1 m × 1 m, standing on y = 0; its mass in kg.
 pub fn standing(x: f64, mass: f64) -> BodyDef {
     BodyDef { position: DVec2::new(x, -0.5), mass, ..BodyDef::default() }
 }

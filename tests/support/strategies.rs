@@ -5,7 +5,7 @@ use proptest::test_runner::FileFailurePersistence;
 use resultant::physics::{Aabb, DVec2, Material, SurfaceDef};
 use std::ops::Range;
 
-/// So many cases. A seed that fails is written beside the test; what it draws becomes a case in `fixtures/found`.
+/// A seed that fails is written beside the test; the scene that it draws becomes a case in `fixtures/found`.
 pub fn cases(cases: u32) -> ProptestConfig {
     let failure_persistence = Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions")) as _);
     ProptestConfig { cases, failure_persistence, ..ProptestConfig::default() }

@@ -43,7 +43,7 @@ pub fn begun(files: &[(&'static str, &str)]) -> Game {
     Game::new(Arc::new(written(files))).expect("the level can be played")
 }
 
-/// Lets so many seconds pass with nothing pressed.
+/// Lets `seconds` pass with no key pressed.
 pub fn wait(game: &mut Game, seconds: f64) {
     for _ in 0..(seconds * game.tick_rate()).round() as u32 {
         game.step(Controls::default());

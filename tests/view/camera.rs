@@ -194,7 +194,7 @@ fn a_bump_does_not_throw_it_about() {
     }
 }
 
-/// A camera that has turned to what is to be fitted, for so many frames.
+/// A camera that has turned to what is to be fitted, for `frames` frames.
 fn turned(fit: Option<Aabb>, zoom: f64, frames: u32) -> Camera {
     let mut camera = Camera::new(DVec2::new(60.0, 45.0));
     (0..frames).for_each(|_| camera.turn(fit, zoom, 1.0 / 60.0));

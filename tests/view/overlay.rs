@@ -190,7 +190,7 @@ fn an_impact_is_told_for_half_a_second() {
     assert_eq!(lines(&game, 1), Vec::<String>::new());
 }
 
-/// The details of a game as they are laid out for whoever points there.
+/// The details of a game as they are laid out for a pointer at that place.
 fn arrange(details: &mut Details, game: &Game, focus: &Focus, pointer: Option<Vec2>) {
     let frame = Frame::default();
     let centres: Vec<DVec2> = game.world().bodies().iter().map(|body| body.position).collect();
@@ -239,7 +239,7 @@ fn pointing_at_a_force_lights_its_partner() {
     arrange(&mut details, &game, &all, Some(at));
     let up = DVec2::new(0.0, -150.0);
     assert_eq!(lit(&details, &game), [(2, "Normal force by Box 1".to_owned(), up), (1, "Normal force by Box 2".to_owned(), -up)]);
-    let words = |details: &Details| details.tip().expect("it is told").lines.join(" ");
+    let words = |details: &Details| details.tip().expect("a tip").lines.join(" ");
     assert_eq!(words(&details), "Third law: Box 2 presses on Box 1 with (0, −150) N");
     assert!(details.tip().is_some_and(|tip| tip.area.is_some()));
 
@@ -256,7 +256,7 @@ fn pointing_at_a_force_lights_its_partner() {
     assert!(details.lit().is_empty() && details.tip().is_none());
 }
 
-/// Beside the one that is followed its partner is told of, and no other; pointing lights the partner's line.
+/// Beside the followed body only its partner has a box; pointing lights the partner's line.
 #[test]
 fn the_partner_of_the_one_that_is_followed_keeps_its_box() {
     let (game, mut details, mut focus) = (stack(), Details::default(), Focus::default());
@@ -291,7 +291,7 @@ fn who_was_hit_stays_beside_the_one_that_is_followed() {
     assert_eq!(told, [(0, vec![1]), (61, vec![1, 2])]);
 }
 
-/// A ship that plays no part is told of only where it is followed.
+/// A ship that plays no part has a box only where it is followed.
 #[test]
 fn an_idle_ship_has_no_box_and_no_arrows() {
     let mut level = on_the_floor();

@@ -110,7 +110,7 @@ impl Onlooker {
         }
     }
 
-    /// Every force that is told has its arrow: inside the window, never nothing, by one scale or marked.
+    /// Every listed force has its arrow: inside the window, never too short to see, by one scale or marked.
     fn check_arrows(
         &self,
         game: &Game,
@@ -126,7 +126,7 @@ impl Onlooker {
             assert!(inside(arrow.from) && inside(arrow.to), "{}: {arrow:?} leaves the window", what());
             assert!(arrow.length() >= LEAST, "{}: {arrow:?} is nearly nothing", what());
             let rows = facts(game, arrow.body).rows;
-            let (_, vector) = told(&rows[arrow.row], &rows).expect("an arrow is told");
+            let (_, vector) = told(&rows[arrow.row], &rows).expect("an arrow has a row");
             let ways = (arrow.to - arrow.from).normalize().dot(vector.normalize().as_vec2());
             assert!(ways > 0.999, "{}: {arrow:?} does not point along {vector}", what());
             if arrow.to_scale {
@@ -169,7 +169,7 @@ impl Onlooker {
         let usual = game.level().fluids.is_empty();
         for arrow in self.details.arrows().arrows.iter().filter(|arrow| usual && !arrow.shown.is_impact()) {
             let facts = facts(game, arrow.body);
-            let (_, vector) = told(&facts.rows[arrow.row], &facts.rows).expect("an arrow is told");
+            let (_, vector) = told(&facts.rows[arrow.row], &facts.rows).expect("an arrow has a row");
             let of_scale = USUAL.contains(&vector.length());
             seen.usual += usize::from(of_scale);
             seen.usual_off_scale += usize::from(of_scale && !arrow.to_scale);
@@ -223,7 +223,7 @@ fn watch(level: &Arc<Level>, focus: &Focus, inputs: impl Iterator<Item = Control
     }
 }
 
-/// Nearly everything has its place: what is left out is told. (Bodies behind the head-up display have the least room.)
+/// Nearly everything has its place: the legend counts the arrows that are left out. (Bodies behind the head-up display have the least room.)
 fn check(seen: &Seen) {
     println!("{seen:?}");
     assert!(seen.without_place * 100 <= seen.arrows, "{seen:?}");

@@ -46,16 +46,16 @@ drawn() {
     holds "$(measure "$out/$1.png" -alpha off -format '%[fx:standard_deviation]') > 0.02"
 }
 
-# shows NAME COLOUR LEFT TOP WIDTH HEIGHT LEAST: at least so many percent of the place have the colour.
+# shows NAME COLOUR LEFT TOP WIDTH HEIGHT LEAST: at least LEAST percent of the place have the colour.
 shows() { holds "$(share "$1" "$2" "$3" "$4" "$5" "$6") >= $7"; }
 
-# hides NAME COLOUR LEFT TOP WIDTH HEIGHT MOST: at most so many percent of the place have the colour.
+# hides NAME COLOUR LEFT TOP WIDTH HEIGHT MOST: at most MOST percent of the place have the colour.
 hides() { holds "$(share "$1" "$2" "$3" "$4" "$5" "$6") <= $7"; }
 
-# differs NAME OTHER LEAST: at least so many percent of the pixels differ from the other picture's.
+# differs NAME OTHER LEAST: at least LEAST percent of the pixels differ from the other picture's.
 differs() { holds "$(change "$1" "$2") >= $3"; }
 
-# resembles NAME OTHER MOST: at most so many percent of the pixels differ from the other picture's.
+# resembles NAME OTHER MOST: at most MOST percent of the pixels differ from the other picture's.
 resembles() { holds "$(change "$1" "$2") <= $3"; }
 
 # still NAME: the picture is the one before: the page has faded in, and its keys count.

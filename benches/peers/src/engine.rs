@@ -97,7 +97,7 @@ pub const STIFFER: u32 = 8;
 /// m/s. Faster than anything in a stiff scene.
 pub const NO_LIMIT: f64 = 1e6;
 
-/// The settings of an engine that solves in so many parts, with contacts of so many hertz.
+/// The settings of an engine: solver substeps, and the frequency of its contacts, Hz.
 pub fn settings(parts: u32, of: &str, hertz: f64, stiff: bool) -> String {
     let times = if stiff { STIFFER } else { 1 };
     format!("{} {of}, {} Hz", parts * times, hertz * f64::from(times))
@@ -123,7 +123,7 @@ pub trait Engine: Sized {
     const QUADRATIC: bool;
     /// Builds the scene; `None` if the engine refuses it.
     fn new(spec: &Spec) -> Option<Self>;
-    /// One step of so many seconds.
+    /// One step, s.
     fn step(&mut self, dt: f64);
     /// A body's centre, m.
     fn position(&mut self, body: usize) -> V;

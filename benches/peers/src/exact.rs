@@ -139,7 +139,7 @@ fn path_error(engine: &mut dyn Run, _: &Spec, steps: usize, step: f64) -> f64 {
     worst
 }
 
-/// The height that its energy reaches where it turns, for the first so many times; fewer where it turns less often.
+/// The height that its energy reaches at each of its first `most` turns; fewer where it turns less often.
 fn apexes(engine: &mut dyn Run, most: usize, steps: usize, step: f64) -> Vec<f64> {
     let (mut rising, mut found) = (false, Vec::new());
     for _ in 0..steps {

@@ -32,7 +32,7 @@ pub struct Scene {
     pub stiffly: bool,
     /// Whether every island of ours takes the crowd step.
     pub pile: bool,
-    /// Runs it for so many steps of such a length and says how far from the exact answer it was.
+    /// Runs a number of steps of a length, s, and returns the distance from the exact answer.
     pub error: Error,
 }
 

@@ -10,7 +10,7 @@ use std::f32::consts::TAU;
 const ENGINE_TIME: f32 = 0.025;
 /// The same for wind and liquid, s.
 const SLOW: f32 = 0.12;
-/// Filters are set anew every so many samples.
+/// Samples between two settings of the filters.
 const STEP: u32 = 64;
 /// How loud each is at its strongest.
 const ENGINE: f32 = 0.42;

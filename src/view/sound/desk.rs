@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 
 /// How many sounds can be due at once: more than a frame ever brings, [`Cue::COUNT`].
 const WAITING: usize = 64;
-/// Loudness and place pass in so many steps to 1.
+/// Loudness and place pass as multiples of 1 part in this number.
 const STEPS: f32 = 32_767.0;
 
 /// The desk and its feed. There is no third end: sounds go from one writer to one reader.

@@ -8,9 +8,9 @@ use super::recipe::Recipe;
 use super::voice::{Choir, Voice};
 use super::{Ambience, Feed, Volumes};
 
-/// The desk is looked at every so many samples: 1.3 ms at 48 kHz.
+/// Samples between two looks at the desk: 1.3 ms at 48 kHz.
 const STEP: u32 = 64;
-/// Volumes glide within so many seconds.
+/// Volumes glide within this time, s.
 const VOLUME_TIME: f32 = 0.02;
 /// When no frame has come for so long, s, the game is held up: what is heard all the time stops until it goes on.
 const HELD_UP: f32 = 0.4;

@@ -4,9 +4,9 @@ use super::filter::{BandPass, Noise};
 use super::recipe::{BURSTS, Burst, Recipe, TONES, Tone};
 use std::f32::consts::TAU;
 
-/// Pitches move in steps of so many samples.
+/// Pitches move once in this number of samples.
 const STEP: u32 = 32;
-/// After so many times its fade (e⁻⁸ is −70 dB) a part is over; the last of it goes down to nothing over the end, s.
+/// In fades (e⁻⁸ is −70 dB): a part ends after this time, and its last `END` seconds go down to nothing.
 const FADES: f32 = 8.0;
 const END: f32 = 0.006;
 /// No pitch lies above this share of the rate: it would be heard mirrored.

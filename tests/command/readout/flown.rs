@@ -128,7 +128,7 @@ pub fn scene(constants: &str, files: &[(&str, &str)], inputs: &str, seconds: &st
     scene_at("120", constants, files, inputs, seconds)
 }
 
-/// The same at so many ticks a second.
+/// The same at `rate` ticks a second.
 pub fn scene_at(rate: &str, constants: &str, files: &[(&str, &str)], inputs: &str, seconds: &str) -> Flown {
     let data = Data::new();
     data.level("scene", constants, &[&[FAR], files].concat());

@@ -88,7 +88,7 @@ fn what_exerts_a_force_is_named_by_its_row() {
     assert_eq!(by(1), [("reaction", "world 2"), ("weight", "gravity")]);
     assert_eq!(by(3), [("reaction", "hazard 2"), ("weight", "gravity"), ("wind", "stream 2")]);
     assert_eq!(by(4), [("buoyancy", "fluid 1"), ("reaction", "edge bottom"), ("weight", "gravity")]);
-    // Contacts are told at the middle of the edge that they share, other forces at the centre.
+    // A contact acts at the middle of the shared edge, every other force at the centre.
     let last = flown.rows.len() - 1;
     for acting in flown.forces(last, 1) {
         let below = if acting.kind == "reaction" { 99.0 } else { 98.5 };

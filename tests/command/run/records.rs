@@ -167,7 +167,7 @@ fn a_name_with_a_line_break_writes_no_header_of_its_own() {
     assert!(ran.out.contains("ok, score 20983, "), "{}", ran.out);
 }
 
-/// A pipe whose reader has gone: of what is told nothing arrives, but how it ended does.
+/// A pipe whose reader has gone: no output arrives, but the exit status does.
 #[test]
 fn a_mismatch_is_one_whoever_listens() {
     let (data, path) = recorded();

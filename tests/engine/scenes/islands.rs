@@ -69,7 +69,7 @@ fn with(mut def: WorldDef, other: WorldDef) -> WorldDef {
     def
 }
 
-/// So many bodies that fall far away, in a row of their own each.
+/// `count` bodies that fall far away, side by side.
 fn far_bodies(count: usize) -> WorldDef {
     let bodies = (0..count).map(|i| crate_at(FAR + 3.0 * i as f64, 0.0, 1.0 + i as f64)).collect();
     WorldDef { bodies, ..WorldDef::default() }

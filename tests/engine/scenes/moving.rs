@@ -155,7 +155,7 @@ fn momentum_comes_from_impulses(def: WorldDef, rate: f64) -> Result<(), TestCase
                 listed += impulse.vector * sign;
                 scale += impulse.vector.length();
             }
-            // Where the budget was used up what lasts is told as a force.
+            // Where the budget is used up a lasting contact lists a force.
             if world.methods().in_one_step > 0 {
                 continue;
             }

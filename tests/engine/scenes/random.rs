@@ -36,7 +36,7 @@ fn bodies(most: usize) -> impl Strategy<Value = Vec<BodyDef>> {
     prop::collection::vec(body, 1..most).prop_map(|list| placed(list, 18, DVec2::ONE))
 }
 
-/// Few enough for the exact method, or so many that they are a crowd. Most are slow and weigh about the same; some are light as a feather,
+/// Few enough for the exact method, or a crowd. Most are slow and weigh about the same; some are light as a feather,
 /// some heavy as a car, some as fast as a shot.
 fn wild_bodies() -> impl Strategy<Value = Vec<BodyDef>> {
     let size = (0.03..0.7f64, 0.03..0.6f64);

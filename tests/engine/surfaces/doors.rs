@@ -122,7 +122,7 @@ fn paths_that_make_no_sense_are_refused() {
     refuse(once(&[leg(1e9, v(1e9, 0.0), DVec2::ZERO), still]), "leads");
 }
 
-/// What hits what is told with the surface's number.
+/// An impact names the surface by its number.
 #[test]
 fn an_impact_names_the_surface() {
     let mut world = world(

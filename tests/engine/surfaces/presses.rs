@@ -1,4 +1,4 @@
-//! What is squeezed stops what squeezes it, and the force of that is told.
+//! What is squeezed stops what squeezes it, and the event has the force.
 
 use super::*;
 

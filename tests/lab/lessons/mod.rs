@@ -53,7 +53,7 @@ impl Run {
         Self::of(Arc::new(self.game.level().clone()))
     }
 
-    /// Goes on until so many seconds have passed since the start; nobody flies.
+    /// Goes on until `seconds` after the start, without a key.
     fn until(&mut self, seconds: f64) -> &mut Self {
         while (self.game.ticks() as f64) < (seconds * TICK_RATE).round() {
             self.game.step(Controls::default());

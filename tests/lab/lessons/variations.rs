@@ -189,7 +189,7 @@ fn elastic(run: &mut Run, mass: f64, velocity: f64) -> Vec<Figure> {
     ]
 }
 
-/// How deep 300 kg lie in a liquid of which a kilogram takes so many m³. Its surface is 11 m below the level's upper edge.
+/// How deep 300 kg lie in a liquid of which a kilogram takes `volume` m³. Its surface is 11 m below the level's upper edge.
 fn depth(run: &mut Run, volume: f64) -> Figure {
     let found = run.until(60.0).body(1).position.y + 0.5 - 11.0;
     Figure { within: 1e-6, ..figure("300 kg, depth", "m", 300.0 * volume, found) }

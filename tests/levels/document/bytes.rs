@@ -229,7 +229,7 @@ proptest! {
                         other.map(|(row, name)| document.cell(row, name).unwrap_or_default().to_owned()).collect::<Vec<_>>()
                     };
                     let others = cells(&document);
-                    // What would make a header of the first row is for whoever writes it.
+                    // Another cell would turn the first row into a header.
                     if document.set(&[SetCell { row, column, text: text.clone() }], None).is_ok() && document.rows(table).count() * names.len() == others.len() + 1 {
                         prop_assert_eq!(document.cell(row, column).unwrap_or_default(), text.trim());
                         prop_assert_eq!(cells(&document), others);

@@ -282,7 +282,7 @@ fn a_kill_leaves_each_file_old_or_new_and_the_edits_are_offered() {
             }
             None => assert!(on_disk.0 == on_disk.1 || on_disk == (0.0, 500.0), "{on_disk:?}"),
         }
-        // The next one begins anew.
+        // The next process starts from the saved files.
         fs::write(folder.path().join("world.csv"), &floor).unwrap();
         fs::write(folder.path().join("player.csv"), "100,600,100,500,3000\n").unwrap();
         fs::remove_file(folder.path().join(".autosave")).ok();

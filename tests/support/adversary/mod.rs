@@ -19,7 +19,7 @@ const LONGEST: f64 = 60.0;
 const LAWS: u64 = 20;
 /// A ship that has stayed within this distance, m, for so long, s, may be trapped.
 const STAYED: (f64, f64) = (3.0, 10.0);
-/// Whoever tries to leave for so long, s, and gets no farther than this, m, is held.
+/// A ship that tries to leave for this long, s, and gets no farther than this, m, is trapped.
 const ESCAPE: (f64, f64) = (4.0, 4.0);
 /// Nobody comes nearer to anything that is wanted in this time, s: there is no way from here.
 const WAY_BACK: f64 = 20.0;
@@ -85,7 +85,7 @@ impl fmt::Display for Report {
     }
 }
 
-/// Plays a level for so many seconds of its time.
+/// Plays a level for `seconds` of its time.
 pub fn hunt(level: &Arc<Level>, seconds: f64, seed: u64) -> Report {
     let space = Space::of(level);
     let mut report = Report::default();

@@ -1,4 +1,4 @@
-//! The way to a device, on Linux: ALSA is told by a configuration of the test's own that the default device is a file, or one that is
+//! The way to a device, on Linux: a configuration of the test's own makes ALSA's default device a file, or one that is
 //! not there. The configuration is read from the environment, so the game plays in a process of its own: this test, started again.
 
 use super::hearing::Heard;

@@ -24,7 +24,7 @@ fn above(floor: &'static str) -> Game {
     ])
 }
 
-/// What is heard in so many ticks, with nothing pressed.
+/// The sounds of `ticks` ticks, with no key pressed.
 fn listen(game: &mut Game, ticks: usize) -> Vec<Sound> {
     let (mut ear, mut heard) = (Ear::default(), Vec::new());
     for _ in 0..ticks {

@@ -29,7 +29,7 @@ impl Listener {
         listener
     }
 
-    /// What is heard in so many seconds of frames with that around.
+    /// The samples of `seconds` of frames with these surroundings.
     pub fn hear(&mut self, seconds: f64, ambience: Ambience) -> Heard {
         let mut samples = Vec::new();
         for _ in 0..(seconds * f64::from(FRAMES)).round() as usize {
@@ -113,7 +113,7 @@ impl Heard {
         (slope / power).sqrt() * f64::from(RATE) / TAU
     }
 
-    /// A part of it, from so many seconds to so many.
+    /// The part between two times, s.
     pub fn part(&self, from: f64, to: f64) -> Self {
         let at = |seconds: f64| (seconds * f64::from(RATE)) as usize;
         Self(self.0[at(from)..at(to)].to_vec())

@@ -56,7 +56,7 @@ press Escape
 expect editor-list-again differs editor-saved 3
 close_game
 
-# Edited while it is flown: what was saved is on the screen half a second later, and what is wrong is told until it is mended.
+# Edited while it is flown: what was saved is on the screen half a second later, and a problem is shown until it is mended.
 room=$data/levels/room
 mkdir "$room"
 printf 'width,1280\nheight,720\n' >"$room/constants.csv"

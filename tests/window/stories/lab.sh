@@ -45,7 +45,7 @@ resize 1280 720
 press Escape
 expect lab-menu-again resembles lab-menu 3
 
-# Charts that are damaged are told, and those that came with the game are shown.
+# Damaged charts are named, and those that came with the game are shown.
 mkdir "$data/charts"
 echo nonsense >"$data/charts/setting.csv"
 press Down Down Down Down Return

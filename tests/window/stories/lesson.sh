@@ -21,7 +21,7 @@ table=$data/exports/fall-y-v_y.csv
 awk -F, 'NR == 2 { t = $2; v = $4 } NR == 32 { d = -($4 - v) / ($2 - t) / 9.81 - 1; good = d < 1e-9 && d > -1e-9 } END { exit !good }' "$table" ||
   fail "the slope is not g: $(sed -n 32p "$table")"
 
-# A click in the plot takes the world to another moment; B lets it fall anew from there.
+# A click in the plot takes the world to another moment; B lets it fall again from there.
 click 45 85
 expect lesson-earlier differs lesson-written 0.3
 press b

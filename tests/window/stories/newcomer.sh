@@ -34,7 +34,7 @@ press Escape
 expect paused differs details 3
 close_game
 
-# Level 1 from its recorded inputs. Whoever watches has flown nothing: nothing of it is saved.
+# Level 1 from its recorded inputs. A player who watches has not flown: no score is saved.
 score=$("$game" --data "$data" run 1 --inputs "$inputs" | sed -n 's/^score=//p')
 [ "$score" -ge 1 ] || fail "$inputs does not complete level 1"
 open_game play 1 --inputs "$inputs"

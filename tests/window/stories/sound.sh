@@ -1,4 +1,4 @@
-# Sound: what reaches a device. ALSA is told that its default device is a file; the other stories have whatever this machine has,
+# Sound: what reaches a device. A configuration makes ALSA's default device a file; the other stories have whatever this machine has,
 # mostly none.
 
 sound=$data/sound

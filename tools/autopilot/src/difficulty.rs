@@ -20,7 +20,7 @@ const FLIGHTS: u64 = 50;
 const TUNED: std::ops::Range<u64> = 1001..1025;
 /// The plan that is flown, where there is one; else the careful one.
 const PERSON: &str = "person";
-/// They may take so many times the level's optimal time: later than that the score does not fall any more.
+/// The longest flight by the level's optimal time: later than that the score does not fall any more.
 const AT_LEISURE: f64 = 2.0;
 /// From what happens to the pilot's seeing it, s: a person's time to react.
 const DELAY: f64 = 0.2;
@@ -63,7 +63,7 @@ pub fn measure(level: &Arc<Level>, options: &Options) -> Result<(), String> {
     Ok(())
 }
 
-/// A plan that forgives more, of so many variations from a seed: more of other unsteady flights succeed by it, and sooner.
+/// A plan that forgives more, of `trials` variations from a seed: more of other unsteady flights succeed by it, and sooner.
 fn steadier(
     level: &Arc<Level>,
     plan: Plan,

@@ -13,7 +13,7 @@ pub const LONGEST: f64 = 60.0;
 /// How far the ship shall stay from what is deadly, and from walls and roofs, m.
 const OFF_RED: f64 = 0.7;
 const OFF_WALLS: f64 = 0.4;
-/// A careful flight takes so many times the time for gold at least, if the search can help it.
+/// A careful flight takes at least this factor of the time for gold, if the search finds one.
 const CARE_BEYOND_GOLD: f64 = 1.08;
 /// Hits that are gentle enough.
 const GENTLE: Hits = Hits { bump: 0.5, push: 3.0, landing: 3.0 };

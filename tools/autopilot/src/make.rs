@@ -16,7 +16,7 @@ const TRIALS: u32 = 3000;
 /// By what share of itself each quantity may change without moving a careful flight's end by a tick, and without losing it.
 const SAME: f64 = 1e-5;
 const LATE: f64 = 1e-3;
-/// What the search finds bears so many times as much, too.
+/// The plans that the search finds bear errors larger by this factor.
 const SPARE: f64 = 3.0;
 
 /// How flights are made.

@@ -21,7 +21,7 @@ const LANDED: f64 = 1.0;
 const TAKE_OFF: f64 = 2.0;
 /// No more thrust is given while the ship closes in on what it pushes faster than this, m/s.
 const CLOSING: f64 = 2.0;
-/// A way point that was left behind counts as passed within so many times its tolerance.
+/// A way point that was left behind counts as passed within this factor of its tolerance.
 const PASSED: f64 = 4.0;
 /// Ticks from one decision to the next while something is pushed.
 const PUSH_BEAT: u32 = 5;
@@ -58,7 +58,7 @@ pub struct Pilot<'a> {
     away: (u32, DVec2),
 }
 
-/// How a person misjudges: anew at each step that is begun.
+/// How a person misjudges: other errors at each step.
 #[derive(Clone, Debug)]
 pub struct Judgement {
     /// By how much places are misjudged, m, and speeds, a share of themselves: most by less, none by more than three times that.
@@ -75,7 +75,7 @@ impl Judgement {
         Self { places, speeds, random, off: DVec2::ZERO, speed: 1.0 }
     }
 
-    fn anew(&mut self) {
+    fn misjudge(&mut self) {
         let mut one = || (0..4).map(|_| self.random.random_range(-1.0..1.0)).sum::<f64>() * 0.866;
         let (x, y, speed) = (one(), one(), one());
         (self.off, self.speed) = (DVec2::new(x, y) * self.places, 1.0 + self.speeds * speed);
@@ -105,7 +105,7 @@ impl<'a> Pilot<'a> {
     /// The same pilot, who misjudges.
     pub fn with(mut self, judgement: Judgement) -> Self {
         self.judgement = Some(judgement);
-        self.judgement.iter_mut().for_each(Judgement::anew);
+        self.judgement.iter_mut().for_each(Judgement::misjudge);
         self
     }
 
@@ -229,7 +229,7 @@ impl<'a> Pilot<'a> {
         self.current().speed * self.judgement.as_ref().map_or(1.0, |judgement| judgement.speed)
     }
 
-    /// Whether the step has gone on for so many seconds.
+    /// Whether the step has gone on for `seconds`.
     fn waited(&self, sight: &Sight, seconds: f64) -> bool {
         (sight.game.ticks() - self.since) as f64 >= seconds * sight.game.tick_rate()
     }
@@ -241,7 +241,7 @@ impl<'a> Pilot<'a> {
 
     fn begin(&mut self, step: usize, sight: &Sight) {
         self.step = step;
-        self.judgement.iter_mut().for_each(Judgement::anew);
+        self.judgement.iter_mut().for_each(Judgement::misjudge);
         self.from = sight.position;
         self.since = sight.game.ticks();
         self.pushed_from = sight.body(BodyId(self.current().object)).position.x;

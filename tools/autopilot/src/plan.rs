@@ -48,7 +48,7 @@ pub struct Step {
 pub struct Settings {
     /// Ticks from one decision to the next.
     pub beat: u32,
-    /// The ship turns for multiples of so many ticks.
+    /// The ship turns for multiples of this number of ticks.
     pub turn: u32,
     /// How fast an error of the velocity is mended, 1/s.
     pub grip: f64,

@@ -1,4 +1,4 @@
-//! How long a level takes to open, and its ticks along the recorded flights, in time on the processor: whoever else uses the machine.
+//! How long a level takes to open, and its ticks along the recorded flights, in time on the processor, which no other program takes part in.
 
 use cpu_time::ThreadTime;
 use resultant::game::{Game, Replay};
@@ -6,7 +6,7 @@ use resultant::level::{self, Level};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Each flight is flown so many times, and of each tick the shortest time counts: the processor has other things to do now and then.
+/// How often each flight is flown; of each tick the shortest time counts: the processor has other things to do now and then.
 const RUNS: usize = 7;
 /// The bars, s: of a level's mean tick, its worst one, and opening it.
 const BARS: [f64; 3] = [10e-6, 0.5e-3, 0.2];

@@ -1,7 +1,7 @@
 //! Random levels, each loaded from its texts, played for 300 ticks with random keys, and held against
 //! [`World::validate`](resultant::physics::World::validate) after every tick.
 //!
-//! `cargo run --release -- fuzz 100000 --log levels.jsonl`: so many of them, a line each in the log. Stopped and called again it goes on
+//! `cargo run --release -- fuzz 100000 --log levels.jsonl`: that number of levels, a line each in the log. Stopped and called again it goes on
 //! where it was, and several may write logs of their own.
 //! `… -- summary levels.jsonl …`: what those logs hold together. `… -- show SEED`: the texts of one level, and what becomes of it.
 //! `… -- worst [part of a name]`: the mean and the longest tick of scenes made to be slow.
@@ -33,7 +33,7 @@ use std::time::Duration;
 #[global_allocator]
 static ALLOCATOR: memory::Counting = memory::Counting;
 
-/// A level takes some milliseconds; one that takes this long is told at once.
+/// A level takes some milliseconds; one that takes this long is printed at once.
 const PATIENCE: Duration = Duration::from_secs(20);
 /// No level is being played.
 const NONE: u64 = u64::MAX;

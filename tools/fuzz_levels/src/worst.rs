@@ -5,7 +5,7 @@ use cpu_time::ThreadTime;
 use resultant::physics::{BodyId, World};
 
 const RUNS: usize = 3;
-/// s. The bars of scenes of up to so many bodies; larger ones may take more, as n·log n.
+/// s. The bars of scenes of up to this number of bodies; larger ones may take more, as n·log n.
 const MEAN: f64 = 50e-6;
 const WORST: f64 = 1e-3;
 const MANY: f64 = 64.0;

@@ -163,7 +163,7 @@ impl Pulse {
     }
 
     fn write(&self, connection: NonNull<c_void>, samples: &[f32]) -> bool {
-        // SAFETY: the connection is open, and so many bytes lie there for the call.
+        // SAFETY: the connection is open, and `samples` holds that number of bytes for the call.
         unsafe { (self.write)(connection.as_ptr(), samples.as_ptr().cast(), size_of_val(samples), ptr::null_mut()) >= 0 }
     }
 }
@@ -241,7 +241,7 @@ impl Alsa {
             if stumbles == STUMBLES {
                 return false;
             }
-            // SAFETY: the handle is open, and so many frames of `CHANNELS` samples lie there for the call.
+            // SAFETY: the handle is open, and `samples` holds that number of frames of `CHANNELS` samples for the call.
             let written = unsafe { (self.writei)(pcm.as_ptr(), left.as_ptr().cast(), (left.len() / CHANNELS) as c_ulong) };
             match usize::try_from(written) {
                 // A device that takes nothing and says nothing would hold this loop for ever.
