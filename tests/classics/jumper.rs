@@ -1,5 +1,6 @@
 //! The climb: what keys do, the rising view, who is out, and the score.
 
+use crate::support::program::{Ran, resultant};
 use glam::DVec3;
 use resultant::classics::jumper::engine::{Dynamic, Face, Hit};
 use resultant::classics::jumper::scene::{Keys, LEADERBOARD, PLAYER_SIZE, Scene, VISIBLE};
@@ -223,10 +224,9 @@ fn the_command_line_climbs_and_refuses() {
     let inputs = folder.path().join("keys.csv");
     let climb = |text: &str, more: &[&str]| {
         std::fs::write(&inputs, text).unwrap();
-        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_resultant"));
-        command.args(["--data", env!("CARGO_MANIFEST_DIR"), "jumper", "--seed", "1", "--inputs"]).arg(&inputs).args(more);
-        let output = command.output().unwrap();
-        (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+        let args = ["--data", env!("CARGO_MANIFEST_DIR"), "jumper", "--seed", "1", "--inputs"];
+        let ran = Ran::new(resultant().args(args).arg(&inputs).args(more));
+        (ran.status, ran.out, ran.err)
     };
     let mut scene = Scene::new(1, true);
     for _ in 0..30 {
@@ -234,12 +234,9 @@ fn the_command_line_climbs_and_refuses() {
     }
     let [x1, x2] = [0, 1].map(|player| body(&scene, player).cuboid.location.x);
     let (status, printed, _) = climb("ticks,left1,right1,jump1,left2,right2,jump2\n30,0,1,0,1,0,0\n", &["--players", "2"]);
-    assert_eq!(
-        (status, printed),
-        (Some(0), format!("outcome=climbing\nscore=0\nheight=0\nticks=30\nx1={x1}\nz1=0\nx2={x2}\nz2=0\n"))
-    );
+    assert_eq!((status, printed), (0, format!("outcome=climbing\nscore=0\nheight=0\nticks=30\nx1={x1}\nz1=0\nx2={x2}\nz2=0\n")));
     let (status, printed, problem) = climb("ticks,left1,right1,jump1\n30,0,1,x\n", &[]);
-    assert_eq!((status, printed.as_str()), (Some(2), ""));
+    assert_eq!((status, printed.as_str()), (2, ""));
     assert!(problem.contains("keys.csv:2: column \"jump1\": found \"x\""), "{problem}");
-    assert_eq!(climb("ticks,left1,right1,jump1\n", &["--players", "3"]).0, Some(2));
+    assert_eq!(climb("ticks,left1,right1,jump1\n", &["--players", "3"]).0, 2);
 }

@@ -3,4 +3,6 @@
 mod jumper;
 mod jumper_engine;
 mod pi;
+#[path = "../support/mod.rs"]
+mod support;
 mod tile_run;

@@ -1,12 +1,12 @@
 //! π from collisions: the counts, the places and times, where stepping fails, and the command line.
 
+use crate::support::program::{Ran, resultant};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
 use resultant::classics::pi::{
     Blocks, Collision, HEAVY_START, LIGHT_START, MAX_N, STEPPED_DURATION, count, mass_ratio, step_through,
 };
 use std::f64::consts::PI;
-use std::process::{Command, Output};
 
 /// The first digits of π, N+1 of them.
 fn digits(n: u32) -> u64 {
@@ -18,13 +18,8 @@ fn angle(n: u32) -> f64 {
     mass_ratio(n).sqrt().recip().atan()
 }
 
-fn pi(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_resultant")).arg("pi").args(arguments).output().unwrap()
-}
-
-fn value<'a>(output: &'a Output, key: &str) -> Option<&'a str> {
-    let text = std::str::from_utf8(&output.stdout).unwrap();
-    text.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix('='))
+fn pi(arguments: &[&str]) -> Ran {
+    Ran::new(resultant().arg("pi").args(arguments))
 }
 
 #[test]
@@ -142,16 +137,16 @@ fn steps_that_make_no_sense_are_refused() {
 #[test]
 fn the_command_line_prints_the_counts() {
     for n in 0..=5 {
-        let output = pi(&[&n.to_string()]);
-        assert_eq!(value(&output, "collisions"), Some(digits(n).to_string().as_str()));
+        let ran = pi(&[&n.to_string()]);
+        assert_eq!(ran.value("collisions"), digits(n).to_string());
         for key in ["seconds", "last_time", "last_position"] {
-            assert!(value(&output, key).unwrap().parse::<f64>().unwrap() >= 0.0, "{key}");
+            assert!(ran.value(key).parse::<f64>().unwrap() >= 0.0, "{key}");
         }
-        assert_eq!((value(&output, "stepped"), output.status.code()), (None, Some(0)));
+        assert!(ran.status == 0 && !ran.out.contains("stepped="), "{ran:?}");
     }
-    let output = pi(&["3", "--dt", "0.1", "--substeps", "2"]);
-    assert_eq!(value(&output, "collisions"), Some("3141"));
-    assert_eq!(value(&output, "stepped"), Some(step_through(3, 0.05, 1).unwrap().collisions.to_string().as_str()));
+    let ran = pi(&["3", "--dt", "0.1", "--substeps", "2"]);
+    assert_eq!(ran.value("collisions"), "3141");
+    assert_eq!(ran.value("stepped"), step_through(3, 0.05, 1).unwrap().collisions.to_string());
 }
 
 #[test]
@@ -174,8 +169,7 @@ fn the_command_line_refuses_bad_numbers() {
         &["2", "--dt", "0.1", "--substeps", "-1"],
         &["2", "--substeps", "2"],
     ] {
-        let output = pi(arguments);
-        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments:?}");
-        assert!((1..1000).contains(&output.stderr.len()), "{arguments:?}");
+        let ran = pi(arguments);
+        assert!(ran.status == 2 && ran.out.is_empty() && (1..1000).contains(&ran.err.len()), "{arguments:?}: {ran:?}");
     }
 }

@@ -3,11 +3,11 @@
 //! [`described`] is written a second time from the description, over text instead of a grid and with integers where the program has
 //! `floor`, so that a slip in one of the two shows.
 
+use crate::support::program::{Ran, resultant};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
 use resultant::classics::tile_run::{Command, Map, Runner};
-use std::path::PathBuf;
-use std::process::{Command as Process, Output};
+use std::path::{Path, PathBuf};
 
 /// x, y, vx, vy and whether on the ground, after each command.
 type Frame = (f64, f64, f64, f64, bool);
@@ -75,12 +75,8 @@ fn data(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/tile_run").join(name)
 }
 
-fn tiles(map: &std::path::Path, commands: &std::path::Path, more: &[&str]) -> Output {
-    Process::new(env!("CARGO_BIN_EXE_resultant")).arg("tiles").args([map, commands]).args(more).output().unwrap()
-}
-
-fn stdout(output: &Output) -> &str {
-    std::str::from_utf8(&output.stdout).unwrap()
+fn tiles(map: &Path, commands: &Path, more: &[&str]) -> Ran {
+    Ran::new(resultant().arg("tiles").args([map, commands]).args(more))
 }
 
 // Worked out by hand from the description.
@@ -196,18 +192,18 @@ fn the_projects_map_ends_where_it_should() {
     // They jump by 0.66 nine times: without the limit on the jump itself the run ends elsewhere.
     let map = Map::parse(&std::fs::read_to_string(data("map.txt")).unwrap()).unwrap();
     assert_eq!(map.start(), (58, 18));
-    let output = tiles(&data("map.txt"), &data("commands.txt"), &[]);
-    assert_eq!((stdout(&output), output.status.code()), ("tile 58 2\n", Some(0)));
+    let ran = tiles(&data("map.txt"), &data("commands.txt"), &[]);
+    assert_eq!((ran.out.as_str(), ran.status), ("tile 58 2\n", 0));
 }
 
 #[test]
 fn a_trace_reads_back_to_the_same_bits() {
-    let output = tiles(&data("map.txt"), &data("commands.txt"), &["--trace"]);
+    let ran = tiles(&data("map.txt"), &data("commands.txt"), &["--trace"]);
     let text = std::fs::read_to_string(data("commands.txt")).unwrap();
     let commands: Vec<(&str, f64)> =
         text.lines().map(|line| line.split_once(' ').unwrap()).map(|(name, value)| (name, value.trim().parse().unwrap())).collect();
     let expected = described(&std::fs::read_to_string(data("map.txt")).unwrap(), &commands);
-    let mut lines = stdout(&output).lines();
+    let mut lines = ran.out.lines();
     for (index, frame) in expected.iter().enumerate() {
         let cells: Vec<&str> = lines.next().unwrap().split(',').collect();
         let numbers: Vec<f64> = cells[1..5].iter().map(|cell| cell.parse().unwrap()).collect();
@@ -230,9 +226,9 @@ fn a_trace_is_written_in_the_shortest_form() {
         "2,0.7200000000000001,0.36,4.4408920985006264e-17,0.18,0",
         "tile 0 0\n",
     ];
-    assert_eq!(stdout(&tiles(&map, &commands, &["--trace"])), frames.join("\n"));
+    assert_eq!(tiles(&map, &commands, &["--trace"]).out, frames.join("\n"));
     std::fs::write(&commands, "").unwrap();
-    assert_eq!(stdout(&tiles(&map, &commands, &["--trace"])), "tile 0 0\n");
+    assert_eq!(tiles(&map, &commands, &["--trace"]).out, "tile 0 0\n");
 }
 
 #[test]
@@ -254,11 +250,10 @@ fn bad_input_is_refused_with_file_and_line_before_any_frame() {
     ] {
         std::fs::write(&map, map_text).unwrap();
         std::fs::write(&commands, command_text).unwrap();
-        let output = tiles(&map, &commands, &["--trace"]);
-        let problem = String::from_utf8(output.stderr).unwrap();
+        let ran = tiles(&map, &commands, &["--trace"]);
         let expected = folder.path().join(at).display().to_string();
-        assert!(problem.starts_with(&expected), "{problem:?} should start with {expected:?}");
-        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{at}");
+        assert!(ran.err.starts_with(&expected), "{ran:?} should start with {expected:?}");
+        assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{at}");
     }
     let missing = tiles(&folder.path().join("none"), &commands, &[]);
     assert_eq!((missing.status.code(), missing.stdout.len()), (Some(2), 0));

@@ -1,15 +1,7 @@
 //! The force manager: by itself, and as that which moves a body.
 
-use resultant::physics::{
-    Aabb, BodyDef, BodyId, DVec2, FluidDef, ForceKind, ForceManager, Material, Source, StreamDef, SurfaceDef, World, WorldDef,
-};
-
-const BODY: BodyId = BodyId(0);
-const DT: f64 = 1.0 / 120.0;
-
-fn area(left: f64, top: f64, right: f64, bottom: f64) -> Aabb {
-    Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
-}
+use crate::support::{BODY, TICK as DT, area, block, crate_at};
+use resultant::physics::{BodyDef, BodyId, DVec2, FluidDef, ForceKind, ForceManager, Source, StreamDef, World, WorldDef};
 
 #[test]
 fn a_force_is_replaced_by_one_of_its_source_and_kind() {
@@ -98,9 +90,8 @@ fn the_order_of_adding_changes_no_bit() {
 /// A push that is added moves the body, is listed, and wakes it; without it the body rests again.
 #[test]
 fn an_added_push_moves_the_body() {
-    let body = BodyDef { position: DVec2::new(0.0, -0.5), mass: 10.0, ..BodyDef::default() };
-    let floor = SurfaceDef::fixed(area(-50.0, 0.0, 50.0, 1.0), Material::ASPHALT);
-    let def = WorldDef { gravity: 10.0, air_density: 0.0, bodies: vec![body], surfaces: vec![floor], ..WorldDef::default() };
+    let (bodies, surfaces) = (vec![crate_at(0.0, -0.5, 10.0)], vec![block(-50.0, 0.0, 50.0, 1.0)]);
+    let def = WorldDef { gravity: 10.0, air_density: 0.0, bodies, surfaces, ..WorldDef::default() };
     let mut world = World::new(def).unwrap();
     (0..240).for_each(|_| world.step(DT));
     assert_eq!(world.forces(BODY).resultant(), DVec2::ZERO);

@@ -1,7 +1,8 @@
 //! Links: forces between two bodies, or a body and a place, against what is known of springs.
 
+use crate::support::block;
 use resultant::physics::{
-    Aabb, BodyDef, BodyId, DVec2, ForceKind, LinkDef, LinkEnd, LinkLaw, Material, Source, Spring, SurfaceDef, World, WorldDef,
+    BodyDef, BodyId, DVec2, ForceKind, LinkDef, LinkEnd, LinkLaw, Source, Spring, SurfaceDef, World, WorldDef,
 };
 
 const A: BodyId = BodyId(0);
@@ -21,7 +22,7 @@ fn world(gravity: f64, bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>) -> World
 }
 
 fn floor() -> SurfaceDef {
-    SurfaceDef::fixed(Aabb::new(DVec2::new(-50.0, 0.0), DVec2::new(50.0, 1.0)), Material::ASPHALT)
+    block(-50.0, 0.0, 50.0, 1.0)
 }
 
 /// Kinetic energy and that of one spring, J.

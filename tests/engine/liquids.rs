@@ -1,16 +1,15 @@
 //! Liquids: what floats, sinks, bobs and splashes, against fine integrations by hand and against formulas, at any tick.
 
-use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, ForceKind, Material, Plan, SurfaceDef, World, WorldDef};
+use crate::support::{BODY, G, area, block, crate_at, named_forces};
+use resultant::physics::{BodyDef, DVec2, FluidDef, ForceKind, Plan, World, WorldDef};
 
-const BODY: BodyId = BodyId(0);
-const G: f64 = 15.0;
 const AIR: f64 = 1.2041;
 /// Damping ratio of what floats at its waterline, per unit of C_d.
 const WAVES: f64 = 0.15;
 
 /// A liquid whose surface is at y = 0.
 fn pool(density: f64, viscosity: f64, depth: f64) -> FluidDef {
-    FluidDef { zone: Aabb::new(DVec2::new(-100.0, 0.0), DVec2::new(100.0, depth)), density, viscosity }
+    FluidDef { zone: area(-100.0, 0.0, 100.0, depth), density, viscosity }
 }
 
 fn world(body: BodyDef, pool: FluidDef) -> World {
@@ -82,11 +81,9 @@ fn a_light_stack_leaves_the_water_no_faster_than_it_came() {
 fn a_splash_and_a_bob_agree_with_a_fine_integration_at_any_tick() {
     let pool = pool(1000.0, 1e-3, 30.0);
     let body = |mass: f64, half: (f64, f64), y: f64, velocity: (f64, f64)| BodyDef {
-        position: DVec2::new(0.0, y),
         velocity: velocity.into(),
         half: half.into(),
-        mass,
-        ..BodyDef::default()
+        ..crate_at(0.0, y, mass)
     };
     for body in [
         body(0.5, (0.5, 0.5), -1.0, (0.0, 0.0)),
@@ -118,8 +115,7 @@ fn what_floats_comes_to_rest_at_its_waterline_and_then_rests_exactly() {
                 assert_eq!((body.position, body.velocity, body.acceleration), (at, DVec2::ZERO, DVec2::ZERO), "{mass} kg");
                 let forces = world.forces(BODY);
                 assert_eq!(forces.resultant(), DVec2::ZERO, "{mass} kg");
-                let named = ForceKind::ALL.iter().map(|&kind| forces.total(kind)).sum::<DVec2>();
-                assert_eq!(named, DVec2::ZERO, "{mass} kg");
+                assert_eq!(named_forces(&world, BODY), DVec2::ZERO, "{mass} kg");
                 assert_eq!(forces.total(ForceKind::Buoyancy), DVec2::new(0.0, -mass * G));
             }
         }
@@ -201,14 +197,8 @@ fn a_thick_liquid_slows_as_the_formula_says() {
 #[test]
 fn grains_in_treacle_move_alike_at_any_tick() {
     for (depth, drag) in [(0.3, 1.0), (-0.2, 1.0), (0.04, 0.0)] {
-        let body = BodyDef {
-            position: DVec2::new(0.0, depth),
-            velocity: DVec2::new(3.0, 20.0),
-            half: DVec2::splat(0.05),
-            mass: 0.01,
-            drag,
-            ..BodyDef::default()
-        };
+        let velocity = DVec2::new(3.0, 20.0);
+        let body = BodyDef { velocity, half: DVec2::splat(0.05), drag, ..crate_at(0.0, depth, 0.01) };
         let end = |hz: f64| run(world(body.clone(), pool(1400.0, 1000.0, 5.0)), 2.0, hz).body(BODY).position;
         let fine = end(7680.0);
         for hz in [15.0, 30.0, 120.0] {
@@ -223,13 +213,8 @@ fn grains_in_treacle_move_alike_at_any_tick() {
 fn a_thin_pool_slows_what_flies_through_it() {
     for speed in [30.0, 300.0, 3000.0] {
         let body = |hz: f64| {
-            let body = BodyDef {
-                position: DVec2::new(0.0, -3.0),
-                velocity: DVec2::new(0.0, speed),
-                half: DVec2::new(0.2, 0.02),
-                mass: 5.0,
-                ..BodyDef::default()
-            };
+            let (velocity, half) = (DVec2::new(0.0, speed), DVec2::new(0.2, 0.02));
+            let body = BodyDef { velocity, half, ..crate_at(0.0, -3.0, 5.0) };
             run(world(body, pool(1000.0, 1e-3, 0.01)), 1.0, hz).body(BODY).clone()
         };
         let (fine, coarse) = (body(61_440.0), body(30.0));
@@ -242,22 +227,12 @@ fn a_thin_pool_slows_what_flies_through_it() {
 /// alone, with which it would bounce for ever.
 #[test]
 fn what_a_thick_liquid_presses_on_comes_to_rest_in_dense_steps() {
-    let ceiling = SurfaceDef::fixed(Aabb::new(DVec2::new(-5.0, -1.0), DVec2::new(5.0, 0.0)), Material::ASPHALT);
+    let ceiling = block(-5.0, -1.0, 5.0, 0.0);
     for restitution in [0.3, 0.9, 1.0] {
-        let body = BodyDef {
-            position: DVec2::new(0.0, 0.6),
-            velocity: DVec2::new(0.0, 0.7),
-            half: DVec2::splat(0.25),
-            mass: 0.5,
-            restitution,
-            ..BodyDef::default()
-        };
-        let def = WorldDef {
-            surfaces: vec![ceiling.clone()],
-            fluids: vec![pool(1000.0, 200.0, 30.0)],
-            bodies: vec![body],
-            ..WorldDef::default()
-        };
+        let velocity = DVec2::new(0.0, 0.7);
+        let bodies = vec![BodyDef { velocity, half: DVec2::splat(0.25), restitution, ..crate_at(0.0, 0.6, 0.5) }];
+        let (surfaces, fluids) = (vec![ceiling.clone()], vec![pool(1000.0, 200.0, 30.0)]);
+        let def = WorldDef { surfaces, fluids, bodies, ..WorldDef::default() };
         let plan = Plan { dense: true, ..Plan::of(&def) };
         let world = run(World::with_plan(def, plan).unwrap(), 1.0, 120.0);
         let body = world.body(BODY);
@@ -279,8 +254,7 @@ fn what_is_listed_is_the_formula() {
     let found = world.forces(BODY).total(ForceKind::ViscousDrag);
     assert!((found - expected).length() < 1e-9, "{found}, not {expected}");
     assert!((world.forces(BODY).total(ForceKind::AirResistance).y + 0.7 * 0.5 * AIR * 0.25).abs() < 1e-12);
-    let named: DVec2 = ForceKind::ALL.iter().map(|&kind| world.forces(BODY).total(kind)).sum();
-    assert!((named - world.forces(BODY).resultant()).length() < 1e-9);
+    assert!((named_forces(&world, BODY) - world.forces(BODY).resultant()).length() < 1e-9);
 }
 
 #[test]

@@ -1,11 +1,7 @@
 //! Media within one tick: what broke where impacts, slides and surfaces of liquids meet drag.
 
-use crate::support::{Random, area, crate_at, floor, pool, worst_overlap};
-use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Material, StreamDef, World, WorldDef};
-
-fn named_forces(world: &World, body: BodyId) -> DVec2 {
-    ForceKind::ALL.iter().map(|&kind| world.forces(body).total(kind)).sum()
-}
+use crate::support::{Random, area, crate_at, floor, named_forces, pool, worst_overlap};
+use resultant::physics::{BodyDef, BodyId, DVec2, Material, StreamDef, World, WorldDef};
 
 /// A bounce that turned a plank from falling to flying across once left the forces shown not to add up to the resultant, and an error that
 /// depended on the tick.

@@ -2,18 +2,18 @@
 //! a scene comes with, and carries its share of the load from then on.
 
 use crate::support::turned::{mirrored, reversed};
-use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, ForceKind, Leg, Material, Path, Source, SurfaceDef, World, WorldDef};
+use crate::support::{G, area};
+use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Material, Path, Source, SurfaceDef, World, WorldDef};
 
 /// m and m/s.
 const EXACT: f64 = 1e-9;
-const G: f64 = 15.0;
 
 fn v(x: f64, y: f64) -> DVec2 {
     DVec2::new(x, y)
 }
 
 fn tile(left: f64, right: f64, material: Material) -> SurfaceDef {
-    SurfaceDef::fixed(Aabb::new(v(left, 0.0), v(right, 1.0)), material)
+    SurfaceDef::fixed(area(left, 0.0, right, 1.0), material)
 }
 
 /// 1 m × 1 m, on what is at y = 0.
@@ -21,10 +21,8 @@ fn crate_at(x: f64, speed: f64) -> BodyDef {
     BodyDef { position: v(x, -0.5), velocity: v(speed, 0.0), mass: 20.0, ..BodyDef::default() }
 }
 
-/// Goes on for ever at one velocity.
 fn moving(surface: SurfaceDef, velocity: DVec2) -> SurfaceDef {
-    let legs = vec![Leg { duration: 1e3, velocity, acceleration: DVec2::ZERO }];
-    SurfaceDef { path: Path { legs, repeats: false }, ..surface }
+    SurfaceDef { path: Path::steady(velocity), ..surface }
 }
 
 fn scene(surfaces: Vec<SurfaceDef>, bodies: Vec<BodyDef>) -> WorldDef {

@@ -3,3 +3,5 @@
 mod lessons;
 mod methods;
 mod stability;
+#[path = "../support/mod.rs"]
+mod support;

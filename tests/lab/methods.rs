@@ -1,5 +1,6 @@
 //! The lab: its methods against figures known from elsewhere, its scenes against the shipped engine, and `resultant chart`.
 
+use crate::support::program::{Ran, resultant};
 use resultant::lab::charts::Charts;
 use resultant::lab::methods::flow::rise_and_fall;
 use resultant::lab::methods::motion::{Law, Point, Step, follow, rk4, semi_implicit_euler, strang};
@@ -8,7 +9,6 @@ use resultant::lab::stress::picture::Picture;
 use resultant::lab::{Scene, reference, scenes};
 use resultant::physics::DVec2;
 use std::path::Path;
-use std::process::Command;
 
 fn scene(name: &str) -> Scene {
     scenes::all().into_iter().find(|scene| scene.name == name).unwrap()
@@ -169,12 +169,10 @@ fn in_every_stress_test_the_shipped_engine_survives_all_that_is_tried() {
     }
 }
 
-/// Runs `resultant chart --quick` without a display: exit status, standard output and standard error.
-fn chart(out: &Path) -> (Option<i32>, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_resultant"));
-    let ran = command.env_remove("DISPLAY").args(["chart", "--quick", "--out"]).arg(out).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (ran.status.code(), text(ran.stdout), text(ran.stderr))
+/// Runs `resultant chart --quick`: exit status, standard output and standard error.
+fn chart(out: &Path) -> (i32, String, String) {
+    let ran = Ran::new(resultant().args(["chart", "--quick", "--out"]).arg(out));
+    (ran.status, ran.out, ran.err)
 }
 
 fn files(folder: &Path) -> Vec<String> {
@@ -189,7 +187,7 @@ fn chart_writes_diagrams_tables_and_a_summary() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("new/charts");
     let (status, told, progress) = chart(&out);
-    assert_eq!(status, Some(0), "{progress}");
+    assert_eq!(status, 0, "{progress}");
     let text = |name: &str| std::fs::read_to_string(out.join(name)).unwrap();
     let summary = text("summary.md");
     assert!(summary.contains("Machine: ") && summary.contains("Commit: "));
@@ -237,7 +235,7 @@ fn chart_says_where_it_cannot_write() {
     std::fs::create_dir_all(occupied.join("pi.svg")).unwrap();
     for (out, named) in [(&file, &file), (&file.join("below"), &file.join("below")), (&occupied, &occupied.join("pi.svg"))] {
         let (status, told, problem) = chart(out);
-        assert_eq!((status, told.as_str()), (Some(2), ""));
+        assert_eq!((status, told.as_str()), (2, ""));
         assert!(problem.contains(&named.display().to_string()), "{problem}");
         assert!(!problem.contains("stress"), "it was measured all the same: {problem}");
     }

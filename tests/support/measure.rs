@@ -1,6 +1,6 @@
 //! What is measured of worlds: bits, overlap, energy, momentum.
 
-use resultant::physics::{Aabb, BodyId, DVec2, World};
+use resultant::physics::{Aabb, BodyId, DVec2, ForceKind, World};
 
 /// All bits of a world's state.
 pub fn bits(world: &World) -> Vec<u64> {
@@ -17,6 +17,11 @@ pub fn bits_of_body(world: &World, id: BodyId) -> Vec<u64> {
     let passed_on = world.impulses().iter().filter_map(|impulse| Some((impulse.on(id)?.0, impulse.point, impulse.at)));
     let impacts = passed_on.flat_map(|(vector, point, at)| [vector, point, DVec2::splat(at)]);
     motion.into_iter().chain(listed).chain(impacts).flat_map(|v| [v.x.to_bits(), v.y.to_bits()]).collect()
+}
+
+/// The sum of a body's forces by their kinds, N.
+pub fn named_forces(world: &World, id: BodyId) -> DVec2 {
+    ForceKind::ALL.iter().map(|&kind| world.forces(id).total(kind)).sum()
 }
 
 /// The deepest overlap of any two boxes, or of one of them and a solid, m.

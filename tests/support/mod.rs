@@ -21,5 +21,5 @@ pub mod written;
 
 pub use build::{BODY, G, TICK, area, block, crate_at, crowd, floor, pool, world};
 pub use levels::{Memory, level_texts};
-pub use measure::{bits, bits_of_body, deepest, energy, momentum, momentum_scale, run, worst_overlap};
+pub use measure::{bits, bits_of_body, deepest, energy, momentum, momentum_scale, named_forces, run, worst_overlap};
 pub use random::Random;

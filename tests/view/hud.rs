@@ -1,12 +1,13 @@
 //! The head-up display covers nothing that matters, in windows of several sizes and shapes: at the start of every shipped level no hazard, no
 //! goal and no text; along every recorded flight it steps aside. Arrows point to every goal and key outside the view.
 
+use super::onlook::{WINDOWS, kept_free, pixels, window};
 use crate::support::shipped::{experiment, flights, levels, load};
 use resultant::game::{Controls, Game, Outcome, SHIP};
 use resultant::level::{Level, ObjectiveKind};
 use resultant::physics::{Aabb, BodyId, DVec2};
 use resultant::settings::Settings;
-use resultant::view::camera::{Camera, Viewport, Window};
+use resultant::view::camera::{Camera, Viewport};
 use resultant::view::hud::{Hud, Part, Scene, Shown, Target, in_view};
 use resultant::view::layout::{Area, Frame, HudLayout, Vec2, nearest_size, text_room};
 use std::sync::Arc;
@@ -18,20 +19,15 @@ const ALL: Shown = Shown { status: true, fuel: true, rivals: RIVALS };
 
 /// Against how many most race. More need a wider strip, which what lies behind is seen through.
 const RIVALS: usize = 2;
-/// Pixels.
-const WINDOWS: [Vec2; 4] = [Vec2::new(900.0, 500.0), Vec2::new(1280.0, 720.0), Vec2::new(1920.0, 1080.0), Vec2::new(720.0, 1280.0)];
-
 /// The view of a level as it begins.
 fn start(level: &Level, frame: &Frame) -> Viewport {
-    let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
     let ship = level.player.position;
-    Viewport::new(Camera::new(ship).focus(), ship, level.size, level.metre, window)
+    Viewport::new(Camera::new(ship).focus(), ship, level.size, level.metre, window(frame))
 }
 
 /// What has to be seen, by name, where it lies on the canvas.
 fn shown(level: &Level, view: &Viewport, frame: &Frame) -> Vec<(String, Area)> {
-    let area = |bounds: &Aabb| view.rect(bounds);
-    let named = |name: &'static str| move |bounds: &Aabb| (format!("{name} at {}", bounds.min * level.metre), area(bounds));
+    let named = |name| move |bounds: &Aabb| (format!("{name} at {}", bounds.min * level.metre), view.rect(bounds));
     let texts = level.texts.iter().map(|text| {
         let height = frame.text_height(nearest_size(view.length(text.size)));
         (text.text.clone(), Area { min: view.point(text.position), size: text_room(&text.text, height) })
@@ -46,14 +42,14 @@ fn shown(level: &Level, view: &Viewport, frame: &Frame) -> Vec<(String, Area)> {
 fn at_the_start_of_every_level_the_display_covers_no_hazard_no_goal_and_no_text() {
     for name in levels() {
         let level = load(&name);
-        for window in WINDOWS {
-            let frame = Frame::of_window(window);
+        for size in WINDOWS {
+            let frame = Frame::of_window(size);
             let view = start(&level, &frame);
             for (what, area) in shown(&level, &view, &frame) {
                 let layout = HudLayout::new(&frame);
                 for part in layout.areas().into_iter().chain([layout.race(&frame, RIVALS)]) {
                     let apart = (part.min - area.max()).max(area.min - part.max()).max_element();
-                    assert!(apart >= 0.0, "level {name} in {window}: {what} ({area:?}) lies behind {part:?}");
+                    assert!(apart >= 0.0, "level {name} in {size}: {what} ({area:?}) lies behind {part:?}");
                 }
             }
         }
@@ -68,13 +64,12 @@ struct Onlooker {
 
 impl Onlooker {
     fn all() -> Vec<Self> {
-        WINDOWS.map(|window| Self { frame: Frame::of_window(window), hud: Hud::default() }).into()
+        WINDOWS.map(|size| Self { frame: Frame::of_window(size), hud: Hud::default() }).into()
     }
 
     fn look(&mut self, game: &Game, camera: &Camera, shown: Shown, frame_time: f64) -> Viewport {
-        let window = Window { size: self.frame.size.as_dvec2(), pixel: f64::from(self.frame.pixel) };
         let ship = game.world().body(SHIP).position;
-        let view = Viewport::new(camera.focus(), ship, game.level().size, game.level().metre, window);
+        let view = Viewport::new(camera.focus(), ship, game.level().size, game.level().metre, window(&self.frame));
         let centres: Vec<DVec2> = game.world().bodies().iter().map(|body| body.position).collect();
         let settings = Settings::default();
         let scene = Scene { game, centres: &centres, view: &view, frame: &self.frame, panels: &[], shown, settings: &settings };
@@ -89,25 +84,8 @@ impl Onlooker {
     }
 }
 
-fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
-    let min = view.point(bounds.min);
-    Area { min, size: view.point(bounds.max) - min }
-}
-
 fn key_box(game: &Game, index: usize) -> Aabb {
     game.world().body(BodyId(index as u32 + 1)).bounds()
-}
-
-/// The ship, goals, keys and hazards, by name.
-fn kept_free(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
-    let level = game.level();
-    let goals = level.objectives.iter().map(|objective| ("a goal", objective.bounds));
-    let hazards = level.obstacles.iter().map(|bounds| ("a death box", *bounds));
-    let sources = level.streams.iter().map(|stream| ("the source of a stream", stream.source));
-    let keys = (0..level.objects.len()).filter(|&i| level.objects[i].key.is_some()).map(|i| ("a key", key_box(game, i)));
-    let ship = ("the ship", game.world().body(SHIP).bounds());
-    let all = goals.chain(hazards).chain(sources).chain(keys).chain([ship]);
-    all.map(|(name, bounds)| (format!("{name} at {}", bounds.centre()), on_canvas(&bounds, view))).collect()
 }
 
 /// Counts of all looks.
@@ -120,8 +98,10 @@ struct Seen {
 
 fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, what: &str) {
     let (hud, frame) = (&onlooker.hud, &onlooker.frame);
-    let what = || format!("{what} after {:.1} s in {}", game.ticks() as f64 / game.tick_rate(), (frame.size / frame.pixel).round());
-    let free = kept_free(game, view);
+    let what = || format!("{what} after {:.1} s in {}", game.ticks() as f64 / game.tick_rate(), pixels(frame));
+    let key = |i: usize| (format!("the key {i}"), view.rect(&key_box(game, i)));
+    let keys = (0..game.level().objects.len()).filter(|&i| game.level().objects[i].key.is_some()).map(key);
+    let free: Vec<(String, Area)> = kept_free(game, view).into_iter().chain(keys).collect();
     for part in onlooker.solid() {
         for (name, area) in &free {
             assert!(part.gap(area) >= 0.0, "{}: {name} ({area:?}) lies behind {part:?}", what());
@@ -131,7 +111,7 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
     seen.aside += usize::from(Part::ALL.into_iter().any(|part| hud.aside().of(part) == 1.0));
     seen.arrows += hud.pointers().len();
     // Arrows: inside, over no part of the display, over no other and not over the ship.
-    let ship = on_canvas(&game.world().body(SHIP).bounds(), view);
+    let ship = view.rect(&game.world().body(SHIP).bounds());
     for (i, pointer) in hud.pointers().iter().enumerate() {
         let area = pointer.area;
         let inside = area.min.cmpge(Vec2::ZERO).all() && area.max().cmple(frame.size).all();
@@ -146,7 +126,7 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
     let centre = game.world().body(SHIP).position;
     let mut wanted = 0;
     let mut ask = |target: Target, bounds: Aabb| {
-        let (seen, pointer) = (in_view(&on_canvas(&bounds, view), frame), has(target));
+        let (seen, pointer) = (in_view(&view.rect(&bounds), frame), has(target));
         assert_eq!(pointer.is_none(), seen, "{}: {target:?}", what());
         wanted += usize::from(!seen);
         if let Some(pointer) = pointer {
@@ -213,7 +193,7 @@ fn at_the_start_of_every_level_the_display_is_at_home_and_its_arrows_cover_nothi
         let camera = Camera::new(game.world().body(SHIP).position);
         for mut onlooker in Onlooker::all() {
             let view = onlooker.look(&game, &camera, Shown { rivals: 0, ..ALL }, 1.0);
-            let window = (onlooker.frame.size / onlooker.frame.pixel).round();
+            let window = pixels(&onlooker.frame);
             assert_eq!(onlooker.solid().len(), 2, "level {name} in {window}: {:?}", onlooker.hud.aside());
             check(&onlooker, &game, &view, &mut Seen::default(), &format!("level {name}"));
             for (what, area) in shown(&level, &view, &onlooker.frame) {

@@ -2,6 +2,7 @@
 
 mod camera;
 mod hud;
+mod onlook;
 mod overlay;
 mod overlay_places;
 mod overlay_truth;

@@ -1,11 +1,12 @@
 //! Along every recorded flight and through every experiment, in windows of several sizes and with words of two sizes, the details cover
 //! neither the ship nor a hazard nor a goal, nothing of them covers another, and no force is without an arrow inside the window.
 
+use super::onlook::{WINDOWS, kept_free, pixels, window};
 use crate::support::shipped::{experiment, experiments, flights, levels, load};
-use resultant::game::{Controls, Game, SHIP, TICK_RATE};
+use resultant::game::{Controls, Game, TICK_RATE};
 use resultant::level::Level;
 use resultant::physics::{Aabb, BodyId, DVec2};
-use resultant::view::camera::{Camera, Viewport, Window};
+use resultant::view::camera::{Camera, Viewport};
 use resultant::view::details::{Details, Looking};
 use resultant::view::facts::{Row, facts};
 use resultant::view::focus::Focus;
@@ -14,8 +15,6 @@ use resultant::view::game_view::moving;
 use resultant::view::layout::{Area, Frame, HudLayout, Vec2};
 use std::sync::Arc;
 
-/// Pixels.
-const WINDOWS: [Vec2; 4] = [Vec2::new(900.0, 500.0), Vec2::new(1280.0, 720.0), Vec2::new(1920.0, 1080.0), Vec2::new(720.0, 1280.0)];
 /// Words as designed, and the largest that the settings know.
 const TEXTS: [f32; 2] = [1.0, 1.5];
 /// Between two looks at a flight, s; and for how long an experiment is looked at.
@@ -51,19 +50,18 @@ struct Onlooker {
 
 impl Onlooker {
     fn all() -> Vec<Self> {
-        let frames = WINDOWS.into_iter().flat_map(|window| TEXTS.map(|text| Frame::of_window(window).with_text(text)));
+        let frames = WINDOWS.into_iter().flat_map(|size| TEXTS.map(|text| Frame::of_window(size).with_text(text)));
         frames.map(|frame| Self { frame, details: Details::default() }).collect()
     }
 
     fn look(&mut self, game: &Game, (camera, focus): (&Camera, &Focus), seen: &mut Seen, what: &str) {
         let (world, frame) = (game.world(), self.frame);
-        let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let kept = world.body(focus.followed().unwrap_or(game.lead())).position;
-        let view = camera.viewport(kept, game.level().size, game.level().metre, window);
+        let view = camera.viewport(kept, game.level().size, game.level().metre, window(&frame));
         let centres: Vec<DVec2> = world.bodies().iter().map(|body| body.position).collect();
         let looking = Looking { centres: &centres, focus, pointer: None, model: false, velocity: game.level().ship_plays() };
         self.details.arrange(game, &looking, &[], &view, &frame);
-        let what = || format!("{what} in {} with words of {}", (frame.size / frame.pixel).round(), frame.text);
+        let what = || format!("{what} in {} with words of {}", pixels(&frame), frame.text);
         self.check_areas(game, &view, &what);
         self.check_arrows(game, &centres, (&view, focus), seen, &what);
         if focus.fits() {
@@ -95,8 +93,8 @@ impl Onlooker {
 
     fn check_areas(&self, game: &Game, view: &Viewport, what: &dyn Fn() -> String) {
         let laid = self.laid();
-        let hud = HudLayout::shown(&self.frame, game).into_iter().map(|area| ("the head-up display", area));
-        let kept: Vec<(&str, Area)> = kept_free(game, view).into_iter().chain(hud).collect();
+        let hud = HudLayout::shown(&self.frame, game).into_iter().map(|area| ("the head-up display".to_owned(), area));
+        let kept: Vec<(String, Area)> = kept_free(game, view).into_iter().chain(hud).collect();
         for (i, (name, area)) in laid.iter().enumerate() {
             let window = self.frame.area();
             let inside = area.min.cmpge(window.min).all() && area.max().cmple(window.max()).all();
@@ -178,22 +176,6 @@ impl Onlooker {
             }
         }
     }
-}
-
-/// What has to be seen, by name, where it lies on the canvas.
-fn kept_free(game: &Game, view: &Viewport) -> Vec<(&'static str, Area)> {
-    let level: &Level = game.level();
-    let named = |name: &'static str| {
-        move |bounds: &Aabb| {
-            let min = view.point(bounds.min);
-            (name, Area { min, size: view.point(bounds.max) - min })
-        }
-    };
-    let goals = level.objectives.iter().map(|objective| named("a goal")(&objective.bounds));
-    let hazards = level.obstacles.iter().map(named("a death box"));
-    let sources = level.streams.iter().map(|stream| named("the source of a stream")(&stream.source));
-    let ship = named("the ship")(&game.world().body(SHIP).bounds());
-    hazards.chain(goals).chain(sources).chain([ship]).collect()
 }
 
 /// Looks at a game every half second while it is played.

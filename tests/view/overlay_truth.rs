@@ -2,11 +2,12 @@
 //! mass times acceleration, and what forces and impacts give in half a second is what the momentum has changed by, within what the digits
 //! that are shown leave open.
 
+use super::onlook::window;
 use crate::support::shipped::{experiment, flights, load};
 use resultant::game::{Controls, Game, READABLE};
 use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2};
-use resultant::view::camera::{Viewport, Window};
+use resultant::view::camera::Viewport;
 use resultant::view::details::{BoxText, Details, Line, Looking};
 use resultant::view::facts::Shown;
 use resultant::view::focus::Focus;
@@ -140,8 +141,7 @@ impl Reader {
         let frame = Frame::default();
         let centres: Vec<DVec2> = game.world().bodies().iter().map(|body| body.position).collect();
         let (middle, level) = (centres[self.body.index()], game.level());
-        let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
-        let view = Viewport::new(middle, middle, level.size, level.metre, window);
+        let view = Viewport::new(middle, middle, level.size, level.metre, window(&frame));
         let looking = Looking { centres: &centres, focus: &self.focus, pointer: None, model: false, velocity: false };
         self.details.arrange(game, &looking, &[], &view, &frame);
         // Partners of the one that is followed have boxes, too.

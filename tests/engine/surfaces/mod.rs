@@ -7,11 +7,11 @@ mod one_way;
 mod presses;
 mod walls;
 
+use crate::support::{G, area, deepest};
 use resultant::physics::{
     Aabb, BodyDef, BodyId, DVec2, Event, ForceKind, Leg, Material, Obstacle, Path, Sides, Source, SurfaceDef, World, WorldDef,
 };
 
-const G: f64 = 15.0;
 const AIR: f64 = 1.2041;
 const RATES: [f64; 4] = [30.0, 60.0, 120.0, 240.0];
 /// s. Long enough for a drift to show.
@@ -23,10 +23,6 @@ const FORCE: f64 = 1e-12;
 
 fn v(x: f64, y: f64) -> DVec2 {
     DVec2::new(x, y)
-}
-
-fn area(left: f64, top: f64, right: f64, bottom: f64) -> Aabb {
-    Aabb::new(v(left, top), v(right, bottom))
 }
 
 fn leg(duration: f64, velocity: DVec2, acceleration: DVec2) -> Leg {
@@ -93,13 +89,8 @@ fn within(what: &str, error: f64, bar: f64) {
 
 /// The deepest overlap of a body with another, or with a surface that is solid all around, m.
 fn overlap(world: &World) -> f64 {
-    let boxes: Vec<Aabb> = world.bodies().iter().map(|body| body.bounds()).collect();
     let solid: Vec<Aabb> = world.surfaces().iter().filter(|surface| surface.present).map(|surface| surface.bounds).collect();
-    let mut worst = 0.0f64;
-    for (i, a) in boxes.iter().enumerate() {
-        worst = boxes[i + 1..].iter().chain(&solid).map(|b| -a.gap(b).max_element()).fold(worst, f64::max);
-    }
-    worst
+    deepest(world.bodies().iter().map(|body| body.bounds()).collect(), &solid)
 }
 
 fn crushed(world: &World) -> Vec<(u32, u32, f64)> {

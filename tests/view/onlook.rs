@@ -1,0 +1,28 @@
+//! What somebody sees of a game in a window.
+
+use resultant::game::{Game, SHIP};
+use resultant::view::camera::{Viewport, Window};
+use resultant::view::layout::{Area, Frame, Vec2};
+
+/// Pixels.
+pub const WINDOWS: [Vec2; 4] =
+    [Vec2::new(900.0, 500.0), Vec2::new(1280.0, 720.0), Vec2::new(1920.0, 1080.0), Vec2::new(720.0, 1280.0)];
+
+pub fn window(frame: &Frame) -> Window {
+    Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) }
+}
+
+/// The size of the window of a canvas, for messages.
+pub fn pixels(frame: &Frame) -> Vec2 {
+    (frame.size / frame.pixel).round()
+}
+
+/// The ship, goals and hazards, by name.
+pub fn kept_free(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
+    let level = game.level();
+    let goals = level.objectives.iter().map(|objective| ("a goal", objective.bounds));
+    let hazards = level.obstacles.iter().map(|bounds| ("a death box", *bounds));
+    let sources = level.streams.iter().map(|stream| ("the source of a stream", stream.source));
+    let all = goals.chain(hazards).chain(sources).chain([("the ship", game.world().body(SHIP).bounds())]);
+    all.map(|(name, bounds)| (format!("{name} at {}", bounds.centre()), view.rect(&bounds))).collect()
+}
