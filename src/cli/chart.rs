@@ -6,11 +6,12 @@ use super::files::{NewFile, Staged, read_text};
 use super::{Project, Status, Stop};
 use crate::files::{self, CHART};
 use crate::lab::charts::{Charts, Setting};
-use crate::lab::course::{Course, OverTime};
-use crate::lab::curve::{Curve, Measured, Origin, Point};
+use crate::lab::course::{CoursePoint, OverTime};
+use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
+use crate::lab::measured::Measured;
 use crate::lab::peers::add_peers;
 use crate::lab::report::{shipped_csv, summary};
-use crate::lab::{Method, Scene, course_diagram, diagram, scenes, stability, stability_diagram, stress};
+use crate::lab::{Answer, Scene, course_diagram, diagram, scenes, stability, stability_diagram, stress};
 use std::hint::black_box;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -162,9 +163,9 @@ fn progress(what: &str) {
 }
 
 fn measure(scene: &Scene, quick: bool) -> Measured {
-    let curves = scene.methods.iter().map(|method| Curve {
+    let curves = scene.methods.iter().map(|method| MethodCurve {
         name: method.name.clone(),
-        origin: if method.shipped { Origin::Shipped } else { Origin::Lab },
+        origin: if method.shipped { CurveOrigin::Shipped } else { CurveOrigin::Lab },
         points: scene.steps.iter().map(|&step| point(scene, method, step, quick)).collect(),
     });
     Measured {
@@ -183,16 +184,16 @@ fn measure(scene: &Scene, quick: bool) -> Measured {
 
 /// The courses at the game's step, of the scenes that are followed.
 fn over_time(scene: &Scene) -> Option<OverTime> {
-    let course = |method: &Method| {
-        let origin = if method.shipped { Origin::Shipped } else { Origin::Lab };
-        Some(Course { name: method.name.clone(), origin, moments: (method.course.as_ref()?)(FOLLOWED) })
+    let course = |method: &Answer| {
+        let origin = if method.shipped { CurveOrigin::Shipped } else { CurveOrigin::Lab };
+        Some(MethodCurve { name: method.name.clone(), origin, points: (method.shown.as_ref()?)(FOLLOWED) })
     };
-    let courses: Vec<Course> = scene.methods.iter().filter_map(course).collect();
+    let courses: Vec<MethodCurve<CoursePoint>> = scene.methods.iter().filter_map(course).collect();
     (!courses.is_empty()).then_some(OverTime { step: FOLLOWED, courses })
 }
 
 /// The median of several runs.
-fn point(scene: &Scene, method: &Method, step: f64, quick: bool) -> Point {
+fn point(scene: &Scene, method: &Answer, step: f64, quick: bool) -> WorkPoint {
     let started = Clock::now();
     let error = (method.run)(black_box(step));
     let first = started.elapsed();
@@ -211,7 +212,7 @@ fn point(scene: &Scene, method: &Method, step: f64, quick: bool) -> Point {
         times.push(started.elapsed().as_secs_f64() / f64::from(repeats));
     }
     times.sort_by(f64::total_cmp);
-    Point { step, work: times[times.len() / 2] * 1e9 / scene.share, error }
+    WorkPoint { step, work: times[times.len() / 2] * 1e9 / scene.share, error }
 }
 
 /// The kind of machine, without its name.

@@ -1,7 +1,7 @@
 //! How curves of a flight look: up to four, told apart by colour, dash and marker. A force has the colour that it has everywhere.
 
 use super::quantity::Quantity;
-use crate::lab::curve::Origin;
+use crate::lab::curve::CurveOrigin;
 use crate::lab::look::Look;
 use crate::physics::ForceKind;
 
@@ -34,5 +34,5 @@ pub fn of(number: usize, up: Quantity) -> Look {
         _ => COLOURS[number % COLOURS.len()],
     };
     // Dash and marker are the Lab's.
-    Look { colour, ..Look::of(number, Origin::Lab) }
+    Look { colour, ..Look::of(number, CurveOrigin::Lab) }
 }

@@ -1,6 +1,7 @@
 //! The two logarithmic axes of a diagram, in whole decades: where a point lies between them, and which powers of ten are named.
 
-use super::curve::{Measured, Point};
+use super::curve::WorkPoint;
+use super::measured::Measured;
 use std::ops::Range;
 
 /// Errors below this are drawn on the lower edge: rounding of numbers about 1.
@@ -65,7 +66,7 @@ impl Axes {
     }
 
     /// Where a point is: parts of the way to the right and upwards. What blew up is at the upper edge, what has no error at the lower.
-    pub fn place(&self, point: &Point) -> (f64, f64) {
+    pub fn place(&self, point: &WorkPoint) -> (f64, f64) {
         let up = if point.blew_up() { 1.0 } else { self.error.part(point.error.max(LEAST_ERROR)) };
         (self.work.part(point.work), up)
     }

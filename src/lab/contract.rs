@@ -22,6 +22,61 @@ pub fn contenders<S>(by_hand: impl IntoIterator<Item = (&'static str, S)>) -> im
     by_hand.chain(std::iter::once_with(|| (SHIPPED, By::Engine)))
 }
 
+/// A method in a scene or a stress test. Its runs depend on one number: a step (s), or the value that a test makes larger.
+pub struct Entrant<R, P> {
+    /// Its name in the legend.
+    pub name: String,
+    /// Whether it is the engine as it is shipped.
+    pub shipped: bool,
+    /// Runs it and gives the result.
+    pub run: Box<dyn Fn(f64) -> R>,
+    /// Runs it and gives the course of the run, where the scene is one to be followed.
+    pub shown: Option<Box<dyn Fn(f64) -> P>>,
+}
+
+impl<R: 'static, P: 'static> Entrant<R, P> {
+    /// A method by hand.
+    pub fn new(name: impl Into<String>, run: impl Fn(f64) -> R + 'static) -> Self {
+        Self { name: name.into(), shipped: false, run: Box::new(run), shown: None }
+    }
+
+    /// The engine as it is shipped.
+    pub fn shipped(run: impl Fn(f64) -> R + 'static) -> Self {
+        Self { shipped: true, ..Self::new(SHIPPED, run) }
+    }
+
+    /// One that shows its course.
+    #[must_use]
+    pub fn showing(self, show: impl Fn(f64) -> P + 'static) -> Self {
+        Self { shown: Some(Box::new(show)), ..self }
+    }
+
+    /// Methods by hand and the shipped engine.
+    pub fn all<S: Copy + 'static>(
+        by_hand: impl IntoIterator<Item = (&'static str, S)>,
+        run: impl Fn(By<S>, f64) -> R + Clone + 'static,
+    ) -> Vec<Self> {
+        let entrant = |(name, by): (&'static str, By<S>)| {
+            let run = run.clone();
+            Self { shipped: matches!(by, By::Engine), ..Self::new(name, move |value| run(by, value)) }
+        };
+        contenders(by_hand).map(entrant).collect()
+    }
+
+    /// The same, each of which shows its course.
+    pub fn all_showing<S: Copy + 'static>(
+        by_hand: impl IntoIterator<Item = (&'static str, S)> + Clone,
+        run: impl Fn(By<S>, f64) -> R + Clone + 'static,
+        show: impl Fn(By<S>, f64) -> P + Clone + 'static,
+    ) -> Vec<Self> {
+        let shows = contenders(by_hand.clone()).map(|(_, by)| {
+            let show = show.clone();
+            move |value| show(by, value)
+        });
+        Self::all(by_hand, run).into_iter().zip(shows).map(|(entrant, show)| entrant.showing(show)).collect()
+    }
+}
+
 /// A motion that methods step.
 pub trait Model: Clone {
     /// All of it that changes.

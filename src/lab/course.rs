@@ -1,14 +1,14 @@
 //! How a method fares while a scene runs: its error and its energy over time, which a final error does not tell. A method that gains
 //! energy slowly, one whose clock is wrong, and one that is merely coarse may end equally far from the truth.
 
-use super::curve::Origin;
+use super::curve::MethodCurve;
 
 /// Moments of a course, at most. More would be closer together than the pixels of a diagram.
 const MOMENTS: usize = 150;
 
 /// What is known of a method at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moment {
+pub struct CoursePoint {
     /// Since the start, s.
     pub time: f64,
     /// The largest distance from the truth since the moment before, m; not finite where the method blew up.
@@ -17,30 +17,19 @@ pub struct Moment {
     pub energy: Option<f64>,
 }
 
-/// What a method did in one run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Course {
-    /// The method's name.
-    pub name: String,
-    /// Who answered.
-    pub origin: Origin,
-    /// In the order of their times.
-    pub moments: Vec<Moment>,
-}
-
 /// All methods of a scene over time, at one step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OverTime {
     /// s.
     pub step: f64,
     /// In the order of the scene's curves.
-    pub courses: Vec<Course>,
+    pub courses: Vec<MethodCurve<CoursePoint>>,
 }
 
 impl OverTime {
     /// Whether energies are known.
     pub fn has_energy(&self) -> bool {
-        self.courses.iter().flat_map(|course| &course.moments).any(|moment| moment.energy.is_some())
+        self.courses.iter().flat_map(|course| &course.points).any(|moment| moment.energy.is_some())
     }
 }
 
@@ -52,15 +41,15 @@ pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
 
 /// A few of many moments, evenly spaced, the last one among them. Between two of them the largest error counts, and the energy that is
 /// furthest from 1.
-pub fn sampled(moments: impl Iterator<Item = Moment>) -> Vec<Moment> {
-    let all: Vec<Moment> = moments.collect();
+pub fn sampled(moments: impl Iterator<Item = CoursePoint>) -> Vec<CoursePoint> {
+    let all: Vec<CoursePoint> = moments.collect();
     let every = all.len().div_ceil(MOMENTS).max(1);
-    let together = |some: &[Moment]| {
+    let together = |some: &[CoursePoint]| {
         let last = some.last()?;
         let error = worst(some.iter().map(|moment| moment.error));
         let off = |energy: &f64| (energy - 1.0).abs();
         let energy = some.iter().filter_map(|moment| moment.energy).max_by(|a, b| off(a).total_cmp(&off(b)));
-        Some(Moment { time: last.time, error, energy })
+        Some(CoursePoint { time: last.time, error, energy })
     };
     all.chunks(every).filter_map(together).collect()
 }
@@ -72,12 +61,12 @@ mod tests {
     #[test]
     fn few_moments_stand_for_many_and_forgive_nothing() {
         let wild = |i: usize| if i == 777 { 9.0 } else { 0.5 };
-        let many = (1..=1000).map(|i| Moment { time: i as f64, error: wild(i), energy: Some(1.0 - wild(i)) });
+        let many = (1..=1000).map(|i| CoursePoint { time: i as f64, error: wild(i), energy: Some(1.0 - wild(i)) });
         let few = sampled(many);
         assert!(few.len() <= MOMENTS && few.last().unwrap().time == 1000.0);
         let worst = few.iter().find(|moment| moment.error == 9.0).unwrap();
         assert!(worst.time >= 777.0 && worst.time < 790.0 && worst.energy == Some(-8.0));
-        let nothing = sampled([1.0, f64::NAN, 2.0].into_iter().map(|error| Moment { time: 0.0, error, energy: None }));
+        let nothing = sampled([1.0, f64::NAN, 2.0].into_iter().map(|error| CoursePoint { time: 0.0, error, energy: None }));
         assert!(nothing.len() == 3 && nothing[1].error.is_nan());
         assert!(sampled(std::iter::empty()).is_empty());
     }

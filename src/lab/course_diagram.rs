@@ -1,11 +1,12 @@
 //! A scene over time as SVG: the error of every method above, and the energy that it has kept below where that is known.
 
 use super::axes::{power, step};
-use super::course::{Course, Moment, OverTime};
-use super::curve::{Curve, Measured};
+use super::course::{CoursePoint, OverTime};
+use super::curve::MethodCurve;
 use super::lanes::{self, Lane, Sheet, Way};
 use super::linear::Linear;
 use super::look::Look;
+use super::measured::Measured;
 use super::timeline::{Timeline, energy_name, round_numbers};
 
 /// How high the lane of the error is beside that of the energy.
@@ -26,9 +27,11 @@ fn sheet(measured: &Measured, over_time: &OverTime) -> Sheet {
     let axes = Timeline::of(over_time);
     let decades = axes.error;
     let errors = decades.named(8).map(|exponent| (decades.part(10f64.powi(exponent)), power(exponent)));
-    let ways = |place: &dyn Fn(&Moment) -> Option<(f64, f64)>| {
-        let points = |course: &Course| course.moments.iter().filter_map(place).map(|(right, up)| (right * axes.end, up)).collect();
-        let way = |course: &Course| Way { look: look(measured, course), points: points(course), marker: None };
+    let ways = |place: &dyn Fn(&CoursePoint) -> Option<(f64, f64)>| {
+        let points = |course: &MethodCurve<CoursePoint>| {
+            course.points.iter().filter_map(place).map(|(right, up)| (right * axes.end, up)).collect()
+        };
+        let way = |course: &MethodCurve<CoursePoint>| Way { look: look(measured, course), points: points(course), marker: None };
         over_time.courses.iter().map(way).collect()
     };
     let mut lanes = vec![Lane {
@@ -63,8 +66,8 @@ fn sheet(measured: &Measured, over_time: &OverTime) -> Sheet {
 }
 
 /// As the same method looks in the scene's other diagram.
-fn look(measured: &Measured, course: &Course) -> Look {
-    let same = |curve: &Curve| curve.name == course.name && curve.origin == course.origin;
+fn look(measured: &Measured, course: &MethodCurve<CoursePoint>) -> Look {
+    let same = |curve: &MethodCurve| curve.name == course.name && curve.origin == course.origin;
     let index = measured.curves.iter().position(same).unwrap_or(0);
     let look = Look::of(index, course.origin);
     Look { width: look.width.min(2), ..look }
@@ -73,13 +76,13 @@ fn look(measured: &Measured, course: &Course) -> Look {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::curve::Origin;
+    use crate::lab::curve::CurveOrigin;
 
     #[test]
     fn what_blew_up_is_drawn_without_bad_numbers() {
-        let moment = |time, error, energy| Moment { time, error, energy: Some(energy) };
+        let moment = |time, error, energy| CoursePoint { time, error, energy: Some(energy) };
         let moments = vec![moment(1.0, 0.0, 1.0), moment(2.0, f64::NAN, f64::INFINITY), moment(3.0, 1e300, f64::NAN)];
-        let course = Course { name: "wild".into(), origin: Origin::Lab, moments };
+        let course = MethodCurve { name: "wild".into(), origin: CurveOrigin::Lab, points: moments };
         let over_time = Some(OverTime { step: 1.0 / 60.0, courses: vec![course] });
         let mut measured = Measured { over_time, ..Measured::of_curves(Vec::new()) };
         let drawn = svg(&measured).unwrap().unwrap();

@@ -2,8 +2,9 @@
 //! on the upper edge is a run that blew up; a point on the lower edge has no error but rounding, or none.
 
 use super::axes::{Axes, LEAST_ERROR, number, power};
-use super::curve::{Curve, Measured, Origin, Point};
+use super::curve::{CurveOrigin, MethodCurve, WorkPoint};
 use super::look::{FRAME, GOOD, Look, Marker, RING, SHIPPED, TEXT, TOLERANCE_DASH};
+use super::measured::Measured;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
@@ -59,7 +60,7 @@ fn draw<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
     let axes = Axes::of(measured);
     let (xs, ys) = (axes.work.range(), axes.error.range());
     let top = ys.end;
-    let place = |point: &Point| (point.work, if point.blew_up() { top } else { point.error.clamp(LEAST_ERROR, top) });
+    let place = |point: &WorkPoint| (point.work, if point.blew_up() { top } else { point.error.clamp(LEAST_ERROR, top) });
     let mut chart = ChartBuilder::on(&left)
         .margin_top(if measured.note.is_empty() { 56 } else { 76 })
         .margin_left(16)
@@ -154,7 +155,7 @@ fn legend<'a>(measured: &Measured, root: &Area<'a>) -> Drawn<'a> {
         y += line;
     }
     let points = || measured.curves.iter().flat_map(|curve| &curve.points);
-    if points().any(Point::blew_up) {
+    if points().any(WorkPoint::blew_up) {
         for piece in polygons((LEGEND + 18, y), Marker::Cross, QUIET) {
             root.draw(&piece)?;
         }
@@ -183,8 +184,8 @@ pub(super) fn sample<'a>(root: &Area<'a>, look: &Look, y: i32) -> Drawn<'a> {
 }
 
 /// A curve's name, and its order where one is seen; a peer's name is long enough, and its order stands at the curve.
-pub fn with_order(curve: &Curve) -> String {
-    let order = if curve.origin == Origin::Peer { None } else { curve.order() };
+pub fn with_order(curve: &MethodCurve) -> String {
+    let order = if curve.origin == CurveOrigin::Peer { None } else { curve.order() };
     order.map_or_else(|| curve.name.clone(), |order| format!("{}, order {order:.1}", curve.name))
 }
 
@@ -230,11 +231,11 @@ mod tests {
 
     #[test]
     fn a_diagram_has_its_words_as_text_and_no_bad_numbers() {
-        let point = |step, work, error| Point { step, work, error };
-        let curve = |name: &str, origin, points| Curve { name: name.to_owned(), origin, points };
+        let point = |step, work, error| WorkPoint { step, work, error };
+        let curve = |name: &str, origin, points| MethodCurve { name: name.to_owned(), origin, points };
         let measured = Measured::of_curves(vec![
-            curve("wild", Origin::Lab, vec![point(0.1, 10.0, f64::NAN), point(0.01, 100.0, 1e-2)]),
-            curve("ours", Origin::Shipped, vec![point(0.01, 50.0, 0.0)]),
+            curve("wild", CurveOrigin::Lab, vec![point(0.1, 10.0, f64::NAN), point(0.01, 100.0, 1e-2)]),
+            curve("ours", CurveOrigin::Shipped, vec![point(0.01, 50.0, 0.0)]),
         ]);
         let svg = svg(&measured).unwrap();
         for word in ["A title", "error, m", "work, ns", "wild", "ours", "as shipped", "blew up", "tolerance"] {

@@ -1,6 +1,6 @@
 //! How a curve looks, on paper and on the screen: methods are told apart by colour, dash and marker.
 
-use super::curve::Origin;
+use super::curve::CurveOrigin;
 
 /// Words, and other engines.
 pub const TEXT: u32 = 0xE6EBF2;
@@ -34,14 +34,14 @@ pub struct Look {
 
 impl Look {
     /// How the curve of that index and origin looks. Other engines are white, ours has the accent's colour.
-    pub fn of(index: usize, origin: Origin) -> Self {
+    pub fn of(index: usize, origin: CurveOrigin) -> Self {
         let marker = Marker::ALL[index % Marker::ALL.len()];
         // One further each time the colours begin again, so that no two of many curves share both.
         let dash = DASHES[(index + index / COLOURS.len()) % DASHES.len()];
         match origin {
-            Origin::Shipped => Self { colour: SHIPPED, dash: None, marker: Marker::Star, width: 3 },
-            Origin::Lab => Self { colour: COLOURS[index % COLOURS.len()], dash, marker, width: 2 },
-            Origin::Peer => Self { colour: TEXT, dash: DASHES[2], marker, width: 1 },
+            CurveOrigin::Shipped => Self { colour: SHIPPED, dash: None, marker: Marker::Star, width: 3 },
+            CurveOrigin::Lab => Self { colour: COLOURS[index % COLOURS.len()], dash, marker, width: 2 },
+            CurveOrigin::Peer => Self { colour: TEXT, dash: DASHES[2], marker, width: 1 },
         }
     }
 }

@@ -8,7 +8,7 @@
 //! - [`stability`]: where methods are stable, on the complex plane; [`stability_diagram`]: as SVG and CSV.
 //! - [`side_by_side`]: two methods on a scene, to be watched.
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
-//! - [`curve`]: the numbers behind a diagram; [`course`]: error and energy over time. [`charts`]: all that one run measured, as CSV and back; [`kept`]: the run that comes with
+//! - [`measured`] and [`curve`]: the numbers behind a diagram; [`course`]: error and energy over time. [`charts`]: all that one run measured, as CSV and back; [`kept`]: the run that comes with
 //!   the game; [`peers`]: other engines' points.
 //! - [`axes`], [`linear`], [`timeline`] and [`look`]: what a diagram is made of, on paper and on the screen. [`diagram`], [`lanes`] and [`course_diagram`]: as SVG.
 //!   [`report`]: the summary.
@@ -24,6 +24,7 @@ pub mod kept;
 pub mod lanes;
 pub mod linear;
 pub mod look;
+pub mod measured;
 pub mod methods;
 pub mod peers;
 pub mod reference;
@@ -38,7 +39,7 @@ pub mod stability_diagram;
 pub mod stress;
 pub mod timeline;
 
-pub use scene::{Method, Scene};
+pub use scene::{Answer, Scene};
 
 /// m. A tenth of a pixel at the default scale of 30 pixels a metre: an error that no one can see.
 pub const TOLERANCE: f64 = 1.0 / 300.0;

@@ -3,7 +3,8 @@
 //! diagrams of their own.
 
 use super::TOLERANCE;
-use super::curve::{Curve, MOST_CURVES, Measured, NUMBERS, Origin, Point};
+use super::curve::{CurveOrigin, MOST_CURVES, NUMBERS, WorkPoint, curve_of};
+use super::measured::Measured;
 use super::rows::{above_zero, error, rows};
 
 /// The columns of the file that `benches/peers` writes.
@@ -89,7 +90,6 @@ pub fn add_peers(file: &str, text: &str, diagrams: &mut Vec<Measured>) -> Result
     for row in rows(file, text, &PEERS_HEAD)? {
         let (scene, ours) = (row.get("scene"), row.get("engine") == OURS);
         let (step, work, error) = (above_zero(&row, "step")?, above_zero(&row, "work")?, error(&row)?);
-        let too_many = |()| row.bad_cell("engine", format_args!("at most {MOST_CURVES} curves in a diagram"));
         let (scene, sleeps) = match scene.strip_suffix(SLEEP) {
             // Ours with sleep is what the lab measures.
             Some(_) if ours => continue,
@@ -97,17 +97,22 @@ pub fn add_peers(file: &str, text: &str, diagrams: &mut Vec<Measured>) -> Result
             None => (scene, false),
         };
         let engine = curve_name(row.get("engine"), row.get("version"), row.get("settings"), sleeps);
-        if let Some(measured) = diagrams.iter_mut().find(|measured| measured.name == scene) {
+        let origin = if ours { CurveOrigin::Shipped } else { CurveOrigin::Peer };
+        let (measured, work) = if let Some(measured) = diagrams.iter_mut().find(|measured| measured.name == scene) {
             // In the scenes of the lab the shipped engine is measured here and now.
-            if !ours {
-                add(measured, &engine, Origin::Peer, Point { step, work, error }).map_err(too_many)?;
+            if ours {
+                continue;
             }
+            (measured, work)
         } else if let Some((family, measured)) = families.iter_mut().find(|(family, _)| family.has(scene)) {
             let work = if family.sizes { (work * step).clamp(*NUMBERS.start(), *NUMBERS.end()) } else { work };
-            let origin = if ours { Origin::Shipped } else { Origin::Peer };
-            add(measured.get_or_insert_with(|| family.diagram(step)), &engine, origin, Point { step, work, error })
-                .map_err(too_many)?;
-        }
+            (measured.get_or_insert_with(|| family.diagram(step)), work)
+        } else {
+            continue;
+        };
+        let too_many = || row.bad_cell("engine", format_args!("at most {MOST_CURVES} curves in a diagram"));
+        let curve = curve_of(&mut measured.curves, &engine, origin).ok_or_else(too_many)?;
+        curve.points.push(WorkPoint { step, work, error });
     }
     diagrams.extend(families.into_iter().filter_map(|(_, measured)| measured));
     Ok(())
@@ -120,19 +125,6 @@ fn curve_name(engine: &str, version: &str, settings: &str, sleeps: bool) -> Stri
     }
     let settings = [settings, if sleeps { "with sleep" } else { "" }].into_iter().filter(|words| !words.is_empty());
     settings.fold(format!("{engine} {version}"), |name, words| format!("{name}, {words}"))
-}
-
-/// Adds a point to a curve of that name.
-///
-/// # Errors
-/// There are [`MOST_CURVES`] others.
-fn add(measured: &mut Measured, name: &str, origin: Origin, point: Point) -> Result<(), ()> {
-    match measured.curves.iter().position(|curve| curve.name == name) {
-        Some(index) => measured.curves[index].points.push(point),
-        None if measured.curves.len() >= MOST_CURVES => return Err(()),
-        None => measured.curves.push(Curve { name: name.to_owned(), origin, points: vec![point] }),
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -168,7 +160,7 @@ mod tests {
         assert_eq!(names, ["fall", "piles", "flights-with-drag", "column-100"]);
         let curves =
             |i: usize| diagrams[i].curves.iter().map(|curve| (curve.name.as_str(), curve.points.clone())).collect::<Vec<_>>();
-        let point = |step, work, error| Point { step, work, error };
+        let point = |step, work, error| WorkPoint { step, work, error };
         assert_eq!(
             curves(0),
             [

@@ -2,7 +2,8 @@
 
 use super::axes::{number, step};
 use super::charts::Charts;
-use super::curve::{Curve, Measured, Origin, Point};
+use super::curve::{CurveOrigin, MethodCurve, WorkPoint};
+use super::measured::Measured;
 use super::rows::table;
 use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, limit};
 use super::stability_diagram::{SVG, TITLE};
@@ -11,13 +12,13 @@ use std::fmt::Write;
 /// What the shipped engine costs in a scene, beside the cheapest there.
 struct Verdict<'a> {
     measured: &'a Measured,
-    shipped: Point,
+    shipped: WorkPoint,
     /// The shipped engine at the step at which it is the cheapest within the tolerance.
-    stretched: Option<Point>,
+    stretched: Option<WorkPoint>,
     /// Within the tolerance.
-    cheapest: Option<(&'a Curve, Point)>,
+    cheapest: Option<(&'a MethodCurve, WorkPoint)>,
     /// As exact as the shipped one.
-    as_exact: Option<(&'a Curve, Point)>,
+    as_exact: Option<(&'a MethodCurve, WorkPoint)>,
 }
 
 impl<'a> Verdict<'a> {
@@ -29,7 +30,7 @@ impl<'a> Verdict<'a> {
         Some(Self { measured, shipped, stretched, cheapest: measured.cheapest(), as_exact: measured.cheapest_as_exact() })
     }
 
-    fn ratio(&self, other: Point) -> f64 {
+    fn ratio(&self, other: WorkPoint) -> f64 {
         self.shipped.work / other.work
     }
 }
@@ -43,8 +44,8 @@ pub fn shipped_csv(diagrams: &[Measured]) -> String {
     ];
     let shortest = |value: f64| format!("{value:e}");
     let rows = diagrams.iter().filter_map(Verdict::of).map(|verdict| {
-        let Point { step, work, error } = verdict.shipped;
-        let best = |best: Option<(&Curve, Point)>| match best {
+        let WorkPoint { step, work, error } = verdict.shipped;
+        let best = |best: Option<(&MethodCurve, WorkPoint)>| match best {
             None => vec![String::new(); 5],
             Some((curve, point)) => {
                 let numbers = [point.step, point.error, point.work, verdict.ratio(point)].map(shortest);
@@ -113,9 +114,9 @@ fn verdicts(text: &mut String, diagrams: &[Measured]) {
     text.push_str("## What the shipped engine costs, and what is cheapest\n\n");
     let all: Vec<Verdict<'_>> = diagrams.iter().filter_map(Verdict::of).collect();
     // Scenes in which only engines take part say nothing about loops by hand.
-    let has_loop = |measured: &Measured| measured.curves.iter().any(|curve| curve.origin == Origin::Lab);
+    let has_loop = |measured: &Measured| measured.curves.iter().any(|curve| curve.origin == CurveOrigin::Lab);
     let alike = || all.iter().filter(|verdict| verdict.measured.alike && has_loop(verdict.measured));
-    let by_hand = |best: &Option<(&Curve, Point)>| best.is_some_and(|(curve, _)| curve.origin == Origin::Lab);
+    let by_hand = |best: &Option<(&MethodCurve, WorkPoint)>| best.is_some_and(|(curve, _)| curve.origin == CurveOrigin::Lab);
     let (scenes, loses) = (alike().count(), alike().filter(|verdict| by_hand(&verdict.cheapest)).count());
     let still = alike().filter(|verdict| by_hand(&verdict.as_exact)).count();
     let _ = writeln!(
@@ -134,7 +135,7 @@ fn verdicts(text: &mut String, diagrams: &[Measured]) {
         let (error, work) = (number(verdict.shipped.error), number(verdict.shipped.work));
         let stretched =
             verdict.stretched.map_or("–".to_owned(), |point| format!("{} at {}", number(point.work), step(point.step)));
-        let named = |(curve, point): (&Curve, Point)| format!("{} at {}", curve.name, step(point.step));
+        let named = |(curve, point): (&MethodCurve, WorkPoint)| format!("{} at {}", curve.name, step(point.step));
         let none = if verdict.measured.alike { "none" } else { "–" };
         let cheapest = verdict.cheapest.map_or(format!("{none} | – | – | –"), |best| {
             let (error, work) = (number(best.1.error), number(best.1.work));
@@ -153,7 +154,7 @@ pub const PI: &str = "pi";
 /// Up to which N each step counts right, and what that costs.
 fn pi_table(text: &mut String, measured: &Measured) {
     text.push_str("\n## π from collisions in time steps\n\n| step | right up to N | its CPU time, ns |\n|---|---|---|\n");
-    let by_hand: Vec<&Curve> = measured.curves.iter().filter(|curve| curve.origin == Origin::Lab).collect();
+    let by_hand: Vec<&MethodCurve> = measured.curves.iter().filter(|curve| curve.origin == CurveOrigin::Lab).collect();
     let steps = by_hand.first().map_or(0, |curve| curve.points.len());
     for index in 0..steps {
         let mut points = by_hand.iter().map_while(|curve| curve.points.get(index));

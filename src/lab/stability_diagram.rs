@@ -1,7 +1,7 @@
 //! The regions of stability as SVG and as CSV: the left half of the plane of z = h·λ down to its real axis, the edge of each method's
 //! region, and its limits on the rays of a swing and of drag alone.
 
-use super::curve::Origin;
+use super::curve::CurveOrigin;
 use super::diagram::{Area, Drawn, GRID, GROUND, HEAVY_GRID, LEGEND, LINE, QUIET, SIZE, polygons, rgb, sample, stroke};
 use super::look::{Look, TEXT};
 use super::rows::{shortest, table};
@@ -31,12 +31,12 @@ pub const TITLE: &str = "Where methods are stable: the plane of z = h·λ";
 
 /// How the region of that index looks.
 pub fn look(index: usize) -> Look {
-    Look::of(index, Origin::Lab)
+    Look::of(index, CurveOrigin::Lab)
 }
 
 /// How the shipped engine looks.
 pub fn shipped_look() -> Look {
-    Look::of(0, Origin::Shipped)
+    Look::of(0, CurveOrigin::Shipped)
 }
 
 /// The edges, point by point, and the limits on the two rays: two files.

@@ -3,7 +3,7 @@
 
 use super::TOLERANCE;
 use super::axes::{Decades, LEAST_ERROR, number};
-use super::course::{Moment, OverTime};
+use super::course::{CoursePoint, OverTime};
 
 /// What of an energy is shown, in parts of what it should be: beyond, a method has gained or lost all there is.
 const ENERGIES: (f64, f64) = (0.0, 2.0);
@@ -24,7 +24,7 @@ pub struct Timeline {
 impl Timeline {
     /// Around everything that is known, and the error that nobody sees.
     pub fn of(over_time: &OverTime) -> Self {
-        let moments = || over_time.courses.iter().flat_map(|course| &course.moments);
+        let moments = || over_time.courses.iter().flat_map(|course| &course.points);
         let errors = moments().map(|moment| moment.error).filter(|error| error.is_finite()).map(shown);
         let end = moments().map(|moment| moment.time).fold(0.0, f64::max);
         let energies = moments().filter_map(|moment| moment.energy).filter(|energy| energy.is_finite());
@@ -37,13 +37,13 @@ impl Timeline {
     }
 
     /// How far to the right and how far up an error lies, 0 … 1 each; at the upper edge what blew up.
-    pub fn error_at(&self, moment: &Moment) -> (f64, f64) {
+    pub fn error_at(&self, moment: &CoursePoint) -> (f64, f64) {
         let up = if moment.error.is_finite() { self.error.part(shown(moment.error)) } else { 1.0 };
         (moment.time / self.end, up)
     }
 
     /// The same of an energy, where it is known; beyond the edges at them.
-    pub fn energy_at(&self, moment: &Moment) -> Option<(f64, f64)> {
+    pub fn energy_at(&self, moment: &CoursePoint) -> Option<(f64, f64)> {
         let (least, most) = self.energy?;
         let energy = moment.energy?;
         let part = ((energy - least) / (most - least)).clamp(0.0, 1.0);
@@ -77,22 +77,22 @@ pub fn round_numbers(from: f64, to: f64, about: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::course::Course;
-    use crate::lab::curve::Origin;
+    use crate::lab::curve::{CurveOrigin, MethodCurve};
 
     #[test]
     fn moments_lie_between_the_axes_whatever_they_are() {
-        let moment = |time, error, energy| Moment { time, error, energy };
+        let moment = |time, error, energy| CoursePoint { time, error, energy };
         let moments = vec![
             moment(1.0, 0.0, Some(1.0)),
             moment(2.0, 0.1, Some(1.5)),
             moment(3.0, f64::INFINITY, Some(1e300)),
             moment(4.0, f64::NAN, Some(f64::NAN)),
         ];
-        let over_time = OverTime { step: 0.1, courses: vec![Course { name: "a".into(), origin: Origin::Lab, moments }] };
+        let over_time =
+            OverTime { step: 0.1, courses: vec![MethodCurve { name: "a".into(), origin: CurveOrigin::Lab, points: moments }] };
         let axes = Timeline::of(&over_time);
         assert_eq!((axes.end, axes.energy), (4.0, Some((0.99, 2.0))));
-        let at: Vec<_> = over_time.courses[0].moments.iter().map(|m| (axes.error_at(m), axes.energy_at(m).unwrap())).collect();
+        let at: Vec<_> = over_time.courses[0].points.iter().map(|m| (axes.error_at(m), axes.energy_at(m).unwrap())).collect();
         assert_eq!(at[0].0, (0.25, 0.0));
         assert_eq!((at[2].0.1, at[3].0.1, at[2].1.1, at[3].1.1), (1.0, 1.0, 1.0, 1.0));
         assert!((at[1].1.1 - 0.51 / 1.01).abs() < 1e-12);

@@ -6,9 +6,10 @@ use super::{theme, widgets};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
-use crate::lab::curve::{Measured, Point};
+use crate::lab::curve::WorkPoint;
 use crate::lab::diagram::with_order;
 use crate::lab::look::{FRAME, Look, Marker, RING, TOLERANCE_DASH};
+use crate::lab::measured::Measured;
 
 /// Powers of ten that an axis names, at most.
 const NAMED: i32 = 9;
@@ -175,7 +176,7 @@ fn legend_of_marks(canvas: &Canvas, plot: &Plot, measured: &Measured) {
         note(&|_, middle| frame(canvas, middle), "cheapest within the tolerance");
     }
     let points = || measured.curves.iter().flat_map(|curve| &curve.points);
-    if points().any(Point::blew_up) {
+    if points().any(WorkPoint::blew_up) {
         note(&|_, middle| marker(canvas, middle, Marker::Cross, theme::quiet()), "upper edge: blew up");
     }
     if points().any(|point| point.error < LEAST_ERROR) {

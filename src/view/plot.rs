@@ -2,7 +2,8 @@
 
 use super::layout::{Area, Vec2};
 use crate::lab::axes::Axes;
-use crate::lab::curve::{Measured, Point};
+use crate::lab::curve::WorkPoint;
+use crate::lab::measured::Measured;
 
 /// From the panel's left edge to the plot: the error's powers of ten.
 const LEFT: f32 = 80.0;
@@ -44,7 +45,7 @@ impl Plot {
     }
 
     /// Where a point is drawn.
-    pub fn at(&self, point: &Point) -> Vec2 {
+    pub fn at(&self, point: &WorkPoint) -> Vec2 {
         let (right, up) = self.axes.place(point);
         Vec2::new(self.across(right), self.upwards(up))
     }
@@ -101,13 +102,16 @@ pub fn dashes(corners: &[Vec2], on: f32, off: f32) -> Vec<(Vec2, Vec2)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::curve::{Curve, Origin};
+    use crate::lab::curve::{CurveOrigin, MethodCurve};
 
     #[test]
     fn a_point_is_found_where_it_is_drawn() {
-        let point = |work, error| Point { step: 0.1, work, error };
-        let curve =
-            Curve { name: "a".into(), origin: Origin::Lab, points: vec![point(10.0, 1.0), point(1e3, 1e-6), point(1e3, f64::NAN)] };
+        let point = |work, error| WorkPoint { step: 0.1, work, error };
+        let curve = MethodCurve {
+            name: "a".into(),
+            origin: CurveOrigin::Lab,
+            points: vec![point(10.0, 1.0), point(1e3, 1e-6), point(1e3, f64::NAN)],
+        };
         let measured = Measured::of_curves(vec![curve]);
         let plot = Plot::of(Area::new(24.0, 104.0, 1232.0, 488.0), &measured);
         for (index, point) in measured.curves[0].points.iter().enumerate() {

@@ -8,9 +8,9 @@ use super::{theme, widgets};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{number, power};
-use crate::lab::course::{Moment, OverTime};
-use crate::lab::curve::Measured;
+use crate::lab::course::{CoursePoint, OverTime};
 use crate::lab::look::{Look, TOLERANCE_DASH};
+use crate::lab::measured::Measured;
 use crate::lab::timeline::{Timeline, energy_name, round_numbers};
 
 /// Of the height, what the error takes where there is an energy, too.
@@ -87,11 +87,11 @@ pub fn draw(canvas: &Canvas, plot: &Plot, (measured, over_time): (&Measured, &Ov
         };
         let look = Look { width: 2, ..Look::of(index, curve.origin) };
         let colour = shade(Colour::hex(look.colour), picked.is_none_or(|picked| picked == index));
-        let line: Vec<Vec2> = course.moments.iter().map(|moment| upper.at(axes.error_at(moment))).collect();
+        let line: Vec<Vec2> = course.points.iter().map(|moment| upper.at(axes.error_at(moment))).collect();
         stroke(canvas, &line, &look, colour);
         if let Some(lower) = &lower {
-            let place = |moment: &Moment| axes.energy_at(moment).map(|at| lower.at(at));
-            stroke(canvas, &course.moments.iter().filter_map(place).collect::<Vec<_>>(), &look, colour);
+            let place = |moment: &CoursePoint| axes.energy_at(moment).map(|at| lower.at(at));
+            stroke(canvas, &course.points.iter().filter_map(place).collect::<Vec<_>>(), &look, colour);
         }
     }
     let foot = lower.map_or(upper.area, |lower| lower.area);

@@ -5,8 +5,9 @@
 
 mod read;
 
-use super::course::{Moment, OverTime};
-use super::curve::{Measured, Origin, Point};
+use super::course::{CoursePoint, OverTime};
+use super::curve::{CurveOrigin, WorkPoint};
+use super::measured::Measured;
 use super::rows::{shortest, table};
 use super::stress::Survival;
 
@@ -88,19 +89,19 @@ fn courses_file(scene: &str) -> String {
 
 fn courses(over_time: &OverTime) -> String {
     let rows = over_time.courses.iter().flat_map(|course| {
-        let row = |moment: &Moment| {
+        let row = |moment: &CoursePoint| {
             let energy = moment.energy.map_or_else(String::new, shortest);
             let words = [course.name.clone(), origin_word(course.origin).to_owned()];
             words.into_iter().chain([shortest(moment.time), shortest(moment.error), energy]).collect()
         };
-        course.moments.iter().map(row)
+        course.points.iter().map(row)
     });
     table(&COURSES_HEAD, rows)
 }
 
 fn points(measured: &Measured) -> String {
     let rows = measured.curves.iter().flat_map(|curve| {
-        let row = |point: &Point| {
+        let row = |point: &WorkPoint| {
             let numbers = [point.step, point.work, point.error].map(shortest);
             [curve.name.clone(), origin_word(curve.origin).to_owned()].into_iter().chain(numbers).collect()
         };
@@ -109,30 +110,34 @@ fn points(measured: &Measured) -> String {
     table(&POINTS_HEAD, rows)
 }
 
-fn origin_word(origin: Origin) -> &'static str {
+fn origin_word(origin: CurveOrigin) -> &'static str {
     match origin {
-        Origin::Lab => "lab",
-        Origin::Shipped => "shipped",
-        Origin::Peer => "peer",
+        CurveOrigin::Lab => "lab",
+        CurveOrigin::Shipped => "shipped",
+        CurveOrigin::Peer => "peer",
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::curve::Curve;
+    use crate::lab::curve::MethodCurve;
     use std::collections::HashMap;
 
     fn some() -> Charts {
-        let point = |step, work, error| Point { step, work, error };
-        let curve = |name: &str, origin, points| Curve { name: name.into(), origin, points };
+        let point = |step, work, error| WorkPoint { step, work, error };
+        let curve = |name: &str, origin, points| MethodCurve { name: name.into(), origin, points };
         let measured = Measured {
             name: "a-scene".into(),
             title: "Ten bounces, \"exact\"".into(),
             ..Measured::of_curves(vec![
-                curve("Euler, explicit", Origin::Lab, vec![point(0.1, 10.0 / 3.0, f64::INFINITY), point(0.05, 7.0, 0.1 + 0.2)]),
-                curve("shipped engine", Origin::Shipped, vec![point(1.0 / 120.0, 50.0, 0.0)]),
-                curve("Box2D", Origin::Peer, vec![point(1.0 / 60.0, 1e5, 5e-324)]),
+                curve(
+                    "Euler, explicit",
+                    CurveOrigin::Lab,
+                    vec![point(0.1, 10.0 / 3.0, f64::INFINITY), point(0.05, 7.0, 0.1 + 0.2)],
+                ),
+                curve("shipped engine", CurveOrigin::Shipped, vec![point(1.0 / 120.0, 50.0, 0.0)]),
+                curve("Box2D", CurveOrigin::Peer, vec![point(1.0 / 60.0, 1e5, 5e-324)]),
             ])
         };
         let survival = |test: &str, largest, shipped| Survival {

@@ -5,8 +5,9 @@ use super::{
     Setting, courses_file, origin_word, points_file,
 };
 use crate::files::CsvRow;
-use crate::lab::course::{Course, Moment, OverTime};
-use crate::lab::curve::{Curve, MOST_CURVES, Measured, Origin, Point};
+use crate::lab::course::{CoursePoint, OverTime};
+use crate::lab::curve::{CurveOrigin, MOST_CURVES, MethodCurve, WorkPoint, curve_of};
+use crate::lab::measured::Measured;
 use crate::lab::report::PI;
 use crate::lab::rows::{above_zero, error, rows};
 use crate::lab::stress::Survival;
@@ -50,18 +51,12 @@ fn diagram(row: &CsvRow<'_>, file: &impl Fn(&str) -> Result<String, String>) -> 
         return Err(row.bad_cell("scene", "a name of letters a to z, digits and -"));
     }
     let points_file = points_file(&name);
-    let mut curves: Vec<Curve> = Vec::new();
+    let mut curves: Vec<MethodCurve> = Vec::new();
     for row in rows(&points_file, &file(&points_file)?, &POINTS_HEAD)? {
         let (origin, method) = (origin(&row)?, row.get("method"));
-        let point = Point { step: above_zero(&row, "step")?, work: above_zero(&row, "work")?, error: error(&row)? };
-        let known = curves.iter().position(|curve| curve.name == method && curve.origin == origin);
-        match known {
-            Some(index) => curves[index].points.push(point),
-            None if curves.len() == MOST_CURVES => {
-                return Err(row.bad_cell("method", format_args!("at most {MOST_CURVES} methods")));
-            }
-            None => curves.push(Curve { name: method.to_owned(), origin, points: vec![point] }),
-        }
+        let point = WorkPoint { step: above_zero(&row, "step")?, work: above_zero(&row, "work")?, error: error(&row)? };
+        let curve = curve_of(&mut curves, method, origin).ok_or_else(|| too_many(&row))?;
+        curve.points.push(point);
     }
     if name == PI {
         check_steps(&points_file, &curves)?;
@@ -83,8 +78,12 @@ fn diagram(row: &CsvRow<'_>, file: &impl Fn(&str) -> Result<String, String>) -> 
     })
 }
 
-fn origin(row: &CsvRow<'_>) -> Result<Origin, String> {
-    let origins = [Origin::Lab, Origin::Shipped, Origin::Peer];
+fn too_many(row: &CsvRow<'_>) -> String {
+    row.bad_cell("method", format_args!("at most {MOST_CURVES} methods"))
+}
+
+fn origin(row: &CsvRow<'_>) -> Result<CurveOrigin, String> {
+    let origins = [CurveOrigin::Lab, CurveOrigin::Shipped, CurveOrigin::Peer];
     let found = origins.into_iter().find(|origin| origin_word(*origin) == row.get("origin"));
     found.ok_or_else(|| row.bad_cell("origin", "lab, shipped or peer"))
 }
@@ -92,30 +91,25 @@ fn origin(row: &CsvRow<'_>) -> Result<Origin, String> {
 /// The courses of a scene that was followed at that step.
 fn over_time(scene: &str, step: f64, file: &impl Fn(&str) -> Result<String, String>) -> Result<OverTime, String> {
     let name = courses_file(scene);
-    let mut courses: Vec<Course> = Vec::new();
+    let mut courses: Vec<MethodCurve<CoursePoint>> = Vec::new();
     for row in rows(&name, &file(&name)?, &COURSES_HEAD)? {
         let (origin, method) = (origin(&row)?, row.get("method"));
         let energy = if row.get("energy").is_empty() { None } else { Some(row.parse("energy", "a number, or nothing", |_| true)?) };
         let time = row.parse("time", LATER, |time: &f64| time.is_finite() && *time >= 0.0)?;
-        let moment = Moment { time, error: error(&row)?, energy };
-        match courses.iter().position(|course| course.name == method && course.origin == origin) {
-            Some(index) if courses[index].moments.last().is_some_and(|last| last.time >= time) => {
-                return Err(row.bad_cell("time", LATER));
-            }
-            Some(index) => courses[index].moments.push(moment),
-            None if courses.len() == MOST_CURVES => {
-                return Err(row.bad_cell("method", format_args!("at most {MOST_CURVES} methods")));
-            }
-            None => courses.push(Course { name: method.to_owned(), origin, moments: vec![moment] }),
+        let moment = CoursePoint { time, error: error(&row)?, energy };
+        let course = curve_of(&mut courses, method, origin).ok_or_else(|| too_many(&row))?;
+        if course.points.last().is_some_and(|last| last.time >= time) {
+            return Err(row.bad_cell("time", LATER));
         }
+        course.points.push(moment);
     }
     Ok(OverTime { step, courses })
 }
 
 /// The methods by hand of the scene π are the values of N, which stand in one table: a row a step.
-fn check_steps(file: &str, curves: &[Curve]) -> Result<(), String> {
-    let mut by_hand = curves.iter().filter(|curve| curve.origin == Origin::Lab);
-    let steps = |curve: &Curve| curve.points.iter().map(|point| point.step).collect::<Vec<_>>();
+fn check_steps(file: &str, curves: &[MethodCurve]) -> Result<(), String> {
+    let mut by_hand = curves.iter().filter(|curve| curve.origin == CurveOrigin::Lab);
+    let steps = |curve: &MethodCurve| curve.points.iter().map(|point| point.step).collect::<Vec<_>>();
     let Some(first) = by_hand.next() else { return Ok(()) };
     match by_hand.find(|curve| steps(curve) != steps(first)) {
         Some(other) => Err(format!("{file}: found other steps at {:?} than at {:?}, expected the same", other.name, first.name)),

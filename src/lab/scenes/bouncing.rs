@@ -1,9 +1,9 @@
 //! Bouncing on a floor from H = 1 m. Exact, with t₀ = √(2H/g): the n-th apex at H·e^(2n), all bounces over at t₀(1+e)/(1−e).
 
 use crate::lab::contract::{By, Model};
-use crate::lab::course::{Moment, sampled, worst};
+use crate::lab::course::{CoursePoint, sampled, worst};
 use crate::lab::methods::bounce::{Ball, Bounce, energy, every_tick, exact, reflect, snap, swept, verlet_snap};
-use crate::lab::{Scene, shipped};
+use crate::lab::{Answer, Scene, shipped};
 use crate::physics::{BodyDef, BodyId, World};
 
 /// N/kg.
@@ -140,12 +140,15 @@ pub fn perfect() -> Scene {
     let error = move |t: f64, height: f64| (height - ball.height_at(t)).abs();
     let moment = move |time: f64, at: &Ball| {
         let energy = Some(energy(*at, G) / (G * HEIGHT));
-        Moment { time, error: error(time, at.0), energy }
+        CoursePoint { time, error: error(time, at.0), energy }
     };
-    Scene::new("bounce-perfect", "Perfect bouncing (e = 1) for 60 s", PERFECT_SECONDS, 1)
-        .measuring("worst error of the place at any time, m")
-        .by(METHODS, move |by, h| worst(ball.running(by, h).each(PERFECT_SECONDS, |t, at| error(t, at.0))))
-        .followed(METHODS, move |by, h| sampled(ball.running(by, h).each(PERFECT_SECONDS, moment)))
+    let worst = move |by, h| worst(ball.running(by, h).each(PERFECT_SECONDS, |t, at| error(t, at.0)));
+    let course = move |by, h| sampled(ball.running(by, h).each(PERFECT_SECONDS, moment));
+    Scene {
+        error: "worst error of the place at any time, m",
+        methods: Answer::all_showing(METHODS, worst, course),
+        ..Scene::new("bounce-perfect", "Perfect bouncing (e = 1) for 60 s", PERFECT_SECONDS, 1)
+    }
 }
 
 /// The worst of the first ten apexes, m; the whole height where there are fewer.
@@ -160,7 +163,7 @@ fn apexes_error(found: &[f64]) -> f64 {
 /// Ten bounces at e = 0.9.
 pub fn apexes() -> Scene {
     let ball = BouncingBall::of(LOSSY);
-    Scene::new("bounce-apexes", "Ten bounces at restitution 0.9", LOSSY_SECONDS, 1)
-        .measuring("worst error of the first ten apexes, m")
-        .by(METHODS, move |by, h| apexes_error(&apex_heights(ball.path(by, LOSSY_SECONDS, h))))
+    let methods = Answer::all(METHODS, move |by, h| apexes_error(&apex_heights(ball.path(by, LOSSY_SECONDS, h))));
+    let scene = Scene::new("bounce-apexes", "Ten bounces at restitution 0.9", LOSSY_SECONDS, 1);
+    Scene { error: "worst error of the first ten apexes, m", methods, ..scene }
 }

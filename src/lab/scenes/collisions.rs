@@ -3,7 +3,7 @@
 
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::impact::{Block, Line, at_once, discrete, exact, swept};
-use crate::lab::{Scene, shipped};
+use crate::lab::{Answer, Scene, shipped};
 use crate::physics::{BodyDef, DVec2, World};
 
 /// s.
@@ -88,10 +88,12 @@ impl Model for BlockLine {
 }
 
 fn scene(name: &'static str, title: &str, line: BlockLine, places: Vec<f64>) -> Scene {
-    Scene::new(name, title, SECONDS, places.len()).measuring("worst error of a position at the end, m").by(METHODS, move |by, h| {
+    let scene = Scene::new(name, title, SECONDS, places.len());
+    let methods = Answer::all(METHODS, move |by, h| {
         let error = |blocks: Vec<Block>| blocks.iter().zip(&places).map(|(block, x)| (block.x - x).abs()).fold(0.0, f64::max);
         line.end(by, SECONDS, h).map_or(f64::NAN, error)
-    })
+    });
+    Scene { error: "worst error of a position at the end, m", methods, ..scene }
 }
 
 /// 75 kg at 25.7 m/s against 150 kg at −11.3 m/s, 10 m apart.

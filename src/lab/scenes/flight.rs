@@ -4,7 +4,7 @@
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::flow::{drag_alone, in_liquid, rise_and_fall};
 use crate::lab::methods::motion::{Law, METHODS, Point, Step, exact_fall};
-use crate::lab::{Scene, reference, shipped};
+use crate::lab::{Answer, Scene, reference, shipped};
 use crate::physics::{BodyId, DVec2, World, WorldDef};
 
 /// N/kg.
@@ -73,7 +73,8 @@ impl Model for FlyingBody {
 /// A scene of `seconds` that ends at `exact` (m).
 fn scene(name: &'static str, title: &str, seconds: f64, body: FlyingBody, exact: DVec2, flow: Option<Step>) -> Scene {
     let methods = METHODS.into_iter().chain(flow.map(|flow| ("exact flow", flow)));
-    Scene::new(name, title, seconds, 1).by(methods, move |by, h| body.error(by, seconds, h, exact))
+    let methods = Answer::all(methods, move |by, h| body.error(by, seconds, h, exact));
+    Scene { methods, ..Scene::new(name, title, seconds, 1) }
 }
 
 /// A scene whose flow is known.
@@ -111,8 +112,8 @@ pub fn rise() -> Scene {
     let law = Law { constant: DVec2::new(0.0, G), drag: DRAG, ..Law::default() };
     let start = Point { x: DVec2::ZERO, v: DVec2::new(0.0, -20.0) };
     let title = "Thrown up at 20 m/s with drag, and down again, 10 s";
-    with_flow("rise-with-drag", title, FlyingBody::in_air(law, start), rise_and_fall)
-        .noting("At the apex the second derivative of drag jumps: no order above 3 shows there.")
+    let note = "At the apex the second derivative of drag jumps: no order above 3 shows there.";
+    Scene { note, ..with_flow("rise-with-drag", title, FlyingBody::in_air(law, start), rise_and_fall) }
 }
 
 /// Without weight.

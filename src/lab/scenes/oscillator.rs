@@ -3,9 +3,9 @@
 
 use super::flight::FlyingBody;
 use crate::lab::contract::{By, Model};
-use crate::lab::course::{Moment, sampled, worst};
+use crate::lab::course::{CoursePoint, sampled, worst};
 use crate::lab::methods::motion::{INTEGRATORS, Law, Point, Step};
-use crate::lab::{Scene, shipped};
+use crate::lab::{Answer, Scene, shipped};
 use crate::physics::{BodyDef, DVec2};
 
 /// N/kg.
@@ -77,28 +77,32 @@ fn worst_energy(by: By<Step>, seconds: f64, h: f64) -> f64 {
     worst(swinging().running(by, h).each(seconds, |_, point| (energy_of(point) - 1.0).abs()))
 }
 
-fn moments(by: By<Step>, seconds: f64, h: f64) -> Vec<Moment> {
+fn moments(by: By<Step>, seconds: f64, h: f64) -> Vec<CoursePoint> {
     sampled(swinging().running(by, h).each(seconds, |time, point| {
         let energy = Some(energy_of(point));
-        Moment { time, error: (point.x.y - place_at(time)).abs(), energy }
+        CoursePoint { time, error: (point.x.y - place_at(time)).abs(), energy }
     }))
 }
 
 /// For ten seconds.
 pub fn swing() -> Scene {
     let title = "A floating box swings without drag (ω = √(ρgA/m)), 10 s";
-    Scene::new("oscillator", title, SECONDS, 1).by(INTEGRATORS.iter().copied(), error_at_end)
+    let methods = Answer::all(INTEGRATORS.iter().copied(), error_at_end);
+    Scene { methods, ..Scene::new("oscillator", title, SECONDS, 1) }
 }
 
 /// The energy over a thousand periods.
 pub fn energy_kept() -> Scene {
     let seconds = PERIODS * period();
-    Scene::new("oscillator-energy", "The energy of a floating box in 1000 swings without drag", seconds, 1)
-        .measuring("worst error of the energy at any time, parts of 1")
-        .within(SEEN)
-        .at_steps(&STEPS)
-        .by(INTEGRATORS.iter().copied(), move |by, h| worst_energy(by, seconds, h))
-        .followed(INTEGRATORS.iter().copied(), move |by, h| moments(by, seconds, h))
+    let error = move |by, h| worst_energy(by, seconds, h);
+    let course = move |by, h| moments(by, seconds, h);
+    Scene {
+        error: "worst error of the energy at any time, parts of 1",
+        tolerance: SEEN,
+        steps: STEPS.to_vec(),
+        methods: Answer::all_showing(INTEGRATORS.iter().copied(), error, course),
+        ..Scene::new("oscillator-energy", "The energy of a floating box in 1000 swings without drag", seconds, 1)
+    }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! π from collisions: which step size still counts right, and at which cost. Exact: ⌈π/atan(√(m/M))⌉ − 1 collisions.
 
 use crate::classics::pi::{Blocks, step_through};
-use crate::lab::Scene;
 use crate::lab::report::PI;
+use crate::lab::{Answer, Scene};
 
 /// Digits after the 3 that steps are tried on.
 const DIGITS: std::ops::RangeInclusive<u32> = 0..=5;
@@ -23,20 +23,22 @@ pub fn stepped(n: u32, h: f64) -> Option<u64> {
 
 /// A method a digit.
 pub fn digits() -> Scene {
-    let mut scene = Scene::new(PI, "π from collisions: counting in time steps, and by exact times of impact", 1.0, 1)
-        .measuring("relative error of the count");
-    scene.work = "CPU time for the count, ns";
-    scene.tolerance = 0.5 / COUNTS[*DIGITS.end() as usize] as f64;
-    scene.alike = false;
-    scene.steps = vec![1e-1, 1.0 / 60.0, 1.0 / 120.0, 1e-3, 1e-4, 1e-5];
-    for n in DIGITS {
-        scene = scene.method(format!("time steps, N = {n}"), move |h| stepped(n, h).map_or(f64::NAN, |count| error(n, count)));
-    }
     let last = *DIGITS.end();
+    let stepped =
+        |n: u32| Answer::new(format!("time steps, N = {n}"), move |h| stepped(n, h).map_or(f64::NAN, |count| error(n, count)));
     let exact = move |_| {
         let mut blocks = Blocks::new(last);
         while blocks.collide().is_some() {}
         error(last, blocks.collisions())
     };
-    scene.method(format!("exact times of impact, N = {last}"), exact).shipped()
+    let exact = Answer { name: format!("exact times of impact, N = {last}"), ..Answer::shipped(exact) };
+    Scene {
+        error: "relative error of the count",
+        work: "CPU time for the count, ns",
+        tolerance: 0.5 / COUNTS[last as usize] as f64,
+        alike: false,
+        steps: vec![1e-1, 1.0 / 60.0, 1.0 / 120.0, 1e-3, 1e-4, 1e-5],
+        methods: DIGITS.map(stepped).chain([exact]).collect(),
+        ..Scene::new(PI, "π from collisions: counting in time steps, and by exact times of impact", 1.0, 1)
+    }
 }

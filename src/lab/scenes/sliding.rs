@@ -2,7 +2,7 @@
 
 use crate::lab::contract::Model;
 use crate::lab::methods::friction::{Slide, Slider, by_sign, clamped, exact};
-use crate::lab::{Scene, shipped};
+use crate::lab::{Answer, Scene, shipped};
 use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 
 /// N/kg.
@@ -65,6 +65,7 @@ impl Model for SlidingBox {
 /// From 10 m/s on asphalt: 5.13 m.
 pub fn to_a_stop() -> Scene {
     let sliding = SlidingBox { gravity: G };
-    Scene::new("slide", "Sliding 5.13 m to a stop, 10 s", SECONDS, 1)
-        .by(METHODS, move |by, h| sliding.end(by, SECONDS, h).map_or(f64::NAN, |(x, _)| (x - sliding.stop()).abs()))
+    let error = move |by, h| sliding.end(by, SECONDS, h).map_or(f64::NAN, |(x, _)| (x - sliding.stop()).abs());
+    let methods = Answer::all(METHODS, error);
+    Scene { methods, ..Scene::new("slide", "Sliding 5.13 m to a stop, 10 s", SECONDS, 1) }
 }

@@ -4,7 +4,7 @@
 use crate::lab::contract::{By, Model};
 use crate::lab::course::worst;
 use crate::lab::methods::chain::{Chain, Solver};
-use crate::lab::{Scene, shipped};
+use crate::lab::{Answer, Scene, shipped};
 use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 
 /// N/kg.
@@ -112,9 +112,10 @@ fn push(n: usize) -> f64 {
 }
 
 fn standing(name: &'static str, title: String, masses: Vec<f64>) -> Scene {
-    let scene = Scene::new(name, title, SECONDS, masses.len()).measuring("largest movement of a body at rest, m");
+    let scene = Scene::new(name, title, SECONDS, masses.len());
     let column = ContactChain::standing(masses);
-    scene.by(SOLVERS, move |by, h| column.sag(by, SECONDS, h))
+    let methods = Answer::all(SOLVERS, move |by, h| column.sag(by, SECONDS, h));
+    Scene { error: "largest movement of a body at rest, m", methods, ..scene }
 }
 
 /// Equal blocks, one on the other.
@@ -130,7 +131,7 @@ pub fn heavy_on_light() -> Scene {
 /// Twenty blocks pushed from behind.
 pub fn pushed_row() -> Scene {
     let (seconds, row) = (1.0, ContactChain::pushed(ROW));
-    Scene::new("pushed-row", format!("A row of {ROW} blocks pushed along a floor, 1 s"), seconds, ROW)
-        .measuring("worst error of a position, m")
-        .by(SOLVERS, move |by, h| row.row_error(by, seconds, h))
+    let methods = Answer::all(SOLVERS, move |by, h| row.row_error(by, seconds, h));
+    let scene = Scene::new("pushed-row", format!("A row of {ROW} blocks pushed along a floor, 1 s"), seconds, ROW);
+    Scene { error: "worst error of a position, m", methods, ..scene }
 }

@@ -1,9 +1,9 @@
 //! Something fast against something thin. Exact: it never gets through.
 
-use crate::lab::Scene;
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::impact::{Block, Line};
 use crate::lab::scenes::collisions::{BlockLine, METHODS};
+use crate::lab::{Answer, Scene};
 
 /// m. Widths of the flying box and of the thin thing in its path.
 pub const BOX: f64 = 0.5;
@@ -67,9 +67,9 @@ impl Meeting {
 }
 
 fn scene(name: &'static str, title: &str, meeting: Meeting) -> Scene {
-    Scene::new(name, title, 0.5 * PHASES as f64, 1)
-        .measuring("worst error of position 0.25 s after the impact, m")
-        .by(METHODS, move |by, h| meeting.worst_error(by, h))
+    let methods = Answer::all(METHODS, move |by, h| meeting.worst_error(by, h));
+    let error = "worst error of position 0.25 s after the impact, m";
+    Scene { error, methods, ..Scene::new(name, title, 0.5 * PHASES as f64, 1) }
 }
 
 /// A wall of 10 cm.

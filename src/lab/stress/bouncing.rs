@@ -1,7 +1,7 @@
 //! Where floors fail: jitter at rest, stops that are short or never come, bounces that end too early or never, energy from nothing.
 
 use super::picture::Picture;
-use super::{G, TICK, Test};
+use super::{G, StressTest, TICK, Trial};
 use crate::lab::TOLERANCE;
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::bounce::{Ball, Bounce, energy, event_loop, impact_times};
@@ -33,14 +33,14 @@ pub fn jitter(by: By<Bounce>, e: f64) -> f64 {
 }
 
 /// Rest is exact, whatever the restitution.
-pub fn resting_jitter() -> Test {
+pub fn resting_jitter() -> StressTest {
     let picture = |by: By<Bounce>, e: f64| {
         let velocities: Vec<(f64, f64)> = laid(e).running(by, TICK).each(RESTING, |t, ball| (t, ball.1)).collect();
         let last = velocities.len().saturating_sub(JITTERS);
         Picture::of("time, s", "velocity, m/s").found(velocities.into_iter().skip(last)).within(0.0, 0.0)
     };
-    let test = Test::of("rest without jitter", "restitution e, at h = 1/60 s", (0.01, 1.0));
-    test.by(METHODS, |by, e| jitter(by, e) == 0.0, picture)
+    let methods = Trial::all_showing(METHODS, |by, e| jitter(by, e) == 0.0, picture);
+    StressTest::of("rest without jitter", "restitution e, at h = 1/60 s", (0.01, 1.0), methods)
 }
 
 /// The time after each step, place and velocity of a slide of 5 s.
@@ -71,13 +71,11 @@ fn chattering(h: f64) -> Picture {
 }
 
 /// Stops dead at v₀²/2μg, within a tenth of a pixel.
-pub fn coulomb_stop() -> Test {
+pub fn coulomb_stop() -> StressTest {
     let right = |(x, v): Slider| v == 0.0 && (x - SLIDING.stop()).abs() <= TOLERANCE;
-    let (name, by_sign) = sliding::METHODS[0];
-    Test::of("a slide stops dead, and in the right place", "step h, s", (1e-5, 0.5))
-        .method(name, move |h| right(slide(By::Hand(by_sign), h)))
-        .drawn(chattering)
-        .by(sliding::METHODS.into_iter().skip(1), move |by, h| right(slide(by, h)), stopping)
+    let mut methods = Trial::all_showing(sliding::METHODS, move |by, h| right(slide(by, h)), stopping);
+    methods[0].shown = Some(Box::new(chattering));
+    StressTest::of("a slide stops dead, and in the right place", "step h, s", (1e-5, 0.5), methods)
 }
 
 /// The balls of a series of bounces from 1 m, a fifth beyond its end, at 60 Hz.
@@ -100,16 +98,17 @@ fn ending(by: By<Bounce>, e: f64) -> Picture {
 }
 
 /// Infinitely many bounces in a finite time, up to e = 0.98.
-pub fn zeno() -> Test {
+pub fn zeno() -> StressTest {
     let right = |e: f64, end: f64| (end - series_end(e)).abs() <= RIGHT * series_end(e) + TICK;
-    Test::of("endless bounces end when the series does", "restitution e, at h = 1/60 s", (0.1, 0.98))
-        .method("event loop alone", |e| event_loop((bouncing::HEIGHT, 0.0), G, e, 1.2 * series_end(e), ENDLESS) < ENDLESS)
-        .drawn(|e| {
-            let times = impact_times((bouncing::HEIGHT, 0.0), G, e).take(60).enumerate();
-            let line = times.map(|(i, t)| ((i + 1) as f64, t / series_end(e)));
-            Picture::of("impacts", "time / end of the series").found(line).exact([(1.0, 1.0), (60.0, 1.2)])
-        })
-        .by(METHODS, move |by, e| right(e, end_of_bounces(by, e)), ending)
+    let alone = |e| event_loop((bouncing::HEIGHT, 0.0), G, e, 1.2 * series_end(e), ENDLESS) < ENDLESS;
+    let impacts = |e| {
+        let times = impact_times((bouncing::HEIGHT, 0.0), G, e).take(60).enumerate();
+        let line = times.map(|(i, t)| ((i + 1) as f64, t / series_end(e)));
+        Picture::of("impacts", "time / end of the series").found(line).exact([(1.0, 1.0), (60.0, 1.2)])
+    };
+    let mut methods = vec![Trial::new("event loop alone", alone).showing(impacts)];
+    methods.extend(Trial::all_showing(METHODS, move |by, e| right(e, end_of_bounces(by, e)), ending));
+    StressTest::of("endless bounces end when the series does", "restitution e, at h = 1/60 s", (0.1, 0.98), methods)
 }
 
 /// E/E₀ after a minute of perfect bouncing from 1 m.
@@ -118,12 +117,12 @@ pub fn minute(by: By<Bounce>, h: f64) -> f64 {
 }
 
 /// Keeps its energy to 1 % for a minute.
-pub fn minute_of_bounces() -> Test {
+pub fn minute_of_bounces() -> StressTest {
     let picture = |by: By<Bounce>, h: f64| {
         let energy = |t: f64, ball: &Ball| (t, energy(*ball, G) / (G * bouncing::HEIGHT));
         let line = BouncingBall::of(1.0).running(by, h).each(MINUTE, energy);
         Picture::of("time, s", "energy / first one").found(line).within(1.0, RIGHT)
     };
-    let test = Test::of("perfect bouncing for 60 s keeps its energy to 1 %", "step h, s", (1e-4, 0.5));
-    test.by(METHODS, |by, h| (minute(by, h) - 1.0).abs() <= RIGHT, picture)
+    let methods = Trial::all_showing(METHODS, |by, h| (minute(by, h) - 1.0).abs() <= RIGHT, picture);
+    StressTest::of("perfect bouncing for 60 s keeps its energy to 1 %", "step h, s", (1e-4, 0.5), methods)
 }

@@ -1,7 +1,7 @@
 //! Where methods of impact fail: thin things, and many contacts at one instant.
 
 use super::picture::Picture;
-use super::{TICK, Test};
+use super::{StressTest, TICK, Trial};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::impact::Line;
 use crate::lab::scenes::collisions::{BlockLine, METHODS, STRIKE};
@@ -38,18 +38,19 @@ fn met(by: By<Line>, meeting: Meeting) -> Picture {
     }
 }
 
-fn tunnels(name: &'static str, mass: f64) -> Test {
-    let test = Test::of(name, "speed at h = 1/60 s, m/s", (1.0, 1e6));
-    test.by(METHODS, move |by, speed| stays_out(by, speed, mass), move |by, speed| met(by, Meeting { speed, mass }))
+fn tunnels(name: &'static str, mass: f64) -> StressTest {
+    let picture = move |by, speed| met(by, Meeting { speed, mass });
+    let methods = Trial::all_showing(METHODS, move |by, speed| stays_out(by, speed, mass), picture);
+    StressTest::of(name, "speed at h = 1/60 s, m/s", (1.0, 1e6), methods)
 }
 
 /// A wall.
-pub fn tunnelling() -> Test {
+pub fn tunnelling() -> StressTest {
     tunnels("0.5 m box against a 0.1 m wall", f64::INFINITY)
 }
 
 /// Something that can move.
-pub fn tunnelling_of_bodies() -> Test {
+pub fn tunnelling_of_bodies() -> StressTest {
     tunnels("0.5 m box against a 0.1 m plate that can move", 3.0)
 }
 
@@ -86,21 +87,19 @@ fn struck(by: By<Line>, cradle: &BlockLine) -> Picture {
 }
 
 /// A cradle's pattern: 0, …, 0, v.
-fn cradles(name: &'static str, crowd: usize) -> Test {
+fn cradles(name: &'static str, crowd: usize) -> StressTest {
     let cradle = move |n: f64| BlockLine { crowd, ..BlockLine::cradle(n.floor() as usize) };
-    Test::of_whole(name, "blocks, at h = 1/60 s", (2.0, 20.0)).by(
-        METHODS,
-        move |by, n| last_leaves(&struck_velocities(by, &cradle(n))),
-        move |by, n| struck(by, &cradle(n)),
-    )
+    let survives = move |by, n| last_leaves(&struck_velocities(by, &cradle(n)));
+    let methods = Trial::all_showing(METHODS, survives, move |by, n| struck(by, &cradle(n)));
+    StressTest { whole: true, ..StressTest::of(name, "blocks, at h = 1/60 s", (2.0, 20.0), methods) }
 }
 
 /// A cradle alone.
-pub fn simultaneous_impacts() -> Test {
+pub fn simultaneous_impacts() -> StressTest {
     cradles("cradle: the last leaves alone", 0)
 }
 
 /// A cradle in a crowd.
-pub fn simultaneous_impacts_in_a_crowd() -> Test {
+pub fn simultaneous_impacts_in_a_crowd() -> StressTest {
     cradles("the same among 200 others", CROWD)
 }

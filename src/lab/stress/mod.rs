@@ -11,7 +11,7 @@ pub mod standing;
 use picture::Picture;
 
 use super::axes::number;
-use super::contract::{By, SHIPPED, contenders};
+use super::contract::Entrant;
 
 /// s. The tick of the figures that physics engines are usually compared at.
 pub const TICK: f64 = 1.0 / 60.0;
@@ -42,86 +42,38 @@ impl Survival {
     }
 }
 
-/// A test: methods, and what is made larger until they fail.
-pub struct Test {
+/// A stress test: methods, and the number that is made larger until they fail.
+pub struct StressTest {
     /// What has to hold.
     pub name: &'static str,
     /// What is made larger, with its unit.
     pub parameter: &'static str,
+    /// Least and largest value.
     range: (f64, f64),
+    /// Whether only whole numbers count.
     whole: bool,
-    methods: Vec<Method>,
+    methods: Vec<Trial>,
 }
 
-/// One that takes part in a test.
-struct Method {
-    name: String,
-    shipped: bool,
-    survives: Box<dyn Fn(f64) -> bool>,
-    picture: Option<Box<dyn Fn(f64) -> Picture>>,
-}
+/// A method in a test: whether it survives a value, and a picture of its run.
+type Trial = Entrant<bool, Picture>;
 
-impl std::fmt::Debug for Test {
+impl std::fmt::Debug for StressTest {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Test").field("name", &self.name).finish_non_exhaustive()
+        f.debug_struct("StressTest").field("name", &self.name).finish_non_exhaustive()
     }
 }
 
-impl Test {
+impl StressTest {
     /// A test that tries values of a range.
-    fn of(name: &'static str, parameter: &'static str, range: (f64, f64)) -> Self {
-        Self { name, parameter, range, whole: false, methods: Vec::new() }
-    }
-
-    /// The same of which only whole numbers count.
-    fn of_whole(name: &'static str, parameter: &'static str, range: (f64, f64)) -> Self {
-        Self { whole: true, ..Self::of(name, parameter, range) }
-    }
-
-    /// With a method.
-    fn method(mut self, name: impl Into<String>, survives: impl Fn(f64) -> bool + 'static) -> Self {
-        self.methods.push(Method { name: name.into(), shipped: false, survives: Box::new(survives), picture: None });
-        self
-    }
-
-    /// With methods by hand and the shipped engine; each survives a value or not, and shows its run at one.
-    fn by<S: Copy + 'static>(
-        mut self,
-        by_hand: impl IntoIterator<Item = (&'static str, S)>,
-        survives: impl Fn(By<S>, f64) -> bool + Clone + 'static,
-        picture: impl Fn(By<S>, f64) -> Picture + Clone + 'static,
-    ) -> Self {
-        for (name, by) in contenders(by_hand) {
-            let (survives, picture) = (survives.clone(), picture.clone());
-            self = self.method(name, move |value| survives(by, value)).drawn(move |value| picture(by, value));
-        }
-        self.last_is_shipped()
-    }
-
-    /// With the shipped engine.
-    fn shipped(self, survives: impl Fn(f64) -> bool + 'static) -> Self {
-        self.method(SHIPPED, survives).last_is_shipped()
-    }
-
-    fn last_is_shipped(mut self) -> Self {
-        if let Some(method) = self.methods.last_mut() {
-            method.shipped = true;
-        }
-        self
-    }
-
-    /// The last of the methods shows what it makes of a value.
-    fn drawn(mut self, picture: impl Fn(f64) -> Picture + 'static) -> Self {
-        if let Some(method) = self.methods.last_mut() {
-            method.picture = Some(Box::new(picture));
-        }
-        self
+    fn of(name: &'static str, parameter: &'static str, range: (f64, f64), methods: Vec<Trial>) -> Self {
+        Self { name, parameter, range, whole: false, methods }
     }
 
     /// What each method survives.
     pub fn rows(&self) -> Vec<Survival> {
-        let row = |method: &Method| {
-            let found = largest(self.range, &method.survives);
+        let row = |method: &Trial| {
+            let found = largest(self.range, &method.run);
             Survival {
                 test: self.name.to_owned(),
                 parameter: self.parameter.to_owned(),
@@ -137,8 +89,8 @@ impl Test {
     /// How a method fails just beyond the largest value that it survives, or how it survives the largest that was tried.
     pub fn picture(&self, method: &str, largest: f64) -> Option<Picture> {
         let method = self.methods.iter().find(|found| found.name == method)?;
-        let value = self.beyond(largest, &method.survives);
-        let picture = method.picture.as_ref()?(value);
+        let value = self.beyond(largest, &method.run);
+        let picture = method.shown.as_ref()?(value);
         Some(Picture { value, ..picture })
     }
 
@@ -192,7 +144,7 @@ pub fn largest_to(resolution: f64, (least, most): (f64, f64), survives: impl Fn(
 const RESOLUTION: f64 = 1e-3;
 
 /// All tests, in the order of the report.
-pub const TESTS: [fn() -> Test; 17] = [
+pub const TESTS: [fn() -> StressTest; 17] = [
     motion::terminal_velocity,
     motion::swings,
     motion::gust_reversal,
@@ -231,13 +183,12 @@ mod tests {
 
     #[test]
     fn a_failure_is_shown_just_beyond_what_is_survived() {
-        let test = Test::of("a", "b", (1.0, 100.0))
-            .method("m", |value| value < 9.0)
-            .drawn(|value| Picture { value, ..Picture::default() });
+        let trial = |survives: fn(f64) -> bool| Trial::new("m", survives).showing(|value| Picture { value, ..Picture::default() });
+        let test = StressTest::of("a", "b", (1.0, 100.0), vec![trial(|value| value < 9.0)]);
         let at = |largest: f64| test.picture("m", largest).map(|picture| picture.value);
         assert_eq!([0.0, 8.0, 90.0, 100.0, f64::NAN].map(at), [Some(1.0), Some(10.0), Some(100.0), Some(100.0), Some(1.0)]);
         assert_eq!(test.picture("another", 1.0), None);
-        let whole = Test::of_whole("a", "b", (2.0, 20.0)).method("m", |_| true).drawn(|_| Picture::default());
+        let whole = StressTest { whole: true, ..StressTest::of("a", "b", (2.0, 20.0), vec![trial(|_| true)]) };
         assert_eq!(whole.picture("m", 7.0).map(|picture| picture.value), Some(8.0));
     }
 }

@@ -1,7 +1,7 @@
 //! Where integrators fail: things so light that a step overshoots their terminal velocity, and gusts that turn them round.
 
 use super::picture::Picture;
-use super::{G, TICK, Test};
+use super::{G, StressTest, TICK, Trial};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::motion::{INTEGRATORS, Law, METHODS, Point, Step, exact_fall};
 use crate::lab::scenes::flight::FlyingBody;
@@ -72,14 +72,15 @@ fn settled(velocities: &[f64]) -> Picture {
 }
 
 /// z = g·h/v_t: above 1, half a dozen methods do not find the terminal velocity any more.
-pub fn terminal_velocity() -> Test {
+pub fn terminal_velocity() -> StressTest {
     let parameter = "z = g·h/v_t: step h = 1/60 s, terminal velocity v_t";
     let survives = |by: By<Step>, z: f64| match by {
         By::Hand(step) => fall(step, z, 0.0) == Fall::Right,
         By::Engine => shipped_fall_error(z) <= RIGHT,
     };
     let methods = METHODS.into_iter().chain([("exact flow", exact_fall as Step)]);
-    Test::of("terminal velocity to 1 %", parameter, (0.01, 1e3)).by(methods, survives, |by, z| settled(&falls(by, z, 0.0)))
+    let methods = Trial::all_showing(methods, survives, |by, z| settled(&falls(by, z, 0.0)));
+    StressTest::of("terminal velocity to 1 %", parameter, (0.01, 1e3), methods)
 }
 
 /// Swings that are followed.
@@ -104,14 +105,14 @@ fn swings_of(by: By<Step>, turn: f64) -> impl Iterator<Item = (f64, f64)> {
 }
 
 /// ω·h: a swing is a circle that steps cut off.
-pub fn swings() -> Test {
+pub fn swings() -> StressTest {
     let keeps =
         |by: By<Step>, turn: f64| swings_of(by, turn).last().is_some_and(|(_, amplitude)| (amplitude - 1.0).abs() <= AMPLITUDE);
     let picture =
         |by: By<Step>, turn: f64| Picture::of("swings", "amplitude / first one").found(swings_of(by, turn)).within(1.0, AMPLITUDE);
     let parameter = "ω·h: step h = 1/60 s, a swing in 2π/ω";
-    let test = Test::of("amplitude of 100 swings afloat to 10 %", parameter, (0.09, 10.0));
-    test.by(INTEGRATORS.iter().copied(), keeps, picture)
+    let methods = Trial::all_showing(INTEGRATORS.iter().copied(), keeps, picture);
+    StressTest::of("amplitude of 100 swings afloat to 10 %", parameter, (0.09, 10.0), methods)
 }
 
 /// Drag alone on something with a terminal velocity of 2 m/s.
@@ -133,21 +134,21 @@ fn blown(velocities: &[f64], speed: f64) -> Picture {
     found.exact((0..=SHOWN / 3).map(|steps| steps as f64).map(|steps| (steps, 1.0 / (1.0 + k * speed * steps * TICK))))
 }
 
-fn gusts(name: &'static str, survives: fn(&[f64], f64) -> bool) -> Test {
+fn gusts(name: &'static str, survives: fn(&[f64], f64) -> bool) -> StressTest {
     let survives = move |by: By<Step>, speed: f64| {
         let velocities = gust(by, speed);
         !velocities.is_empty() && survives(&velocities, speed)
     };
-    let test = Test::of(name, "wind on v_t = 2 m/s at h = 1/60 s, m/s", (1.0, 1e4));
-    test.by(METHODS, survives, |by, speed| blown(&gust(by, speed), speed))
+    let methods = Trial::all_showing(METHODS, survives, |by, speed| blown(&gust(by, speed), speed));
+    StressTest::of(name, "wind on v_t = 2 m/s at h = 1/60 s, m/s", (1.0, 1e4), methods)
 }
 
 /// Drag may slow something down; it never turns it round.
-pub fn gust_reversal() -> Test {
+pub fn gust_reversal() -> StressTest {
     gusts("a gust never reverses", |velocities, _| velocities.iter().all(|v| *v >= 0.0))
 }
 
 /// Nor does it make it faster.
-pub fn gust_blow_up() -> Test {
+pub fn gust_blow_up() -> StressTest {
     gusts("a gust never speeds up", |velocities, speed| velocities.iter().all(|v| v.abs() <= speed))
 }

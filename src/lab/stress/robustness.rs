@@ -1,7 +1,7 @@
 //! Where programs fail: far from the origin, after a hitch, and on nonsense.
 
 use super::picture::Picture;
-use super::{G, TICK, Test};
+use super::{G, StressTest, TICK, Trial};
 use crate::game::{Clock, TICK_RATE};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::motion::{Law, Point, Step, semi_implicit_euler, semi_implicit_euler_f32};
@@ -25,15 +25,13 @@ pub fn drift(by: By<Step>, distance: f64) -> f64 {
 }
 
 /// Places keep their tenth of a pixel.
-pub fn far_from_the_origin() -> Test {
+pub fn far_from_the_origin() -> StressTest {
     let methods: [(&str, Step); 2] =
         [("semi-implicit Euler, f32", semi_implicit_euler_f32), ("semi-implicit Euler, f64", semi_implicit_euler)];
     let name = "drift of 10 s at 1 m/s to a tenth of a pixel";
-    Test::of(name, "distance from the origin, m, at h = 1/60 s", (1.0, 1e11)).by(
-        methods,
-        |by, distance| drift(by, distance) <= TOLERANCE,
-        |by, distance| Picture::of("time, s", "off its place, m").found(drifts(by, distance)).within(0.0, TOLERANCE),
-    )
+    let picture = |by, distance| Picture::of("time, s", "off its place, m").found(drifts(by, distance)).within(0.0, TOLERANCE);
+    let methods = Trial::all_showing(methods, |by, distance| drift(by, distance) <= TOLERANCE, picture);
+    StressTest::of(name, "distance from the origin, m, at h = 1/60 s", (1.0, 1e11), methods)
 }
 
 /// A box falls from 1 m onto a floor of 0.5 m; then one frame takes long.
@@ -121,20 +119,20 @@ fn asked(frame: f64) -> Picture {
 }
 
 /// One frame takes long.
-pub fn hitch() -> Test {
-    Test::of("a hitch: nothing tunnels, nothing stalls", "length of one frame, s", (1.0 / 240.0, 10.0))
-        .method("frame time as step", |frame| frame_as_step(frame).survived())
-        .drawn(|frame| fallen(frame, &frame_as_step(frame)))
-        .method("fixed ticks, no cap", |frame| ticks_without_cap(frame).survived())
-        .drawn(asked)
-        .method("shipped engine, frame time as step", |frame| shipped_step(frame).survived())
-        .drawn(|frame| fallen(frame, &shipped_step(frame)))
-        .shipped(|frame| shipped_hitch(frame).survived())
-        .drawn(|frame| {
+pub fn hitch() -> StressTest {
+    let methods = vec![
+        Trial::new("frame time as step", |frame| frame_as_step(frame).survived())
+            .showing(|frame| fallen(frame, &frame_as_step(frame))),
+        Trial::new("fixed ticks, no cap", |frame| ticks_without_cap(frame).survived()).showing(asked),
+        Trial::new("shipped engine, frame time as step", |frame| shipped_step(frame).survived())
+            .showing(|frame| fallen(frame, &shipped_step(frame))),
+        Trial::shipped(|frame| shipped_hitch(frame).survived()).showing(|frame| {
             // The clock hands the engine no more than a few ticks of it.
             let hitch = shipped_hitch(frame);
             fallen(f64::from(hitch.ticks) / TICK_RATE, &hitch)
-        })
+        }),
+    ];
+    StressTest::of("a hitch: nothing tunnels, nothing stalls", "length of one frame, s", (1.0 / 240.0, 10.0), methods)
 }
 
 /// Bodies that make no sense, and what is wrong with them.
@@ -192,18 +190,18 @@ pub fn shipped_refuses(body: &BodyDef) -> bool {
 }
 
 /// How many kinds of nonsense do no harm.
-pub fn nonsense() -> Test {
+pub fn nonsense() -> StressTest {
     let bodies = nonsense_bodies();
     let all = bodies.len() as f64;
     let harmless = bodies.iter().filter(|(_, body)| naive_takes(body)).count() as f64;
     let refused = bodies.iter().filter(|(_, body)| shipped_refuses(body)).count() as f64;
-    Test::of_whole("nonsense does no harm", "of ten kinds, how many", (1.0, all))
-        .method("taken as it is", move |kinds| kinds.floor() <= harmless)
-        .drawn(move |_| {
-            // The last kind, which gives back more than it took.
-            let heights = bodies.last().into_iter().flat_map(|(_, body)| naively(body)).enumerate();
-            let line = heights.map(|(i, (height, _))| ((i + 1) as f64 * TICK, height));
-            Picture::of("time, s", "height at e = 2, m").found(line).exact([(0.0, NONSENSE_HEIGHT), (NONSENSE, NONSENSE_HEIGHT)])
-        })
-        .shipped(move |kinds| kinds.floor() <= refused)
+    let naive = Trial::new("taken as it is", move |kinds| kinds.floor() <= harmless).showing(move |_| {
+        // The last kind, which gives back more than it took.
+        let heights = bodies.last().into_iter().flat_map(|(_, body)| naively(body)).enumerate();
+        let line = heights.map(|(i, (height, _))| ((i + 1) as f64 * TICK, height));
+        Picture::of("time, s", "height at e = 2, m").found(line).exact([(0.0, NONSENSE_HEIGHT), (NONSENSE, NONSENSE_HEIGHT)])
+    });
+    let methods = vec![naive, Trial::shipped(move |kinds| kinds.floor() <= refused)];
+    let test = StressTest::of("nonsense does no harm", "of ten kinds, how many", (1.0, all), methods);
+    StressTest { whole: true, ..test }
 }

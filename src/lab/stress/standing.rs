@@ -1,7 +1,7 @@
 //! Where solvers of resting contacts fail: unequal masses and tall columns.
 
 use super::picture::Picture;
-use super::{G, TICK, Test};
+use super::{G, StressTest, TICK, Trial};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::chain::{Solver, sweeps_needed, swept_loads, weights, worst_load};
 use crate::lab::scenes::stacks::ContactChain;
@@ -69,35 +69,36 @@ pub fn carries(masses: &[f64], solver: Solver) -> bool {
     loads(masses, solver).last().is_some_and(|(_, load)| (load - 1.0).abs() <= SWEPT_FORCE)
 }
 
-/// Columns that a value stands for, by every solver.
-fn columns_of(mut test: Test, column: fn(f64) -> Vec<f64>) -> Test {
+/// Every solver on the column of a value.
+fn solvers(column: fn(f64) -> Vec<f64>) -> Vec<Trial> {
     let over_time = |loads: Vec<(f64, f64)>| Picture::of("time, s", LOAD).found(loads).within(1.0, SWEPT_FORCE);
-    for sweeps in SWEEPS {
-        test = test.method(format!("impulses from cold, {sweeps} sweeps"), move |value| {
-            sweeps_needed(&column(value), SWEPT_FORCE, sweeps).is_some()
-        });
-        test = test.drawn(move |value| {
+    let from_cold = SWEEPS.map(|sweeps| {
+        let survives = move |value| sweeps_needed(&column(value), SWEPT_FORCE, sweeps).is_some();
+        Trial::new(format!("impulses from cold, {sweeps} sweeps"), survives).showing(move |value| {
             let loads = (1..=sweeps).map(f64::from).zip(swept_loads(&column(value)));
             Picture::of("sweeps", LOAD).found(loads).within(1.0, SWEPT_FORCE)
-        });
-    }
-    for (name, solver) in AT_REST {
-        test = test.method(name, move |value| carries(&column(value), solver));
-        test = test.drawn(move |value| over_time(loads(&column(value), solver)));
-    }
-    test.shipped(move |value| stands(&column(value))).drawn(move |value| over_time(shipped_loads(&column(value))))
+        })
+    });
+    let at_rest = AT_REST.map(|(name, solver)| {
+        Trial::new(name, move |value| carries(&column(value), solver))
+            .showing(move |value| over_time(loads(&column(value), solver)))
+    });
+    let shipped = Trial::shipped(move |value| stands(&column(value)));
+    let shipped = shipped.showing(move |value| over_time(shipped_loads(&column(value))));
+    from_cold.into_iter().chain(at_rest).chain([shipped]).collect()
 }
 
 /// R times its mass on a block.
-pub fn heavy_on_light() -> Test {
-    let test = Test::of("heavy on light: forces to 1 %", "mass ratio R at h = 1/60 s", (1.0, 1e8));
-    columns_of(test, |ratio| vec![1.0, ratio])
+pub fn heavy_on_light() -> StressTest {
+    let methods = solvers(|ratio| vec![1.0, ratio]);
+    StressTest::of("heavy on light: forces to 1 %", "mass ratio R at h = 1/60 s", (1.0, 1e8), methods)
 }
 
 /// N equal blocks.
-pub fn columns() -> Test {
-    let test = Test::of_whole("column: forces to 1 %", "equal blocks N at h = 1/60 s", (1.0, 200.0));
-    columns_of(test, |n| vec![1.0; n.floor() as usize])
+pub fn columns() -> StressTest {
+    let methods = solvers(|n| vec![1.0; n.floor() as usize]);
+    let test = StressTest::of("column: forces to 1 %", "equal blocks N at h = 1/60 s", (1.0, 200.0), methods);
+    StressTest { whole: true, ..test }
 }
 
 /// The sag of a resting pair of 1 kg and `ratio` kg with the shipped engine, m.

@@ -4,7 +4,7 @@ use super::{Shown, body};
 use crate::lab::axes::{number, step};
 use crate::lab::charts::Charts;
 use crate::lab::course::OverTime;
-use crate::lab::curve::Measured;
+use crate::lab::measured::Measured;
 use crate::screens::{Input, Key, Toolbar};
 use crate::view::layout::{Area, Frame};
 use crate::view::plot::Plot;
