@@ -11,7 +11,8 @@ use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
 use crate::lab::measured::Measured;
 use crate::lab::peers::add_peers;
 use crate::lab::report::{shipped_csv, summary};
-use crate::lab::{Answer, Scene, course_diagram, diagram, scenes, stability, stability_diagram, stress};
+use crate::lab::{Answer, Scene, scenes, stability, stability_diagram, stress};
+use crate::view::paper;
 use std::hint::black_box;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -98,14 +99,11 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     let charts = Charts { setting, diagrams, stress: survivals };
     let mut files = charts.files();
     for measured in &charts.diagrams {
-        let drawn = diagram::svg(measured).map_err(|error| Stop::refused(format!("{}.svg: {error}", measured.name)))?;
-        files.push((format!("{}.svg", measured.name), drawn));
-        let over_time = course_diagram::svg(measured).map_err(|error| Stop::refused(format!("{}: {error}", measured.name)))?;
-        files.extend(over_time.map(|drawn| (format!("{}-over-time.svg", measured.name), drawn)));
+        files.push((format!("{}.svg", measured.name), paper::measured(measured)));
+        files.extend(paper::over_time(measured).map(|drawn| (format!("{}-over-time.svg", measured.name), drawn)));
     }
     let regions = stability::regions();
-    let drawn = stability_diagram::svg(&regions).map_err(|error| Stop::refused(format!("{}: {error}", stability_diagram::SVG)))?;
-    files.push((stability_diagram::SVG.to_owned(), drawn));
+    files.push((stability_diagram::SVG.to_owned(), paper::stability(&regions)));
     files.extend(stability_diagram::csv(&regions).map(|(name, text)| (name.to_owned(), text)));
     files.push(("shipped.csv".to_owned(), shipped_csv(&charts.diagrams)));
     files.push(("summary.md".to_owned(), summary(&charts, &regions)));

@@ -1,4 +1,5 @@
-//! What a frame shows, as a list of [`Shape`]s: a [`Canvas`] records it without a window, and a pen plays it. [`pen`] draws on the screen.
+//! What a frame shows, as a list of [`Shape`]s: a [`Canvas`] records it without a window, and a pen plays it. The pen
+//! `pen` draws on the screen, [`svg`] writes a file.
 //! Where things go is in [`layout`]; how wide words are, from the typefaces themselves, in [`text`].
 
 pub mod canvas;
@@ -9,6 +10,7 @@ pub mod pen;
 pub mod quads;
 pub mod shape;
 pub mod soft;
+pub mod svg;
 pub mod text;
 
 pub use canvas::Canvas;

@@ -185,7 +185,7 @@ impl Curve {
 
 /// What tests of curves are made of.
 #[cfg(test)]
-pub(super) mod fixture {
+pub(crate) mod fixture {
     use super::*;
     use crate::game::{Controls, Game, SHIP};
     use crate::instruments::walk::Reader;

@@ -1,11 +1,11 @@
-//! Curves as files that are taken along: a table with every tick and every digit, and a picture by the Lab's hand. Neither knows a disk.
+//! Curves that are taken along: a table with every tick and every digit, and the sheet of a picture. Neither knows a disk.
 
 use super::chart::{Chart, Member, Window};
 use super::curve::Curve;
 use super::look;
 use super::quantity::Quantity;
 use super::track::Track;
-use crate::lab::lanes::{self, Sheet, Way};
+use crate::lab::linear::Linear;
 use crate::lab::look::Look;
 use crate::number::Shortest;
 use csv::WriterBuilder;
@@ -66,11 +66,44 @@ pub fn csv(curves: &[Exported]) -> String {
     writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
 }
 
+/// A picture of curves above one axis: a strip for each kind of number, one above the other.
+pub struct Sheet {
+    /// To the right.
+    pub across: Linear,
+    /// The quantity to the right, with its unit.
+    pub across_name: String,
+    /// From the top.
+    pub strips: Vec<Strip>,
+    /// The names of the curves.
+    pub legend: Vec<(String, Look)>,
+    /// Lines below the legend.
+    pub notes: Vec<String>,
+}
+
+/// One of the strips.
+pub struct Strip {
+    /// The quantity upwards, with its unit.
+    pub name: String,
+    /// Values upwards, each with its part of the height.
+    pub named: Vec<(f64, String)>,
+    /// Values to the right at which a line stands.
+    pub marks: Vec<f64>,
+    /// Unbroken pieces of curves.
+    pub curves: Vec<Piece>,
+}
+
+/// An unbroken piece of a curve.
+pub struct Piece {
+    /// How it looks.
+    pub look: Look,
+    /// Values to the right, and parts of the height.
+    pub points: Vec<(f64, f64)>,
+    /// The one of them that bears the curve's marker, if any does.
+    pub marker: Option<usize>,
+}
+
 /// A picture of the same within a stretch of time.
-///
-/// # Errors
-/// What the plotting library reports, in words.
-pub fn svg(title: &str, window: Window, curves: &[Exported]) -> Result<String, String> {
+pub fn sheet(window: Window, curves: &[Exported]) -> Sheet {
     let across = curves.first().map_or(Quantity::Time, |exported| exported.curve.across());
     let places = |track: &Track| track.places(window);
     let members: Vec<Member> = curves.iter().map(|exported| (exported.number, exported.curve, places(exported.track))).collect();
@@ -88,32 +121,28 @@ pub fn svg(title: &str, window: Window, curves: &[Exported]) -> Result<String, S
             let look = exported.look();
             ways.into_iter()
                 .enumerate()
-                .map(move |(i, points)| Way { look, marker: marker(i, &points), points })
+                .map(move |(i, points)| Piece { look, marker: marker(i, &points), points })
                 .collect::<Vec<_>>()
         });
-        lanes::Lane {
+        Strip {
             name: lane.name(|number| of_number(number).map_or_else(String::new, |exported| exported.curve.up().symbol())),
-            height: 1,
             named: lane
                 .axis
                 .named(NAMED / chart.lanes.len().max(1))
                 .into_iter()
                 .map(|(value, name)| (lane.axis.part(value), name))
                 .collect(),
-            line: None,
             marks: impacts(&shown, across, window),
-            ways: ways.collect(),
+            curves: ways.collect(),
         }
     };
-    let sheet = Sheet {
-        title: title.to_owned(),
+    Sheet {
         notes: vec!["SI units, y upwards.".to_owned(), "Dotted upright: an impact.".to_owned()],
         across: chart.axis,
         across_name: across.heading(),
-        lanes: chart.lanes.iter().map(lane).collect(),
+        strips: chart.lanes.iter().map(lane).collect(),
         legend: curves.iter().map(|exported| (exported.label(), exported.look())).collect(),
-    };
-    lanes::svg(&sheet)
+    }
 }
 
 /// When there were impacts, s; over anything but time they are the curve's breaks.
@@ -170,20 +199,6 @@ mod tests {
             }
             assert_eq!(row[6].is_empty(), place > 100, "not read so far");
         }
-    }
-
-    #[test]
-    fn a_picture_names_its_axes_and_has_no_bad_numbers_and_bounded_size() {
-        let track = track(3000);
-        let curves = [Quantity::Y, Quantity::Velocity(Part::Y), Quantity::Force(crate::physics::ForceKind::Reaction, Part::Size)]
-            .map(|up| curve(&track, Quantity::Time, up));
-        let exported: Vec<Exported> =
-            curves.iter().enumerate().map(|(number, curve)| Exported { body: "Ship", curve, track: &track, number }).collect();
-        let picture = svg("Up <and> down", (0.0, 25.0), &exported).unwrap();
-        for words in ["Up &lt;and&gt; down", "Ship v_y", "y (m)", "v_y (m/s)", "|Normal force| (N)", "t (s)"] {
-            assert!(picture.contains(words), "{words}");
-        }
-        assert!(!picture.contains("NaN") && !picture.contains("inf") && picture.len() < 300_000, "{}", picture.len());
     }
 
     #[test]

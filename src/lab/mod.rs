@@ -5,23 +5,20 @@
 //! - [`contract`]: the one contract between methods, the shipped engine, and all that runs them.
 //! - [`scenes`]: what they are run on, one file a family; each scene knows its exact answer.
 //! - [`stress`]: where methods fail: the largest value that each survives.
-//! - [`stability`]: where methods are stable, on the complex plane; [`stability_diagram`]: as SVG and CSV.
+//! - [`stability`]: where methods are stable, on the complex plane; [`stability_diagram`]: as CSV.
 //! - [`side_by_side`]: two methods on a scene, to be watched.
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
 //! - [`measured`] and [`curve`]: the numbers behind a diagram; [`course`]: error and energy over time. [`charts`]: all that one run measured, as CSV and back; [`kept`]: the run that comes with
 //!   the game; [`peers`]: other engines' points.
-//! - [`axes`], [`linear`], [`timeline`] and [`look`]: what a diagram is made of, on paper and on the screen. [`diagram`], [`lanes`] and [`course_diagram`]: as SVG.
-//!   [`report`]: the summary.
+//! - [`axes`], [`linear`], [`timeline`] and [`look`]: what a diagram is made of, on paper and on the screen. [`report`]:
+//!   the summary.
 
 pub mod axes;
 pub mod charts;
 pub mod contract;
 pub mod course;
-pub mod course_diagram;
 pub mod curve;
-pub mod diagram;
 pub mod kept;
-pub mod lanes;
 pub mod linear;
 pub mod look;
 pub mod measured;

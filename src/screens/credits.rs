@@ -12,8 +12,8 @@ const FONTS: [(&str, &str); 2] = [
     ("Hack, a typeface: C. Simpkins, DejaVu, Bitstream", "MIT; Bitstream Vera"),
 ];
 /// Crates, by their names before the colon, and their licences.
-const CRATES: [(&str, &str); 18] = [
-    ("epaint_default_fonts: both typefaces", "MIT or Apache 2.0"),
+const CRATES: [(&str, &str); 17] = [
+    ("epaint_default_fonts and ttf-parser: typefaces", "MIT or Apache 2.0"),
     ("macroquad and miniquad: window, keys, drawing", "MIT or Apache 2.0"),
     ("gilrs: gamepads", "MIT or Apache 2.0"),
     ("libloading: finds the sound system of Linux", "ISC"),
@@ -26,7 +26,6 @@ const CRATES: [(&str, &str); 18] = [
     ("clap: the command line", "MIT or Apache 2.0"),
     ("sha2 and unicode-normalization: hashes, names", "MIT or Apache 2.0"),
     ("png: pictures", "MIT or Apache 2.0"),
-    ("plotters: charts", "MIT"),
     ("zip: levels as one file", "MIT"),
     ("tempfile: files that are written whole", "MIT or Apache 2.0"),
     ("libc: how each system opens a file", "MIT or Apache 2.0"),

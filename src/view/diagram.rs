@@ -1,4 +1,4 @@
-//! Draws a work–precision diagram: the same picture as `resultant chart` makes, with one curve or point picked out.
+//! Draws a work–precision diagram: on the screen with one curve or point picked out, and on the paper of `resultant chart`.
 
 use super::layout::{Area, DETAILS, TEXT, Vec2};
 use super::plot::{Plot, dashes};
@@ -6,8 +6,7 @@ use super::{theme, widgets};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
-use crate::lab::curve::WorkPoint;
-use crate::lab::diagram::with_order;
+use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
 use crate::lab::look::{FRAME, Look, Marker, RING, TOLERANCE_DASH};
 use crate::lab::measured::Measured;
 
@@ -36,9 +35,15 @@ pub fn draw(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
     let tolerance = plot.upwards(plot.axes.error.part(measured.tolerance));
     let ends = [Vec2::new(plot.area.min.x, tolerance), Vec2::new(plot.area.max().x, tolerance)];
     dashed(canvas, &ends, TOLERANCE_DASH, 2.0, theme::good());
+    let mut orders: Vec<Area> = Vec::new();
     for (index, curve) in measured.curves.iter().enumerate() {
         let look = Look::of(index, curve.origin);
         let colour = shade(Colour::hex(look.colour), picked.curve.is_none_or(|picked| picked == index));
+        if let Some((order, point)) = curve.order().zip(curve.finest_fitted()) {
+            let place = free_place(plot.at(&point), &orders);
+            canvas.text(&format!("{order:.1}"), place.min, Style::new(DETAILS, colour));
+            orders.push(place);
+        }
         let line: Vec<Vec2> = curve.points.iter().filter(|point| !point.blew_up()).map(|point| plot.at(point)).collect();
         stroke(canvas, &line, &look, colour);
         for point in &curve.points {
@@ -57,6 +62,21 @@ pub fn draw(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
     if let Some(point) = picked.point {
         tip(canvas, plot, measured, point);
     }
+}
+
+/// Where the order of a curve is written: right of its point, or below the orders that stand there.
+fn free_place(point: Vec2, taken: &[Area]) -> Area {
+    let mut place = Area { min: point + Vec2::new(10.0, -DETAILS), size: Vec2::new(24.0, DETAILS) };
+    while !place.covers_none(taken) {
+        place.min.y += DETAILS;
+    }
+    place
+}
+
+/// A curve's name, and its order where one is seen; a peer's name is long enough, and its order stands at the curve.
+fn with_order(curve: &MethodCurve) -> String {
+    let order = if curve.origin == CurveOrigin::Peer { None } else { curve.order() };
+    order.map_or_else(|| curve.name.clone(), |order| format!("{}, order {order:.1}", curve.name))
 }
 
 /// A colour, or what is left of it on a panel.

@@ -2,6 +2,7 @@
 //! [`crate::screens`]. Shapes are
 //! recorded by a [`crate::draw::Canvas`]; nothing but sound needs a system.
 
+pub mod lanes;
 pub mod layout;
 pub mod plot;
 pub mod terrain;
@@ -25,6 +26,7 @@ pub mod hud;
 pub mod mechanisms;
 pub mod medals;
 pub mod names;
+pub mod paper;
 pub mod particles;
 pub mod partner;
 pub mod picture;

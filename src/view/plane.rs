@@ -48,6 +48,12 @@ impl Plane {
     }
 }
 
+/// What the plane says, below it.
+pub const WORDS: [&str; 2] = [
+    "h: the step; λ: the rate at which a motion e^(λt) fades (left) and swings (up). Inside its edge a method's errors fade, outside they grow.",
+    "Near its terminal velocity v_t a fall has z = −2·g·h/v_t. The truth, e^z, fades in all of the left half; so does the shipped engine on both rays.",
+];
+
 pub use drawing::draw;
 
 mod drawing {

@@ -2,7 +2,8 @@
 //! makes, with one method picked out.
 
 use super::diagram::{dashed, legend_of_curves, shade, stroke};
-use super::layout::{Area, DETAILS, TEXT, Vec2};
+use super::lanes::LaneAxes;
+use super::layout::{Area, TEXT, Vec2};
 use super::plot::Plot;
 use super::{theme, widgets};
 use crate::draw::{Canvas, Colour, Style};
@@ -20,41 +21,6 @@ const BETWEEN: f32 = 68.0;
 /// Named values of an axis, about.
 const NAMED: usize = 7;
 
-/// One of the two plots.
-struct Stage<'a> {
-    area: Area,
-    name: &'a str,
-    /// Values with their parts of the way up.
-    named: Vec<(f64, String)>,
-}
-
-impl Stage<'_> {
-    fn at(&self, (right, up): (f64, f64)) -> Vec2 {
-        let size = self.area.size;
-        Vec2::new(self.area.min.x + size.x * right as f32, self.area.max().y - size.y * up as f32)
-    }
-
-    fn level(&self, up: f64) -> [Vec2; 2] {
-        [self.at((0.0, up)), self.at((1.0, up))]
-    }
-
-    fn axes(&self, canvas: &Canvas, seconds: f64) {
-        let quiet = Style::new(DETAILS, theme::quiet()).middle();
-        canvas.rounded(self.area, 0.0, theme::ground());
-        for (part, name) in &self.named {
-            let [from, to] = self.level(*part);
-            canvas.hairline(from, to, theme::panel_edge());
-            canvas.text(name, from - Vec2::new(10.0, 0.0), quiet.right());
-        }
-        for time in round_numbers(0.0, seconds, NAMED) {
-            let foot = self.at((time / seconds, 0.0));
-            canvas.hairline(foot, Vec2::new(foot.x, self.area.min.y), theme::panel_edge());
-            canvas.text(&number(time), foot + Vec2::new(0.0, 14.0), quiet.centred());
-        }
-        canvas.text(self.name, self.area.min - Vec2::new(0.0, 18.0), Style::new(TEXT, theme::text()).middle());
-    }
-}
-
 /// Draws it in the places of the scene's other diagram; `picked` is one of its curves.
 pub fn draw(canvas: &Canvas, plot: &Plot, (measured, over_time): (&Measured, &OverTime), picked: Option<usize>) {
     widgets::panel(canvas, plot.panel);
@@ -64,20 +30,21 @@ pub fn draw(canvas: &Canvas, plot: &Plot, (measured, over_time): (&Measured, &Ov
     let height = if axes.energy.is_some() { (whole.size.y - BETWEEN + 8.0) * UPPER } else { whole.size.y };
     let decades = axes.error;
     let errors = decades.named(NAMED as i32).map(|exponent| (decades.part(10f64.powi(exponent)), power(exponent)));
-    let upper =
-        Stage { area: Area { min: whole.min, size: Vec2::new(whole.size.x, height) }, name: "error, m", named: errors.collect() };
-    upper.axes(canvas, axes.end);
+    let errors: Vec<_> = errors.collect();
+    let times: Vec<_> = round_numbers(0.0, axes.end, NAMED).into_iter().map(|time| (time / axes.end, number(time))).collect();
+    let area = Area { min: whole.min, size: Vec2::new(whole.size.x, height) };
+    let upper = LaneAxes { area, name: "error, m", named: &errors };
+    upper.draw(canvas, &times);
     let [from, to] = upper.level(decades.part(TOLERANCE));
     dashed(canvas, &[from, to], TOLERANCE_DASH, 2.0, theme::good());
-    let lower = axes.energy.map(|(least, most)| {
-        let named = round_numbers(least, most, NAMED - 2).into_iter();
+    let (least, most) = axes.energy.unwrap_or_default();
+    let energies = round_numbers(least, most, NAMED - 2).into_iter();
+    let energies: Vec<_> = energies.map(|energy| ((energy - least) / (most - least), energy_name(energy))).collect();
+    let lower = axes.energy.map(|_| {
         let top = upper.area.max().y + BETWEEN;
-        let lower = Stage {
-            area: Area::new(whole.min.x, top, whole.size.x, whole.max().y + 8.0 - top),
-            name: "energy, parts of the right one",
-            named: named.map(|energy| ((energy - least) / (most - least), energy_name(energy))).collect(),
-        };
-        lower.axes(canvas, axes.end);
+        let area = Area::new(whole.min.x, top, whole.size.x, whole.max().y + 8.0 - top);
+        let lower = LaneAxes { area, name: "energy, parts of the right one", named: &energies };
+        lower.draw(canvas, &times);
         lower
     });
     for (index, curve) in measured.curves.iter().enumerate() {

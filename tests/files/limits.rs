@@ -4,9 +4,10 @@
 use crate::support::Memory;
 use cpu_time::ThreadTime;
 use resultant::lab::charts::Charts;
-use resultant::lab::{diagram, kept, peers, report};
+use resultant::lab::{kept, peers, report};
 use resultant::level;
 use resultant::scores::table;
+use resultant::view::paper;
 use resultant::{files, game};
 use std::hint::black_box;
 use std::path::Path;
@@ -138,7 +139,7 @@ fn numbers_beyond_all_axes_are_refused() {
     let far: String = far.into_iter().map(|row| format!("pile-100,{row},0,0,1\n")).collect();
     peers::add_peers("results.csv", &format!("{head}\n{far}"), &mut diagrams).unwrap();
     let charts = Charts { diagrams, ..Charts::default() };
-    let svg = diagram::svg(&charts.diagrams[0]).unwrap();
+    let svg = paper::measured(&charts.diagrams[0]);
     assert!(svg.len() < 100_000 && !svg.contains("NaN") && !svg.contains("inf"), "{}", svg.len());
     assert!(report::summary(&charts, &[]).len() < 100_000);
 }

@@ -76,11 +76,6 @@ mod drawing {
     use crate::view::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
     use crate::view::{plane, theme, widgets};
 
-    const WORDS: [&str; 2] = [
-        "h: the step; λ: the rate at which a motion e^(λt) fades (left) and swings (up). Inside its edge a method's errors fade, outside they grow.",
-        "Near its terminal velocity v_t a fall has z = −2·g·h/v_t. The truth, e^z, fades in all of the left half; so does the shipped engine on both rays.",
-    ];
-
     impl StabilityPage {
         /// Draws the plane, what it says, and the buttons.
         pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
@@ -89,7 +84,7 @@ mod drawing {
             let title = Vec2::new(middle, place.panel.min.y - 20.0);
             widgets::fitted(canvas, TITLE, title, widest, &[BUTTON_TEXT, TEXT], theme::text());
             plane::draw(canvas, &place, self.regions(), self.picked());
-            for (words, down) in WORDS.iter().zip([18.0, 42.0]) {
+            for (words, down) in plane::WORDS.iter().zip([18.0, 42.0]) {
                 widgets::fitted(
                     canvas,
                     words,

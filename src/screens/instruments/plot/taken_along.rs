@@ -6,6 +6,7 @@ use crate::files::INPUTS;
 use crate::game::Game;
 use crate::instruments::export::{self, Exported};
 use crate::screens::NewFile;
+use crate::view::paper;
 
 impl Plot {
     pub(super) fn make_file(&mut self, format: Format, game: &Game) {
@@ -17,16 +18,11 @@ impl Plot {
             self.told = Some(("There is no curve to be exported.".to_owned(), true));
             return;
         }
-        let made = match format {
-            Format::Csv => Ok((export::csv(&curves), ".csv")),
-            Format::Svg => export::svg(&game.level().title, self.window(), &curves).map(|text| (text, ".svg")),
+        let (text, ending) = match format {
+            Format::Csv => (export::csv(&curves), ".csv"),
+            Format::Svg => (paper::curves(&game.level().title, &export::sheet(self.window(), &curves)), ".svg"),
         };
         let stem = export::stem(&self.level, &curves);
-        match made {
-            Ok((text, ending)) => {
-                self.export = Some(NewFile { stem, ending, text, what: "the curves", same_up_to: INPUTS });
-            }
-            Err(problem) => self.told = Some((problem, true)),
-        }
+        self.export = Some(NewFile { stem, ending, text, what: "the curves", same_up_to: INPUTS });
     }
 }

@@ -1,0 +1,100 @@
+//! Lanes: curves above one axis to the right, each lane with its own numbers upwards.
+
+use super::diagram::{dashed, marker, stroke};
+use super::layout::{Area, DETAILS, TEXT, Vec2};
+use super::{theme, widgets};
+use crate::draw::{Canvas, Colour, Style};
+use crate::instruments::export::Sheet;
+
+/// Named values to the right, about.
+const NAMED: usize = 8;
+/// From the panel's edges to the lanes: left, top, bottom.
+const LEFT: f32 = 88.0;
+const TOP: f32 = 40.0;
+const BOTTOM: f32 = 60.0;
+/// Width of the legend, and from its left end to its words.
+const LEGEND: f32 = 340.0;
+const WORDS: f32 = 52.0;
+/// Between two lanes: the values to the right above, the name of the lane below.
+const BETWEEN: f32 = 60.0;
+/// Canvas units drawn and left out of a line that stands at a value.
+const MARK_DASH: (u32, u32) = (2, 5);
+
+/// The axes of one lane.
+pub(super) struct LaneAxes<'a> {
+    /// Between the axes.
+    pub area: Area,
+    /// The quantity upwards, with its unit.
+    pub name: &'a str,
+    /// Values upwards, each with its part of the height.
+    pub named: &'a [(f64, String)],
+}
+
+impl LaneAxes<'_> {
+    /// The place at those parts of the width and of the height.
+    pub fn at(&self, (right, up): (f64, f64)) -> Vec2 {
+        let size = self.area.size;
+        Vec2::new(self.area.min.x + size.x * right as f32, self.area.max().y - size.y * up as f32)
+    }
+
+    /// A line all across at a part of the height.
+    pub fn level(&self, up: f64) -> [Vec2; 2] {
+        [self.at((0.0, up)), self.at((1.0, up))]
+    }
+
+    /// Draws them; `across` are the values to the right, each with its part of the width.
+    pub fn draw(&self, canvas: &Canvas, across: &[(f64, String)]) {
+        let quiet = Style::new(DETAILS, theme::quiet()).middle();
+        canvas.rounded(self.area, 0.0, theme::ground());
+        for (part, name) in self.named {
+            let [from, to] = self.level(*part);
+            canvas.hairline(from, to, theme::panel_edge());
+            canvas.text(name, from - Vec2::new(10.0, 0.0), quiet.right());
+        }
+        for (part, name) in across {
+            let foot = self.at((*part, 0.0));
+            canvas.hairline(foot, Vec2::new(foot.x, self.area.min.y), theme::panel_edge());
+            canvas.text(name, foot + Vec2::new(0.0, 14.0), quiet.centred());
+        }
+        canvas.text(self.name, self.area.min - Vec2::new(0.0, 18.0), Style::new(TEXT, theme::text()).middle());
+    }
+}
+
+/// Draws a sheet of lanes with its legend on a panel.
+pub fn draw(canvas: &Canvas, panel: Area, sheet: &Sheet) {
+    widgets::panel(canvas, panel);
+    let across: Vec<(f64, String)> =
+        sheet.across.named(NAMED).into_iter().map(|(value, name)| (sheet.across.part(value), name)).collect();
+    let width = panel.size.x - LEFT - LEGEND - LEFT / 2.0;
+    let room = Area::new(panel.min.x + LEFT, panel.min.y + TOP, width, panel.size.y - TOP - BOTTOM);
+    let pitch = (room.size.y + BETWEEN) / sheet.strips.len().max(1) as f32;
+    for (strip, top) in sheet.strips.iter().zip((0..).map(|i| room.min.y + i as f32 * pitch)) {
+        let axes =
+            LaneAxes { area: Area::new(room.min.x, top, room.size.x, pitch - BETWEEN), name: &strip.name, named: &strip.named };
+        axes.draw(canvas, &across);
+        for mark in &strip.marks {
+            let x = sheet.across.part(*mark);
+            dashed(canvas, &[axes.at((x, 0.0)), axes.at((x, 1.0))], MARK_DASH, 1.0, theme::quiet());
+        }
+        for part in &strip.curves {
+            let line: Vec<Vec2> = part.points.iter().map(|(x, up)| axes.at((sheet.across.part(*x), *up))).collect();
+            let colour = Colour::hex(part.look.colour);
+            stroke(canvas, &line, &part.look, colour);
+            if let Some(at) = part.marker.and_then(|place| line.get(place)) {
+                marker(canvas, *at, part.look.marker, colour);
+            }
+        }
+    }
+    let words = Style::new(TEXT, theme::text()).middle();
+    canvas.text(&sheet.across_name, Vec2::new(room.centre().x, panel.max().y - 20.0), words.centred());
+    let mut at = Vec2::new(panel.max().x - LEGEND, panel.min.y + TOP);
+    for (name, look) in &sheet.legend {
+        stroke(canvas, &[at, at + Vec2::new(WORDS - 12.0, 0.0)], look, Colour::hex(look.colour));
+        canvas.text(&widgets::cut(canvas, name, LEGEND - WORDS, words), at + Vec2::new(WORDS, 0.0), words);
+        at.y += canvas.line_height(TEXT);
+    }
+    for note in &sheet.notes {
+        canvas.text(note, at, Style::new(DETAILS, theme::quiet()).middle());
+        at.y += canvas.line_height(DETAILS);
+    }
+}

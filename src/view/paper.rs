@@ -1,0 +1,127 @@
+//! Charts on paper: the drawings of the Lab and of the instruments on a sheet of their own, as SVG.
+
+use super::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GRID, TEXT, Vec2};
+use super::plane::{self, Plane};
+use super::plot::Plot;
+use super::{diagram, lanes, theme, timeline, widgets};
+use crate::draw::svg::svg;
+use crate::draw::{Canvas, Style};
+use crate::instruments::export::Sheet;
+use crate::lab::axes::step;
+use crate::lab::measured::Measured;
+use crate::lab::stability::Region;
+use crate::lab::stability_diagram::TITLE;
+
+/// Width and height of a sheet, and how much of that the title and the words below take, px.
+const PAPER: Vec2 = Vec2::new(1280.0, 640.0);
+const HEAD: f32 = 56.0;
+const FOOT: f32 = 60.0;
+
+/// A scene of the Lab: work to the right, error upwards.
+pub fn measured(measured: &Measured) -> String {
+    sheet(&measured.title, 0.0, |canvas, panel| {
+        diagram::draw(canvas, &Plot::of(panel, measured), measured, diagram::Picked::default());
+    })
+}
+
+/// A scene of the Lab over time, where it was followed.
+pub fn over_time(measured: &Measured) -> Option<String> {
+    let over_time = measured.over_time.as_ref()?;
+    let title = format!("{}: over time, step {}", measured.title, step(over_time.step));
+    Some(sheet(&title, 0.0, |canvas, panel| {
+        timeline::draw(canvas, &Plot::of(panel, measured), (measured, over_time), None);
+    }))
+}
+
+/// Where methods are stable.
+pub fn stability(regions: &[Region]) -> String {
+    sheet(TITLE, FOOT, |canvas, panel| {
+        plane::draw(canvas, &Plane::of(panel), regions, None);
+        for (words, down) in plane::WORDS.iter().zip([18.0, 42.0]) {
+            let middle = Vec2::new(panel.centre().x, panel.max().y + down);
+            widgets::fitted(canvas, words, middle, panel.size.x, &[TEXT, DETAILS], theme::text());
+        }
+    })
+}
+
+/// The curves of the instruments.
+pub fn curves(title: &str, shown: &Sheet) -> String {
+    sheet(title, 0.0, |canvas, panel| lanes::draw(canvas, panel, shown))
+}
+
+/// A title, and a drawing on the panel below it, `foot` above the lower edge.
+fn sheet(title: &str, foot: f32, draw: impl FnOnce(&Canvas, Area)) -> String {
+    let canvas = Canvas::new(Frame { size: PAPER, ..Frame::default() });
+    canvas.text(title, Vec2::new(2.0 * GRID, HEAD / 2.0), Style::new(BUTTON_TEXT, theme::text()).middle());
+    let inset = Area::new(GRID, HEAD, PAPER.x - 2.0 * GRID, PAPER.y - HEAD - GRID - foot);
+    draw(&canvas, inset);
+    svg(&canvas, theme::ground())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::Controls;
+    use crate::instruments::curve::fixture::{curve, flown};
+    use crate::instruments::export::{self, Exported};
+    use crate::instruments::quantity::{Part, Quantity};
+    use crate::lab::course::{CoursePoint, OverTime};
+    use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
+    use crate::lab::stability::regions;
+    use crate::physics::ForceKind;
+
+    fn assert_words(drawn: &str, words: &[&str]) {
+        assert!(words.iter().all(|word| drawn.contains(word)), "{words:?} in {drawn}");
+        assert!(!drawn.contains("NaN") && !drawn.contains("inf"));
+    }
+
+    fn wild() -> MethodCurve {
+        let point = |step, work, error| WorkPoint { step, work, error };
+        MethodCurve {
+            name: "wild".to_owned(),
+            origin: CurveOrigin::Lab,
+            points: vec![point(0.1, 10.0, f64::NAN), point(0.01, 100.0, 1e-2)],
+        }
+    }
+
+    #[test]
+    fn a_diagram_has_its_words_as_text_and_no_bad_numbers() {
+        let ours = vec![WorkPoint { step: 0.01, work: 50.0, error: 0.0 }];
+        let ours = MethodCurve { name: "ours".to_owned(), origin: CurveOrigin::Shipped, points: ours };
+        let drawn = measured(&Measured::of_curves(vec![wild(), ours]));
+        assert_words(&drawn, &["A title", "error, m", "work, ns", "wild", "ours", "as shipped", "blew up", "tolerance"]);
+    }
+
+    #[test]
+    fn what_blew_up_over_time_is_drawn_without_bad_numbers() {
+        let moment = |time, error, energy| CoursePoint { time, error, energy: Some(energy) };
+        let moments = vec![moment(1.0, 0.0, 1.0), moment(2.0, f64::NAN, f64::INFINITY), moment(3.0, 1e300, f64::NAN)];
+        let course = MethodCurve { name: "wild".into(), origin: CurveOrigin::Lab, points: moments };
+        let followed = Some(OverTime { step: 1.0 / 60.0, courses: vec![course] });
+        let mut measured = Measured { over_time: followed, ..Measured::of_curves(vec![wild()]) };
+        let drawn = over_time(&measured).expect("it was followed");
+        assert_words(&drawn, &["A title: over time, step 1/60 s", "error, m", "energy", "wild", "time, s"]);
+        measured.over_time = None;
+        assert!(over_time(&measured).is_none());
+    }
+
+    #[test]
+    fn the_plane_names_every_method() {
+        let regions = regions();
+        let names: Vec<&str> = regions.iter().map(|region| region.name).collect();
+        assert_words(&stability(&regions), &names);
+    }
+
+    #[test]
+    fn a_picture_of_curves_names_its_axes_and_has_bounded_size() {
+        let track = flown(3000, |tick| Controls { thrust: tick < 60, right: tick % 7 == 0, ..Controls::default() });
+        let shown = [Quantity::Y, Quantity::Velocity(Part::Y), Quantity::Force(ForceKind::Reaction, Part::Size)]
+            .map(|up| curve(&track, Quantity::Time, up));
+        let exported: Vec<Exported> =
+            shown.iter().enumerate().map(|(number, curve)| Exported { body: "Ship", curve, track: &track, number }).collect();
+        let picture = curves("Up <and> down", &export::sheet((0.0, 25.0), &exported));
+        let words = ["Up &lt;and&gt; down", "Ship v_y", "y (m)", "v_y (m/s)", "|Normal force| (N)", "t (s)"];
+        assert_words(&picture, &words);
+        assert!(picture.len() < 300_000, "{}", picture.len());
+    }
+}
